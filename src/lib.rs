@@ -1,0 +1,42 @@
+//! Eightfold's ray tracer: an animated scene, drawn by adaptive 8-pixel squares.
+//!
+//! The way of a frame, a module per stage:
+//!
+//! | stage | module |
+//! | --- | --- |
+//! | time to scene | [`show`], [`scene`] |
+//! | what every ray uses, once a frame | `prepare` |
+//! | bands of the picture in parallel | [`render()`] |
+//! | which points to trace, fill or split | `refine` |
+//! | points to colours and keys | `trace` |
+//! | eight rays side by side | `lanes` |
+//!
+//! What trades accuracy for speed is one struct, [`Quality`].
+//!
+//! A frame is a function of scene, size, quality and instruction set: the same bits for any number of threads. The
+//! library cannot allocate; its memory, [`Memory`] and a [`Worker`] per thread, belongs to the caller.
+#![no_std]
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+mod lanes;
+mod prepare;
+mod quality;
+mod refine;
+mod render;
+pub mod scene;
+pub mod show;
+mod trace;
+mod worker;
+
+pub use fearless_simd::Level;
+pub use quality::Quality;
+pub use refine::Band;
+pub use render::{Job, Memory, render};
+pub use trace::Counts;
+pub use worker::Worker;
+
+/// The widest picture, in pixels.
+pub const MAX_WIDTH: usize = 3840;
+/// The tallest picture, in pixels.
+pub const MAX_HEIGHT: usize = 2160;

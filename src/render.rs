@@ -1,0 +1,141 @@
+//! One frame: bands in parallel.
+
+use crate::prepare::Prepared;
+use crate::quality::Quality;
+use crate::refine::{self, Band, Border};
+use crate::scene::Scene;
+use crate::trace::Counts;
+use crate::worker::Worker;
+use crate::{MAX_HEIGHT, MAX_WIDTH};
+use fearless_simd::{Level, Simd};
+
+/// Bands of the tallest picture: the smallest band has 9 rows (squares of 9).
+const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(9);
+
+/// What the threads share while they render a frame: some MB of fixed size, owned by the caller.
+pub struct Memory {
+    prepared: Prepared,
+    borders: [Border; MAX_BANDS + 1],
+}
+
+impl Memory {
+    /// Empty memory.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            prepared: Prepared::new(),
+            borders: [const { Border::new() }; MAX_BANDS + 1],
+        }
+    }
+}
+
+impl Default for Memory {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// A job on a band, to be run by a worker.
+pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
+
+/// Renders one frame of `width` by `height` pixels: `0x00RRGGBB`, row after row.
+///
+/// The picture depends on the scene, the quality, the size and the instruction set alone. `run` has to apply the job
+/// to every band, each by any of the workers, in any order, and return when all are done; it is called once or twice.
+///
+/// # Panics
+/// If a side is 0 or beyond [`MAX_WIDTH`] or [`MAX_HEIGHT`], if `pixels` has another length than `width * height`, or
+/// if `quality` is out of its range.
+#[allow(
+    clippy::too_many_arguments,
+    reason = "what to draw, in what memory, by whom"
+)]
+pub fn render(
+    level: Level,
+    scene: &Scene,
+    quality: &Quality,
+    width: usize,
+    height: usize,
+    memory: &mut Memory,
+    workers: &mut [Worker],
+    pixels: &mut [u32],
+    mut run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
+) -> Counts {
+    assert!((1..=MAX_WIDTH).contains(&width) && (1..=MAX_HEIGHT).contains(&height));
+    assert!(pixels.len() == width * height);
+    assert!(
+        (1..=Quality::MAX_SQUARE).contains(&quality.square) && quality.depth <= Quality::MAX_DEPTH
+    );
+    memory.prepared.set(scene, width, height);
+    let prepared = &memory.prepared;
+    let rows = Band::rows(quality.square);
+    let count = height.div_ceil(rows);
+    memory.borders[count].clear();
+
+    let job = |worker: &mut Worker, band: &mut Band<'_>| {
+        render_band(level, prepared, quality, worker, band);
+    };
+    // Bands of even number trace the borders around them; those between find them traced.
+    for odd in [0, 1] {
+        let mut bands: [Band<'_>; MAX_BANDS.div_ceil(2)] =
+            core::array::from_fn(|_| Band::default());
+        let mut len = 0;
+        let strips = pixels
+            .chunks_mut(rows * width)
+            .enumerate()
+            .skip(odd)
+            .step_by(2);
+        let borders = memory.borders[odd..].chunks_mut(2);
+        for (((i, pixels), borders), band) in strips.zip(borders).zip(&mut bands) {
+            *band = Band {
+                top: i * rows,
+                width,
+                pixels,
+                borders,
+                neighbours_done: odd == 1,
+            };
+            len += 1;
+        }
+        run(workers, &mut bands[..len], &job);
+    }
+    let mut counts = Counts::default();
+    for worker in workers {
+        counts += worker.take_counts();
+    }
+    counts
+}
+
+/// Renders a band by the given instruction set.
+fn render_band(
+    level: Level,
+    scene: &Prepared,
+    quality: &Quality,
+    worker: &mut Worker,
+    band: &mut Band<'_>,
+) {
+    #[inline(always)]
+    fn by<S: Simd>(
+        simd: S,
+        scene: &Prepared,
+        quality: &Quality,
+        worker: &mut Worker,
+        band: &mut Band<'_>,
+    ) {
+        simd.vectorize(
+            #[inline(always)]
+            || refine::render(simd, scene, quality, worker, band),
+        );
+    }
+    #[cfg(target_arch = "x86_64")]
+    match level {
+        Level::Avx512(simd) => by(simd, scene, quality, worker, band),
+        Level::Avx2(simd) => by(simd, scene, quality, worker, band),
+        _ => {
+            if let Some(simd) = level.as_sse2() {
+                by(simd, scene, quality, worker, band);
+            }
+        }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    fearless_simd::dispatch!(level, simd => by(simd, scene, quality, worker, band));
+}

@@ -1,0 +1,56 @@
+//! The pinhole camera.
+
+use glam::Vec3;
+
+/// A pinhole camera with square pixels; a pixel's sample is its centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where it stands.
+    pub eye: Vec3,
+    /// The point in the middle of the picture; not the eye.
+    pub look_at: Vec3,
+    /// The direction that is up in the picture; not along the line of sight.
+    pub up: Vec3,
+    /// Vertical field of view in radians, above 0 and below pi.
+    pub field_of_view: f32,
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self {
+            eye: Vec3::Z,
+            look_at: Vec3::ZERO,
+            up: Vec3::Y,
+            field_of_view: core::f32::consts::FRAC_PI_4,
+        }
+    }
+}
+
+/// The picture plane of a camera: pixel (x, y) looks along `corner + x dx + y dy`, not normalised.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Raster {
+    /// Through the centre of the upper left pixel.
+    pub corner: Vec3,
+    /// One pixel to the right.
+    pub dx: Vec3,
+    /// One pixel down.
+    pub dy: Vec3,
+}
+
+impl Camera {
+    /// The picture plane for a picture of `width` by `height` pixels, at distance 1 from the eye.
+    #[must_use]
+    pub fn raster(&self, width: usize, height: usize) -> Raster {
+        let forward = (self.look_at - self.eye).normalize_or(Vec3::NEG_Z);
+        let right = forward.cross(self.up).normalize_or(Vec3::X);
+        let up = right.cross(forward);
+        let pixel = 2.0 * libm::tanf(self.field_of_view * 0.5) / height as f32;
+        let (dx, dy) = (right * pixel, up * -pixel);
+        let half = |side: usize| 0.5 - 0.5 * side as f32;
+        Raster {
+            corner: forward + dx * half(width) + dy * half(height),
+            dx,
+            dy,
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! The model scene: four spheres, a plane and two lights, circled once.
+//!
+//! The scene of every measurement, after the test scene of the 2008 thesis.
+
+use crate::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use glam::{Vec3, vec3};
+
+/// Seconds of one orbit: a full turn at [`ORBIT_SPEED`].
+pub const LENGTH: f32 = 8.0 * core::f32::consts::PI;
+
+/// Radians a second.
+const ORBIT_SPEED: f32 = 0.25;
+
+const FLOOR: Plane = Plane {
+    centre: Vec3::ZERO,
+    half_x: 12.0,
+    half_z: 12.0,
+    material: Material {
+        colour: vec3(0.55, 0.55, 0.60),
+        kd: 0.8,
+        ks: 0.1,
+        exponent: 10.0,
+        kr: 0.25,
+        kt: 0.0,
+        index: 1.0,
+    },
+};
+
+const RED: Sphere = Sphere {
+    centre: vec3(-2.2, 1.0, 0.5),
+    radius: 1.0,
+    material: Material {
+        colour: vec3(0.90, 0.15, 0.12),
+        kd: 0.7,
+        ks: 0.5,
+        exponent: 40.0,
+        kr: 0.25,
+        kt: 0.0,
+        index: 1.0,
+    },
+};
+
+const MIRROR: Sphere = Sphere {
+    centre: vec3(0.0, 1.2, 1.8),
+    radius: 1.2,
+    material: Material {
+        colour: vec3(0.90, 0.90, 0.95),
+        kd: 0.2,
+        ks: 0.8,
+        exponent: 80.0,
+        kr: 0.70,
+        kt: 0.0,
+        index: 1.0,
+    },
+};
+
+const BLUE: Sphere = Sphere {
+    centre: vec3(2.2, 1.0, 0.3),
+    radius: 1.0,
+    material: Material {
+        colour: vec3(0.15, 0.35, 0.90),
+        kd: 0.7,
+        ks: 0.5,
+        exponent: 40.0,
+        kr: 0.20,
+        kt: 0.0,
+        index: 1.0,
+    },
+};
+
+const GLASS: Sphere = Sphere {
+    centre: vec3(0.6, 0.5, -1.6), // lowest point of its bounce
+    radius: 0.5,
+    material: Material {
+        colour: vec3(0.95, 0.95, 0.95),
+        kd: 0.05,
+        ks: 0.8,
+        exponent: 100.0,
+        kr: 0.10,
+        kt: 0.85,
+        index: 1.5,
+    },
+};
+
+const LIGHTS: [Light; 2] = [
+    Light {
+        position: vec3(-4.0, 6.0, -4.0),
+        colour: vec3(0.90, 0.85, 0.80),
+        radius: 0.15,
+    },
+    Light {
+        position: vec3(5.0, 5.0, -2.0),
+        colour: vec3(0.35, 0.40, 0.50),
+        radius: 0.15,
+    },
+];
+
+/// The scene at `time` seconds; it repeats every [`LENGTH`].
+#[must_use]
+pub fn scene(time: f32) -> Scene {
+    let angle = ORBIT_SPEED * time;
+    let look_at = vec3(0.0, 0.9, 0.0);
+    let mut glass = GLASS;
+    let sine = libm::sinf(time);
+    glass.centre.y += 0.4 * sine * sine;
+    Scene {
+        camera: Camera {
+            eye: look_at + vec3(7.5 * libm::sinf(angle), 1.3, -7.5 * libm::cosf(angle)),
+            look_at,
+            up: Vec3::Y,
+            field_of_view: core::f32::consts::FRAC_PI_4,
+        },
+        background: vec3(0.10, 0.12, 0.20),
+        ambient: vec3(0.12, 0.12, 0.14),
+        spheres: List::of(&[RED, MIRROR, BLUE, glass]),
+        planes: List::of(&[FLOOR]),
+        lights: List::of(&LIGHTS),
+    }
+}

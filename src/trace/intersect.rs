@@ -1,0 +1,164 @@
+//! Where rays hit.
+
+use super::stack::Rays;
+use crate::lanes::*;
+use crate::prepare::{Ball, Prepared, Rectangle};
+use glam::Vec3;
+
+/// Hits nearer than this are the surface that the ray starts on.
+pub(crate) const NEAREST: f32 = 1e-3;
+
+/// A ray that hits nothing ends this far away.
+const FARTHEST: f32 = 1e30;
+
+/// The nearest hit of each ray.
+#[derive(Clone, Copy)]
+pub(crate) struct Hit<S: Simd> {
+    /// Distance, in lengths of the ray's direction.
+    pub t: F<S>,
+    /// Number of the object.
+    pub object: U<S>,
+}
+
+impl<S: Simd> Hit<S> {
+    #[inline(always)]
+    fn keep_nearer(&mut self, closer: M<S>, t: F<S>, object: usize) {
+        self.t = closer.select(t, self.t);
+        self.object = closer.select(U::splat(self.t.simd, object as u32), self.object);
+    }
+}
+
+/// The nearest hits; `from_centre` tells where the rays start, seen from a ball's centre.
+#[inline(always)]
+pub(crate) fn nearest<S: Simd>(
+    simd: S,
+    scene: &Prepared,
+    rays: &Rays<S>,
+    from_centre: impl Fn(&Ball) -> Vec3x<S>,
+) -> Hit<S> {
+    let first_plane = scene.solids + scene.light_count;
+    let mut hit = Hit {
+        t: F::splat(simd, FARTHEST),
+        object: U::splat(simd, scene.nothing() as u32),
+    };
+    for (i, plane) in scene.planes[..scene.plane_count].iter().enumerate() {
+        let (m, t) = plane_hit(simd, plane, rays, hit.t);
+        hit.keep_nearer(m, t, first_plane + i);
+    }
+    for (i, ball) in scene.balls[..first_plane].iter().enumerate() {
+        let chord = Chord::new(simd, ball, from_centre(ball), rays.d);
+        let m = chord.discriminant.simd_ge(F::splat(simd, 0.0));
+        if m.any_true() {
+            let (m, t) = chord.entry(m, hit.t);
+            hit.keep_nearer(m, t, i);
+        }
+    }
+    hit
+}
+
+/// A ray against a sphere.
+struct Chord<S: Simd> {
+    /// Distance from the point nearest to the centre back to the ray's start: below 0 where the centre is ahead.
+    b: F<S>,
+    /// Half the chord's length squared; below 0 where the ray passes by.
+    discriminant: F<S>,
+}
+
+impl<S: Simd> Chord<S> {
+    /// `f` is the ray's start seen from the centre, `d` has length 1.
+    ///
+    /// The discriminant comes from the perpendicular from the centre to the ray, which loses no digits when the
+    /// sphere is small and far away (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere
+    /// Intersection, Ray Tracing Gems, 2019).
+    #[inline(always)]
+    fn new(simd: S, ball: &Ball, f: Vec3x<S>, d: Vec3x<S>) -> Self {
+        let b = f.dot(d);
+        let l = f.add_scaled(d, -b);
+        Self {
+            b,
+            discriminant: F::splat(simd, ball.r2) - l.dot(l),
+        }
+    }
+
+    /// The nearer end of the chord that lies ahead, if it does so nearer than `limit`.
+    #[inline(always)]
+    fn entry(&self, mask: M<S>, limit: F<S>) -> (M<S>, F<S>) {
+        let simd = self.b.simd;
+        let near_limit = F::splat(simd, NEAREST);
+        let half = self.discriminant.max(F::splat(simd, 0.0)).sqrt();
+        let near = -self.b - half;
+        let far = half - self.b;
+        let t = near.simd_gt(near_limit).select(near, far);
+        (mask & t.simd_gt(near_limit) & t.simd_lt(limit), t)
+    }
+
+    /// Whether either end lies ahead and nearer than `limit`.
+    #[inline(always)]
+    fn blocks(&self, limit: F<S>) -> M<S> {
+        let simd = self.b.simd;
+        let zero = F::splat(simd, 0.0);
+        // The far end is ahead: -b + sqrt(D) > NEAREST, without the root.
+        let past = self.b + NEAREST;
+        let far_ahead = past.simd_lt(zero) | self.discriminant.simd_gt(past * past);
+        // The near end is nearer than the limit: -b - sqrt(D) < limit.
+        let beyond = self.b + limit;
+        let near_within = beyond.simd_gt(zero) | self.discriminant.simd_gt(beyond * beyond);
+        self.discriminant.simd_ge(zero) & far_ahead & near_within
+    }
+}
+
+/// Where rays hit a plane nearer than `limit`.
+#[inline(always)]
+fn plane_hit<S: Simd>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) -> (M<S>, F<S>) {
+    let Vec3 { x, y, z } = plane.centre;
+    // Where a ray runs along the plane this is infinite or not a number, and no comparison below holds.
+    let t = (F::splat(simd, y) - rays.o.y) / rays.d.y;
+    let across = fma(t, rays.d.x, rays.o.x - x).abs();
+    let along = fma(t, rays.d.z, rays.o.z - z).abs();
+    let hit = t.simd_gt(F::splat(simd, NEAREST))
+        & t.simd_lt(limit)
+        & across.simd_le(F::splat(simd, plane.half_x))
+        & along.simd_le(F::splat(simd, plane.half_z));
+    (hit, t)
+}
+
+/// Which of the rays from `o` to a light at distance `limit` in direction `d` are blocked; only `wanted` lanes count.
+#[inline(always)]
+pub(crate) fn blocked<S: Simd>(
+    simd: S,
+    scene: &Prepared,
+    o: Vec3x<S>,
+    d: Vec3x<S>,
+    limit: F<S>,
+    wanted: M<S>,
+) -> M<S> {
+    let mut blocked = M::splat(simd, false);
+    for ball in &scene.balls[..scene.solids] {
+        let chord = Chord::new(simd, ball, o - Vec3x::splat(simd, ball.centre), d);
+        blocked |= chord.blocks(limit);
+    }
+    for plane in &scene.planes[..scene.plane_count] {
+        blocked |= plane_blocks(simd, plane, o, d, limit);
+    }
+    blocked & wanted
+}
+
+/// Whether a plane is between `o` and the point at distance `limit`, without a division.
+#[inline(always)]
+fn plane_blocks<S: Simd>(
+    simd: S,
+    plane: &Rectangle,
+    o: Vec3x<S>,
+    d: Vec3x<S>,
+    limit: F<S>,
+) -> M<S> {
+    let Vec3 { x, y, z } = plane.centre;
+    // The distance times |d.y|.
+    let scale = d.y.abs();
+    let rise = F::splat(simd, y) - o.y;
+    let t: F<S> = (rise.to_bits() ^ (d.y.to_bits() & U::splat(simd, 1 << 31))).bitcast();
+    let ahead = t.simd_gt(scale * NEAREST) & t.simd_lt(scale * limit);
+    let across = fma(t, d.x, (o.x - x) * scale).abs();
+    let along = fma(t, d.z, (o.z - z) * scale).abs();
+    ahead & across.simd_le(scale * plane.half_x) & along.simd_le(scale * plane.half_z)
+}

@@ -1,0 +1,39 @@
+//! A thread's working memory.
+
+use crate::refine::{Points, Square, band::MAX_SPLITS};
+use crate::trace::{Batch, Counts};
+
+/// What one thread works in: some MB of fixed size, owned by the caller, reused from band to band.
+pub struct Worker {
+    pub(crate) batch: Batch,
+    pub(crate) points: Points,
+    /// Squares to split, of this round and of the next.
+    pub(crate) splits: [[Square; MAX_SPLITS]; 2],
+}
+
+impl Worker {
+    /// Empty working memory.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            batch: Batch::new(),
+            points: Points::new(),
+            splits: [[Square {
+                x: 0,
+                y: 0,
+                w: 0,
+                h: 0,
+            }; MAX_SPLITS]; 2],
+        }
+    }
+
+    pub(crate) fn take_counts(&mut self) -> Counts {
+        core::mem::take(&mut self.batch.counts)
+    }
+}
+
+impl Default for Worker {
+    fn default() -> Self {
+        Self::new()
+    }
+}
