@@ -18,9 +18,12 @@ use stack::{Rays, Stack};
 /// Points traced in one go: 16 kB of sums, which stay in the nearest cache.
 pub(crate) const BATCH: usize = 1024;
 
-/// Parts of full brightness that a sum counts in: fine enough that the rounding of a tree's nodes stays below 1/100 of
-/// what 8 bits can show, and coarse enough that 127 nodes of [`shade::BRIGHTEST`] do not overflow 32 bits.
-const FIXED_POINT: f32 = (1 << 22) as f32;
+/// Parts of full brightness that a sum counts in.
+///
+/// A multiple of 255, so that a colour half-way between two of the 255 steps of the output stays just there; fine enough
+/// that the rounding of a tree's nodes stays below 1/100 of a step, and coarse enough that 127 nodes of
+/// [`shade::BRIGHTEST`] do not overflow 32 bits.
+const FIXED_POINT: f32 = (255 << 14) as f32;
 
 /// Points to trace, and what came of them.
 pub(crate) struct Batch {
