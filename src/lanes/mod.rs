@@ -29,6 +29,12 @@ pub(crate) fn fma<S: Simd>(a: F<S>, b: F<S>, c: F<S>) -> F<S> {
     a.mul_add(b, c)
 }
 
+/// The same number in every lane.
+#[inline(always)]
+pub(crate) fn splat<S: Simd>(simd: S, v: f32) -> F<S> {
+    F::splat(simd, v)
+}
+
 /// The first `count` lanes.
 #[inline(always)]
 pub(crate) fn first<S: Simd>(simd: S, count: usize) -> M<S> {

@@ -15,13 +15,12 @@ pub(crate) fn pow<S: Simd>(x: F<S>, h: F<S>) -> F<S> {
 #[inline(always)]
 fn log2<S: Simd>(x: F<S>) -> F<S> {
     let simd = x.simd;
-    let splat = |v| F::splat(simd, v);
     // x = 2^e m with m in sqrt(1/2)..sqrt(2), so that the series about 1 is short.
     let bits: I<S> = x.bitcast();
     let e = (bits - SQRT_HALF_BITS) >> 23;
     let m: F<S> = (bits - (e << 23)).bitcast();
     let t = m - 1.0;
-    let mut p = splat(7.037_683_6e-2);
+    let mut p = splat(simd, 7.037_683_6e-2);
     for c in [
         -1.151_461e-1,
         1.167_699_9e-1,
@@ -32,11 +31,11 @@ fn log2<S: Simd>(x: F<S>) -> F<S> {
         -2.499_999_4e-1,
         3.333_333e-1,
     ] {
-        p = fma(p, t, splat(c));
+        p = fma(p, t, splat(simd, c));
     }
     let t2 = t * t;
-    let ln = fma(t2 * t, p, fma(t2, splat(-0.5), t));
-    fma(ln, splat(core::f32::consts::LOG2_E), e.to_float())
+    let ln = fma(t2 * t, p, fma(t2, splat(simd, -0.5), t));
+    fma(ln, splat(simd, core::f32::consts::LOG2_E), e.to_float())
 }
 
 /// The bits of sqrt(1/2).
@@ -46,12 +45,11 @@ const SQRT_HALF_BITS: i32 = 0x3f35_04f3;
 #[inline(always)]
 fn exp2<S: Simd>(y: F<S>) -> F<S> {
     let simd = y.simd;
-    let splat = |v| F::splat(simd, v);
-    let y = y.max(splat(-126.0)).min(splat(127.0));
+    let y = y.max(splat(simd, -126.0)).min(splat(simd, 127.0));
     // Adding 1.5 * 2^23 leaves the nearest integer in the low bits.
     let shifted = y + ROUND_TO_INTEGER;
     let f = y - (shifted - ROUND_TO_INTEGER);
-    let mut p = splat(1.535_336_2e-4);
+    let mut p = splat(simd, 1.535_336_2e-4);
     for c in [
         1.339_887_5e-3,
         9.618_437e-3,
@@ -60,7 +58,7 @@ fn exp2<S: Simd>(y: F<S>) -> F<S> {
         6.931_472e-1,
         1.0,
     ] {
-        p = fma(p, f, splat(c));
+        p = fma(p, f, splat(simd, c));
     }
     let whole: I<S> = shifted.bitcast();
     let bits: I<S> = p.bitcast();

@@ -6,7 +6,7 @@ use super::{Border, Square};
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
-use crate::trace::Batch;
+use crate::trace::{BATCH, Batch, trace};
 use crate::worker::Worker;
 
 /// Rows of a band, unless its squares are larger: enough for full lanes, few enough to share a picture evenly.
@@ -103,19 +103,24 @@ fn every_pixel<S: Simd>(
     canvas: &mut Canvas<'_>,
     top: usize,
 ) {
-    let mut pixel = 0;
-    let stretch = crate::trace::BATCH / ROWS;
-    while pixel < canvas.width {
-        let end = (pixel + stretch).min(canvas.width);
+    // Whole packets, so that a packet's pixels lie side by side.
+    let stretch = BATCH / ROWS;
+    for start in (0..canvas.width).step_by(stretch) {
+        let end = (start + stretch).min(canvas.width);
         for y in 0..canvas.height {
-            for x in pixel..end {
+            for x in start..end {
                 batch.push(x, top + y);
             }
         }
-        batch.trace(simd, scene, quality, |x, y, sample| {
-            canvas.pixels[(y - top) * canvas.width + x] = sample.pixel();
-        });
-        pixel = end;
+        trace(simd, scene, quality, batch);
+        for first in (0..batch.len()).step_by(LANES) {
+            let pixels = batch.samples(simd, first).pixels().to_array();
+            for (i, &pixel) in (first..batch.len()).zip(&pixels) {
+                let (x, y) = batch.place(i);
+                canvas.put(x, y - top, pixel);
+            }
+        }
+        batch.clear();
     }
 }
 
@@ -246,16 +251,17 @@ impl Refiner<'_> {
     }
 
     /// Traces the points asked for.
-    #[inline(never)]
+    #[inline(always)]
     fn trace<S: Simd>(&mut self, simd: S) {
-        simd.vectorize(
-            #[inline(always)]
-            || {
-                let Worker { batch, points, .. } = &mut *self.worker;
-                batch.trace(simd, self.scene, self.quality, |x, y, sample| {
-                    points.put(x, y - self.top, sample);
-                });
-            },
-        );
+        let Worker { batch, points, .. } = &mut *self.worker;
+        trace(simd, self.scene, self.quality, batch);
+        for first in (0..batch.len()).step_by(LANES) {
+            let samples = batch.samples(simd, first).to_array();
+            for (i, sample) in (first..batch.len()).zip(samples) {
+                let (x, y) = batch.place(i);
+                points.put(x, y - self.top, sample);
+            }
+        }
+        batch.clear();
     }
 }

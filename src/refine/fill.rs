@@ -48,7 +48,11 @@ impl Canvas<'_> {
         let (w, h) = (square.w as usize, square.h as usize);
         let down = 1.0 / h as f32;
         let across = 1.0 / w as f32;
-        let lane = F::from_fn(simd, |i| i as f32 * across);
+        let lane = F::from_fn(
+            simd,
+            #[inline(always)]
+            |i| i as f32 * across,
+        );
         for j in 0..self.rows(square) {
             let v = j as f32 * down;
             let left = Sample::between(a, c, v);
@@ -56,12 +60,9 @@ impl Canvas<'_> {
             let row = self.row(square.x as usize, square.y as usize + j, w);
             for (i, part) in row.chunks_mut(LANES).enumerate() {
                 let u = lane + (i * LANES) as f32 * across;
-                let channel = |k: usize| -> U<S> {
-                    // Half of one is added so that cutting off rounds.
-                    let start = F::splat(simd, left[k] + 0.5);
-                    fma(u, F::splat(simd, right[k] - left[k]), start).to_int()
-                };
-                let pixels = channel(0) << 16 | channel(1) << 8 | channel(2);
+                let pixels = between(simd, u, left[0], right[0]) << 16
+                    | between(simd, u, left[1], right[1]) << 8
+                    | between(simd, u, left[2], right[2]);
                 if let Ok(part) = <&mut [u32; LANES]>::try_from(&mut *part) {
                     pixels.store_array(part);
                 } else {
@@ -71,4 +72,12 @@ impl Canvas<'_> {
             }
         }
     }
+}
+
+/// Numbers from 0 to 255 at shares `u` of the way from one to another, rounded.
+#[inline(always)]
+fn between<S: Simd>(simd: S, u: F<S>, from: f32, to: f32) -> U<S> {
+    // Half of one is added so that cutting off rounds.
+    let i: I<S> = fma(u, splat(simd, to - from), splat(simd, from + 0.5)).to_int();
+    i.bitcast()
 }

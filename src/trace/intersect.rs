@@ -122,7 +122,7 @@ fn plane_hit<S: Simd>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) -
     (hit, t)
 }
 
-/// Which of the rays from `o` to a light at distance `limit` in direction `d` are blocked; only `wanted` lanes count.
+/// Which of the rays from `o` to a light at distance `limit` in direction `d` are blocked.
 #[inline(always)]
 pub(crate) fn blocked<S: Simd>(
     simd: S,
@@ -130,7 +130,6 @@ pub(crate) fn blocked<S: Simd>(
     o: Vec3x<S>,
     d: Vec3x<S>,
     limit: F<S>,
-    wanted: M<S>,
 ) -> M<S> {
     let mut blocked = M::splat(simd, false);
     for ball in &scene.balls[..scene.solids] {
@@ -140,7 +139,7 @@ pub(crate) fn blocked<S: Simd>(
     for plane in &scene.planes[..scene.plane_count] {
         blocked |= plane_blocks(simd, plane, o, d, limit);
     }
-    blocked & wanted
+    blocked
 }
 
 /// Whether a plane is between `o` and the point at distance `limit`, without a division.

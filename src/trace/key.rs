@@ -5,6 +5,7 @@
 //! sum of hashes, not a proof, but a frame compares some 10^5 keys, so one frame in 40,000 fills one square wrongly.
 
 use crate::lanes::*;
+use crate::quality::Quality;
 
 /// Bits of a node's number that hold the place in the tree.
 const PATH_BITS: u32 = 8;
@@ -34,21 +35,27 @@ impl<S: Simd> States<S> {
     }
 }
 
-/// The nodes' terms of the keys. States count where `with_states`.
+/// The nodes' terms of the keys; 0 where nothing is compared.
 #[inline(always)]
 pub(crate) fn term<S: Simd>(
+    simd: S,
+    quality: &Quality,
     paths: U<S>,
     objects: U<S>,
     states: States<S>,
-    with_states: M<S>,
 ) -> U<S> {
-    let zero = U::splat(paths.simd, 0);
+    if quality.square == 1 {
+        return U::splat(simd, 0);
+    }
+    let zero = U::splat(simd, 0);
+    let with_states = paths.simd_lt(U::splat(simd, 2 << quality.state_depth));
+    let counted = paths.simd_lt(U::splat(simd, 2 << quality.key_depth));
     let states = with_states.select(states.0, zero) << (PATH_BITS + OBJECT_BITS);
     let mut h = paths | (objects << PATH_BITS) | states;
-    // Two rounds of multiply and shift (after Wellons' and Mulvey's searched 32-bit mixers) spread every bit.
+    // Two rounds of multiply and shift (after Wellons' searched 32-bit mixers) spread every bit.
     h ^= h >> 16;
-    h *= U::splat(paths.simd, 0x7feb_352d);
+    h *= U::splat(simd, 0x7feb_352d);
     h ^= h >> 15;
-    h *= U::splat(paths.simd, 0x846c_a68b);
-    h ^ (h >> 16)
+    h *= U::splat(simd, 0x846c_a68b);
+    counted.select(h ^ (h >> 16), zero)
 }

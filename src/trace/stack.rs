@@ -22,7 +22,11 @@ impl<S: Simd> Rays<S> {
     /// The places of the primary rays of eight points from number `slot` on.
     #[inline(always)]
     pub fn places(simd: S, slot: usize) -> U<S> {
-        U::from_fn(simd, |i| ((slot + i) as u32) << PATH_BITS | 1)
+        U::from_fn(
+            simd,
+            #[inline(always)]
+            |i| ((slot + i) as u32) << PATH_BITS | 1,
+        )
     }
 
     /// Which points the rays belong to.
@@ -44,24 +48,24 @@ impl<S: Simd> Rays<S> {
     }
 }
 
-/// The most rays that can wait.
+/// The most rays that can wait, a power of two.
 ///
 /// A packet of eight rays of depth d is replaced by at most sixteen of depth d + 1 and is taken from the top, so at
 /// most 8 + 7 rays of each of the depths 1 to 7 wait at once.
 const CAPACITY: usize = 128;
 
-/// The waiting rays, structure of arrays.
+/// The waiting rays, structure of arrays; a packet can be written from any place below the capacity.
 pub(crate) struct Stack {
-    columns: [[f32; CAPACITY]; 7],
-    place: [u32; CAPACITY],
+    columns: [[f32; CAPACITY + LANES]; 7],
+    place: [u32; CAPACITY + LANES],
     len: usize,
 }
 
 impl Stack {
     pub const fn new() -> Self {
         Self {
-            columns: [[0.0; CAPACITY]; 7],
-            place: [0; CAPACITY],
+            columns: [[0.0; CAPACITY + LANES]; 7],
+            place: [0; CAPACITY + LANES],
             len: 0,
         }
     }
@@ -74,23 +78,21 @@ impl Stack {
     /// Puts those rays on top whose lane is in `mask`.
     #[inline(always)]
     pub fn push<S: Simd>(&mut self, rays: &Rays<S>, mask: M<S>) {
-        let start = self.len.min(CAPACITY - LANES);
-        let end = start + LANES;
-        let rows = [
-            rays.o.x,
-            rays.o.y,
-            rays.o.z,
-            rays.d.x,
-            rays.d.y,
-            rays.d.z,
-            rays.weight,
-        ];
+        let Rays {
+            o,
+            d,
+            weight,
+            place,
+        } = rays;
+        let rows = [o.x, o.y, o.z, d.x, d.y, d.z, *weight];
+        let start = self.len % CAPACITY;
         for (column, row) in self.columns.iter_mut().zip(rows) {
-            row.compress(mask).store_slice(&mut column[start..end]);
+            row.compress(mask)
+                .store_slice(&mut column[start..start + LANES]);
         }
-        rays.place
+        place
             .compress(mask)
-            .store_slice(&mut self.place[start..end]);
+            .store_slice(&mut self.place[start..start + LANES]);
         self.len = start + mask.to_bitmask().count_ones() as usize;
     }
 
@@ -99,22 +101,24 @@ impl Stack {
     pub fn pop<S: Simd>(&mut self, simd: S) -> (Rays<S>, usize) {
         let count = self.len.min(LANES);
         self.len -= count;
-        let start = self.len.min(CAPACITY - LANES);
-        let end = start + LANES;
-        let row = |i: usize| F::from_slice(simd, &self.columns[i][start..end]);
+        let start = self.len % CAPACITY;
+        let [ox, oy, oz, dx, dy, dz, weight] = self.columns.each_ref().map(
+            #[inline(always)]
+            |column| F::from_slice(simd, &column[start..start + LANES]),
+        );
         let rays = Rays {
             o: Vec3x {
-                x: row(0),
-                y: row(1),
-                z: row(2),
+                x: ox,
+                y: oy,
+                z: oz,
             },
             d: Vec3x {
-                x: row(3),
-                y: row(4),
-                z: row(5),
+                x: dx,
+                y: dy,
+                z: dz,
             },
-            weight: row(6),
-            place: U::from_slice(simd, &self.place[start..end]),
+            weight,
+            place: U::from_slice(simd, &self.place[start..start + LANES]),
         };
         (rays, count)
     }
