@@ -6,7 +6,7 @@ use super::{Border, Square};
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
-use crate::trace::{BATCH, Batch, trace};
+use crate::trace::{BATCH, trace};
 use crate::worker::Worker;
 
 /// Rows of a band, unless its squares are larger: enough for full lanes, few enough to share a picture evenly.
@@ -59,14 +59,7 @@ pub(crate) fn render<S: Simd>(
         height,
     };
     if quality.square == 1 {
-        every_pixel(
-            simd,
-            scene,
-            quality,
-            &mut worker.batch,
-            &mut canvas,
-            band.top,
-        );
+        every_pixel(simd, scene, quality, worker, &mut canvas, band.top);
         return;
     }
     let rows = Band::rows(quality.square);
@@ -99,28 +92,28 @@ fn every_pixel<S: Simd>(
     simd: S,
     scene: &Prepared,
     quality: &Quality,
-    batch: &mut Batch,
+    worker: &mut Worker,
     canvas: &mut Canvas<'_>,
     top: usize,
 ) {
-    // Whole packets, so that a packet's pixels lie side by side.
+    let Worker { batch, pixels, .. } = worker;
     let stretch = BATCH / ROWS;
     for start in (0..canvas.width).step_by(stretch) {
-        let end = (start + stretch).min(canvas.width);
+        let count = stretch.min(canvas.width - start);
         for y in 0..canvas.height {
-            for x in start..end {
-                batch.push(x, top + y);
-            }
+            batch.push_run(simd, start, top + y, count);
         }
         trace(simd, scene, quality, batch);
-        for first in (0..batch.len()).step_by(LANES) {
-            let pixels = batch.samples(simd, first).pixels().to_array();
-            for (i, &pixel) in (first..batch.len()).zip(&pixels) {
-                let (x, y) = batch.place(i);
-                canvas.put(x, y - top, pixel);
-            }
-        }
+        batch.pixels(simd, pixels);
         batch.clear();
+        for (y, run) in pixels
+            .as_flattened()
+            .chunks(count)
+            .take(canvas.height)
+            .enumerate()
+        {
+            canvas.put_run(start, y, run);
+        }
     }
 }
 

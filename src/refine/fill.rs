@@ -33,6 +33,12 @@ impl Canvas<'_> {
         }
     }
 
+    /// Sets the pixels from (x, y) to the right; they must be in the picture.
+    #[inline(always)]
+    pub fn put_run(&mut self, x: usize, y: usize, pixels: &[u32]) {
+        self.row(x, y, pixels.len()).copy_from_slice(pixels);
+    }
+
     /// One colour.
     #[inline(always)]
     pub fn flat(&mut self, square: &Square, pixel: u32) {

@@ -8,7 +8,8 @@ use crate::prepare::Prepared;
 
 /// Points traced in one go: 16 kB of sums, which stay in the nearest cache.
 pub(crate) const BATCH: usize = 1024;
-const PACKETS: usize = BATCH / LANES;
+/// Packets in a batch.
+pub(crate) const PACKETS: usize = BATCH / LANES;
 
 /// Parts of full brightness that a sum counts in.
 ///
@@ -63,6 +64,29 @@ impl Batch {
         self.len += 1;
     }
 
+    /// Adds the points of row `y` from `x` on, `count` of them; there must be room.
+    #[inline(always)]
+    pub fn push_run<S: Simd>(&mut self, simd: S, x: usize, y: usize, count: usize) {
+        let mut done = 0;
+        if self.len.is_multiple_of(LANES) {
+            let lane = F::from_fn(
+                simd,
+                #[inline(always)]
+                |i| i as f32,
+            );
+            while done + LANES <= count {
+                let packet = self.len / LANES % PACKETS;
+                (lane + (x + done) as f32).store_array(&mut self.x[packet]);
+                self.y[packet] = [y as f32; LANES];
+                self.len += LANES;
+                done += LANES;
+            }
+        }
+        for x in x + done..x + count {
+            self.push(x, y);
+        }
+    }
+
     /// Takes all points out.
     #[inline(always)]
     pub fn clear(&mut self) {
@@ -87,6 +111,15 @@ impl Batch {
                 z: channel(simd, b),
             },
             key: I::load_array_ref(simd, key).bitcast(),
+        }
+    }
+
+    /// The pixels of all points, in the order they were added.
+    #[inline(always)]
+    pub fn pixels<S: Simd>(&self, simd: S, pixels: &mut [[u32; LANES]; PACKETS]) {
+        let packets = self.len.div_ceil(LANES).min(PACKETS);
+        for (i, eight) in pixels[..packets].iter_mut().enumerate() {
+            self.samples(simd, i * LANES).pixels().store_array(eight);
         }
     }
 

@@ -13,7 +13,7 @@ mod shade;
 mod stack;
 mod surface;
 
-pub(crate) use batch::{BATCH, Batch};
+pub(crate) use batch::{BATCH, Batch, PACKETS};
 pub(crate) use sample::{Sample, SampleLanes};
 
 use crate::lanes::*;
