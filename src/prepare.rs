@@ -18,15 +18,15 @@ pub(crate) struct Prepared {
     /// The solid spheres, then the lights' spheres.
     pub balls: [Ball; MAX_SPHERES + MAX_LIGHTS],
     pub solids: usize,
-    pub lights: [Lamp; MAX_LIGHTS],
-    pub light_count: usize,
+    pub lamps: [Lamp; MAX_LIGHTS],
+    pub lamp_count: usize,
     pub planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
     pub surfaces: [Surface; MAX_OBJECTS],
 }
 
 /// A sphere as its intersection wants it.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 pub(crate) struct Ball {
     pub centre: Vec3,
     /// The radius squared.
@@ -36,7 +36,7 @@ pub(crate) struct Ball {
 }
 
 /// A horizontal rectangle.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 pub(crate) struct Rectangle {
     pub centre: Vec3,
     pub half_x: f32,
@@ -44,14 +44,25 @@ pub(crate) struct Rectangle {
 }
 
 /// A point light.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 pub(crate) struct Lamp {
     pub position: Vec3,
     pub colour: Vec3,
+    /// The solid spheres that can throw a shadow.
+    pub casters: [Caster; MAX_SPHERES],
+}
+
+/// A sphere as shadow rays want it.
+#[derive(Clone, Copy)]
+pub(crate) struct Caster {
+    /// The lamp seen from the centre.
+    pub from_lamp: Vec3,
+    /// The radius squared.
+    pub r2: f32,
 }
 
 /// What shading needs of an object.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 pub(crate) struct Surface {
     /// The normal at p is `(p - centre) inverse_radius + (0, upright, 0)`.
     pub centre: Vec3,
@@ -77,51 +88,22 @@ pub(crate) struct Surface {
 impl Prepared {
     /// An empty frame.
     pub const fn new() -> Self {
-        const ZERO: Vec3 = Vec3::ZERO;
         Self {
-            eye: ZERO,
-            raster: Raster {
-                corner: ZERO,
-                dx: ZERO,
-                dy: ZERO,
-            },
-            balls: [Ball {
-                centre: ZERO,
-                r2: 0.0,
-                from_eye: ZERO,
-            }; MAX_SPHERES + MAX_LIGHTS],
+            eye: Vec3::ZERO,
+            raster: Raster::NONE,
+            balls: [Ball::NONE; MAX_SPHERES + MAX_LIGHTS],
             solids: 0,
-            lights: [Lamp {
-                position: ZERO,
-                colour: ZERO,
-            }; MAX_LIGHTS],
-            light_count: 0,
-            planes: [Rectangle {
-                centre: ZERO,
-                half_x: 0.0,
-                half_z: 0.0,
-            }; MAX_PLANES],
+            lamps: [const { Lamp::NONE }; MAX_LIGHTS],
+            lamp_count: 0,
+            planes: [Rectangle::NONE; MAX_PLANES],
             plane_count: 0,
-            surfaces: [Surface {
-                centre: ZERO,
-                inverse_radius: 0.0,
-                upright: 0.0,
-                base: ZERO,
-                diffuse: ZERO,
-                ks: 0.0,
-                exponent: 1.0,
-                faint: 2.0,
-                kr: 0.0,
-                kt: 0.0,
-                index: 1.0,
-                solid: 0.0,
-            }; MAX_OBJECTS],
+            surfaces: [Surface::NONE; MAX_OBJECTS],
         }
     }
 
     /// The balls and the planes end here: the background's number.
     pub fn nothing(&self) -> usize {
-        self.solids + self.light_count + self.plane_count
+        self.solids + self.lamp_count + self.plane_count
     }
 
     /// Takes a scene in, for pictures of `width` by `height` pixels.
@@ -129,7 +111,7 @@ impl Prepared {
         self.eye = scene.camera.eye;
         self.raster = scene.camera.raster(width, height);
         self.solids = scene.spheres.len();
-        self.light_count = scene.lights.len();
+        self.lamp_count = scene.lights.len();
         self.plane_count = scene.planes.len();
         let ball = |centre: Vec3, radius: f32| Ball {
             centre,
@@ -146,14 +128,17 @@ impl Prepared {
             };
         }
         for (i, light) in scene.lights.iter().enumerate() {
-            self.lights[i] = Lamp {
-                position: light.position,
-                colour: light.colour,
-            };
+            let lamp = &mut self.lamps[i];
+            lamp.position = light.position;
+            lamp.colour = light.colour;
+            for (caster, sphere) in lamp.casters.iter_mut().zip(scene.spheres.iter()) {
+                caster.from_lamp = light.position - sphere.centre;
+                caster.r2 = sphere.radius * sphere.radius;
+            }
             self.balls[self.solids + i] = ball(light.position, light.radius);
             self.surfaces[self.solids + i] = Surface::emitting(light.colour);
         }
-        let first_plane = self.solids + self.light_count;
+        let first_plane = self.solids + self.lamp_count;
         for (i, plane) in scene.planes.iter().enumerate() {
             self.planes[i] = Rectangle {
                 centre: plane.centre,
@@ -187,7 +172,7 @@ impl Surface {
             kt: material.kt,
             index: material.index,
             solid: 1.0,
-            ..Self::default()
+            ..Self::NONE
         }
     }
 
@@ -195,7 +180,55 @@ impl Surface {
         Self {
             base: colour,
             faint: 2.0,
-            ..Self::default()
+            ..Self::NONE
         }
     }
+}
+
+impl Ball {
+    const NONE: Self = Self {
+        centre: Vec3::ZERO,
+        r2: 0.0,
+        from_eye: Vec3::ZERO,
+    };
+}
+
+impl Rectangle {
+    const NONE: Self = Self {
+        centre: Vec3::ZERO,
+        half_x: 0.0,
+        half_z: 0.0,
+    };
+}
+
+impl Lamp {
+    const NONE: Self = Self {
+        position: Vec3::ZERO,
+        colour: Vec3::ZERO,
+        casters: [Caster::NONE; MAX_SPHERES],
+    };
+}
+
+impl Caster {
+    const NONE: Self = Self {
+        from_lamp: Vec3::ZERO,
+        r2: 0.0,
+    };
+}
+
+impl Surface {
+    const NONE: Self = Self {
+        centre: Vec3::ZERO,
+        inverse_radius: 0.0,
+        upright: 0.0,
+        base: Vec3::ZERO,
+        diffuse: Vec3::ZERO,
+        ks: 0.0,
+        exponent: 1.0,
+        faint: 2.0,
+        kr: 0.0,
+        kt: 0.0,
+        index: 1.0,
+        solid: 0.0,
+    };
 }

@@ -7,21 +7,21 @@ mod pow;
 mod vec3x;
 
 pub(crate) use fearless_simd::prelude::*;
-use fearless_simd::{f32x8, i32x8, mask32x8, u32x8};
+use fearless_simd::{f32x16, i32x16, mask32x16, u32x16};
 pub(crate) use pow::pow;
 pub(crate) use vec3x::Vec3x;
 
 /// Rays that travel together: what one AVX2 register holds.
-pub(crate) const LANES: usize = 8;
+pub(crate) const LANES: usize = 16;
 
 /// A number per lane.
-pub(crate) type F<S> = f32x8<S>;
+pub(crate) type F<S> = f32x16<S>;
 /// An integer or a bit pattern per lane.
-pub(crate) type U<S> = u32x8<S>;
+pub(crate) type U<S> = u32x16<S>;
 /// A signed integer per lane.
-pub(crate) type I<S> = i32x8<S>;
+pub(crate) type I<S> = i32x16<S>;
 /// A truth value per lane.
-pub(crate) type M<S> = mask32x8<S>;
+pub(crate) type M<S> = mask32x16<S>;
 
 /// `a b + c` in every lane, rounded once where the instruction set has FMA.
 #[inline(always)]

@@ -37,6 +37,15 @@ pub struct Raster {
     pub dy: Vec3,
 }
 
+impl Raster {
+    /// No picture.
+    pub const NONE: Self = Self {
+        corner: Vec3::ZERO,
+        dx: Vec3::ZERO,
+        dy: Vec3::ZERO,
+    };
+}
+
 impl Camera {
     /// The picture plane for a picture of `width` by `height` pixels, at distance 1 from the eye.
     #[must_use]

@@ -2,7 +2,7 @@
 
 use super::stack::Rays;
 use crate::lanes::*;
-use crate::prepare::{Ball, Prepared, Rectangle};
+use crate::prepare::{Ball, Lamp, Prepared, Rectangle};
 use glam::Vec3;
 
 /// Hits nearer than this are the surface that the ray starts on.
@@ -36,7 +36,7 @@ pub(crate) fn nearest<S: Simd>(
     rays: &Rays<S>,
     from_centre: impl Fn(&Ball) -> Vec3x<S>,
 ) -> Hit<S> {
-    let first_plane = scene.solids + scene.light_count;
+    let first_plane = scene.solids + scene.lamp_count;
     let mut hit = Hit {
         t: F::splat(simd, FARTHEST),
         object: U::splat(simd, scene.nothing() as u32),
@@ -91,20 +91,6 @@ impl<S: Simd> Chord<S> {
         let t = near.simd_gt(near_limit).select(near, far);
         (mask & t.simd_gt(near_limit) & t.simd_lt(limit), t)
     }
-
-    /// Whether either end lies ahead and nearer than `limit`.
-    #[inline(always)]
-    fn blocks(&self, limit: F<S>) -> M<S> {
-        let simd = self.b.simd;
-        let zero = F::splat(simd, 0.0);
-        // The far end is ahead: -b + sqrt(D) > NEAREST, without the root.
-        let past = self.b + NEAREST;
-        let far_ahead = past.simd_lt(zero) | self.discriminant.simd_gt(past * past);
-        // The near end is nearer than the limit: -b - sqrt(D) < limit.
-        let beyond = self.b + limit;
-        let near_within = beyond.simd_gt(zero) | self.discriminant.simd_gt(beyond * beyond);
-        self.discriminant.simd_ge(zero) & far_ahead & near_within
-    }
 }
 
 /// Where rays hit a plane nearer than `limit`.
@@ -122,22 +108,40 @@ fn plane_hit<S: Simd>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) -
     (hit, t)
 }
 
-/// Which of the rays from `o` to a light at distance `limit` in direction `d` are blocked.
+/// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked.
 #[inline(always)]
 pub(crate) fn blocked<S: Simd>(
     simd: S,
     scene: &Prepared,
-    o: Vec3x<S>,
-    d: Vec3x<S>,
-    limit: F<S>,
+    lamp: &Lamp,
+    p: Vec3x<S>,
+    l: Vec3x<S>,
+    distance: F<S>,
 ) -> M<S> {
+    let zero = splat(simd, 0.0);
     let mut blocked = M::splat(simd, false);
-    for ball in &scene.balls[..scene.solids] {
-        let chord = Chord::new(simd, ball, o - Vec3x::splat(simd, ball.centre), d);
-        blocked |= chord.blocks(limit);
+    let reach = distance - NEAREST;
+    for caster in &lamp.casters[..scene.solids] {
+        // Seen from the lamp, where every ray of this lamp meets: the way back to the point nearest to the centre.
+        let f = Vec3x::splat(simd, caster.from_lamp);
+        let way = f.dot(l);
+        let across = f.add_scaled(l, -way);
+        let half2 = splat(simd, caster.r2) - across.dot(across);
+        // The chord, of half length sqrt(half2) around there, begins before the ray's start: way - sqrt(half2) < reach.
+        let short = (way - reach).max(zero);
+        blocked |= way.simd_gt(zero) & half2.simd_gt(short * short);
     }
     for plane in &scene.planes[..scene.plane_count] {
-        blocked |= plane_blocks(simd, plane, o, d, limit);
+        let below = lamp.position.y > plane.centre.y;
+        let height = splat(simd, plane.centre.y);
+        let behind = if below {
+            p.y.simd_lt(height)
+        } else {
+            p.y.simd_gt(height)
+        };
+        if behind.any_true() {
+            blocked |= behind & plane_blocks(simd, plane, p, l, distance);
+        }
     }
     blocked
 }
@@ -154,7 +158,7 @@ fn plane_blocks<S: Simd>(
     let Vec3 { x, y, z } = plane.centre;
     // The distance times |d.y|.
     let scale = d.y.abs();
-    let rise = F::splat(simd, y) - o.y;
+    let rise = splat(simd, y) - o.y;
     let t: F<S> = (rise.to_bits() ^ (d.y.to_bits() & U::splat(simd, 1 << 31))).bitcast();
     let ahead = t.simd_gt(scale * NEAREST) & t.simd_lt(scale * limit);
     let across = fma(t, d.x, (o.x - x) * scale).abs();

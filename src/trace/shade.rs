@@ -85,7 +85,12 @@ pub(super) fn shade<S: Simd>(
 impl<S: Simd> Place<S> {
     #[inline(always)]
     fn new(simd: S, rays: &Rays<S>, t: F<S>, surface: &SurfaceLanes<S>, solid: M<S>) -> Self {
-        let p = rays.o.add_scaled(rays.d, t);
+        let mut p = rays.o.add_scaled(rays.d, t);
+        // On a plane, exactly.
+        p.y = surface
+            .upright
+            .simd_gt(splat(simd, 0.0))
+            .select(surface.centre.y, p.y);
         let mut n = (p - surface.centre) * surface.inverse_radius;
         n.y += surface.upright;
         let outward = rays.d.dot(n);
@@ -129,7 +134,7 @@ fn gather<S: Simd>(
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
     let mut colour = surface.base;
-    for lamp in &scene.lights[..scene.light_count] {
+    for lamp in &scene.lamps[..scene.lamp_count] {
         let to_light = Vec3x::splat(simd, lamp.position) - place.p;
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light * (one / distance);
@@ -139,7 +144,7 @@ fn gather<S: Simd>(
         let mut highlight = M::splat(simd, false);
         if facing.any_true() {
             batch.counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
-            lit &= !blocked(simd, scene, place.p, l, distance);
+            lit &= !blocked(simd, scene, lamp, place.p, l, distance);
             let mut light = surface.diffuse * lit.select(nl, zero);
             let rv = place.r.dot(l);
             let shiny = lit & rv.simd_gt(surface.faint);
