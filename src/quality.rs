@@ -3,13 +3,21 @@
 /// How a frame is refined and how far its rays are followed.
 ///
 /// Two frames of the same scene, time and size differ only by this.
+///
+/// A square is filled where its corners' rounded colours are equal, or where their spread is small enough; else it is
+/// split. The spread is the largest difference between two corners in a channel, in 255ths, for a square of 8 pixels:
+/// what one of 4 may spread is twice as much, since an error there covers a quarter of the pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
     /// Side of the largest square in pixels, 1 to [`Quality::MAX_SQUARE`]. At 1 every pixel is traced.
     pub square: usize,
-    /// Corners must agree in the objects hit by rays of at most this depth (the primary ray has depth 0).
+    /// The spread allowed where the corners' keys agree: they saw the same objects in the same light. 0 to infinity.
+    pub spread_agreeing: f32,
+    /// The spread allowed where the keys differ, 0 to infinity. Keys are not computed where both spreads are the same.
+    pub spread_differing: f32,
+    /// A key holds the objects hit by rays of at most this depth (the primary ray has depth 0).
     pub key_depth: u32,
-    /// Corners must agree in the lights' states at hits of rays of at most this depth.
+    /// A key holds the lights' states at hits of rays of at most this depth.
     pub state_depth: u32,
     /// A highlight `ks (r.v)^h` above this makes a lit light "lit with a highlight", a state of its own.
     pub highlight: f32,
@@ -28,6 +36,8 @@ impl Quality {
     /// Every pixel is traced: the oracle that the other qualities are measured against.
     pub const EXHAUSTIVE: Self = Self {
         square: 1,
+        spread_agreeing: 0.0,
+        spread_differing: 0.0,
         key_depth: 5,
         state_depth: 0,
         highlight: 1.0 / 256.0,
@@ -35,9 +45,24 @@ impl Quality {
         least_contribution: 0.01,
     };
 
-    /// The rules of 2008: squares of 8 pixels, the objects of the whole ray tree, the lights at the primary hit.
+    /// The rules of 2008: squares of 8 pixels, filled where the objects of the whole ray tree and the lights' states at
+    /// the primary hit agree, whatever the colours.
     pub const THESIS: Self = Self {
         square: 8,
+        spread_agreeing: f32::INFINITY,
         ..Self::EXHAUSTIVE
     };
+
+    /// What the intro plays: squares of 8 pixels, filled where the corners' colours are close, whatever was hit.
+    pub const DEFAULT: Self = Self {
+        square: 8,
+        spread_agreeing: 9.0,
+        spread_differing: 9.0,
+        ..Self::EXHAUSTIVE
+    };
+
+    /// Whether verdicts depend on keys.
+    pub(crate) fn needs_keys(&self) -> bool {
+        self.square > 1 && self.spread_agreeing != self.spread_differing
+    }
 }

@@ -24,7 +24,7 @@ impl Memory {
     pub const fn new() -> Self {
         Self {
             prepared: Prepared::new(),
-            borders: [const { Border::new() }; MAX_BANDS + 1],
+            borders: [Border::NONE; MAX_BANDS + 1],
         }
     }
 }
@@ -70,7 +70,7 @@ pub fn render(
     let prepared = &memory.prepared;
     let rows = Band::rows(quality.square);
     let count = height.div_ceil(rows);
-    memory.borders[count].clear();
+    memory.borders[count].clear(MAX_WIDTH);
 
     let job = |worker: &mut Worker, band: &mut Band<'_>| {
         render_band(level, prepared, quality, worker, band);

@@ -1,7 +1,7 @@
 //! A band of the picture: the unit of work that threads share.
 
 use super::fill::Canvas;
-use super::square::{Verdict, verdict};
+use super::square::Verdict;
 use super::{Border, Square};
 use crate::lanes::*;
 use crate::prepare::Prepared;
@@ -64,10 +64,14 @@ pub(crate) fn render<S: Simd>(
     }
     let rows = Band::rows(quality.square);
     let columns = band.width.next_multiple_of(quality.square) + 1;
-    worker.points.clear(rows + 1);
+    worker.points.clear(rows + 1, columns);
+    let keys = quality.needs_keys();
     if band.neighbours_done {
-        worker.points.take(0, &band.borders[0], columns);
-        worker.points.take(rows, &band.borders[1], columns);
+        worker.points.row(0).copy(&band.borders[0], columns, keys);
+        worker
+            .points
+            .row(rows)
+            .copy(&band.borders[1], columns, keys);
     }
     let mut refiner = Refiner {
         scene,
@@ -81,8 +85,8 @@ pub(crate) fn render<S: Simd>(
         refiner.stretch(simd, start, (start + stretch).min(columns - 1));
     }
     if !band.neighbours_done {
-        worker.points.leave(0, &mut band.borders[0], columns);
-        worker.points.leave(rows, &mut band.borders[1], columns);
+        band.borders[0].copy(worker.points.row(0), columns, keys);
+        band.borders[1].copy(worker.points.row(rows), columns, keys);
     }
 }
 
@@ -96,24 +100,19 @@ fn every_pixel<S: Simd>(
     canvas: &mut Canvas<'_>,
     top: usize,
 ) {
-    let Worker { batch, pixels, .. } = worker;
+    let batch = &mut worker.batch;
     let stretch = BATCH / ROWS;
     for start in (0..canvas.width).step_by(stretch) {
-        let count = stretch.min(canvas.width - start);
         for y in 0..canvas.height {
-            batch.push_run(simd, start, top + y, count);
+            for x in start..(start + stretch).min(canvas.width) {
+                batch.push(x, top + y);
+            }
         }
         trace(simd, scene, quality, batch);
-        batch.pixels(simd, pixels);
-        batch.clear();
-        for (y, run) in pixels
-            .as_flattened()
-            .chunks(count)
-            .take(canvas.height)
-            .enumerate()
-        {
-            canvas.put_run(start, y, run);
+        for (x, y, sample, _) in batch.results() {
+            canvas.put(x, y - top, sample.pixel());
         }
+        batch.clear();
     }
 }
 
@@ -178,12 +177,12 @@ impl Refiner<'_> {
             return;
         }
         if square.w == 1 && square.h == 1 {
-            let pixel = self.worker.points.at(x, y).pixel();
+            let pixel = self.worker.points.sample(x, y).pixel();
             self.canvas.put(x, y, pixel);
             return;
         }
         let corners = square.corners(&self.worker.points);
-        match verdict(corners) {
+        match square.verdict(simd, self.quality, &self.worker.points, corners) {
             Verdict::Flat(pixel) => self.canvas.flat(square, pixel),
             Verdict::Bilinear => self.canvas.bilinear(simd, square, corners),
             Verdict::Split => {
@@ -226,7 +225,7 @@ impl Refiner<'_> {
         for y in square.y..square.y + u16::from(square.h) {
             for x in square.x..square.x + u16::from(square.w) {
                 let (x, y) = (x as usize, y as usize);
-                let pixel = self.worker.points.at(x, y).pixel();
+                let pixel = self.worker.points.sample(x, y).pixel();
                 self.canvas.put(x, y, pixel);
             }
         }
@@ -248,11 +247,11 @@ impl Refiner<'_> {
     fn trace<S: Simd>(&mut self, simd: S) {
         let Worker { batch, points, .. } = &mut *self.worker;
         trace(simd, self.scene, self.quality, batch);
-        for first in (0..batch.len()).step_by(LANES) {
-            let samples = batch.samples(simd, first).to_array();
-            for (i, sample) in (first..batch.len()).zip(samples) {
-                let (x, y) = batch.place(i);
-                points.put(x, y - self.top, sample);
+        let keys = self.quality.needs_keys();
+        for (x, y, sample, key) in batch.results() {
+            points.put(x, y - self.top, sample);
+            if keys {
+                points.put_key(x, y - self.top, key);
             }
         }
         batch.clear();

@@ -1,14 +1,23 @@
-//! Fills a square with colours between those of its corners.
+//! Fills squares with colours between those of their corners.
 
 use super::square::{Corners, Square};
 use crate::lanes::*;
-use crate::trace::Sample;
 
 /// The pixels of a band, row after row, `width` to a row.
 pub(crate) struct Canvas<'a> {
     pub pixels: &'a mut [u32],
     pub width: usize,
     pub height: usize,
+}
+
+/// How a square's colours change: a number at its upper left corner, and what is added per pixel.
+#[derive(Clone, Copy)]
+struct Ramp {
+    start: f32,
+    across: f32,
+    down: f32,
+    /// Added to `across` per row.
+    twist: f32,
 }
 
 impl Canvas<'_> {
@@ -33,12 +42,6 @@ impl Canvas<'_> {
         }
     }
 
-    /// Sets the pixels from (x, y) to the right; they must be in the picture.
-    #[inline(always)]
-    pub fn put_run(&mut self, x: usize, y: usize, pixels: &[u32]) {
-        self.row(x, y, pixels.len()).copy_from_slice(pixels);
-    }
-
     /// One colour.
     #[inline(always)]
     pub fn flat(&mut self, square: &Square, pixel: u32) {
@@ -50,40 +53,107 @@ impl Canvas<'_> {
 
     /// Interpolates the corners' colours along both sides.
     #[inline(always)]
-    pub fn bilinear<S: Simd>(&mut self, simd: S, square: &Square, [a, b, c, d]: Corners<'_>) {
+    pub fn bilinear<S: Simd>(&mut self, simd: S, square: &Square, corners: Corners) {
+        let (x, y) = (square.x as usize, square.y as usize);
         let (w, h) = (square.w as usize, square.h as usize);
-        let down = 1.0 / h as f32;
-        let across = 1.0 / w as f32;
-        let lane = F::from_fn(
+        let ramp = |i| Ramp::between(corners, i, w, h);
+        let ramps = [ramp(0), ramp(1), ramp(2)];
+        let whole = x + w <= self.width && y + h <= self.height && w == h;
+        match w {
+            2 if whole => self.blocks::<S, 2>(simd, x, y, &ramps),
+            4 if whole => self.blocks::<S, 4>(simd, x, y, &ramps),
+            8 if whole => self.blocks::<S, 8>(simd, x, y, &ramps),
+            16 if whole => self.blocks::<S, 16>(simd, x, y, &ramps),
+            _ => {
+                for j in 0..self.rows(square) {
+                    for (i, pixel) in self.row(x, y + j, w).iter_mut().enumerate() {
+                        *pixel = pixel_at(&ramps, i as f32, j as f32);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Fills a square of side `W`, as many rows at a time as the lanes hold.
+    #[inline(always)]
+    fn blocks<S: Simd, const W: usize>(&mut self, simd: S, x: usize, y: usize, ramps: &[Ramp; 3]) {
+        let rows = (LANES / W).min(W);
+        let column = F::from_fn(
             simd,
             #[inline(always)]
-            |i| i as f32 * across,
+            |lane| (lane % W) as f32,
         );
-        for j in 0..self.rows(square) {
-            let v = j as f32 * down;
-            let left = Sample::between(a, c, v);
-            let right = Sample::between(b, d, v);
-            let row = self.row(square.x as usize, square.y as usize + j, w);
-            for (i, part) in row.chunks_mut(LANES).enumerate() {
-                let u = lane + (i * LANES) as f32 * across;
-                let pixels = between(simd, u, left[0], right[0]) << 16
-                    | between(simd, u, left[1], right[1]) << 8
-                    | between(simd, u, left[2], right[2]);
-                if let Ok(part) = <&mut [u32; LANES]>::try_from(&mut *part) {
-                    pixels.store_array(part);
-                } else {
-                    let len = part.len();
-                    part.copy_from_slice(&pixels.as_slice()[..len]);
+        let row = F::from_fn(
+            simd,
+            #[inline(always)]
+            |lane| (lane / W) as f32,
+        );
+        let [r, g, b] = ramps;
+        let mut r = r.spread(simd, column, row, rows as f32);
+        let mut g = g.spread(simd, column, row, rows as f32);
+        let mut b = b.spread(simd, column, row, rows as f32);
+        let mut place = y * self.width + x;
+        for _ in 0..W / rows {
+            let pixels = r.next() << 16 | g.next() << 8 | b.next();
+            for row in pixels.to_array().as_chunks::<W>().0.iter().take(rows) {
+                if let Some(target) = self.pixels[place..].first_chunk_mut() {
+                    *target = *row;
                 }
+                place += self.width;
             }
         }
     }
 }
 
-/// Numbers from 0 to 255 at shares `u` of the way from one to another, rounded.
-#[inline(always)]
-fn between<S: Simd>(simd: S, u: F<S>, from: f32, to: f32) -> U<S> {
-    // Half of one is added so that cutting off rounds.
-    let i: I<S> = fma(u, splat(simd, to - from), splat(simd, from + 0.5)).to_int();
-    i.bitcast()
+/// A [`Ramp`] in lanes, row after row.
+struct Steps<S: Simd> {
+    value: F<S>,
+    step: F<S>,
+}
+
+impl<S: Simd> Steps<S> {
+    /// The numbers of these rows, cut to whole ones.
+    #[inline(always)]
+    fn next(&mut self) -> U<S> {
+        let whole: I<S> = self.value.to_int();
+        self.value += self.step;
+        whole.bitcast()
+    }
+}
+
+impl Ramp {
+    /// Channel `i` of a square of `w` by `h` pixels, with half of one added so that cutting off rounds.
+    #[inline(always)]
+    fn between(corners: Corners, i: usize, w: usize, h: usize) -> Self {
+        let [a, b, c, d] = corners;
+        let (a, b) = (a.channel(i), b.channel(i));
+        let (c, d) = (c.channel(i), d.channel(i));
+        let (w, h) = (1.0 / w as f32, 1.0 / h as f32);
+        Self {
+            start: a + 0.5,
+            across: (b - a) * w,
+            down: (c - a) * h,
+            twist: (d - c - b + a) * w * h,
+        }
+    }
+
+    /// The numbers at lanes' columns and rows, to be stepped `rows` rows at a time.
+    #[inline(always)]
+    fn spread<S: Simd>(&self, simd: S, column: F<S>, row: F<S>, rows: f32) -> Steps<S> {
+        let down = fma(column, splat(simd, self.twist), splat(simd, self.down));
+        let top = fma(column, splat(simd, self.across), splat(simd, self.start));
+        Steps {
+            value: fma(row, down, top),
+            step: down * rows,
+        }
+    }
+}
+
+/// A pixel of a square, by its column and row.
+fn pixel_at(ramps: &[Ramp; 3], column: f32, row: f32) -> u32 {
+    let [r, g, b] = ramps.map(|ramp| {
+        let across = ramp.across + ramp.twist * row;
+        (ramp.start + ramp.down * row + across * column) as u32
+    });
+    r << 16 | g << 8 | b
 }

@@ -12,37 +12,62 @@ const ROWS: usize = Quality::MAX_SQUARE + 1;
 const WORDS: usize = ROW.div_ceil(64);
 
 /// The samples of a band's points, and which of them are traced.
-pub(crate) struct Points {
-    samples: [[Sample; ROW]; ROWS],
-    traced: [[u64; WORDS]; ROWS],
-}
+pub(crate) struct Points([Border; ROWS]);
 
-/// A row of points that two bands share: the lower corners of one's last squares are the upper corners of the other's
-/// first.
+/// A row of points. Bands share those between them: the lower corners of one's last squares are the upper corners of
+/// the other's first.
+#[derive(Clone, Copy)]
 pub(crate) struct Border {
     samples: [Sample; ROW],
+    keys: [u32; ROW],
     traced: [u64; WORDS],
+}
+
+impl Border {
+    /// A row without points.
+    pub const NONE: Self = Self {
+        samples: [Sample(0); ROW],
+        keys: [0; ROW],
+        traced: [0; WORDS],
+    };
+
+    /// Forgets the first `width` points.
+    pub fn clear(&mut self, width: usize) {
+        self.traced[..width.div_ceil(64)].fill(0);
+    }
+
+    /// Takes the first `width` points over from another row.
+    pub fn copy(&mut self, other: &Self, width: usize, with_keys: bool) {
+        let words = width.div_ceil(64);
+        self.traced[..words].copy_from_slice(&other.traced[..words]);
+        self.samples[..width].copy_from_slice(&other.samples[..width]);
+        if with_keys {
+            self.keys[..width].copy_from_slice(&other.keys[..width]);
+        }
+    }
 }
 
 impl Points {
     pub const fn new() -> Self {
-        Self {
-            samples: [[Sample::NONE; ROW]; ROWS],
-            traced: [[0; WORDS]; ROWS],
+        Self([Border::NONE; ROWS])
+    }
+
+    /// Forgets the first `rows` rows, `width` points of each.
+    pub fn clear(&mut self, rows: usize, width: usize) {
+        for row in &mut self.0[..rows] {
+            row.clear(width);
         }
     }
 
-    /// Forgets the first `rows` rows.
-    pub fn clear(&mut self, rows: usize) {
-        for row in &mut self.traced[..rows] {
-            row.fill(0);
-        }
+    /// Row `y`.
+    pub fn row(&mut self, y: usize) -> &mut Border {
+        &mut self.0[y]
     }
 
     /// Notes that the point at (x, y) is going to be traced; false where it was noted before.
     #[inline(always)]
     pub fn claim(&mut self, x: usize, y: usize) -> bool {
-        let word = &mut self.traced[y][x / 64];
+        let word = &mut self.0[y].traced[x / 64];
         let bit = 1 << (x % 64);
         let new = *word & bit == 0;
         *word |= bit;
@@ -51,39 +76,25 @@ impl Points {
 
     /// The sample at (x, y).
     #[inline(always)]
-    pub fn at(&self, x: usize, y: usize) -> &Sample {
-        &self.samples[y][x]
+    pub fn sample(&self, x: usize, y: usize) -> Sample {
+        self.0[y].samples[x]
     }
 
-    /// Keeps the sample at (x, y).
+    /// The key at (x, y).
+    #[inline(always)]
+    pub fn key(&self, x: usize, y: usize) -> u32 {
+        self.0[y].keys[x]
+    }
+
+    /// Keeps what was traced at (x, y).
     #[inline(always)]
     pub fn put(&mut self, x: usize, y: usize, sample: Sample) {
-        self.samples[y][x] = sample;
+        self.0[y].samples[x] = sample;
     }
 
-    /// Takes row `y` over from a neighbour; `width` points of it matter.
-    pub fn take(&mut self, y: usize, border: &Border, width: usize) {
-        self.samples[y][..width].copy_from_slice(&border.samples[..width]);
-        self.traced[y] = border.traced;
-    }
-
-    /// Leaves row `y` to a neighbour.
-    pub fn leave(&self, y: usize, border: &mut Border, width: usize) {
-        border.samples[..width].copy_from_slice(&self.samples[y][..width]);
-        border.traced = self.traced[y];
-    }
-}
-
-impl Border {
-    pub const fn new() -> Self {
-        Self {
-            samples: [Sample::NONE; ROW],
-            traced: [0; WORDS],
-        }
-    }
-
-    /// Forgets the row.
-    pub fn clear(&mut self) {
-        self.traced.fill(0);
+    /// Keeps the key at (x, y).
+    #[inline(always)]
+    pub fn put_key(&mut self, x: usize, y: usize, key: u32) {
+        self.0[y].keys[x] = key;
     }
 }

@@ -1,7 +1,10 @@
 //! Squares of pixels: the verdict on one, and its parts.
 
 use super::Points;
-use crate::trace::Sample;
+use crate::lanes::*;
+use crate::quality::Quality;
+use crate::trace::{STEP, Sample};
+use fearless_simd::{u16x8, u64x2};
 
 /// A rectangle of pixels inside a band, a square where the sizes divide; its corners are the points (x, y),
 /// (x + w, y), (x, y + h) and (x + w, y + h), the latter three outside it.
@@ -14,7 +17,7 @@ pub(crate) struct Square {
 }
 
 /// The samples at a square's corners: upper left, upper right, lower left, lower right.
-pub(crate) type Corners<'a> = [&'a Sample; 4];
+pub(crate) type Corners = [Sample; 4];
 
 /// What becomes of a square.
 pub(crate) enum Verdict {
@@ -27,17 +30,22 @@ pub(crate) enum Verdict {
 }
 
 impl Square {
-    /// The samples at the corners.
+    /// The places of the corners.
     #[inline(always)]
-    pub fn corners<'a>(&self, points: &'a Points) -> Corners<'a> {
+    fn places(&self) -> [(usize, usize); 4] {
         let (x, y) = (self.x as usize, self.y as usize);
         let (right, below) = (x + self.w as usize, y + self.h as usize);
-        [
-            points.at(x, y),
-            points.at(right, y),
-            points.at(x, below),
-            points.at(right, below),
-        ]
+        [(x, y), (right, y), (x, below), (right, below)]
+    }
+
+    /// The samples at the corners.
+    #[inline(always)]
+    pub fn corners(&self, points: &Points) -> Corners {
+        {
+            let [a, b, c, d] = self.places();
+            let at = |(x, y)| points.sample(x, y);
+            [at(a), at(b), at(c), at(d)]
+        }
     }
 
     /// Whether splitting it leaves single pixels.
@@ -87,17 +95,48 @@ impl Square {
             },
         ]
     }
+
+    /// What the qualities say of a square with these corners.
+    #[inline(always)]
+    pub fn verdict<S: Simd>(
+        &self,
+        simd: S,
+        quality: &Quality,
+        points: &Points,
+        corners: Corners,
+    ) -> Verdict {
+        let colour = corners[0].pixel();
+        let [_, b, c, d] = corners;
+        if b.pixel() == colour && c.pixel() == colour && d.pixel() == colour {
+            return Verdict::Flat(colour);
+        }
+        let mut allowed = quality.spread_agreeing;
+        if quality.needs_keys() {
+            let [a, b, c, d] = self.places();
+            let key = |(x, y)| points.key(x, y);
+            if key(a) != key(b) || key(a) != key(c) || key(a) != key(d) {
+                allowed = quality.spread_differing;
+            }
+        }
+        let side = self.w.max(self.h);
+        let limit = allowed * (8.0 * STEP as f32) / f32::from(side);
+        // A limit beyond any spread stays so.
+        if f32::from(spread(simd, corners)) <= limit {
+            Verdict::Bilinear
+        } else {
+            Verdict::Split
+        }
+    }
 }
 
-/// Flat where the corners' rounded colours are equal, else interpolated where their keys are.
+/// The largest difference between two corners in a channel, as a sample counts.
 #[inline(always)]
-pub(crate) fn verdict([a, b, c, d]: Corners<'_>) -> Verdict {
-    let colour = a.pixel();
-    if colour == b.pixel() && colour == c.pixel() && colour == d.pixel() {
-        Verdict::Flat(colour)
-    } else if a.key == b.key && a.key == c.key && a.key == d.key {
-        Verdict::Bilinear
-    } else {
-        Verdict::Split
-    }
+fn spread<S: Simd>(simd: S, [a, b, c, d]: Corners) -> u16 {
+    let upper: u16x8<S> = u64x2::simd_from(simd, [a.0, b.0]).bitcast();
+    let lower: u16x8<S> = u64x2::simd_from(simd, [c.0, d.0]).bitcast();
+    let most = upper.max(lower);
+    let least = upper.min(lower);
+    let most = most.max(most.rotate_elements_left::<4>());
+    let least = least.min(least.rotate_elements_left::<4>());
+    (most - least).reduce_max()
 }

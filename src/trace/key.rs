@@ -44,7 +44,7 @@ pub(crate) fn term<S: Simd>(
     objects: U<S>,
     states: States<S>,
 ) -> U<S> {
-    if quality.square == 1 {
+    if !quality.needs_keys() {
         return U::splat(simd, 0);
     }
     let zero = U::splat(simd, 0);

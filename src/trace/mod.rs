@@ -13,8 +13,8 @@ mod shade;
 mod stack;
 mod surface;
 
-pub(crate) use batch::{BATCH, Batch, PACKETS};
-pub(crate) use sample::{Sample, SampleLanes};
+pub(crate) use batch::{BATCH, Batch};
+pub(crate) use sample::{STEP, Sample};
 
 use crate::lanes::*;
 use crate::prepare::Prepared;
@@ -98,7 +98,7 @@ fn trace_packets<S: Simd>(simd: S, scene: &Prepared, quality: &Quality, batch: &
             batch.set(next, &node);
             next += LANES;
         } else {
-            batch.add(&rays.slots(), count, &node);
+            batch.add(simd, rays.slots(), count, &node);
         }
     }
     batch.counts.points += batch.len() as u64;

@@ -1,73 +1,39 @@
-//! What is known of a traced point.
+//! What is kept of a traced point.
 
-use crate::lanes::*;
+/// A traced point's colour: red, green and blue from the low bits up, 16 bits each, in 256ths of an output step.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Sample(pub u64);
 
-/// A traced point: its colour, 0 to 255 per channel and not rounded, and its key.
-#[derive(Clone, Copy, Default)]
-#[repr(align(16))]
-pub(crate) struct Sample {
-    pub colour: [f32; 3],
-    pub key: u32,
-}
+/// Parts that a sample counts an output step in.
+pub(crate) const STEP: i32 = 256;
+
+/// The brightest channel of a sample: 255 steps.
+const WHITE: i32 = 255 * STEP;
+
+/// Bits that the fixed point of a sum has below those of a sample.
+const SPARE_BITS: i32 = super::batch::STEP_BITS - STEP.trailing_zeros() as i32;
 
 impl Sample {
-    /// No sample.
-    pub const NONE: Self = Self {
-        colour: [0.0; 3],
-        key: 0,
-    };
+    /// The colour of a sum, cut to 0 to 255 steps.
+    #[inline(always)]
+    pub fn from_sum(sum: &[i32; 4]) -> Self {
+        // Cut off, not rounded: so a pixel is the sum rounded once.
+        let channel = |i: usize| (sum[i] >> SPARE_BITS).clamp(0, WHITE) as u64;
+        Self(channel(0) | channel(1) << 16 | channel(2) << 32)
+    }
+
+    /// Channel `i`, 0 to 2, in steps.
+    #[inline(always)]
+    pub fn channel(self, i: usize) -> f32 {
+        (self.0 >> (16 * i)) as u16 as f32 * (1.0 / STEP as f32)
+    }
 
     /// The colour as a pixel, `0x00RRGGBB`, rounded.
     #[inline(always)]
-    pub fn pixel(&self) -> u32 {
-        let [r, g, b] = self.colour;
-        let byte = |c: f32| (c + 0.5) as i32 as u32;
-        byte(r) << 16 | byte(g) << 8 | byte(b)
+    pub fn pixel(self) -> u32 {
+        // Half a step is added to each channel; none of them overflows.
+        let half = self.0 + 0x0080_0080_0080;
+        let byte = |i: usize| (half >> (16 * i + 8)) as u32 & 255;
+        byte(0) << 16 | byte(1) << 8 | byte(2)
     }
-
-    /// The colour at share `v` of the way from one sample to another.
-    #[inline(always)]
-    pub fn between(a: &Self, b: &Self, v: f32) -> [f32; 3] {
-        core::array::from_fn(
-            #[inline(always)]
-            |k| a.colour[k] + (b.colour[k] - a.colour[k]) * v,
-        )
-    }
-}
-
-/// Eight samples.
-pub(crate) struct SampleLanes<S: Simd> {
-    pub colour: Vec3x<S>,
-    pub key: U<S>,
-}
-
-impl<S: Simd> SampleLanes<S> {
-    /// The colours as pixels, `0x00RRGGBB`, rounded.
-    #[inline(always)]
-    pub fn pixels(&self) -> U<S> {
-        byte(self.colour.x) << 16 | byte(self.colour.y) << 8 | byte(self.colour.z)
-    }
-
-    /// One after the other.
-    #[inline(always)]
-    pub fn to_array(&self) -> [Sample; LANES] {
-        let r = self.colour.x.to_array();
-        let g = self.colour.y.to_array();
-        let b = self.colour.z.to_array();
-        let key = self.key.to_array();
-        core::array::from_fn(
-            #[inline(always)]
-            |i| Sample {
-                colour: [r[i], g[i], b[i]],
-                key: key[i],
-            },
-        )
-    }
-}
-
-/// Numbers from 0 to 255, rounded.
-#[inline(always)]
-fn byte<S: Simd>(c: F<S>) -> U<S> {
-    let i: I<S> = (c + 0.5).to_int();
-    i.bitcast()
 }

@@ -19,11 +19,15 @@ pub(super) struct Node<S: Simd> {
 }
 
 impl<S: Simd> Node<S> {
-    /// Red, green and blue in fixed point, and the key.
+    /// Red, green, blue in fixed point and the key, a point after the other.
     #[inline(always)]
-    pub fn fixed_point(&self) -> [I<S>; 4] {
-        let Vec3x { x, y, z } = self.colour;
-        [fixed(x), fixed(y), fixed(z), self.key.bitcast()]
+    pub fn terms(&self) -> [I<S>; 4] {
+        let key: I<S> = self.key.bitcast();
+        let (rb0, rb1) = fixed(self.colour.x).interleave(fixed(self.colour.z));
+        let (gk0, gk1) = fixed(self.colour.y).interleave(key);
+        let (first, second) = rb0.interleave(gk0);
+        let (third, fourth) = rb1.interleave(gk1);
+        [first, second, third, fourth]
     }
 }
 
@@ -31,13 +35,9 @@ impl<S: Simd> Node<S> {
 #[inline(always)]
 fn fixed<S: Simd>(c: F<S>) -> I<S> {
     let simd = c.simd;
+    let c = c.max(splat(simd, 0.0)).min(splat(simd, BRIGHTEST));
     // Half of one is added so that cutting off rounds.
-    fma(
-        c.min(splat(simd, BRIGHTEST)),
-        splat(simd, FIXED_POINT),
-        splat(simd, 0.5),
-    )
-    .to_int()
+    fma(c, splat(simd, FIXED_POINT), splat(simd, 0.5)).to_int()
 }
 
 /// Where light is gathered.

@@ -102,22 +102,19 @@ impl Stack {
         let count = self.len.min(LANES);
         self.len -= count;
         let start = self.len % CAPACITY;
-        let [ox, oy, oz, dx, dy, dz, weight] = self.columns.each_ref().map(
-            #[inline(always)]
-            |column| F::from_slice(simd, &column[start..start + LANES]),
-        );
+        let row = |i: usize| F::from_slice(simd, &self.columns[i][start..start + LANES]);
         let rays = Rays {
             o: Vec3x {
-                x: ox,
-                y: oy,
-                z: oz,
+                x: row(0),
+                y: row(1),
+                z: row(2),
             },
             d: Vec3x {
-                x: dx,
-                y: dy,
-                z: dz,
+                x: row(3),
+                y: row(4),
+                z: row(5),
             },
-            weight,
+            weight: row(6),
             place: U::from_slice(simd, &self.place[start..start + LANES]),
         };
         (rays, count)
