@@ -4,7 +4,7 @@ use super::fill::Canvas;
 use super::square::Verdict;
 use super::{Border, Square};
 use crate::lanes::*;
-use crate::prepare::Prepared;
+use crate::prepare::{GroupSet, Prepared};
 use crate::quality::Quality;
 use crate::trace::{BATCH, trace};
 use crate::worker::Worker;
@@ -77,6 +77,7 @@ pub(crate) fn render<S: Simd>(
         scene,
         quality,
         top: band.top,
+        seen: 0,
         worker,
         canvas,
     };
@@ -108,7 +109,8 @@ fn every_pixel<S: Simd>(
                 batch.push(x, top + y);
             }
         }
-        trace(simd, scene, quality, batch);
+        let seen = scene.seen(start, top, start + stretch, top + canvas.height);
+        trace(simd, scene, quality, seen, batch);
         for (x, y, sample, _) in batch.results() {
             canvas.put(x, y - top, sample.pixel());
         }
@@ -121,6 +123,8 @@ struct Refiner<'a> {
     scene: &'a Prepared,
     quality: &'a Quality,
     top: usize,
+    /// The groups that the stretch at work can show.
+    seen: GroupSet,
     worker: &'a mut Worker,
     canvas: Canvas<'a>,
 }
@@ -131,6 +135,7 @@ impl Refiner<'_> {
     fn stretch<S: Simd>(&mut self, simd: S, start: usize, end: usize) {
         let square = self.quality.square;
         let rows = self.canvas.height.next_multiple_of(square);
+        self.seen = self.scene.seen(start, self.top, end, self.top + rows);
         for y in (0..=rows).step_by(square) {
             for x in (start..=end).step_by(square) {
                 self.request(simd, x, y);
@@ -246,7 +251,7 @@ impl Refiner<'_> {
     #[inline(always)]
     fn trace<S: Simd>(&mut self, simd: S) {
         let Worker { batch, points, .. } = &mut *self.worker;
-        trace(simd, self.scene, self.quality, batch);
+        trace(simd, self.scene, self.quality, self.seen, batch);
         let keys = self.quality.needs_keys();
         for (x, y, sample, key) in batch.results() {
             points.put(x, y - self.top, sample);

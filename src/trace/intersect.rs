@@ -2,7 +2,7 @@
 
 use super::stack::Rays;
 use crate::lanes::*;
-use crate::prepare::{Ball, Lamp, Prepared, Rectangle};
+use crate::prepare::{Ball, Caster, GroupSet, Lamp, Prepared, Rectangle};
 use glam::Vec3;
 
 /// Hits nearer than this are the surface that the ray starts on.
@@ -28,29 +28,46 @@ impl<S: Simd> Hit<S> {
     }
 }
 
-/// The nearest hits; `from_centre` tells where the rays start, seen from a ball's centre.
+/// The nearest hits among the planes and some groups; `from_centre` tells where the rays start, seen from a ball's centre.
 #[inline(always)]
 pub(crate) fn nearest<S: Simd>(
     simd: S,
     scene: &Prepared,
     rays: &Rays<S>,
+    groups: GroupSet,
     from_centre: impl Fn(&Ball) -> Vec3x<S>,
 ) -> Hit<S> {
-    let first_plane = scene.solids + scene.lamp_count;
     let mut hit = Hit {
-        t: F::splat(simd, FARTHEST),
+        t: splat(simd, FARTHEST),
         object: U::splat(simd, scene.nothing() as u32),
     };
     for (i, plane) in scene.planes[..scene.plane_count].iter().enumerate() {
         let (m, t) = plane_hit(simd, plane, rays, hit.t);
-        hit.keep_nearer(m, t, first_plane + i);
+        hit.keep_nearer(m, t, scene.first_plane() + i);
     }
-    for (i, ball) in scene.balls[..first_plane].iter().enumerate() {
-        let chord = Chord::new(simd, ball, from_centre(ball), rays.d);
-        let m = chord.discriminant.simd_ge(F::splat(simd, 0.0));
-        if m.any_true() {
-            let (m, t) = chord.entry(m, hit.t);
-            hit.keep_nearer(m, t, i);
+    let mut rest = groups;
+    while rest != 0 {
+        let group = scene.groups.get(rest.trailing_zeros() as usize);
+        rest &= rest - 1;
+        if !group.is_single() {
+            let bound = Ball {
+                centre: group.centre,
+                r2: group.radius * group.radius,
+                from_eye: scene.eye - group.centre,
+            };
+            let chord = Chord::new(simd, &bound, from_centre(&bound), rays.d);
+            if !chord.is_ahead(hit.t).any_true() {
+                continue;
+            }
+        }
+        for i in group.balls() {
+            let ball = &scene.balls[i];
+            let chord = Chord::new(simd, ball, from_centre(ball), rays.d);
+            let m = chord.discriminant.simd_ge(splat(simd, 0.0));
+            if m.any_true() {
+                let (m, t) = chord.entry(m, hit.t);
+                hit.keep_nearer(m, t, i);
+            }
         }
     }
     hit
@@ -78,6 +95,19 @@ impl<S: Simd> Chord<S> {
             b,
             discriminant: F::splat(simd, ball.r2) - l.dot(l),
         }
+    }
+
+    /// Whether some of the chord lies ahead and nearer than `limit`.
+    #[inline(always)]
+    fn is_ahead(&self, limit: F<S>) -> M<S> {
+        let simd = self.b.simd;
+        let zero = splat(simd, 0.0);
+        // The far end is ahead where the middle is, or half the chord is longer than the way back to the middle; the
+        // near end is nearer than the limit likewise.
+        let behind = self.b.max(zero);
+        let beyond = (-self.b - limit).max(zero);
+        let shorter = behind.max(beyond);
+        self.discriminant.simd_ge(shorter * shorter)
     }
 
     /// The nearer end of the chord that lies ahead, if it does so nearer than `limit`.
@@ -108,6 +138,20 @@ fn plane_hit<S: Simd>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) -
     (hit, t)
 }
 
+/// Which rays towards a lamp in direction `l` a sphere blocks at most `reach` from the lamp.
+#[inline(always)]
+fn caster_blocks<S: Simd>(simd: S, caster: &Caster, l: Vec3x<S>, reach: F<S>) -> M<S> {
+    let zero = splat(simd, 0.0);
+    // Seen from the lamp, where every ray of this lamp meets: the way back to the point nearest to the centre.
+    let f = Vec3x::splat(simd, caster.from_lamp);
+    let way = f.dot(l);
+    let across = f.add_scaled(l, -way);
+    let half2 = splat(simd, caster.r2) - across.dot(across);
+    // The chord, of half length sqrt(half2) around there, has a part between the lamp and the ray's start.
+    let short = (way - reach).max(-way).max(zero);
+    half2.simd_gt(short * short)
+}
+
 /// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked.
 #[inline(always)]
 pub(crate) fn blocked<S: Simd>(
@@ -117,19 +161,24 @@ pub(crate) fn blocked<S: Simd>(
     p: Vec3x<S>,
     l: Vec3x<S>,
     distance: F<S>,
+    casters: GroupSet,
 ) -> M<S> {
-    let zero = splat(simd, 0.0);
     let mut blocked = M::splat(simd, false);
     let reach = distance - NEAREST;
-    for caster in &lamp.casters[..scene.solids] {
-        // Seen from the lamp, where every ray of this lamp meets: the way back to the point nearest to the centre.
-        let f = Vec3x::splat(simd, caster.from_lamp);
-        let way = f.dot(l);
-        let across = f.add_scaled(l, -way);
-        let half2 = splat(simd, caster.r2) - across.dot(across);
-        // The chord, of half length sqrt(half2) around there, begins before the ray's start: way - sqrt(half2) < reach.
-        let short = (way - reach).max(zero);
-        blocked |= way.simd_gt(zero) & half2.simd_gt(short * short);
+    let mut rest = casters;
+    while rest != 0 {
+        let number = rest.trailing_zeros() as usize;
+        let group = scene.groups.get(number);
+        rest &= rest - 1;
+        if !group.is_single() {
+            let bound = &lamp.group_casters[number];
+            if !caster_blocks(simd, bound, l, reach).any_true() {
+                continue;
+            }
+        }
+        for caster in &lamp.casters[group.balls()] {
+            blocked |= caster_blocks(simd, caster, l, reach);
+        }
     }
     for plane in &scene.planes[..scene.plane_count] {
         let below = lamp.position.y > plane.centre.y;

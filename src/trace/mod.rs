@@ -17,7 +17,7 @@ pub(crate) use batch::{BATCH, Batch};
 pub(crate) use sample::{STEP, Sample};
 
 use crate::lanes::*;
-use crate::prepare::Prepared;
+use crate::prepare::{GroupSet, Prepared};
 use crate::quality::Quality;
 
 /// How much work was done.
@@ -52,17 +52,29 @@ impl core::ops::AddAssign for Counts {
     }
 }
 
-/// Traces a batch's points, with all their rays, into its sums.
+/// Traces a batch's points, with all their rays, into its sums; primary rays meet none but the groups `seen`.
 #[inline(never)]
-pub(crate) fn trace<S: Simd>(simd: S, scene: &Prepared, quality: &Quality, batch: &mut Batch) {
+pub(crate) fn trace<S: Simd>(
+    simd: S,
+    scene: &Prepared,
+    quality: &Quality,
+    seen: GroupSet,
+    batch: &mut Batch,
+) {
     simd.vectorize(
         #[inline(always)]
-        || trace_packets(simd, scene, quality, batch),
+        || trace_packets(simd, scene, quality, seen, batch),
     );
 }
 
 #[inline(always)]
-fn trace_packets<S: Simd>(simd: S, scene: &Prepared, quality: &Quality, batch: &mut Batch) {
+fn trace_packets<S: Simd>(
+    simd: S,
+    scene: &Prepared,
+    quality: &Quality,
+    seen: GroupSet,
+    batch: &mut Batch,
+) {
     let mut next = 0;
     loop {
         let primary = batch.stack.len() < LANES && next < batch.len();
@@ -72,6 +84,7 @@ fn trace_packets<S: Simd>(simd: S, scene: &Prepared, quality: &Quality, batch: &
                 simd,
                 scene,
                 &rays,
+                seen,
                 #[inline(always)]
                 |ball| Vec3x::splat(simd, ball.from_eye),
             );
@@ -85,6 +98,7 @@ fn trace_packets<S: Simd>(simd: S, scene: &Prepared, quality: &Quality, batch: &
                 simd,
                 scene,
                 &rays,
+                scene.groups.all(),
                 #[inline(always)]
                 |ball| rays.o - Vec3x::splat(simd, ball.centre),
             );

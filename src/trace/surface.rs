@@ -1,7 +1,8 @@
 //! The surfaces that a packet hits.
 
 use crate::lanes::*;
-use crate::prepare::{Prepared, Surface};
+use crate::prepare::{GroupSet, Prepared, Surface};
+use crate::scene::MAX_LIGHTS;
 
 /// A [`Surface`] per lane.
 pub(super) struct SurfaceLanes<S: Simd> {
@@ -17,6 +18,8 @@ pub(super) struct SurfaceLanes<S: Simd> {
     pub kt: F<S>,
     pub index: F<S>,
     pub solid: F<S>,
+    /// The groups that can stand between any lane's object and each lamp.
+    pub casters: [GroupSet; MAX_LIGHTS],
 }
 
 impl<S: Simd> SurfaceLanes<S> {
@@ -55,6 +58,7 @@ impl<S: Simd> SurfaceLanes<S> {
             kt: splat(simd, s.kt),
             index: splat(simd, s.index),
             solid: splat(simd, s.solid),
+            casters: s.casters,
         }
     }
 
@@ -75,6 +79,9 @@ impl<S: Simd> SurfaceLanes<S> {
             (&mut self.solid, other.solid),
         ] {
             *mine = mask.select(new, *mine);
+        }
+        for (mine, new) in self.casters.iter_mut().zip(other.casters) {
+            *mine |= new;
         }
     }
 }

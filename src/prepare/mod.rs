@@ -1,0 +1,218 @@
+//! What every ray of a frame uses, computed once a frame.
+
+mod groups;
+mod screen;
+mod shadows;
+mod surface;
+
+pub(crate) use groups::{GroupSet, Groups, MAX_GROUPS};
+pub(crate) use screen::Window;
+pub(crate) use surface::Surface;
+
+use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
+use glam::Vec3;
+
+/// Objects a ray can hit: spheres, lights (drawn as spheres), planes, and the background.
+const MAX_OBJECTS: usize = MAX_SPHERES + MAX_LIGHTS + MAX_PLANES + 1;
+
+/// One frame's scene in the order the kernels want it.
+///
+/// Objects are numbered: spheres (as [`Groups`] order them), lights, planes, background.
+pub(crate) struct Prepared {
+    pub eye: Vec3,
+    pub raster: Raster,
+    /// The solid spheres, then the lights' spheres.
+    pub balls: [Ball; MAX_SPHERES + MAX_LIGHTS],
+    pub groups: Groups,
+    /// What each group covers of the picture.
+    pub windows: [Window; MAX_GROUPS],
+    pub solids: usize,
+    pub lamps: [Lamp; MAX_LIGHTS],
+    pub lamp_count: usize,
+    pub planes: [Rectangle; MAX_PLANES],
+    pub plane_count: usize,
+    pub surfaces: [Surface; MAX_OBJECTS],
+}
+
+/// A sphere as its intersection wants it.
+#[derive(Clone, Copy)]
+pub(crate) struct Ball {
+    pub centre: Vec3,
+    /// The radius squared.
+    pub r2: f32,
+    /// The camera's eye minus the centre: the start of every primary ray, seen from the centre.
+    pub from_eye: Vec3,
+}
+
+/// A horizontal rectangle.
+#[derive(Clone, Copy)]
+pub(crate) struct Rectangle {
+    pub centre: Vec3,
+    pub half_x: f32,
+    pub half_z: f32,
+}
+
+/// A point light.
+pub(crate) struct Lamp {
+    pub position: Vec3,
+    pub colour: Vec3,
+    /// The solid spheres as shadow rays want them.
+    pub casters: [Caster; MAX_SPHERES],
+    /// The groups as shadow rays want them.
+    pub group_casters: [Caster; MAX_GROUPS],
+}
+
+/// A sphere as shadow rays want it.
+#[derive(Clone, Copy)]
+pub(crate) struct Caster {
+    /// The lamp seen from the centre.
+    pub from_lamp: Vec3,
+    /// The radius squared.
+    pub r2: f32,
+}
+
+impl Prepared {
+    /// An empty frame.
+    pub const fn new() -> Self {
+        Self {
+            eye: Vec3::ZERO,
+            raster: Raster::NONE,
+            balls: [Ball::NONE; MAX_SPHERES + MAX_LIGHTS],
+            groups: Groups::NONE,
+            windows: [Window::NONE; MAX_GROUPS],
+            solids: 0,
+            lamps: [const { Lamp::NONE }; MAX_LIGHTS],
+            lamp_count: 0,
+            planes: [Rectangle::NONE; MAX_PLANES],
+            plane_count: 0,
+            surfaces: [Surface::NONE; MAX_OBJECTS],
+        }
+    }
+
+    /// The number of the first plane.
+    pub fn first_plane(&self) -> usize {
+        self.solids + self.lamp_count
+    }
+
+    /// The number of the background.
+    pub fn nothing(&self) -> usize {
+        self.first_plane() + self.plane_count
+    }
+
+    /// The groups that primary rays through the points of a rectangle of the picture can meet.
+    pub fn seen(&self, left: usize, top: usize, right: usize, bottom: usize) -> GroupSet {
+        let mut set = 0;
+        for (i, _) in self.groups.iter().enumerate() {
+            let meets = self.windows[i].meets(left as f32, top as f32, right as f32, bottom as f32);
+            set |= GroupSet::from(meets) << i;
+        }
+        set
+    }
+
+    /// Takes a scene in, for pictures of `width` by `height` pixels.
+    pub fn set(&mut self, scene: &Scene, width: usize, height: usize) {
+        self.eye = scene.camera.eye;
+        self.raster = scene.camera.raster(width, height);
+        self.solids = scene.spheres.len();
+        self.lamp_count = scene.lights.len();
+        self.plane_count = scene.planes.len();
+        self.groups.set(scene);
+        for (i, &number) in self.groups.order().iter().enumerate() {
+            let sphere = &scene.spheres[number as usize];
+            self.balls[i] = Ball::new(sphere.centre, sphere.radius, self.eye);
+            self.surfaces[i] = Surface::sphere(sphere, scene.ambient);
+        }
+        for (i, light) in scene.lights.iter().enumerate() {
+            let i = self.solids + i;
+            self.balls[i] = Ball::new(light.position, light.radius, self.eye);
+            self.surfaces[i] = Surface::emitting(light.colour);
+        }
+        let first_plane = self.first_plane();
+        for (i, plane) in scene.planes.iter().enumerate() {
+            self.planes[i] = Rectangle {
+                centre: plane.centre,
+                half_x: plane.half_x,
+                half_z: plane.half_z,
+            };
+            self.surfaces[first_plane + i] = Surface::plane(plane, scene.ambient);
+        }
+        self.surfaces[self.nothing()] = Surface::emitting(scene.background);
+        for (window, group) in self.windows.iter_mut().zip(self.groups.iter()) {
+            *window = Window::of(group, self.eye, &self.raster, width, height);
+        }
+        for i in 0..scene.lights.len() {
+            self.set_lamp(scene, i);
+        }
+    }
+
+    /// Takes the light number `i` in; the spheres and planes are in already.
+    fn set_lamp(&mut self, scene: &Scene, i: usize) {
+        let light = &scene.lights[i];
+        let lamp = &mut self.lamps[i];
+        lamp.position = light.position;
+        lamp.colour = light.colour;
+        for (caster, ball) in lamp.casters.iter_mut().zip(&self.balls[..self.solids]) {
+            *caster = Caster {
+                from_lamp: light.position - ball.centre,
+                r2: ball.r2,
+            };
+        }
+        for (caster, group) in lamp.group_casters.iter_mut().zip(self.groups.solid()) {
+            *caster = Caster {
+                from_lamp: light.position - group.centre,
+                r2: group.radius * group.radius,
+            };
+        }
+        for group in self.groups.solid() {
+            let casters = shadows::on_group(scene, &self.groups, group, light.position);
+            for surface in &mut self.surfaces[group.balls()] {
+                surface.casters[i] = casters;
+            }
+        }
+        let first_plane = self.first_plane();
+        let surfaces = &mut self.surfaces[first_plane..];
+        for (surface, plane) in surfaces.iter_mut().zip(scene.planes.iter()) {
+            surface.casters[i] = shadows::on_plane(&self.groups, plane, light.position);
+        }
+    }
+}
+
+impl Ball {
+    const NONE: Self = Self {
+        centre: Vec3::ZERO,
+        r2: 0.0,
+        from_eye: Vec3::ZERO,
+    };
+
+    fn new(centre: Vec3, radius: f32, eye: Vec3) -> Self {
+        Self {
+            centre,
+            r2: radius * radius,
+            from_eye: eye - centre,
+        }
+    }
+}
+
+impl Rectangle {
+    const NONE: Self = Self {
+        centre: Vec3::ZERO,
+        half_x: 0.0,
+        half_z: 0.0,
+    };
+}
+
+impl Lamp {
+    const NONE: Self = Self {
+        position: Vec3::ZERO,
+        colour: Vec3::ZERO,
+        casters: [Caster::NONE; MAX_SPHERES],
+        group_casters: [Caster::NONE; MAX_GROUPS],
+    };
+}
+
+impl Caster {
+    const NONE: Self = Self {
+        from_lamp: Vec3::ZERO,
+        r2: 0.0,
+    };
+}

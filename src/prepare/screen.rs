@@ -1,0 +1,102 @@
+//! What a sphere covers of the picture.
+
+use super::groups::Group;
+use crate::scene::camera::Raster;
+use glam::Vec3;
+
+/// A rectangle of the picture, in pixels; both ends included.
+#[derive(Clone, Copy)]
+pub(crate) struct Window {
+    pub left: f32,
+    pub right: f32,
+    pub top: f32,
+    pub bottom: f32,
+}
+
+/// Pixels around a bound, far more than its rounding.
+const MARGIN: f32 = 0.5;
+
+impl Window {
+    /// Nothing of the picture.
+    pub const NONE: Self = Self {
+        left: f32::INFINITY,
+        right: f32::NEG_INFINITY,
+        top: f32::INFINITY,
+        bottom: f32::NEG_INFINITY,
+    };
+
+    /// All of the picture, and beyond.
+    const ALL: Self = Self {
+        left: f32::NEG_INFINITY,
+        right: f32::INFINITY,
+        top: f32::NEG_INFINITY,
+        bottom: f32::INFINITY,
+    };
+
+    /// Where a group's sphere can be seen.
+    pub fn of(group: &Group, eye: Vec3, raster: &Raster, width: usize, height: usize) -> Self {
+        let to = group.centre - eye;
+        let (right, down) = (raster.dx.normalize_or_zero(), raster.dy.normalize_or_zero());
+        let forward = right.cross(down);
+        let ahead = to.dot(forward);
+        // A little larger than it is, so that what rounding adds is covered.
+        let radius = group.radius * (1.0 + 1e-4);
+        if ahead < -radius {
+            return Self::NONE;
+        }
+        let pixel = raster.dx.length();
+        let side = |across: f32, size: usize| {
+            let middle = 0.5 * (size as f32 - 1.0);
+            let (low, high) = slopes(across, ahead, radius);
+            (
+                middle + low / pixel - MARGIN,
+                middle + high / pixel + MARGIN,
+            )
+        };
+        let (left, right) = side(to.dot(right), width);
+        let (top, bottom) = side(to.dot(down), height);
+        let window = Self {
+            left,
+            right,
+            top,
+            bottom,
+        };
+        // A scene with numbers that are none is looked at everywhere.
+        if [left, right, top, bottom].iter().any(|v| v.is_nan()) {
+            Self::ALL
+        } else {
+            window
+        }
+    }
+
+    /// Whether it shares a point with the rectangle of these corners.
+    #[inline(always)]
+    pub fn meets(&self, left: f32, top: f32, right: f32, bottom: f32) -> bool {
+        self.left <= right && self.right >= left && self.top <= bottom && self.bottom >= top
+    }
+}
+
+/// The least and the greatest `x / z` of the points with z > 0 of a disc around (`x`, `z`): the slopes of its tangents
+/// through the origin (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013).
+fn slopes(x: f32, z: f32, radius: f32) -> (f32, f32) {
+    let tangent2 = x * x + z * z - radius * radius;
+    if tangent2 <= 0.0 {
+        return (f32::NEG_INFINITY, f32::INFINITY);
+    }
+    let t = libm::sqrtf(tangent2);
+    let low = (x * t - z * radius, z * t + x * radius);
+    let high = (x * t + z * radius, z * t - x * radius);
+    // A tangent that points backwards leaves the picture on its side.
+    (
+        if low.1 > 0.0 {
+            low.0 / low.1
+        } else {
+            f32::NEG_INFINITY
+        },
+        if high.1 > 0.0 {
+            high.0 / high.1
+        } else {
+            f32::INFINITY
+        },
+    )
+}

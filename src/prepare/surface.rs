@@ -1,0 +1,95 @@
+//! What shading needs of an object.
+
+use super::groups::GroupSet;
+use crate::scene::{MAX_LIGHTS, Material, Plane, Sphere};
+use glam::Vec3;
+
+/// A highlight below this is not computed: 1/40 of what 8 bits can show.
+const FAINT: f32 = 1e-4;
+
+/// An object's surface.
+#[derive(Clone, Copy)]
+pub(crate) struct Surface {
+    /// The normal at p is `(p - centre) inverse_radius + (0, upright, 0)`.
+    pub centre: Vec3,
+    /// 1 / radius of a sphere, 0 of a plane.
+    pub inverse_radius: f32,
+    /// 1 for a plane, 0 for a sphere.
+    pub upright: f32,
+    /// Light that needs no lamp: ambient light reflected, or what a lamp or the background emits.
+    pub base: Vec3,
+    /// Colour times diffuse coefficient.
+    pub diffuse: Vec3,
+    pub ks: f32,
+    pub exponent: f32,
+    /// No highlight where r.v is below this; 2 where there is none at all.
+    pub faint: f32,
+    pub kr: f32,
+    pub kt: f32,
+    pub index: f32,
+    /// Lamps shine on it: 1, or 0 for lamps and the background.
+    pub solid: f32,
+    /// The groups that can stand between it and each lamp.
+    pub casters: [GroupSet; MAX_LIGHTS],
+}
+
+impl Surface {
+    /// The surface of nothing.
+    pub const NONE: Self = Self {
+        centre: Vec3::ZERO,
+        inverse_radius: 0.0,
+        upright: 0.0,
+        base: Vec3::ZERO,
+        diffuse: Vec3::ZERO,
+        ks: 0.0,
+        exponent: 1.0,
+        faint: 2.0,
+        kr: 0.0,
+        kt: 0.0,
+        index: 1.0,
+        solid: 0.0,
+        casters: [0; MAX_LIGHTS],
+    };
+
+    /// A sphere's.
+    pub fn sphere(sphere: &Sphere, ambient: Vec3) -> Self {
+        Self {
+            centre: sphere.centre,
+            inverse_radius: 1.0 / sphere.radius,
+            ..Self::of(&sphere.material, ambient)
+        }
+    }
+
+    /// A plane's.
+    pub fn plane(plane: &Plane, ambient: Vec3) -> Self {
+        Self {
+            centre: plane.centre,
+            upright: 1.0,
+            ..Self::of(&plane.material, ambient)
+        }
+    }
+
+    /// Of what shines by itself.
+    pub fn emitting(colour: Vec3) -> Self {
+        Self {
+            base: colour,
+            ..Self::NONE
+        }
+    }
+
+    fn of(material: &Material, ambient: Vec3) -> Self {
+        let faint = libm::powf(FAINT / material.ks, 1.0 / material.exponent);
+        Self {
+            base: material.colour * ambient,
+            diffuse: material.colour * material.kd,
+            ks: material.ks,
+            exponent: material.exponent,
+            faint: if material.ks > FAINT { faint } else { 2.0 },
+            kr: material.kr,
+            kt: material.kt,
+            index: material.index,
+            solid: 1.0,
+            ..Self::NONE
+        }
+    }
+}
