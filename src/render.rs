@@ -70,7 +70,6 @@ pub fn render(
     let prepared = &memory.prepared;
     let rows = Band::rows(quality.square);
     let count = height.div_ceil(rows);
-    memory.borders[count].clear(MAX_WIDTH);
 
     let job = |worker: &mut Worker, band: &mut Band<'_>| {
         render_band(level, prepared, quality, worker, band);
@@ -92,7 +91,8 @@ pub fn render(
                 width,
                 pixels,
                 borders,
-                neighbours_done: odd == 1,
+                above_done: odd == 1,
+                below_done: odd == 1 && i + 1 < count,
             };
             len += 1;
         }

@@ -1,12 +1,15 @@
 //! A thread's working memory.
 
+use crate::lanes::LANES;
 use crate::refine::{Points, Square, band::MAX_SPLITS};
-use crate::trace::{Batch, Counts};
+use crate::trace::{Batch, Counts, PACKETS};
 
 /// What one thread works in: some MB of fixed size, owned by the caller, reused from band to band.
 pub struct Worker {
     pub(crate) batch: Batch,
     pub(crate) points: Points,
+    /// Pixels of a batch.
+    pub(crate) pixels: [[u32; LANES]; PACKETS],
     /// Squares to split, of this round and of the next.
     pub(crate) splits: [[Square; MAX_SPLITS]; 2],
 }
@@ -17,6 +20,7 @@ impl Worker {
     pub const fn new() -> Self {
         Self {
             batch: Batch::new(),
+            pixels: [[0; LANES]; PACKETS],
             points: Points::new(),
             splits: [[Square {
                 x: 0,

@@ -46,16 +46,6 @@ impl<S: Simd> Vec3x<S> {
         let simd = self.x.simd;
         self * (F::splat(simd, 1.0) / self.dot(self).sqrt())
     }
-
-    /// `self` where `mask`, else `other`.
-    #[inline(always)]
-    pub fn where_else(self, mask: M<S>, other: Self) -> Self {
-        Self {
-            x: mask.select(self.x, other.x),
-            y: mask.select(self.y, other.y),
-            z: mask.select(self.z, other.z),
-        }
-    }
 }
 
 impl<S: Simd> Add for Vec3x<S> {

@@ -28,8 +28,9 @@ pub struct Band<'a> {
     pub(crate) pixels: &'a mut [u32],
     /// The borders above and below, or none where points are not shared.
     pub(crate) borders: &'a mut [Border],
-    /// Whether the borders hold what the neighbours traced.
-    pub(crate) neighbours_done: bool,
+    /// Whether the borders hold what the band above and the band below traced.
+    pub(crate) above_done: bool,
+    pub(crate) below_done: bool,
 }
 
 impl Band<'_> {
@@ -66,8 +67,10 @@ pub(crate) fn render<S: Simd>(
     let columns = band.width.next_multiple_of(quality.square) + 1;
     worker.points.clear(rows + 1, columns);
     let keys = quality.needs_keys();
-    if band.neighbours_done {
+    if band.above_done {
         worker.points.row(0).copy(&band.borders[0], columns, keys);
+    }
+    if band.below_done {
         worker
             .points
             .row(rows)
@@ -78,6 +81,8 @@ pub(crate) fn render<S: Simd>(
         quality,
         top: band.top,
         seen: 0,
+        above_done: band.above_done,
+        below_done: band.below_done,
         worker,
         canvas,
     };
@@ -85,7 +90,7 @@ pub(crate) fn render<S: Simd>(
     for start in (0..band.width).step_by(stretch) {
         refiner.stretch(simd, start, (start + stretch).min(columns - 1));
     }
-    if !band.neighbours_done {
+    if !band.above_done {
         band.borders[0].copy(worker.points.row(0), columns, keys);
         band.borders[1].copy(worker.points.row(rows), columns, keys);
     }
@@ -101,20 +106,21 @@ fn every_pixel<S: Simd>(
     canvas: &mut Canvas<'_>,
     top: usize,
 ) {
-    let batch = &mut worker.batch;
+    let Worker { batch, pixels, .. } = worker;
     let stretch = BATCH / ROWS;
     for start in (0..canvas.width).step_by(stretch) {
+        let count = stretch.min(canvas.width - start);
         for y in 0..canvas.height {
-            for x in start..(start + stretch).min(canvas.width) {
-                batch.push(x, top + y);
-            }
+            batch.push_run(simd, start, top + y, count);
         }
-        let seen = scene.seen(start, top, start + stretch, top + canvas.height);
+        let seen = scene.seen(start, top, start + count, top + canvas.height);
         trace(simd, scene, quality, seen, batch);
-        for (x, y, sample, _) in batch.results() {
-            canvas.put(x, y - top, sample.pixel());
-        }
+        batch.pixels(simd, pixels);
         batch.clear();
+        let runs = pixels.as_flattened().chunks(count);
+        for (y, run) in runs.take(canvas.height).enumerate() {
+            canvas.put_run(start, y, run);
+        }
     }
 }
 
@@ -125,6 +131,9 @@ struct Refiner<'a> {
     top: usize,
     /// The groups that the stretch at work can show.
     seen: GroupSet,
+    /// Whether the first and the last row of corners are traced.
+    above_done: bool,
+    below_done: bool,
     worker: &'a mut Worker,
     canvas: Canvas<'a>,
 }
@@ -137,8 +146,13 @@ impl Refiner<'_> {
         let rows = self.canvas.height.next_multiple_of(square);
         self.seen = self.scene.seen(start, self.top, end, self.top + rows);
         for y in (0..=rows).step_by(square) {
-            for x in (start..=end).step_by(square) {
-                self.request(simd, x, y);
+            if y == 0 && self.above_done || y == Band::rows(square) && self.below_done {
+                continue;
+            }
+            // The stretch before this one has traced the first column.
+            let first = if start == 0 { 0 } else { start + square };
+            for x in (first..=end).step_by(square) {
+                self.add(simd, x, y);
             }
         }
         self.trace(simd);
@@ -240,11 +254,17 @@ impl Refiner<'_> {
     #[inline(always)]
     fn request<S: Simd>(&mut self, simd: S, x: usize, y: usize) {
         if self.worker.points.claim(x, y) {
-            if self.worker.batch.is_full() {
-                self.trace(simd);
-            }
-            self.worker.batch.push(x, self.top + y);
+            self.add(simd, x, y);
         }
+    }
+
+    /// Asks for a point of the band.
+    #[inline(always)]
+    fn add<S: Simd>(&mut self, simd: S, x: usize, y: usize) {
+        if self.worker.batch.is_full() {
+            self.trace(simd);
+        }
+        self.worker.batch.push(x, self.top + y);
     }
 
     /// Traces the points asked for.

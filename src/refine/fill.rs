@@ -42,12 +42,26 @@ impl Canvas<'_> {
         }
     }
 
+    /// Sets the pixels from (x, y) to the right; they must be in the picture.
+    #[inline(always)]
+    pub fn put_run(&mut self, x: usize, y: usize, pixels: &[u32]) {
+        self.row(x, y, pixels.len()).copy_from_slice(pixels);
+    }
+
     /// One colour.
     #[inline(always)]
     pub fn flat(&mut self, square: &Square, pixel: u32) {
+        let (x, y, w) = (square.x as usize, square.y as usize, square.w as usize);
         for j in 0..self.rows(square) {
-            self.row(square.x as usize, square.y as usize + j, square.w as usize)
-                .fill(pixel);
+            let row = self.row(x, y + j, w);
+            // The common length has its own way, which the compiler makes one store of.
+            if let Ok(eight) = <&mut [u32; 8]>::try_from(&mut *row) {
+                *eight = [pixel; 8];
+            } else {
+                for p in row {
+                    *p = pixel;
+                }
+            }
         }
     }
 
@@ -88,7 +102,7 @@ impl Canvas<'_> {
             #[inline(always)]
             |lane| (lane / W) as f32,
         );
-        let [r, g, b] = ramps;
+        let [b, g, r] = ramps;
         let mut r = r.spread(simd, column, row, rows as f32);
         let mut g = g.spread(simd, column, row, rows as f32);
         let mut b = b.spread(simd, column, row, rows as f32);
@@ -151,7 +165,7 @@ impl Ramp {
 
 /// A pixel of a square, by its column and row.
 fn pixel_at(ramps: &[Ramp; 3], column: f32, row: f32) -> u32 {
-    let [r, g, b] = ramps.map(|ramp| {
+    let [b, g, r] = ramps.map(|ramp| {
         let across = ramp.across + ramp.twist * row;
         (ramp.start + ramp.down * row + across * column) as u32
     });

@@ -105,27 +105,33 @@ impl Square {
         points: &Points,
         corners: Corners,
     ) -> Verdict {
-        let colour = corners[0].pixel();
-        let [_, b, c, d] = corners;
-        if b.pixel() == colour && c.pixel() == colour && d.pixel() == colour {
+        let [a, b, c, d] = corners;
+        if a == b && a == c && a == d {
+            return Verdict::Flat(a.pixel());
+        }
+        let side = self.w.max(self.h);
+        let limit = self.allowed(quality, points) * (8.0 * STEP as f32) / f32::from(side);
+        if f32::from(spread(simd, corners)) <= limit {
+            return Verdict::Bilinear;
+        }
+        let colour = a.pixel();
+        if colour == b.pixel() && colour == c.pixel() && colour == d.pixel() {
             return Verdict::Flat(colour);
         }
-        let mut allowed = quality.spread_agreeing;
+        Verdict::Split
+    }
+
+    /// How far the corners' colours may be apart, for a square of 8 pixels.
+    #[inline(always)]
+    fn allowed(&self, quality: &Quality, points: &Points) -> f32 {
         if quality.needs_keys() {
             let [a, b, c, d] = self.places();
             let key = |(x, y)| points.key(x, y);
             if key(a) != key(b) || key(a) != key(c) || key(a) != key(d) {
-                allowed = quality.spread_differing;
+                return quality.spread_differing;
             }
         }
-        let side = self.w.max(self.h);
-        let limit = allowed * (8.0 * STEP as f32) / f32::from(side);
-        // A limit beyond any spread stays so.
-        if f32::from(spread(simd, corners)) <= limit {
-            Verdict::Bilinear
-        } else {
-            Verdict::Split
-        }
+        quality.spread_agreeing
     }
 }
 

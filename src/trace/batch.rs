@@ -2,14 +2,15 @@
 
 use super::shade::Node;
 use super::stack::{Rays, Stack};
-use super::{Counts, Sample};
+use super::{Counts, Sample, sample};
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use fearless_simd::i32x4;
 
 /// Points traced in one go: 16 kB of sums, which stay in the nearest cache.
 pub(crate) const BATCH: usize = 1024;
-const PACKETS: usize = BATCH / LANES;
+/// Packets in a batch.
+pub(crate) const PACKETS: usize = BATCH / LANES;
 
 /// Bits below the point of a sum of output steps.
 ///
@@ -20,13 +21,19 @@ pub(super) const STEP_BITS: i32 = 14;
 /// Full brightness as a sum.
 pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
 
+/// Blue, green and red, in the order of a pixel's bytes, and the key of a point.
+pub(super) type Sum = [i32; 4];
+/// Where the key is.
+const KEY: usize = 3;
+
 /// Points to trace, a packet of lanes at a time, and what came of them.
 pub(crate) struct Batch {
     /// Where the points are: `y << 16 | x`.
     places: [[u32; LANES]; PACKETS],
     len: usize,
-    /// Red, green, blue and key of each point.
-    sums: [[i32; 4]; BATCH],
+    /// Blue, green, red and key of each point.
+    sums: [Sum; BATCH],
+    samples: [[Sample; LANES]; PACKETS],
     pub stack: Stack,
     /// What was done since it was last reset.
     pub counts: Counts,
@@ -39,6 +46,7 @@ impl Batch {
             places: [[0; LANES]; PACKETS],
             len: 0,
             sums: [[0; 4]; BATCH],
+            samples: [[Sample(0); LANES]; PACKETS],
             stack: Stack::new(),
             counts: Counts::NONE,
         }
@@ -69,17 +77,62 @@ impl Batch {
         self.len = 0;
     }
 
-    /// The points' places, x and y, and their samples and keys.
+    /// Adds the points of row `y` from `x` on, `count` of them; there must be room.
+    #[inline(always)]
+    pub fn push_run<S: Simd>(&mut self, simd: S, x: usize, y: usize, count: usize) {
+        let mut done = 0;
+        if self.len.is_multiple_of(LANES) {
+            let lane = U::from_fn(
+                simd,
+                #[inline(always)]
+                |i| i as u32,
+            );
+            while done + LANES <= count {
+                let place = (y << 16 | (x + done)) as u32;
+                (lane + place).store_array(&mut self.places[self.len / LANES % PACKETS]);
+                self.len += LANES;
+                done += LANES;
+            }
+        }
+        for x in x + done..x + count {
+            self.push(x, y);
+        }
+    }
+
+    /// The points' places, x and y, with their samples and keys, which [`Batch::finish`] has left.
     #[inline(always)]
     pub fn results(&self) -> impl Iterator<Item = (usize, usize, Sample, u32)> {
         let places = self.places.as_flattened()[..self.len].iter();
-        places.zip(&self.sums).map(
+        places.zip(self.samples.as_flattened()).zip(&self.sums).map(
             #[inline(always)]
-            |(&place, sum)| {
+            |((&place, &sample), sum)| {
                 let (x, y) = (place & 0xffff, place >> 16);
-                (x as usize, y as usize, Sample::from_sum(sum), sum[3] as u32)
+                (x as usize, y as usize, sample, sum[KEY] as u32)
             },
         )
+    }
+
+    /// Makes samples of the sums.
+    #[inline(always)]
+    pub(super) fn finish<S: Simd>(&mut self, simd: S) {
+        let packets = self
+            .sums
+            .as_chunks::<LANES>()
+            .0
+            .iter()
+            .zip(&mut self.samples);
+        for (sums, samples) in packets.take(self.len.div_ceil(LANES)) {
+            sample::from_sums(simd, sums, samples);
+        }
+    }
+
+    /// Puts the points' pixels into `pixels`, in the order that the points were added.
+    #[inline(always)]
+    pub fn pixels<S: Simd>(&self, simd: S, pixels: &mut [[u32; LANES]; PACKETS]) {
+        let packets = self.sums.as_chunks::<LANES>().0.iter().zip(pixels);
+        for (sums, pixels) in packets.take(self.len.div_ceil(LANES)) {
+            *pixels = sample::pixels_from_sums(simd, sums);
+        }
     }
 
     /// The primary rays of a packet of points from number `start`, a multiple of the lanes. Lanes beyond the last point

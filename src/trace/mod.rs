@@ -13,7 +13,7 @@ mod shade;
 mod stack;
 mod surface;
 
-pub(crate) use batch::{BATCH, Batch};
+pub(crate) use batch::{BATCH, Batch, PACKETS};
 pub(crate) use sample::{STEP, Sample};
 
 use crate::lanes::*;
@@ -63,7 +63,12 @@ pub(crate) fn trace<S: Simd>(
 ) {
     simd.vectorize(
         #[inline(always)]
-        || trace_packets(simd, scene, quality, seen, batch),
+        || {
+            trace_packets(simd, scene, quality, seen, batch);
+            if quality.square > 1 {
+                batch.finish(simd);
+            }
+        },
     );
 }
 

@@ -19,14 +19,14 @@ pub(super) struct Node<S: Simd> {
 }
 
 impl<S: Simd> Node<S> {
-    /// Red, green, blue in fixed point and the key, a point after the other.
+    /// Blue, green, red in fixed point and the key, a point after the other.
     #[inline(always)]
     pub fn terms(&self) -> [I<S>; 4] {
         let key: I<S> = self.key.bitcast();
-        let (rb0, rb1) = fixed(self.colour.x).interleave(fixed(self.colour.z));
+        let (br0, br1) = fixed(self.colour.z).interleave(fixed(self.colour.x));
         let (gk0, gk1) = fixed(self.colour.y).interleave(key);
-        let (first, second) = rb0.interleave(gk0);
-        let (third, fourth) = rb1.interleave(gk1);
+        let (first, second) = br0.interleave(gk0);
+        let (third, fourth) = br1.interleave(gk1);
         [first, second, third, fourth]
     }
 }

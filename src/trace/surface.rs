@@ -29,18 +29,18 @@ impl<S: Simd> SurfaceLanes<S> {
     #[inline(always)]
     pub fn look_up(simd: S, scene: &Prepared, objects: U<S>, active: M<S>) -> Self {
         let numbers = objects.to_array();
+        let some = |set: u64| numbers[set.trailing_zeros() as usize % LANES];
         let mut rest = active.to_bitmask();
-        let mut number = numbers[rest.trailing_zeros() as usize % LANES];
+        let number = some(rest);
         let mut lanes = Self::splat(simd, &scene.surfaces[number as usize]);
-        loop {
-            rest &= !objects.simd_eq(U::splat(simd, number)).to_bitmask();
-            if rest == 0 {
-                return lanes;
-            }
-            number = numbers[rest.trailing_zeros() as usize % LANES];
+        rest &= !objects.simd_eq(U::splat(simd, number)).to_bitmask();
+        while rest != 0 {
+            let number = some(rest);
             let mask = objects.simd_eq(U::splat(simd, number));
-            lanes.put(mask, &Self::splat(simd, &scene.surfaces[number as usize]));
+            lanes.put(mask, &scene.surfaces[number as usize]);
+            rest &= !mask.to_bitmask();
         }
+        lanes
     }
 
     #[inline(always)]
@@ -62,26 +62,35 @@ impl<S: Simd> SurfaceLanes<S> {
         }
     }
 
+    /// Sets the lanes in `mask`.
     #[inline(always)]
-    fn put(&mut self, mask: M<S>, other: &Self) {
-        self.centre = other.centre.where_else(mask, self.centre);
-        self.base = other.base.where_else(mask, self.base);
-        self.diffuse = other.diffuse.where_else(mask, self.diffuse);
-        for (mine, new) in [
-            (&mut self.inverse_radius, other.inverse_radius),
-            (&mut self.upright, other.upright),
-            (&mut self.ks, other.ks),
-            (&mut self.exponent, other.exponent),
-            (&mut self.faint, other.faint),
-            (&mut self.kr, other.kr),
-            (&mut self.kt, other.kt),
-            (&mut self.index, other.index),
-            (&mut self.solid, other.solid),
-        ] {
-            *mine = mask.select(new, *mine);
-        }
-        for (mine, new) in self.casters.iter_mut().zip(other.casters) {
+    fn put(&mut self, mask: M<S>, s: &Surface) {
+        put_lanes(mask, &mut self.centre.x, s.centre.x);
+        put_lanes(mask, &mut self.centre.y, s.centre.y);
+        put_lanes(mask, &mut self.centre.z, s.centre.z);
+        put_lanes(mask, &mut self.inverse_radius, s.inverse_radius);
+        put_lanes(mask, &mut self.upright, s.upright);
+        put_lanes(mask, &mut self.base.x, s.base.x);
+        put_lanes(mask, &mut self.base.y, s.base.y);
+        put_lanes(mask, &mut self.base.z, s.base.z);
+        put_lanes(mask, &mut self.diffuse.x, s.diffuse.x);
+        put_lanes(mask, &mut self.diffuse.y, s.diffuse.y);
+        put_lanes(mask, &mut self.diffuse.z, s.diffuse.z);
+        put_lanes(mask, &mut self.ks, s.ks);
+        put_lanes(mask, &mut self.exponent, s.exponent);
+        put_lanes(mask, &mut self.faint, s.faint);
+        put_lanes(mask, &mut self.kr, s.kr);
+        put_lanes(mask, &mut self.kt, s.kt);
+        put_lanes(mask, &mut self.index, s.index);
+        put_lanes(mask, &mut self.solid, s.solid);
+        for (mine, new) in self.casters.iter_mut().zip(s.casters) {
             *mine |= new;
         }
     }
+}
+
+/// Sets the lanes in `mask` to one number.
+#[inline(always)]
+fn put_lanes<S: Simd>(mask: M<S>, lanes: &mut F<S>, v: f32) {
+    *lanes = mask.select(splat(lanes.simd, v), *lanes);
 }
