@@ -1,17 +1,14 @@
 //! A thread's working memory.
 
-use crate::lanes::LANES;
-use crate::refine::{Points, Square, band::MAX_SPLITS};
-use crate::trace::{Batch, Counts, PACKETS};
+use crate::refine::{Points, Square, band::MAX_SQUARES};
+use crate::trace::{Batch, Counts};
 
 /// What one thread works in: some MB of fixed size, owned by the caller, reused from band to band.
 pub struct Worker {
     pub(crate) batch: Batch,
     pub(crate) points: Points,
-    /// Pixels of a batch.
-    pub(crate) pixels: [[u32; LANES]; PACKETS],
-    /// Squares to split, of this round and of the next.
-    pub(crate) splits: [[Square; MAX_SPLITS]; 2],
+    /// Squares to look at, of this round and of the next.
+    pub(crate) squares: [[Square; MAX_SQUARES]; 2],
 }
 
 impl Worker {
@@ -20,14 +17,13 @@ impl Worker {
     pub const fn new() -> Self {
         Self {
             batch: Batch::new(),
-            pixels: [[0; LANES]; PACKETS],
             points: Points::new(),
-            splits: [[Square {
+            squares: [[Square {
                 x: 0,
                 y: 0,
                 w: 0,
                 h: 0,
-            }; MAX_SPLITS]; 2],
+            }; MAX_SQUARES]; 2],
         }
     }
 

@@ -1,42 +1,51 @@
-//! Eight rays side by side: the lane types every kernel is written in.
+//! Rays side by side: the lane types every kernel is written in.
 //!
-//! A kernel is generic over the instruction set `S` and inlined into one function per set, so that it is written
-//! once. A lane's answer never depends on what its neighbours hold.
+//! A kernel is generic over the instruction set `S` and inlined into one function per set, so that it is written once:
+//! four lanes for SSE2, eight for AVX2, sixteen for AVX-512. A lane's answer never depends on what its neighbours hold.
+//!
+//! Closures that the compiler does not inline lose the instruction set, and with it their speed: kernels use small
+//! functions marked `#[inline(always)]` instead.
 
 mod pow;
 mod vec3x;
 
 pub(crate) use fearless_simd::prelude::*;
-use fearless_simd::{f32x16, i32x16, mask32x16, u32x16};
 pub(crate) use pow::pow;
 pub(crate) use vec3x::Vec3x;
 
-/// Rays that travel together: what one AVX2 register holds.
-pub(crate) const LANES: usize = 16;
+/// The most rays that travel together: what an AVX-512 register holds.
+pub(crate) const MAX_LANES: usize = 16;
 
 /// A number per lane.
-pub(crate) type F<S> = f32x16<S>;
+pub(crate) type F<S> = <S as Simd>::f32s;
 /// An integer or a bit pattern per lane.
-pub(crate) type U<S> = u32x16<S>;
+pub(crate) type U<S> = <S as Simd>::u32s;
 /// A signed integer per lane.
-pub(crate) type I<S> = i32x16<S>;
+pub(crate) type I<S> = <S as Simd>::i32s;
 /// A truth value per lane.
-pub(crate) type M<S> = mask32x16<S>;
+pub(crate) type M<S> = <S as Simd>::mask32s;
 
-/// `a b + c` in every lane, rounded once where the instruction set has FMA.
+/// Rays that travel together.
 #[inline(always)]
-pub(crate) fn fma<S: Simd>(a: F<S>, b: F<S>, c: F<S>) -> F<S> {
-    a.mul_add(b, c)
+pub(crate) const fn lanes<S: Simd>() -> usize {
+    F::<S>::LEN
 }
 
 /// The same number in every lane.
 #[inline(always)]
 pub(crate) fn splat<S: Simd>(simd: S, v: f32) -> F<S> {
-    F::splat(simd, v)
+    F::<S>::splat(simd, v)
 }
 
 /// The first `count` lanes.
 #[inline(always)]
 pub(crate) fn first<S: Simd>(simd: S, count: usize) -> M<S> {
-    M::from_bitmask(simd, (1 << count) - 1)
+    M::<S>::from_bitmask(simd, (1 << count) - 1)
+}
+
+/// The lanes' numbers, from 0.
+#[inline(always)]
+pub(crate) fn numbers<S: Simd>(simd: S) -> U<S> {
+    const NUMBERS: [u32; MAX_LANES] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
+    U::<S>::from_slice(simd, &NUMBERS[..lanes::<S>()])
 }

@@ -5,37 +5,38 @@ use super::*;
 /// `x` to the power `h`, for `x` in 1e-6..=1.001 and `h` in 1..=1000.
 ///
 /// By `exp2(h log2 x)` with the polynomials of Moshier's Cephes (`logf`, `exp2f`): the relative error stays below
-/// `1e-6 + 1.2e-7 h |log2 x|`, and results below 2^-126 are flushed to that.
+/// `1e-6 + 1.2e-7 h |log2 x|`, and results below 2^-126 are that.
 #[inline(always)]
-pub(crate) fn pow<S: Simd>(x: F<S>, h: F<S>) -> F<S> {
-    exp2(h * log2(x))
+pub(crate) fn pow<S: Simd>(simd: S, x: F<S>, h: F<S>) -> F<S> {
+    exp2(simd, h * log2(simd, x))
 }
 
 /// The logarithm to base 2 of a positive normal number.
 #[inline(always)]
-fn log2<S: Simd>(x: F<S>) -> F<S> {
-    let simd = x.simd;
+fn log2<S: Simd>(simd: S, x: F<S>) -> F<S> {
     // x = 2^e m with m in sqrt(1/2)..sqrt(2), so that the series about 1 is short.
     let bits: I<S> = x.bitcast();
     let e = (bits - SQRT_HALF_BITS) >> 23;
     let m: F<S> = (bits - (e << 23)).bitcast();
     let t = m - 1.0;
-    let mut p = splat(simd, 7.037_683_6e-2);
-    for c in [
-        -1.151_461e-1,
-        1.167_699_9e-1,
-        -1.242_014_1e-1,
-        1.424_932_3e-1,
-        -1.666_805_8e-1,
-        2.000_071_5e-1,
-        -2.499_999_4e-1,
-        3.333_333e-1,
-    ] {
-        p = fma(p, t, splat(simd, c));
-    }
+    let p = polynomial(
+        simd,
+        t,
+        &[
+            7.037_683_6e-2,
+            -1.151_461e-1,
+            1.167_699_9e-1,
+            -1.242_014_1e-1,
+            1.424_932_3e-1,
+            -1.666_805_8e-1,
+            2.000_071_5e-1,
+            -2.499_999_4e-1,
+            3.333_333e-1,
+        ],
+    );
     let t2 = t * t;
-    let ln = fma(t2 * t, p, fma(t2, splat(simd, -0.5), t));
-    fma(ln, splat(simd, core::f32::consts::LOG2_E), e.to_float())
+    let ln = (t2 * t).mul_add(p, t2.mul_add(splat(simd, -0.5), t));
+    ln.mul_add(splat(simd, core::f32::consts::LOG2_E), e.to_float::<F<S>>())
 }
 
 /// The bits of sqrt(1/2).
@@ -43,26 +44,37 @@ const SQRT_HALF_BITS: i32 = 0x3f35_04f3;
 
 /// 2 to the power `y`, for `y` up to 127; below -126 the result is 2^-126.
 #[inline(always)]
-fn exp2<S: Simd>(y: F<S>) -> F<S> {
-    let simd = y.simd;
+fn exp2<S: Simd>(simd: S, y: F<S>) -> F<S> {
     let y = y.max(splat(simd, -126.0)).min(splat(simd, 127.0));
     // Adding 1.5 * 2^23 leaves the nearest integer in the low bits.
     let shifted = y + ROUND_TO_INTEGER;
     let f = y - (shifted - ROUND_TO_INTEGER);
-    let mut p = splat(simd, 1.535_336_2e-4);
-    for c in [
-        1.339_887_5e-3,
-        9.618_437e-3,
-        5.550_332_5e-2,
-        2.402_265e-1,
-        6.931_472e-1,
-        1.0,
-    ] {
-        p = fma(p, f, splat(simd, c));
-    }
+    let p = polynomial(
+        simd,
+        f,
+        &[
+            1.535_336_2e-4,
+            1.339_887_5e-3,
+            9.618_437e-3,
+            5.550_332_5e-2,
+            2.402_265e-1,
+            6.931_472e-1,
+            1.0,
+        ],
+    );
     let whole: I<S> = shifted.bitcast();
     let bits: I<S> = p.bitcast();
     (bits + (whole << 23)).bitcast()
 }
 
 const ROUND_TO_INTEGER: f32 = 12_582_912.0;
+
+/// A polynomial by Horner's rule, the coefficient of the highest power first.
+#[inline(always)]
+fn polynomial<S: Simd>(simd: S, x: F<S>, coefficients: &[f32]) -> F<S> {
+    let mut p = splat(simd, coefficients[0]);
+    for &c in &coefficients[1..] {
+        p = p.mul_add(x, splat(simd, c));
+    }
+    p
+}

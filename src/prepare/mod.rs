@@ -40,8 +40,6 @@ pub(crate) struct Ball {
     pub centre: Vec3,
     /// The radius squared.
     pub r2: f32,
-    /// The camera's eye minus the centre: the start of every primary ray, seen from the centre.
-    pub from_eye: Vec3,
 }
 
 /// A horizontal rectangle.
@@ -119,12 +117,12 @@ impl Prepared {
         self.groups.set(scene);
         for (i, &number) in self.groups.order().iter().enumerate() {
             let sphere = &scene.spheres[number as usize];
-            self.balls[i] = Ball::new(sphere.centre, sphere.radius, self.eye);
+            self.balls[i] = Ball::new(sphere.centre, sphere.radius);
             self.surfaces[i] = Surface::sphere(sphere, scene.ambient);
         }
         for (i, light) in scene.lights.iter().enumerate() {
             let i = self.solids + i;
-            self.balls[i] = Ball::new(light.position, light.radius, self.eye);
+            self.balls[i] = Ball::new(light.position, light.radius);
             self.surfaces[i] = Surface::emitting(light.colour);
         }
         let first_plane = self.first_plane();
@@ -181,14 +179,12 @@ impl Ball {
     const NONE: Self = Self {
         centre: Vec3::ZERO,
         r2: 0.0,
-        from_eye: Vec3::ZERO,
     };
 
-    fn new(centre: Vec3, radius: f32, eye: Vec3) -> Self {
+    fn new(centre: Vec3, radius: f32) -> Self {
         Self {
             centre,
             r2: radius * radius,
-            from_eye: eye - centre,
         }
     }
 }

@@ -16,14 +16,14 @@ struct Ramp {
     start: f32,
     across: f32,
     down: f32,
-    /// Added to `across` per row.
+    /// Added to `down` per column.
     twist: f32,
 }
 
 impl Canvas<'_> {
     /// The pixels of row `y` from `x` on, `w` of them or as many as the picture has.
     #[inline(always)]
-    fn row(&mut self, x: usize, y: usize, w: usize) -> &mut [u32] {
+    pub fn row(&mut self, x: usize, y: usize, w: usize) -> &mut [u32] {
         let end = (x + w).min(self.width);
         &mut self.pixels[y * self.width..][x..end]
     }
@@ -42,12 +42,6 @@ impl Canvas<'_> {
         }
     }
 
-    /// Sets the pixels from (x, y) to the right; they must be in the picture.
-    #[inline(always)]
-    pub fn put_run(&mut self, x: usize, y: usize, pixels: &[u32]) {
-        self.row(x, y, pixels.len()).copy_from_slice(pixels);
-    }
-
     /// One colour.
     #[inline(always)]
     pub fn flat(&mut self, square: &Square, pixel: u32) {
@@ -58,9 +52,7 @@ impl Canvas<'_> {
             if let Ok(eight) = <&mut [u32; 8]>::try_from(&mut *row) {
                 *eight = [pixel; 8];
             } else {
-                for p in row {
-                    *p = pixel;
-                }
+                row.iter_mut().for_each(|p| *p = pixel);
             }
         }
     }
@@ -72,60 +64,82 @@ impl Canvas<'_> {
         let (w, h) = (square.w as usize, square.h as usize);
         let ramp = |i| Ramp::between(corners, i, w, h);
         let ramps = [ramp(0), ramp(1), ramp(2)];
-        let whole = x + w <= self.width && y + h <= self.height && w == h;
-        match w {
-            2 if whole => self.blocks::<S, 2>(simd, x, y, &ramps),
-            4 if whole => self.blocks::<S, 4>(simd, x, y, &ramps),
-            8 if whole => self.blocks::<S, 8>(simd, x, y, &ramps),
-            16 if whole => self.blocks::<S, 16>(simd, x, y, &ramps),
-            _ => {
-                for j in 0..self.rows(square) {
-                    for (i, pixel) in self.row(x, y + j, w).iter_mut().enumerate() {
-                        *pixel = pixel_at(&ramps, i as f32, j as f32);
-                    }
+        let is_whole = x + w <= self.width && y + h <= self.height;
+        if is_whole && w == h && w.is_power_of_two() {
+            self.ramp(simd, x, y, w, &ramps);
+        } else {
+            for j in 0..self.rows(square) {
+                for (i, pixel) in self.row(x, y + j, w).iter_mut().enumerate() {
+                    *pixel = pixel_at(&ramps, i as f32, j as f32);
                 }
             }
         }
     }
 
-    /// Fills a square of side `W`, as many rows at a time as the lanes hold.
+    /// Fills a square whose side is a power of two, as many pixels at a time as there are lanes.
     #[inline(always)]
-    fn blocks<S: Simd, const W: usize>(&mut self, simd: S, x: usize, y: usize, ramps: &[Ramp; 3]) {
-        let rows = (LANES / W).min(W);
-        let column = F::from_fn(
-            simd,
-            #[inline(always)]
-            |lane| (lane % W) as f32,
-        );
-        let row = F::from_fn(
-            simd,
-            #[inline(always)]
-            |lane| (lane / W) as f32,
-        );
-        let [b, g, r] = ramps;
-        let mut r = r.spread(simd, column, row, rows as f32);
-        let mut g = g.spread(simd, column, row, rows as f32);
-        let mut b = b.spread(simd, column, row, rows as f32);
-        let mut place = y * self.width + x;
-        for _ in 0..W / rows {
-            let pixels = r.next() << 16 | g.next() << 8 | b.next();
-            for row in pixels.to_array().as_chunks::<W>().0.iter().take(rows) {
-                if let Some(target) = self.pixels[place..].first_chunk_mut() {
-                    *target = *row;
+    fn ramp<S: Simd>(&mut self, simd: S, x: usize, y: usize, side: usize, ramps: &[Ramp; 3]) {
+        let columns = lanes::<S>().min(side);
+        let rows = (lanes::<S>() / columns).min(side);
+        let lane = numbers(simd);
+        let lane_row: I<S> = (lane >> columns.trailing_zeros()).bitcast();
+        let lane_column: I<S> = (lane & (columns as u32 - 1)).bitcast();
+        let row: F<S> = lane_row.to_float();
+        for left in (0..side).step_by(columns) {
+            let column: F<S> = lane_column.to_float::<F<S>>() + left as f32;
+            let mut b = Steps::new(simd, &ramps[0], column, row, rows as f32);
+            let mut g = Steps::new(simd, &ramps[1], column, row, rows as f32);
+            let mut r = Steps::new(simd, &ramps[2], column, row, rows as f32);
+            let mut place = y * self.width + x + left;
+            for _ in 0..side / rows {
+                let pixels = r.next() << 16 | g.next() << 8 | b.next();
+                let mut pixels = pixels.as_slice();
+                for _ in 0..rows {
+                    let (run, rest) = pixels.split_at(columns);
+                    copy(run, &mut self.pixels[place..place + columns]);
+                    pixels = rest;
+                    place += self.width;
                 }
-                place += self.width;
             }
         }
     }
 }
 
-/// A [`Ramp`] in lanes, row after row.
+/// Copies a run of 2, 4, 8 or 16 pixels, each by a move of its own: the compiler makes a call of a loop.
+#[inline(always)]
+fn copy(from: &[u32], to: &mut [u32]) {
+    #[inline(always)]
+    fn exactly<const N: usize>(from: &[u32], to: &mut [u32]) {
+        if let (Some(from), Some(to)) = (from.first_chunk::<N>(), to.first_chunk_mut::<N>()) {
+            *to = *from;
+        }
+    }
+    match from.len() {
+        2 => exactly::<2>(from, to),
+        4 => exactly::<4>(from, to),
+        8 => exactly::<8>(from, to),
+        _ => exactly::<16>(from, to),
+    }
+}
+
+/// A [`Ramp`] in lanes, some rows at a time.
 struct Steps<S: Simd> {
     value: F<S>,
     step: F<S>,
 }
 
 impl<S: Simd> Steps<S> {
+    /// The numbers at the lanes' columns and rows, to be stepped `rows` rows at a time.
+    #[inline(always)]
+    fn new(simd: S, ramp: &Ramp, column: F<S>, row: F<S>, rows: f32) -> Self {
+        let down = column.mul_add(splat(simd, ramp.twist), splat(simd, ramp.down));
+        let top = column.mul_add(splat(simd, ramp.across), splat(simd, ramp.start));
+        Self {
+            value: row.mul_add(down, top),
+            step: down * rows,
+        }
+    }
+
     /// The numbers of these rows, cut to whole ones.
     #[inline(always)]
     fn next(&mut self) -> U<S> {
@@ -138,8 +152,7 @@ impl<S: Simd> Steps<S> {
 impl Ramp {
     /// Channel `i` of a square of `w` by `h` pixels, with half of one added so that cutting off rounds.
     #[inline(always)]
-    fn between(corners: Corners, i: usize, w: usize, h: usize) -> Self {
-        let [a, b, c, d] = corners;
+    fn between([a, b, c, d]: Corners, i: usize, w: usize, h: usize) -> Self {
         let (a, b) = (a.channel(i), b.channel(i));
         let (c, d) = (c.channel(i), d.channel(i));
         let (w, h) = (1.0 / w as f32, 1.0 / h as f32);
@@ -150,24 +163,14 @@ impl Ramp {
             twist: (d - c - b + a) * w * h,
         }
     }
-
-    /// The numbers at lanes' columns and rows, to be stepped `rows` rows at a time.
-    #[inline(always)]
-    fn spread<S: Simd>(&self, simd: S, column: F<S>, row: F<S>, rows: f32) -> Steps<S> {
-        let down = fma(column, splat(simd, self.twist), splat(simd, self.down));
-        let top = fma(column, splat(simd, self.across), splat(simd, self.start));
-        Steps {
-            value: fma(row, down, top),
-            step: down * rows,
-        }
-    }
 }
 
 /// A pixel of a square, by its column and row.
+#[inline(never)]
 fn pixel_at(ramps: &[Ramp; 3], column: f32, row: f32) -> u32 {
     let [b, g, r] = ramps.map(|ramp| {
-        let across = ramp.across + ramp.twist * row;
-        (ramp.start + ramp.down * row + across * column) as u32
+        let down = ramp.down + ramp.twist * column;
+        (ramp.start + ramp.across * column + down * row) as u32
     });
     r << 16 | g << 8 | b
 }

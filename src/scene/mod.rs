@@ -12,7 +12,7 @@ pub use list::List;
 /// Spheres a scene can hold: the largest scene in use, a field of 256, with room to grow.
 pub const MAX_SPHERES: usize = 320;
 /// Planes a scene can hold.
-pub const MAX_PLANES: usize = 4;
+pub const MAX_PLANES: usize = 8;
 /// Lights a scene can hold.
 pub const MAX_LIGHTS: usize = 4;
 

@@ -2,7 +2,7 @@
 
 use super::stack::Rays;
 use crate::lanes::*;
-use crate::prepare::{Ball, Caster, GroupSet, Lamp, Prepared, Rectangle};
+use crate::prepare::{Caster, GroupSet, Lamp, Prepared, Rectangle};
 use glam::Vec3;
 
 /// Hits nearer than this are the surface that the ray starts on.
@@ -24,22 +24,21 @@ impl<S: Simd> Hit<S> {
     #[inline(always)]
     fn keep_nearer(&mut self, closer: M<S>, t: F<S>, object: usize) {
         self.t = closer.select(t, self.t);
-        self.object = closer.select(U::splat(self.t.simd, object as u32), self.object);
+        self.object = closer.select(U::<S>::splat(self.t.token(), object as u32), self.object);
     }
 }
 
-/// The nearest hits among the planes and some groups; `from_centre` tells where the rays start, seen from a ball's centre.
+/// The nearest hits among the planes and some groups.
 #[inline(always)]
 pub(crate) fn nearest<S: Simd>(
     simd: S,
     scene: &Prepared,
     rays: &Rays<S>,
     groups: GroupSet,
-    from_centre: impl Fn(&Ball) -> Vec3x<S>,
 ) -> Hit<S> {
     let mut hit = Hit {
         t: splat(simd, FARTHEST),
-        object: U::splat(simd, scene.nothing() as u32),
+        object: U::<S>::splat(simd, scene.nothing() as u32),
     };
     for (i, plane) in scene.planes[..scene.plane_count].iter().enumerate() {
         let (m, t) = plane_hit(simd, plane, rays, hit.t);
@@ -50,19 +49,14 @@ pub(crate) fn nearest<S: Simd>(
         let group = scene.groups.get(rest.trailing_zeros() as usize);
         rest &= rest - 1;
         if !group.is_single() {
-            let bound = Ball {
-                centre: group.centre,
-                r2: group.radius * group.radius,
-                from_eye: scene.eye - group.centre,
-            };
-            let chord = Chord::new(simd, &bound, from_centre(&bound), rays.d);
+            let chord = Chord::new(simd, rays, group.centre, group.radius * group.radius);
             if !chord.is_ahead(hit.t).any_true() {
                 continue;
             }
         }
         for i in group.balls() {
             let ball = &scene.balls[i];
-            let chord = Chord::new(simd, ball, from_centre(ball), rays.d);
+            let chord = Chord::new(simd, rays, ball.centre, ball.r2);
             let m = chord.discriminant.simd_ge(splat(simd, 0.0));
             if m.any_true() {
                 let (m, t) = chord.entry(m, hit.t);
@@ -82,25 +76,24 @@ struct Chord<S: Simd> {
 }
 
 impl<S: Simd> Chord<S> {
-    /// `f` is the ray's start seen from the centre, `d` has length 1.
-    ///
     /// The discriminant comes from the perpendicular from the centre to the ray, which loses no digits when the
     /// sphere is small and far away (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere
     /// Intersection, Ray Tracing Gems, 2019).
     #[inline(always)]
-    fn new(simd: S, ball: &Ball, f: Vec3x<S>, d: Vec3x<S>) -> Self {
-        let b = f.dot(d);
-        let l = f.add_scaled(d, -b);
+    fn new(simd: S, rays: &Rays<S>, centre: Vec3, r2: f32) -> Self {
+        let f = rays.o - Vec3x::splat(simd, centre);
+        let b = f.dot(rays.d);
+        let l = f.add_scaled(rays.d, -b);
         Self {
             b,
-            discriminant: F::splat(simd, ball.r2) - l.dot(l),
+            discriminant: splat(simd, r2) - l.dot(l),
         }
     }
 
     /// Whether some of the chord lies ahead and nearer than `limit`.
     #[inline(always)]
     fn is_ahead(&self, limit: F<S>) -> M<S> {
-        let simd = self.b.simd;
+        let simd = self.b.token();
         let zero = splat(simd, 0.0);
         // The far end is ahead where the middle is, or half the chord is longer than the way back to the middle; the
         // near end is nearer than the limit likewise.
@@ -113,9 +106,9 @@ impl<S: Simd> Chord<S> {
     /// The nearer end of the chord that lies ahead, if it does so nearer than `limit`.
     #[inline(always)]
     fn entry(&self, mask: M<S>, limit: F<S>) -> (M<S>, F<S>) {
-        let simd = self.b.simd;
-        let near_limit = F::splat(simd, NEAREST);
-        let half = self.discriminant.max(F::splat(simd, 0.0)).sqrt();
+        let simd = self.b.token();
+        let near_limit = splat(simd, NEAREST);
+        let half = self.discriminant.max(splat(simd, 0.0)).sqrt();
         let near = -self.b - half;
         let far = half - self.b;
         let t = near.simd_gt(near_limit).select(near, far);
@@ -128,13 +121,13 @@ impl<S: Simd> Chord<S> {
 fn plane_hit<S: Simd>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) -> (M<S>, F<S>) {
     let Vec3 { x, y, z } = plane.centre;
     // Where a ray runs along the plane this is infinite or not a number, and no comparison below holds.
-    let t = (F::splat(simd, y) - rays.o.y) / rays.d.y;
-    let across = fma(t, rays.d.x, rays.o.x - x).abs();
-    let along = fma(t, rays.d.z, rays.o.z - z).abs();
-    let hit = t.simd_gt(F::splat(simd, NEAREST))
+    let t = (splat(simd, y) - rays.o.y) / rays.d.y;
+    let across = t.mul_add(rays.d.x, rays.o.x - x).abs();
+    let along = t.mul_add(rays.d.z, rays.o.z - z).abs();
+    let hit = t.simd_gt(splat(simd, NEAREST))
         & t.simd_lt(limit)
-        & across.simd_le(F::splat(simd, plane.half_x))
-        & along.simd_le(F::splat(simd, plane.half_z));
+        & across.simd_le(splat(simd, plane.half_x))
+        & along.simd_le(splat(simd, plane.half_z));
     (hit, t)
 }
 
@@ -163,7 +156,7 @@ pub(crate) fn blocked<S: Simd>(
     distance: F<S>,
     casters: GroupSet,
 ) -> M<S> {
-    let mut blocked = M::splat(simd, false);
+    let mut blocked = M::<S>::splat(simd, false);
     let reach = distance - NEAREST;
     let mut rest = casters;
     while rest != 0 {
@@ -208,9 +201,10 @@ fn plane_blocks<S: Simd>(
     // The distance times |d.y|.
     let scale = d.y.abs();
     let rise = splat(simd, y) - o.y;
-    let t: F<S> = (rise.to_bits() ^ (d.y.to_bits() & U::splat(simd, 1 << 31))).bitcast();
+    let t: F<S> =
+        (rise.bitcast::<U<S>>() ^ (d.y.bitcast::<U<S>>() & U::<S>::splat(simd, 1 << 31))).bitcast();
     let ahead = t.simd_gt(scale * NEAREST) & t.simd_lt(scale * limit);
-    let across = fma(t, d.x, (o.x - x) * scale).abs();
-    let along = fma(t, d.z, (o.z - z) * scale).abs();
+    let across = t.mul_add(d.x, (o.x - x) * scale).abs();
+    let along = t.mul_add(d.z, (o.z - z) * scale).abs();
     ahead & across.simd_le(scale * plane.half_x) & along.simd_le(scale * plane.half_z)
 }

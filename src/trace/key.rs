@@ -21,15 +21,15 @@ pub(crate) struct States<S: Simd>(U<S>);
 impl<S: Simd> States<S> {
     #[inline(always)]
     pub fn new(simd: S) -> Self {
-        Self(U::splat(simd, 0))
+        Self(U::<S>::splat(simd, 0))
     }
 
     /// Adds one light's state. A highlight implies lit.
     #[inline(always)]
     pub fn push(&mut self, lit: M<S>, highlight: M<S>) {
-        let simd = self.0.simd;
-        let one = U::splat(simd, 1);
-        let zero = U::splat(simd, 0);
+        let simd = self.0.token();
+        let one = U::<S>::splat(simd, 1);
+        let zero = U::<S>::splat(simd, 0);
         let state = lit.select(one, zero) + highlight.select(one, zero);
         self.0 = (self.0 << STATE_BITS) | state;
     }
@@ -45,17 +45,17 @@ pub(crate) fn term<S: Simd>(
     states: States<S>,
 ) -> U<S> {
     if !quality.needs_keys() {
-        return U::splat(simd, 0);
+        return U::<S>::splat(simd, 0);
     }
-    let zero = U::splat(simd, 0);
-    let with_states = paths.simd_lt(U::splat(simd, 2 << quality.state_depth));
-    let counted = paths.simd_lt(U::splat(simd, 2 << quality.key_depth));
+    let zero = U::<S>::splat(simd, 0);
+    let with_states = paths.simd_lt(U::<S>::splat(simd, 2 << quality.state_depth));
+    let counted = paths.simd_lt(U::<S>::splat(simd, 2 << quality.key_depth));
     let states = with_states.select(states.0, zero) << (PATH_BITS + OBJECT_BITS);
     let mut h = paths | (objects << PATH_BITS) | states;
     // Two rounds of multiply and shift (after Wellons' searched 32-bit mixers) spread every bit.
     h ^= h >> 16;
-    h *= U::splat(simd, 0x7feb_352d);
+    h *= U::<S>::splat(simd, 0x7feb_352d);
     h ^= h >> 15;
-    h *= U::splat(simd, 0x846c_a68b);
+    h *= U::<S>::splat(simd, 0x846c_a68b);
     counted.select(h ^ (h >> 16), zero)
 }

@@ -1,9 +1,9 @@
 //! Traces points: a point's colour and key from the tree of rays that starts there.
 //!
-//! Rays travel eight at a time, whichever points they belong to. A packet's secondary rays go to a stack of fixed
-//! capacity, and the next packet is taken from its top as soon as it fills the lanes, so there is no recursion and few
-//! lanes idle. Colours are summed in fixed point: integer sums do not depend on the order in which rays come back, so
-//! a point has the same bits whatever points it is traced with.
+//! Rays travel in packets, a ray per lane, whichever points they belong to. A packet's secondary rays go to a stack of
+//! fixed capacity, and the next packet is taken from its top as soon as it fills the lanes, so there is no recursion and
+//! few lanes idle. Colours are summed in fixed point: integer sums do not depend on the order in which rays come back,
+//! so a point has the same bits whatever points it is traced with.
 
 mod batch;
 mod intersect;
@@ -13,7 +13,7 @@ mod shade;
 mod stack;
 mod surface;
 
-pub(crate) use batch::{BATCH, Batch, PACKETS};
+pub(crate) use batch::{BATCH, Batch};
 pub(crate) use sample::{STEP, Sample};
 
 use crate::lanes::*;
@@ -29,8 +29,8 @@ pub struct Counts {
     pub rays: u64,
     /// Rays towards a light.
     pub shadow_rays: u64,
-    /// Packets that the primary and secondary rays travelled in.
-    pub packets: u64,
+    /// Lanes of the packets that the primary and secondary rays travelled in, idle ones included.
+    pub lanes: u64,
 }
 
 impl Counts {
@@ -39,7 +39,7 @@ impl Counts {
         points: 0,
         rays: 0,
         shadow_rays: 0,
-        packets: 0,
+        lanes: 0,
     };
 }
 
@@ -48,11 +48,11 @@ impl core::ops::AddAssign for Counts {
         self.points += other.points;
         self.rays += other.rays;
         self.shadow_rays += other.shadow_rays;
-        self.packets += other.packets;
+        self.lanes += other.lanes;
     }
 }
 
-/// Traces a batch's points, with all their rays, into its sums; primary rays meet none but the groups `seen`.
+/// Traces a batch's points with all their rays; the primary rays meet none but the groups `seen`.
 #[inline(never)]
 pub(crate) fn trace<S: Simd>(
     simd: S,
@@ -65,9 +65,7 @@ pub(crate) fn trace<S: Simd>(
         #[inline(always)]
         || {
             trace_packets(simd, scene, quality, seen, batch);
-            if quality.square > 1 {
-                batch.finish(simd);
-            }
+            batch.finish(simd, quality.square == 1);
         },
     );
 }
@@ -82,40 +80,24 @@ fn trace_packets<S: Simd>(
 ) {
     let mut next = 0;
     loop {
-        let primary = batch.stack.len() < LANES && next < batch.len();
-        let (rays, count, hit) = if primary {
+        let is_primary = batch.stack.len() < lanes::<S>() && next < batch.len();
+        let (rays, count, groups) = if is_primary {
             let rays = batch.primary_rays(simd, scene, next);
-            let hit = intersect::nearest(
-                simd,
-                scene,
-                &rays,
-                seen,
-                #[inline(always)]
-                |ball| Vec3x::splat(simd, ball.from_eye),
-            );
-            (rays, (batch.len() - next).min(LANES), hit)
+            (rays, (batch.len() - next).min(lanes::<S>()), seen)
         } else {
             let (rays, count) = batch.stack.pop(simd);
-            if count == 0 {
-                break;
-            }
-            let hit = intersect::nearest(
-                simd,
-                scene,
-                &rays,
-                scene.groups.all(),
-                #[inline(always)]
-                |ball| rays.o - Vec3x::splat(simd, ball.centre),
-            );
-            (rays, count, hit)
+            (rays, count, scene.groups.all())
         };
+        if count == 0 {
+            break;
+        }
         batch.counts.rays += count as u64;
-        batch.counts.packets += 1;
-        let active = first(simd, count);
-        let node = shade::shade(simd, scene, quality, &rays, &hit, active, batch);
-        if primary {
-            batch.set(next, &node);
-            next += LANES;
+        batch.counts.lanes += lanes::<S>() as u64;
+        let hit = intersect::nearest(simd, scene, &rays, groups);
+        let node = shade::shade(simd, scene, quality, &rays, &hit, first(simd, count), batch);
+        if is_primary {
+            batch.set(simd, next, &node);
+            next += lanes::<S>();
         } else {
             batch.add(simd, rays.slots(), count, &node);
         }

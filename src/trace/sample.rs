@@ -2,7 +2,6 @@
 
 use super::batch::{STEP_BITS, Sum};
 use crate::lanes::*;
-use fearless_simd::u16x32;
 
 /// A traced point's colour: blue, green and red from the low bits up, 16 bits each, in 128ths of an output step.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
@@ -14,8 +13,11 @@ const SAMPLE_BITS: i32 = 7;
 /// Parts that a sample counts an output step in.
 pub(crate) const STEP: i32 = 1 << SAMPLE_BITS;
 
+/// The colour of a [`Sample`], without what else its word holds.
+const COLOUR: u64 = 0xffff_ffff_ffff;
+
 impl Sample {
-    /// Blue, green and red, in steps.
+    /// Blue, green or red, in steps.
     #[inline(always)]
     pub fn channel(self, i: usize) -> f32 {
         (self.0 >> (16 * i)) as u16 as f32 * (1.0 / STEP as f32)
@@ -30,55 +32,67 @@ impl Sample {
     }
 }
 
-/// The samples of a packet's sums.
+/// The samples of as many sums as there are lanes.
 ///
 /// They are cut off, not rounded, so that a pixel made of a sample is the sum rounded once.
 #[inline(always)]
-pub(super) fn from_sums<S: Simd>(simd: S, sums: &[Sum; LANES], samples: &mut [Sample; LANES]) {
-    let [first, second] = halves(simd, sums, 0, STEP_BITS - SAMPLE_BITS, 255 * STEP);
-    let first = first.to_array();
-    let second = second.to_array();
-    let channels = first
-        .as_chunks::<4>()
-        .0
-        .iter()
-        .chain(second.as_chunks::<4>().0);
-    for (sample, &[b, g, r, _]) in samples.iter_mut().zip(channels) {
-        *sample = Sample(u64::from(b) | u64::from(g) << 16 | u64::from(r) << 32);
-    }
+pub(super) fn from_sums<S: Simd>(simd: S, sums: &[Sum], samples: &mut [u64]) {
+    let halves = halves(
+        simd,
+        sums,
+        Cut {
+            add: 0,
+            shift: 7,
+            most: 255 * STEP,
+        },
+    );
+    let (first, second) = samples.split_at_mut(lanes::<S>() / 2);
+    let colour = S::u64s::splat(simd, COLOUR);
+    (halves.0.bitcast::<S::u64s>() & colour).store_slice(first);
+    (halves.1.bitcast::<S::u64s>() & colour).store_slice(second);
 }
 
-/// The pixels of a packet's sums, rounded.
+/// The pixels of as many sums as there are lanes, rounded.
 #[inline(always)]
-pub(super) fn pixels_from_sums<S: Simd>(simd: S, sums: &[Sum; LANES]) -> [u32; LANES] {
-    let [first, second] = halves(simd, sums, 1 << (STEP_BITS - 1), STEP_BITS, 255);
-    let pixels: U<S> = first.narrow(second).bitcast();
-    (pixels & 0x00ff_ffff).to_array()
+pub(super) fn pixels_from_sums<S: Simd>(simd: S, sums: &[Sum]) -> U<S> {
+    let half = 1 << (STEP_BITS - 1);
+    let (first, second) = halves(
+        simd,
+        sums,
+        Cut {
+            add: half,
+            shift: STEP_BITS as u32,
+            most: 255,
+        },
+    );
+    first.narrow(second).bitcast::<U<S>>() & 0x00ff_ffff
 }
 
-/// `(sum + add) >> shift`, cut to 0 to `most`, of the channels of half of the points each.
-#[inline(always)]
-fn halves<S: Simd>(
-    simd: S,
-    sums: &[Sum; LANES],
+/// How sums become smaller numbers: `(sum + add) >> shift`, cut to 0 to `most`.
+#[derive(Clone, Copy)]
+struct Cut {
     add: i32,
-    shift: i32,
+    shift: u32,
     most: i32,
-) -> [u16x32<S>; 2] {
-    let (quarters, _) = sums.as_flattened().as_chunks::<LANES>();
-    let a = cut(simd, &quarters[0], add, shift, most);
-    let b = cut(simd, &quarters[1], add, shift, most);
-    let c = cut(simd, &quarters[2], add, shift, most);
-    let d = cut(simd, &quarters[3], add, shift, most);
-    [a.narrow(b), c.narrow(d)]
 }
 
-/// `(sum + add) >> shift`, cut to 0 to `most`.
+/// The cut channels of half of the points each.
 #[inline(always)]
-fn cut<S: Simd>(simd: S, sums: &[i32; LANES], add: i32, shift: i32, most: i32) -> U<S> {
-    let whole = (I::load_array_ref(simd, sums) + add) >> shift as u32;
+fn halves<S: Simd>(simd: S, sums: &[Sum], to: Cut) -> (S::u16s, S::u16s) {
+    let sums = &sums.as_flattened()[..4 * lanes::<S>()];
+    let n = lanes::<S>();
+    let a = cut(simd, &sums[..n], to);
+    let b = cut(simd, &sums[n..2 * n], to);
+    let c = cut(simd, &sums[2 * n..3 * n], to);
+    let d = cut(simd, &sums[3 * n..], to);
+    (a.narrow(b), c.narrow(d))
+}
+
+#[inline(always)]
+fn cut<S: Simd>(simd: S, sums: &[i32], to: Cut) -> U<S> {
+    let whole = (I::<S>::from_slice(simd, sums) + to.add) >> to.shift;
     whole
-        .max(I::splat(simd, 0))
-        .min(I::splat(simd, most))
+        .max(I::<S>::splat(simd, 0))
+        .min(I::<S>::splat(simd, to.most))
         .bitcast()
 }

@@ -19,25 +19,30 @@ pub(super) struct Node<S: Simd> {
 }
 
 impl<S: Simd> Node<S> {
-    /// Blue, green, red in fixed point and the key, a point after the other.
+    /// Stores blue, green and red in fixed point and the key, a point after the other.
     #[inline(always)]
-    pub fn terms(&self) -> [I<S>; 4] {
+    pub fn store(&self, simd: S, sums: &mut [i32]) {
         let key: I<S> = self.key.bitcast();
-        let (br0, br1) = fixed(self.colour.z).interleave(fixed(self.colour.x));
-        let (gk0, gk1) = fixed(self.colour.y).interleave(key);
+        let (br0, br1) = fixed(simd, self.colour.z).interleave(fixed(simd, self.colour.x));
+        let (gk0, gk1) = fixed(simd, self.colour.y).interleave(key);
         let (first, second) = br0.interleave(gk0);
         let (third, fourth) = br1.interleave(gk1);
-        [first, second, third, fourth]
+        for (row, sums) in [first, second, third, fourth]
+            .iter()
+            .zip(sums.chunks_mut(lanes::<S>()))
+        {
+            row.store_slice(sums);
+        }
     }
 }
 
 /// A number in fixed point, rounded.
 #[inline(always)]
-fn fixed<S: Simd>(c: F<S>) -> I<S> {
-    let simd = c.simd;
+fn fixed<S: Simd>(simd: S, c: F<S>) -> I<S> {
     let c = c.max(splat(simd, 0.0)).min(splat(simd, BRIGHTEST));
     // Half of one is added so that cutting off rounds.
-    fma(c, splat(simd, FIXED_POINT), splat(simd, 0.5)).to_int()
+    c.mul_add(splat(simd, FIXED_POINT), splat(simd, 0.5))
+        .to_int()
 }
 
 /// Where light is gathered.
@@ -77,7 +82,7 @@ pub(super) fn shade<S: Simd>(
     }
     let paths = rays.paths();
     Node {
-        colour: colour * rays.weight,
+        colour: colour.scaled(rays.weight),
         key: key::term(simd, quality, paths, hit.object, states),
     }
 }
@@ -91,18 +96,18 @@ impl<S: Simd> Place<S> {
             .upright
             .simd_gt(splat(simd, 0.0))
             .select(surface.centre.y, p.y);
-        let mut n = (p - surface.centre) * surface.inverse_radius;
+        let mut n = (p - surface.centre).scaled(surface.inverse_radius);
         n.y += surface.upright;
         let outward = rays.d.dot(n);
         // The sign that turns a normal along the ray round.
-        let sign = U::splat(simd, 1 << 31);
-        let flip = (outward.to_bits() & sign) ^ sign;
+        let sign = U::<S>::splat(simd, 1 << 31);
+        let flip = (outward.bitcast::<U<S>>() & sign) ^ sign;
         let n = Vec3x {
-            x: flipped(n.x, flip),
-            y: flipped(n.y, flip),
-            z: flipped(n.z, flip),
+            x: flipped::<S>(n.x, flip),
+            y: flipped::<S>(n.y, flip),
+            z: flipped::<S>(n.z, flip),
         };
-        let dn = flipped(outward, flip);
+        let dn = flipped::<S>(outward, flip);
         Self {
             p,
             n,
@@ -117,7 +122,7 @@ impl<S: Simd> Place<S> {
 /// A number with those bits changed that are in `flip`.
 #[inline(always)]
 fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
-    (c.to_bits() ^ flip).bitcast()
+    (c.bitcast::<U<S>>() ^ flip).bitcast()
 }
 
 /// The light that a place sends back along the ray: ambient light, and each lamp's that is not blocked.
@@ -137,19 +142,19 @@ fn gather<S: Simd>(
     for (lamp, &casters) in scene.lamps[..scene.lamp_count].iter().zip(&surface.casters) {
         let to_light = Vec3x::splat(simd, lamp.position) - place.p;
         let distance = to_light.dot(to_light).sqrt();
-        let l = to_light * (one / distance);
+        let l = to_light.scaled(one / distance);
         let nl = place.n.dot(l);
         let facing = place.solid & nl.simd_gt(zero);
         let mut lit = facing;
-        let mut highlight = M::splat(simd, false);
+        let mut highlight = M::<S>::splat(simd, false);
         if facing.any_true() {
             batch.counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
             lit &= !blocked(simd, scene, lamp, place.p, l, distance, casters);
-            let mut light = surface.diffuse * lit.select(nl, zero);
+            let mut light = surface.diffuse.scaled(lit.select(nl, zero));
             let rv = place.r.dot(l);
             let shiny = lit & rv.simd_gt(surface.faint);
             if shiny.any_true() {
-                let strength = surface.ks * pow(shiny.select(rv, one), surface.exponent);
+                let strength = surface.ks * pow(simd, shiny.select(rv, one), surface.exponent);
                 let specular = shiny.select(strength, zero);
                 highlight = specular.simd_gt(splat(simd, quality.highlight));
                 light = light
@@ -179,7 +184,7 @@ fn scatter<S: Simd>(
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
     let least = splat(simd, quality.least_contribution);
-    let deepest = U::splat(simd, 1 << quality.depth);
+    let deepest = U::<S>::splat(simd, 1 << quality.depth);
     let follow = place.solid & rays.paths().simd_lt(deepest);
     let reflected = rays.reflected_places();
     let mut kr = surface.kr;
@@ -193,8 +198,8 @@ fn scatter<S: Simd>(
         kr = (glass & total).select(kr + surface.kt, kr);
         let weight = rays.weight * surface.kt;
         let through = glass & !total & weight.simd_ge(least);
-        let along = -fma(eta, dn, k.max(zero).sqrt());
-        let d = (rays.d * eta).add_scaled(n, along);
+        let along = -eta.mul_add(dn, k.max(zero).sqrt());
+        let d = rays.d.scaled(eta).add_scaled(n, along);
         batch.stack.push(
             &Rays {
                 o: p,

@@ -19,14 +19,10 @@ pub(crate) struct Rays<S: Simd> {
 const PATH_BITS: u32 = 8;
 
 impl<S: Simd> Rays<S> {
-    /// The places of the primary rays of eight points from number `slot` on.
+    /// The places of the primary rays of the points from number `slot` on.
     #[inline(always)]
     pub fn places(simd: S, slot: usize) -> U<S> {
-        U::from_fn(
-            simd,
-            #[inline(always)]
-            |i| ((slot + i) as u32) << PATH_BITS | 1,
-        )
+        (numbers(simd) << PATH_BITS) + ((slot as u32) << PATH_BITS | 1)
     }
 
     /// Which points the rays belong to.
@@ -50,22 +46,22 @@ impl<S: Simd> Rays<S> {
 
 /// The most rays that can wait, a power of two.
 ///
-/// A packet of eight rays of depth d is replaced by at most sixteen of depth d + 1 and is taken from the top, so at
-/// most 8 + 7 rays of each of the depths 1 to 7 wait at once.
-const CAPACITY: usize = 128;
+/// A packet of rays of depth d is replaced by at most two packets of depth d + 1 and is taken from the top, so at most
+/// two packets of rays of each of the depths 1 to 7 wait at once.
+const CAPACITY: usize = 256;
 
 /// The waiting rays, structure of arrays; a packet can be written from any place below the capacity.
 pub(crate) struct Stack {
-    columns: [[f32; CAPACITY + LANES]; 7],
-    place: [u32; CAPACITY + LANES],
+    columns: [[f32; CAPACITY + MAX_LANES]; 7],
+    place: [u32; CAPACITY + MAX_LANES],
     len: usize,
 }
 
 impl Stack {
     pub const fn new() -> Self {
         Self {
-            columns: [[0.0; CAPACITY + LANES]; 7],
-            place: [0; CAPACITY + LANES],
+            columns: [[0.0; CAPACITY + MAX_LANES]; 7],
+            place: [0; CAPACITY + MAX_LANES],
             len: 0,
         }
     }
@@ -86,37 +82,41 @@ impl Stack {
         } = rays;
         let rows = [o.x, o.y, o.z, d.x, d.y, d.z, *weight];
         let start = self.len % CAPACITY;
+        let end = start + lanes::<S>();
         for (column, row) in self.columns.iter_mut().zip(rows) {
-            row.compress(mask)
-                .store_slice(&mut column[start..start + LANES]);
+            row.compress(mask).store_slice(&mut column[start..end]);
         }
         place
             .compress(mask)
-            .store_slice(&mut self.place[start..start + LANES]);
+            .store_slice(&mut self.place[start..end]);
         self.len = start + mask.to_bitmask().count_ones() as usize;
     }
 
-    /// Takes up to eight rays from the top, and says how many; they are in the first lanes.
+    /// Takes as many rays from the top as there are lanes or rays, and says how many; they are in the first lanes.
     #[inline(always)]
     pub fn pop<S: Simd>(&mut self, simd: S) -> (Rays<S>, usize) {
-        let count = self.len.min(LANES);
+        let count = self.len.min(lanes::<S>());
         self.len -= count;
         let start = self.len % CAPACITY;
-        let row = |i: usize| F::from_slice(simd, &self.columns[i][start..start + LANES]);
+        let end = start + lanes::<S>();
+        let row = |i: usize| &self.columns[i][start..end];
+        let vector = |i: usize| [row(i), row(i + 1), row(i + 2)];
         let rays = Rays {
-            o: Vec3x {
-                x: row(0),
-                y: row(1),
-                z: row(2),
-            },
-            d: Vec3x {
-                x: row(3),
-                y: row(4),
-                z: row(5),
-            },
-            weight: row(6),
-            place: U::from_slice(simd, &self.place[start..start + LANES]),
+            o: load(simd, vector(0)),
+            d: load(simd, vector(3)),
+            weight: F::<S>::from_slice(simd, row(6)),
+            place: U::<S>::from_slice(simd, &self.place[start..end]),
         };
         (rays, count)
+    }
+}
+
+/// Vectors from their components' rows.
+#[inline(always)]
+fn load<S: Simd>(simd: S, [x, y, z]: [&[f32]; 3]) -> Vec3x<S> {
+    Vec3x {
+        x: F::<S>::from_slice(simd, x),
+        y: F::<S>::from_slice(simd, y),
+        z: F::<S>::from_slice(simd, z),
     }
 }

@@ -28,15 +28,14 @@ impl<S: Simd> SurfaceLanes<S> {
     /// Most packets meet one or two objects: one is spread over all lanes, then each other one over those that hit it.
     #[inline(always)]
     pub fn look_up(simd: S, scene: &Prepared, objects: U<S>, active: M<S>) -> Self {
-        let numbers = objects.to_array();
-        let some = |set: u64| numbers[set.trailing_zeros() as usize % LANES];
+        let some = |set: u64| objects.as_slice()[set.trailing_zeros() as usize % lanes::<S>()];
         let mut rest = active.to_bitmask();
         let number = some(rest);
         let mut lanes = Self::splat(simd, &scene.surfaces[number as usize]);
-        rest &= !objects.simd_eq(U::splat(simd, number)).to_bitmask();
+        rest &= !objects.simd_eq(U::<S>::splat(simd, number)).to_bitmask();
         while rest != 0 {
             let number = some(rest);
-            let mask = objects.simd_eq(U::splat(simd, number));
+            let mask = objects.simd_eq(U::<S>::splat(simd, number));
             lanes.put(mask, &scene.surfaces[number as usize]);
             rest &= !mask.to_bitmask();
         }
@@ -65,24 +64,24 @@ impl<S: Simd> SurfaceLanes<S> {
     /// Sets the lanes in `mask`.
     #[inline(always)]
     fn put(&mut self, mask: M<S>, s: &Surface) {
-        put_lanes(mask, &mut self.centre.x, s.centre.x);
-        put_lanes(mask, &mut self.centre.y, s.centre.y);
-        put_lanes(mask, &mut self.centre.z, s.centre.z);
-        put_lanes(mask, &mut self.inverse_radius, s.inverse_radius);
-        put_lanes(mask, &mut self.upright, s.upright);
-        put_lanes(mask, &mut self.base.x, s.base.x);
-        put_lanes(mask, &mut self.base.y, s.base.y);
-        put_lanes(mask, &mut self.base.z, s.base.z);
-        put_lanes(mask, &mut self.diffuse.x, s.diffuse.x);
-        put_lanes(mask, &mut self.diffuse.y, s.diffuse.y);
-        put_lanes(mask, &mut self.diffuse.z, s.diffuse.z);
-        put_lanes(mask, &mut self.ks, s.ks);
-        put_lanes(mask, &mut self.exponent, s.exponent);
-        put_lanes(mask, &mut self.faint, s.faint);
-        put_lanes(mask, &mut self.kr, s.kr);
-        put_lanes(mask, &mut self.kt, s.kt);
-        put_lanes(mask, &mut self.index, s.index);
-        put_lanes(mask, &mut self.solid, s.solid);
+        put_lanes::<S>(mask, &mut self.centre.x, s.centre.x);
+        put_lanes::<S>(mask, &mut self.centre.y, s.centre.y);
+        put_lanes::<S>(mask, &mut self.centre.z, s.centre.z);
+        put_lanes::<S>(mask, &mut self.inverse_radius, s.inverse_radius);
+        put_lanes::<S>(mask, &mut self.upright, s.upright);
+        put_lanes::<S>(mask, &mut self.base.x, s.base.x);
+        put_lanes::<S>(mask, &mut self.base.y, s.base.y);
+        put_lanes::<S>(mask, &mut self.base.z, s.base.z);
+        put_lanes::<S>(mask, &mut self.diffuse.x, s.diffuse.x);
+        put_lanes::<S>(mask, &mut self.diffuse.y, s.diffuse.y);
+        put_lanes::<S>(mask, &mut self.diffuse.z, s.diffuse.z);
+        put_lanes::<S>(mask, &mut self.ks, s.ks);
+        put_lanes::<S>(mask, &mut self.exponent, s.exponent);
+        put_lanes::<S>(mask, &mut self.faint, s.faint);
+        put_lanes::<S>(mask, &mut self.kr, s.kr);
+        put_lanes::<S>(mask, &mut self.kt, s.kt);
+        put_lanes::<S>(mask, &mut self.index, s.index);
+        put_lanes::<S>(mask, &mut self.solid, s.solid);
         for (mine, new) in self.casters.iter_mut().zip(s.casters) {
             *mine |= new;
         }
@@ -92,5 +91,5 @@ impl<S: Simd> SurfaceLanes<S> {
 /// Sets the lanes in `mask` to one number.
 #[inline(always)]
 fn put_lanes<S: Simd>(mask: M<S>, lanes: &mut F<S>, v: f32) {
-    *lanes = mask.select(splat(lanes.simd, v), *lanes);
+    *lanes = mask.select(splat(lanes.token(), v), *lanes);
 }
