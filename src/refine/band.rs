@@ -15,8 +15,8 @@ const ROWS: usize = 16;
 /// Pixels of a stretch of a band along x, about.
 const STRETCH: usize = 256;
 
-/// Squares that a round can have to look at: all pixels of a stretch.
-pub(crate) const MAX_SQUARES: usize = (STRETCH + Quality::MAX_SQUARE) * Quality::MAX_SQUARE;
+/// Squares that a round can split: all of two pixels' side, and what odd sides leave.
+pub(crate) const MAX_SQUARES: usize = STRETCH * Quality::MAX_SQUARE / 2;
 
 /// Some rows of the picture.
 #[derive(Default)]
@@ -140,56 +140,79 @@ impl Refiner<'_> {
         let square = self.quality.square;
         let rows = self.canvas.height.next_multiple_of(square);
         self.seen = self.scene.seen(start, self.top, end, self.top + rows);
-        let mut count = 0;
         for y in (0..=rows).step_by(square) {
-            for x in (start..=end).step_by(square) {
-                let is_done = y == 0 && self.above_done
-                    || y == Band::rows(square) && self.below_done
-                    || x == start && start > 0;
-                if !is_done {
-                    self.add(simd, x, y);
-                }
-                if x < end && y < rows {
-                    self.worker.squares[0][count] = Square {
-                        x: x as u16,
-                        y: y as u16,
-                        w: square as u8,
-                        h: square as u8,
-                    };
-                    count += 1;
-                }
+            let is_done = y == 0 && self.above_done || y == Band::rows(square) && self.below_done;
+            // The stretch before this one has traced the first column.
+            let first = if is_done {
+                end + 1
+            } else {
+                start + square * usize::from(start > 0)
+            };
+            for x in (first..=end).step_by(square) {
+                self.add(simd, x, y);
+            }
+        }
+        // The first squares are the parts of squares twice as large.
+        let mut count = 0;
+        for y in (0..rows).step_by(2 * square) {
+            for x in (start..end).step_by(2 * square) {
+                let side = 2 * square as u8;
+                self.worker.squares[0][count] = Square {
+                    x: x as u16,
+                    y: y as u16,
+                    w: side,
+                    h: side,
+                };
+                count += 1;
             }
         }
         let mut round = 0;
         while count > 0 {
             self.trace(simd);
-            let mut parts = 0;
+            let mut splits = 0;
             for i in 0..count {
                 let square = self.worker.squares[round][i];
-                if self.decide(simd, &square) {
-                    self.request_parts(simd, &square);
-                    for part in square.parts() {
-                        self.worker.squares[1 - round][parts] = part;
-                        let (x, y) = (part.x as usize, part.y as usize);
-                        let is_seen = x < self.canvas.width && y < self.canvas.height;
-                        parts += usize::from(part.w > 0 && part.h > 0 && is_seen);
+                if square.is_last() {
+                    self.put_pixels(&square);
+                    continue;
+                }
+                for part in square.parts() {
+                    if self.decide(simd, &part) {
+                        self.request_parts(simd, &part);
+                        self.worker.squares[1 - round][splits] = part;
+                        splits += 1;
                     }
                 }
             }
             round = 1 - round;
-            count = parts;
+            count = splits;
         }
     }
 
-    /// Fills a square, unless it has to be split.
+    /// Sets the pixels of a square that is split into single ones.
+    #[inline(always)]
+    fn put_pixels(&mut self, square: &Square) {
+        for y in square.y..square.y + u16::from(square.h) {
+            for x in square.x..square.x + u16::from(square.w) {
+                let (x, y) = (x as usize, y as usize);
+                self.canvas
+                    .put(x, y, self.worker.points.sample(x, y).pixel());
+            }
+        }
+    }
+
+    /// Fills a square, unless it has to be split or is not in the picture.
     #[inline(always)]
     fn decide<S: Simd>(&mut self, simd: S, square: &Square) -> bool {
-        let points = &self.worker.points;
-        if square.w == 1 && square.h == 1 {
-            let (x, y) = (square.x as usize, square.y as usize);
-            self.canvas.put(x, y, points.sample(x, y).pixel());
+        let (x, y) = (square.x as usize, square.y as usize);
+        if x >= self.canvas.width || y >= self.canvas.height || square.w == 0 || square.h == 0 {
             return false;
         }
+        if square.w == 1 && square.h == 1 {
+            self.put_pixels(square);
+            return false;
+        }
+        let points = &self.worker.points;
         let corners = square.corners(points);
         match square.verdict(simd, self.quality, points, corners) {
             Verdict::Flat(pixel) => self.canvas.flat(square, pixel),

@@ -2,6 +2,8 @@
 
 use super::square::{Corners, Square};
 use crate::lanes::*;
+use crate::trace::{STEP, Sample};
+use fearless_simd::{f32x4, i32x4, u16x8, u64x2};
 
 /// The pixels of a band, row after row, `width` to a row.
 pub(crate) struct Canvas<'a> {
@@ -10,14 +12,16 @@ pub(crate) struct Canvas<'a> {
     pub height: usize,
 }
 
-/// How a square's colours change: a number at its upper left corner, and what is added per pixel.
+/// How a square's colours change: blue, green and red at its upper left corner, and what is added per pixel.
+///
+/// Half of one is added to all, so that cutting off rounds.
 #[derive(Clone, Copy)]
-struct Ramp {
-    start: f32,
-    across: f32,
-    down: f32,
+struct Ramp<S: Simd> {
+    start: f32x4<S>,
+    across: f32x4<S>,
+    down: f32x4<S>,
     /// Added to `down` per column.
-    twist: f32,
+    twist: f32x4<S>,
 }
 
 impl Canvas<'_> {
@@ -46,13 +50,14 @@ impl Canvas<'_> {
     #[inline(always)]
     pub fn flat(&mut self, square: &Square, pixel: u32) {
         let (x, y, w) = (square.x as usize, square.y as usize, square.w as usize);
-        for j in 0..self.rows(square) {
-            let row = self.row(x, y + j, w);
+        let rows = self.rows(square);
+        let pixels = &mut self.pixels[y * self.width..(y + rows) * self.width];
+        for row in pixels.chunks_exact_mut(self.width) {
+            let row = &mut row[x..];
             // The common length has its own way, which the compiler makes one store of.
-            if let Ok(eight) = <&mut [u32; 8]>::try_from(&mut *row) {
-                *eight = [pixel; 8];
-            } else {
-                row.iter_mut().for_each(|p| *p = pixel);
+            match row.first_chunk_mut::<8>() {
+                Some(eight) if w == 8 => *eight = [pixel; 8],
+                _ => row.iter_mut().take(w).for_each(|p| *p = pixel),
             }
         }
     }
@@ -62,15 +67,14 @@ impl Canvas<'_> {
     pub fn bilinear<S: Simd>(&mut self, simd: S, square: &Square, corners: Corners) {
         let (x, y) = (square.x as usize, square.y as usize);
         let (w, h) = (square.w as usize, square.h as usize);
-        let ramp = |i| Ramp::between(corners, i, w, h);
-        let ramps = [ramp(0), ramp(1), ramp(2)];
+        let ramp = Ramp::between(simd, corners, w, h);
         let is_whole = x + w <= self.width && y + h <= self.height;
         if is_whole && w == h && w.is_power_of_two() {
-            self.ramp(simd, x, y, w, &ramps);
+            self.ramp(simd, x, y, w, &ramp);
         } else {
             for j in 0..self.rows(square) {
                 for (i, pixel) in self.row(x, y + j, w).iter_mut().enumerate() {
-                    *pixel = pixel_at(&ramps, i as f32, j as f32);
+                    *pixel = ramp.pixel_at(i as f32, j as f32);
                 }
             }
         }
@@ -78,7 +82,7 @@ impl Canvas<'_> {
 
     /// Fills a square whose side is a power of two, as many pixels at a time as there are lanes.
     #[inline(always)]
-    fn ramp<S: Simd>(&mut self, simd: S, x: usize, y: usize, side: usize, ramps: &[Ramp; 3]) {
+    fn ramp<S: Simd>(&mut self, simd: S, x: usize, y: usize, side: usize, ramp: &Ramp<S>) {
         let columns = lanes::<S>().min(side);
         let rows = (lanes::<S>() / columns).min(side);
         let lane = numbers(simd);
@@ -87,9 +91,9 @@ impl Canvas<'_> {
         let row: F<S> = lane_row.to_float();
         for left in (0..side).step_by(columns) {
             let column: F<S> = lane_column.to_float::<F<S>>() + left as f32;
-            let mut b = Steps::new(simd, &ramps[0], column, row, rows as f32);
-            let mut g = Steps::new(simd, &ramps[1], column, row, rows as f32);
-            let mut r = Steps::new(simd, &ramps[2], column, row, rows as f32);
+            let mut b = Steps::new(simd, ramp, 0, column, row, rows as f32);
+            let mut g = Steps::new(simd, ramp, 1, column, row, rows as f32);
+            let mut r = Steps::new(simd, ramp, 2, column, row, rows as f32);
             let mut place = y * self.width + x + left;
             for _ in 0..side / rows {
                 let pixels = r.next() << 16 | g.next() << 8 | b.next();
@@ -129,11 +133,11 @@ struct Steps<S: Simd> {
 }
 
 impl<S: Simd> Steps<S> {
-    /// The numbers at the lanes' columns and rows, to be stepped `rows` rows at a time.
+    /// Channel `i` at the lanes' columns and rows, to be stepped `rows` rows at a time.
     #[inline(always)]
-    fn new(simd: S, ramp: &Ramp, column: F<S>, row: F<S>, rows: f32) -> Self {
-        let down = column.mul_add(splat(simd, ramp.twist), splat(simd, ramp.down));
-        let top = column.mul_add(splat(simd, ramp.across), splat(simd, ramp.start));
+    fn new(simd: S, ramp: &Ramp<S>, i: usize, column: F<S>, row: F<S>, rows: f32) -> Self {
+        let down = column.mul_add(splat(simd, ramp.twist[i]), splat(simd, ramp.down[i]));
+        let top = column.mul_add(splat(simd, ramp.across[i]), splat(simd, ramp.start[i]));
         Self {
             value: row.mul_add(down, top),
             step: down * rows,
@@ -149,28 +153,35 @@ impl<S: Simd> Steps<S> {
     }
 }
 
-impl Ramp {
-    /// Channel `i` of a square of `w` by `h` pixels, with half of one added so that cutting off rounds.
+impl<S: Simd> Ramp<S> {
+    /// Between the corners of a square of `w` by `h` pixels.
     #[inline(always)]
-    fn between([a, b, c, d]: Corners, i: usize, w: usize, h: usize) -> Self {
-        let (a, b) = (a.channel(i), b.channel(i));
-        let (c, d) = (c.channel(i), d.channel(i));
+    fn between(simd: S, [a, b, c, d]: Corners, w: usize, h: usize) -> Self {
+        let (a, b) = channels(simd, a, b);
+        let (c, d) = channels(simd, c, d);
         let (w, h) = (1.0 / w as f32, 1.0 / h as f32);
         Self {
             start: a + 0.5,
             across: (b - a) * w,
             down: (c - a) * h,
-            twist: (d - c - b + a) * w * h,
+            twist: (d - c - b + a) * (w * h),
         }
+    }
+
+    /// A pixel by its column and row.
+    #[inline(always)]
+    fn pixel_at(&self, column: f32, row: f32) -> u32 {
+        let colour = self.start + self.across * column + (self.down + self.twist * column) * row;
+        (colour[2] as u32) << 16 | (colour[1] as u32) << 8 | colour[0] as u32
     }
 }
 
-/// A pixel of a square, by its column and row.
-#[inline(never)]
-fn pixel_at(ramps: &[Ramp; 3], column: f32, row: f32) -> u32 {
-    let [b, g, r] = ramps.map(|ramp| {
-        let down = ramp.down + ramp.twist * column;
-        (ramp.start + ramp.across * column + down * row) as u32
-    });
-    r << 16 | g << 8 | b
+/// Blue, green and red of two samples, in steps.
+#[inline(always)]
+fn channels<S: Simd>(simd: S, a: Sample, b: Sample) -> (f32x4<S>, f32x4<S>) {
+    let both: u16x8<S> = u64x2::simd_from(simd, [a.0, b.0]).bitcast();
+    let (a, b) = both.widen();
+    let (a, b): (i32x4<S>, i32x4<S>) = (a.bitcast(), b.bitcast());
+    let (a, b): (f32x4<S>, f32x4<S>) = (a.to_float(), b.to_float());
+    (a * (1.0 / STEP as f32), b * (1.0 / STEP as f32))
 }

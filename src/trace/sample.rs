@@ -17,12 +17,6 @@ pub(crate) const STEP: i32 = 1 << SAMPLE_BITS;
 const COLOUR: u64 = 0xffff_ffff_ffff;
 
 impl Sample {
-    /// Blue, green or red, in steps.
-    #[inline(always)]
-    pub fn channel(self, i: usize) -> f32 {
-        (self.0 >> (16 * i)) as u16 as f32 * (1.0 / STEP as f32)
-    }
-
     /// The colour as a pixel, `0x00RRGGBB`, rounded.
     #[inline(always)]
     pub fn pixel(self) -> u32 {
