@@ -215,7 +215,7 @@ impl Refiner<'_> {
         let points = &self.worker.points;
         let corners = square.corners(points);
         match square.verdict(simd, self.quality, points, corners) {
-            Verdict::Flat(pixel) => self.canvas.flat(square, pixel),
+            Verdict::Flat(pixel) => self.canvas.flat(simd, square, pixel),
             Verdict::Bilinear => self.canvas.bilinear(simd, square, corners),
             Verdict::Split => return true,
         }

@@ -3,7 +3,7 @@
 use super::square::{Corners, Square};
 use crate::lanes::*;
 use crate::trace::{STEP, Sample};
-use fearless_simd::{f32x4, i32x4, u16x8, u64x2};
+use fearless_simd::{f32x4, i32x4, u16x8, u32x8, u64x2};
 
 /// The pixels of a band, row after row, `width` to a row.
 pub(crate) struct Canvas<'a> {
@@ -48,15 +48,15 @@ impl Canvas<'_> {
 
     /// One colour.
     #[inline(always)]
-    pub fn flat(&mut self, square: &Square, pixel: u32) {
+    pub fn flat<S: Simd>(&mut self, simd: S, square: &Square, pixel: u32) {
         let (x, y, w) = (square.x as usize, square.y as usize, square.w as usize);
         let rows = self.rows(square);
         let pixels = &mut self.pixels[y * self.width..(y + rows) * self.width];
         for row in pixels.chunks_exact_mut(self.width) {
             let row = &mut row[x..];
-            // The common length has its own way, which the compiler makes one store of.
+            // The common length has its own way.
             match row.first_chunk_mut::<8>() {
-                Some(eight) if w == 8 => *eight = [pixel; 8],
+                Some(eight) if w == 8 => u32x8::splat(simd, pixel).store_array(eight),
                 _ => row.iter_mut().take(w).for_each(|p| *p = pixel),
             }
         }
