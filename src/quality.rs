@@ -1,5 +1,7 @@
 //! Every dial that trades accuracy for speed.
 
+use crate::trace::STEP;
+
 /// How a frame is refined and how far its rays are followed.
 ///
 /// Two frames of the same scene, time and size differ only by this.
@@ -15,6 +17,9 @@ pub struct Quality {
     pub spread_agreeing: f32,
     /// The spread allowed where the keys differ, 0 to infinity. Keys are not computed where both spreads are the same.
     pub spread_differing: f32,
+    /// The middle of a split square's side is not traced but averaged where the side's ends are at most this far apart,
+    /// counted as for squares. 0: always traced, as it is where keys are needed.
+    pub spread_side: f32,
     /// A key holds the objects hit by rays of at most this depth (the primary ray has depth 0).
     pub key_depth: u32,
     /// A key holds the lights' states at hits of rays of at most this depth.
@@ -38,6 +43,7 @@ impl Quality {
         square: 1,
         spread_agreeing: 0.0,
         spread_differing: 0.0,
+        spread_side: 0.0,
         key_depth: 5,
         state_depth: 0,
         highlight: 1.0 / 256.0,
@@ -58,6 +64,7 @@ impl Quality {
         square: 8,
         spread_agreeing: 9.0,
         spread_differing: 9.0,
+        spread_side: 9.0,
         ..Self::EXHAUSTIVE
     };
 
@@ -65,4 +72,18 @@ impl Quality {
     pub(crate) fn needs_keys(&self) -> bool {
         self.square > 1 && self.spread_agreeing != self.spread_differing
     }
+
+    /// How far the ends of a side of this length may be apart for its middle to be averaged, as samples count.
+    pub(crate) fn side_limit(&self, length: u8) -> f32 {
+        if self.needs_keys() {
+            -1.0
+        } else {
+            limit(self.spread_side, length)
+        }
+    }
+}
+
+/// How far corners of a square of this side may be apart, as samples count.
+pub(crate) fn limit(spread: f32, side: u8) -> f32 {
+    spread * (8.0 * STEP as f32) / f32::from(side)
 }

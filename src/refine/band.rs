@@ -1,7 +1,7 @@
 //! A band of the picture: the unit of work that threads share.
 
 use super::fill::Canvas;
-use super::square::Verdict;
+use super::square::{self, Verdict};
 use super::{Border, Square};
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Prepared};
@@ -228,12 +228,16 @@ impl Refiner<'_> {
         let (x, y) = (square.x as usize, square.y as usize);
         let (right, below) = (x + square.w as usize, y + square.h as usize);
         let (middle_x, middle_y) = square.middle();
+        let corners = square.corners(&self.worker.points);
+        let [a, b, c, d] = corners;
+        let limit = self.quality.side_limit(square.w.max(square.h));
+        let close = square::close_sides(simd, corners, limit);
         let points = [
-            (middle_x, y),
-            (x, middle_y),
-            (middle_x, middle_y),
-            (right, middle_y),
-            (middle_x, below),
+            (middle_x, y, close[0].then(|| a.mean(b))),
+            (x, middle_y, close[1].then(|| a.mean(c))),
+            (middle_x, middle_y, None),
+            (right, middle_y, close[2].then(|| b.mean(d))),
+            (middle_x, below, close[3].then(|| c.mean(d))),
         ];
         // Single pixels need no corners but their own point.
         let (count, width, height) = if square.is_last() {
@@ -241,9 +245,12 @@ impl Refiner<'_> {
         } else {
             (5, usize::MAX, usize::MAX)
         };
-        for &(x, y) in &points[..count] {
+        for &(x, y, mean) in &points[..count] {
             if x < width && y < height && self.worker.points.claim(x, y) {
-                self.add(simd, x, y);
+                match mean {
+                    Some(sample) => self.worker.points.put(x, y, sample),
+                    None => self.add(simd, x, y),
+                }
             }
         }
     }

@@ -2,9 +2,9 @@
 
 use super::Points;
 use crate::lanes::*;
-use crate::quality::Quality;
-use crate::trace::{STEP, Sample};
-use fearless_simd::{u16x8, u64x2};
+use crate::quality::{Quality, limit};
+use crate::trace::Sample;
+use fearless_simd::{u16x8, u16x16, u64x2, u64x4};
 
 /// A rectangle of pixels inside a band, a square where the sizes divide; its corners are the points (x, y),
 /// (x + w, y), (x, y + h) and (x + w, y + h), the latter three outside it.
@@ -110,7 +110,7 @@ impl Square {
             return Verdict::Flat(a.pixel());
         }
         let side = self.w.max(self.h);
-        let limit = self.allowed(quality, points) * (8.0 * STEP as f32) / f32::from(side);
+        let limit = limit(self.allowed(quality, points), side);
         if f32::from(spread(simd, corners)) <= limit {
             return Verdict::Bilinear;
         }
@@ -145,4 +145,22 @@ fn spread<S: Simd>(simd: S, [a, b, c, d]: Corners) -> u16 {
     let most = most.max(most.rotate_elements_left::<4>());
     let least = least.min(least.rotate_elements_left::<4>());
     (most - least).reduce_max()
+}
+
+/// Whether the ends of the upper, left, right and lower side are at most `limit` apart in each channel.
+#[inline(always)]
+pub(super) fn close_sides<S: Simd>(simd: S, [a, b, c, d]: Corners, limit: f32) -> [bool; 4] {
+    let starts: u16x16<S> = u64x4::simd_from(simd, [a.0, a.0, b.0, c.0]).bitcast();
+    let ends: u16x16<S> = u64x4::simd_from(simd, [b.0, c.0, d.0, d.0]).bitcast();
+    let apart: u64x4<S> = (starts.max(ends) - starts.min(ends)).bitcast();
+    let widest = |i: usize| {
+        let channels = apart[i];
+        let (b, g, r) = (
+            channels as u16,
+            (channels >> 16) as u16,
+            (channels >> 32) as u16,
+        );
+        f32::from(b.max(g).max(r)) <= limit
+    };
+    [widest(0), widest(1), widest(2), widest(3)]
 }

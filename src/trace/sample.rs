@@ -17,6 +17,13 @@ pub(crate) const STEP: i32 = 1 << SAMPLE_BITS;
 const COLOUR: u64 = 0xffff_ffff_ffff;
 
 impl Sample {
+    /// The colour half-way between two.
+    #[inline(always)]
+    pub fn mean(self, other: Self) -> Self {
+        // Channels are below 2^15, so that no sum reaches the next one.
+        Self(((self.0 + other.0) >> 1) & (COLOUR ^ 0x8000_8000_8000))
+    }
+
     /// The colour as a pixel, `0x00RRGGBB`, rounded.
     #[inline(always)]
     pub fn pixel(self) -> u32 {
