@@ -1,7 +1,7 @@
 //! A band of the picture: the unit of work that threads share.
 
 use super::fill::Canvas;
-use super::square::{self, Verdict};
+use super::square::{self, Corners, Verdict};
 use super::{Border, Square};
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Prepared};
@@ -176,10 +176,15 @@ impl Refiner<'_> {
                     self.put_pixels(&square);
                     continue;
                 }
-                for part in square.parts() {
-                    if self.decide(simd, &part) {
-                        self.request_parts(simd, &part);
-                        self.worker.squares[1 - round][splits] = part;
+                let grid = square.grid(&self.worker.points);
+                let spreads = grid.spreads(simd);
+                let parts = square.parts();
+                for (part, (corners, &spread)) in
+                    parts.iter().zip(grid.corners().into_iter().zip(&spreads))
+                {
+                    if self.decide(simd, part, corners, spread) {
+                        self.request_parts(simd, part, corners);
+                        self.worker.squares[1 - round][splits] = *part;
                         splits += 1;
                     }
                 }
@@ -203,7 +208,7 @@ impl Refiner<'_> {
 
     /// Fills a square, unless it has to be split or is not in the picture.
     #[inline(always)]
-    fn decide<S: Simd>(&mut self, simd: S, square: &Square) -> bool {
+    fn decide<S: Simd>(&mut self, simd: S, square: &Square, corners: Corners, spread: u16) -> bool {
         let (x, y) = (square.x as usize, square.y as usize);
         if x >= self.canvas.width || y >= self.canvas.height || square.w == 0 || square.h == 0 {
             return false;
@@ -212,9 +217,7 @@ impl Refiner<'_> {
             self.put_pixels(square);
             return false;
         }
-        let points = &self.worker.points;
-        let corners = square.corners(points);
-        match square.verdict(simd, self.quality, points, corners) {
+        match square.verdict(self.quality, &self.worker.points, corners, spread) {
             Verdict::Flat(pixel) => self.canvas.flat(simd, square, pixel),
             Verdict::Bilinear => self.canvas.bilinear(simd, square, corners),
             Verdict::Split => return true,
@@ -224,11 +227,10 @@ impl Refiner<'_> {
 
     /// Asks for the points that a square's parts need beyond its own corners.
     #[inline(always)]
-    fn request_parts<S: Simd>(&mut self, simd: S, square: &Square) {
+    fn request_parts<S: Simd>(&mut self, simd: S, square: &Square, corners: Corners) {
         let (x, y) = (square.x as usize, square.y as usize);
         let (right, below) = (x + square.w as usize, y + square.h as usize);
         let (middle_x, middle_y) = square.middle();
-        let corners = square.corners(&self.worker.points);
         let [a, b, c, d] = corners;
         let limit = self.quality.side_limit(square.w.max(square.h));
         let close = square::close_sides(simd, corners, limit);

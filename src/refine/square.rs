@@ -4,7 +4,7 @@ use super::Points;
 use crate::lanes::*;
 use crate::quality::{Quality, limit};
 use crate::trace::Sample;
-use fearless_simd::{u16x8, u16x16, u64x2, u64x4};
+use fearless_simd::{u16x16, u64x4};
 
 /// A rectangle of pixels inside a band, a square where the sizes divide; its corners are the points (x, y),
 /// (x + w, y), (x, y + h) and (x + w, y + h), the latter three outside it.
@@ -36,16 +36,6 @@ impl Square {
         let (x, y) = (self.x as usize, self.y as usize);
         let (right, below) = (x + self.w as usize, y + self.h as usize);
         [(x, y), (right, y), (x, below), (right, below)]
-    }
-
-    /// The samples at the corners.
-    #[inline(always)]
-    pub fn corners(&self, points: &Points) -> Corners {
-        {
-            let [a, b, c, d] = self.places();
-            let at = |(x, y)| points.sample(x, y);
-            [at(a), at(b), at(c), at(d)]
-        }
     }
 
     /// Whether splitting it leaves single pixels.
@@ -96,25 +86,39 @@ impl Square {
         ]
     }
 
-    /// What the qualities say of a square with these corners.
+    /// The samples around the parts: three rows of three.
     #[inline(always)]
-    pub fn verdict<S: Simd>(
+    pub fn grid(&self, points: &Points) -> Grid {
+        let (x, y) = (self.x as usize, self.y as usize);
+        let (middle_x, middle_y) = self.middle();
+        let (right, below) = (x + self.w as usize, y + self.h as usize);
+        let row = |y| {
+            [
+                points.sample(x, y),
+                points.sample(middle_x, y),
+                points.sample(right, y),
+            ]
+        };
+        Grid([row(y), row(middle_y), row(below)])
+    }
+
+    /// What a quality says of a square with these corners, whose spread is known.
+    #[inline(always)]
+    pub fn verdict(
         &self,
-        simd: S,
         quality: &Quality,
         points: &Points,
-        corners: Corners,
+        [a, b, c, d]: Corners,
+        spread: u16,
     ) -> Verdict {
-        let [a, b, c, d] = corners;
-        if a == b && a == c && a == d {
-            return Verdict::Flat(a.pixel());
+        let colour = a.pixel();
+        if spread == 0 {
+            return Verdict::Flat(colour);
         }
         let side = self.w.max(self.h);
-        let limit = limit(self.allowed(quality, points), side);
-        if f32::from(spread(simd, corners)) <= limit {
+        if f32::from(spread) <= limit(self.allowed(quality, points), side) {
             return Verdict::Bilinear;
         }
-        let colour = a.pixel();
         if colour == b.pixel() && colour == c.pixel() && colour == d.pixel() {
             return Verdict::Flat(colour);
         }
@@ -135,32 +139,61 @@ impl Square {
     }
 }
 
-/// The largest difference between two corners in a channel, as a sample counts.
+/// The samples around a square's parts: three rows of three.
+pub(crate) struct Grid([[Sample; 3]; 3]);
+
+impl Grid {
+    /// The corners of each part.
+    #[inline(always)]
+    pub fn corners(&self) -> [Corners; 4] {
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.0;
+        [[a, b, d, e], [b, c, e, f], [d, e, g, h], [e, f, h, i]]
+    }
+
+    /// For each part the largest difference between two corners in a channel, as a sample counts.
+    #[inline(always)]
+    pub fn spreads<S: Simd>(&self, simd: S) -> [u16; 4] {
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.0;
+        let (p, q) = (channels(simd, [a, b, d, e]), channels(simd, [b, c, e, f]));
+        let (r, s) = (channels(simd, [d, e, g, h]), channels(simd, [e, f, h, i]));
+        let most = p.max(q).max(r.max(s));
+        let least = p.min(q).min(r.min(s));
+        widest(most - least)
+    }
+}
+
+/// The channels of four samples.
 #[inline(always)]
-fn spread<S: Simd>(simd: S, [a, b, c, d]: Corners) -> u16 {
-    let upper: u16x8<S> = u64x2::simd_from(simd, [a.0, b.0]).bitcast();
-    let lower: u16x8<S> = u64x2::simd_from(simd, [c.0, d.0]).bitcast();
-    let most = upper.max(lower);
-    let least = upper.min(lower);
-    let most = most.max(most.rotate_elements_left::<4>());
-    let least = least.min(least.rotate_elements_left::<4>());
-    (most - least).reduce_max()
+fn channels<S: Simd>(simd: S, [a, b, c, d]: [Sample; 4]) -> u16x16<S> {
+    u64x4::simd_from(simd, [a.0, b.0, c.0, d.0]).bitcast()
+}
+
+/// The largest channel of each of four samples.
+#[inline(always)]
+fn widest<S: Simd>(channels: u16x16<S>) -> [u16; 4] {
+    let words: u64x4<S> = channels.bitcast();
+    let (second, third): (u16x16<S>, u16x16<S>) =
+        ((words >> 16).bitcast(), (words >> 32).bitcast());
+    let widest: u64x4<S> = channels.max(second).max(third).bitcast();
+    [
+        widest[0] as u16,
+        widest[1] as u16,
+        widest[2] as u16,
+        widest[3] as u16,
+    ]
 }
 
 /// Whether the ends of the upper, left, right and lower side are at most `limit` apart in each channel.
 #[inline(always)]
 pub(super) fn close_sides<S: Simd>(simd: S, [a, b, c, d]: Corners, limit: f32) -> [bool; 4] {
-    let starts: u16x16<S> = u64x4::simd_from(simd, [a.0, a.0, b.0, c.0]).bitcast();
-    let ends: u16x16<S> = u64x4::simd_from(simd, [b.0, c.0, d.0, d.0]).bitcast();
-    let apart: u64x4<S> = (starts.max(ends) - starts.min(ends)).bitcast();
-    let widest = |i: usize| {
-        let channels = apart[i];
-        let (b, g, r) = (
-            channels as u16,
-            (channels >> 16) as u16,
-            (channels >> 32) as u16,
-        );
-        f32::from(b.max(g).max(r)) <= limit
-    };
-    [widest(0), widest(1), widest(2), widest(3)]
+    let starts = channels(simd, [a, a, b, c]);
+    let ends = channels(simd, [b, c, d, d]);
+    let [upper, left, right, lower] = widest(starts.max(ends) - starts.min(ends));
+    let is_close = |apart: u16| f32::from(apart) <= limit;
+    [
+        is_close(upper),
+        is_close(left),
+        is_close(right),
+        is_close(lower),
+    ]
 }
