@@ -1,5 +1,7 @@
 //! What is played, as a function of time.
 
+mod field;
 mod model;
 
+pub use field::field;
 pub use model::{LENGTH, scene};

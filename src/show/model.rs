@@ -11,7 +11,7 @@ pub const LENGTH: f32 = 8.0 * core::f32::consts::PI;
 /// Radians a second.
 const ORBIT_SPEED: f32 = 0.25;
 
-const FLOOR: Plane = Plane {
+pub(super) const FLOOR: Plane = Plane {
     centre: Vec3::ZERO,
     half_x: 12.0,
     half_z: 12.0,
@@ -82,7 +82,7 @@ const GLASS: Sphere = Sphere {
     },
 };
 
-const LIGHTS: [Light; 2] = [
+pub(super) const LIGHTS: [Light; 2] = [
     Light {
         position: vec3(-4.0, 6.0, -4.0),
         colour: vec3(0.90, 0.85, 0.80),
@@ -95,25 +95,37 @@ const LIGHTS: [Light; 2] = [
     },
 ];
 
+pub(super) const BACKGROUND: Vec3 = vec3(0.10, 0.12, 0.20);
+pub(super) const AMBIENT: Vec3 = vec3(0.12, 0.12, 0.14);
+
 /// The scene at `time` seconds; it repeats every [`LENGTH`].
 #[must_use]
 pub fn scene(time: f32) -> Scene {
-    let angle = ORBIT_SPEED * time;
     let look_at = vec3(0.0, 0.9, 0.0);
     let mut glass = GLASS;
     let sine = libm::sinf(time);
     glass.centre.y += 0.4 * sine * sine;
     Scene {
         camera: Camera {
-            eye: look_at + vec3(7.5 * libm::sinf(angle), 1.3, -7.5 * libm::cosf(angle)),
+            eye: look_at + circling(time, 7.5, 1.3),
             look_at,
             up: Vec3::Y,
             field_of_view: core::f32::consts::FRAC_PI_4,
         },
-        background: vec3(0.10, 0.12, 0.20),
-        ambient: vec3(0.12, 0.12, 0.14),
+        background: BACKGROUND,
+        ambient: AMBIENT,
         spheres: List::of(&[RED, MIRROR, BLUE, glass]),
         planes: List::of(&[FLOOR]),
         lights: List::of(&LIGHTS),
     }
+}
+
+/// From the middle of the scene to the camera that circles it at a distance and a height.
+pub(super) fn circling(time: f32, distance: f32, height: f32) -> Vec3 {
+    let angle = ORBIT_SPEED * time;
+    vec3(
+        distance * libm::sinf(angle),
+        height,
+        -distance * libm::cosf(angle),
+    )
 }

@@ -1,0 +1,109 @@
+//! A field of small spheres: the model scene's floor and lights, with as many spheres on it as one likes.
+//!
+//! Shows how the time of a frame grows with the number of objects.
+
+use super::model::{AMBIENT, BACKGROUND, FLOOR, LIGHTS, circling};
+use crate::scene::{Camera, List, MAX_SPHERES, Material, Scene, Sphere};
+use glam::{Vec3, vec3};
+
+/// The side of a full field, in scene units; the floor's is 24.
+const SIDE: f32 = 16.0;
+/// The most room for one sphere: a few spheres stay in the middle of the picture.
+const CELL: f32 = 4.0;
+/// The smallest radius and what chance adds to it: 320 spheres of the largest still fit the field side by side.
+const RADIUS: (f32, f32) = (0.2, 0.2);
+/// Chance begins here; another number is another field.
+const SEED: u32 = 2008;
+
+/// `count` spheres, or as many as a scene holds, at `time` seconds. None touch; six of ten are plastic, two mirrors and
+/// two glass, by chance. The same count gives the same spheres.
+#[must_use]
+pub fn field(count: usize, time: f32) -> Scene {
+    let count = count.min(MAX_SPHERES);
+    // Each sphere has a cell of a square grid for itself.
+    let cells = (1..).find(|n| n * n >= count).unwrap_or(1);
+    let cell = (SIDE / cells as f32).min(CELL);
+    let mut random = Random(SEED);
+    let mut spheres = List::default();
+    for i in 0..count {
+        let radius = RADIUS.0 + RADIUS.1 * random.share();
+        let mut place = |cell_number: usize| {
+            let room = cell - 2.0 * radius;
+            let start = (cell_number as f32 - 0.5 * cells as f32) * cell;
+            start + radius + room * random.share()
+        };
+        let centre = vec3(place(i % cells), radius, place(i / cells));
+        spheres.push(Sphere {
+            centre,
+            radius,
+            material: material(&mut random),
+        });
+    }
+    let look_at = vec3(0.0, 0.4, 0.0);
+    Scene {
+        camera: Camera {
+            eye: look_at + circling(time, 11.0, 4.5),
+            look_at,
+            up: Vec3::Y,
+            field_of_view: core::f32::consts::FRAC_PI_4,
+        },
+        background: BACKGROUND,
+        ambient: AMBIENT,
+        spheres,
+        planes: List::of(&[FLOOR]),
+        lights: List::of(&LIGHTS),
+    }
+}
+
+/// One of the model scene's kinds, in a colour of its own.
+fn material(random: &mut Random) -> Material {
+    let kind = random.share();
+    let mut channel = || 0.12 + 0.8 * random.share();
+    let colour = vec3(channel(), channel(), channel());
+    if kind < 0.6 {
+        Material {
+            colour,
+            kd: 0.7,
+            ks: 0.5,
+            exponent: 40.0,
+            kr: 0.2,
+            kt: 0.0,
+            index: 1.0,
+        }
+    } else if kind < 0.8 {
+        Material {
+            colour: Vec3::splat(0.6) + 0.4 * colour,
+            kd: 0.2,
+            ks: 0.8,
+            exponent: 80.0,
+            kr: 0.7,
+            kt: 0.0,
+            index: 1.0,
+        }
+    } else {
+        Material {
+            colour: Vec3::splat(0.95),
+            kd: 0.05,
+            ks: 0.8,
+            exponent: 100.0,
+            kr: 0.1,
+            kt: 0.85,
+            index: 1.5,
+        }
+    }
+}
+
+/// Numbers that look random: Steele, Lea and Flood's SplitMix with the 32-bit mixer of Wellons and Mulvey.
+struct Random(u32);
+
+impl Random {
+    /// The next one, 0 to below 1.
+    fn share(&mut self) -> f32 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9);
+        let mut h = self.0;
+        h = (h ^ (h >> 16)).wrapping_mul(0x7feb_352d);
+        h = (h ^ (h >> 15)).wrapping_mul(0x846c_a68b);
+        h ^= h >> 16;
+        (h >> 8) as f32 / (1 << 24) as f32
+    }
+}
