@@ -1,0 +1,154 @@
+//! What several commands take: a scene, a size, a quality, threads, an instruction set.
+
+use crate::isa;
+use eightfold::scene::{MAX_SPHERES, Scene};
+use eightfold::{Level, MAX_HEIGHT, MAX_WIDTH, Quality, show};
+use std::fmt;
+use std::str::FromStr;
+
+/// More threads than any frame has bands for.
+const MAX_THREADS: usize = 256;
+
+/// A scene by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SceneName {
+    /// The scene of every measurement.
+    Model,
+    /// A field of so many small spheres.
+    Field(usize),
+}
+
+impl SceneName {
+    /// The scene at `time` seconds.
+    pub fn at(self, time: f32) -> Scene {
+        match self {
+            Self::Model => show::scene(time),
+            Self::Field(count) => show::field(count, time),
+        }
+    }
+}
+
+impl FromStr for SceneName {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        let count = name.strip_prefix("field:").map(str::parse::<usize>);
+        match (name, count) {
+            ("model", _) => Ok(Self::Model),
+            (_, Some(Ok(count))) if (1..=MAX_SPHERES).contains(&count) => Ok(Self::Field(count)),
+            _ => Err(format!(
+                "takes model, or field:N with N from 1 to {MAX_SPHERES}"
+            )),
+        }
+    }
+}
+
+impl fmt::Display for SceneName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Model => write!(f, "model"),
+            Self::Field(count) => write!(f, "field:{count}"),
+        }
+    }
+}
+
+/// Width and height in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    pub width: usize,
+    pub height: usize,
+}
+
+impl Size {
+    /// Pixels of a frame.
+    pub fn area(self) -> usize {
+        self.width * self.height
+    }
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let side = |text: &str, most| text.parse().ok().filter(|n| (1..=most).contains(n));
+        text.split_once('x')
+            .and_then(|(width, height)| {
+                Some(Self {
+                    width: side(width, MAX_WIDTH)?,
+                    height: side(height, MAX_HEIGHT)?,
+                })
+            })
+            .ok_or_else(|| format!("takes WIDTHxHEIGHT in pixels, 1x1 to {MAX_WIDTH}x{MAX_HEIGHT}"))
+    }
+}
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}", self.width, self.height)
+    }
+}
+
+/// A named quality.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NamedQuality {
+    pub name: &'static str,
+    pub quality: Quality,
+}
+
+/// The qualities that have names.
+const QUALITIES: [NamedQuality; 2] = [
+    NamedQuality {
+        name: "exhaustive",
+        quality: Quality::EXHAUSTIVE,
+    },
+    NamedQuality {
+        name: "thesis",
+        quality: Quality::THESIS,
+    },
+];
+
+impl FromStr for NamedQuality {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        let known = QUALITIES.iter().find(|quality| quality.name == name);
+        known.copied().ok_or_else(|| {
+            let names: Vec<&str> = QUALITIES.iter().map(|quality| quality.name).collect();
+            format!("takes one of {}", names.join(", "))
+        })
+    }
+}
+
+impl fmt::Display for NamedQuality {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+/// An instruction set that this machine has.
+pub fn instruction_set(name: &str) -> Result<Level, String> {
+    let mut known = isa::all();
+    known.find(|set| set.name == name).map_or_else(
+        || {
+            let names: Vec<&str> = isa::all().map(|set| set.name).collect();
+            Err(format!("this machine has {}", names.join(", ")))
+        },
+        |set| Ok(set.level),
+    )
+}
+
+/// A number of threads.
+pub fn threads(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok();
+    number
+        .filter(|n| (1..=MAX_THREADS).contains(n))
+        .ok_or_else(|| format!("takes a number from 1 to {MAX_THREADS}"))
+}
+
+/// A time in seconds.
+pub fn seconds(text: &str) -> Result<f32, String> {
+    let number = text.parse().ok();
+    number
+        .filter(|t: &f32| t.is_finite())
+        .ok_or_else(|| "takes seconds, such as 2.5".to_owned())
+}

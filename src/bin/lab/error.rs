@@ -1,0 +1,49 @@
+//! How far one picture is from another.
+
+/// The difference of two pictures of the same size, in steps of 1/255.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Difference {
+    /// Mean over all channels of all pixels.
+    pub mean: f64,
+    /// Largest of any channel.
+    pub largest: u32,
+    /// Pixels with a channel that differs by more than 8.
+    pub over_8: usize,
+    /// Peak signal-to-noise ratio in dB; infinite where nothing differs.
+    pub psnr: f64,
+}
+
+impl Difference {
+    /// Between two pictures in `0x00RRGGBB`.
+    pub fn between(a: &[u32], b: &[u32]) -> Self {
+        assert_eq!(a.len(), b.len(), "pictures of different sizes");
+        let (mut sum, mut squares, mut largest, mut over_8) = (0_u64, 0_u64, 0, 0);
+        for (&a, &b) in a.iter().zip(b) {
+            let differences = channels(a, b);
+            for d in differences {
+                sum += u64::from(d);
+                squares += u64::from(d * d);
+            }
+            let worst = worst_channel(a, b);
+            largest = largest.max(worst);
+            over_8 += usize::from(worst > 8);
+        }
+        let count = (a.len() * 3) as f64;
+        Self {
+            mean: sum as f64 / count,
+            largest,
+            over_8,
+            psnr: 10.0 * (255.0 * 255.0 * count / squares as f64).log10(),
+        }
+    }
+}
+
+/// The difference of two pixels' largest channel.
+pub fn worst_channel(a: u32, b: u32) -> u32 {
+    channels(a, b).into_iter().fold(0, u32::max)
+}
+
+/// The differences of two pixels' channels.
+fn channels(a: u32, b: u32) -> [u32; 3] {
+    [16, 8, 0].map(|shift| (a >> shift & 0xff).abs_diff(b >> shift & 0xff))
+}

@@ -1,0 +1,64 @@
+//! The lab: draws frames and measures what speed costs.
+
+mod arguments;
+mod isa;
+mod output;
+mod picture;
+mod render;
+mod studio;
+
+use clap::{Parser, Subcommand, error::ErrorKind};
+use std::process::ExitCode;
+
+/// Draws Eightfold's frames and measures what speed costs.
+#[derive(Parser)]
+#[command(name = "lab", bin_name = "cargo lab", version)]
+struct Lab {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Render(render::Arguments),
+}
+
+/// Exit code of a command line that makes no sense, as of most programs.
+const BAD_INPUT: u8 = 2;
+
+fn main() -> ExitCode {
+    let lab = match Lab::try_parse() {
+        Ok(lab) => lab,
+        Err(error) => return explain(&error),
+    };
+    let done = match lab.command {
+        Command::Render(arguments) => render::run(&arguments),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Prints the help that was asked for, or says in one line what is wrong.
+fn explain(error: &clap::Error) -> ExitCode {
+    let text = error.render();
+    if error.use_stderr() && error.kind() != ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        let text = text.to_string();
+        // What follows is the usage, and where to find more of it.
+        let wrong = text.split("\n\nUsage:").next().unwrap_or(&text);
+        let wrong = wrong.split("\n\nFor more").next().unwrap_or(wrong);
+        let words: Vec<&str> = wrong.split_whitespace().collect();
+        eprintln!("{}", words.join(" "));
+    } else {
+        let _ = error.print();
+    }
+    if error.use_stderr() {
+        ExitCode::from(BAD_INPUT)
+    } else {
+        ExitCode::SUCCESS
+    }
+}

@@ -1,0 +1,53 @@
+//! `lab render`: one frame as a PNG file.
+
+use crate::arguments::{self, NamedQuality, SceneName, Size};
+use crate::studio::Studio;
+use crate::{isa, output, picture};
+use anyhow::Result;
+use clap::Args;
+use eightfold::Level;
+use std::path::PathBuf;
+use std::thread::available_parallelism;
+
+/// Draws one frame into a PNG file
+#[derive(Args)]
+pub struct Arguments {
+    /// The scene: model, or field:N for N small spheres
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
+    scene: SceneName,
+    /// Seconds since the scene's start
+    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]
+    time: f32,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "1024x768")]
+    size: Size,
+    /// How it is refined: exhaustive or thesis
+    #[arg(long, value_name = "NAME", default_value = "thesis")]
+    quality: NamedQuality,
+    /// Threads that share the work [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = arguments::threads)]
+    threads: Option<usize>,
+    /// Instruction set [default: the best of this machine]
+    #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
+    isa: Option<Level>,
+    /// File to write, or - for standard output
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+}
+
+/// Draws the frame and writes it.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let threads = arguments
+        .threads
+        .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
+    let size = arguments.size;
+    let mut pixels = vec![0; size.area()];
+    Studio::new(threads).draw(
+        arguments.isa.unwrap_or_else(|| isa::best().level),
+        &arguments.scene.at(arguments.time),
+        &arguments.quality.quality,
+        size.width,
+        &mut pixels,
+    );
+    output::write(&arguments.out, &picture::png(size.width, &pixels)?)
+}

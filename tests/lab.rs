@@ -1,0 +1,175 @@
+//! The lab's commands, run as a user runs them.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn lab(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_lab"))
+        .args(arguments)
+        .output()
+        .expect("the lab starts")
+}
+
+/// `lab render` of a small frame.
+fn render(out: &Path, more: &[&str]) -> Output {
+    let out = out.to_str().expect("a plain name");
+    lab(&[&["render", "--size", "40x30", "--out", out], more].concat())
+}
+
+/// The width, height and RGB bytes of a PNG file's contents.
+fn decode(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
+    let decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+    let mut reader = decoder.read_info().expect("a PNG header");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+    let info = reader.next_frame(&mut pixels).expect("whole PNG data");
+    (info.width, info.height, pixels)
+}
+
+/// Asserts that a command failed with this code and said why in one line, which holds these words.
+#[track_caller]
+fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
+    let text = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{text}");
+    assert_eq!(text.trim_end().lines().count(), 1, "{text}");
+    for word in words {
+        assert!(text.contains(word), "no {word} in: {text}");
+    }
+    assert!(output.stdout.is_empty());
+}
+
+#[test]
+fn a_frame_is_written_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("frame.png");
+    let output = render(&file, &[]);
+    assert!(output.status.success() && output.stderr.is_empty() && output.stdout.is_empty());
+    let (width, height, pixels) = decode(&std::fs::read(&file).unwrap());
+    assert_eq!((width, height), (40, 30));
+    let dark = pixels.iter().filter(|&&c| c < 8).count();
+    assert!(
+        dark < pixels.len() / 10,
+        "the background alone is brighter than that"
+    );
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn standard_output_gets_the_same_bytes_as_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("frame.png");
+    render(&file, &["--time", "3.5", "--threads", "1"]);
+    let output = render(Path::new("-"), &["--time", "3.5", "--threads", "3"]);
+    assert!(output.status.success() && output.stderr.is_empty());
+    assert_eq!(output.stdout, std::fs::read(&file).unwrap());
+}
+
+#[test]
+fn every_choice_changes_the_picture() {
+    let picture = |more: &[&str]| {
+        let output = render(Path::new("-"), more);
+        assert!(output.status.success(), "{more:?}");
+        output.stdout
+    };
+    let plain = picture(&[]);
+    for more in [
+        ["--quality", "exhaustive"],
+        ["--time", "-1"],
+        ["--scene", "field:20"],
+        ["--size", "41x30"],
+    ] {
+        // The last of two equal flags would be refused, so the size comes by itself.
+        let changed = if more[0] == "--size" {
+            lab(&["render", "--size", "41x30", "--out", "-"]).stdout
+        } else {
+            picture(&more)
+        };
+        assert_ne!(changed, plain, "{more:?}");
+    }
+    assert_eq!(picture(&["--scene", "model", "--time", "0"]), plain);
+}
+
+#[test]
+fn bad_input_is_named_in_one_line() {
+    for (flag, value, takes) in [
+        ("--size", "0x5", "WIDTHxHEIGHT"),
+        ("--size", "640", "WIDTHxHEIGHT"),
+        ("--size", "3841x10", "3840x2160"),
+        ("--time", "now", "seconds"),
+        ("--time", "nan", "seconds"),
+        ("--quality", "best", "exhaustive, thesis"),
+        ("--threads", "0", "from 1"),
+        ("--threads", "many", "from 1"),
+        ("--scene", "field:0", "field:N"),
+        ("--scene", "field:99999", "field:N"),
+        ("--scene", "models", "field:N"),
+        ("--isa", "mmx", "this machine has"),
+    ] {
+        let output = lab(&["render", "--out", "-", flag, value]);
+        assert_one_line(&output, 2, &[flag, value, takes]);
+    }
+    assert_one_line(&lab(&["render"]), 2, &["--out"]);
+    assert_one_line(&lab(&["render", "--out"]), 2, &["--out"]);
+    assert_one_line(&lab(&["render", "--output", "x"]), 2, &["--output"]);
+    assert_one_line(&lab(&["paint"]), 2, &["paint"]);
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_named_in_one_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let no_folder = folder.path().join("missing/frame.png");
+    assert_one_line(&render(&no_folder, &[]), 1, &["missing/frame.png"]);
+    assert_one_line(&render(folder.path(), &[]), 1, &["cannot write"]);
+    assert_one_line(&render(Path::new(""), &[]), 2, &["--out"]);
+    assert_one_line(&render(Path::new(".."), &[]), 1, &["cannot write"]);
+    let long = folder.path().join("x".repeat(300));
+    assert_one_line(&render(&long, &[]), 1, &["cannot write"]);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_named_in_one_line() {
+    let output = render(Path::new("/dev/full"), &[]);
+    assert_one_line(&output, 1, &["/dev/full", "No space left"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_stays_as_it_was_when_the_disk_fills_up() {
+    use std::os::unix::fs::FileTypeExt;
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("frame.png");
+    std::fs::write(&file, "before").unwrap();
+    // No file may grow beyond 1 KiB, and the signal that would end the program is ignored.
+    let output = Command::new("sh")
+        .args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\""])
+        .arg(env!("CARGO_BIN_EXE_lab"))
+        .args(["render", "--size", "640x480", "--out"])
+        .arg(&file)
+        .output()
+        .unwrap();
+    assert_one_line(&output, 1, &["frame.png"]);
+    assert_eq!(std::fs::read(&file).unwrap(), b"before");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    let full = std::fs::metadata("/dev/full").unwrap();
+    assert!(full.file_type().is_char_device(), "a device stays one");
+}
+
+#[test]
+fn help_names_every_command_and_flag() {
+    let help = lab(&["--help"]);
+    assert!(help.status.success() && String::from_utf8_lossy(&help.stdout).contains("render"));
+    let help = lab(&["render", "--help"]);
+    let text = String::from_utf8_lossy(&help.stdout);
+    for flag in [
+        "--scene",
+        "--time",
+        "--size",
+        "--quality",
+        "--threads",
+        "--isa",
+        "--out",
+    ] {
+        assert!(text.contains(flag), "{flag}");
+    }
+}
