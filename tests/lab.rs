@@ -1,5 +1,8 @@
 //! The lab's commands, run as a user runs them.
 
+mod reader;
+
+use reader::read_png;
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -14,15 +17,6 @@ fn lab(arguments: &[&str]) -> Output {
 fn render(out: &Path, more: &[&str]) -> Output {
     let out = out.to_str().expect("a plain name");
     lab(&[&["render", "--size", "40x30", "--out", out], more].concat())
-}
-
-/// The width, height and RGB bytes of a PNG file's contents.
-fn decode(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
-    let decoder = png::Decoder::new(std::io::Cursor::new(bytes));
-    let mut reader = decoder.read_info().expect("a PNG header");
-    let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
-    let info = reader.next_frame(&mut pixels).expect("whole PNG data");
-    (info.width, info.height, pixels)
 }
 
 /// Asserts that a command failed with this code and said why in one line, which holds these words.
@@ -43,13 +37,10 @@ fn a_frame_is_written_whole() {
     let file = folder.path().join("frame.png");
     let output = render(&file, &[]);
     assert!(output.status.success() && output.stderr.is_empty() && output.stdout.is_empty());
-    let (width, height, pixels) = decode(&std::fs::read(&file).unwrap());
-    assert_eq!((width, height), (40, 30));
-    let dark = pixels.iter().filter(|&&c| c < 8).count();
-    assert!(
-        dark < pixels.len() / 10,
-        "the background alone is brighter than that"
-    );
+    let (width, pixels) = read_png(&std::fs::read(&file).unwrap());
+    assert_eq!((width, pixels.len()), (40, 40 * 30));
+    let black = pixels.iter().filter(|&&pixel| pixel == 0).count();
+    assert_eq!(black, 0, "the background alone is brighter than that");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 

@@ -1,18 +1,17 @@
 //! Pictures as PNG files.
 
-use anyhow::Result;
+use png::{BitDepth, ColorType, Encoder, EncodingError};
 
 /// A picture in `0x00RRGGBB`, row after row, as the bytes of a PNG file.
-pub fn png(width: usize, pixels: &[u32]) -> Result<Vec<u8>> {
-    let height = pixels.len() / width;
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, u32::try_from(width)?, u32::try_from(height)?);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
+pub fn png(width: usize, pixels: &[u32]) -> Result<Vec<u8>, EncodingError> {
     let rgb: Vec<u8> = pixels
         .iter()
-        .flat_map(|p| [p >> 16, p >> 8, *p].map(|c| c as u8))
+        .flat_map(|pixel| pixel.to_be_bytes().into_iter().skip(1))
         .collect();
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, width as u32, (pixels.len() / width) as u32);
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_depth(BitDepth::Eight);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&rgb)?;
     writer.finish()?;

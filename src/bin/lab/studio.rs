@@ -77,7 +77,7 @@ fn share(pool: Option<&ThreadPool>, workers: &mut [Worker], bands: &mut [Band<'_
 
 /// So many new items on the heap. They are larger than a thread's usual stack, which they pass over on their way, so
 /// a thread with a larger one makes them.
-fn on_heap<T: Send + 'static>(count: usize, new: fn() -> T) -> Vec<T> {
+pub fn on_heap<T: Send + 'static>(count: usize, new: fn() -> T) -> Vec<T> {
     // Room for a few copies: unoptimised code makes one for each function the item passes through.
     let stack = 4 * size_of::<T>() + (1 << 20);
     std::thread::Builder::new()

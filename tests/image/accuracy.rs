@@ -1,0 +1,189 @@
+//! The tracer against the oracle, every pixel traced.
+
+use crate::drawn::{Drawn, draw_by_all};
+use crate::error::{Difference, worst_channel};
+use crate::oracle::frame::Frame;
+use eightfold::scene::{Camera, Light, List, Material, Scene, Sphere};
+use eightfold::{Quality, show};
+use glam::{Vec3, vec3};
+
+/// Asserts that a picture is the oracle's: on average within 0.01 of 255; over 8 in at most 0.02 % of the pixels, or in
+/// one of a small picture, and on silhouettes alone.
+#[track_caller]
+pub fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
+    let expected = frame.picture();
+    let difference = Difference::between(&expected, &drawn.pixels);
+    assert!(difference.mean <= 0.01, "{what}: {difference:?}");
+    let most = (expected.len() / 5000).max(1);
+    assert!(difference.over_8 <= most, "{what}: {difference:?}");
+    let silhouettes = frame.silhouettes();
+    for (i, (&a, &b)) in expected.iter().zip(&drawn.pixels).enumerate() {
+        let (x, y) = (i % frame.width, i / frame.width);
+        let off = worst_channel(a, b);
+        assert!(
+            off <= 8 || silhouettes[i],
+            "{what}: ({x}, {y}) is off by {off}: {b:06x} for {a:06x}"
+        );
+    }
+}
+
+fn hold(scene: &Scene, width: usize, height: usize, what: &str) {
+    let frame = Frame::new(scene, &Quality::EXHAUSTIVE, width, height);
+    for (isa, drawn) in draw_by_all(scene, &Quality::EXHAUSTIVE, width, height) {
+        assert_as_traced(&drawn, &frame, &format!("{what} by {}", isa.name));
+    }
+}
+
+#[test]
+fn the_model_scene_is_as_the_oracle_sees_it() {
+    for (time, width, height) in [
+        (0.0, 1024, 768),
+        (0.0, 64, 48),
+        (2.5, 640, 480),
+        (7.0, 333, 777),
+        (12.6, 800, 200),
+        (19.0, 320, 240),
+    ] {
+        let what = format!("{width}x{height} at {time} s");
+        hold(&show::scene(time), width, height, &what);
+    }
+}
+
+#[test]
+fn a_field_of_spheres_is_as_the_oracle_sees_it() {
+    for (count, time) in [(4, 0.0), (64, 3.0), (256, 9.0), (320, 1.0)] {
+        let what = format!("a field of {count} at {time} s");
+        hold(&show::field(count, time), 240, 180, &what);
+    }
+}
+
+#[test]
+fn as_many_rays_are_followed_as_by_the_oracle() {
+    let near = |count: u64, expected: u64| count.abs_diff(expected) <= expected / 5000;
+    for time in [0.0, 2.5] {
+        let scene = show::scene(time);
+        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 240);
+        let (rays, shadow_rays) = (frame.total(|p| p.rays), frame.total(|p| p.shadow_rays));
+        for (isa, Drawn { counts, .. }) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 240) {
+            let what = format!("{} at {time} s: {counts:?}", isa.name);
+            assert_eq!(counts.points, 320 * 240, "{what}");
+            assert!(near(counts.rays, rays), "{what}, {rays} expected");
+            // Rays that cannot be blocked need not be cast.
+            assert!(
+                counts.shadow_rays <= shadow_rays + shadow_rays / 5000,
+                "{what}, {shadow_rays} expected"
+            );
+        }
+    }
+}
+
+#[test]
+fn silhouettes_are_the_lesser_part_of_a_picture() {
+    // Else that large errors lie on silhouettes alone would say little.
+    let frame = Frame::new(&show::scene(0.0), &Quality::EXHAUSTIVE, 1024, 768);
+    let on = frame.silhouettes().iter().filter(|&&on| on).count();
+    assert!(on < 1024 * 768 / 8, "{on} pixels");
+}
+
+/// Glass shells in each other, seen from their middle: every ray meets one and goes on in two.
+fn shells(count: usize) -> Scene {
+    let glass = Material {
+        colour: Vec3::splat(0.9),
+        kd: 0.2,
+        ks: 0.5,
+        exponent: 50.0,
+        kr: 0.5,
+        kt: 0.5,
+        index: 1.01,
+    };
+    let shell = |i| Sphere {
+        centre: Vec3::ZERO,
+        radius: 2.0 + 0.5 * i as f32,
+        material: glass,
+    };
+    let shells: Vec<Sphere> = (0..count).map(shell).collect();
+    Scene {
+        camera: Camera {
+            eye: vec3(0.1, 0.2, 0.3),
+            look_at: Vec3::X,
+            up: Vec3::Y,
+            field_of_view: 1.0,
+        },
+        background: Vec3::splat(0.4),
+        ambient: Vec3::splat(0.3),
+        spheres: List::of(&shells),
+        ..Scene::default()
+    }
+}
+
+#[test]
+fn no_ray_is_lost_where_every_ray_goes_on_in_two() {
+    let scene = shells(Quality::MAX_DEPTH as usize + 1);
+    for depth in 0..=Quality::MAX_DEPTH {
+        let quality = Quality {
+            depth,
+            least_contribution: 0.0,
+            ..Quality::EXHAUSTIVE
+        };
+        let frame = Frame::new(&scene, &quality, 75, 50);
+        for (isa, drawn) in draw_by_all(&scene, &quality, 75, 50) {
+            let what = format!("depth {depth} by {}", isa.name);
+            let tree = (2 << depth) - 1;
+            assert_eq!(drawn.counts.rays, drawn.counts.points * tree, "{what}");
+            assert_as_traced(&drawn, &frame, &what);
+        }
+    }
+}
+
+#[test]
+fn no_ray_is_lost_where_some_end_and_others_go_on_in_two() {
+    // A black ball before the eye, so that packets of waiting rays are never full.
+    let mut scene = shells(Quality::MAX_DEPTH as usize + 1);
+    scene.lights = List::of(&[Light {
+        position: vec3(0.6, 0.2, 0.3),
+        colour: Vec3::ZERO,
+        radius: 0.15,
+    }]);
+    let quality = Quality {
+        depth: Quality::MAX_DEPTH,
+        least_contribution: 0.0,
+        ..Quality::EXHAUSTIVE
+    };
+    let frame = Frame::new(&scene, &quality, 150, 100);
+    let expected = frame.total(|point| point.rays);
+    for (isa, drawn) in draw_by_all(&scene, &quality, 150, 100) {
+        let rays = drawn.counts.rays;
+        let lost = expected.abs_diff(rays);
+        assert!(
+            lost <= expected / 5000,
+            "{}: {rays} for {expected}",
+            isa.name
+        );
+        assert_as_traced(&drawn, &frame, isa.name);
+    }
+}
+
+#[test]
+fn a_lamp_lights_the_sphere_around_it_from_within_alone() {
+    let mut scene = shells(1);
+    scene.planes = List::of(&show::scene(0.0).planes);
+    for (lamp, eye) in [
+        (vec3(0.5, 0.7, 0.1), vec3(0.1, 0.2, 0.3)),
+        (vec3(0.5, 0.7, 0.1), vec3(1.0, 3.0, 7.0)),
+        (vec3(3.5, 3.7, 0.1), vec3(0.1, 0.2, 0.3)),
+    ] {
+        scene.camera.eye = eye;
+        scene.camera.look_at = Vec3::ZERO;
+        scene.lights = List::of(&[Light {
+            position: lamp,
+            colour: Vec3::ONE,
+            radius: 0.1,
+        }]);
+        hold(
+            &scene,
+            120,
+            90,
+            &format!("a lamp at {lamp} seen from {eye}"),
+        );
+    }
+}

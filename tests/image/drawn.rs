@@ -1,0 +1,43 @@
+//! Pictures by the tracer, drawn in the lab's studio.
+
+use crate::isa::{self, Isa};
+use crate::studio::Studio;
+use eightfold::scene::Scene;
+use eightfold::{Counts, Quality};
+
+/// A picture and the work it was.
+pub struct Drawn {
+    pub pixels: Vec<u32>,
+    pub counts: Counts,
+}
+
+/// What pixels hold before they are drawn; no pixel looks like it, for its highest byte is 0.
+const UNDRAWN: u32 = 0xdead_beef;
+
+/// Draws a picture by one instruction set, on so many threads.
+pub fn draw(
+    isa: Isa,
+    threads: usize,
+    scene: &Scene,
+    quality: &Quality,
+    width: usize,
+    height: usize,
+) -> Drawn {
+    let mut pixels = vec![UNDRAWN; width * height];
+    let counts = Studio::new(threads).draw(isa.level, scene, quality, width, &mut pixels);
+    let undrawn = pixels.iter().position(|&pixel| pixel >> 24 != 0);
+    assert_eq!(undrawn, None, "a pixel was left out, {width}x{height}");
+    Drawn { pixels, counts }
+}
+
+/// Draws a picture by every instruction set of the machine, on two threads.
+pub fn draw_by_all(
+    scene: &Scene,
+    quality: &Quality,
+    width: usize,
+    height: usize,
+) -> Vec<(Isa, Drawn)> {
+    isa::all()
+        .map(|isa| (isa, draw(isa, 2, scene, quality, width, height)))
+        .collect()
+}

@@ -1,0 +1,23 @@
+//! What the pictures are held to, on every instruction set of the machine.
+
+#[path = "../../src/bin/lab/error.rs"]
+mod error;
+#[path = "../../src/bin/lab/isa.rs"]
+mod isa;
+#[path = "../oracle/mod.rs"]
+mod oracle;
+#[path = "../../src/bin/lab/picture.rs"]
+mod picture;
+#[path = "../reader/mod.rs"]
+mod reader;
+#[path = "../../src/bin/lab/studio.rs"]
+mod studio;
+
+mod accuracy;
+mod drawn;
+mod golden;
+mod random;
+mod ranges;
+mod refinement;
+mod sameness;
+mod sizes;

@@ -1,0 +1,194 @@
+//! Properties of whatever scene: the tracer against the oracle on scenes by chance.
+//!
+//! Chance is seeded, so that a run repeats; `PROPTEST_CASES` asks for more cases.
+
+use crate::accuracy::assert_as_traced;
+use crate::drawn::draw;
+use crate::isa;
+use crate::oracle::frame::Frame;
+use crate::oracle::squares::Squares;
+use crate::refinement::assert_as_refined;
+use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold::{Quality, show};
+use glam::{Vec3, vec3};
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+
+/// Seeded; `PROPTEST_CASES` cases, or this many.
+fn config(cases: u32) -> ProptestConfig {
+    let asked = std::env::var("PROPTEST_CASES").ok();
+    ProptestConfig {
+        cases: asked.and_then(|n| n.parse().ok()).unwrap_or(cases),
+        rng_seed: RngSeed::Fixed(2008),
+        failure_persistence: None,
+        max_shrink_iters: 200,
+        ..ProptestConfig::default()
+    }
+}
+
+fn colour() -> impl Strategy<Value = Vec3> {
+    [0.0_f32..1.0, 0.0..1.0, 0.0..1.0].prop_map(Vec3::from)
+}
+
+/// A point in a box about the origin, above the ground.
+fn place(half: f32, height: f32) -> impl Strategy<Value = Vec3> {
+    (-half..half, 0.2..height, -half..half).prop_map(|(x, y, z)| vec3(x, y, z))
+}
+
+/// Plastic, mirror or glass; what it sends on is at most what it gets.
+fn material() -> impl Strategy<Value = Material> {
+    let glass = prop_oneof![Just(0.0_f32), 0.2_f32..0.9];
+    let index = prop_oneof![1.05_f32..2.4, 0.5_f32..0.95];
+    (
+        colour(),
+        0.0_f32..1.0,
+        prop_oneof![Just(0.0_f32), 0.1_f32..1.0],
+        1.0_f32..200.0,
+        0.0_f32..1.0,
+        (glass, index),
+    )
+        .prop_map(|(colour, kd, ks, exponent, kr, (kt, index))| Material {
+            colour,
+            kd,
+            ks,
+            exponent,
+            kr: kr * (1.0 - kt),
+            kt,
+            index,
+        })
+}
+
+fn sphere() -> impl Strategy<Value = Sphere> {
+    (place(4.0, 3.0), 0.2_f32..1.5, material()).prop_map(|(centre, radius, material)| Sphere {
+        centre,
+        radius,
+        material,
+    })
+}
+
+fn plane() -> impl Strategy<Value = Plane> {
+    ((-2.0_f32..0.0, 1.0_f32..20.0, 1.0_f32..20.0), material()).prop_map(
+        |((y, half_x, half_z), material)| Plane {
+            centre: vec3(0.3, y, -0.2),
+            half_x,
+            half_z,
+            material,
+        },
+    )
+}
+
+fn light() -> impl Strategy<Value = Light> {
+    (place(8.0, 9.0), colour(), 0.05_f32..0.4).prop_map(|(position, colour, radius)| Light {
+        position,
+        colour,
+        radius,
+    })
+}
+
+fn camera() -> impl Strategy<Value = Camera> {
+    (
+        (0.0_f32..6.3, 7.0_f32..14.0, 0.5_f32..6.0),
+        place(1.0, 1.0),
+        0.3_f32..1.6,
+    )
+        .prop_map(
+            |((angle, distance, height), look_at, field_of_view)| Camera {
+                eye: vec3(distance * angle.sin(), height, distance * angle.cos()),
+                look_at,
+                up: Vec3::Y,
+                field_of_view,
+            },
+        )
+}
+
+/// A scene in few words, for the message about a failure.
+#[derive(Clone, Debug)]
+struct Sketch {
+    camera: Camera,
+    background: Vec3,
+    ambient: Vec3,
+    spheres: Vec<Sphere>,
+    planes: Vec<Plane>,
+    lights: Vec<Light>,
+}
+
+impl Sketch {
+    fn scene(&self) -> Scene {
+        Scene {
+            camera: self.camera,
+            background: self.background,
+            ambient: self.ambient,
+            spheres: List::of(&self.spheres),
+            planes: List::of(&self.planes),
+            lights: List::of(&self.lights),
+        }
+    }
+}
+
+/// Some spheres, which may pass through each other, planes and lights.
+fn sketch(
+    spheres: impl Strategy<Value = Vec<Sphere>>,
+    planes: usize,
+) -> impl Strategy<Value = Sketch> {
+    (
+        camera(),
+        (colour(), colour()),
+        spheres,
+        vec(plane(), 0..=planes),
+        vec(light(), 0..=4),
+    )
+        .prop_map(
+            |(camera, (background, ambient), spheres, planes, lights)| Sketch {
+                camera,
+                background,
+                ambient: 0.2 * ambient,
+                spheres,
+                planes,
+                lights,
+            },
+        )
+}
+
+proptest! {
+    #![proptest_config(config(48))]
+
+    #[test]
+    fn any_scene_is_as_the_oracle_sees_it(sketch in sketch(vec(sphere(), 0..12), 2)) {
+        let scene = sketch.scene();
+        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 96, 72);
+        for isa in isa::all() {
+            let drawn = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 96, 72);
+            assert_as_traced(&drawn, &frame, isa.name);
+        }
+    }
+
+    #[test]
+    fn any_scene_is_refined_by_the_rules(sketch in sketch(vec(sphere(), 0..12), 2)) {
+        let scene = sketch.scene();
+        for quality in [Quality::THESIS, Quality::DEFAULT] {
+            let squares = Squares::new(&scene, &quality, 96, 72);
+            for isa in isa::all() {
+                let drawn = draw(isa, 1, &scene, &quality, 96, 72);
+                assert_as_refined(&drawn, &squares, isa.name);
+            }
+        }
+    }
+
+    #[test]
+    fn the_model_scene_is_right_at_any_time_and_size(
+        time in 0.0..show::LENGTH,
+        width in 1_usize..200,
+        height in 1_usize..200,
+    ) {
+        let scene = show::scene(time);
+        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
+        let squares = Squares::new(&scene, &Quality::THESIS, width, height);
+        for isa in isa::all() {
+            let drawn = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, width, height);
+            assert_as_traced(&drawn, &frame, isa.name);
+            let drawn = draw(isa, 2, &scene, &Quality::THESIS, width, height);
+            assert_as_refined(&drawn, &squares, isa.name);
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Adaptive squares against every pixel traced, and against the oracle's own squares.
+
+use crate::drawn::{Drawn, draw, draw_by_all};
+use crate::error::Difference;
+use crate::isa;
+use crate::oracle::squares::Squares;
+use eightfold::scene::{Camera, Scene};
+use eightfold::{Quality, show};
+use glam::{Vec3, vec3};
+
+/// Asserts that a picture is the oracle's by adaptive squares: as many points to 0.2 %, or 24, and the same pixels but
+/// for a few squares that rounding decides.
+#[track_caller]
+pub fn assert_as_refined(drawn: &Drawn, squares: &Squares<'_>, what: &str) {
+    let (points, expected) = (drawn.counts.points, squares.points() as u64);
+    assert!(
+        points.abs_diff(expected) <= (expected / 500).max(24),
+        "{what}: {points} points for {expected}"
+    );
+    let difference = Difference::between(&squares.picture, &drawn.pixels);
+    let most = (drawn.pixels.len() / 5000).max(4);
+    assert!(difference.mean <= 0.02, "{what}: {difference:?}");
+    assert!(difference.over_8 <= most, "{what}: {difference:?}");
+}
+
+/// Scenes with few edges, with many, and with more than pixels.
+fn scenes() -> [(&'static str, Scene); 3] {
+    [
+        ("model", show::scene(0.0)),
+        ("some spheres", show::field(40, 2.0)),
+        ("many spheres", show::field(320, 5.0)),
+    ]
+}
+
+#[test]
+fn the_rules_of_2008_trace_an_eighth_of_the_points_at_44_db() {
+    let scene = show::scene(0.0);
+    for (isa, exhaustive) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 1024, 768) {
+        let thesis = draw(isa, 2, &scene, &Quality::THESIS, 1024, 768);
+        let psnr = Difference::between(&exhaustive.pixels, &thesis.pixels).psnr;
+        assert!(psnr >= 44.0, "{}: {psnr} dB", isa.name);
+        let share = thesis.counts.points as f64 / (1024.0 * 768.0);
+        assert!((0.09..=0.14).contains(&share), "{}: {share}", isa.name);
+    }
+}
+
+#[test]
+fn squares_are_filled_and_split_by_the_rules() {
+    for quality in [Quality::THESIS, Quality::DEFAULT] {
+        for (name, scene) in scenes() {
+            let squares = Squares::new(&scene, &quality, 500, 300);
+            for (isa, drawn) in draw_by_all(&scene, &quality, 500, 300) {
+                assert_as_refined(&drawn, &squares, &format!("{name} by {}", isa.name));
+            }
+        }
+    }
+}
+
+#[test]
+fn what_corners_compare_follows_the_quality() {
+    let scene = show::scene(4.0);
+    for (key_depth, state_depth, spread_agreeing, spread_differing) in [
+        (0, 0, f32::INFINITY, 0.0),
+        (1, 1, f32::INFINITY, 5.0),
+        (5, 5, f32::INFINITY, 0.0),
+        (7, 0, 30.0, 3.0),
+        (5, 1, 2.0, 20.0),
+        (0, 0, 9.0, 9.0),
+    ] {
+        let quality = Quality {
+            key_depth,
+            state_depth,
+            spread_agreeing,
+            spread_differing,
+            highlight: 0.1,
+            ..Quality::THESIS
+        };
+        let squares = Squares::new(&scene, &quality, 400, 300);
+        for (isa, drawn) in draw_by_all(&scene, &quality, 400, 300) {
+            let what = format!("{quality:?} by {}", isa.name);
+            assert_as_refined(&drawn, &squares, &what);
+        }
+    }
+}
+
+#[test]
+fn squares_of_every_power_of_two_follow_the_rules() {
+    let scene = show::scene(1.0);
+    for square in [1, 2, 4, 8, 16, 32] {
+        let quality = Quality {
+            square,
+            ..Quality::THESIS
+        };
+        let squares = Squares::new(&scene, &quality, 203, 149);
+        for (isa, drawn) in draw_by_all(&scene, &quality, 203, 149) {
+            assert_as_refined(&drawn, &squares, &format!("{square} by {}", isa.name));
+        }
+    }
+}
+
+#[test]
+fn a_point_has_the_same_bits_whatever_is_traced_beside_it() {
+    for (name, scene) in scenes() {
+        for isa in isa::all() {
+            let exhaustive = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, 331, 217);
+            for square in 2..=Quality::MAX_SQUARE {
+                let quality = Quality {
+                    square,
+                    ..Quality::THESIS
+                };
+                let refined = draw(isa, 2, &scene, &quality, 331, 217);
+                for y in (0..217).step_by(square) {
+                    for x in (0..331).step_by(square) {
+                        assert_eq!(
+                            refined.pixels[y * 331 + x],
+                            exhaustive.pixels[y * 331 + x],
+                            "{name}, squares of {square} by {}: ({x}, {y})",
+                            isa.name
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn no_point_is_traced_twice_even_where_every_square_splits() {
+    // Many spheres from above, and all that can be told apart compared: hardly a square is filled.
+    let mut scene = show::field(320, 0.0);
+    scene.camera = Camera {
+        eye: vec3(0.0, 14.0, 0.1),
+        look_at: Vec3::ZERO,
+        up: Vec3::Y,
+        field_of_view: 0.13,
+    };
+    let (width, height) = (700, 70);
+    for square in 1..=Quality::MAX_SQUARE {
+        let quality = Quality {
+            square,
+            spread_agreeing: 0.0,
+            spread_differing: 0.0,
+            ..Quality::THESIS
+        };
+        let drawn = draw(isa::best(), 2, &scene, &quality, width, height);
+        let corners = |side: usize| side.next_multiple_of(square) + 1;
+        let most = if square == 1 {
+            width * height
+        } else {
+            corners(width) * corners(height)
+        };
+        let points = drawn.counts.points as usize;
+        assert!(
+            points <= most,
+            "squares of {square}: {points} of {most} points"
+        );
+        assert!(
+            points >= width * height / 2,
+            "the scene does not make every square split: {points} points"
+        );
+    }
+}

@@ -1,0 +1,107 @@
+//! The picture is a function of scene, size, quality and instruction set, and nothing else.
+
+use crate::drawn::{draw, draw_by_all};
+use crate::error::worst_channel;
+use crate::isa;
+use crate::oracle::frame::Frame;
+use crate::studio::{Studio, on_heap};
+use eightfold::{Memory, Quality, Worker, render, show};
+
+const QUALITIES: [Quality; 2] = [Quality::EXHAUSTIVE, Quality::THESIS];
+
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    for scene in [show::scene(3.0), show::field(100, 3.0)] {
+        for quality in QUALITIES {
+            for isa in isa::all() {
+                let one = draw(isa, 1, &scene, &quality, 301, 203);
+                for threads in [2, 3, 7] {
+                    let more = draw(isa, threads, &scene, &quality, 301, 203);
+                    assert!(more.pixels == one.pixels, "{threads} threads, {}", isa.name);
+                    let (a, b) = (more.counts, one.counts);
+                    assert_eq!(
+                        (a.points, a.rays, a.shadow_rays),
+                        (b.points, b.rays, b.shadow_rays)
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn any_order_of_bands_gives_the_same_bits() {
+    let scene = show::scene(3.0);
+    let level = isa::best().level;
+    for quality in QUALITIES {
+        let forward = draw(isa::best(), 1, &scene, &quality, 301, 203);
+        let mut memory = on_heap(1, Memory::new);
+        let mut workers = on_heap(2, Worker::new);
+        let mut pixels = vec![0; 301 * 203];
+        let memory = &mut memory[0];
+        let workers = &mut workers;
+        render(
+            level,
+            &scene,
+            &quality,
+            301,
+            203,
+            memory,
+            workers,
+            &mut pixels,
+            |workers, bands, job| {
+                for (i, band) in bands.iter_mut().rev().enumerate() {
+                    job(&mut workers[i % 3 / 2], band);
+                }
+            },
+        );
+        assert!(pixels == forward.pixels);
+    }
+}
+
+#[test]
+fn what_was_drawn_before_leaves_no_trace() {
+    let level = isa::best().level;
+    let mut studio = Studio::new(2);
+    let mut others = vec![0; 500 * 400];
+    for quality in QUALITIES {
+        let scene = show::scene(6.0);
+        let fresh = draw(isa::best(), 2, &scene, &quality, 301, 203);
+        for before in [show::field(320, 0.0), show::scene(0.0)] {
+            let larger = Quality {
+                square: 32,
+                ..quality
+            };
+            studio.draw(level, &before, &larger, 500, &mut others);
+            let mut pixels = vec![0; 301 * 203];
+            let counts = studio.draw(level, &scene, &quality, 301, &mut pixels);
+            assert!(pixels == fresh.pixels);
+            assert_eq!(counts.points, fresh.counts.points);
+        }
+    }
+}
+
+#[test]
+fn instruction_sets_differ_by_one_step_at_most_but_on_silhouettes() {
+    for (scene, width, height) in [
+        (show::scene(0.0), 1024, 768),
+        (show::scene(11.0), 640, 480),
+        (show::field(64, 4.0), 400, 300),
+    ] {
+        let silhouettes = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height).silhouettes();
+        let drawn = draw_by_all(&scene, &Quality::EXHAUSTIVE, width, height);
+        let (first, best) = &drawn[0];
+        for (isa, other) in &drawn[1..] {
+            for (i, &on) in silhouettes.iter().enumerate() {
+                let off = worst_channel(best.pixels[i], other.pixels[i]);
+                let (x, y) = (i % width, i / width);
+                assert!(
+                    off <= 1 || on,
+                    "{} and {}: ({x}, {y}) differs by {off}",
+                    first.name,
+                    isa.name
+                );
+            }
+        }
+    }
+}

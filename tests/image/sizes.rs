@@ -1,0 +1,59 @@
+//! Pictures of every size are right to the last row and column.
+
+use crate::accuracy::assert_as_traced;
+use crate::drawn::draw_by_all;
+use crate::oracle::frame::Frame;
+use crate::oracle::squares::Squares;
+use crate::refinement::assert_as_refined;
+use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality, show};
+
+fn hold(width: usize, height: usize) {
+    let scene = show::scene(0.5);
+    let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
+    let squares = Squares::new(&scene, &Quality::THESIS, width, height);
+    for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, width, height) {
+        assert_as_traced(&drawn, &frame, &format!("{width}x{height} by {}", isa.name));
+    }
+    for (isa, drawn) in draw_by_all(&scene, &Quality::THESIS, width, height) {
+        assert_as_refined(
+            &drawn,
+            &squares,
+            &format!("{width}x{height} by {}", isa.name),
+        );
+    }
+}
+
+#[test]
+fn small_and_odd_sizes_are_right_to_the_last_row_and_column() {
+    for (width, height) in [
+        (1, 1),
+        (2, 1),
+        (1, 2),
+        (7, 3),
+        (8, 8),
+        (9, 9),
+        (15, 17),
+        (16, 16),
+        (1, 100),
+        (1000, 1),
+        (255, 33),
+        (256, 32),
+        (257, 31),
+        (1023, 767),
+    ] {
+        hold(width, height);
+    }
+}
+
+#[test]
+fn the_widest_and_the_tallest_are_right_to_the_last_row_and_column() {
+    hold(MAX_WIDTH, 1);
+    hold(MAX_WIDTH, 20);
+    hold(1, MAX_HEIGHT);
+    hold(20, MAX_HEIGHT);
+}
+
+#[test]
+fn the_largest_is_right_to_the_last_row_and_column() {
+    hold(MAX_WIDTH, MAX_HEIGHT);
+}

@@ -1,0 +1,104 @@
+//! Adaptive squares, by the book: recursive, one after the other.
+
+use super::{Oracle, Traced};
+use eightfold::Quality;
+use eightfold::scene::Scene;
+use glam::DVec3;
+use std::collections::HashMap;
+
+/// A picture by adaptive squares.
+pub struct Squares<'a> {
+    oracle: Oracle<'a>,
+    traced: HashMap<(usize, usize), Traced>,
+    pub picture: Vec<u32>,
+}
+
+impl<'a> Squares<'a> {
+    /// Draws it; squares start at the quality's size, a power of two.
+    pub fn new(scene: &'a Scene, quality: &'a Quality, width: usize, height: usize) -> Self {
+        let mut squares = Self {
+            oracle: Oracle::new(scene, quality, width, height),
+            traced: HashMap::new(),
+            picture: vec![0; width * height],
+        };
+        for y in (0..height).step_by(quality.square) {
+            for x in (0..width).step_by(quality.square) {
+                squares.check(x, y, quality.square);
+            }
+        }
+        squares
+    }
+
+    /// Points traced, each once.
+    pub fn points(&self) -> usize {
+        self.traced.len()
+    }
+
+    fn at(&mut self, x: usize, y: usize) -> Traced {
+        let trace = || self.oracle.trace(x as isize, y as isize);
+        *self.traced.entry((x, y)).or_insert_with(trace)
+    }
+
+    fn check(&mut self, x: usize, y: usize, side: usize) {
+        if x >= self.oracle.width || y >= self.oracle.height {
+            return;
+        }
+        let a = self.at(x, y);
+        if side == 1 {
+            self.picture[y * self.oracle.width + x] = a.pixel();
+            return;
+        }
+        let others = [(side, 0), (0, side), (side, side)].map(|(u, v)| self.at(x + u, y + v));
+        let corners = [a, others[0], others[1], others[2]];
+        let flat = others.iter().all(|b| b.pixel() == a.pixel());
+        if flat || spread(&corners) <= self.allowed(&corners, side) {
+            self.fill(x, y, side, corners);
+        } else {
+            let half = side / 2;
+            for (u, v) in [(0, 0), (half, 0), (0, half), (half, half)] {
+                self.check(x + u, y + v, half);
+            }
+        }
+    }
+
+    /// The spread that the quality allows a square.
+    fn allowed(&self, corners: &[Traced; 4], side: usize) -> f64 {
+        let quality = self.oracle.quality;
+        let agree = corners.iter().all(|corner| corner.key == corners[0].key);
+        let spread = if agree {
+            quality.spread_agreeing
+        } else {
+            quality.spread_differing
+        };
+        f64::from(spread) * 8.0 / side as f64
+    }
+
+    /// Colours between those of the corners; equal ones give one colour.
+    fn fill(&mut self, x: usize, y: usize, side: usize, corners: [Traced; 4]) {
+        let [a, b, c, d] = corners.map(shown);
+        for v in 0..side.min(self.oracle.height - y) {
+            for u in 0..side.min(self.oracle.width - x) {
+                let (s, t) = (u as f64 / side as f64, v as f64 / side as f64);
+                let colour = a.lerp(b, s).lerp(c.lerp(d, s), t);
+                let between = Traced {
+                    colour,
+                    ..Traced::default()
+                };
+                self.picture[(y + v) * self.oracle.width + x + u] = between.pixel();
+            }
+        }
+    }
+}
+
+/// A point's colour, cut to what can be shown.
+fn shown(point: Traced) -> DVec3 {
+    point.colour.clamp(DVec3::ZERO, DVec3::ONE)
+}
+
+/// The largest difference between two corners in a channel, in 255ths.
+fn spread(corners: &[Traced; 4]) -> f64 {
+    let colours = corners.map(shown);
+    let most = colours.into_iter().fold(DVec3::ZERO, DVec3::max);
+    let least = colours.into_iter().fold(DVec3::ONE, DVec3::min);
+    255.0 * (most - least).max_element()
+}
