@@ -73,12 +73,14 @@ impl Quality {
         self.square > 1 && self.spread_agreeing != self.spread_differing
     }
 
-    /// How far the ends of a side of this length may be apart for its middle to be averaged, as samples count.
-    pub(crate) fn side_limit(&self, length: u8) -> f32 {
-        if self.needs_keys() {
-            -1.0
+    /// How far the ends of a side of a square may be apart for its middle to be averaged, as samples count; below 0
+    /// where it must not be.
+    pub(crate) fn side_limit(&self, w: u8, h: u8) -> f32 {
+        let has_middle = (w | h) % 2 == 0;
+        if has_middle && !self.needs_keys() && self.spread_side > 0.0 {
+            limit(self.spread_side, w.max(h))
         } else {
-            limit(self.spread_side, length)
+            -1.0
         }
     }
 }

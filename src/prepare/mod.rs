@@ -67,6 +67,8 @@ pub(crate) struct Caster {
     pub from_lamp: Vec3,
     /// The radius squared.
     pub r2: f32,
+    /// Whether the lamp is inside.
+    pub around_lamp: bool,
 }
 
 impl Prepared {
@@ -153,12 +155,15 @@ impl Prepared {
             *caster = Caster {
                 from_lamp: light.position - ball.centre,
                 r2: ball.r2,
+                around_lamp: light.position.distance_squared(ball.centre) < ball.r2,
             };
         }
         for (caster, group) in lamp.group_casters.iter_mut().zip(self.groups.solid()) {
             *caster = Caster {
                 from_lamp: light.position - group.centre,
                 r2: group.radius * group.radius,
+                // Its spheres may be between the lamp and whatever.
+                around_lamp: false,
             };
         }
         for group in self.groups.solid() {
@@ -210,5 +215,6 @@ impl Caster {
     const NONE: Self = Self {
         from_lamp: Vec3::ZERO,
         r2: 0.0,
+        around_lamp: false,
     };
 }

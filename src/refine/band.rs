@@ -232,7 +232,7 @@ impl Refiner<'_> {
         let (right, below) = (x + square.w as usize, y + square.h as usize);
         let (middle_x, middle_y) = square.middle();
         let [a, b, c, d] = corners;
-        let limit = self.quality.side_limit(square.w.max(square.h));
+        let limit = self.quality.side_limit(square.w, square.h);
         let close = square::close_sides(simd, corners, limit);
         let points = [
             (middle_x, y, close[0].then(|| a.mean(b))),
@@ -241,14 +241,22 @@ impl Refiner<'_> {
             (right, middle_y, close[2].then(|| b.mean(d))),
             (middle_x, below, close[3].then(|| c.mean(d))),
         ];
-        // Single pixels need no corners but their own point.
-        let (count, width, height) = if square.is_last() {
-            (3, self.canvas.width, self.canvas.height)
+        // Parts beyond the picture need no corners, and single pixels none but their own point.
+        let right_part = middle_x < self.canvas.width;
+        let lower_part = middle_y < self.canvas.height;
+        let wanted = if square.is_last() {
+            [
+                right_part,
+                lower_part,
+                right_part && lower_part,
+                false,
+                false,
+            ]
         } else {
-            (5, usize::MAX, usize::MAX)
+            [true, true, true, right_part, lower_part]
         };
-        for &(x, y, mean) in &points[..count] {
-            if x < width && y < height && self.worker.points.claim(x, y) {
+        for ((x, y, mean), wanted) in points.into_iter().zip(wanted) {
+            if wanted && self.worker.points.claim(x, y) {
                 match mean {
                     Some(sample) => self.worker.points.put(x, y, sample),
                     None => self.add(simd, x, y),

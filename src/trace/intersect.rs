@@ -140,7 +140,12 @@ fn caster_blocks<S: Simd>(simd: S, caster: &Caster, l: Vec3x<S>, reach: F<S>) ->
     let way = f.dot(l);
     let across = f.add_scaled(l, -way);
     let half2 = splat(simd, caster.r2) - across.dot(across);
-    // The chord, of half length sqrt(half2) around there, has a part between the lamp and the ray's start.
+    if caster.around_lamp {
+        // The chord, of half length sqrt(half2) around there, ends between the lamp and the ray's start.
+        let left = (reach - way).max(zero);
+        return half2.simd_lt(left * left);
+    }
+    // The chord has a part between the lamp and the ray's start.
     let short = (way - reach).max(-way).max(zero);
     half2.simd_gt(short * short)
 }

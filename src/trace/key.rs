@@ -48,8 +48,10 @@ pub(crate) fn term<S: Simd>(
         return U::<S>::splat(simd, 0);
     }
     let zero = U::<S>::splat(simd, 0);
-    let with_states = paths.simd_lt(U::<S>::splat(simd, 2 << quality.state_depth));
-    let counted = paths.simd_lt(U::<S>::splat(simd, 2 << quality.key_depth));
+    let to_depth =
+        |depth: u32| paths.simd_lt(U::<S>::splat(simd, 2 << depth.min(Quality::MAX_DEPTH)));
+    let with_states = to_depth(quality.state_depth);
+    let counted = to_depth(quality.key_depth);
     let states = with_states.select(states.0, zero) << (PATH_BITS + OBJECT_BITS);
     let mut h = paths | (objects << PATH_BITS) | states;
     // Two rounds of multiply and shift (after Wellons' searched 32-bit mixers) spread every bit.

@@ -98,6 +98,9 @@ impl<S: Simd> Place<S> {
             .select(surface.centre.y, p.y);
         let mut n = (p - surface.centre).scaled(surface.inverse_radius);
         n.y += surface.upright;
+        // One Newton step back to length 1: else the error of p grows with each reflection inside of a sphere, and after
+        // four it is more than the distance that keeps a ray from the surface it starts on.
+        n = n.scaled(n.dot(n).mul_add(splat(simd, -0.5), splat(simd, 1.5)));
         let outward = rays.d.dot(n);
         // The sign that turns a normal along the ray round.
         let sign = U::<S>::splat(simd, 1 << 31);
