@@ -87,7 +87,7 @@ fn bad_input_is_named_in_one_line() {
         ("--size", "3841x10", "3840x2160"),
         ("--time", "now", "seconds"),
         ("--time", "nan", "seconds"),
-        ("--quality", "best", "exhaustive, thesis"),
+        ("--quality", "best", "exhaustive, thesis, default"),
         ("--threads", "0", "from 1"),
         ("--threads", "many", "from 1"),
         ("--scene", "field:0", "field:N"),

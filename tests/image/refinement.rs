@@ -45,6 +45,17 @@ fn the_rules_of_2008_trace_an_eighth_of_the_points_at_44_db() {
 }
 
 #[test]
+fn what_the_intro_plays_is_within_45_db_in_every_frame() {
+    for second in 0..=10 {
+        let scene = show::scene(second as f32);
+        let exhaustive = draw(isa::best(), 2, &scene, &Quality::EXHAUSTIVE, 1024, 768);
+        let played = draw(isa::best(), 2, &scene, &Quality::DEFAULT, 1024, 768);
+        let psnr = Difference::between(&exhaustive.pixels, &played.pixels).psnr;
+        assert!(psnr >= 45.0, "{psnr} dB at {second} s");
+    }
+}
+
+#[test]
 fn squares_are_filled_and_split_by_the_rules() {
     for quality in [Quality::THESIS, Quality::DEFAULT] {
         for (name, scene) in scenes() {

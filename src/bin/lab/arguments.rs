@@ -96,7 +96,7 @@ pub struct NamedQuality {
 }
 
 /// The qualities that have names.
-const QUALITIES: [NamedQuality; 2] = [
+const QUALITIES: [NamedQuality; 3] = [
     NamedQuality {
         name: "exhaustive",
         quality: Quality::EXHAUSTIVE,
@@ -104,6 +104,10 @@ const QUALITIES: [NamedQuality; 2] = [
     NamedQuality {
         name: "thesis",
         quality: Quality::THESIS,
+    },
+    NamedQuality {
+        name: "default",
+        quality: Quality::DEFAULT,
     },
 ];
 

@@ -21,8 +21,8 @@ pub struct Arguments {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1024x768")]
     size: Size,
-    /// How it is refined: exhaustive or thesis
-    #[arg(long, value_name = "NAME", default_value = "thesis")]
+    /// How it is refined: exhaustive, thesis or default
+    #[arg(long, value_name = "NAME", default_value = "default")]
     quality: NamedQuality,
     /// Threads that share the work [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = arguments::threads)]
