@@ -72,14 +72,14 @@ pub(crate) struct Caster {
 }
 
 impl Prepared {
-    /// An empty frame.
+    /// An empty frame, all zeros.
     pub const fn new() -> Self {
         Self {
             eye: Vec3::ZERO,
             raster: Raster::NONE,
             balls: [Ball::NONE; MAX_SPHERES + MAX_LIGHTS],
             groups: Groups::NONE,
-            windows: [Window::NONE; MAX_GROUPS],
+            windows: [Window::ZERO; MAX_GROUPS],
             solids: 0,
             lamps: [const { Lamp::NONE }; MAX_LIGHTS],
             lamp_count: 0,

@@ -17,8 +17,16 @@ pub(crate) struct Window {
 const MARGIN: f32 = 0.5;
 
 impl Window {
+    /// No window, all zeros.
+    pub const ZERO: Self = Self {
+        left: 0.0,
+        right: 0.0,
+        top: 0.0,
+        bottom: 0.0,
+    };
+
     /// Nothing of the picture.
-    pub const NONE: Self = Self {
+    const NONE: Self = Self {
         left: f32::INFINITY,
         right: f32::NEG_INFINITY,
         top: f32::INFINITY,

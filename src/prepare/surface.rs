@@ -7,6 +7,9 @@ use glam::Vec3;
 /// A highlight below this is not computed: 1/40 of what 8 bits can show.
 const FAINT: f32 = 1e-4;
 
+/// More than any r.v.
+const NO_HIGHLIGHT: f32 = 2.0;
+
 /// An object's surface.
 #[derive(Clone, Copy)]
 pub(crate) struct Surface {
@@ -22,7 +25,7 @@ pub(crate) struct Surface {
     pub diffuse: Vec3,
     pub ks: f32,
     pub exponent: f32,
-    /// No highlight where r.v is below this; 2 where there is none at all.
+    /// No highlight where r.v is below this.
     pub faint: f32,
     pub kr: f32,
     pub kt: f32,
@@ -34,7 +37,7 @@ pub(crate) struct Surface {
 }
 
 impl Surface {
-    /// The surface of nothing.
+    /// No surface: all zeros, so that a frame's memory need not be part of a program's file.
     pub const NONE: Self = Self {
         centre: Vec3::ZERO,
         inverse_radius: 0.0,
@@ -42,11 +45,11 @@ impl Surface {
         base: Vec3::ZERO,
         diffuse: Vec3::ZERO,
         ks: 0.0,
-        exponent: 1.0,
-        faint: 2.0,
+        exponent: 0.0,
+        faint: 0.0,
         kr: 0.0,
         kt: 0.0,
-        index: 1.0,
+        index: 0.0,
         solid: 0.0,
         casters: [0; MAX_LIGHTS],
     };
@@ -73,6 +76,7 @@ impl Surface {
     pub fn emitting(colour: Vec3) -> Self {
         Self {
             base: colour,
+            faint: NO_HIGHLIGHT,
             ..Self::NONE
         }
     }
@@ -84,7 +88,11 @@ impl Surface {
             diffuse: material.colour * material.kd,
             ks: material.ks,
             exponent: material.exponent,
-            faint: if material.ks > FAINT { faint } else { 2.0 },
+            faint: if material.ks > FAINT {
+                faint
+            } else {
+                NO_HIGHLIGHT
+            },
             kr: material.kr,
             kt: material.kt,
             index: material.index,

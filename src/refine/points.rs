@@ -74,10 +74,10 @@ impl Points {
         new
     }
 
-    /// The sample at (x, y).
+    /// The sample at (x, y); some sample where there is none.
     #[inline(always)]
     pub fn sample(&self, x: usize, y: usize) -> Sample {
-        self.0[y].samples[x]
+        self.0[y.min(ROWS - 1)].samples[x.min(ROW - 1)]
     }
 
     /// The key at (x, y).

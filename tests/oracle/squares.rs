@@ -10,6 +10,7 @@ use std::collections::HashMap;
 pub struct Squares<'a> {
     oracle: Oracle<'a>,
     traced: HashMap<(usize, usize), Traced>,
+    averaged: HashMap<(usize, usize), Traced>,
     pub picture: Vec<u32>,
 }
 
@@ -19,6 +20,7 @@ impl<'a> Squares<'a> {
         let mut squares = Self {
             oracle: Oracle::new(scene, quality, width, height),
             traced: HashMap::new(),
+            averaged: HashMap::new(),
             picture: vec![0; width * height],
         };
         for y in (0..height).step_by(quality.square) {
@@ -35,6 +37,9 @@ impl<'a> Squares<'a> {
     }
 
     fn at(&mut self, x: usize, y: usize) -> Traced {
+        if let Some(averaged) = self.averaged.get(&(x, y)) {
+            return *averaged;
+        }
         let trace = || self.oracle.trace(x as isize, y as isize);
         *self.traced.entry((x, y)).or_insert_with(trace)
     }
@@ -55,6 +60,18 @@ impl<'a> Squares<'a> {
             self.fill(x, y, side, corners);
         } else {
             let half = side / 2;
+            let [a, b, c, d] = corners;
+            for ((u, v), p, q) in [
+                ((half, 0), a, b),
+                ((0, half), a, c),
+                ((side, half), b, d),
+                ((half, side), c, d),
+            ] {
+                if spread(&[p, q, p, q]) <= self.allowed_side(side) {
+                    let colour = (shown(p) + shown(q)) / 2.0;
+                    self.averaged.insert((x + u, y + v), Traced { colour, ..p });
+                }
+            }
             for (u, v) in [(0, 0), (half, 0), (0, half), (half, half)] {
                 self.check(x + u, y + v, half);
             }
@@ -71,6 +88,16 @@ impl<'a> Squares<'a> {
             quality.spread_differing
         };
         f64::from(spread) * 8.0 / side as f64
+    }
+
+    /// The spread that the quality allows a side whose middle is averaged.
+    fn allowed_side(&self, side: usize) -> f64 {
+        let quality = self.oracle.quality;
+        if quality.spread_side > 0.0 && quality.spread_agreeing == quality.spread_differing {
+            f64::from(quality.spread_side) * 8.0 / side as f64
+        } else {
+            -1.0
+        }
     }
 
     /// Colours between those of the corners; equal ones give one colour.
