@@ -76,7 +76,7 @@ impl Quality {
     /// How far the ends of a side of a square may be apart for its middle to be averaged, as samples count; below 0
     /// where it must not be.
     pub(crate) fn side_limit(&self, w: u8, h: u8) -> f32 {
-        let has_middle = (w | h) % 2 == 0;
+        let has_middle = (w | h).is_multiple_of(2);
         if has_middle && !self.needs_keys() && self.spread_side > 0.0 {
             limit(self.spread_side, w.max(h))
         } else {
