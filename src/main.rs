@@ -1,0 +1,211 @@
+//! The intro: plays the show in a window, in a terminal, or unseen.
+
+#![no_main]
+#![deny(unsafe_code)]
+
+mod options;
+
+use core::mem::ManuallyDrop;
+
+use eightfold::{Band, MAX_HEIGHT, MAX_WIDTH, Memory, Worker, render, show};
+use eightfold_window::{
+    arguments::Arguments,
+    clock::{Clock, SECOND},
+    cpu::{self, Level},
+    fixed::Fixed,
+    line::{self, Line},
+    pool::{self, Pool},
+    screen::{Next, Screen, Unseen},
+    terminal::Terminal,
+    window::{NoWindow, Window},
+};
+use options::{MAX_THREADS, Options};
+
+/// Time between two frames in nanoseconds, unless uncapped.
+const FRAME: u64 = SECOND / 60;
+
+/// Nanoseconds of the show.
+const LENGTH: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;
+
+static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
+static WORKERS: Fixed<[Worker; MAX_THREADS]> = Fixed::new([const { Worker::new() }; MAX_THREADS]);
+
+eightfold_window::main!(run);
+
+/// The whole program. Returns its exit code.
+fn run(arguments: Arguments) -> i32 {
+    let options = match Options::read(arguments) {
+        Ok(options) => options,
+        Err(code) => return code,
+    };
+    // Not dropped: its threads end with the process.
+    let mut intro = ManuallyDrop::new(Intro {
+        level: cpu::level(),
+        pool: Pool::new(
+            options
+                .threads
+                .unwrap_or_else(pool::processors)
+                .min(MAX_THREADS),
+        ),
+        memory: MEMORY.take(),
+        workers: WORKERS.take(),
+        tally: Tally::default(),
+    });
+    let code = intro.run(&options);
+    if intro.report() || code != 0 { code } else { 1 }
+}
+
+/// What plays the show, and how it goes.
+struct Intro {
+    level: Level,
+    pool: Pool,
+    memory: &'static mut Memory,
+    workers: &'static mut [Worker; MAX_THREADS],
+    tally: Tally,
+}
+
+impl Intro {
+    /// Plays on the best screen there is. Returns the exit code.
+    fn run(&mut self, options: &Options) -> i32 {
+        let (width, height) = options.size;
+        let why = match Window::open("Eightfold", width, height) {
+            Ok(mut window) => {
+                if options.fullscreen {
+                    window.set_fullscreen(true);
+                }
+                return self.play(&mut window, options);
+            }
+            Err(NoWindow::NoLibrary) => "libX11 is not installed",
+            Err(NoWindow::NoDisplay) => "no X display",
+        };
+        let mut say = Line::new();
+        say.text("eightfold: ").text(why);
+        if line::terminal(line::OUTPUT) {
+            say.text("; playing in the terminal\n").write(line::ERROR);
+            self.play(&mut Terminal::open(), options)
+        } else {
+            say.text("; playing unseen\n").write(line::ERROR);
+            self.play(&mut Unseen::new(width, height), options)
+        }
+    }
+
+    /// Plays until the show or the viewer ends it. Returns the exit code.
+    fn play(&mut self, screen: &mut dyn Screen, options: &Options) -> i32 {
+        let clock = Clock::start();
+        let mut due = 0;
+        loop {
+            let time = clock.time();
+            if time >= options.length.unwrap_or(LENGTH) {
+                self.tally.time = time;
+                return 0;
+            }
+            self.draw(time, screen, options);
+            let next = screen.show();
+            self.tally.count(clock.time());
+            if let Next::End(code) = next {
+                return code;
+            }
+            if !options.uncapped {
+                // After a late frame the next ones don't hurry.
+                due = u64::max(due + FRAME, time);
+                clock.sleep_until(due);
+            }
+        }
+    }
+
+    /// Draws the frame of a time.
+    fn draw(&mut self, time: u64, screen: &mut dyn Screen, options: &Options) {
+        let (width, height) = fit(screen.size());
+        self.tally.size = (width, height);
+        let scene = show::scene((time % LENGTH) as f32 / SECOND as f32);
+        let threads = self.pool.threads();
+        render(
+            self.level,
+            &scene,
+            options.quality(),
+            width,
+            height,
+            self.memory,
+            &mut self.workers[..threads],
+            screen.canvas(width, height),
+            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
+                self.pool.run(workers, bands, job);
+            },
+        );
+    }
+
+    /// Says in one line on standard output how it went. False if that can't be written.
+    fn report(&self) -> bool {
+        let Tally {
+            frames,
+            time,
+            worst,
+            size,
+            ..
+        } = self.tally;
+        // In tenths, like what is written.
+        let mean = frames * 10 * SECOND / time.max(1);
+        let worst = worst.map_or(mean, |frames| frames * 10);
+        Line::new()
+            .number(frames)
+            .text(" frames in ")
+            .decimal(time / (SECOND / 100), 2)
+            .text(" s: ")
+            .decimal(mean, 1)
+            .text(" fps, worst second ")
+            .decimal(worst, 1)
+            .text(" fps, ")
+            .number(size.0 as u64)
+            .text("x")
+            .number(size.1 as u64)
+            .text(", threads ")
+            .number(self.pool.threads() as u64)
+            .text(", ")
+            .text(cpu::name(self.level))
+            .text("\n")
+            .write(line::OUTPUT)
+    }
+}
+
+/// Counts of a run.
+#[derive(Default)]
+struct Tally {
+    frames: u64,
+    /// Nanoseconds from the start to the last frame, or to the end.
+    time: u64,
+    /// Frames in the slowest second that is over.
+    worst: Option<u64>,
+    /// The second that is running, and the frames in it so far.
+    second: (u64, u64),
+    /// Width and height of the last frame.
+    size: (usize, usize),
+}
+
+impl Tally {
+    /// Counts a frame that was shown at a time.
+    fn count(&mut self, time: u64) {
+        self.frames += 1;
+        self.time = time;
+        let (second, frames) = self.second;
+        let now = time / SECOND;
+        if now == second {
+            self.second.1 += 1;
+        } else {
+            // A frame that took longer than a second leaves a second without any.
+            let frames = if now == second + 1 { frames } else { 0 };
+            self.worst = Some(self.worst.map_or(frames, |worst| worst.min(frames)));
+            self.second = (now, 1);
+        }
+    }
+}
+
+/// The size of a picture for a screen: the screen's own, or the largest of its shape.
+fn fit((width, height): (usize, usize)) -> (usize, usize) {
+    if width <= MAX_WIDTH && height <= MAX_HEIGHT {
+        (width, height)
+    } else if width * MAX_HEIGHT > height * MAX_WIDTH {
+        (MAX_WIDTH, (height * MAX_WIDTH / width).max(1))
+    } else {
+        ((width * MAX_HEIGHT / height).max(1), MAX_HEIGHT)
+    }
+}

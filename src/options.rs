@@ -1,0 +1,190 @@
+//! The intro's command line.
+
+use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality};
+use eightfold_window::{
+    arguments::Arguments,
+    clock::SECOND,
+    line::{self, Line},
+};
+
+/// The most threads that have a worker's memory waiting for them.
+pub const MAX_THREADS: usize = 64;
+
+/// What the viewer asks for.
+pub struct Options {
+    /// Width and height of the window in pixels.
+    pub size: (usize, usize),
+    /// Threads that trace, or as many as there are processors.
+    pub threads: Option<usize>,
+    /// Nanoseconds until it ends, or as long as the show is.
+    pub length: Option<u64>,
+    /// Start over the whole screen.
+    pub fullscreen: bool,
+    /// As many frames as can be, not 60 a second.
+    pub uncapped: bool,
+    /// Every pixel is traced.
+    pub exhaustive: bool,
+}
+
+/// The start of what `--help` says, which `--version` says too.
+const NAME: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"), "\n");
+
+/// The options, a line each. The command line is read by these, and errors quote them.
+const OPTIONS: &str = "\
+--size WxH    size of the window, from 1x1 to 3840x2160 (1024x768)
+--threads N   threads that trace, from 1 to 64 (one for each processor)
+--seconds S   time until the end, above 0, such as 7.5 (25.13, one orbit)
+--loop        start again instead of ending
+--fullscreen  start over the whole screen
+--uncapped    draw as many frames as can be, not 60 a second
+--exhaustive  trace every pixel
+--help        say this
+--version     say which version this is
+";
+
+// The lines of `OPTIONS`; the first three take a value.
+const SIZE: usize = 0;
+const THREADS: usize = 1;
+const SECONDS: usize = 2;
+const LOOP: usize = 3;
+const FULLSCREEN: usize = 4;
+const UNCAPPED: usize = 5;
+const HELP: usize = 7;
+const VERSION: usize = 8;
+
+/// The end of what `--help` says.
+const KEYS: &str = "keys: F whole screen, W window, Esc end\n";
+
+impl Options {
+    /// Reads the command line, and answers what only asks for an answer.
+    ///
+    /// # Errors
+    /// The exit code, if there is nothing to play: 0 when a question was answered, 1 when the answer
+    /// could not be written, 2 when an argument is wrong, which standard error says.
+    pub fn read(mut arguments: Arguments) -> Result<Options, i32> {
+        let mut options = Options {
+            size: (1024, 768),
+            threads: None,
+            length: None,
+            fullscreen: false,
+            uncapped: false,
+            exhaustive: false,
+        };
+        let mut forever = false;
+        while let Some(flag) = arguments.next() {
+            let Some((option, line)) = find(flag) else {
+                return Err(wrong(flag, b"--help says what there is"));
+            };
+            let value = if option <= SECONDS {
+                arguments.next()
+            } else {
+                None
+            };
+            let value = value.unwrap_or_default();
+            let right = match option {
+                SIZE => size(value).map(|size| options.size = size),
+                THREADS => whole(value, MAX_THREADS).map(|count| options.threads = Some(count)),
+                SECONDS => seconds(value).map(|time| options.length = Some(time)),
+                HELP => return Err(answer(&[NAME, OPTIONS, KEYS])),
+                VERSION => return Err(answer(&[NAME])),
+                _ => {
+                    let switch = match option {
+                        LOOP => &mut forever,
+                        FULLSCREEN => &mut options.fullscreen,
+                        UNCAPPED => &mut options.uncapped,
+                        _ => &mut options.exhaustive,
+                    };
+                    *switch = true;
+                    Some(())
+                }
+            };
+            if right.is_none() {
+                return Err(wrong(value, line));
+            }
+        }
+        if forever && options.length.is_none() {
+            options.length = Some(u64::MAX);
+        }
+        Ok(options)
+    }
+
+    /// How frames are drawn.
+    pub fn quality(&self) -> &'static Quality {
+        if self.exhaustive {
+            &Quality::EXHAUSTIVE
+        } else {
+            &Quality::THESIS
+        }
+    }
+}
+
+/// The line of an option: its number, and what it says.
+fn find(flag: &[u8]) -> Option<(usize, &'static [u8])> {
+    let lines = OPTIONS.as_bytes().split(|&byte| byte == b'\n');
+    lines
+        .enumerate()
+        .find(|(_, line)| line.split(|&byte| byte == b' ').next() == Some(flag))
+        .filter(|_| !flag.is_empty())
+}
+
+/// Writes to standard output, and returns the exit code.
+fn answer(texts: &[&str]) -> i32 {
+    let written = texts
+        .iter()
+        .all(|text| line::write(line::OUTPUT, text.as_bytes()));
+    i32::from(!written)
+}
+
+/// Says in one line on standard error what is wrong, and returns the exit code.
+fn wrong(given: &[u8], expected: &[u8]) -> i32 {
+    Line::new()
+        .text("eightfold: can't use '")
+        .quote(given)
+        .text("': ")
+        .quote(expected)
+        .text("\n")
+        .write(line::ERROR);
+    2
+}
+
+/// A whole number from 1 to `most`.
+fn whole(text: &[u8], most: usize) -> Option<usize> {
+    let mut number = 0;
+    for digit in text {
+        number = number * 10 + usize::from(digit.wrapping_sub(b'0'));
+        if !digit.is_ascii_digit() || number > most {
+            return None;
+        }
+    }
+    (number > 0).then_some(number)
+}
+
+/// Two whole numbers with an `x` between them, up to the largest picture.
+fn size(text: &[u8]) -> Option<(usize, usize)> {
+    let x = text.iter().position(|&byte| byte == b'x')?;
+    Some((
+        whole(&text[..x], MAX_WIDTH)?,
+        whole(&text[x + 1..], MAX_HEIGHT)?,
+    ))
+}
+
+/// Digits with at most one point among them, above 0 and up to a thousand million: nanoseconds.
+fn seconds(text: &[u8]) -> Option<u64> {
+    let mut time = 0;
+    let mut unit = SECOND;
+    let mut point = false;
+    for &byte in text {
+        match byte {
+            b'0'..=b'9' if point => {
+                unit /= 10;
+                time += u64::from(byte - b'0') * unit;
+            }
+            b'0'..=b'9' if time <= SECOND * SECOND / 10 => {
+                time = time * 10 + u64::from(byte - b'0') * SECOND;
+            }
+            b'.' if !point => point = true,
+            _ => return None,
+        }
+    }
+    (time > 0).then_some(time)
+}

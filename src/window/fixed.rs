@@ -1,0 +1,39 @@
+//! Memory of fixed size, part of the program itself.
+
+use core::{
+    cell::UnsafeCell,
+    sync::atomic::{AtomicBool, Ordering::AcqRel},
+};
+
+/// A value that lives as long as the program and is lent out once.
+///
+/// In a `static` whose bits are all zero it takes no room in the program's file, and memory only
+/// where it has been written.
+pub struct Fixed<T> {
+    taken: AtomicBool,
+    value: UnsafeCell<T>,
+}
+
+// SAFETY: only one caller ever gets to the value, from whichever thread.
+unsafe impl<T: Send> Sync for Fixed<T> {}
+
+impl<T> Fixed<T> {
+    /// Holds a value.
+    pub const fn new(value: T) -> Fixed<T> {
+        Fixed {
+            taken: AtomicBool::new(false),
+            value: UnsafeCell::new(value),
+        }
+    }
+
+    /// Lends the value out for good.
+    ///
+    /// # Panics
+    /// The second time.
+    #[allow(clippy::mut_from_ref, reason = "it happens once")]
+    pub fn take(&'static self) -> &'static mut T {
+        assert!(!self.taken.swap(true, AcqRel), "taken already");
+        // SAFETY: the flag lets one caller through, ever.
+        unsafe { &mut *self.value.get() }
+    }
+}

@@ -1,0 +1,232 @@
+//! The whole screen, and back.
+//!
+//! With a window manager that knows how (EWMH), it is asked to: it keeps panels away and the window's
+//! place. Without, the window is placed over the screen, past the window manager if there is one.
+
+use core::{
+    ffi::{CStr, c_int, c_long, c_uint, c_ulong},
+    mem::zeroed,
+    ptr::null_mut,
+};
+
+use x11_dl::xlib::{self, Xlib};
+
+/// A window's way to the whole screen and back.
+pub(crate) struct Fullscreen {
+    x: Xlib,
+    display: *mut xlib::Display,
+    window: xlib::Window,
+    root: xlib::Window,
+    /// A pointer without a picture.
+    no_pointer: xlib::Cursor,
+    /// Where the window was before it was placed over the screen without a window manager's help.
+    before: Option<Place>,
+}
+
+/// Position on the screen, and size.
+#[derive(Clone, Copy)]
+struct Place {
+    x: c_int,
+    y: c_int,
+    width: c_uint,
+    height: c_uint,
+}
+
+impl Fullscreen {
+    /// For a window on a display.
+    pub fn new(x: Xlib, display: *mut xlib::Display, window: xlib::Window) -> Fullscreen {
+        // SAFETY: display and window are open, zero is a colour, and what is pointed to outlives the
+        // calls.
+        unsafe {
+            let dot = (x.XCreateBitmapFromData)(display, window, c"".as_ptr(), 1, 1);
+            let mut colour: xlib::XColor = zeroed();
+            let colour = &raw mut colour;
+            Fullscreen {
+                x,
+                display,
+                window,
+                root: (x.XDefaultRootWindow)(display),
+                no_pointer: (x.XCreatePixmapCursor)(display, dot, dot, colour, colour, 0, 0),
+                before: None,
+            }
+        }
+    }
+
+    /// Goes to the whole screen and hides the pointer.
+    pub fn enter(&mut self) {
+        self.set_pointer(self.no_pointer);
+        if self.manager_can() {
+            self.ask_manager(true);
+        } else if self.before.is_none() {
+            let (screen, masks) = self.attributes(self.root);
+            let (mut place, _) = self.attributes(self.window);
+            // SAFETY: the windows exist, and what is pointed to outlives the call.
+            unsafe {
+                (self.x.XTranslateCoordinates)(
+                    self.display,
+                    self.window,
+                    self.root,
+                    0,
+                    0,
+                    &mut place.x,
+                    &mut place.y,
+                    &mut 0,
+                );
+            }
+            self.before = Some(place);
+            self.place(screen, masks, true);
+        }
+    }
+
+    /// Goes back to the window where it was and as it was, and shows the pointer.
+    pub fn leave(&mut self) {
+        self.set_pointer(0);
+        if let Some(place) = self.before.take() {
+            let (_, masks) = self.attributes(self.root);
+            self.place(place, masks, false);
+        } else {
+            self.ask_manager(false);
+        }
+    }
+
+    fn set_pointer(&self, pointer: xlib::Cursor) {
+        // SAFETY: the window exists, and the pointer, or 0 for the desktop's own.
+        unsafe { (self.x.XDefineCursor)(self.display, self.window, pointer) };
+    }
+
+    fn atom(&self, name: &CStr) -> xlib::Atom {
+        // SAFETY: the display is open, and the name outlives the call.
+        unsafe { (self.x.XInternAtom)(self.display, name.as_ptr(), xlib::False) }
+    }
+
+    /// A window's place in its parent, and the events that anybody listens to on it.
+    fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
+        // SAFETY: zero is a value of every field, and the window exists.
+        let attributes = unsafe {
+            let mut attributes: xlib::XWindowAttributes = zeroed();
+            (self.x.XGetWindowAttributes)(self.display, window, &mut attributes);
+            attributes
+        };
+        let place = Place {
+            x: attributes.x,
+            y: attributes.y,
+            width: attributes.width as c_uint,
+            height: attributes.height as c_uint,
+        };
+        (place, attributes.all_event_masks)
+    }
+
+    /// Whether a window manager is there that has the fullscreen state.
+    fn manager_can(&self) -> bool {
+        const ATOM: xlib::Atom = 4;
+        const MOST: c_long = 1024;
+        let wanted = self.atom(c"_NET_WM_STATE_FULLSCREEN");
+        let mut supported = null_mut();
+        let (mut kind, mut format, mut count, mut left) = (0, 0, 0, 0);
+        // SAFETY: what is pointed to outlives the call. A property of format 32 comes as longs, as
+        // many as `count` says.
+        let can = unsafe {
+            (self.x.XGetWindowProperty)(
+                self.display,
+                self.root,
+                self.atom(c"_NET_SUPPORTED"),
+                0,
+                MOST,
+                xlib::False,
+                ATOM,
+                &mut kind,
+                &mut format,
+                &mut count,
+                &mut left,
+                &mut supported,
+            );
+            let can = !supported.is_null()
+                && format == 32
+                && core::slice::from_raw_parts(supported.cast::<c_ulong>(), count as usize)
+                    .contains(&wanted);
+            if !supported.is_null() {
+                (self.x.XFree)(supported.cast());
+            }
+            can
+        };
+        can && self.managed(self.attributes(self.root).1)
+    }
+
+    /// Whether a window manager listens on the root window. Its properties may be left over.
+    fn managed(&self, root_masks: c_long) -> bool {
+        root_masks & xlib::SubstructureRedirectMask != 0
+    }
+
+    /// Asks the window manager to add or to remove the fullscreen state.
+    fn ask_manager(&self, fullscreen: bool) {
+        // SAFETY: zero is a value of every field, and the event outlives the calls.
+        unsafe {
+            let mut event: xlib::XEvent = zeroed();
+            event.client_message = xlib::XClientMessageEvent {
+                type_: xlib::ClientMessage,
+                window: self.window,
+                message_type: self.atom(c"_NET_WM_STATE"),
+                format: 32,
+                data: xlib::ClientMessageData {
+                    // Add or remove, this state, no second one; from an application.
+                    longs: [
+                        c_long::from(fullscreen),
+                        self.atom(c"_NET_WM_STATE_FULLSCREEN") as c_long,
+                        0,
+                        1,
+                        0,
+                    ],
+                },
+                ..event.client_message
+            };
+            (self.x.XSendEvent)(
+                self.display,
+                self.root,
+                xlib::False,
+                xlib::SubstructureNotifyMask | xlib::SubstructureRedirectMask,
+                &mut event,
+            );
+            (self.x.XFlush)(self.display);
+        }
+    }
+
+    /// Places the window without the window manager: over everything, or back into its hands.
+    fn place(&self, place: Place, root_masks: c_long, above: bool) {
+        // SAFETY: the window exists, zero is a value of every field, and what is pointed to outlives
+        // the calls.
+        unsafe {
+            let managed = self.managed(root_masks);
+            if managed {
+                // A window manager leaves alone what is mapped with this attribute.
+                (self.x.XUnmapWindow)(self.display, self.window);
+                let mut attributes: xlib::XSetWindowAttributes = zeroed();
+                attributes.override_redirect = c_int::from(above);
+                (self.x.XChangeWindowAttributes)(
+                    self.display,
+                    self.window,
+                    xlib::CWOverrideRedirect,
+                    &mut attributes,
+                );
+                let mut hints: xlib::XSizeHints = zeroed();
+                hints.flags = xlib::USPosition | xlib::USSize | xlib::PWinGravity;
+                (hints.x, hints.y) = (place.x, place.y);
+                (hints.width, hints.height) = (place.width as c_int, place.height as c_int);
+                hints.win_gravity = xlib::StaticGravity;
+                (self.x.XSetWMNormalHints)(self.display, self.window, &mut hints);
+            }
+            (self.x.XMoveResizeWindow)(
+                self.display,
+                self.window,
+                place.x,
+                place.y,
+                place.width,
+                place.height,
+            );
+            (self.x.XMapRaised)(self.display, self.window);
+            if above {
+                (self.x.XSetInputFocus)(self.display, self.window, xlib::RevertToPointerRoot, 0);
+            }
+            (self.x.XFlush)(self.display);
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! Lines of text, without `format!` (whose machinery is 6 KB) and without std's buffers and locks.
+
+use crate::clock::{self, SECOND};
+
+/// Standard output.
+pub const OUTPUT: i32 = libc::STDOUT_FILENO;
+/// Standard error.
+pub const ERROR: i32 = libc::STDERR_FILENO;
+
+/// Text of at most [`Line::CAPACITY`] bytes, put together piece by piece; what is beyond is cut off.
+pub struct Line {
+    bytes: [u8; Line::CAPACITY],
+    length: usize,
+}
+
+impl Line {
+    /// Bytes that a line can hold.
+    pub const CAPACITY: usize = 256;
+
+    /// An empty line.
+    #[must_use]
+    pub const fn new() -> Line {
+        Line {
+            bytes: [0; Line::CAPACITY],
+            length: 0,
+        }
+    }
+
+    /// Adds text.
+    pub fn text(&mut self, text: &str) -> &mut Line {
+        self.add(text.as_bytes())
+    }
+
+    /// Adds what somebody typed: what isn't printable ASCII becomes `?`.
+    pub fn quote(&mut self, typed: &[u8]) -> &mut Line {
+        for &byte in typed {
+            let printable = byte == b' ' || byte.is_ascii_graphic();
+            self.add(&[if printable { byte } else { b'?' }]);
+        }
+        self
+    }
+
+    /// Adds a whole number.
+    pub fn number(&mut self, number: u64) -> &mut Line {
+        self.decimal(number, 0)
+    }
+
+    /// Adds a number that counts units of `10^-digits`: `decimal(2513, 2)` adds `25.13`.
+    pub fn decimal(&mut self, mut number: u64, digits: usize) -> &mut Line {
+        let mut text = [0; 24];
+        let mut start = text.len();
+        let mut written = 0;
+        while number > 0 || written <= digits {
+            if written == digits && digits > 0 {
+                start -= 1;
+                text[start] = b'.';
+            }
+            start -= 1;
+            text[start] = b'0' + (number % 10) as u8;
+            number /= 10;
+            written += 1;
+        }
+        self.add(&text[start..])
+    }
+
+    /// The bytes so far.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes[..self.length]
+    }
+
+    /// Writes the line to a file descriptor, as [`write`] does.
+    pub fn write(&self, file: i32) -> bool {
+        write(file, self.bytes())
+    }
+
+    fn add(&mut self, bytes: &[u8]) -> &mut Line {
+        for &byte in bytes {
+            if let Some(end) = self.bytes.get_mut(self.length) {
+                *end = byte;
+                self.length += 1;
+            }
+        }
+        self
+    }
+}
+
+impl Default for Line {
+    fn default() -> Line {
+        Line::new()
+    }
+}
+
+/// Whether a file descriptor is a terminal.
+#[must_use]
+pub fn terminal(file: i32) -> bool {
+    crate::terminal::mode(file).is_some()
+}
+
+/// Writes everything to a file descriptor, waiting while it is full. False if that fails, or if a
+/// signal that ends the program arrives meanwhile.
+pub fn write(file: i32, mut bytes: &[u8]) -> bool {
+    while !bytes.is_empty() {
+        // SAFETY: the pointer and the length are those of a slice.
+        let written = unsafe { libc::write(file, bytes.as_ptr().cast(), bytes.len()) };
+        if written > 0 {
+            bytes = &bytes[written as usize..];
+            continue;
+        }
+        // SAFETY: errno is this thread's own.
+        match unsafe { *libc::__errno_location() } {
+            libc::EINTR | libc::EAGAIN if crate::terminal::signal() == 0 => {
+                clock::sleep(SECOND / 1000);
+            }
+            _ => return false,
+        }
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Line;
+
+    #[test]
+    fn numbers_have_the_digits_asked_for() {
+        let text = |number, digits| {
+            let mut line = Line::new();
+            line.decimal(number, digits);
+            String::from_utf8(line.bytes().to_vec()).unwrap()
+        };
+        assert_eq!(text(0, 0), "0");
+        assert_eq!(text(7, 0), "7");
+        assert_eq!(text(1230, 0), "1230");
+        assert_eq!(text(0, 2), "0.00");
+        assert_eq!(text(7, 2), "0.07");
+        assert_eq!(text(123, 2), "1.23");
+        assert_eq!(text(2513, 2), "25.13");
+        assert_eq!(text(u64::MAX, 1), "1844674407370955161.5");
+    }
+
+    #[test]
+    fn what_does_not_fit_is_cut_off() {
+        let mut line = Line::new();
+        line.text(&"x".repeat(300)).text("y").number(1);
+        assert_eq!(line.bytes(), "x".repeat(Line::CAPACITY).as_bytes());
+    }
+
+    #[test]
+    fn what_was_typed_can_not_steer_a_terminal() {
+        let mut line = Line::new();
+        line.quote(b"a b\x1b[2J\xff\n");
+        assert_eq!(line.bytes(), b"a b?[2J??");
+    }
+}

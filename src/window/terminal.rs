@@ -1,0 +1,308 @@
+//! The terminal as a screen: two pixels in each cell, above each other, in 24-bit colour.
+
+use core::{
+    cell::UnsafeCell,
+    ffi::c_int,
+    mem::{MaybeUninit, zeroed},
+    sync::atomic::{
+        AtomicBool, AtomicI32,
+        Ordering::{AcqRel, Acquire, Relaxed, Release},
+    },
+};
+
+use crate::{
+    line,
+    screen::{MOST_PIXELS, Next, Screen, pixels},
+};
+
+/// The upper half of a cell in the foreground's colour; the lower half shows the background's.
+const UPPER_HALF: &[u8] = "\u{2580}".as_bytes();
+
+/// Takes the alternate screen, hides the cursor, and does not wrap at the right edge.
+const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
+
+/// Undoes [`ENTER`], and the colours.
+const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
+
+/// Bytes that are collected before they are written.
+const CHUNK: usize = 1 << 13;
+
+/// Room for what is added between two looks at how many they are: a place, two colours and a block.
+const MORE: usize = 64;
+
+/// The terminal on standard output. Esc and Ctrl-C end the show.
+///
+/// It is given back as it was when this is dropped, when the process aborts, and after the signals
+/// that ask a process to end.
+pub struct Terminal {
+    escape: Escape,
+    text: [u8; CHUNK + MORE],
+    length: usize,
+    pixels: Box<[u32]>,
+    size: (usize, usize),
+    shown: (usize, usize),
+}
+
+impl Terminal {
+    /// Takes over the terminal; standard output has to be [one](line::terminal).
+    #[must_use]
+    pub fn open() -> Terminal {
+        SAVED.take_over();
+        Terminal {
+            escape: Escape::default(),
+            text: [0; CHUNK + MORE],
+            length: 0,
+            pixels: pixels(MOST_PIXELS),
+            size: (0, 0),
+            shown: (0, 0),
+        }
+    }
+
+    fn add(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.text[self.length] = byte;
+            self.length += 1;
+        }
+    }
+
+    /// Adds `\x1b[`, numbers with `;` between them, and a last byte.
+    fn sequence(&mut self, numbers: &[u32], last: u8) {
+        self.add(b"\x1b");
+        let mut before = b'[';
+        for &number in numbers {
+            self.add(&[before]);
+            before = b';';
+            for unit in [1000, 100, 10, 1] {
+                if number >= unit || unit == 1 {
+                    self.add(&[b'0' + (number / unit % 10) as u8]);
+                }
+            }
+        }
+        self.add(&[last]);
+    }
+
+    /// Writes what has been added, once it is as much as that. False if the terminal does not take it.
+    fn flush(&mut self, least: usize) -> bool {
+        if self.length < least {
+            return true;
+        }
+        let text = &self.text[..self.length];
+        self.length = 0;
+        line::write(line::OUTPUT, text)
+    }
+
+    /// Writes the picture. False if the terminal does not take it.
+    fn draw(&mut self) -> bool {
+        let (width, height) = self.size;
+        for row in 0..height / 2 {
+            // A colour that no pixel has: each row sets its own.
+            let mut colours = [u32::MAX; 2];
+            self.sequence(&[row as u32 + 1, 1], b'H');
+            for x in 0..width {
+                for (half, ground) in [(0, 38), (1, 48)] {
+                    let colour = self.pixels[(2 * row + half) * width + x];
+                    if colours[half] != colour {
+                        colours[half] = colour;
+                        let [_, red, green, blue] = colour.to_be_bytes().map(u32::from);
+                        self.sequence(&[ground, 2, red, green, blue], b'm');
+                    }
+                }
+                self.add(UPPER_HALF);
+                if !self.flush(CHUNK) {
+                    return false;
+                }
+            }
+        }
+        self.flush(0)
+    }
+}
+
+impl Screen for Terminal {
+    fn size(&self) -> (usize, usize) {
+        // SAFETY: zero is a value of every field, and `size` is what this request writes to.
+        let size = unsafe {
+            let mut size: libc::winsize = zeroed();
+            libc::ioctl(line::OUTPUT, libc::TIOCGWINSZ, &mut size);
+            size
+        };
+        // Some say nothing of their size.
+        let or = |size: u16, usual| if size == 0 { usual } else { usize::from(size) };
+        (or(size.ws_col, 80), 2 * or(size.ws_row, 24))
+    }
+
+    fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
+        self.size = (width, height);
+        &mut self.pixels[..width * height]
+    }
+
+    fn show(&mut self) -> Next {
+        if self.shown != self.size {
+            self.shown = self.size;
+            self.add(b"\x1b[0m\x1b[2J");
+        }
+        let shown = self.draw();
+        match signal() {
+            0 if !shown => Next::End(1),
+            0 if self.escape.read(SAVED.keyboard.load(Relaxed)) => Next::End(0),
+            0 => Next::GoOn,
+            signal => Next::End(128 + signal),
+        }
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        restore();
+    }
+}
+
+/// Tells Esc and Ctrl-C from other keys, of which many send sequences that begin like Esc.
+#[derive(Default)]
+struct Escape {
+    /// An Esc was the last that came. What it is shows when something follows, or nothing.
+    open: bool,
+}
+
+impl Escape {
+    /// Reads what was typed. True if it means the end.
+    fn read(&mut self, keyboard: c_int) -> bool {
+        let mut typed = [0; 64];
+        // SAFETY: it is as long as it says. In this mode, reading doesn't wait.
+        let count = unsafe { libc::read(keyboard, typed.as_mut_ptr().cast(), typed.len()) };
+        self.ends(&typed[..count.max(0) as usize])
+    }
+
+    /// Whether what was typed since the last call means the end.
+    fn ends(&mut self, typed: &[u8]) -> bool {
+        const ESCAPE: u8 = 0x1b;
+        const CONTROL_C: u8 = 0x03;
+        if typed.is_empty() {
+            return core::mem::take(&mut self.open);
+        }
+        for &byte in typed {
+            let follows = core::mem::replace(&mut self.open, byte == ESCAPE);
+            if byte == CONTROL_C || follows && !matches!(byte, b'[' | b'O') {
+                return true;
+            }
+        }
+        false
+    }
+}
+
+/// What has to be put back when the show ends.
+struct Saved {
+    active: AtomicBool,
+    /// The terminal that keys are read from, or -1.
+    keyboard: AtomicI32,
+    mode: UnsafeCell<MaybeUninit<libc::termios>>,
+}
+
+// SAFETY: `mode` is written before `active` is set, and only read while it is.
+unsafe impl Sync for Saved {}
+
+static SAVED: Saved = Saved {
+    active: AtomicBool::new(false),
+    keyboard: AtomicI32::new(-1),
+    mode: UnsafeCell::new(MaybeUninit::uninit()),
+};
+
+/// The last signal that asked the process to end.
+static SIGNAL: AtomicI32 = AtomicI32::new(0);
+
+/// The signal that asked a process with a [`Terminal`] to end, or 0.
+pub(crate) fn signal() -> c_int {
+    SIGNAL.load(Relaxed)
+}
+
+extern "C" fn note(signal: c_int) {
+    SIGNAL.store(signal, Relaxed);
+}
+
+/// Sets what is done on a signal: a function that does no more than it may there, or `SIG_IGN`.
+///
+/// # Safety
+/// The action has to be one or the other.
+pub(crate) unsafe fn on_signal(signal: c_int, action: libc::sighandler_t) {
+    // SAFETY: zero is a value of every field. Without SA_RESTART, a write that waits returns.
+    unsafe {
+        let mut change: libc::sigaction = zeroed();
+        change.sa_sigaction = action;
+        libc::sigaction(signal, &change, core::ptr::null_mut());
+    }
+}
+
+/// A terminal's mode, if it is a terminal.
+pub(crate) fn mode(file: c_int) -> Option<libc::termios> {
+    // SAFETY: zero is a value of every field, and the mode outlives the call.
+    unsafe {
+        let mut mode = zeroed();
+        (libc::tcgetattr(file, &mut mode) == 0).then_some(mode)
+    }
+}
+
+impl Saved {
+    fn take_over(&self) {
+        // SAFETY: zero is a value of every field of the structures, which outlive the calls; `note`
+        // does only what a signal's function may. `mode` is written while `active` isn't set.
+        unsafe {
+            for signal in [libc::SIGHUP, libc::SIGINT, libc::SIGQUIT, libc::SIGTERM] {
+                on_signal(signal, note as extern "C" fn(c_int) as libc::sighandler_t);
+            }
+            let mut keyboard = libc::STDIN_FILENO;
+            if !line::terminal(keyboard) {
+                keyboard = libc::open(c"/dev/tty".as_ptr(), libc::O_RDONLY | libc::O_CLOEXEC);
+            }
+            if let Some(mut mode) = mode(keyboard) {
+                (*self.mode.get()).write(mode);
+                self.keyboard.store(keyboard, Relaxed);
+                // Keys at once and unseen, Ctrl-C among them; reading does not wait.
+                mode.c_lflag &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
+                mode.c_iflag &= !libc::IXON;
+                mode.c_cc[libc::VMIN] = 0;
+                mode.c_cc[libc::VTIME] = 0;
+                libc::tcsetattr(keyboard, libc::TCSAFLUSH, &mode);
+            }
+            self.active.store(true, Release);
+            line::write(line::OUTPUT, ENTER);
+        }
+    }
+}
+
+/// Gives the terminal back as it was, if it was taken. A signal's function may call it.
+pub(crate) fn restore() {
+    if SAVED.active.swap(false, AcqRel) {
+        line::write(line::OUTPUT, LEAVE);
+        let keyboard = SAVED.keyboard.load(Acquire);
+        if keyboard >= 0 {
+            // SAFETY: there is a keyboard only once `mode` has been written.
+            unsafe { libc::tcsetattr(keyboard, libc::TCSAFLUSH, (*SAVED.mode.get()).as_ptr()) };
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Escape;
+
+    #[test]
+    fn escape_ends_and_sequences_do_not() {
+        let ends = |reads: &[&[u8]]| {
+            let mut escape = Escape::default();
+            reads.iter().any(|typed| escape.ends(typed))
+        };
+        assert!(ends(&[b"\x1b", b""]), "Esc, and nothing after it");
+        assert!(ends(&[b"\x1b\x1b"]), "Esc twice");
+        assert!(ends(&[b"\x1bx"]), "Esc and a letter");
+        assert!(ends(&[b"ab\x03"]), "Ctrl-C");
+        assert!(ends(&[b"\x1b[A\x1b", b""]), "an arrow, and Esc");
+        assert!(!ends(&[b"", b"fw", b""]), "letters");
+        assert!(
+            !ends(&[b"\x1b[A\x1bOP", b""]),
+            "an arrow and a function key"
+        );
+        assert!(
+            !ends(&[b"\x1b", b"[A", b""]),
+            "an arrow that comes in two parts"
+        );
+    }
+}

@@ -1,0 +1,40 @@
+//! A stand-in for the `x11-dl` crate, through `[patch.crates-io]`.
+//!
+//! The original looks up 830 functions of Xlib and Xcursor by name and carries code and an error
+//! path for each, which is 98 KB of an intro that may have 64. This one has the names and types that
+//! `minifb` 0.29 and `eightfold-window` use, with the values of Xlib's own headers:
+//!
+//! - [`xlib`]: what a window needs, and the functions, looked up by one loop over a block of names.
+//! - [`xcursor`]: answers without a library; the intro's pointer is the desktop's own, or none.
+//! - [`keysym`]: the keys that `minifb` tells apart.
+//!
+//! Names and signatures are those of the original, so its documentation, and Xlib's, hold here.
+
+#![no_std]
+#![allow(non_camel_case_types, non_snake_case, non_upper_case_globals)]
+#![allow(
+    missing_docs,
+    clippy::missing_safety_doc,
+    reason = "Xlib's own names, documented there"
+)]
+
+mod functions;
+pub mod keysym;
+mod types;
+pub mod xcursor;
+
+/// Types, constants and functions of libX11.
+pub mod xlib {
+    pub use crate::functions::{Loaded, Xlib};
+    pub use crate::types::*;
+}
+
+/// Pictures in memory that the server shares, in libXext.
+pub mod xshm {
+    pub use crate::functions::Xext;
+    pub use crate::types::XShmSegmentInfo;
+}
+
+/// Why no function can be called: libX11 is not there, or lacks one of them.
+#[derive(Debug)]
+pub struct OpenError;
