@@ -1,0 +1,246 @@
+//! The diet: how the intro gets under 64 KiB on stable Rust.
+
+use std::{
+    collections::HashSet,
+    env,
+    error::Error,
+    fmt::Write as _,
+    fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use object::{Object, ObjectSymbol, SymbolKind, read::archive::ArchiveFile};
+
+/// The crates of the sysroot that functions are redirected in.
+const CRATES: [&str; 3] = ["core", "alloc", "std"];
+
+/// What is called instead of functions of std, and those functions: parts of paths, each of which has
+/// to be there.
+const INSTEAD: [(&str, &[&str]); 9] = [
+    // All ways to a panic.
+    (
+        "eightfold_abort",
+        &[
+            "_Unwind_Resume",
+            "__rustc::rust_begin_unwind",
+            "alloc::alloc::handle_alloc_error",
+            "alloc::raw_vec::capacity_overflow",
+            "alloc::raw_vec::handle_error",
+            "core::option::expect_failed",
+            "core::option::unwrap_failed",
+            "core::panicking",
+            "core::result::unwrap_failed",
+            "core::slice::copy_from_slice_impl::len_mismatch_fail",
+            "core::slice::index::slice_index_fail",
+            "core::str::slice_error_fail",
+            "rust_eh_personality",
+            "std::alloc::rust_oom",
+            "std::panicking::panic_with_hook",
+        ],
+    ),
+    // Formatting, printing, and a sleep that `minifb` has been told not to take.
+    (
+        "eightfold_ignore",
+        &[
+            "Debug::fmt",
+            "Display::fmt",
+            "std::io::stdio::_print",
+            "std::thread::functions::sleep",
+        ],
+    ),
+    ("eightfold_format", &["alloc::fmt::format::format_inner"]),
+    // What `minifb` does for what nobody asks it. (In mangled names, `Re` is `::<&str>`.)
+    ("eightfold_c_string", &["7CString3newRe"]),
+    ("eightfold_no_text", &["CStr::from_bytes_with_nul"]),
+    ("eightfold_to_str", &["CStr::to_str"]),
+    ("eightfold_now", &["Instant::now"]),
+    ("eightfold_elapsed", &["Instant::elapsed"]),
+    ("eightfold_since", &["Instant::duration_since"]),
+];
+
+/// The start of the program: what `crt1.o` does, without the other start files, which are for C++ and
+/// for profiles.
+const START: &str = "
+.section .text._start, \"ax\"
+.globl _start
+_start:
+    xor %ebp, %ebp
+    mov %rdx, %r9
+    pop %rsi
+    mov %rsp, %rdx
+    and $-16, %rsp
+    push %rax
+    push %rsp
+    xor %r8d, %r8d
+    xor %ecx, %ecx
+    mov $main, %edi
+    call *__libc_start_main@GOTPCREL(%rip)
+";
+
+/// How the linker lays out the program: few sections, without what only unwinding and debuggers read.
+const SECTIONS: &str = "
+SECTIONS {
+    . = 0x400000 + SIZEOF_HEADERS;
+    .rodata : { *(.rodata .rodata.*) }
+    .text : { *(.text .text.*) }
+    . = ALIGN(CONSTANT(COMMONPAGESIZE)) + (. & (CONSTANT(COMMONPAGESIZE) - 1));
+    .init_array : { KEEP(*(.init_array .init_array.*)) }
+    .data : { *(.data .data.*) }
+    .bss : { *(.bss .bss.* COMMON) }
+    /DISCARD/ : {
+        *(.comment .note .note.* .eh_frame .eh_frame_hdr .gcc_except_table .gcc_except_table.*)
+    }
+}
+";
+
+fn main() {
+    println!("cargo::rustc-check-cfg=cfg(diet)");
+    println!("cargo::rerun-if-changed=build.rs");
+    if let Some(reason) = no_diet() {
+        println!("cargo::warning=the intro is not put on its diet: {reason}");
+        return;
+    }
+    if let Err(error) = diet() {
+        println!("cargo::error=the intro's diet: {error}");
+        std::process::exit(1);
+    }
+}
+
+/// Why this build has to do without.
+fn no_diet() -> Option<&'static str> {
+    let is = |name, value| env::var(name).is_ok_and(|is| is == value);
+    if !is("TARGET", "x86_64-unknown-linux-gnu") {
+        return Some("it is made for x86_64-unknown-linux-gnu");
+    }
+    if !is("PROFILE", "release") {
+        return Some("it needs --release");
+    }
+    let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
+    if env::var_os("RUSTC_LINKER").is_some()
+        || ["linker", "fuse-ld"]
+            .iter()
+            .any(|word| flags.contains(word))
+    {
+        return Some("it is made for rustc's own linker, rust-lld");
+    }
+    None
+}
+
+fn diet() -> Result<(), Box<dyn Error>> {
+    let directory = PathBuf::from(env::var("OUT_DIR")?);
+    fs::write(
+        directory.join("diet.s"),
+        redirections(&symbols(&libraries()?)?)?,
+    )?;
+    let script = directory.join("diet.ld");
+    fs::write(&script, SECTIONS)?;
+    for argument in [
+        "-no-pie",
+        "-nostartfiles",
+        &format!("-Wl,-T,{}", script.display()),
+        // Functions that are redirected have two definitions; the first counts.
+        "-Wl,-z,muldefs",
+        "-Wl,-z,noseparate-code",
+        "-Wl,-z,norelro",
+        "-Wl,--build-id=none",
+        "-Wl,--hash-style=gnu",
+        "-Wl,--no-rosegment",
+        "-Wl,--icf=all",
+    ] {
+        println!("cargo::rustc-link-arg-bin=eightfold={argument}");
+    }
+    println!("cargo::rustc-cfg=diet");
+    Ok(())
+}
+
+/// Assembly that defines functions of std anew, for `main!` to include.
+fn redirections(symbols: &[String]) -> Result<String, Box<dyn Error>> {
+    let mut assembly = String::from(START);
+    let mut done = HashSet::new();
+    for (target, paths) in INSTEAD {
+        writeln!(assembly, ".section .text.{target}_instead, \"ax\"")?;
+        for path in paths {
+            let part = mangled(path);
+            let mut found = false;
+            for symbol in symbols {
+                let named = *symbol == part
+                    || part.starts_with(|c: char| c.is_ascii_digit()) && symbol.contains(&part);
+                found |= named;
+                if named && done.insert(symbol) {
+                    writeln!(assembly, ".globl {symbol}\n{symbol}:")?;
+                }
+            }
+            if !found {
+                return Err(format!("std has no {path}; the diet is for rustc 1.95").into());
+            }
+        }
+        writeln!(assembly, "jmp {target}")?;
+    }
+    Ok(assembly)
+}
+
+/// The archives of [`CRATES`] that programs are linked with.
+fn libraries() -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
+    let output = Command::new(rustc).args(["--print", "sysroot"]).output()?;
+    let directory = Path::new(String::from_utf8(output.stdout)?.trim())
+        .join("lib/rustlib")
+        .join(env::var("TARGET")?)
+        .join("lib");
+    let files: Vec<PathBuf> = fs::read_dir(&directory)?
+        .map(|entry| Ok(entry?.path()))
+        .collect::<Result<_, std::io::Error>>()?;
+    CRATES
+        .iter()
+        .map(|name| {
+            let start = format!("lib{name}-");
+            files
+                .iter()
+                .find(|file| {
+                    let name = file.file_name().unwrap_or_default().to_string_lossy();
+                    name.starts_with(&start) && name.ends_with(".rlib")
+                })
+                .cloned()
+                .ok_or_else(|| format!("no {start}*.rlib in {}", directory.display()).into())
+        })
+        .collect()
+}
+
+/// Names of the global functions in archives.
+fn symbols(libraries: &[PathBuf]) -> Result<Vec<String>, Box<dyn Error>> {
+    let mut names = Vec::new();
+    for library in libraries {
+        let data = fs::read(library)?;
+        for member in ArchiveFile::parse(&*data)?.members() {
+            let member = member?;
+            if !member.name().ends_with(b".o") {
+                continue;
+            }
+            let object = object::File::parse(member.data(&*data)?)?;
+            names.extend(
+                object
+                    .symbols()
+                    .filter(|symbol| {
+                        symbol.is_global()
+                            && (symbol.kind() == SymbolKind::Text || symbol.is_undefined())
+                    })
+                    .filter_map(|symbol| symbol.name().ok().map(String::from)),
+            );
+        }
+    }
+    Ok(names)
+}
+
+/// A path as it is found in mangled names: `std::io::_print` is `3std2io7__print`. A name without a path
+/// isn't mangled.
+fn mangled(path: &str) -> String {
+    if !path.contains("::") {
+        return path.into();
+    }
+    let word = |word: &str| {
+        let separator = if word.starts_with('_') { "_" } else { "" };
+        format!("{}{separator}{word}", word.len())
+    };
+    path.split("::").map(word).collect()
+}
