@@ -24,7 +24,7 @@ pub(crate) struct Fullscreen {
 }
 
 /// Position on the screen, and size.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 struct Place {
     x: c_int,
     y: c_int,
@@ -58,23 +58,19 @@ impl Fullscreen {
         if self.manager_can() {
             self.ask_manager(true);
         } else if self.before.is_none() {
-            let (screen, masks) = self.attributes(self.root);
-            let (mut place, _) = self.attributes(self.window);
-            // SAFETY: the windows exist, and what is pointed to outlives the call.
-            unsafe {
-                (self.x.XTranslateCoordinates)(
-                    self.display,
-                    self.window,
-                    self.root,
-                    0,
-                    0,
-                    &mut place.x,
-                    &mut place.y,
-                    &mut 0,
-                );
+            self.before = Some(self.place());
+            self.put(self.attributes(self.root).0, true);
+        }
+    }
+
+    /// Keeps the window over the whole screen where no window manager does. One that has just let go of
+    /// it puts it where it thinks best, and the screen's size can change.
+    pub fn keep(&self) {
+        if self.before.is_some() {
+            let screen = self.attributes(self.root).0;
+            if self.place() != screen {
+                self.move_to(screen);
             }
-            self.before = Some(place);
-            self.place(screen, masks, true);
         }
     }
 
@@ -82,8 +78,7 @@ impl Fullscreen {
     pub fn leave(&mut self) {
         self.set_pointer(0);
         if let Some(place) = self.before.take() {
-            let (_, masks) = self.attributes(self.root);
-            self.place(place, masks, false);
+            self.put(place, false);
         } else {
             self.ask_manager(false);
         }
@@ -97,6 +92,26 @@ impl Fullscreen {
     fn atom(&self, name: &CStr) -> xlib::Atom {
         // SAFETY: the display is open, and the name outlives the call.
         unsafe { (self.x.XInternAtom)(self.display, name.as_ptr(), xlib::False) }
+    }
+
+    /// The window's place on the screen.
+    fn place(&self) -> Place {
+        let (mut place, _) = self.attributes(self.window);
+        // SAFETY: the windows exist, and what is pointed to outlives the call.
+        unsafe {
+            let (x, y) = (&mut place.x, &mut place.y);
+            (self.x.XTranslateCoordinates)(
+                self.display,
+                self.window,
+                self.root,
+                0,
+                0,
+                x,
+                y,
+                &mut 0,
+            );
+        }
+        place
     }
 
     /// A window's place in its parent, and the events that anybody listens to on it.
@@ -149,12 +164,12 @@ impl Fullscreen {
             }
             can
         };
-        can && self.managed(self.attributes(self.root).1)
+        can && self.managed()
     }
 
     /// Whether a window manager listens on the root window. Its properties may be left over.
-    fn managed(&self, root_masks: c_long) -> bool {
-        root_masks & xlib::SubstructureRedirectMask != 0
+    fn managed(&self) -> bool {
+        self.attributes(self.root).1 & xlib::SubstructureRedirectMask != 0
     }
 
     /// Asks the window manager to add or to remove the fullscreen state.
@@ -190,13 +205,23 @@ impl Fullscreen {
         }
     }
 
-    /// Places the window without the window manager: over everything, or back into its hands.
-    fn place(&self, place: Place, root_masks: c_long, above: bool) {
+    fn move_to(&self, place: Place) {
+        let Place {
+            x,
+            y,
+            width,
+            height,
+        } = place;
+        // SAFETY: the window exists.
+        unsafe { (self.x.XMoveResizeWindow)(self.display, self.window, x, y, width, height) };
+    }
+
+    /// Puts the window somewhere without the window manager: over everything, or back into its hands.
+    fn put(&self, place: Place, above: bool) {
         // SAFETY: the window exists, zero is a value of every field, and what is pointed to outlives
         // the calls.
         unsafe {
-            let managed = self.managed(root_masks);
-            if managed {
+            if self.managed() {
                 // A window manager leaves alone what is mapped with this attribute.
                 (self.x.XUnmapWindow)(self.display, self.window);
                 let mut attributes: xlib::XSetWindowAttributes = zeroed();
@@ -214,14 +239,7 @@ impl Fullscreen {
                 hints.win_gravity = xlib::StaticGravity;
                 (self.x.XSetWMNormalHints)(self.display, self.window, &mut hints);
             }
-            (self.x.XMoveResizeWindow)(
-                self.display,
-                self.window,
-                place.x,
-                place.y,
-                place.width,
-                place.height,
-            );
+            self.move_to(place);
             (self.x.XMapRaised)(self.display, self.window);
             if above {
                 (self.x.XSetInputFocus)(self.display, self.window, xlib::RevertToPointerRoot, 0);

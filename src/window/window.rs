@@ -98,6 +98,7 @@ impl Screen for Window {
     fn show(&mut self) -> Next {
         self.blit.show(self.window.get_size());
         self.window.update();
+        self.fullscreen.keep();
         let wishes = self.keyboard.take();
         if wishes.end || !self.window.is_open() || CLOSED.load(Relaxed) {
             return Next::End(0);
