@@ -7,7 +7,7 @@ use crate::scene::Scene;
 use crate::trace::Counts;
 use crate::worker::Worker;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
-use fearless_simd::{Level, Simd};
+use fearless_simd::Level;
 
 /// Bands of the tallest picture: the smallest band has 9 rows (squares of 9).
 const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(9);
@@ -72,7 +72,7 @@ pub fn render(
     let count = height.div_ceil(rows);
 
     let job = |worker: &mut Worker, band: &mut Band<'_>| {
-        render_band(level, prepared, quality, worker, band);
+        refine::render(level, prepared, quality, worker, band);
     };
     // Bands of even number trace the borders around them; those between find them traced.
     for odd in [0, 1] {
@@ -103,39 +103,4 @@ pub fn render(
         counts += worker.take_counts();
     }
     counts
-}
-
-/// Renders a band by the given instruction set.
-fn render_band(
-    level: Level,
-    scene: &Prepared,
-    quality: &Quality,
-    worker: &mut Worker,
-    band: &mut Band<'_>,
-) {
-    #[inline(always)]
-    fn by<S: Simd>(
-        simd: S,
-        scene: &Prepared,
-        quality: &Quality,
-        worker: &mut Worker,
-        band: &mut Band<'_>,
-    ) {
-        simd.vectorize(
-            #[inline(always)]
-            || refine::render(simd, scene, quality, worker, band),
-        );
-    }
-    #[cfg(target_arch = "x86_64")]
-    match level {
-        Level::Avx512(simd) => by(simd, scene, quality, worker, band),
-        Level::Avx2(simd) => by(simd, scene, quality, worker, band),
-        _ => {
-            if let Some(simd) = level.as_sse2() {
-                by(simd, scene, quality, worker, band);
-            }
-        }
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    fearless_simd::dispatch!(level, simd => by(simd, scene, quality, worker, band));
 }

@@ -8,6 +8,7 @@ use crate::prepare::{GroupSet, Prepared};
 use crate::quality::Quality;
 use crate::trace::{BATCH, trace};
 use crate::worker::Worker;
+use fearless_simd::Level;
 
 /// Rows of a band, unless its squares are larger: enough for full lanes, few enough to share a picture evenly.
 const ROWS: usize = 16;
@@ -43,10 +44,25 @@ impl Band<'_> {
     }
 }
 
-/// Renders a band.
-#[inline(always)]
-pub(crate) fn render<S: Simd>(
+/// Renders a band: refines in the lanes that every CPU has, traces by the given instruction set.
+pub(crate) fn render(
+    level: Level,
+    scene: &Prepared,
+    quality: &Quality,
+    worker: &mut Worker,
+    band: &mut Band<'_>,
+) {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(simd) = level.as_sse2() {
+        render_by(simd, level, scene, quality, worker, band);
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    fearless_simd::dispatch!(level, simd => render_by(simd, level, scene, quality, worker, band));
+}
+
+fn render_by<S: Simd>(
     simd: S,
+    level: Level,
     scene: &Prepared,
     quality: &Quality,
     worker: &mut Worker,
@@ -72,6 +88,8 @@ pub(crate) fn render<S: Simd>(
             .copy(&band.borders[1], columns, keys);
     }
     let mut refiner = Refiner {
+        simd,
+        level,
         scene,
         quality,
         top: band.top,
@@ -82,12 +100,12 @@ pub(crate) fn render<S: Simd>(
         canvas,
     };
     if quality.square == 1 {
-        refiner.every_pixel(simd);
+        refiner.every_pixel();
         return;
     }
     let stretch = STRETCH / quality.square * quality.square;
     for start in (0..band.width).step_by(stretch) {
-        refiner.stretch(simd, start, (start + stretch).min(columns - 1));
+        refiner.stretch(start, (start + stretch).min(columns - 1));
     }
     if !band.above_done {
         band.borders[0].copy(worker.points.row(0), columns, keys);
@@ -96,7 +114,11 @@ pub(crate) fn render<S: Simd>(
 }
 
 /// A band at work.
-struct Refiner<'a> {
+struct Refiner<'a, S: Simd> {
+    /// The lanes that squares are looked at in.
+    simd: S,
+    /// The instruction set that rays are traced by.
+    level: Level,
     scene: &'a Prepared,
     quality: &'a Quality,
     top: usize,
@@ -109,10 +131,10 @@ struct Refiner<'a> {
     canvas: Canvas<'a>,
 }
 
-impl Refiner<'_> {
+impl<S: Simd> Refiner<'_, S> {
     /// Traces every pixel, a stretch at a time.
     #[inline(always)]
-    fn every_pixel<S: Simd>(&mut self, simd: S) {
+    fn every_pixel(&mut self) {
         let stretch = BATCH / ROWS;
         let (width, height) = (self.canvas.width, self.canvas.height);
         for start in (0..width).step_by(stretch) {
@@ -126,7 +148,7 @@ impl Refiner<'_> {
                     batch.push(x, self.top + y);
                 }
             }
-            trace(simd, self.scene, self.quality, self.seen, batch);
+            trace(self.level, self.scene, self.quality, self.seen, batch);
             for (y, run) in batch.pixels().chunks(count).enumerate() {
                 self.canvas.row(start, y, count).copy_from_slice(run);
             }
@@ -136,7 +158,7 @@ impl Refiner<'_> {
 
     /// Draws the columns from `start` to `end`, whole squares.
     #[inline(always)]
-    fn stretch<S: Simd>(&mut self, simd: S, start: usize, end: usize) {
+    fn stretch(&mut self, start: usize, end: usize) {
         let square = self.quality.square;
         let rows = self.canvas.height.next_multiple_of(square);
         self.seen = self.scene.seen(start, self.top, end, self.top + rows);
@@ -149,7 +171,7 @@ impl Refiner<'_> {
                 start + square * usize::from(start > 0)
             };
             for x in (first..=end).step_by(square) {
-                self.add(simd, x, y);
+                self.add(x, y);
             }
         }
         // The first squares are the parts of squares twice as large.
@@ -168,7 +190,7 @@ impl Refiner<'_> {
         }
         let mut round = 0;
         while count > 0 {
-            self.trace(simd);
+            self.trace();
             let mut splits = 0;
             for i in 0..count {
                 let square = self.worker.squares[round][i];
@@ -177,13 +199,13 @@ impl Refiner<'_> {
                     continue;
                 }
                 let grid = square.grid(&self.worker.points);
-                let spreads = grid.spreads(simd);
+                let spreads = grid.spreads(self.simd);
                 let parts = square.parts();
                 for (part, (corners, &spread)) in
                     parts.iter().zip(grid.corners().into_iter().zip(&spreads))
                 {
-                    if self.decide(simd, part, corners, spread) {
-                        self.request_parts(simd, part, corners);
+                    if self.decide(part, corners, spread) {
+                        self.request_parts(part, corners);
                         self.worker.squares[1 - round][splits] = *part;
                         splits += 1;
                     }
@@ -208,7 +230,7 @@ impl Refiner<'_> {
 
     /// Fills a square, unless it has to be split or is not in the picture.
     #[inline(always)]
-    fn decide<S: Simd>(&mut self, simd: S, square: &Square, corners: Corners, spread: u16) -> bool {
+    fn decide(&mut self, square: &Square, corners: Corners, spread: u16) -> bool {
         let (x, y) = (square.x as usize, square.y as usize);
         if x >= self.canvas.width || y >= self.canvas.height || square.w == 0 || square.h == 0 {
             return false;
@@ -218,8 +240,8 @@ impl Refiner<'_> {
             return false;
         }
         match square.verdict(self.quality, &self.worker.points, corners, spread) {
-            Verdict::Flat(pixel) => self.canvas.flat(simd, square, pixel),
-            Verdict::Bilinear => self.canvas.bilinear(simd, square, corners),
+            Verdict::Flat(pixel) => self.canvas.flat(self.simd, square, pixel),
+            Verdict::Bilinear => self.canvas.bilinear(self.simd, square, corners),
             Verdict::Split => return true,
         }
         false
@@ -227,13 +249,13 @@ impl Refiner<'_> {
 
     /// Asks for the points that a square's parts need beyond its own corners.
     #[inline(always)]
-    fn request_parts<S: Simd>(&mut self, simd: S, square: &Square, corners: Corners) {
+    fn request_parts(&mut self, square: &Square, corners: Corners) {
         let (x, y) = (square.x as usize, square.y as usize);
         let (right, below) = (x + square.w as usize, y + square.h as usize);
         let (middle_x, middle_y) = square.middle();
         let [a, b, c, d] = corners;
         let limit = self.quality.side_limit(square.w, square.h);
-        let close = square::close_sides(simd, corners, limit);
+        let close = square::close_sides(self.simd, corners, limit);
         let points = [
             (middle_x, y, close[0].then(|| a.mean(b))),
             (x, middle_y, close[1].then(|| a.mean(c))),
@@ -259,7 +281,7 @@ impl Refiner<'_> {
             if wanted && self.worker.points.claim(x, y) {
                 match mean {
                     Some(sample) => self.worker.points.put(x, y, sample),
-                    None => self.add(simd, x, y),
+                    None => self.add(x, y),
                 }
             }
         }
@@ -267,18 +289,18 @@ impl Refiner<'_> {
 
     /// Asks for a point of the band.
     #[inline(always)]
-    fn add<S: Simd>(&mut self, simd: S, x: usize, y: usize) {
+    fn add(&mut self, x: usize, y: usize) {
         self.worker.batch.push(x, self.top + y);
         if self.worker.batch.is_full() {
-            self.trace(simd);
+            self.trace();
         }
     }
 
     /// Traces the points asked for.
     #[inline(never)]
-    fn trace<S: Simd>(&mut self, simd: S) {
+    fn trace(&mut self) {
         let Worker { batch, points, .. } = &mut *self.worker;
-        trace(simd, self.scene, self.quality, self.seen, batch);
+        trace(self.level, self.scene, self.quality, self.seen, batch);
         let keys = self.quality.needs_keys();
         for (x, y, sample, key) in batch.results() {
             points.put(x, y - self.top, sample);

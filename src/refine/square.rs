@@ -4,7 +4,7 @@ use super::Points;
 use crate::lanes::*;
 use crate::quality::{Quality, limit};
 use crate::trace::Sample;
-use fearless_simd::{u16x16, u64x4};
+use fearless_simd::{i16x16, u64x4};
 
 /// A rectangle of pixels inside a band, a square where the sizes divide; its corners are the points (x, y),
 /// (x + w, y), (x, y + h) and (x + w, y + h), the latter three outside it.
@@ -162,17 +162,17 @@ impl Grid {
     }
 }
 
-/// The channels of four samples.
+/// The channels of four samples, which are below 2^15: SSE2 compares no unsigned words.
 #[inline(always)]
-fn channels<S: Simd>(simd: S, [a, b, c, d]: [Sample; 4]) -> u16x16<S> {
+fn channels<S: Simd>(simd: S, [a, b, c, d]: [Sample; 4]) -> i16x16<S> {
     u64x4::simd_from(simd, [a.0, b.0, c.0, d.0]).bitcast()
 }
 
 /// The largest channel of each of four samples.
 #[inline(always)]
-fn widest<S: Simd>(channels: u16x16<S>) -> [u16; 4] {
+fn widest<S: Simd>(channels: i16x16<S>) -> [u16; 4] {
     let words: u64x4<S> = channels.bitcast();
-    let (second, third): (u16x16<S>, u16x16<S>) =
+    let (second, third): (i16x16<S>, i16x16<S>) =
         ((words >> 16).bitcast(), (words >> 32).bitcast());
     let widest: u64x4<S> = channels.max(second).max(third).bitcast();
     [

@@ -19,6 +19,7 @@ pub(crate) use sample::{STEP, Sample};
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Prepared};
 use crate::quality::Quality;
+use fearless_simd::Level;
 
 /// How much work was done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,9 +53,30 @@ impl core::ops::AddAssign for Counts {
     }
 }
 
-/// Traces a batch's points with all their rays; the primary rays meet none but the groups `seen`.
-#[inline(never)]
-pub(crate) fn trace<S: Simd>(
+/// Traces a batch's points with all their rays by an instruction set; the primary rays meet none but the groups `seen`.
+pub(crate) fn trace(
+    level: Level,
+    scene: &Prepared,
+    quality: &Quality,
+    seen: GroupSet,
+    batch: &mut Batch,
+) {
+    #[cfg(target_arch = "x86_64")]
+    match level {
+        Level::Avx512(simd) => trace_by(simd, scene, quality, seen, batch),
+        Level::Avx2(simd) => trace_by(simd, scene, quality, seen, batch),
+        _ => {
+            if let Some(simd) = level.as_sse2() {
+                trace_by(simd, scene, quality, seen, batch);
+            }
+        }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    fearless_simd::dispatch!(level, simd => trace_by(simd, scene, quality, seen, batch));
+}
+
+#[inline(always)]
+fn trace_by<S: Simd>(
     simd: S,
     scene: &Prepared,
     quality: &Quality,
