@@ -77,12 +77,14 @@ fn what_corners_compare_follows_the_quality() {
         (7, 0, 30.0, 3.0),
         (5, 1, 2.0, 20.0),
         (0, 0, 9.0, 9.0),
+        (0, 0, 4.0, 4.0),
     ] {
         let quality = Quality {
             key_depth,
             state_depth,
             spread_agreeing,
             spread_differing,
+            spread_side: 6.0,
             highlight: 0.1,
             ..Quality::THESIS
         };
