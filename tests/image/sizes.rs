@@ -54,6 +54,22 @@ fn the_widest_and_the_tallest_are_right_to_the_last_row_and_column() {
 }
 
 #[test]
+fn squares_of_any_size_draw_the_widest_and_the_tallest() {
+    let scene = show::scene(0.5);
+    for square in 1..=Quality::MAX_SQUARE {
+        let quality = Quality {
+            square,
+            ..Quality::THESIS
+        };
+        for (width, height) in [(MAX_WIDTH, 40), (40, MAX_HEIGHT)] {
+            for (_, drawn) in draw_by_all(&scene, &quality, width, height) {
+                assert!(drawn.counts.points > 0);
+            }
+        }
+    }
+}
+
+#[test]
 fn the_largest_is_right_to_the_last_row_and_column() {
     hold(MAX_WIDTH, MAX_HEIGHT);
 }
