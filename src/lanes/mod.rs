@@ -1,15 +1,18 @@
 //! Rays side by side: the lane types every kernel is written in.
 //!
 //! A kernel is generic over the instruction set `S` and inlined into one function per set, so that it is written once:
-//! four lanes for SSE2, eight for AVX2, sixteen for AVX-512. A lane's answer never depends on what its neighbours hold.
+//! four lanes for SSE2, eight for AVX2, sixteen for AVX-512 (feature `avx512`, which the lab has: it costs the intro
+//! 6.4 kB). A lane's answer never depends on what its neighbours hold.
 //!
 //! Closures that the compiler does not inline lose the instruction set, and with it their speed: kernels use small
 //! functions marked `#[inline(always)]` instead.
 
+mod isa;
 mod pow;
 mod vec3x;
 
 pub(crate) use fearless_simd::prelude::*;
+pub(crate) use isa::Isa;
 pub(crate) use pow::pow;
 pub(crate) use vec3x::Vec3x;
 

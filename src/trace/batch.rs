@@ -97,7 +97,7 @@ impl Batch {
 
     /// Makes samples, or pixels, of the sums.
     #[inline(always)]
-    pub(super) fn finish<S: Simd>(&mut self, simd: S, to_pixels: bool) {
+    pub(super) fn finish<S: Isa>(&mut self, simd: S, to_pixels: bool) {
         let n = lanes::<S>();
         for start in (0..self.len.min(BATCH)).step_by(n) {
             let sums = &self.sums[start..start + n];
@@ -113,7 +113,7 @@ impl Batch {
     /// The primary rays of a packet of points from number `start`, a multiple of the lanes. Lanes beyond the last point
     /// hold points of earlier batches: their rays go nowhere that is looked at.
     #[inline(always)]
-    pub(super) fn primary_rays<S: Simd>(&self, simd: S, scene: &Prepared, start: usize) -> Rays<S> {
+    pub(super) fn primary_rays<S: Isa>(&self, simd: S, scene: &Prepared, start: usize) -> Rays<S> {
         let start = start % BATCH / lanes::<S>() * lanes::<S>();
         let places = U::<S>::from_slice(simd, &self.places[start..start + lanes::<S>()]);
         let x: I<S> = (places & 0xffff).bitcast();
@@ -132,7 +132,7 @@ impl Batch {
 
     /// Starts the sums of the packet of points from number `start`, a multiple of the lanes.
     #[inline(always)]
-    pub(super) fn set<S: Simd>(&mut self, simd: S, start: usize, node: &Node<S>) {
+    pub(super) fn set<S: Isa>(&mut self, simd: S, start: usize, node: &Node<S>) {
         let start = start % BATCH / lanes::<S>() * lanes::<S>();
         let sums = &mut self.sums[start..start + lanes::<S>()];
         node.store(simd, sums.as_flattened_mut());
@@ -140,7 +140,7 @@ impl Batch {
 
     /// Adds to the sums of some points.
     #[inline(always)]
-    pub(super) fn add<S: Simd>(&mut self, simd: S, slots: U<S>, count: usize, node: &Node<S>) {
+    pub(super) fn add<S: Isa>(&mut self, simd: S, slots: U<S>, count: usize, node: &Node<S>) {
         let mut terms = [[0; 4]; MAX_LANES];
         node.store(simd, terms.as_flattened_mut());
         for (&slot, term) in slots.as_slice().iter().zip(&terms).take(count) {

@@ -13,14 +13,14 @@ const FARTHEST: f32 = 1e30;
 
 /// The nearest hit of each ray.
 #[derive(Clone, Copy)]
-pub(crate) struct Hit<S: Simd> {
+pub(crate) struct Hit<S: Isa> {
     /// Distance, in lengths of the ray's direction.
     pub t: F<S>,
     /// Number of the object.
     pub object: U<S>,
 }
 
-impl<S: Simd> Hit<S> {
+impl<S: Isa> Hit<S> {
     #[inline(always)]
     fn keep_nearer(&mut self, closer: M<S>, t: F<S>, object: usize) {
         self.t = closer.select(t, self.t);
@@ -30,7 +30,7 @@ impl<S: Simd> Hit<S> {
 
 /// The nearest hits among the planes and some groups.
 #[inline(always)]
-pub(crate) fn nearest<S: Simd>(
+pub(crate) fn nearest<S: Isa>(
     simd: S,
     scene: &Prepared,
     rays: &Rays<S>,
@@ -68,14 +68,14 @@ pub(crate) fn nearest<S: Simd>(
 }
 
 /// A ray against a sphere.
-struct Chord<S: Simd> {
+struct Chord<S: Isa> {
     /// Distance from the point nearest to the centre back to the ray's start: below 0 where the centre is ahead.
     b: F<S>,
     /// Half the chord's length squared; below 0 where the ray passes by.
     discriminant: F<S>,
 }
 
-impl<S: Simd> Chord<S> {
+impl<S: Isa> Chord<S> {
     /// The discriminant comes from the perpendicular from the centre to the ray, which loses no digits when the
     /// sphere is small and far away (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere
     /// Intersection, Ray Tracing Gems, 2019).
@@ -118,7 +118,7 @@ impl<S: Simd> Chord<S> {
 
 /// Where rays hit a plane nearer than `limit`.
 #[inline(always)]
-fn plane_hit<S: Simd>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) -> (M<S>, F<S>) {
+fn plane_hit<S: Isa>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) -> (M<S>, F<S>) {
     let Vec3 { x, y, z } = plane.centre;
     // Where a ray runs along the plane this is infinite or not a number, and no comparison below holds.
     let t = (splat(simd, y) - rays.o.y) / rays.d.y;
@@ -133,7 +133,7 @@ fn plane_hit<S: Simd>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) -
 
 /// Which rays towards a lamp in direction `l` a sphere blocks at most `reach` from the lamp.
 #[inline(always)]
-fn caster_blocks<S: Simd>(simd: S, caster: &Caster, l: Vec3x<S>, reach: F<S>) -> M<S> {
+fn caster_blocks<S: Isa>(simd: S, caster: &Caster, l: Vec3x<S>, reach: F<S>) -> M<S> {
     let zero = splat(simd, 0.0);
     // Seen from the lamp, where every ray of this lamp meets: the way back to the point nearest to the centre.
     let f = Vec3x::splat(simd, caster.from_lamp);
@@ -152,7 +152,7 @@ fn caster_blocks<S: Simd>(simd: S, caster: &Caster, l: Vec3x<S>, reach: F<S>) ->
 
 /// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked.
 #[inline(always)]
-pub(crate) fn blocked<S: Simd>(
+pub(crate) fn blocked<S: Isa>(
     simd: S,
     scene: &Prepared,
     lamp: &Lamp,
@@ -195,13 +195,7 @@ pub(crate) fn blocked<S: Simd>(
 
 /// Whether a plane is between `o` and the point at distance `limit`, without a division.
 #[inline(always)]
-fn plane_blocks<S: Simd>(
-    simd: S,
-    plane: &Rectangle,
-    o: Vec3x<S>,
-    d: Vec3x<S>,
-    limit: F<S>,
-) -> M<S> {
+fn plane_blocks<S: Isa>(simd: S, plane: &Rectangle, o: Vec3x<S>, d: Vec3x<S>, limit: F<S>) -> M<S> {
     let Vec3 { x, y, z } = plane.centre;
     // The distance times |d.y|.
     let scale = d.y.abs();

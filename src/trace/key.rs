@@ -16,9 +16,9 @@ const STATE_BITS: u32 = 2;
 
 /// The lights' states at a hit: 0 dark (shadowed or facing away), 1 lit, 2 lit with a highlight.
 #[derive(Clone, Copy)]
-pub(crate) struct States<S: Simd>(U<S>);
+pub(crate) struct States<S: Isa>(U<S>);
 
-impl<S: Simd> States<S> {
+impl<S: Isa> States<S> {
     #[inline(always)]
     pub fn new(simd: S) -> Self {
         Self(U::<S>::splat(simd, 0))
@@ -37,7 +37,7 @@ impl<S: Simd> States<S> {
 
 /// The nodes' terms of the keys; 0 where nothing is compared.
 #[inline(always)]
-pub(crate) fn term<S: Simd>(
+pub(crate) fn term<S: Isa>(
     simd: S,
     quality: &Quality,
     paths: U<S>,

@@ -63,10 +63,12 @@ pub(crate) fn trace(
 ) {
     #[cfg(target_arch = "x86_64")]
     match level {
+        #[cfg(feature = "avx512")]
         Level::Avx512(simd) => trace_by(simd, scene, quality, seen, batch),
-        Level::Avx2(simd) => trace_by(simd, scene, quality, seen, batch),
-        _ => {
-            if let Some(simd) = level.as_sse2() {
+        level => {
+            if let Some(simd) = level.as_avx2() {
+                trace_by(simd, scene, quality, seen, batch);
+            } else if let Some(simd) = level.as_sse2() {
                 trace_by(simd, scene, quality, seen, batch);
             }
         }
@@ -76,7 +78,7 @@ pub(crate) fn trace(
 }
 
 #[inline(always)]
-fn trace_by<S: Simd>(
+fn trace_by<S: Isa>(
     simd: S,
     scene: &Prepared,
     quality: &Quality,
@@ -93,7 +95,7 @@ fn trace_by<S: Simd>(
 }
 
 #[inline(always)]
-fn trace_packets<S: Simd>(
+fn trace_packets<S: Isa>(
     simd: S,
     scene: &Prepared,
     quality: &Quality,

@@ -37,7 +37,7 @@ impl Sample {
 ///
 /// They are cut off, not rounded, so that a pixel made of a sample is the sum rounded once.
 #[inline(always)]
-pub(super) fn from_sums<S: Simd>(simd: S, sums: &[Sum], samples: &mut [u64]) {
+pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum], samples: &mut [u64]) {
     let halves = halves(
         simd,
         sums,
@@ -55,7 +55,7 @@ pub(super) fn from_sums<S: Simd>(simd: S, sums: &[Sum], samples: &mut [u64]) {
 
 /// The pixels of as many sums as there are lanes, rounded.
 #[inline(always)]
-pub(super) fn pixels_from_sums<S: Simd>(simd: S, sums: &[Sum]) -> U<S> {
+pub(super) fn pixels_from_sums<S: Isa>(simd: S, sums: &[Sum]) -> U<S> {
     let half = 1 << (STEP_BITS - 1);
     let (first, second) = halves(
         simd,
@@ -79,7 +79,7 @@ struct Cut {
 
 /// The cut channels of half of the points each.
 #[inline(always)]
-fn halves<S: Simd>(simd: S, sums: &[Sum], to: Cut) -> (S::u16s, S::u16s) {
+fn halves<S: Isa>(simd: S, sums: &[Sum], to: Cut) -> (S::u16s, S::u16s) {
     let sums = &sums.as_flattened()[..4 * lanes::<S>()];
     let n = lanes::<S>();
     let a = cut(simd, &sums[..n], to);
@@ -90,7 +90,7 @@ fn halves<S: Simd>(simd: S, sums: &[Sum], to: Cut) -> (S::u16s, S::u16s) {
 }
 
 #[inline(always)]
-fn cut<S: Simd>(simd: S, sums: &[i32], to: Cut) -> U<S> {
+fn cut<S: Isa>(simd: S, sums: &[i32], to: Cut) -> U<S> {
     let whole = (I::<S>::from_slice(simd, sums) + to.add) >> to.shift;
     whole
         .max(I::<S>::splat(simd, 0))

@@ -13,12 +13,12 @@ use crate::quality::Quality;
 pub(super) const BRIGHTEST: f32 = 4.0;
 
 /// What a node of a ray tree adds to its point.
-pub(super) struct Node<S: Simd> {
+pub(super) struct Node<S: Isa> {
     colour: Vec3x<S>,
     key: U<S>,
 }
 
-impl<S: Simd> Node<S> {
+impl<S: Isa> Node<S> {
     /// Stores blue, green and red in fixed point and the key, a point after the other.
     #[inline(always)]
     pub fn store(&self, simd: S, sums: &mut [i32]) {
@@ -38,7 +38,7 @@ impl<S: Simd> Node<S> {
 
 /// A number in fixed point, rounded.
 #[inline(always)]
-fn fixed<S: Simd>(simd: S, c: F<S>) -> I<S> {
+fn fixed<S: Isa>(simd: S, c: F<S>) -> I<S> {
     let c = c.max(splat(simd, 0.0)).min(splat(simd, BRIGHTEST));
     // Half of one is added so that cutting off rounds.
     c.mul_add(splat(simd, FIXED_POINT), splat(simd, 0.5))
@@ -46,7 +46,7 @@ fn fixed<S: Simd>(simd: S, c: F<S>) -> I<S> {
 }
 
 /// Where light is gathered.
-struct Place<S: Simd> {
+struct Place<S: Isa> {
     p: Vec3x<S>,
     /// The normal, of length 1; it faces the ray.
     n: Vec3x<S>,
@@ -62,7 +62,7 @@ struct Place<S: Simd> {
 
 /// Shades the hits, puts the secondary rays on the stack and returns what the hits add to their points.
 #[inline(always)]
-pub(super) fn shade<S: Simd>(
+pub(super) fn shade<S: Isa>(
     simd: S,
     scene: &Prepared,
     quality: &Quality,
@@ -87,7 +87,7 @@ pub(super) fn shade<S: Simd>(
     }
 }
 
-impl<S: Simd> Place<S> {
+impl<S: Isa> Place<S> {
     #[inline(always)]
     fn new(simd: S, rays: &Rays<S>, t: F<S>, surface: &SurfaceLanes<S>, solid: M<S>) -> Self {
         let mut p = rays.o.add_scaled(rays.d, t);
@@ -124,13 +124,13 @@ impl<S: Simd> Place<S> {
 
 /// A number with those bits changed that are in `flip`.
 #[inline(always)]
-fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
+fn flipped<S: Isa>(c: F<S>, flip: U<S>) -> F<S> {
     (c.bitcast::<U<S>>() ^ flip).bitcast()
 }
 
 /// The light that a place sends back along the ray: ambient light, and each lamp's that is not blocked.
 #[inline(always)]
-fn gather<S: Simd>(
+fn gather<S: Isa>(
     simd: S,
     scene: &Prepared,
     quality: &Quality,
@@ -176,7 +176,7 @@ fn gather<S: Simd>(
 
 /// Puts the transmitted and the reflected rays on the stack.
 #[inline(always)]
-fn scatter<S: Simd>(
+fn scatter<S: Isa>(
     simd: S,
     quality: &Quality,
     rays: &Rays<S>,
@@ -204,6 +204,7 @@ fn scatter<S: Simd>(
         let along = -eta.mul_add(dn, k.max(zero).sqrt());
         let d = rays.d.scaled(eta).add_scaled(n, along);
         batch.stack.push(
+            simd,
             &Rays {
                 o: p,
                 d,
@@ -217,6 +218,7 @@ fn scatter<S: Simd>(
     let back = follow & weight.simd_ge(least);
     if back.any_true() {
         batch.stack.push(
+            simd,
             &Rays {
                 o: place.p,
                 d: place.r,

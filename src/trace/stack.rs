@@ -4,7 +4,7 @@ use crate::lanes::*;
 
 /// Rays in lanes.
 #[derive(Clone, Copy)]
-pub(crate) struct Rays<S: Simd> {
+pub(crate) struct Rays<S: Isa> {
     pub o: Vec3x<S>,
     /// Direction, of length 1.
     pub d: Vec3x<S>,
@@ -18,7 +18,7 @@ pub(crate) struct Rays<S: Simd> {
 /// Enough for the paths of [`crate::Quality::MAX_DEPTH`].
 const PATH_BITS: u32 = 8;
 
-impl<S: Simd> Rays<S> {
+impl<S: Isa> Rays<S> {
     /// The places of the primary rays of the points from number `slot` on.
     #[inline(always)]
     pub fn places(simd: S, slot: usize) -> U<S> {
@@ -52,16 +52,15 @@ const CAPACITY: usize = 256;
 
 /// The waiting rays, structure of arrays; a packet can be written from any place below the capacity.
 pub(crate) struct Stack {
-    columns: [[f32; CAPACITY + MAX_LANES]; 7],
-    place: [u32; CAPACITY + MAX_LANES],
+    /// Origin, direction, weight, and the bits of the place.
+    columns: [[f32; CAPACITY + MAX_LANES]; 8],
     len: usize,
 }
 
 impl Stack {
     pub const fn new() -> Self {
         Self {
-            columns: [[0.0; CAPACITY + MAX_LANES]; 7],
-            place: [0; CAPACITY + MAX_LANES],
+            columns: [[0.0; CAPACITY + MAX_LANES]; 8],
             len: 0,
         }
     }
@@ -73,50 +72,49 @@ impl Stack {
 
     /// Puts those rays on top whose lane is in `mask`.
     #[inline(always)]
-    pub fn push<S: Simd>(&mut self, rays: &Rays<S>, mask: M<S>) {
+    pub fn push<S: Isa>(&mut self, simd: S, rays: &Rays<S>, mask: M<S>) {
         let Rays {
             o,
             d,
             weight,
             place,
         } = rays;
-        let rows = [o.x, o.y, o.z, d.x, d.y, d.z, *weight];
+        let mut rows = [o.x, o.y, o.z, d.x, d.y, d.z, *weight, place.bitcast()];
+        simd.gather_first(&mut rows, mask);
         let start = self.len % CAPACITY;
-        let end = start + lanes::<S>();
         for (column, row) in self.columns.iter_mut().zip(rows) {
-            row.compress(mask).store_slice(&mut column[start..end]);
+            row.store_slice(&mut column[start..start + lanes::<S>()]);
         }
-        place
-            .compress(mask)
-            .store_slice(&mut self.place[start..end]);
         self.len = start + mask.to_bitmask().count_ones() as usize;
     }
 
     /// Takes as many rays from the top as there are lanes or rays, and says how many; they are in the first lanes.
     #[inline(always)]
-    pub fn pop<S: Simd>(&mut self, simd: S) -> (Rays<S>, usize) {
+    pub fn pop<S: Isa>(&mut self, simd: S) -> (Rays<S>, usize) {
         let count = self.len.min(lanes::<S>());
         self.len -= count;
         let start = self.len % CAPACITY;
-        let end = start + lanes::<S>();
-        let row = |i: usize| &self.columns[i][start..end];
-        let vector = |i: usize| [row(i), row(i + 1), row(i + 2)];
+        let [ox, oy, oz, dx, dy, dz, weight, place] = &self.columns;
         let rays = Rays {
-            o: load(simd, vector(0)),
-            d: load(simd, vector(3)),
-            weight: F::<S>::from_slice(simd, row(6)),
-            place: U::<S>::from_slice(simd, &self.place[start..end]),
+            o: Vec3x {
+                x: load(simd, ox, start),
+                y: load(simd, oy, start),
+                z: load(simd, oz, start),
+            },
+            d: Vec3x {
+                x: load(simd, dx, start),
+                y: load(simd, dy, start),
+                z: load(simd, dz, start),
+            },
+            weight: load(simd, weight, start),
+            place: load(simd, place, start).bitcast(),
         };
         (rays, count)
     }
 }
 
-/// Vectors from their components' rows.
+/// A packet's numbers from a column.
 #[inline(always)]
-fn load<S: Simd>(simd: S, [x, y, z]: [&[f32]; 3]) -> Vec3x<S> {
-    Vec3x {
-        x: F::<S>::from_slice(simd, x),
-        y: F::<S>::from_slice(simd, y),
-        z: F::<S>::from_slice(simd, z),
-    }
+fn load<S: Isa>(simd: S, column: &[f32; CAPACITY + MAX_LANES], start: usize) -> F<S> {
+    F::<S>::from_slice(simd, &column[start..start + lanes::<S>()])
 }

@@ -5,7 +5,7 @@ use crate::prepare::{GroupSet, Prepared, Surface};
 use crate::scene::MAX_LIGHTS;
 
 /// A [`Surface`] per lane.
-pub(super) struct SurfaceLanes<S: Simd> {
+pub(super) struct SurfaceLanes<S: Isa> {
     pub centre: Vec3x<S>,
     pub inverse_radius: F<S>,
     pub upright: F<S>,
@@ -22,7 +22,7 @@ pub(super) struct SurfaceLanes<S: Simd> {
     pub casters: [GroupSet; MAX_LIGHTS],
 }
 
-impl<S: Simd> SurfaceLanes<S> {
+impl<S: Isa> SurfaceLanes<S> {
     /// Looks the objects of the active lanes up.
     ///
     /// Most packets meet one or two objects: one is spread over all lanes, then each other one over those that hit it.
@@ -90,6 +90,6 @@ impl<S: Simd> SurfaceLanes<S> {
 
 /// Sets the lanes in `mask` to one number.
 #[inline(always)]
-fn put_lanes<S: Simd>(mask: M<S>, lanes: &mut F<S>, v: f32) {
+fn put_lanes<S: Isa>(mask: M<S>, lanes: &mut F<S>, v: f32) {
     *lanes = mask.select(splat(lanes.token(), v), *lanes);
 }

@@ -1,0 +1,77 @@
+//! What the instruction sets do in different ways.
+
+use super::*;
+
+/// An instruction set that rays are traced by.
+pub(crate) trait Isa: Simd {
+    /// Moves the lanes in `mask` to the first places, in their order; the others hold what may be.
+    ///
+    /// By default lane after lane, which is small; most sets have a way of their own.
+    #[inline(always)]
+    fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {
+        let mut rest = mask.to_bitmask();
+        let mut place = 0;
+        while rest != 0 {
+            let lane = rest.trailing_zeros() as usize % lanes::<Self>();
+            for row in rows.iter_mut() {
+                let row = row.as_mut_slice();
+                row[place % lanes::<Self>()] = row[lane];
+            }
+            place += 1;
+            rest &= rest - 1;
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod x86_64 {
+    use super::*;
+    use core::arch::x86_64::*;
+    use fearless_simd::{Avx2, Sse2, f32x8, kernel};
+
+    impl Isa for Sse2 {}
+
+    impl Isa for Avx2 {
+        #[inline(always)]
+        fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {
+            let order = order(self, mask.to_bitmask());
+            for row in rows {
+                *row = permute(self, *row, order);
+            }
+        }
+    }
+
+    kernel!(
+        /// The numbers of the lanes in a mask, one after the other: bytes of 0 to 7 picked by bits, which needs no
+        /// table. (Slow before Zen 3 on AMD's processors, where it is microcode.)
+        #[inline(always)]
+        fn order(simd: Avx2, mask: u64) -> __m256i {
+            let bytes = _pdep_u64(mask, 0x0101_0101_0101_0101) * 0xff;
+            let lanes = _pext_u64(0x0706_0504_0302_0100, bytes);
+            _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(lanes as i64))
+        }
+    );
+
+    kernel!(
+        #[inline(always)]
+        fn permute(simd: Avx2, row: f32x8<Avx2>, order: __m256i) -> f32x8<Avx2> {
+            _mm256_permutevar8x32_ps(row.into(), order).simd_into(simd)
+        }
+    );
+
+    #[cfg(feature = "avx512")]
+    impl Isa for fearless_simd::Avx512 {
+        #[inline(always)]
+        fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {
+            for row in rows {
+                *row = row.compress(mask);
+            }
+        }
+    }
+}
+
+#[cfg(target_arch = "aarch64")]
+impl Isa for fearless_simd::Neon {}
+
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+impl Isa for fearless_simd::Fallback {}
