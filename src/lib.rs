@@ -27,6 +27,7 @@ mod render;
 pub mod scene;
 pub mod show;
 mod trace;
+mod trigonometry;
 mod worker;
 
 pub use fearless_simd::Level;

@@ -42,6 +42,7 @@ impl Window {
     };
 
     /// Where a group's sphere can be seen.
+    #[inline(never)]
     pub fn of(group: &Group, eye: Vec3, raster: &Raster, width: usize, height: usize) -> Self {
         let to = group.centre - eye;
         let (right, down) = (raster.dx.normalize_or_zero(), raster.dy.normalize_or_zero());
@@ -86,6 +87,7 @@ impl Window {
 
 /// The least and the greatest `x / z` of the points with z > 0 of a disc around (`x`, `z`): the slopes of its tangents
 /// through the origin (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013).
+#[inline(never)]
 fn slopes(x: f32, z: f32, radius: f32) -> (f32, f32) {
     let tangent2 = x * x + z * z - radius * radius;
     if tangent2 <= 0.0 {

@@ -36,6 +36,7 @@ pub(super) fn on_plane(groups: &Groups, plane: &Plane, lamp: Vec3) -> GroupSet {
 }
 
 /// Whether rays can be inside the one sphere of a group, where it shadows itself: it is glass, or something is in it.
+#[inline(never)]
 fn has_inside(scene: &Scene, groups: &Groups, single: &Group) -> bool {
     let number = groups.order()[single.balls().start] as usize;
     let reaches = |p: Vec3, radius: f32| single.centre.distance(p) < single.radius + radius;
@@ -62,6 +63,7 @@ struct Cone {
 }
 
 impl Cone {
+    #[inline(never)]
     fn new(group: &Group, lamp: Vec3) -> Self {
         let to_centre = group.centre - lamp;
         Self {
@@ -72,6 +74,7 @@ impl Cone {
     }
 
     /// Whether the other sphere can stand between the lamp and this one.
+    #[inline(never)]
     fn meets(&self, caster: &Self) -> bool {
         if self.distance <= self.radius || caster.distance <= caster.radius {
             return true;

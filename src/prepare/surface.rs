@@ -73,6 +73,7 @@ impl Surface {
     }
 
     /// Of what shines by itself.
+    #[inline(never)]
     pub fn emitting(colour: Vec3) -> Self {
         Self {
             base: colour,
@@ -81,8 +82,9 @@ impl Surface {
         }
     }
 
+    #[inline(never)]
     fn of(material: &Material, ambient: Vec3) -> Self {
-        let faint = libm::powf(FAINT / material.ks, 1.0 / material.exponent);
+        let faint = root_below(FAINT / material.ks, material.exponent);
         Self {
             base: material.colour * ambient,
             diffuse: material.colour * material.kd,
@@ -98,6 +100,37 @@ impl Surface {
             index: material.index,
             solid: 1.0,
             ..Self::NONE
+        }
+    }
+}
+
+/// At most the root of degree `h`, at least 1, of a number between 0 and 1, and at least 0.8 times that.
+///
+/// A number's bits are nearly its logarithm: `e + m` for `2^e (1 + m)`, which is below it by up to 0.09, and the way
+/// back is above by up to a factor of 1.07.
+fn root_below(x: f32, h: f32) -> f32 {
+    const ONE: f32 = (1 << 23) as f32;
+    const BIAS: f32 = 127.0;
+    let log2 = x.to_bits() as f32 / ONE - BIAS;
+    0.93 * f32::from_bits(((log2 / h + BIAS) * ONE) as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::root_below;
+
+    #[test]
+    fn roots_are_below_by_a_fifth_at_most() {
+        for h in [1.0, 1.5, 2.0, 5.0, 10.0, 40.0, 100.0, 1000.0] {
+            for i in 1..1000 {
+                let x = i as f32 / 1000.0;
+                let root = libm::powf(x, 1.0 / h);
+                let below = root_below(x, h);
+                assert!(
+                    below <= root && below >= 0.8 * root,
+                    "{x}, {h}: {below}, {root}"
+                );
+            }
         }
     }
 }

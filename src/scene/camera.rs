@@ -1,5 +1,6 @@
 //! The pinhole camera.
 
+use crate::trigonometry::{cos, sin};
 use glam::Vec3;
 
 /// A pinhole camera with square pixels; a pixel's sample is its centre.
@@ -53,7 +54,8 @@ impl Camera {
         let forward = (self.look_at - self.eye).normalize_or(Vec3::NEG_Z);
         let right = forward.cross(self.up).normalize_or(Vec3::X);
         let up = right.cross(forward);
-        let pixel = 2.0 * libm::tanf(self.field_of_view * 0.5) / height as f32;
+        let half_angle = self.field_of_view * 0.5;
+        let pixel = 2.0 * sin(half_angle) / cos(half_angle) / height as f32;
         let (dx, dy) = (right * pixel, up * -pixel);
         let half = |side: usize| 0.5 - 0.5 * side as f32;
         Raster {

@@ -3,6 +3,7 @@
 //! The scene of every measurement, after the test scene of the 2008 thesis.
 
 use crate::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use crate::trigonometry::{cos, sin};
 use glam::{Vec3, vec3};
 
 /// Seconds of one orbit: a full turn at [`ORBIT_SPEED`].
@@ -103,7 +104,7 @@ pub(super) const AMBIENT: Vec3 = vec3(0.12, 0.12, 0.14);
 pub fn scene(time: f32) -> Scene {
     let look_at = vec3(0.0, 0.9, 0.0);
     let mut glass = GLASS;
-    let sine = libm::sinf(time);
+    let sine = sin(time);
     glass.centre.y += 0.4 * sine * sine;
     Scene {
         camera: Camera {
@@ -123,9 +124,5 @@ pub fn scene(time: f32) -> Scene {
 /// From the middle of the scene to the camera that circles it at a distance and a height.
 pub(super) fn circling(time: f32, distance: f32, height: f32) -> Vec3 {
     let angle = ORBIT_SPEED * time;
-    vec3(
-        distance * libm::sinf(angle),
-        height,
-        -distance * libm::cosf(angle),
-    )
+    vec3(distance * sin(angle), height, -distance * cos(angle))
 }
