@@ -7,7 +7,8 @@ mod surface;
 
 pub(crate) use groups::{GroupSet, Groups, MAX_GROUPS};
 pub(crate) use screen::Window;
-pub(crate) use surface::Surface;
+pub(crate) use surface::FIELDS;
+use surface::Surface;
 
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
 use glam::Vec3;
@@ -31,7 +32,9 @@ pub(crate) struct Prepared {
     pub lamp_count: usize,
     pub planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
-    pub surfaces: [Surface; MAX_OBJECTS],
+    pub surfaces: [SurfaceRow; MAX_OBJECTS],
+    /// [`FIELDS`], where the compiler does not see it.
+    pub field_count: usize,
 }
 
 /// A sphere as its intersection wants it.
@@ -71,6 +74,21 @@ pub(crate) struct Caster {
     pub around_lamp: bool,
 }
 
+/// What shading needs of an object, as kernels want it.
+#[derive(Clone, Copy)]
+pub(crate) struct SurfaceRow {
+    pub fields: [f32; FIELDS],
+    /// The groups that can stand between it and each lamp.
+    pub casters: [GroupSet; MAX_LIGHTS],
+}
+
+impl SurfaceRow {
+    const NONE: Self = Self {
+        fields: [0.0; FIELDS],
+        casters: [0; MAX_LIGHTS],
+    };
+}
+
 impl Prepared {
     /// An empty frame, all zeros.
     pub const fn new() -> Self {
@@ -85,7 +103,8 @@ impl Prepared {
             lamp_count: 0,
             planes: [Rectangle::NONE; MAX_PLANES],
             plane_count: 0,
-            surfaces: [Surface::NONE; MAX_OBJECTS],
+            surfaces: [SurfaceRow::NONE; MAX_OBJECTS],
+            field_count: 0,
         }
     }
 
@@ -120,12 +139,13 @@ impl Prepared {
         for (i, &number) in self.groups.order().iter().enumerate() {
             let sphere = &scene.spheres[number as usize];
             self.balls[i] = Ball::new(sphere.centre, sphere.radius);
-            self.surfaces[i] = Surface::sphere(sphere, scene.ambient);
+            self.surfaces[i].fields = Surface::sphere(sphere, scene.ambient).fields();
         }
         for (i, light) in scene.lights.iter().enumerate() {
             let i = self.solids + i;
             self.balls[i] = Ball::new(light.position, light.radius);
-            self.surfaces[i] = Surface::emitting(light.colour);
+            self.surfaces[i] = SurfaceRow::NONE;
+            self.surfaces[i].fields = Surface::emitting(light.colour).fields();
         }
         let first_plane = self.first_plane();
         for (i, plane) in scene.planes.iter().enumerate() {
@@ -134,9 +154,12 @@ impl Prepared {
                 half_x: plane.half_x,
                 half_z: plane.half_z,
             };
-            self.surfaces[first_plane + i] = Surface::plane(plane, scene.ambient);
+            self.surfaces[first_plane + i].fields = Surface::plane(plane, scene.ambient).fields();
         }
-        self.surfaces[self.nothing()] = Surface::emitting(scene.background);
+        let nothing = self.nothing();
+        self.surfaces[nothing] = SurfaceRow::NONE;
+        self.surfaces[nothing].fields = Surface::emitting(scene.background).fields();
+        self.field_count = FIELDS;
         for (window, group) in self.windows.iter_mut().zip(self.groups.iter()) {
             *window = Window::of(group, self.eye, &self.raster, width, height);
         }

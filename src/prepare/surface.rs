@@ -1,7 +1,6 @@
 //! What shading needs of an object.
 
-use super::groups::GroupSet;
-use crate::scene::{MAX_LIGHTS, Material, Plane, Sphere};
+use crate::scene::{Material, Plane, Sphere};
 use glam::Vec3;
 
 /// A highlight below this is not computed: 1/40 of what 8 bits can show.
@@ -10,9 +9,12 @@ const FAINT: f32 = 1e-4;
 /// More than any r.v.
 const NO_HIGHLIGHT: f32 = 2.0;
 
+/// Numbers of a [`Surface`] that kernels spread over lanes.
+pub(crate) const FIELDS: usize = 18;
+
 /// An object's surface.
 #[derive(Clone, Copy)]
-pub(crate) struct Surface {
+pub(super) struct Surface {
     /// The normal at p is `(p - centre) inverse_radius + (0, upright, 0)`.
     pub centre: Vec3,
     /// 1 / radius of a sphere, 0 of a plane.
@@ -32,8 +34,6 @@ pub(crate) struct Surface {
     pub index: f32,
     /// Lamps shine on it: 1, or 0 for lamps and the background.
     pub solid: f32,
-    /// The groups that can stand between it and each lamp.
-    pub casters: [GroupSet; MAX_LIGHTS],
 }
 
 impl Surface {
@@ -51,8 +51,37 @@ impl Surface {
         kt: 0.0,
         index: 0.0,
         solid: 0.0,
-        casters: [0; MAX_LIGHTS],
     };
+
+    /// The numbers, in the order that [`crate::trace`] names them.
+    pub fn fields(&self) -> [f32; FIELDS] {
+        let Self {
+            centre: c,
+            base: b,
+            diffuse: d,
+            ..
+        } = self;
+        [
+            c.x,
+            c.y,
+            c.z,
+            b.x,
+            b.y,
+            b.z,
+            d.x,
+            d.y,
+            d.z,
+            self.inverse_radius,
+            self.upright,
+            self.ks,
+            self.exponent,
+            self.faint,
+            self.kr,
+            self.kt,
+            self.index,
+            self.solid,
+        ]
+    }
 
     /// A sphere's.
     pub fn sphere(sphere: &Sphere, ambient: Vec3) -> Self {

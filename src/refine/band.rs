@@ -149,8 +149,8 @@ impl<S: Simd> Refiner<'_, S> {
                 }
             }
             trace(self.level, self.scene, self.quality, self.seen, batch);
-            for (y, run) in batch.pixels().chunks(count).enumerate() {
-                self.canvas.row(start, y, count).copy_from_slice(run);
+            for (x, y, sample, _) in batch.results() {
+                self.canvas.put(x, y - self.top, sample.pixel());
             }
             batch.clear();
         }

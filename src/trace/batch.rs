@@ -30,8 +30,9 @@ pub(crate) struct Batch {
     places: [u32; BATCH],
     len: usize,
     sums: [Sum; BATCH],
+    /// What a packet of secondary rays adds to the sums.
+    terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
-    pixels: [u32; BATCH],
     pub stack: Stack,
     /// What was done since it was last reset.
     pub counts: Counts,
@@ -44,8 +45,8 @@ impl Batch {
             places: [0; BATCH],
             len: 0,
             sums: [[0; 4]; BATCH],
+            terms: [[0; 4]; MAX_LANES],
             samples: [0; BATCH],
-            pixels: [0; BATCH],
             stack: Stack::new(),
             counts: Counts::NONE,
         }
@@ -89,24 +90,13 @@ impl Batch {
         )
     }
 
-    /// The traced points' pixels, in the order that they were added.
+    /// Makes samples of the sums.
     #[inline(always)]
-    pub fn pixels(&self) -> &[u32] {
-        &self.pixels[..self.len.min(BATCH)]
-    }
-
-    /// Makes samples, or pixels, of the sums.
-    #[inline(always)]
-    pub(super) fn finish<S: Isa>(&mut self, simd: S, to_pixels: bool) {
+    pub(super) fn finish<S: Isa>(&mut self, simd: S) {
         let n = lanes::<S>();
         for start in (0..self.len.min(BATCH)).step_by(n) {
             let sums = &self.sums[start..start + n];
-            if to_pixels {
-                let pixels = sample::pixels_from_sums(simd, sums);
-                pixels.store_slice(&mut self.pixels[start..start + n]);
-            } else {
-                sample::from_sums(simd, sums, &mut self.samples[start..start + n]);
-            }
+            sample::from_sums(simd, sums, &mut self.samples[start..start + n]);
         }
     }
 
@@ -130,20 +120,27 @@ impl Batch {
         }
     }
 
-    /// Starts the sums of the packet of points from number `start`, a multiple of the lanes.
+    /// Adds what a packet's nodes give to the points' sums; `first` is the first point of a packet of primary rays, which
+    /// starts the sums.
     #[inline(always)]
-    pub(super) fn set<S: Isa>(&mut self, simd: S, start: usize, node: &Node<S>) {
-        let start = start % BATCH / lanes::<S>() * lanes::<S>();
-        let sums = &mut self.sums[start..start + lanes::<S>()];
+    pub(super) fn add<S: Isa>(
+        &mut self,
+        simd: S,
+        rays: &Rays<S>,
+        count: usize,
+        first: Option<usize>,
+        node: &Node<S>,
+    ) {
+        let place = first.map(|first| first % BATCH / lanes::<S>() * lanes::<S>());
+        let sums = match place {
+            Some(first) => &mut self.sums[first..first + lanes::<S>()],
+            None => &mut self.terms[..lanes::<S>()],
+        };
         node.store(simd, sums.as_flattened_mut());
-    }
-
-    /// Adds to the sums of some points.
-    #[inline(always)]
-    pub(super) fn add<S: Isa>(&mut self, simd: S, slots: U<S>, count: usize, node: &Node<S>) {
-        let mut terms = [[0; 4]; MAX_LANES];
-        node.store(simd, terms.as_flattened_mut());
-        for (&slot, term) in slots.as_slice().iter().zip(&terms).take(count) {
+        if place.is_some() {
+            return;
+        }
+        for (&slot, term) in rays.slots().as_slice().iter().zip(&self.terms).take(count) {
             let sum = &mut self.sums[slot as usize % BATCH];
             let new = i32x4::load_array_ref(simd, sum) + i32x4::load_array_ref(simd, term);
             new.store_array(sum);

@@ -89,7 +89,7 @@ fn trace_by<S: Isa>(
         #[inline(always)]
         || {
             trace_packets(simd, scene, quality, seen, batch);
-            batch.finish(simd, quality.square == 1);
+            batch.finish(simd);
         },
     );
 }
@@ -119,12 +119,8 @@ fn trace_packets<S: Isa>(
         batch.counts.lanes += lanes::<S>() as u64;
         let hit = intersect::nearest(simd, scene, &rays, groups);
         let node = shade::shade(simd, scene, quality, &rays, &hit, first(simd, count), batch);
-        if is_primary {
-            batch.set(simd, next, &node);
-            next += lanes::<S>();
-        } else {
-            batch.add(simd, rays.slots(), count, &node);
-        }
+        batch.add(simd, &rays, count, is_primary.then_some(next), &node);
+        next += lanes::<S>() * usize::from(is_primary);
     }
     batch.counts.points += batch.len() as u64;
 }

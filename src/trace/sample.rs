@@ -38,62 +38,24 @@ impl Sample {
 /// They are cut off, not rounded, so that a pixel made of a sample is the sum rounded once.
 #[inline(always)]
 pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum], samples: &mut [u64]) {
-    let halves = halves(
-        simd,
-        sums,
-        Cut {
-            add: 0,
-            shift: 7,
-            most: 255 * STEP,
-        },
-    );
-    let (first, second) = samples.split_at_mut(lanes::<S>() / 2);
-    let colour = S::u64s::splat(simd, COLOUR);
-    (halves.0.bitcast::<S::u64s>() & colour).store_slice(first);
-    (halves.1.bitcast::<S::u64s>() & colour).store_slice(second);
-}
-
-/// The pixels of as many sums as there are lanes, rounded.
-#[inline(always)]
-pub(super) fn pixels_from_sums<S: Isa>(simd: S, sums: &[Sum]) -> U<S> {
-    let half = 1 << (STEP_BITS - 1);
-    let (first, second) = halves(
-        simd,
-        sums,
-        Cut {
-            add: half,
-            shift: STEP_BITS as u32,
-            most: 255,
-        },
-    );
-    first.narrow(second).bitcast::<U<S>>() & 0x00ff_ffff
-}
-
-/// How sums become smaller numbers: `(sum + add) >> shift`, cut to 0 to `most`.
-#[derive(Clone, Copy)]
-struct Cut {
-    add: i32,
-    shift: u32,
-    most: i32,
-}
-
-/// The cut channels of half of the points each.
-#[inline(always)]
-fn halves<S: Isa>(simd: S, sums: &[Sum], to: Cut) -> (S::u16s, S::u16s) {
-    let sums = &sums.as_flattened()[..4 * lanes::<S>()];
     let n = lanes::<S>();
-    let a = cut(simd, &sums[..n], to);
-    let b = cut(simd, &sums[n..2 * n], to);
-    let c = cut(simd, &sums[2 * n..3 * n], to);
-    let d = cut(simd, &sums[3 * n..], to);
-    (a.narrow(b), c.narrow(d))
+    let sums = &sums.as_flattened()[..4 * n];
+    let (first, second) = samples.split_at_mut(n / 2);
+    let a = cut(simd, &sums[..n]);
+    let b = cut(simd, &sums[n..2 * n]);
+    let c = cut(simd, &sums[2 * n..3 * n]);
+    let d = cut(simd, &sums[3 * n..]);
+    let colour = S::u64s::splat(simd, COLOUR);
+    (a.narrow(b).bitcast::<S::u64s>() & colour).store_slice(first);
+    (c.narrow(d).bitcast::<S::u64s>() & colour).store_slice(second);
 }
 
+/// Sums as a sample's channels, cut to 0 to 255 steps.
 #[inline(always)]
-fn cut<S: Isa>(simd: S, sums: &[i32], to: Cut) -> U<S> {
-    let whole = (I::<S>::from_slice(simd, sums) + to.add) >> to.shift;
+fn cut<S: Isa>(simd: S, sums: &[i32]) -> U<S> {
+    let whole = I::<S>::from_slice(simd, sums) >> (STEP_BITS - SAMPLE_BITS) as u32;
     whole
         .max(I::<S>::splat(simd, 0))
-        .min(I::<S>::splat(simd, to.most))
+        .min(I::<S>::splat(simd, 255 * STEP))
         .bitcast()
 }

@@ -71,9 +71,10 @@ pub(super) fn shade<S: Isa>(
     active: M<S>,
     batch: &mut Batch,
 ) -> Node<S> {
-    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active);
-    let solid = active & surface.solid.simd_gt(splat(simd, 0.0));
-    let mut colour = surface.base;
+    let mut surface = SurfaceLanes::first(simd, scene, hit.object, active);
+    surface.add_others(simd, scene, hit.object, active);
+    let solid = active & surface.solid().simd_gt(splat(simd, 0.0));
+    let mut colour = surface.base();
     let mut states = States::new(simd);
     if solid.any_true() {
         let place = Place::new(simd, rays, hit.t, &surface, solid);
@@ -93,11 +94,11 @@ impl<S: Isa> Place<S> {
         let mut p = rays.o.add_scaled(rays.d, t);
         // On a plane, exactly.
         p.y = surface
-            .upright
+            .upright()
             .simd_gt(splat(simd, 0.0))
-            .select(surface.centre.y, p.y);
-        let mut n = (p - surface.centre).scaled(surface.inverse_radius);
-        n.y += surface.upright;
+            .select(surface.centre().y, p.y);
+        let mut n = (p - surface.centre()).scaled(surface.inverse_radius());
+        n.y += surface.upright();
         // One Newton step back to length 1: else the error of p grows with each reflection inside of a sphere, and after
         // four it is more than the distance that keeps a ray from the surface it starts on.
         n = n.scaled(n.dot(n).mul_add(splat(simd, -0.5), splat(simd, 1.5)));
@@ -141,7 +142,7 @@ fn gather<S: Isa>(
 ) -> Vec3x<S> {
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
-    let mut colour = surface.base;
+    let mut colour = surface.base();
     for (lamp, &casters) in scene.lamps[..scene.lamp_count].iter().zip(&surface.casters) {
         let to_light = Vec3x::splat(simd, lamp.position) - place.p;
         let distance = to_light.dot(to_light).sqrt();
@@ -153,11 +154,11 @@ fn gather<S: Isa>(
         if facing.any_true() {
             batch.counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
             lit &= !blocked(simd, scene, lamp, place.p, l, distance, casters);
-            let mut light = surface.diffuse.scaled(lit.select(nl, zero));
+            let mut light = surface.diffuse().scaled(lit.select(nl, zero));
             let rv = place.r.dot(l);
-            let shiny = lit & rv.simd_gt(surface.faint);
+            let shiny = lit & rv.simd_gt(surface.faint());
             if shiny.any_true() {
-                let strength = surface.ks * pow(simd, shiny.select(rv, one), surface.exponent);
+                let strength = surface.ks() * pow(simd, shiny.select(rv, one), surface.exponent());
                 let specular = shiny.select(strength, zero);
                 highlight = specular.simd_gt(splat(simd, quality.highlight));
                 light = light
@@ -190,42 +191,39 @@ fn scatter<S: Isa>(
     let deepest = U::<S>::splat(simd, 1 << quality.depth);
     let follow = place.solid & rays.paths().simd_lt(deepest);
     let reflected = rays.reflected_places();
-    let mut kr = surface.kr;
-    let glass = follow & surface.kt.simd_gt(zero);
+    let mut kr = surface.kr();
+    let Place { p, n, dn, .. } = *place;
+    let mut through = M::<S>::splat(simd, false);
+    let mut transmitted = Rays {
+        o: p,
+        d: place.r,
+        weight: zero,
+        place: reflected + 1,
+    };
+    let glass = follow & surface.kt().simd_gt(zero);
     if glass.any_true() {
-        let Place { p, n, dn, .. } = *place;
-        let eta = place.inside.select(surface.index, one / surface.index);
+        let eta = place.inside.select(surface.index(), one / surface.index());
         // The cosine of the transmitted ray, squared; below 0 all light is reflected.
         let k = one - eta * eta * (one - dn * dn);
         let total = k.simd_lt(zero);
-        kr = (glass & total).select(kr + surface.kt, kr);
-        let weight = rays.weight * surface.kt;
-        let through = glass & !total & weight.simd_ge(least);
+        kr = (glass & total).select(kr + surface.kt(), kr);
+        transmitted.weight = rays.weight * surface.kt();
+        through = glass & !total & transmitted.weight.simd_ge(least);
         let along = -eta.mul_add(dn, k.max(zero).sqrt());
-        let d = rays.d.scaled(eta).add_scaled(n, along);
-        batch.stack.push(
-            simd,
-            &Rays {
-                o: p,
-                d,
-                weight,
-                place: reflected + 1,
-            },
-            through,
-        );
+        transmitted.d = rays.d.scaled(eta).add_scaled(n, along);
     }
     let weight = rays.weight * kr;
     let back = follow & weight.simd_ge(least);
+    let reflected = Rays {
+        o: p,
+        d: place.r,
+        weight,
+        place: reflected,
+    };
+    if through.any_true() {
+        batch.stack.push(simd, &transmitted, through);
+    }
     if back.any_true() {
-        batch.stack.push(
-            simd,
-            &Rays {
-                o: place.p,
-                d: place.r,
-                weight,
-                place: reflected,
-            },
-            back,
-        );
+        batch.stack.push(simd, &reflected, back);
     }
 }

@@ -82,7 +82,7 @@ impl Stack {
         let mut rows = [o.x, o.y, o.z, d.x, d.y, d.z, *weight, place.bitcast()];
         simd.gather_first(&mut rows, mask);
         let start = self.len % CAPACITY;
-        for (column, row) in self.columns.iter_mut().zip(rows) {
+        for (column, row) in self.columns.iter_mut().zip(&rows) {
             row.store_slice(&mut column[start..start + lanes::<S>()]);
         }
         self.len = start + mask.to_bitmask().count_ones() as usize;

@@ -1,95 +1,127 @@
 //! The surfaces that a packet hits.
 
 use crate::lanes::*;
-use crate::prepare::{GroupSet, Prepared, Surface};
+use crate::prepare::{FIELDS, GroupSet, Prepared};
 use crate::scene::MAX_LIGHTS;
 
-/// A [`Surface`] per lane.
+/// A [`crate::prepare::Surface`] per lane.
 pub(super) struct SurfaceLanes<S: Isa> {
-    pub centre: Vec3x<S>,
-    pub inverse_radius: F<S>,
-    pub upright: F<S>,
-    pub base: Vec3x<S>,
-    pub diffuse: Vec3x<S>,
-    pub ks: F<S>,
-    pub exponent: F<S>,
-    pub faint: F<S>,
-    pub kr: F<S>,
-    pub kt: F<S>,
-    pub index: F<S>,
-    pub solid: F<S>,
+    /// In the order of [`crate::prepare::Surface::fields`].
+    fields: [F<S>; FIELDS],
     /// The groups that can stand between any lane's object and each lamp.
     pub casters: [GroupSet; MAX_LIGHTS],
 }
 
 impl<S: Isa> SurfaceLanes<S> {
-    /// Looks the objects of the active lanes up.
-    ///
-    /// Most packets meet one or two objects: one is spread over all lanes, then each other one over those that hit it.
+    /// The surface of the first active lane's object, in all lanes.
     #[inline(always)]
-    pub fn look_up(simd: S, scene: &Prepared, objects: U<S>, active: M<S>) -> Self {
-        let some = |set: u64| objects.as_slice()[set.trailing_zeros() as usize % lanes::<S>()];
-        let mut rest = active.to_bitmask();
-        let number = some(rest);
-        let mut lanes = Self::splat(simd, &scene.surfaces[number as usize]);
-        rest &= !objects.simd_eq(U::<S>::splat(simd, number)).to_bitmask();
-        while rest != 0 {
-            let number = some(rest);
-            let mask = objects.simd_eq(U::<S>::splat(simd, number));
-            lanes.put(mask, &scene.surfaces[number as usize]);
-            rest &= !mask.to_bitmask();
-        }
-        lanes
-    }
-
-    #[inline(always)]
-    fn splat(simd: S, s: &Surface) -> Self {
+    pub fn first(simd: S, scene: &Prepared, objects: U<S>, active: M<S>) -> Self {
+        let surface = &scene.surfaces[number_in::<S>(objects, active.to_bitmask())];
         Self {
-            centre: Vec3x::splat(simd, s.centre),
-            inverse_radius: splat(simd, s.inverse_radius),
-            upright: splat(simd, s.upright),
-            base: Vec3x::splat(simd, s.base),
-            diffuse: Vec3x::splat(simd, s.diffuse),
-            ks: splat(simd, s.ks),
-            exponent: splat(simd, s.exponent),
-            faint: splat(simd, s.faint),
-            kr: splat(simd, s.kr),
-            kt: splat(simd, s.kt),
-            index: splat(simd, s.index),
-            solid: splat(simd, s.solid),
-            casters: s.casters,
+            fields: core::array::from_fn(
+                #[inline(always)]
+                |i| splat(simd, surface.fields[i]),
+            ),
+            casters: surface.casters,
         }
     }
 
-    /// Sets the lanes in `mask`.
+    /// Puts the other active lanes' surfaces in, an object after the other: most packets meet one or two.
     #[inline(always)]
-    fn put(&mut self, mask: M<S>, s: &Surface) {
-        put_lanes::<S>(mask, &mut self.centre.x, s.centre.x);
-        put_lanes::<S>(mask, &mut self.centre.y, s.centre.y);
-        put_lanes::<S>(mask, &mut self.centre.z, s.centre.z);
-        put_lanes::<S>(mask, &mut self.inverse_radius, s.inverse_radius);
-        put_lanes::<S>(mask, &mut self.upright, s.upright);
-        put_lanes::<S>(mask, &mut self.base.x, s.base.x);
-        put_lanes::<S>(mask, &mut self.base.y, s.base.y);
-        put_lanes::<S>(mask, &mut self.base.z, s.base.z);
-        put_lanes::<S>(mask, &mut self.diffuse.x, s.diffuse.x);
-        put_lanes::<S>(mask, &mut self.diffuse.y, s.diffuse.y);
-        put_lanes::<S>(mask, &mut self.diffuse.z, s.diffuse.z);
-        put_lanes::<S>(mask, &mut self.ks, s.ks);
-        put_lanes::<S>(mask, &mut self.exponent, s.exponent);
-        put_lanes::<S>(mask, &mut self.faint, s.faint);
-        put_lanes::<S>(mask, &mut self.kr, s.kr);
-        put_lanes::<S>(mask, &mut self.kt, s.kt);
-        put_lanes::<S>(mask, &mut self.index, s.index);
-        put_lanes::<S>(mask, &mut self.solid, s.solid);
-        for (mine, new) in self.casters.iter_mut().zip(s.casters) {
-            *mine |= new;
+    pub fn add_others(&mut self, simd: S, scene: &Prepared, objects: U<S>, active: M<S>) {
+        let mut rest = active.to_bitmask();
+        let first = number_in::<S>(objects, rest);
+        rest &= !objects
+            .simd_eq(U::<S>::splat(simd, first as u32))
+            .to_bitmask();
+        while rest != 0 {
+            let number = number_in::<S>(objects, rest);
+            let mask = objects.simd_eq(U::<S>::splat(simd, number as u32));
+            rest &= !mask.to_bitmask();
+            let surface = &scene.surfaces[number];
+            // The count comes from memory so that this stays a loop: unrolled it takes a kilobyte.
+            let fields = &surface.fields[..scene.field_count.min(FIELDS)];
+            for (lane, &field) in self.fields.iter_mut().zip(fields) {
+                *lane = mask.select(splat(simd, field), *lane);
+            }
+            for (mine, casters) in self.casters.iter_mut().zip(surface.casters) {
+                *mine |= casters;
+            }
         }
+    }
+
+    #[inline(always)]
+    fn vector(&self, i: usize) -> Vec3x<S> {
+        Vec3x {
+            x: self.fields[i],
+            y: self.fields[i + 1],
+            z: self.fields[i + 2],
+        }
+    }
+
+    #[inline(always)]
+    pub fn centre(&self) -> Vec3x<S> {
+        self.vector(0)
+    }
+
+    #[inline(always)]
+    pub fn base(&self) -> Vec3x<S> {
+        self.vector(3)
+    }
+
+    #[inline(always)]
+    pub fn diffuse(&self) -> Vec3x<S> {
+        self.vector(6)
+    }
+
+    #[inline(always)]
+    pub fn inverse_radius(&self) -> F<S> {
+        self.fields[9]
+    }
+
+    #[inline(always)]
+    pub fn upright(&self) -> F<S> {
+        self.fields[10]
+    }
+
+    #[inline(always)]
+    pub fn ks(&self) -> F<S> {
+        self.fields[11]
+    }
+
+    #[inline(always)]
+    pub fn exponent(&self) -> F<S> {
+        self.fields[12]
+    }
+
+    #[inline(always)]
+    pub fn faint(&self) -> F<S> {
+        self.fields[13]
+    }
+
+    #[inline(always)]
+    pub fn kr(&self) -> F<S> {
+        self.fields[14]
+    }
+
+    #[inline(always)]
+    pub fn kt(&self) -> F<S> {
+        self.fields[15]
+    }
+
+    #[inline(always)]
+    pub fn index(&self) -> F<S> {
+        self.fields[16]
+    }
+
+    #[inline(always)]
+    pub fn solid(&self) -> F<S> {
+        self.fields[17]
     }
 }
 
-/// Sets the lanes in `mask` to one number.
+/// The number of the object in the first lane of a set.
 #[inline(always)]
-fn put_lanes<S: Isa>(mask: M<S>, lanes: &mut F<S>, v: f32) {
-    *lanes = mask.select(splat(lanes.token(), v), *lanes);
+fn number_in<S: Isa>(objects: U<S>, set: u64) -> usize {
+    objects.as_slice()[set.trailing_zeros() as usize % lanes::<S>()] as usize
 }
