@@ -14,6 +14,7 @@ pub fn cos(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / f64::from(TAU) + 0.25)
 }
 
+#[inline(never)]
 fn sin_turns(turns: f64) -> f32 {
     let half = if turns < 0.0 { -0.5 } else { 0.5 };
     // Half a turn to either side, then a quarter: sin(1/2 - t) = sin(t).

@@ -119,6 +119,7 @@ impl Prepared {
     }
 
     /// The groups that primary rays through the points of a rectangle of the picture can meet.
+    #[inline(never)]
     pub fn seen(&self, left: usize, top: usize, right: usize, bottom: usize) -> GroupSet {
         let mut set = 0;
         for (i, _) in self.groups.iter().enumerate() {
