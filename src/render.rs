@@ -61,11 +61,12 @@ pub fn render(
     pixels: &mut [u32],
     mut run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
 ) -> Counts {
-    assert!((1..=MAX_WIDTH).contains(&width) && (1..=MAX_HEIGHT).contains(&height));
-    assert!(pixels.len() == width * height);
-    assert!(
-        (1..=Quality::MAX_SQUARE).contains(&quality.square) && quality.depth <= Quality::MAX_DEPTH
-    );
+    let is_valid = (1..=MAX_WIDTH).contains(&width)
+        && (1..=MAX_HEIGHT).contains(&height)
+        && pixels.len() == width * height
+        && (1..=Quality::MAX_SQUARE).contains(&quality.square)
+        && quality.depth <= Quality::MAX_DEPTH;
+    assert!(is_valid, "size or quality out of range");
     memory.prepared.set(scene, width, height);
     let prepared = &memory.prepared;
     let rows = Band::rows(quality.square);

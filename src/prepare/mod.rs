@@ -2,7 +2,6 @@
 
 mod groups;
 mod screen;
-mod shadows;
 mod surface;
 
 pub(crate) use groups::{GroupSet, Groups, MAX_GROUPS};
@@ -32,7 +31,7 @@ pub(crate) struct Prepared {
     pub lamp_count: usize,
     pub planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
-    pub surfaces: [SurfaceRow; MAX_OBJECTS],
+    pub surfaces: [[f32; FIELDS]; MAX_OBJECTS],
     /// [`FIELDS`], where the compiler does not see it.
     pub field_count: usize,
 }
@@ -74,21 +73,6 @@ pub(crate) struct Caster {
     pub around_lamp: bool,
 }
 
-/// What shading needs of an object, as kernels want it.
-#[derive(Clone, Copy)]
-pub(crate) struct SurfaceRow {
-    pub fields: [f32; FIELDS],
-    /// The groups that can stand between it and each lamp.
-    pub casters: [GroupSet; MAX_LIGHTS],
-}
-
-impl SurfaceRow {
-    const NONE: Self = Self {
-        fields: [0.0; FIELDS],
-        casters: [0; MAX_LIGHTS],
-    };
-}
-
 impl Prepared {
     /// An empty frame, all zeros.
     pub const fn new() -> Self {
@@ -103,7 +87,7 @@ impl Prepared {
             lamp_count: 0,
             planes: [Rectangle::NONE; MAX_PLANES],
             plane_count: 0,
-            surfaces: [SurfaceRow::NONE; MAX_OBJECTS],
+            surfaces: [[0.0; FIELDS]; MAX_OBJECTS],
             field_count: 0,
         }
     }
@@ -140,13 +124,12 @@ impl Prepared {
         for (i, &number) in self.groups.order().iter().enumerate() {
             let sphere = &scene.spheres[number as usize];
             self.balls[i] = Ball::new(sphere.centre, sphere.radius);
-            self.surfaces[i].fields = Surface::sphere(sphere, scene.ambient).fields();
+            self.surfaces[i] = Surface::sphere(sphere, scene.ambient).fields();
         }
         for (i, light) in scene.lights.iter().enumerate() {
             let i = self.solids + i;
             self.balls[i] = Ball::new(light.position, light.radius);
-            self.surfaces[i] = SurfaceRow::NONE;
-            self.surfaces[i].fields = Surface::emitting(light.colour).fields();
+            self.surfaces[i] = Surface::emitting(light.colour).fields();
         }
         let first_plane = self.first_plane();
         for (i, plane) in scene.planes.iter().enumerate() {
@@ -155,11 +138,10 @@ impl Prepared {
                 half_x: plane.half_x,
                 half_z: plane.half_z,
             };
-            self.surfaces[first_plane + i].fields = Surface::plane(plane, scene.ambient).fields();
+            self.surfaces[first_plane + i] = Surface::plane(plane, scene.ambient).fields();
         }
         let nothing = self.nothing();
-        self.surfaces[nothing] = SurfaceRow::NONE;
-        self.surfaces[nothing].fields = Surface::emitting(scene.background).fields();
+        self.surfaces[nothing] = Surface::emitting(scene.background).fields();
         self.field_count = FIELDS;
         for (window, group) in self.windows.iter_mut().zip(self.groups.iter()) {
             *window = Window::of(group, self.eye, &self.raster, width, height);
@@ -189,17 +171,6 @@ impl Prepared {
                 // Its spheres may be between the lamp and whatever.
                 around_lamp: false,
             };
-        }
-        for group in self.groups.solid() {
-            let casters = shadows::on_group(scene, &self.groups, group, light.position);
-            for surface in &mut self.surfaces[group.balls()] {
-                surface.casters[i] = casters;
-            }
-        }
-        let first_plane = self.first_plane();
-        let surfaces = &mut self.surfaces[first_plane..];
-        for (surface, plane) in surfaces.iter_mut().zip(scene.planes.iter()) {
-            surface.casters[i] = shadows::on_plane(&self.groups, plane, light.position);
         }
     }
 }

@@ -159,20 +159,12 @@ pub(crate) fn blocked<S: Isa>(
     p: Vec3x<S>,
     l: Vec3x<S>,
     distance: F<S>,
-    casters: GroupSet,
 ) -> M<S> {
     let mut blocked = M::<S>::splat(simd, false);
     let reach = distance - NEAREST;
-    let mut rest = casters;
-    while rest != 0 {
-        let number = rest.trailing_zeros() as usize;
-        let group = scene.groups.get(number);
-        rest &= rest - 1;
-        if !group.is_single() {
-            let bound = &lamp.group_casters[number];
-            if !caster_blocks(simd, bound, l, reach).any_true() {
-                continue;
-            }
+    for (group, bound) in scene.groups.solid().iter().zip(&lamp.group_casters) {
+        if !group.is_single() && !caster_blocks(simd, bound, l, reach).any_true() {
+            continue;
         }
         for caster in &lamp.casters[group.balls()] {
             blocked |= caster_blocks(simd, caster, l, reach);

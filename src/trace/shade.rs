@@ -143,7 +143,7 @@ fn gather<S: Isa>(
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
     let mut colour = surface.base();
-    for (lamp, &casters) in scene.lamps[..scene.lamp_count].iter().zip(&surface.casters) {
+    for lamp in &scene.lamps[..scene.lamp_count] {
         let to_light = Vec3x::splat(simd, lamp.position) - place.p;
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light.scaled(one / distance);
@@ -153,7 +153,7 @@ fn gather<S: Isa>(
         let mut highlight = M::<S>::splat(simd, false);
         if facing.any_true() {
             batch.counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
-            lit &= !blocked(simd, scene, lamp, place.p, l, distance, casters);
+            lit &= !blocked(simd, scene, lamp, place.p, l, distance);
             let mut light = surface.diffuse().scaled(lit.select(nl, zero));
             let rv = place.r.dot(l);
             let shiny = lit & rv.simd_gt(surface.faint());

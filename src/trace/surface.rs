@@ -1,15 +1,12 @@
 //! The surfaces that a packet hits.
 
 use crate::lanes::*;
-use crate::prepare::{FIELDS, GroupSet, Prepared};
-use crate::scene::MAX_LIGHTS;
+use crate::prepare::{FIELDS, Prepared};
 
-/// A [`crate::prepare::Surface`] per lane.
+/// What shading needs of an object, per lane.
 pub(super) struct SurfaceLanes<S: Isa> {
-    /// In the order of [`crate::prepare::Surface::fields`].
+    /// In the order of `Surface::fields`.
     fields: [F<S>; FIELDS],
-    /// The groups that can stand between any lane's object and each lamp.
-    pub casters: [GroupSet; MAX_LIGHTS],
 }
 
 impl<S: Isa> SurfaceLanes<S> {
@@ -20,9 +17,8 @@ impl<S: Isa> SurfaceLanes<S> {
         Self {
             fields: core::array::from_fn(
                 #[inline(always)]
-                |i| splat(simd, surface.fields[i]),
+                |i| splat(simd, surface[i]),
             ),
-            casters: surface.casters,
         }
     }
 
@@ -40,12 +36,9 @@ impl<S: Isa> SurfaceLanes<S> {
             rest &= !mask.to_bitmask();
             let surface = &scene.surfaces[number];
             // The count comes from memory so that this stays a loop: unrolled it takes a kilobyte.
-            let fields = &surface.fields[..scene.field_count.min(FIELDS)];
+            let fields = &surface[..scene.field_count.min(FIELDS)];
             for (lane, &field) in self.fields.iter_mut().zip(fields) {
                 *lane = mask.select(splat(simd, field), *lane);
-            }
-            for (mine, casters) in self.casters.iter_mut().zip(surface.casters) {
-                *mine |= casters;
             }
         }
     }
