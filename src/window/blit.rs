@@ -180,7 +180,8 @@ unsafe fn share(
         }));
         (*image).obdata = (&raw mut *segment).cast();
         REFUSED.store(false, Relaxed);
-        let attached = (shared.XShmAttach)(display, segment) != 0;
+        let attached =
+            (shared.XShmQueryExtension)(display) != 0 && (shared.XShmAttach)(display, segment) != 0;
         (x.XSync)(display, xlib::False);
         // It goes away with the last that is attached, however that ends.
         libc::shmctl(id, libc::IPC_RMID, null_mut());

@@ -140,6 +140,7 @@ loaded! {
     /// The functions that are looked up in libXext: pictures in memory that the server shares.
     Xext, XEXT_NAMES:
     fn XShmAttach(*mut Display, *mut XShmSegmentInfo) -> Status;
+    fn XShmQueryExtension(*mut Display) -> Bool;
     fn XShmPutImage(*mut Display, Drawable, GC, *mut XImage, c_int, c_int, c_int, c_int, c_uint, c_uint, Bool) -> Status;
 }
 

@@ -1,0 +1,91 @@
+//! Nothing is allocated while frames render and while a window presents them.
+
+mod stage;
+
+use eightfold::{Band, Memory, Quality, Worker, render, show};
+use eightfold_window::{
+    cpu,
+    fixed::Fixed,
+    pool::Pool,
+    screen::{Next, Screen},
+    window::Window,
+};
+use std::{
+    alloc::{GlobalAlloc, Layout, System},
+    sync::atomic::{AtomicUsize, Ordering::SeqCst},
+};
+
+/// Counts what is asked of the system's allocator.
+struct Counting;
+
+static COUNT: AtomicUsize = AtomicUsize::new(0);
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+// SAFETY: the system's allocator does it all.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.fetch_add(1, SeqCst);
+        // SAFETY: as the caller's.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        COUNT.fetch_add(1, SeqCst);
+        // SAFETY: as the caller's.
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        COUNT.fetch_add(1, SeqCst);
+        // SAFETY: as the caller's.
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as the caller's.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+/// Threads of the test: more than there may be processors.
+const THREADS: usize = 3;
+
+static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
+static WORKERS: Fixed<[Worker; THREADS]> = Fixed::new([const { Worker::new() }; THREADS]);
+
+fn main() {
+    stage::on_displays(&[&[]], || {
+        let mut window = Window::open("Eightfold", 320, 240).expect("there is a display");
+        let mut pool = Pool::new(THREADS);
+        let memory = MEMORY.take();
+        let workers = WORKERS.take();
+        let mut frames = |range: std::ops::Range<u32>| {
+            for frame in range {
+                let (width, height) = window.size();
+                render(
+                    cpu::level(),
+                    &show::scene(frame as f32 / 60.0),
+                    &Quality::THESIS,
+                    width,
+                    height,
+                    memory,
+                    workers,
+                    window.canvas(width, height),
+                    |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
+                        pool.run(workers, bands, job);
+                    },
+                );
+                assert_eq!(window.show(), Next::GoOn);
+            }
+        };
+        // The server tells the window its size first.
+        frames(0..10);
+        let before = COUNT.load(SeqCst);
+        assert!(before > 0, "the count counts");
+        frames(10..310);
+        assert_eq!(COUNT.load(SeqCst) - before, 0, "allocations in 300 frames");
+        println!("300 frames in a window: no allocation");
+    });
+}

@@ -1,0 +1,112 @@
+//! A window shows the very pixels that were drawn, at any size, and stretches what has another; with
+//! memory that the server shares, and without.
+
+mod stage;
+
+use eightfold_window::{
+    screen::{Next, Screen},
+    window::Window,
+};
+use std::{env, process::Command, thread::sleep, time::Duration};
+
+/// A picture with no two pixels alike beside each other.
+fn colour(x: usize, y: usize, round: usize) -> u32 {
+    let mixed = (x * 73 + y * 179 + round * 31) as u32;
+    mixed.wrapping_mul(0x9e37_79b1) >> 8
+}
+
+fn main() {
+    stage::on_displays(&[&[], &["-extension", "MIT-SHM"]], look);
+}
+
+fn look() {
+    let display = env::var("DISPLAY").expect("there is a display");
+    let mut window = Window::open("Eightfold", 301, 203).expect("there is a display");
+    let sizes = [
+        (301, 203),
+        (1280, 1024),
+        (1, 1),
+        (17, 1),
+        (1, 9),
+        (640, 480),
+    ];
+    for (round, size) in sizes.into_iter().enumerate() {
+        resize(&display, size);
+        for _ in 0..500 {
+            if window.size() == size {
+                break;
+            }
+            draw(&mut window, round, false);
+            sleep(Duration::from_millis(10));
+        }
+        for stretched in [false, true] {
+            // Twice: frames take turns in two places.
+            draw(&mut window, round, stretched);
+            draw(&mut window, round + 1, stretched);
+            // The server may not have come to it yet.
+            sleep(Duration::from_millis(100));
+            compare(&display, size, round + 1, stretched);
+        }
+    }
+    println!("windows from 1x1 to 1280x1024 show the pixels drawn");
+}
+
+/// Draws a picture of the window's size, or of half of it.
+fn draw(window: &mut Window, round: usize, half: bool) {
+    let (width, height) = window.size();
+    let (width, height) = if half {
+        halves(width, height)
+    } else {
+        (width, height)
+    };
+    let canvas = window.canvas(width, height);
+    for (y, row) in canvas.chunks_exact_mut(width).enumerate() {
+        for (x, pixel) in row.iter_mut().enumerate() {
+            *pixel = colour(x, y, round);
+        }
+    }
+    assert_eq!(window.show(), Next::GoOn);
+}
+
+fn halves(width: usize, height: usize) -> (usize, usize) {
+    (width.div_ceil(2), height.div_ceil(2))
+}
+
+fn resize(display: &str, (width, height): (usize, usize)) {
+    let mut xdotool = stage::tool("xdotool", "xdotool");
+    let words =
+        format!("search --sync --name Eightfold windowmove 0 0 windowsize {width} {height}");
+    stage::run(xdotool.env("DISPLAY", display).args(words.split(' ')));
+}
+
+fn compare(display: &str, (width, height): (usize, usize), round: usize, half: bool) {
+    let mut import: Command = stage::tool("import", "imagemagick");
+    let part = format!("{width}x{height}+0+0");
+    let (output, _) = stage::run(import.env("DISPLAY", display).args([
+        "-window", "root", "-crop", &part, "+repage", "-depth", "8", "rgb:-",
+    ]));
+    assert_eq!(
+        output.stdout.len(),
+        width * height * 3,
+        "a picture of {width}x{height}"
+    );
+    let (from_width, from_height) = if half {
+        halves(width, height)
+    } else {
+        (width, height)
+    };
+    for (i, rgb) in output.stdout.chunks_exact(3).enumerate() {
+        let (x, y) = (
+            i % width * from_width / width,
+            i / width * from_height / height,
+        );
+        let [_, red, green, blue] = colour(x, y, round).to_be_bytes();
+        assert_eq!(
+            rgb,
+            [red, green, blue],
+            "pixel {},{} of {width}x{height}, drawn as {from_width}x{from_height}",
+            i % width,
+            i / width
+        );
+    }
+}

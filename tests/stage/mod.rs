@@ -1,0 +1,262 @@
+//! What the tests of the intro stand on: the program itself, an X server, and the tools to look.
+
+#![allow(dead_code, reason = "each test uses a part of it")]
+
+use std::{
+    env,
+    io::{BufRead, BufReader, Read},
+    path::PathBuf,
+    process::{Child, Command, Output, Stdio},
+    sync::OnceLock,
+    thread::sleep,
+    time::{Duration, Instant},
+};
+
+/// The program that `cargo run --release` runs, built anew if anything has changed.
+pub fn intro() -> PathBuf {
+    static BUILT: OnceLock<PathBuf> = OnceLock::new();
+    let built = BUILT.get_or_init(|| {
+        let output = Command::new(env!("CARGO"))
+            .args(["build", "--release", "--bin", "eightfold"])
+            .args(["--message-format", "json"])
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .expect("cargo runs");
+        let messages = String::from_utf8_lossy(&output.stdout);
+        assert!(
+            output.status.success(),
+            "cargo build --release: {messages}{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+        let (_, path) = messages
+            .rsplit_once("\"executable\":\"")
+            .expect("cargo says which program it has built");
+        path.split('"').next().expect("a path").into()
+    });
+    built.clone()
+}
+
+/// Starts a tool that a Debian package has, or says which one.
+pub fn tool(name: &str, package: &str) -> Command {
+    let there = env::var_os("PATH")
+        .is_some_and(|path| env::split_paths(&path).any(|folder| folder.join(name).exists()));
+    assert!(
+        there,
+        "this test needs {name}: sudo apt-get install {package}"
+    );
+    Command::new(name)
+}
+
+/// Runs a command to its end. What it writes is text.
+pub fn run(command: &mut Command) -> (Output, String) {
+    let output = command.output().expect("the command starts");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    (output, text)
+}
+
+/// Waits until something is so.
+///
+/// # Panics
+/// If it isn't after ten seconds.
+pub fn wait_for<T>(what: &str, mut look: impl FnMut() -> Option<T>) -> T {
+    let start = Instant::now();
+    while start.elapsed() < Duration::from_secs(10) {
+        if let Some(seen) = look() {
+            return seen;
+        }
+        sleep(Duration::from_millis(10));
+    }
+    panic!("waited in vain for {what}");
+}
+
+/// A process that doesn't outlive the test.
+pub struct Process(pub Child);
+
+impl Process {
+    /// Starts a command with pipes from its output and its errors.
+    pub fn start(command: &mut Command) -> Process {
+        let command = command.stdin(Stdio::null());
+        let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        Process(command.spawn().expect("the command starts"))
+    }
+
+    /// Sends a signal, by name.
+    pub fn signal(&self, name: &str) {
+        let mut kill = tool("kill", "procps");
+        run(kill.args(["-s", name, &self.0.id().to_string()]));
+    }
+
+    /// Waits for the end: how long that took, the exit code (`None` after a signal), what was written to
+    /// standard output, and to standard error.
+    pub fn end(mut self) -> (Duration, Option<i32>, String, String) {
+        let start = Instant::now();
+        let status = wait_for("the end of a process", || {
+            self.0.try_wait().expect("it can be waited for")
+        });
+        let time = start.elapsed();
+        let [mut output, mut errors] = [String::new(), String::new()];
+        let pipes = (self.0.stdout.take(), self.0.stderr.take());
+        if let (Some(mut out), Some(mut err)) = pipes {
+            out.read_to_string(&mut output).expect("text");
+            err.read_to_string(&mut errors).expect("text");
+        }
+        (time, status.code(), output, errors)
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// An X server without a screen, with a display number that nobody else has.
+pub struct Server {
+    process: Process,
+    /// As in `DISPLAY`.
+    pub display: String,
+    manager: Option<Process>,
+}
+
+impl Server {
+    /// Starts one with a screen of a size.
+    pub fn start(width: usize, height: usize) -> Server {
+        Server::start_with(width, height, &[])
+    }
+
+    /// Starts one with a screen of a size, and with arguments.
+    pub fn start_with(width: usize, height: usize, arguments: &[&str]) -> Server {
+        let mut command = tool("Xvfb", "xvfb");
+        let screen = format!("{width}x{height}x24");
+        let mut process = Process::start(
+            command
+                .args(["-displayfd", "1", "-screen", "0", &screen])
+                .args(["-nolisten", "tcp", "-noreset"])
+                .args(arguments),
+        );
+        let mut number = String::new();
+        let output = process.0.stdout.take().expect("a pipe");
+        BufReader::new(output)
+            .read_line(&mut number)
+            .expect("Xvfb writes its display's number");
+        assert!(!number.trim().is_empty(), "Xvfb does not start");
+        Server {
+            process,
+            display: format!(":{}", number.trim()),
+            manager: None,
+        }
+    }
+
+    /// Starts one with openbox, a window manager.
+    pub fn start_managed(width: usize, height: usize) -> Server {
+        let mut server = Server::start(width, height);
+        let mut openbox = tool("openbox", "openbox");
+        openbox.env("DISPLAY", &server.display);
+        server.manager = Some(Process::start(&mut openbox));
+        wait_for("the window manager", || {
+            let mut xprop = server.tool("xprop", "x11-utils");
+            let (_, text) = run(xprop.args(["-root", "_NET_SUPPORTED"]));
+            text.contains("FULLSCREEN").then_some(())
+        });
+        server
+    }
+
+    /// A tool that looks at this display.
+    pub fn tool(&self, name: &str, package: &str) -> Command {
+        let mut command = tool(name, package);
+        command.env("DISPLAY", &self.display);
+        command
+    }
+
+    /// Does something that xdotool can do.
+    pub fn xdotool(&self, words: &str) -> String {
+        let mut xdotool = self.tool("xdotool", "xdotool");
+        run(xdotool.args(words.split(' '))).1
+    }
+
+    /// Starts the intro on this display and waits for its window.
+    pub fn play(&self, options: &[&str]) -> Process {
+        let intro = Process::start(
+            Command::new(intro())
+                .args(options)
+                .env("DISPLAY", &self.display),
+        );
+        wait_for("the intro's window", || self.window());
+        intro
+    }
+
+    /// The intro's window, once there is one that can be seen: its inside's place on the screen and size.
+    pub fn window(&self) -> Option<[i32; 4]> {
+        let mut xwininfo = self.tool("xwininfo", "x11-utils");
+        let (_, text) = run(xwininfo.args(["-name", "Eightfold"]));
+        let number = |label: &str| {
+            let (_, rest) = text.split_once(label)?;
+            rest.split_whitespace().next()?.parse().ok()
+        };
+        text.contains("IsViewable").then_some(())?;
+        Some([
+            number("Absolute upper-left X:")?,
+            number("Absolute upper-left Y:")?,
+            number("Width:")?,
+            number("Height:")?,
+        ])
+    }
+
+    /// Waits until the window's inside has a place and size.
+    pub fn wait_for_window(&self, wanted: [i32; 4]) {
+        let start = Instant::now();
+        while self.window() != Some(wanted) {
+            assert!(
+                start.elapsed() < Duration::from_secs(5),
+                "the window is at {:?} and not {wanted:?}",
+                self.window()
+            );
+            sleep(Duration::from_millis(20));
+        }
+        // Until frames have that size.
+        sleep(Duration::from_millis(200));
+    }
+
+    /// What is on the screen, in a rectangle: pixels `0x00RRGGBB`, row after row.
+    pub fn screenshot(&self, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
+        let mut import = self.tool("import", "imagemagick");
+        let part = format!("{width}x{height}+{x}+{y}");
+        let (output, _) = run(import
+            .args(["-window", "root", "-crop", &part, "+repage"])
+            .args(["-depth", "8", "rgb:-"]));
+        let pixels: Vec<u32> = output
+            .stdout
+            .chunks_exact(3)
+            .map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]))
+            .collect();
+        assert_eq!(pixels.len(), (width * height) as usize, "a whole picture");
+        pixels
+    }
+
+    /// Ends the server at once, as if it had crashed.
+    pub fn kill(&mut self) {
+        self.process.0.kill().expect("it runs");
+        self.process.0.wait().expect("it has ended");
+    }
+}
+
+/// Runs this very program once more on a display, for each of several servers, which are given by their
+/// arguments; in there, does the work.
+///
+/// Xlib looks for the display in the environment, which can't be changed while a program runs.
+pub fn on_displays(servers: &[&[&str]], work: fn()) {
+    const INSIDE: &str = "EIGHTFOLD_TEST_INSIDE";
+    if env::var_os(INSIDE).is_some() {
+        return work();
+    }
+    for arguments in servers {
+        let server = Server::start_with(1280, 1024, arguments);
+        let status = Command::new(env::current_exe().expect("this program"))
+            .env("DISPLAY", &server.display)
+            .env(INSIDE, "1")
+            .status()
+            .expect("this program starts");
+        assert!(status.success(), "it fails on a server with {arguments:?}");
+    }
+}

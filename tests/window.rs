@@ -1,0 +1,255 @@
+//! The intro in a window: as somebody at the screen sees it.
+
+mod stage;
+
+use eightfold::{Band, Level, Memory, Quality, Worker, render, show};
+use eightfold_window::fixed::Fixed;
+use stage::{Server, run, wait_for};
+use std::{
+    sync::{LazyLock, Mutex},
+    thread::sleep,
+    time::{Duration, Instant},
+};
+
+/// The tracer's memory, while it is lent out.
+type Lent = (&'static mut Memory, &'static mut [Worker; 1]);
+
+/// The screen, larger than the window in both directions and of another shape.
+const SCREEN: [i32; 4] = [0, 0, 1280, 800];
+
+fn servers() -> [(&'static str, Server); 2] {
+    let [_, _, width, height] = SCREEN.map(|side| side as usize);
+    [
+        ("no window manager", Server::start(width, height)),
+        ("openbox", Server::start_managed(width, height)),
+    ]
+}
+
+#[test]
+fn the_window_has_its_title_and_size_and_shows_the_frame() {
+    for (manager, server) in servers() {
+        let intro = server.play(&["--seconds", "60"]);
+        let window = server.window().expect("a window");
+        assert_eq!(window[2..], [1024, 768], "{manager}");
+        let mut xprop = server.tool("xprop", "x11-utils");
+        let (_, properties) = run(xprop.args(["-name", "Eightfold", "WM_NAME", "_NET_WM_NAME"]));
+        assert_eq!(
+            properties.matches("\"Eightfold\"").count(),
+            2,
+            "{manager}: {properties}"
+        );
+        drop(intro);
+
+        // A small one, to look for its frame among those of the time it can be of.
+        let start = Instant::now();
+        let intro = server.play(&["--size", "200x150", "--seconds", "60"]);
+        sleep(Duration::from_millis(500));
+        let shot = server.screenshot(server.window().expect("a window"));
+        let difference = difference_to_show(&shot, 200, 150, start.elapsed());
+        assert!(
+            difference < 0.2,
+            "{manager}: the nearest frame differs by {difference} of 255"
+        );
+        drop(intro);
+    }
+}
+
+#[test]
+fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
+    for (manager, server) in servers() {
+        let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+        server.xdotool("search --name Eightfold windowmove 123 77");
+        sleep(Duration::from_millis(300));
+        let window = server.window().expect("a window");
+        server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
+        for _ in 0..3 {
+            server.xdotool("key f");
+            server.wait_for_window(SCREEN);
+            assert_covered(&server, manager);
+            server.xdotool("key w");
+            server.wait_for_window(window);
+        }
+        // Keys that come together: the last counts.
+        server.xdotool("key --delay 0 f w f w");
+        sleep(Duration::from_millis(300));
+        server.wait_for_window(window);
+        drop(intro);
+    }
+}
+
+#[test]
+fn it_can_start_over_the_whole_screen() {
+    for (manager, server) in servers() {
+        let intro = server.play(&["--fullscreen", "--size", "640x400", "--seconds", "60"]);
+        server.wait_for_window(SCREEN);
+        assert_covered(&server, manager);
+        server.xdotool("key w");
+        wait_for("the window", || {
+            let [_, _, width, height] = server.window()?;
+            ([width, height] == [640, 400]).then_some(())
+        });
+        drop(intro);
+    }
+}
+
+#[test]
+fn the_window_can_have_any_size() {
+    for (manager, server) in servers() {
+        let intro = server.play(&["--seconds", "60"]);
+        for [width, height] in [[1, 1], [333, 77], [2, 500], [701, 3], [640, 480]] {
+            let size = format!("search --name Eightfold windowsize {width} {height}");
+            server.xdotool(&size);
+            wait_for("the size", || {
+                let [_, _, w, h] = server.window()?;
+                ([w, h] == [width, height]).then_some(())
+            });
+            sleep(Duration::from_millis(200));
+        }
+        let window = server.window().expect("a window");
+        let shot = server.screenshot(window);
+        assert!(shot.iter().all(|&pixel| pixel != 0), "{manager}: no black");
+        let output = end_by_escape(&server, intro);
+        assert!(output.contains("640x480"), "{manager}: {output}");
+    }
+}
+
+#[test]
+fn a_window_beyond_the_largest_picture_is_filled() {
+    let server = Server::start(4100, 2200);
+    let intro = server.play(&["--fullscreen", "--seconds", "60"]);
+    server.wait_for_window([0, 0, 4100, 2200]);
+    sleep(Duration::from_millis(1000));
+    for [x, y] in [[0, 0], [4099, 0], [0, 2199], [4099, 2199], [2000, 1100]] {
+        assert_ne!(server.screenshot([x, y, 1, 1]), [0], "pixel {x},{y}");
+    }
+    let output = end_by_escape(&server, intro);
+    assert!(
+        output.contains("3840x2060"),
+        "of the window's shape: {output}"
+    );
+}
+
+#[test]
+fn escape_ends_it_at_once() {
+    for (manager, server) in servers() {
+        let intro = server.play(&["--seconds", "60"]);
+        let output = end_by_escape(&server, intro);
+        assert_eq!(output.lines().count(), 1, "{manager}: {output}");
+        for word in ["frames in", "fps", "worst second", "1024x768", "threads"] {
+            assert!(output.contains(word), "{manager}: {output}");
+        }
+    }
+}
+
+#[test]
+fn closing_the_window_ends_it_at_once() {
+    let [_, _, width, height] = SCREEN.map(|side| side as usize);
+    let server = Server::start_managed(width, height);
+    // As the window manager does when asked to: by a message to the window. Then by force.
+    for way in [
+        "key --clearmodifiers alt+F4",
+        "search --name Eightfold windowclose",
+    ] {
+        let intro = server.play(&["--seconds", "60"]);
+        sleep(Duration::from_millis(300));
+        server.xdotool(way);
+        let (time, code, output, errors) = intro.end();
+        assert_eq!(code, Some(0), "{way}: {output}{errors}");
+        assert_eq!(errors, "");
+        assert_eq!(output.lines().count(), 1, "{way}: {output}");
+        assert!(time < Duration::from_millis(500), "{way}: {time:?}");
+    }
+}
+
+#[test]
+fn the_end_of_the_server_is_an_error_and_no_crash() {
+    for (manager, mut server) in servers() {
+        let intro = server.play(&["--seconds", "60"]);
+        sleep(Duration::from_millis(300));
+        server.kill();
+        let (_, code, output, errors) = intro.end();
+        assert_eq!(code, Some(1), "{manager}: {output}{errors}");
+        assert_eq!(errors, "eightfold: the display is gone\n");
+    }
+}
+
+#[test]
+fn it_ends_by_itself() {
+    for (manager, server) in servers() {
+        let intro = server.play(&["--seconds", "1.5", "--size", "64x48"]);
+        let (time, code, output, errors) = intro.end();
+        assert_eq!(code, Some(0), "{manager}: {errors}");
+        assert!(time > Duration::from_millis(500), "{manager}: {time:?}");
+        assert!(output.contains(" in 1.5"), "{manager}: {output}");
+    }
+}
+
+#[test]
+fn frames_are_at_most_sixty_a_second_unless_uncapped() {
+    let server = Server::start(320, 240);
+    let frames = |options: &[&str]| {
+        let intro = server.play(&[&["--size", "64x48", "--seconds", "2"], options].concat());
+        let (_, _, output, _) = intro.end();
+        let frames = output.split(' ').next().expect("a number of frames");
+        frames.parse::<u32>().expect("a number")
+    };
+    let capped = frames(&[]);
+    assert!((60..=121).contains(&capped), "{capped} frames in 2 s");
+    let uncapped = frames(&["--uncapped"]);
+    assert!(uncapped > 240, "{uncapped} frames in 2 s");
+}
+
+/// Ends the intro by a tap on Esc, and returns what it says.
+fn end_by_escape(server: &Server, intro: stage::Process) -> String {
+    let [x, y, ..] = server.window().expect("a window");
+    server.xdotool(&format!("mousemove {x} {y}"));
+    server.xdotool("key Escape");
+    let (time, code, output, errors) = intro.end();
+    assert_eq!(code, Some(0), "{output}{errors}");
+    assert_eq!(errors, "");
+    assert!(time < Duration::from_millis(500), "it took {time:?}");
+    output
+}
+
+/// The picture fills the screen: the background is not black.
+fn assert_covered(server: &Server, manager: &str) {
+    let shot = server.screenshot(SCREEN);
+    let black = shot.iter().filter(|&&pixel| pixel == 0).count();
+    assert_eq!(black, 0, "{manager}: black pixels");
+}
+
+/// How much a screenshot differs from the nearest frame of the show up to a time: the mean of all channels.
+fn difference_to_show(shot: &[u32], width: usize, height: usize, time: Duration) -> f64 {
+    static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
+    static WORKERS: Fixed<[Worker; 1]> = Fixed::new([Worker::new()]);
+    static LENT: LazyLock<Mutex<Lent>> =
+        LazyLock::new(|| Mutex::new((MEMORY.take(), WORKERS.take())));
+    let (memory, workers) = &mut *LENT.lock().expect("no panic before");
+    let mut frame = vec![0; width * height];
+    let mut nearest = f64::INFINITY;
+    for hundredth in 0..=time.as_millis() / 10 {
+        render(
+            Level::baseline(),
+            &show::scene(hundredth as f32 / 100.0),
+            &Quality::THESIS,
+            width,
+            height,
+            memory,
+            &mut workers[..],
+            &mut frame,
+            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
+                for band in bands {
+                    job(&mut workers[0], band);
+                }
+            },
+        );
+        let channels = |pixel: &u32| pixel.to_be_bytes();
+        let pairs = shot
+            .iter()
+            .flat_map(channels)
+            .zip(frame.iter().flat_map(channels));
+        let sum: u64 = pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum();
+        nearest = nearest.min(sum as f64 / (3 * frame.len()) as f64);
+    }
+    nearest
+}
