@@ -78,13 +78,18 @@ impl Intro {
             Err(NoWindow::NoLibrary) => "libX11 is not installed",
             Err(NoWindow::NoDisplay) => "no X display",
         };
-        let mut say = Line::new();
-        say.text("eightfold: ").text(why);
-        if line::terminal(line::OUTPUT) {
-            say.text("; playing in the terminal\n").write(line::ERROR);
+        let in_terminal = line::terminal(line::OUTPUT);
+        let mut note = Line::new();
+        note.text("eightfold: ").text(why).text("; playing ");
+        note.text(if in_terminal {
+            "in the terminal\n"
+        } else {
+            "unseen\n"
+        });
+        line::write(line::ERROR, note.bytes());
+        if in_terminal {
             self.play(&mut Terminal::open(), options)
         } else {
-            say.text("; playing unseen\n").write(line::ERROR);
             self.play(&mut Unseen::new(width, height), options)
         }
     }
@@ -146,7 +151,8 @@ impl Intro {
         // In tenths, like what is written.
         let mean = frames * 10 * SECOND / time.max(1);
         let worst = worst.map_or(mean, |frames| frames * 10);
-        Line::new()
+        let mut report = Line::new();
+        report
             .number(frames)
             .text(" frames in ")
             .decimal(time / (SECOND / 100), 2)
@@ -162,8 +168,8 @@ impl Intro {
             .number(self.pool.threads() as u64)
             .text(", ")
             .text(cpu::name(self.level))
-            .text("\n")
-            .write(line::OUTPUT)
+            .text("\n");
+        line::print(report.bytes())
     }
 }
 

@@ -127,23 +127,21 @@ fn find(flag: &[u8]) -> Option<(usize, &'static [u8])> {
         .filter(|_| !flag.is_empty())
 }
 
-/// Writes to standard output, and returns the exit code.
+/// Answers, and returns the exit code.
 fn answer(texts: &[&str]) -> i32 {
-    let written = texts
-        .iter()
-        .all(|text| line::write(line::OUTPUT, text.as_bytes()));
-    i32::from(!written)
+    let said = texts.iter().all(|text| line::print(text.as_bytes()));
+    i32::from(!said)
 }
 
 /// Says in one line on standard error what is wrong, and returns the exit code.
 fn wrong(given: &[u8], expected: &[u8]) -> i32 {
-    Line::new()
-        .text("eightfold: can't use '")
+    let mut why = Line::new();
+    why.text("eightfold: can't use '")
         .quote(given)
         .text("': ")
         .quote(expected)
-        .text("\n")
-        .write(line::ERROR);
+        .text("\n");
+    line::write(line::ERROR, why.bytes());
     2
 }
 

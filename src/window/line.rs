@@ -69,11 +69,6 @@ impl Line {
         &self.bytes[..self.length]
     }
 
-    /// Writes the line to a file descriptor, as [`write`] does.
-    pub fn write(&self, file: i32) -> bool {
-        write(file, self.bytes())
-    }
-
     fn add(&mut self, bytes: &[u8]) -> &mut Line {
         for &byte in bytes {
             if let Some(end) = self.bytes.get_mut(self.length) {
@@ -95,6 +90,15 @@ impl Default for Line {
 #[must_use]
 pub fn terminal(file: i32) -> bool {
     crate::terminal::mode(file).is_some()
+}
+
+/// Writes everything to standard output. Where that fails, says so on standard error and returns false.
+pub fn print(bytes: &[u8]) -> bool {
+    let written = write(OUTPUT, bytes);
+    if !written {
+        write(ERROR, b"eightfold: can't write to standard output\n");
+    }
+    written
 }
 
 /// Writes everything to a file descriptor, waiting while it is full. False if that fails, or if a

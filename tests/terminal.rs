@@ -1,0 +1,362 @@
+//! The intro without a display: in a terminal (tmux), unseen, and with what it can't use.
+
+mod stage;
+
+use stage::{Process, intro, run, tool, wait_for};
+use std::{
+    env,
+    path::{Path, PathBuf},
+    process::{self, Command, Output},
+    sync::atomic::{AtomicUsize, Ordering::Relaxed},
+    thread::sleep,
+    time::{Duration, Instant},
+};
+
+/// A terminal of a size, with a shell script in it.
+struct Terminal {
+    socket: PathBuf,
+}
+
+impl Terminal {
+    /// Starts the intro with options, without a display. When it has ended, the terminal shows whether its
+    /// mode has changed, and the exit code.
+    fn play(columns: usize, rows: usize, options: &str) -> Terminal {
+        static COUNT: AtomicUsize = AtomicUsize::new(0);
+        let name = format!(
+            "eightfold-{}-{}",
+            process::id(),
+            COUNT.fetch_add(1, Relaxed)
+        );
+        let terminal = Terminal {
+            socket: env::temp_dir().join(name),
+        };
+        let script = format!(
+            "unset DISPLAY; stty sane; before=$(stty -g); {} {options}; code=$?; \
+             [ \"$before\" = \"$(stty -g)\" ] && echo mode restored; echo code $code; sleep 60",
+            intro().display()
+        );
+        let (columns, rows) = (columns.to_string(), rows.to_string());
+        terminal.tmux(&[
+            "new-session",
+            "-d",
+            "-x",
+            &columns,
+            "-y",
+            &rows,
+            "sh",
+            "-c",
+            &script,
+        ]);
+        terminal
+    }
+
+    fn tmux(&self, words: &[&str]) -> String {
+        let mut tmux = tool("tmux", "tmux");
+        tmux.args(["-f", "/dev/null", "-u", "-S"])
+            .arg(&self.socket)
+            .args(words);
+        let (output, text) = run(&mut tmux);
+        assert!(output.status.success(), "tmux {words:?}: {output:?}");
+        text
+    }
+
+    /// What it shows, with colours as they were sent.
+    fn text(&self) -> String {
+        self.tmux(&["capture-pane", "-p", "-e"])
+    }
+
+    /// Waits until it shows a picture in all its cells.
+    fn wait_for_picture(&self, columns: usize, rows: usize) {
+        wait_for("a picture", || {
+            let text = self.text();
+            let full = |line: &str| line.matches('\u{2580}').count() == columns;
+            (text.lines().filter(|line| full(line)).count() == rows).then_some(())
+        });
+    }
+
+    /// Waits until the intro has ended, and checks that everything is as it was.
+    fn wait_for_end(&self, code: i32) {
+        let text = wait_for("the end", || {
+            let text = self.text();
+            text.contains("code ").then_some(text)
+        });
+        assert!(text.contains(&format!("code {code}")), "{text}");
+        assert!(text.contains("mode restored"), "{text}");
+        assert!(
+            text.contains("no X display; playing in the terminal"),
+            "{text}"
+        );
+        assert!(text.contains("frames in"), "the report: {text}");
+        let flags = self.tmux(&[
+            "display",
+            "-p",
+            "#{alternate_on} #{cursor_flag} #{wrap_flag}",
+        ]);
+        assert_eq!(flags.trim(), "0 1 1", "alternate screen, cursor, wrapping");
+    }
+
+    /// Sends a signal to the intro.
+    fn signal(&self, name: &str) {
+        let shell = self.tmux(&["display", "-p", "#{pane_pid}"]);
+        let mut pkill = tool("pkill", "procps");
+        run(pkill.args(["--signal", name, "-P", shell.trim(), "eightfold"]));
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        let mut tmux = tool("tmux", "tmux");
+        run(tmux.arg("-S").arg(&self.socket).arg("kill-server"));
+    }
+}
+
+#[test]
+fn it_plays_in_a_terminal_of_any_size() {
+    let terminal = Terminal::play(80, 24, "");
+    terminal.wait_for_picture(80, 24);
+    assert!(
+        terminal.text().contains("\x1b[38;2;"),
+        "24-bit colours: {:?}",
+        terminal.text()
+    );
+    for (columns, rows) in [(100, 30), (37, 11), (2, 1), (200, 50)] {
+        let (width, height) = (columns.to_string(), rows.to_string());
+        terminal.tmux(&["resize-window", "-x", &width, "-y", &height]);
+        terminal.wait_for_picture(columns, rows);
+    }
+    terminal.tmux(&["send-keys", "Escape"]);
+    terminal.wait_for_end(0);
+}
+
+#[test]
+fn it_moves() {
+    let terminal = Terminal::play(80, 24, "");
+    terminal.wait_for_picture(80, 24);
+    let before = terminal.text();
+    wait_for("another frame", || {
+        (terminal.text() != before).then_some(())
+    });
+}
+
+#[test]
+fn escape_and_control_c_end_it_and_other_keys_do_not() {
+    for key in ["Escape", "C-c"] {
+        let terminal = Terminal::play(60, 20, "");
+        terminal.wait_for_picture(60, 20);
+        terminal.tmux(&["send-keys", "Up", "F5", "x", "Home", "C-z", "C-s"]);
+        sleep(Duration::from_millis(300));
+        terminal.wait_for_picture(60, 20);
+        terminal.tmux(&["send-keys", key]);
+        terminal.wait_for_end(0);
+        assert!(!terminal.text().contains('\u{2580}'), "no picture is left");
+    }
+}
+
+#[test]
+fn signals_end_it_with_the_terminal_restored() {
+    for (name, number) in [("TERM", 15), ("HUP", 1), ("INT", 2)] {
+        let terminal = Terminal::play(60, 20, "");
+        terminal.wait_for_picture(60, 20);
+        terminal.signal(name);
+        terminal.wait_for_end(128 + number);
+    }
+}
+
+#[test]
+fn it_ends_by_itself_in_a_terminal() {
+    let terminal = Terminal::play(60, 20, "--seconds 1");
+    terminal.wait_for_picture(60, 20);
+    terminal.wait_for_end(0);
+    assert!(terminal.text().contains("60x40"), "the picture's size");
+}
+
+#[test]
+fn keys_come_from_the_terminal_where_standard_input_is_none() {
+    let terminal = Terminal::play(60, 20, "< /dev/null");
+    terminal.wait_for_picture(60, 20);
+    terminal.tmux(&["send-keys", "Escape"]);
+    terminal.wait_for_end(0);
+}
+
+/// The intro, to be started without a display.
+fn unseen() -> Command {
+    let mut command = Command::new(intro());
+    command.env_remove("DISPLAY");
+    command
+}
+
+fn texts(output: &Output) -> (String, String) {
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (text(&output.stdout), text(&output.stderr))
+}
+
+#[test]
+fn without_display_and_terminal_it_runs_unseen() {
+    let start = Instant::now();
+    let (output, _) =
+        run(unseen().args(["--seconds", "0.5", "--size", "320x200", "--threads", "3"]));
+    let (said, errors) = texts(&output);
+    assert_eq!(output.status.code(), Some(0), "{errors}");
+    assert!(start.elapsed() >= Duration::from_millis(500));
+    assert_eq!(errors, "eightfold: no X display; playing unseen\n");
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert!(said.contains("320x200, threads 3"), "{said}");
+}
+
+#[test]
+fn displays_that_are_not_there_are_no_display() {
+    for display in ["", ":54321", "nonsense", "localhost:54321"] {
+        let (output, _) = run(unseen().args(["--seconds", "0.1"]).env("DISPLAY", display));
+        let (_, errors) = texts(&output);
+        assert_eq!(output.status.code(), Some(0), "{display}: {errors}");
+        assert!(
+            errors.contains("no X display; playing unseen"),
+            "{display}: {errors}"
+        );
+    }
+}
+
+#[test]
+fn a_standard_output_that_takes_nothing_is_an_error() {
+    let shell = |script: &str| {
+        let script = script.replace("INTRO", &intro().display().to_string());
+        let (output, _) = run(tool("bash", "bash")
+            .env_remove("DISPLAY")
+            .args(["-c", &script]));
+        (output.status.code(), texts(&output).1)
+    };
+    for options in ["--seconds 0.1", "--help", "--version"] {
+        for output in [">&-", "> /dev/full"] {
+            let (code, errors) = shell(&format!("INTRO {options} {output}"));
+            assert_eq!(code, Some(1), "{options} {output}: {errors}");
+            assert_eq!(
+                errors.matches("can't write").count(),
+                1,
+                "{options} {output}: {errors}"
+            );
+        }
+        // A pipe that nobody reads from.
+        let (code, errors) = shell(&format!("INTRO {options} | true; exit ${{PIPESTATUS[0]}}"));
+        let written_before = options != "--seconds 0.1" && code == Some(0);
+        assert!(
+            code == Some(1) || written_before,
+            "{options}: {code:?} {errors}"
+        );
+    }
+    // All three closed: what opens the display must not take their numbers.
+    let server = stage::Server::start(320, 240);
+    let (code, _) = shell(&format!(
+        "DISPLAY={} INTRO --seconds 0.2 <&- >&- 2>&-",
+        server.display
+    ));
+    assert_eq!(code, Some(1));
+}
+
+#[test]
+fn bad_arguments_are_named_in_one_line() {
+    let bad: &[(&[&str], &str)] = &[
+        (&["--bogus"], "--bogus"),
+        (&["bogus"], "bogus"),
+        (&[""], "--help"),
+        (&["-h"], "-h"),
+        (&["--sizes", "10x10"], "--sizes"),
+        (&["--loop\x1b[31m"], "--loop?[31m"),
+        (&["--size"], "--size WxH"),
+        (&["--size", "1024"], "--size WxH"),
+        (&["--size", "0x10"], "--size WxH"),
+        (&["--size", "10x0"], "--size WxH"),
+        (&["--size", "3841x10"], "--size WxH"),
+        (&["--size", "10x2161"], "--size WxH"),
+        (&["--size", "-5x10"], "--size WxH"),
+        (&["--size", "10x10x10"], "--size WxH"),
+        (&["--size", "99999999999999999999999x1"], "--size WxH"),
+        (&["--threads", "0"], "--threads N"),
+        (&["--threads", "65"], "--threads N"),
+        (&["--threads", "two"], "--threads N"),
+        (&["--threads", "184467440737095516170"], "--threads N"),
+        (&["--threads"], "--threads N"),
+        (&["--seconds", "0"], "--seconds S"),
+        (&["--seconds", "0.0"], "--seconds S"),
+        (&["--seconds", "."], "--seconds S"),
+        (&["--seconds", ""], "--seconds S"),
+        (&["--seconds", "-1"], "--seconds S"),
+        (&["--seconds", "1.2.3"], "--seconds S"),
+        (&["--seconds", "nan"], "--seconds S"),
+        (&["--seconds", "inf"], "--seconds S"),
+        (&["--seconds", "1e3"], "--seconds S"),
+        (
+            &["--seconds", "99999999999999999999999999999"],
+            "--seconds S",
+        ),
+        (&["--loop", "--seconds", "1", "--size", "1x"], "--size WxH"),
+    ];
+    for (arguments, named) in bad {
+        let (output, _) = run(unseen().args(*arguments));
+        let (said, errors) = texts(&output);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {errors}");
+        assert_eq!(said, "", "{arguments:?}");
+        assert_eq!(errors.lines().count(), 1, "{arguments:?}: {errors}");
+        assert!(errors.starts_with("eightfold: "), "{arguments:?}: {errors}");
+        assert!(errors.contains(named), "{arguments:?}: {errors}");
+    }
+}
+
+#[test]
+fn questions_are_answered() {
+    let (output, help) = run(unseen().arg("--help"));
+    assert_eq!(output.status.code(), Some(0));
+    for option in [
+        "--size",
+        "--fullscreen",
+        "--threads",
+        "--seconds",
+        "--loop",
+        "--uncapped",
+        "--exhaustive",
+        "--help",
+        "--version",
+    ] {
+        assert!(help.contains(option), "{option}: {help}");
+    }
+    let (output, version) = run(unseen().arg("--version"));
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(
+        version,
+        format!("eightfold {}\n", env!("CARGO_PKG_VERSION"))
+    );
+}
+
+#[test]
+fn every_option_does_its_part() {
+    let said = |options: &str| run(unseen().args(options.split(' '))).1;
+    assert!(said("--seconds 0.3 --threads 1").contains("threads 1"));
+    assert!(said("--seconds .3 --size 1x1").contains(", 1x1,"));
+    assert!(said("--seconds 0.3 --size 64x48 --exhaustive --loop").contains("64x48"));
+    let frames = |options: &str| {
+        let said = said(options);
+        let (frames, _) = said.split_once(' ').expect("a number and more");
+        frames.parse::<u32>().expect("a number")
+    };
+    assert!(frames("--seconds 1 --size 64x48") <= 61);
+    assert!(frames("--seconds 1 --size 64x48 --uncapped") > 120);
+}
+
+#[test]
+fn it_uses_no_time_while_it_waits_for_the_next_frame() {
+    let intro = Process::start(unseen().args(["--seconds", "2", "--size", "16x16"]));
+    sleep(Duration::from_millis(1500));
+    let stat = std::fs::read_to_string(
+        Path::new("/proc")
+            .join(intro.0.id().to_string())
+            .join("stat"),
+    )
+    .expect("it runs");
+    let (_, fields) = stat.rsplit_once(") ").expect("a name and fields");
+    let fields: Vec<&str> = fields.split(' ').collect();
+    // User and system time, in hundredths of a second.
+    let ticks: u32 = fields[11..13]
+        .iter()
+        .map(|field| field.parse::<u32>().expect("a number"))
+        .sum();
+    assert!(ticks < 50, "{ticks} hundredths of a second of 150");
+}
