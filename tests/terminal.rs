@@ -4,7 +4,7 @@ mod stage;
 
 use stage::{Process, intro, run, tool, wait_for};
 use std::{
-    env,
+    env, fs,
     path::{Path, PathBuf},
     process::{self, Command, Output},
     sync::atomic::{AtomicUsize, Ordering::Relaxed},
@@ -107,6 +107,7 @@ impl Drop for Terminal {
     fn drop(&mut self) {
         let mut tmux = tool("tmux", "tmux");
         run(tmux.arg("-S").arg(&self.socket).arg("kill-server"));
+        let _ = fs::remove_file(&self.socket);
     }
 }
 
@@ -345,7 +346,7 @@ fn every_option_does_its_part() {
 fn it_uses_no_time_while_it_waits_for_the_next_frame() {
     let intro = Process::start(unseen().args(["--seconds", "2", "--size", "16x16"]));
     sleep(Duration::from_millis(1500));
-    let stat = std::fs::read_to_string(
+    let stat = fs::read_to_string(
         Path::new("/proc")
             .join(intro.0.id().to_string())
             .join("stat"),
