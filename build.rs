@@ -15,7 +15,7 @@
 //! | functions of std redirected | [`INSTEAD`] | 276,016 |
 //! | ... of these, formatting | | 4,640 |
 //! | ... of these, what `minifb` does and nobody asks for | | 2,696 |
-//! | `x11-dl` with 52 functions instead of 830 (in a 30-line program) | `src/window/x11-dl` | 115,056 |
+//! | `x11-dl` with 52 functions instead of 826 (in a 30-line program) | `src/window/x11-dl` | 115,056 |
 //! | no unwind tables: nothing unwinds | [`SECTIONS`] | 85,656 |
 //! | few sections, not one per function | [`SECTIONS`] | 20,048 |
 //! | all but the tracer compiled for size | `Cargo.toml` | 7,120 |

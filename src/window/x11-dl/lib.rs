@@ -1,7 +1,7 @@
 //! A stand-in for the `x11-dl` crate, through `[patch.crates-io]`.
 //!
-//! The original looks up 830 functions of Xlib and Xcursor by name and carries code and an error
-//! path for each, which is 98 KB of an intro that may have 64. This one has the names and types that
+//! The original looks up 826 functions of Xlib and Xcursor by name and carries code and an error
+//! path for each, which is 115 KB of an intro that may have 64. This one has the names and types that
 //! `minifb` 0.29 and `eightfold-window` use, with the values of Xlib's own headers:
 //!
 //! - [`xlib`]: what a window needs, and the functions, looked up by one loop over a block of names.
