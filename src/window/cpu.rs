@@ -2,24 +2,16 @@
 
 pub use fearless_simd::Level;
 
-/// The best level there is: AVX-512 (as of Ice Lake), AVX2 with FMA (x86-64-v3), or the least that
-/// the program was compiled for.
+/// The best level that the intro has code for: AVX2 with FMA (x86-64-v3), or the least that the program
+/// was compiled for.
 ///
-/// The same answer as `Level::new()`, which needs std and 3 KB.
+/// Like `Level::new()`, which needs std and 3 KB, but without AVX-512.
 #[must_use]
 pub fn level() -> Level {
     #[cfg(target_arch = "x86_64")]
-    {
-        use fearless_simd::x86::{Avx2, Avx512};
-        let features = Features::read();
-        if features.have(&AVX512) && features.have(&AVX2) {
-            // SAFETY: the processor and the system have every feature that the type stands for.
-            return Level::Avx512(unsafe { Avx512::assume_supported() });
-        }
-        if features.have(&AVX2) {
-            // SAFETY: the processor and the system have every feature that the type stands for.
-            return Level::Avx2(unsafe { Avx2::assume_supported() });
-        }
+    if Features::read().have(&AVX2) {
+        // SAFETY: the processor and the system have every feature that the type stands for.
+        return Level::Avx2(unsafe { fearless_simd::x86::Avx2::assume_supported() });
     }
     Level::baseline()
 }
@@ -29,9 +21,7 @@ pub fn level() -> Level {
 pub fn name(level: Level) -> &'static str {
     #[cfg(target_arch = "x86_64")]
     match level {
-        Level::Avx512(_) => return "AVX-512",
         Level::Avx2(_) => return "AVX2",
-        Level::Sse4_2(_) => return "SSE4.2",
         Level::Sse2(_) => return "SSE2",
         _ => {}
     }
@@ -42,37 +32,20 @@ pub fn name(level: Level) -> &'static str {
     }
 }
 
-/// The words in which `cpuid` and `xgetbv` tell the features that count here: leaf 1 ECX and EDX,
-/// leaf 7 EBX and ECX, leaf 0xd/1 EAX, leaf 0x80000001 ECX, and the registers that the system saves
-/// (XCR0).
+/// The words in which `cpuid` and `xgetbv` tell the features that count here: leaf 1 ECX and EDX, leaf 7
+/// EBX, leaf 0x80000001 ECX, and the registers that the system saves (XCR0).
 #[cfg(target_arch = "x86_64")]
-struct Features([u32; 7]);
+struct Features([u32; 5]);
 
-/// x86-64-v3: avx, avx2, bmi1, bmi2, cmpxchg16b, f16c, fma, fxsr, lzcnt, movbe, popcnt, sse to
-/// sse4.2, xsave; YMM registers saved.
+/// x86-64-v3: avx, avx2, bmi1, bmi2, cmpxchg16b, f16c, fma, fxsr, lzcnt, movbe, popcnt, sse to sse4.2,
+/// xsave; YMM registers saved.
 #[cfg(target_arch = "x86_64")]
 const AVX2: Features = Features([
     bits(&[0, 9, 12, 13, 19, 20, 22, 23, 26, 27, 28, 29]),
     bits(&[24, 25, 26]),
     bits(&[3, 5, 8]),
-    0,
-    0,
     bits(&[5]),
     bits(&[1, 2]),
-]);
-
-/// What Ice Lake has beyond [`AVX2`]: adx, aes, avx512 bitalg, bw, cd, dq, f, ifma, vbmi, vbmi2, vl,
-/// vnni and vpopcntdq, gfni, pclmulqdq, rdrand, rdseed, sha, vaes, vpclmulqdq, xsavec, xsaveopt,
-/// xsaves; ZMM and mask registers saved.
-#[cfg(target_arch = "x86_64")]
-const AVX512: Features = Features([
-    bits(&[1, 25, 30]),
-    0,
-    bits(&[16, 17, 18, 19, 21, 28, 29, 30, 31]),
-    bits(&[1, 6, 8, 9, 10, 11, 12, 14]),
-    bits(&[0, 1, 3]),
-    0,
-    bits(&[1, 2, 5, 6, 7]),
 ]);
 
 /// A word with these bits set.
@@ -90,21 +63,17 @@ const fn bits(mut numbers: &[u32]) -> u32 {
 impl Features {
     fn read() -> Features {
         use core::arch::x86_64::{__cpuid, __cpuid_count};
-        // Beyond the last leaf, some processors answer with that one.
-        let last = __cpuid(0).eax;
         let one = __cpuid(1);
-        let mut words = [one.ecx, one.edx, 0, 0, 0, __cpuid(0x8000_0001).ecx, 0];
-        if last >= 0xd && one.ecx & bits(&[27]) != 0 {
-            let seven = __cpuid_count(7, 0);
-            words[2] = seven.ebx;
-            words[3] = seven.ecx;
-            words[4] = __cpuid_count(0xd, 1).eax;
+        let mut words = [one.ecx, one.edx, 0, __cpuid(0x8000_0001).ecx, 0];
+        // Beyond the last leaf, some processors answer with that one.
+        if __cpuid(0).eax >= 7 && one.ecx & bits(&[27]) != 0 {
+            words[2] = __cpuid_count(7, 0).ebx;
             // SAFETY: bit 27 (OSXSAVE) says that the system has allowed `xgetbv`.
             unsafe {
                 core::arch::asm!(
                     "xgetbv",
                     in("ecx") 0,
-                    out("eax") words[6],
+                    out("eax") words[4],
                     out("edx") _,
                     options(nomem, nostack, preserves_flags),
                 );
@@ -133,28 +102,7 @@ mod tests {
             && detected!("lzcnt")
             && detected!("movbe")
             && detected!("popcnt");
-        let avx512 = avx2
-            && detected!("avx512bitalg")
-            && detected!("avx512bw")
-            && detected!("avx512cd")
-            && detected!("avx512dq")
-            && detected!("avx512f")
-            && detected!("avx512ifma")
-            && detected!("avx512vbmi")
-            && detected!("avx512vbmi2")
-            && detected!("avx512vl")
-            && detected!("avx512vnni")
-            && detected!("avx512vpopcntdq")
-            && detected!("gfni")
-            && detected!("sha")
-            && detected!("vaes");
         let name = super::name(super::level());
-        if avx512 {
-            assert_eq!(name, "AVX-512");
-        } else if avx2 {
-            assert_eq!(name, "AVX2");
-        } else {
-            assert_eq!(name, "SSE2");
-        }
+        assert_eq!(name, if avx2 { "AVX2" } else { "SSE2" });
     }
 }
