@@ -80,7 +80,7 @@ fn all_threads_take_part_in_long_work() {
 #[test]
 fn a_job_can_use_what_the_caller_has() {
     let mut pool = Pool::new(3);
-    let words = vec![String::from("eight"), String::from("fold")];
+    let words = [String::from("eight"), String::from("fold")];
     let letters = AtomicUsize::new(0);
     let mut items: Vec<&String> = words.iter().cycle().take(1000).collect();
     pool.run(&mut [(), (), ()], &mut items, &|(), word| {
