@@ -149,7 +149,8 @@ impl<S: Simd> Refiner<'_, S> {
                 }
             }
             trace(self.level, self.scene, self.quality, self.seen, batch);
-            for (x, y, sample, _) in batch.results() {
+            for i in 0..batch.len() {
+                let (x, y, sample, _) = batch.result(i);
                 self.canvas.put(x, y - self.top, sample.pixel());
             }
             batch.clear();
@@ -302,7 +303,8 @@ impl<S: Simd> Refiner<'_, S> {
         let Worker { batch, points, .. } = &mut *self.worker;
         trace(self.level, self.scene, self.quality, self.seen, batch);
         let keys = self.quality.needs_keys();
-        for (x, y, sample, key) in batch.results() {
+        for i in 0..batch.len() {
+            let (x, y, sample, key) = batch.result(i);
             points.put(x, y - self.top, sample);
             if keys {
                 points.put_key(x, y - self.top, key);

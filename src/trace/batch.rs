@@ -77,16 +77,16 @@ impl Batch {
         self.len = 0;
     }
 
-    /// The traced points' places, x and y, with their samples and keys.
+    /// The place of traced point number `i`, x and y, with its sample and key.
     #[inline(always)]
-    pub fn results(&self) -> impl Iterator<Item = (usize, usize, Sample, u32)> {
-        let places = self.places[..self.len.min(BATCH)].iter();
-        places.zip(&self.samples).zip(&self.sums).map(
-            #[inline(always)]
-            |((&place, &sample), sum)| {
-                let (x, y) = (place & 0xffff, place >> 16);
-                (x as usize, y as usize, Sample(sample), sum[KEY] as u32)
-            },
+    pub fn result(&self, i: usize) -> (usize, usize, Sample, u32) {
+        let i = i % BATCH;
+        let place = self.places[i] as usize;
+        (
+            place & 0xffff,
+            place >> 16,
+            Sample(self.samples[i]),
+            self.sums[i][KEY] as u32,
         )
     }
 

@@ -71,8 +71,7 @@ pub(super) fn shade<S: Isa>(
     active: M<S>,
     batch: &mut Batch,
 ) -> Node<S> {
-    let mut surface = SurfaceLanes::first(simd, scene, hit.object, active);
-    surface.add_others(simd, scene, hit.object, active);
+    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active);
     let solid = active & surface.solid().simd_gt(splat(simd, 0.0));
     let mut colour = surface.base();
     let mut states = States::new(simd);

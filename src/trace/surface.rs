@@ -5,50 +5,46 @@ use crate::prepare::{FIELDS, Prepared};
 
 /// What shading needs of an object, per lane.
 pub(super) struct SurfaceLanes<S: Isa> {
-    /// In the order of `Surface::fields`.
-    fields: [F<S>; FIELDS],
+    /// The numbers' bits, in the order of `Surface::fields`.
+    fields: [U<S>; FIELDS],
 }
 
 impl<S: Isa> SurfaceLanes<S> {
-    /// The surface of the first active lane's object, in all lanes.
+    /// Looks the objects of the active lanes up: the first one's surface goes to all lanes, each other one's to those that
+    /// hit it. Most packets meet one or two objects.
     #[inline(always)]
-    pub fn first(simd: S, scene: &Prepared, objects: U<S>, active: M<S>) -> Self {
-        let surface = &scene.surfaces[number_in::<S>(objects, active.to_bitmask())];
-        Self {
-            fields: core::array::from_fn(
-                #[inline(always)]
-                |i| splat(simd, surface[i]),
-            ),
-        }
-    }
-
-    /// Puts the other active lanes' surfaces in, an object after the other: most packets meet one or two.
-    #[inline(always)]
-    pub fn add_others(&mut self, simd: S, scene: &Prepared, objects: U<S>, active: M<S>) {
+    pub fn look_up(simd: S, scene: &Prepared, objects: U<S>, active: M<S>) -> Self {
+        let mut found = Self {
+            fields: [objects; FIELDS],
+        };
         let mut rest = active.to_bitmask();
-        let first = number_in::<S>(objects, rest);
-        rest &= !objects
-            .simd_eq(U::<S>::splat(simd, first as u32))
-            .to_bitmask();
+        let mut is_first = true;
         while rest != 0 {
-            let number = number_in::<S>(objects, rest);
-            let mask = objects.simd_eq(U::<S>::splat(simd, number as u32));
-            rest &= !mask.to_bitmask();
-            let surface = &scene.surfaces[number];
+            let lane = rest.trailing_zeros() as usize % lanes::<S>();
+            let number = objects.as_slice()[lane];
+            let same = objects.simd_eq(U::<S>::splat(simd, number));
+            rest &= !same.to_bitmask();
+            let mask = (same | M::<S>::splat(simd, is_first))
+                .to_vector()
+                .bitcast::<U<S>>();
+            is_first = false;
             // The count comes from memory so that this stays a loop: unrolled it takes a kilobyte.
-            let fields = &surface[..scene.field_count.min(FIELDS)];
-            for (lane, &field) in self.fields.iter_mut().zip(fields) {
-                *lane = mask.select(splat(simd, field), *lane);
+            let fields = &scene.surfaces[number as usize][..scene.field_count.min(FIELDS)];
+            for (lane, &field) in found.fields.iter_mut().zip(fields) {
+                // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
+                let new = U::<S>::splat(simd, field.to_bits());
+                *lane ^= (*lane ^ new) & mask;
             }
         }
+        found
     }
 
     #[inline(always)]
     fn vector(&self, i: usize) -> Vec3x<S> {
         Vec3x {
-            x: self.fields[i],
-            y: self.fields[i + 1],
-            z: self.fields[i + 2],
+            x: self.fields[i].bitcast(),
+            y: self.fields[i + 1].bitcast(),
+            z: self.fields[i + 2].bitcast(),
         }
     }
 
@@ -69,52 +65,46 @@ impl<S: Isa> SurfaceLanes<S> {
 
     #[inline(always)]
     pub fn inverse_radius(&self) -> F<S> {
-        self.fields[9]
+        self.fields[9].bitcast()
     }
 
     #[inline(always)]
     pub fn upright(&self) -> F<S> {
-        self.fields[10]
+        self.fields[10].bitcast()
     }
 
     #[inline(always)]
     pub fn ks(&self) -> F<S> {
-        self.fields[11]
+        self.fields[11].bitcast()
     }
 
     #[inline(always)]
     pub fn exponent(&self) -> F<S> {
-        self.fields[12]
+        self.fields[12].bitcast()
     }
 
     #[inline(always)]
     pub fn faint(&self) -> F<S> {
-        self.fields[13]
+        self.fields[13].bitcast()
     }
 
     #[inline(always)]
     pub fn kr(&self) -> F<S> {
-        self.fields[14]
+        self.fields[14].bitcast()
     }
 
     #[inline(always)]
     pub fn kt(&self) -> F<S> {
-        self.fields[15]
+        self.fields[15].bitcast()
     }
 
     #[inline(always)]
     pub fn index(&self) -> F<S> {
-        self.fields[16]
+        self.fields[16].bitcast()
     }
 
     #[inline(always)]
     pub fn solid(&self) -> F<S> {
-        self.fields[17]
+        self.fields[17].bitcast()
     }
-}
-
-/// The number of the object in the first lane of a set.
-#[inline(always)]
-fn number_in<S: Isa>(objects: U<S>, set: u64) -> usize {
-    objects.as_slice()[set.trailing_zeros() as usize % lanes::<S>()] as usize
 }
