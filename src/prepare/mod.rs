@@ -7,7 +7,7 @@ mod surface;
 pub(crate) use groups::{GroupSet, Groups, MAX_GROUPS};
 pub(crate) use screen::Window;
 pub(crate) use surface::FIELDS;
-use surface::Surface;
+pub(crate) use surface::Surface;
 
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
 use glam::Vec3;
@@ -31,7 +31,7 @@ pub(crate) struct Prepared {
     pub lamp_count: usize,
     pub planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
-    pub surfaces: [[f32; FIELDS]; MAX_OBJECTS],
+    pub surfaces: [Surface; MAX_OBJECTS],
     /// [`FIELDS`], where the compiler does not see it.
     pub field_count: usize,
 }
@@ -124,12 +124,17 @@ impl Prepared {
         for (i, &number) in self.groups.order().iter().enumerate() {
             let sphere = &scene.spheres[number as usize];
             self.balls[i] = Ball::new(sphere.centre, sphere.radius);
-            self.surfaces[i] = Surface::sphere(sphere, scene.ambient).fields();
+            self.surfaces[i] = surface::solid(
+                sphere.centre,
+                1.0 / sphere.radius,
+                &sphere.material,
+                scene.ambient,
+            );
         }
         for (i, light) in scene.lights.iter().enumerate() {
             let i = self.solids + i;
             self.balls[i] = Ball::new(light.position, light.radius);
-            self.surfaces[i] = Surface::emitting(light.colour).fields();
+            self.surfaces[i] = surface::emitting(light.colour);
         }
         let first_plane = self.first_plane();
         for (i, plane) in scene.planes.iter().enumerate() {
@@ -138,10 +143,11 @@ impl Prepared {
                 half_x: plane.half_x,
                 half_z: plane.half_z,
             };
-            self.surfaces[first_plane + i] = Surface::plane(plane, scene.ambient).fields();
+            self.surfaces[first_plane + i] =
+                surface::solid(plane.centre, 0.0, &plane.material, scene.ambient);
         }
         let nothing = self.nothing();
-        self.surfaces[nothing] = Surface::emitting(scene.background).fields();
+        self.surfaces[nothing] = surface::emitting(scene.background);
         self.field_count = FIELDS;
         for (window, group) in self.windows.iter_mut().zip(self.groups.iter()) {
             *window = Window::of(group, self.eye, &self.raster, width, height);

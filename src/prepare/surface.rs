@@ -1,6 +1,6 @@
 //! What shading needs of an object.
 
-use crate::scene::{Material, Plane, Sphere};
+use crate::scene::Material;
 use glam::Vec3;
 
 /// A highlight below this is not computed: 1/40 of what 8 bits can show.
@@ -9,128 +9,64 @@ const FAINT: f32 = 1e-4;
 /// More than any r.v.
 const NO_HIGHLIGHT: f32 = 2.0;
 
-/// Numbers of a [`Surface`] that kernels spread over lanes.
+/// Numbers of a [`Surface`].
 pub(crate) const FIELDS: usize = 18;
 
-/// An object's surface.
-#[derive(Clone, Copy)]
-pub(super) struct Surface {
-    /// The normal at p is `(p - centre) inverse_radius + (0, upright, 0)`.
-    pub centre: Vec3,
-    /// 1 / radius of a sphere, 0 of a plane.
-    pub inverse_radius: f32,
-    /// 1 for a plane, 0 for a sphere.
-    pub upright: f32,
-    /// Light that needs no lamp: ambient light reflected, or what a lamp or the background emits.
-    pub base: Vec3,
-    /// Colour times diffuse coefficient.
-    pub diffuse: Vec3,
-    pub ks: f32,
-    pub exponent: f32,
-    /// No highlight where r.v is below this.
-    pub faint: f32,
-    pub kr: f32,
-    pub kt: f32,
-    pub index: f32,
-    /// Lamps shine on it: 1, or 0 for lamps and the background.
-    pub solid: f32,
+/// What kernels spread over lanes: the centre, the light that needs no lamp (ambient light reflected, or what a lamp or the
+/// background emits), the colour times the diffuse coefficient, three numbers each; then
+///
+/// - 1 / radius of a sphere, 0 of a plane;
+/// - upright: 1 for a plane, 0 for a sphere, so that the normal at p is `(p - centre) / radius + (0, upright, 0)`;
+/// - specular coefficient and exponent, and the r.v below which there is no highlight;
+/// - the shares of the reflected and of the transmitted ray, and the refractive index;
+/// - solid: 1 where lamps shine on it, 0 for lamps and the background.
+pub(crate) type Surface = [f32; FIELDS];
+
+/// The surface of an object of a material; `inverse_radius` is 0 for a plane.
+#[inline(never)]
+pub(super) fn solid(
+    centre: Vec3,
+    inverse_radius: f32,
+    material: &Material,
+    ambient: Vec3,
+) -> Surface {
+    let m = material;
+    let (base, diffuse) = (m.colour * ambient, m.colour * m.kd);
+    let upright = if inverse_radius == 0.0 { 1.0 } else { 0.0 };
+    let faint = if m.ks > FAINT {
+        root_below(FAINT / m.ks, m.exponent)
+    } else {
+        NO_HIGHLIGHT
+    };
+    [
+        centre.x,
+        centre.y,
+        centre.z,
+        base.x,
+        base.y,
+        base.z,
+        diffuse.x,
+        diffuse.y,
+        diffuse.z,
+        inverse_radius,
+        upright,
+        m.ks,
+        m.exponent,
+        faint,
+        m.kr,
+        m.kt,
+        m.index,
+        1.0,
+    ]
 }
 
-impl Surface {
-    /// No surface: all zeros, so that a frame's memory need not be part of a program's file.
-    pub const NONE: Self = Self {
-        centre: Vec3::ZERO,
-        inverse_radius: 0.0,
-        upright: 0.0,
-        base: Vec3::ZERO,
-        diffuse: Vec3::ZERO,
-        ks: 0.0,
-        exponent: 0.0,
-        faint: 0.0,
-        kr: 0.0,
-        kt: 0.0,
-        index: 0.0,
-        solid: 0.0,
-    };
-
-    /// The numbers, in the order that [`crate::trace`] names them.
-    pub fn fields(&self) -> [f32; FIELDS] {
-        let Self {
-            centre: c,
-            base: b,
-            diffuse: d,
-            ..
-        } = self;
-        [
-            c.x,
-            c.y,
-            c.z,
-            b.x,
-            b.y,
-            b.z,
-            d.x,
-            d.y,
-            d.z,
-            self.inverse_radius,
-            self.upright,
-            self.ks,
-            self.exponent,
-            self.faint,
-            self.kr,
-            self.kt,
-            self.index,
-            self.solid,
-        ]
-    }
-
-    /// A sphere's.
-    pub fn sphere(sphere: &Sphere, ambient: Vec3) -> Self {
-        Self {
-            centre: sphere.centre,
-            inverse_radius: 1.0 / sphere.radius,
-            ..Self::of(&sphere.material, ambient)
-        }
-    }
-
-    /// A plane's.
-    pub fn plane(plane: &Plane, ambient: Vec3) -> Self {
-        Self {
-            centre: plane.centre,
-            upright: 1.0,
-            ..Self::of(&plane.material, ambient)
-        }
-    }
-
-    /// Of what shines by itself.
-    #[inline(never)]
-    pub fn emitting(colour: Vec3) -> Self {
-        Self {
-            base: colour,
-            faint: NO_HIGHLIGHT,
-            ..Self::NONE
-        }
-    }
-
-    #[inline(never)]
-    fn of(material: &Material, ambient: Vec3) -> Self {
-        let faint = root_below(FAINT / material.ks, material.exponent);
-        Self {
-            base: material.colour * ambient,
-            diffuse: material.colour * material.kd,
-            ks: material.ks,
-            exponent: material.exponent,
-            faint: if material.ks > FAINT {
-                faint
-            } else {
-                NO_HIGHLIGHT
-            },
-            kr: material.kr,
-            kt: material.kt,
-            index: material.index,
-            solid: 1.0,
-            ..Self::NONE
-        }
-    }
+/// The surface of what shines by itself.
+#[inline(never)]
+pub(super) fn emitting(colour: Vec3) -> Surface {
+    let mut surface = [0.0; FIELDS];
+    surface[3..6].copy_from_slice(&colour.to_array());
+    surface[13] = NO_HIGHLIGHT;
+    surface
 }
 
 /// At most the root of degree `h`, at least 1, of a number between 0 and 1, and at least 0.8 times that.

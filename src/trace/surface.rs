@@ -5,7 +5,7 @@ use crate::prepare::{FIELDS, Prepared};
 
 /// What shading needs of an object, per lane.
 pub(super) struct SurfaceLanes<S: Isa> {
-    /// The numbers' bits, in the order of `Surface::fields`.
+    /// The numbers' bits, in the order of [`crate::prepare::Surface`].
     fields: [U<S>; FIELDS],
 }
 
