@@ -1,17 +1,17 @@
 //! Sines, without the 5 kB that a library takes to round every number right.
 
-use core::f32::consts::TAU;
+use core::f64::consts::TAU;
 
 /// The sine of an angle in radians, to within 1e-6 for angles to 1e6; not a number for what is none.
 #[must_use]
 pub fn sin(angle: f32) -> f32 {
-    sin_turns(f64::from(angle) / f64::from(TAU))
+    sin_turns(f64::from(angle) / TAU)
 }
 
 /// The cosine of an angle in radians, as good as [`sin`].
 #[must_use]
 pub fn cos(angle: f32) -> f32 {
-    sin_turns(f64::from(angle) / f64::from(TAU) + 0.25)
+    sin_turns(f64::from(angle) / TAU + 0.25)
 }
 
 #[inline(never)]
@@ -27,7 +27,7 @@ fn sin_turns(turns: f64) -> f32 {
         t
     };
     // Taylor's series; the first term left out is below 6e-8.
-    let x = t * core::f64::consts::TAU;
+    let x = t * TAU;
     let x2 = x * x;
     let mut sum = 1.0;
     for n in [110.0, 72.0, 42.0, 20.0, 6.0] {
