@@ -175,7 +175,7 @@ impl Server {
         run(xdotool.args(words.split(' '))).1
     }
 
-    /// Starts the intro on this display and waits for its window.
+    /// Starts the intro on this display and waits for its window, to which keys go.
     pub fn play(&self, options: &[&str]) -> Process {
         let intro = Process::start(
             Command::new(intro())
@@ -183,6 +183,12 @@ impl Server {
                 .env("DISPLAY", &self.display),
         );
         wait_for("the intro's window", || self.window());
+        if self.manager.is_some() {
+            wait_for("keys to go to the window", || {
+                let name = self.xdotool("getwindowfocus getwindowname");
+                (name.trim() == "Eightfold").then_some(())
+            });
+        }
         intro
     }
 
