@@ -177,6 +177,9 @@ impl Server {
 
     /// Starts the intro on this display and waits for its window, to which keys go.
     pub fn play(&self, options: &[&str]) -> Process {
+        wait_for("the last window to go", || {
+            self.window().is_none().then_some(())
+        });
         let intro = Process::start(
             Command::new(intro())
                 .args(options)
