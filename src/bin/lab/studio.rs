@@ -1,9 +1,8 @@
 //! Where frames are drawn: the tracer's memory, and threads that share the work.
 
 use eightfold::scene::Scene;
-use eightfold::{Band, Counts, Job, Level, Memory, Quality, Worker, render};
-use rayon::ThreadPool;
-use std::sync::Mutex;
+use eightfold::{Band, Counts, Level, Memory, Quality, Worker, render};
+use eightfold_window::pool::Pool;
 
 /// Memory for one frame at a time, and threads that start once.
 pub struct Studio {
@@ -11,19 +10,18 @@ pub struct Studio {
     memory: Vec<Memory>,
     /// One for each thread.
     workers: Vec<Worker>,
-    /// The threads besides the caller's; none where it works alone.
-    pool: Option<ThreadPool>,
+    pool: Pool,
 }
 
 impl Studio {
     /// A studio of so many threads, at least 1, with the caller's.
     pub fn new(threads: usize) -> Self {
-        let pool = (threads > 1).then(|| {
-            rayon::ThreadPoolBuilder::new()
-                .num_threads(threads - 1)
-                .build()
-                .expect("the system has threads to spare")
-        });
+        let pool = Pool::new(threads);
+        assert_eq!(
+            pool.threads(),
+            threads,
+            "the system has no threads to spare"
+        );
         Self {
             memory: on_heap(1, Memory::new),
             workers: on_heap(threads, Worker::new),
@@ -40,7 +38,6 @@ impl Studio {
         width: usize,
         pixels: &mut [u32],
     ) -> Counts {
-        let pool = self.pool.as_ref();
         render(
             level,
             scene,
@@ -50,28 +47,10 @@ impl Studio {
             &mut self.memory[0],
             &mut self.workers,
             pixels,
-            |workers, bands, job| share(pool, workers, bands, job),
+            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
+                self.pool.run(workers, bands, job);
+            },
         )
-    }
-}
-
-/// Gives the bands to the workers, each the next one when it is free.
-fn share(pool: Option<&ThreadPool>, workers: &mut [Worker], bands: &mut [Band<'_>], job: Job<'_>) {
-    let bands = Mutex::new(bands.iter_mut());
-    let work = |worker: &mut Worker| {
-        let next = || bands.lock().expect("no job panics in here").next();
-        while let Some(band) = next() {
-            job(worker, band);
-        }
-    };
-    match (pool, workers) {
-        (Some(pool), [mine, others @ ..]) => pool.in_place_scope(|scope| {
-            for worker in others {
-                scope.spawn(|_| work(worker));
-            }
-            work(mine);
-        }),
-        (_, workers) => workers.iter_mut().take(1).for_each(work),
     }
 }
 
