@@ -1,13 +1,15 @@
 //! What several commands take: a scene, a size, a quality, threads, an instruction set.
 
-use crate::isa;
+use crate::isa::{self, Isa};
 use eightfold::scene::{MAX_SPHERES, Scene};
-use eightfold::{Level, MAX_HEIGHT, MAX_WIDTH, Quality, show};
+use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality, show};
 use std::fmt;
 use std::str::FromStr;
 
 /// More threads than any frame has bands for.
 const MAX_THREADS: usize = 256;
+/// More frames than anybody waits for; what is kept of each has room.
+const MAX_FRAMES: usize = 100_000;
 
 /// A scene by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,29 +97,29 @@ pub struct NamedQuality {
     pub quality: Quality,
 }
 
-/// The qualities that have names.
-const QUALITIES: [NamedQuality; 3] = [
-    NamedQuality {
+impl NamedQuality {
+    pub const EXHAUSTIVE: Self = Self {
         name: "exhaustive",
         quality: Quality::EXHAUSTIVE,
-    },
-    NamedQuality {
+    };
+    pub const THESIS: Self = Self {
         name: "thesis",
         quality: Quality::THESIS,
-    },
-    NamedQuality {
+    };
+    pub const DEFAULT: Self = Self {
         name: "default",
         quality: Quality::DEFAULT,
-    },
-];
+    };
+    const ALL: [Self; 3] = [Self::EXHAUSTIVE, Self::THESIS, Self::DEFAULT];
+}
 
 impl FromStr for NamedQuality {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        let known = QUALITIES.iter().find(|quality| quality.name == name);
+        let known = Self::ALL.iter().find(|quality| quality.name == name);
         known.copied().ok_or_else(|| {
-            let names: Vec<&str> = QUALITIES.iter().map(|quality| quality.name).collect();
+            let names: Vec<&str> = Self::ALL.iter().map(|quality| quality.name).collect();
             format!("takes one of {}", names.join(", "))
         })
     }
@@ -130,23 +132,30 @@ impl fmt::Display for NamedQuality {
 }
 
 /// An instruction set that this machine has.
-pub fn instruction_set(name: &str) -> Result<Level, String> {
+pub fn instruction_set(name: &str) -> Result<Isa, String> {
     let mut known = isa::all();
-    known.find(|set| set.name == name).map_or_else(
-        || {
-            let names: Vec<&str> = isa::all().map(|set| set.name).collect();
-            Err(format!("this machine has {}", names.join(", ")))
-        },
-        |set| Ok(set.level),
-    )
+    known.find(|set| set.name == name).ok_or_else(|| {
+        let names: Vec<&str> = isa::all().map(|set| set.name).collect();
+        format!("this machine has {}", names.join(", "))
+    })
 }
 
 /// A number of threads.
 pub fn threads(text: &str) -> Result<usize, String> {
+    number(text, MAX_THREADS)
+}
+
+/// A number of frames.
+pub fn frames(text: &str) -> Result<usize, String> {
+    number(text, MAX_FRAMES)
+}
+
+/// A number from 1 to `most`.
+fn number(text: &str, most: usize) -> Result<usize, String> {
     let number = text.parse().ok();
     number
-        .filter(|n| (1..=MAX_THREADS).contains(n))
-        .ok_or_else(|| format!("takes a number from 1 to {MAX_THREADS}"))
+        .filter(|n| (1..=most).contains(n))
+        .ok_or_else(|| format!("takes a number from 1 to {most}"))
 }
 
 /// A time in seconds.

@@ -1,6 +1,8 @@
 //! The lab: draws frames and measures what speed costs.
 
 mod arguments;
+mod bench;
+mod error;
 mod isa;
 mod output;
 mod picture;
@@ -20,6 +22,7 @@ struct Lab {
 
 #[derive(Subcommand)]
 enum Command {
+    Bench(bench::Arguments),
     Render(render::Arguments),
 }
 
@@ -32,6 +35,7 @@ fn main() -> ExitCode {
         Err(error) => return explain(&error),
     };
     let done = match lab.command {
+        Command::Bench(arguments) => bench::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
     };
     match done {

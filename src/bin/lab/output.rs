@@ -4,6 +4,7 @@ use anyhow::{Context, Result};
 use std::fs::{self, File, Permissions};
 use std::io::{self, Write};
 use std::path::Path;
+use tempfile::NamedTempFile;
 
 /// Writes all of `bytes` to a file, or to standard output where the name is `-`.
 ///
@@ -26,11 +27,35 @@ pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
     written.with_context(|| format!("cannot write {}", name.display()))
 }
 
+/// Whether a name could be written to, to be known before much work is done for it.
+pub fn check(name: &Path) -> Result<()> {
+    if name == Path::new("-") {
+        return Ok(());
+    }
+    let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
+    let checked = match fs::metadata(&path) {
+        Ok(there) if there.is_dir() => in_place(&path, &[]),
+        // Who listens at a pipe's other end would hear it being opened.
+        Ok(there) if !there.is_file() => Ok(()),
+        _ => start(&path, None).map(drop),
+    };
+    checked.with_context(|| format!("cannot write {}", name.display()))
+}
+
 fn in_place(path: &Path, bytes: &[u8]) -> io::Result<()> {
     File::options().write(true).open(path)?.write_all(bytes)
 }
 
 fn whole(path: &Path, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
+    let mut file = start(path, permissions)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}
+
+/// An empty file next to where it will be; gone when it is dropped.
+fn start(path: &Path, permissions: Option<Permissions>) -> io::Result<NamedTempFile> {
     if path.file_name().is_none() {
         return Err(io::Error::new(
             io::ErrorKind::InvalidInput,
@@ -48,9 +73,5 @@ fn whole(path: &Path, bytes: &[u8], permissions: Option<Permissions>) -> io::Res
     builder.permissions(
         permissions.unwrap_or_else(|| std::os::unix::fs::PermissionsExt::from_mode(0o666)),
     );
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
+    builder.tempfile_in(folder)
 }

@@ -1,11 +1,11 @@
 //! `lab render`: one frame as a PNG file.
 
 use crate::arguments::{self, NamedQuality, SceneName, Size};
+use crate::isa::{self, Isa};
 use crate::studio::Studio;
-use crate::{isa, output, picture};
+use crate::{output, picture};
 use anyhow::Result;
 use clap::Args;
-use eightfold::Level;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 
@@ -29,7 +29,7 @@ pub struct Arguments {
     threads: Option<usize>,
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
-    isa: Option<Level>,
+    isa: Option<Isa>,
     /// File to write, or - for standard output
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
@@ -43,7 +43,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let size = arguments.size;
     let mut pixels = vec![0; size.area()];
     Studio::new(threads).draw(
-        arguments.isa.unwrap_or_else(|| isa::best().level),
+        arguments.isa.unwrap_or_else(isa::best).level,
         &arguments.scene.at(arguments.time),
         &arguments.quality.quality,
         size.width,

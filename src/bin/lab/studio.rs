@@ -10,7 +10,7 @@ pub struct Studio {
     memory: Vec<Memory>,
     /// One for each thread.
     workers: Vec<Worker>,
-    pool: Pool,
+    pub pool: Pool,
 }
 
 impl Studio {

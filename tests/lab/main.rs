@@ -1,5 +1,7 @@
 //! The lab's commands, run as a user runs them.
 
+mod bench;
+#[path = "../reader/mod.rs"]
 mod reader;
 
 use reader::read_png;
@@ -149,18 +151,23 @@ fn a_file_stays_as_it_was_when_the_disk_fills_up() {
 #[test]
 fn help_names_every_command_and_flag() {
     let help = lab(&["--help"]);
-    assert!(help.status.success() && String::from_utf8_lossy(&help.stdout).contains("render"));
-    let help = lab(&["render", "--help"]);
     let text = String::from_utf8_lossy(&help.stdout);
-    for flag in [
-        "--scene",
-        "--time",
-        "--size",
-        "--quality",
-        "--threads",
-        "--isa",
-        "--out",
+    assert!(help.status.success());
+    for (command, flags) in [
+        (
+            "render",
+            "--scene --time --size --quality --threads --isa --out",
+        ),
+        (
+            "bench",
+            "--scene --time-from --time-to --size --quality --threads --isa --frames --json",
+        ),
     ] {
-        assert!(text.contains(flag), "{flag}");
+        assert!(text.contains(command), "{command}");
+        let help = lab(&[command, "--help"]);
+        let text = String::from_utf8_lossy(&help.stdout);
+        for flag in flags.split(' ') {
+            assert!(text.contains(flag), "{command} {flag}");
+        }
     }
 }

@@ -1,0 +1,98 @@
+//! The figures of a run.
+
+use super::measure::{Plan, Setting};
+use serde::Serialize;
+
+/// What was measured of one quality in one setting.
+///
+/// Times are in milliseconds, counts are means of a frame, shares are of 1. An infinite PSNR, where no pixel differs, is
+/// `null` in JSON.
+#[derive(Serialize)]
+pub struct Row {
+    pub scene: String,
+    pub width: usize,
+    pub height: usize,
+    pub threads: usize,
+    pub isa: &'static str,
+    pub quality: &'static str,
+    /// Frames drawn.
+    pub frames: usize,
+    pub fps_median: f64,
+    pub ms_median: f64,
+    /// 99 of 100 frames took no longer.
+    pub ms_p99: f64,
+    /// Points traced for each pixel of the picture.
+    pub traced_fraction: f64,
+    /// Primary and secondary rays.
+    pub rays: f64,
+    pub shadow_rays: f64,
+    /// Primary and secondary rays for each lane that could have carried one.
+    pub lane_occupancy: f64,
+    /// Mean of the frames' PSNR against the exhaustive ones.
+    pub psnr_mean_db: f64,
+    pub psnr_worst_db: f64,
+    /// Pixels with a channel more than 8 of 255 off.
+    pub pixels_over_8: f64,
+    /// The exhaustive frames' median time over this one.
+    pub speedup_vs_exhaustive: f64,
+    /// The median time over that of filling the frame with one colour.
+    pub floor_ratio: f64,
+}
+
+impl Row {
+    /// The rows of a setting, one for each run.
+    pub fn of(plan: &Plan, setting: &Setting) -> Vec<Self> {
+        let floor = median(&setting.floor);
+        let exhaustive = median(&setting.runs[0].times);
+        let rows = setting.runs.iter().map(|run| {
+            let per_frame = |count: u64| count as f64 / plan.frames as f64;
+            let ms = median(&run.times);
+            let psnr = run.differences.iter().map(|difference| difference.psnr);
+            let over_8: usize = run.differences.iter().map(|d| d.over_8).sum();
+            Self {
+                scene: plan.scene.to_string(),
+                width: setting.size.width,
+                height: setting.size.height,
+                threads: setting.threads,
+                isa: plan.isa.name,
+                quality: run.quality.name,
+                frames: plan.frames,
+                fps_median: 1e3 / ms,
+                ms_median: ms,
+                ms_p99: percentile(&run.times, 99),
+                traced_fraction: per_frame(run.counts.points) / setting.size.area() as f64,
+                rays: per_frame(run.counts.rays),
+                shadow_rays: per_frame(run.counts.shadow_rays),
+                lane_occupancy: run.counts.rays as f64 / run.counts.lanes as f64,
+                psnr_mean_db: psnr.clone().sum::<f64>() / plan.frames as f64,
+                psnr_worst_db: psnr.fold(f64::INFINITY, f64::min),
+                pixels_over_8: per_frame(over_8 as u64),
+                speedup_vs_exhaustive: exhaustive / ms,
+                floor_ratio: ms / floor,
+            }
+        });
+        rows.collect()
+    }
+}
+
+/// The middle one of some times, or the mean of the two in the middle.
+fn median(times: &[f64]) -> f64 {
+    let times = sorted(times);
+    let middle = times.len() / 2;
+    if times.len().is_multiple_of(2) {
+        0.5 * (times[middle - 1] + times[middle])
+    } else {
+        times[middle]
+    }
+}
+
+/// The least of some times that so many in a hundred do not exceed.
+fn percentile(times: &[f64], percent: usize) -> f64 {
+    sorted(times)[(times.len() * percent).div_ceil(100) - 1]
+}
+
+fn sorted(times: &[f64]) -> Vec<f64> {
+    let mut times = times.to_vec();
+    times.sort_by(f64::total_cmp);
+    times
+}

@@ -1,0 +1,281 @@
+//! `lab bench`. No figure is held to what a clock says, other than to others of the same run.
+
+use super::{assert_one_line, lab, render};
+use crate::reader::read_png;
+use serde_json::Value;
+use std::path::Path;
+
+const KEYS: [&str; 19] = [
+    "scene",
+    "width",
+    "height",
+    "threads",
+    "isa",
+    "quality",
+    "frames",
+    "fps_median",
+    "ms_median",
+    "ms_p99",
+    "traced_fraction",
+    "rays",
+    "shadow_rays",
+    "lane_occupancy",
+    "psnr_mean_db",
+    "psnr_worst_db",
+    "pixels_over_8",
+    "speedup_vs_exhaustive",
+    "floor_ratio",
+];
+
+const COLUMNS: &str = "size, threads, isa, quality, fps median, ms median, ms p99, traced, rays, shadow rays, \
+                       lanes used, PSNR mean, PSNR worst, over 8/255, speed-up, floor";
+
+/// A short bench in small frames: its table and its rows.
+fn bench(more: &[&str]) -> (String, Vec<Value>) {
+    let output = lab(&[&["bench", "--frames", "3", "--json", "-"], more].concat());
+    let table = String::from_utf8(output.stderr).expect("text");
+    assert!(output.status.success(), "{table}");
+    (table, serde_json::from_slice(&output.stdout).expect("JSON"))
+}
+
+/// A number of a row.
+#[track_caller]
+fn number(row: &Value, key: &str) -> f64 {
+    let number = row[key].as_f64();
+    number.unwrap_or_else(|| panic!("no number {key} in {row}"))
+}
+
+/// The cells of a table's lines, without the rule under the titles.
+fn cells(table: &str) -> Vec<Vec<&str>> {
+    let lines = table.lines().filter(|line| line.starts_with('|'));
+    let mut lines: Vec<Vec<&str>> = lines
+        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+        .collect();
+    lines.remove(1);
+    lines
+}
+
+#[test]
+fn every_combination_has_its_row_with_every_figure() {
+    let (table, rows) = bench(&[
+        "--scene",
+        "field:9",
+        "--size",
+        "96x64",
+        "--size",
+        "50x70",
+        "--threads",
+        "1",
+        "--threads",
+        "3",
+        "--quality",
+        "default",
+        "--quality",
+        "thesis",
+        "--quality",
+        "default",
+    ]);
+    let mut names = Vec::new();
+    for row in &rows {
+        let keys = row.as_object().expect("an object").keys();
+        let mut keys: Vec<&str> = keys.map(String::as_str).collect();
+        keys.sort_unstable();
+        let mut expected = KEYS.to_vec();
+        expected.sort_unstable();
+        assert_eq!(keys, expected);
+        assert_eq!(row["scene"], "field:9");
+        names.push(format!(
+            "{} {}x{} {}",
+            row["threads"],
+            row["width"],
+            row["height"],
+            row["quality"].as_str().expect("a name")
+        ));
+    }
+    let mut expected = Vec::new();
+    for threads in [1, 3] {
+        for size in ["96x64", "50x70"] {
+            for quality in ["exhaustive", "default", "thesis"] {
+                expected.push(format!("{threads} {size} {quality}"));
+            }
+        }
+    }
+    assert_eq!(names, expected);
+
+    assert!(table.contains("field:9 scene, 3 frames from 0 s to 10 s"));
+    let lines = cells(&table);
+    assert_eq!(lines[0].join(", "), COLUMNS);
+    assert_eq!(lines.len(), 1 + rows.len());
+    for (line, row) in lines[1..].iter().zip(&rows) {
+        assert_eq!(line.len(), lines[0].len());
+        assert_eq!(line[0], format!("{}x{}", row["width"], row["height"]));
+        assert_eq!(line[3], row["quality"]);
+        assert_eq!(line[5], format!("{:.3}", number(row, "ms_median")));
+        assert_eq!(line[8], format!("{:.0}", number(row, "rays")));
+    }
+}
+
+#[test]
+fn figures_fit_each_other() {
+    let (_, rows) = bench(&["--size", "96x64", "--threads", "1", "--threads", "2"]);
+    for (row, exhaustive) in rows.iter().zip([0, 0, 0, 3, 3, 3].map(|i| &rows[i])) {
+        let ms = number(row, "ms_median");
+        assert!(ms > 0.0 && number(row, "ms_p99") >= ms);
+        assert!((number(row, "fps_median") * ms - 1e3).abs() < 1e-6);
+        let speedup = number(exhaustive, "ms_median") / ms;
+        assert!((number(row, "speedup_vs_exhaustive") - speedup).abs() < 1e-6 * speedup);
+        assert!(number(row, "floor_ratio") > 0.0);
+        let traced = number(row, "traced_fraction");
+        assert!(number(row, "rays") >= traced * (96.0 * 64.0));
+        let lanes = number(row, "lane_occupancy");
+        assert!(lanes > 0.1 && lanes <= 1.0, "{lanes}");
+        if row["quality"] == "exhaustive" {
+            assert_eq!(traced, 1.0);
+            assert!(row["psnr_mean_db"].is_null() && row["psnr_worst_db"].is_null());
+            assert_eq!(number(row, "pixels_over_8"), 0.0);
+        } else {
+            assert!(traced > 0.01 && traced < 1.0);
+            assert!(number(row, "psnr_worst_db") > 20.0);
+            assert!(number(row, "psnr_mean_db") >= number(row, "psnr_worst_db"));
+        }
+    }
+    // Threads share the same work.
+    for (one, two) in rows[..3].iter().zip(&rows[3..]) {
+        for key in ["rays", "shadow_rays", "traced_fraction", "pixels_over_8"] {
+            assert_eq!(one[key], two[key], "{key}");
+        }
+    }
+}
+
+#[test]
+fn errors_are_those_of_the_pictures_that_render_draws() {
+    let picture = |quality| {
+        let output = render(Path::new("-"), &["--time", "2.5", "--quality", quality]);
+        read_png(&output.stdout).1
+    };
+    let (mut squares, mut over_8) = (0.0, 0);
+    let (a, b) = (picture("exhaustive"), picture("default"));
+    for (&a, &b) in a.iter().zip(&b) {
+        let off = a.to_be_bytes().map(f64::from);
+        let off = [0, 1, 2, 3].map(|i| (off[i] - f64::from(b.to_be_bytes()[i])).abs());
+        squares += off.iter().map(|d| d * d).sum::<f64>();
+        over_8 += u32::from(off.iter().any(|&d| d > 8.0));
+    }
+    let psnr = 10.0 * (255.0 * 255.0 * (3 * a.len()) as f64 / squares).log10();
+    let (_, rows) = bench(&[
+        "--size",
+        "40x30",
+        "--time-from",
+        "2.5",
+        "--time-to",
+        "2.5",
+        "--quality",
+        "default",
+    ]);
+    assert!((number(&rows[1], "psnr_worst_db") - psnr).abs() < 1e-6);
+    assert!((number(&rows[1], "psnr_mean_db") - psnr).abs() < 1e-6);
+    assert_eq!(number(&rows[1], "pixels_over_8"), f64::from(over_8));
+}
+
+#[test]
+fn times_reach_from_the_first_to_the_last() {
+    let rays = |more: &[&str]| {
+        let fixed = [
+            "bench",
+            "--size",
+            "40x30",
+            "--quality",
+            "exhaustive",
+            "--json",
+            "-",
+        ];
+        let output = lab(&[&fixed, more].concat());
+        let rows: Vec<Value> = serde_json::from_slice(&output.stdout).expect("JSON");
+        number(&rows[0], "rays")
+    };
+    let at = |time| rays(&["--frames", "1", "--time-from", time]);
+    let all = rays(&["--frames", "3", "--time-from", "-1", "--time-to", "4"]);
+    assert!((at("-1") + at("1.5") + at("4") - 3.0 * all).abs() < 1e-6);
+}
+
+#[test]
+fn a_file_gets_the_json_and_standard_output_the_table() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("bench.json");
+    let output = lab(&[
+        "bench",
+        "--size",
+        "40x30",
+        "--frames",
+        "2",
+        "--threads",
+        "2",
+        "--json",
+        file.to_str().expect("a plain name"),
+    ]);
+    assert!(output.status.success() && output.stderr.is_empty());
+    let table = String::from_utf8(output.stdout).expect("text");
+    let rows: Vec<Value> = serde_json::from_slice(&std::fs::read(&file).unwrap()).expect("JSON");
+    assert_eq!(cells(&table).len(), 1 + rows.len());
+    let qualities = rows
+        .iter()
+        .map(|row| row["quality"].as_str().expect("a name"));
+    assert!(qualities.eq(["exhaustive", "thesis", "default"]));
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn bad_input_is_named_in_one_line() {
+    for (flag, value, takes) in [
+        ("--size", "0x5", "WIDTHxHEIGHT"),
+        ("--size", "4000x10", "3840x2160"),
+        ("--threads", "0", "from 1"),
+        ("--quality", "best", "exhaustive, thesis, default"),
+        ("--frames", "0", "from 1 to"),
+        ("--frames", "1.5", "from 1 to"),
+        ("--frames", "100001", "to 100000"),
+        ("--time-from", "inf", "seconds"),
+        ("--time-to", "soon", "seconds"),
+        ("--scene", "field:0", "field:N"),
+        ("--isa", "mmx", "this machine has"),
+    ] {
+        assert_one_line(&lab(&["bench", flag, value]), 2, &[flag, value, takes]);
+    }
+    assert_one_line(&lab(&["bench", "--json"]), 2, &["--json"]);
+    assert_one_line(&lab(&["bench", "--json", ""]), 2, &["--json"]);
+    assert_one_line(&lab(&["bench", "--time", "1"]), 2, &["--time"]);
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_named_before_anything_is_measured() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["missing/bench.json", "."] {
+        let file = folder.path().join(name);
+        let file = file.to_str().expect("a plain name");
+        // Nobody would wait for so many frames.
+        let output = lab(&["bench", "--frames", "100000", "--json", file]);
+        assert_one_line(&output, 1, &["cannot write", file]);
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_costs_the_json_but_not_the_table() {
+    let output = lab(&[
+        "bench",
+        "--size",
+        "8x8",
+        "--frames",
+        "1",
+        "--json",
+        "/dev/full",
+    ]);
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        text.lines().count() == 1 && text.contains("/dev/full"),
+        "{text}"
+    );
+    assert_eq!(cells(&String::from_utf8_lossy(&output.stdout)).len(), 1 + 3);
+}
