@@ -71,7 +71,8 @@ pub(super) fn shade<S: Isa>(
     active: M<S>,
     batch: &mut Batch,
 ) -> Node<S> {
-    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active);
+    let mut surface = SurfaceLanes::new(hit.object);
+    surface.look_up(simd, scene, hit.object, active);
     let solid = active & surface.solid().simd_gt(splat(simd, 0.0));
     let mut colour = surface.base();
     let mut states = States::new(simd);

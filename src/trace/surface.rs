@@ -10,13 +10,18 @@ pub(super) struct SurfaceLanes<S: Isa> {
 }
 
 impl<S: Isa> SurfaceLanes<S> {
+    /// Nothing that is looked at; what it holds is no matter.
+    #[inline(always)]
+    pub fn new(any: U<S>) -> Self {
+        Self {
+            fields: [any; FIELDS],
+        }
+    }
+
     /// Looks the objects of the active lanes up: the first one's surface goes to all lanes, each other one's to those that
     /// hit it. Most packets meet one or two objects.
     #[inline(always)]
-    pub fn look_up(simd: S, scene: &Prepared, objects: U<S>, active: M<S>) -> Self {
-        let mut found = Self {
-            fields: [objects; FIELDS],
-        };
+    pub fn look_up(&mut self, simd: S, scene: &Prepared, objects: U<S>, active: M<S>) {
         let mut rest = active.to_bitmask();
         let mut is_first = true;
         while rest != 0 {
@@ -30,13 +35,12 @@ impl<S: Isa> SurfaceLanes<S> {
             is_first = false;
             // The count comes from memory so that this stays a loop: unrolled it takes a kilobyte.
             let fields = &scene.surfaces[number as usize][..scene.field_count.min(FIELDS)];
-            for (lane, &field) in found.fields.iter_mut().zip(fields) {
+            for (lane, &field) in self.fields.iter_mut().zip(fields) {
                 // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
                 let new = U::<S>::splat(simd, field.to_bits());
                 *lane ^= (*lane ^ new) & mask;
             }
         }
-        found
     }
 
     #[inline(always)]
