@@ -33,8 +33,14 @@ impl<S: Isa> SurfaceLanes<S> {
                 .to_vector()
                 .bitcast::<U<S>>();
             is_first = false;
-            // The count comes from memory so that this stays a loop: unrolled it takes a kilobyte.
-            let fields = &scene.surfaces[number as usize][..scene.field_count.min(FIELDS)];
+            let surface = &scene.surfaces[number as usize];
+            // In the intro the count comes from memory, so that this stays a loop: unrolled it takes a kilobyte.
+            let count = if cfg!(feature = "avx512") {
+                FIELDS
+            } else {
+                scene.field_count
+            };
+            let fields = &surface[..count.min(FIELDS)];
             for (lane, &field) in self.fields.iter_mut().zip(fields) {
                 // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
                 let new = U::<S>::splat(simd, field.to_bits());
