@@ -25,6 +25,7 @@ pub(crate) struct Group {
 /// A frame's groups.
 pub(crate) struct Groups {
     groups: [Group; MAX_GROUPS],
+    all_in_one: Group,
     solid: usize,
     count: usize,
     /// The scene's numbers of the spheres, group after group.
@@ -56,6 +57,7 @@ impl Group {
 impl Groups {
     pub const NONE: Self = Self {
         groups: [Group::NONE; MAX_GROUPS],
+        all_in_one: Group::NONE,
         solid: 0,
         count: 0,
         order: [0; MAX_SPHERES],
@@ -79,9 +81,14 @@ impl Groups {
         (1 << self.count) - 1
     }
 
-    /// The groups of solid spheres, which come first.
-    pub fn solid(&self) -> &[Group] {
-        &self.groups[..self.solid]
+    /// The solid spheres as shadow rays look at them: by groups, or all in one where each is a group of its own.
+    #[inline(always)]
+    pub fn clusters(&self) -> &[Group] {
+        if self.solid == self.spheres {
+            core::slice::from_ref(&self.all_in_one)
+        } else {
+            &self.groups[..self.solid]
+        }
     }
 
     /// The spheres' numbers in the scene, in the order that the balls have.
@@ -95,6 +102,9 @@ impl Groups {
         for (i, number) in self.order[..self.spheres].iter_mut().enumerate() {
             *number = i as u16;
         }
+        self.count = 0;
+        self.push(scene, 0..self.spheres);
+        self.all_in_one = self.groups[0];
         self.count = 0;
         if self.spheres <= LEAVES {
             for i in 0..self.spheres {

@@ -58,8 +58,8 @@ pub(crate) struct Lamp {
     pub colour: Vec3,
     /// The solid spheres as shadow rays want them.
     pub casters: [Caster; MAX_SPHERES],
-    /// The groups as shadow rays want them.
-    pub group_casters: [Caster; MAX_GROUPS],
+    /// The bounds of [`Groups::clusters`].
+    pub cluster_casters: [Caster; MAX_GROUPS],
 }
 
 /// A sphere as shadow rays want it.
@@ -170,10 +170,10 @@ impl Prepared {
                 around_lamp: light.position.distance_squared(ball.centre) < ball.r2,
             };
         }
-        for (caster, group) in lamp.group_casters.iter_mut().zip(self.groups.solid()) {
+        for (caster, cluster) in lamp.cluster_casters.iter_mut().zip(self.groups.clusters()) {
             *caster = Caster {
-                from_lamp: light.position - group.centre,
-                r2: group.radius * group.radius,
+                from_lamp: light.position - cluster.centre,
+                r2: cluster.radius * cluster.radius,
                 // Its spheres may be between the lamp and whatever.
                 around_lamp: false,
             };
@@ -208,7 +208,7 @@ impl Lamp {
         position: Vec3::ZERO,
         colour: Vec3::ZERO,
         casters: [Caster::NONE; MAX_SPHERES],
-        group_casters: [Caster::NONE; MAX_GROUPS],
+        cluster_casters: [Caster::NONE; MAX_GROUPS],
     };
 }
 

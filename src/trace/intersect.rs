@@ -162,12 +162,11 @@ pub(crate) fn blocked<S: Isa>(
 ) -> M<S> {
     let mut blocked = M::<S>::splat(simd, false);
     let reach = distance - NEAREST;
-    for (group, bound) in scene.groups.solid().iter().zip(&lamp.group_casters) {
-        if !group.is_single() && !caster_blocks(simd, bound, l, reach).any_true() {
-            continue;
-        }
-        for caster in &lamp.casters[group.balls()] {
-            blocked |= caster_blocks(simd, caster, l, reach);
+    for (cluster, bound) in scene.groups.clusters().iter().zip(&lamp.cluster_casters) {
+        if caster_blocks(simd, bound, l, reach).any_true() {
+            for caster in &lamp.casters[cluster.balls()] {
+                blocked |= caster_blocks(simd, caster, l, reach);
+            }
         }
     }
     for plane in &scene.planes[..scene.plane_count] {
