@@ -9,7 +9,7 @@
 //! | bands of the picture in parallel | [`render()`] |
 //! | which points to trace, fill or split | `refine` |
 //! | points to colours and keys | `trace` |
-//! | eight rays side by side | `lanes` |
+//! | rays side by side, by instruction set | `lanes` |
 //!
 //! What trades accuracy for speed is one struct, [`Quality`].
 //!

@@ -22,7 +22,7 @@ pub struct Quality {
     pub spread_side: f32,
     /// A key holds the objects hit by rays of at most this depth (the primary ray has depth 0).
     pub key_depth: u32,
-    /// A key holds the lights' states at hits of rays of at most this depth.
+    /// A key holds the lights' states at hits of rays of at most this depth, among those whose objects it holds.
     pub state_depth: u32,
     /// A highlight `ks (r.v)^h` above this makes a lit light "lit with a highlight", a state of its own.
     pub highlight: f32,

@@ -74,19 +74,6 @@ fn render_by<S: Simd>(
         width: band.width,
         height,
     };
-    let rows = Band::rows(quality.square);
-    let columns = band.width.next_multiple_of(quality.square) + 1;
-    let keys = quality.needs_keys();
-    worker.points.clear(rows + 1, columns);
-    if band.above_done {
-        worker.points.row(0).copy(&band.borders[0], columns, keys);
-    }
-    if band.below_done {
-        worker
-            .points
-            .row(rows)
-            .copy(&band.borders[1], columns, keys);
-    }
     let mut refiner = Refiner {
         simd,
         level,
@@ -101,15 +88,8 @@ fn render_by<S: Simd>(
     };
     if quality.square == 1 {
         refiner.every_pixel();
-        return;
-    }
-    let stretch = STRETCH / quality.square * quality.square;
-    for start in (0..band.width).step_by(stretch) {
-        refiner.stretch(start, (start + stretch).min(columns - 1));
-    }
-    if !band.above_done {
-        band.borders[0].copy(worker.points.row(0), columns, keys);
-        band.borders[1].copy(worker.points.row(rows), columns, keys);
+    } else {
+        refiner.squares(band.borders);
     }
 }
 
@@ -157,38 +137,39 @@ impl<S: Simd> Refiner<'_, S> {
         }
     }
 
+    /// Draws by squares, a stretch at a time. The borders hold what the neighbours traced, or take what they will need.
+    #[inline(always)]
+    fn squares(&mut self, borders: &mut [Border]) {
+        let square = self.quality.square;
+        let rows = Band::rows(square);
+        let columns = self.canvas.width.next_multiple_of(square) + 1;
+        let keys = self.quality.needs_keys();
+        let points = &mut self.worker.points;
+        points.clear(rows + 1, columns);
+        if self.above_done {
+            points.row(0).copy(&borders[0], columns, keys);
+        }
+        if self.below_done {
+            points.row(rows).copy(&borders[1], columns, keys);
+        }
+        let stretch = STRETCH / square * square;
+        for start in (0..self.canvas.width).step_by(stretch) {
+            self.stretch(start, (start + stretch).min(columns - 1));
+        }
+        if !self.above_done {
+            let points = &mut self.worker.points;
+            borders[0].copy(points.row(0), columns, keys);
+            borders[1].copy(points.row(rows), columns, keys);
+        }
+    }
+
     /// Draws the columns from `start` to `end`, whole squares.
     #[inline(always)]
     fn stretch(&mut self, start: usize, end: usize) {
-        let square = self.quality.square;
-        let rows = self.canvas.height.next_multiple_of(square);
+        let rows = self.canvas.height.next_multiple_of(self.quality.square);
         self.seen = self.scene.seen(start, self.top, end, self.top + rows);
-        for y in (0..=rows).step_by(square) {
-            let is_done = y == 0 && self.above_done || y == Band::rows(square) && self.below_done;
-            // The stretch before this one has traced the first column.
-            let first = if is_done {
-                end + 1
-            } else {
-                start + square * usize::from(start > 0)
-            };
-            for x in (first..=end).step_by(square) {
-                self.add(x, y);
-            }
-        }
-        // The first squares are the parts of squares twice as large.
-        let mut count = 0;
-        for y in (0..rows).step_by(2 * square) {
-            for x in (start..end).step_by(2 * square) {
-                let side = 2 * square as u8;
-                self.worker.squares[0][count] = Square {
-                    x: x as u16,
-                    y: y as u16,
-                    w: side,
-                    h: side,
-                };
-                count += 1;
-            }
-        }
+        self.add_corners(start, end, rows);
+        let mut count = self.first_squares(start, end, rows);
         let mut round = 0;
         while count > 0 {
             self.trace();
@@ -215,6 +196,42 @@ impl<S: Simd> Refiner<'_, S> {
             round = 1 - round;
             count = splits;
         }
+    }
+
+    /// Asks for the corners of all squares.
+    #[inline(always)]
+    fn add_corners(&mut self, start: usize, end: usize, rows: usize) {
+        let square = self.quality.square;
+        for y in (0..=rows).step_by(square) {
+            let is_done = y == 0 && self.above_done || y == Band::rows(square) && self.below_done;
+            // The stretch before this one has traced the first column.
+            let first = start + square * usize::from(start > 0);
+            for x in (first..=end).step_by(square) {
+                if !is_done {
+                    self.add(x, y);
+                }
+            }
+        }
+    }
+
+    /// Lists squares twice as large as the first ones, which are their parts; says how many.
+    #[inline(always)]
+    fn first_squares(&mut self, start: usize, end: usize, rows: usize) -> usize {
+        let side = 2 * self.quality.square;
+        let mut count = 0;
+        for y in (0..rows).step_by(side) {
+            for x in (start..end).step_by(side) {
+                let (w, h) = (side as u8, side as u8);
+                self.worker.squares[0][count] = Square {
+                    x: x as u16,
+                    y: y as u16,
+                    w,
+                    h,
+                };
+                count += 1;
+            }
+        }
+        count
     }
 
     /// Sets the pixels of a square that is split into single ones.

@@ -9,8 +9,11 @@ use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
 
-/// The most a node adds to a point, in units of full brightness; keeps sums of 127 nodes from overflowing.
-pub(super) const BRIGHTEST: f32 = 4.0;
+/// The most a node adds to a point, in units of full brightness.
+///
+/// Beyond 1 it would not be seen, since no node takes light away; the sums of the 255 nodes of the deepest tree do not
+/// overflow.
+const BRIGHTEST: f32 = 2.0;
 
 /// What a node of a ray tree adds to its point.
 pub(super) struct Node<S: Isa> {
