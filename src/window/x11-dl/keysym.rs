@@ -1,109 +1,30 @@
-//! The keysyms that `minifb` tells apart, as in `X11/keysymdef.h`.
+//! The keys that the intro listens to, as in `X11/keysymdef.h`.
+//!
+//! `minifb` tells a hundred keys apart. Those that nobody listens to all have the value of no key here, so
+//! that its table of them comes to nothing: 1.5 KB. A key that is listened to anew needs its own.
 
 use core::ffi::c_uint;
 
-pub const XK_space: c_uint = 0x20;
-pub const XK_apostrophe: c_uint = 0x27;
-pub const XK_comma: c_uint = 0x2c;
-pub const XK_minus: c_uint = 0x2d;
-pub const XK_period: c_uint = 0x2e;
-pub const XK_slash: c_uint = 0x2f;
-pub const XK_0: c_uint = 0x30;
-pub const XK_1: c_uint = 0x31;
-pub const XK_2: c_uint = 0x32;
-pub const XK_3: c_uint = 0x33;
-pub const XK_4: c_uint = 0x34;
-pub const XK_5: c_uint = 0x35;
-pub const XK_6: c_uint = 0x36;
-pub const XK_7: c_uint = 0x37;
-pub const XK_8: c_uint = 0x38;
-pub const XK_9: c_uint = 0x39;
-pub const XK_semicolon: c_uint = 0x3b;
-pub const XK_equal: c_uint = 0x3d;
-pub const XK_bracketleft: c_uint = 0x5b;
-pub const XK_backslash: c_uint = 0x5c;
-pub const XK_bracketright: c_uint = 0x5d;
-pub const XK_grave: c_uint = 0x60;
-pub const XK_a: c_uint = 0x61;
-pub const XK_b: c_uint = 0x62;
-pub const XK_c: c_uint = 0x63;
-pub const XK_d: c_uint = 0x64;
-pub const XK_e: c_uint = 0x65;
 pub const XK_f: c_uint = 0x66;
-pub const XK_g: c_uint = 0x67;
-pub const XK_h: c_uint = 0x68;
-pub const XK_i: c_uint = 0x69;
-pub const XK_j: c_uint = 0x6a;
-pub const XK_k: c_uint = 0x6b;
-pub const XK_l: c_uint = 0x6c;
-pub const XK_m: c_uint = 0x6d;
-pub const XK_n: c_uint = 0x6e;
-pub const XK_o: c_uint = 0x6f;
-pub const XK_p: c_uint = 0x70;
-pub const XK_q: c_uint = 0x71;
-pub const XK_r: c_uint = 0x72;
-pub const XK_s: c_uint = 0x73;
-pub const XK_t: c_uint = 0x74;
-pub const XK_u: c_uint = 0x75;
-pub const XK_v: c_uint = 0x76;
 pub const XK_w: c_uint = 0x77;
-pub const XK_x: c_uint = 0x78;
-pub const XK_y: c_uint = 0x79;
-pub const XK_z: c_uint = 0x7a;
-pub const XK_BackSpace: c_uint = 0xFF08;
-pub const XK_Tab: c_uint = 0xFF09;
-pub const XK_Return: c_uint = 0xFF0D;
-pub const XK_Pause: c_uint = 0xFF13;
-pub const XK_Scroll_Lock: c_uint = 0xFF14;
-pub const XK_Escape: c_uint = 0xFF1B;
-pub const XK_Home: c_uint = 0xFF50;
-pub const XK_Left: c_uint = 0xFF51;
-pub const XK_Up: c_uint = 0xFF52;
-pub const XK_Right: c_uint = 0xFF53;
-pub const XK_Down: c_uint = 0xFF54;
-pub const XK_Page_Up: c_uint = 0xFF55;
-pub const XK_Page_Down: c_uint = 0xFF56;
-pub const XK_End: c_uint = 0xFF57;
-pub const XK_Insert: c_uint = 0xFF63;
-pub const XK_Menu: c_uint = 0xFF67;
-pub const XK_Num_Lock: c_uint = 0xFF7F;
-pub const XK_KP_Enter: c_uint = 0xFF8D;
-pub const XK_KP_Multiply: c_uint = 0xFFAA;
-pub const XK_KP_Add: c_uint = 0xFFAB;
-pub const XK_KP_Separator: c_uint = 0xFFAC;
-pub const XK_KP_Subtract: c_uint = 0xFFAD;
-pub const XK_KP_Decimal: c_uint = 0xFFAE;
-pub const XK_KP_Divide: c_uint = 0xFFAF;
-pub const XK_KP_0: c_uint = 0xFFB0;
-pub const XK_KP_1: c_uint = 0xFFB1;
-pub const XK_KP_2: c_uint = 0xFFB2;
-pub const XK_KP_3: c_uint = 0xFFB3;
-pub const XK_KP_4: c_uint = 0xFFB4;
-pub const XK_KP_5: c_uint = 0xFFB5;
-pub const XK_KP_6: c_uint = 0xFFB6;
-pub const XK_KP_7: c_uint = 0xFFB7;
-pub const XK_KP_8: c_uint = 0xFFB8;
-pub const XK_KP_9: c_uint = 0xFFB9;
-pub const XK_KP_Equal: c_uint = 0xFFBD;
-pub const XK_F1: c_uint = 0xFFBE;
-pub const XK_F2: c_uint = 0xFFBF;
-pub const XK_F3: c_uint = 0xFFC0;
-pub const XK_F4: c_uint = 0xFFC1;
-pub const XK_F5: c_uint = 0xFFC2;
-pub const XK_F6: c_uint = 0xFFC3;
-pub const XK_F7: c_uint = 0xFFC4;
-pub const XK_F8: c_uint = 0xFFC5;
-pub const XK_F9: c_uint = 0xFFC6;
-pub const XK_F10: c_uint = 0xFFC7;
-pub const XK_F11: c_uint = 0xFFC8;
-pub const XK_F12: c_uint = 0xFFC9;
-pub const XK_Shift_L: c_uint = 0xFFE1;
-pub const XK_Shift_R: c_uint = 0xFFE2;
-pub const XK_Control_L: c_uint = 0xFFE3;
-pub const XK_Control_R: c_uint = 0xFFE4;
-pub const XK_Caps_Lock: c_uint = 0xFFE5;
-pub const XK_Alt_L: c_uint = 0xFFE9;
-pub const XK_Alt_R: c_uint = 0xFFEA;
-pub const XK_Super_L: c_uint = 0xFFEB;
-pub const XK_Super_R: c_uint = 0xFFEC;
-pub const XK_Delete: c_uint = 0xFFFF;
+pub const XK_Escape: c_uint = 0xff1b;
+
+/// Gives names the value of no key.
+macro_rules! unheard {
+    ($($name:ident)*) => { $( pub const $name: c_uint = VOID; )* };
+}
+
+/// `XK_VoidSymbol`: no key has it.
+const VOID: c_uint = 0xff_ffff;
+
+unheard! {
+    XK_space XK_apostrophe XK_comma XK_minus XK_period XK_slash XK_0 XK_1 XK_2 XK_3 XK_4 XK_5 XK_6
+    XK_7 XK_8 XK_9 XK_semicolon XK_equal XK_bracketleft XK_backslash XK_bracketright XK_grave XK_a
+    XK_b XK_c XK_d XK_e XK_g XK_h XK_i XK_j XK_k XK_l XK_m XK_n XK_o XK_p XK_q XK_r XK_s XK_t XK_u
+    XK_v XK_x XK_y XK_z XK_BackSpace XK_Tab XK_Return XK_Pause XK_Scroll_Lock XK_Home XK_Left XK_Up
+    XK_Right XK_Down XK_Page_Up XK_Page_Down XK_End XK_Insert XK_Menu XK_Num_Lock XK_KP_Enter
+    XK_KP_Multiply XK_KP_Add XK_KP_Separator XK_KP_Subtract XK_KP_Decimal XK_KP_Divide XK_KP_0
+    XK_KP_1 XK_KP_2 XK_KP_3 XK_KP_4 XK_KP_5 XK_KP_6 XK_KP_7 XK_KP_8 XK_KP_9 XK_KP_Equal XK_F1 XK_F2
+    XK_F3 XK_F4 XK_F5 XK_F6 XK_F7 XK_F8 XK_F9 XK_F10 XK_F11 XK_F12 XK_Shift_L XK_Shift_R
+    XK_Control_L XK_Control_R XK_Caps_Lock XK_Alt_L XK_Alt_R XK_Super_L XK_Super_R XK_Delete
+}
