@@ -130,11 +130,10 @@ SECTIONS {
     .rodata : { *(.rodata .rodata.*) }
     .text : { *(.text .text.*) }
     . = ALIGN(CONSTANT(COMMONPAGESIZE)) + (. & (CONSTANT(COMMONPAGESIZE) - 1));
-    .init_array : { KEEP(*(.init_array .init_array.*)) }
-    .data : { *(.data .data.*) }
+    .data : { *(.data .data.*) *(.got) }
     .bss : { *(.bss .bss.* COMMON) }
     /DISCARD/ : {
-        *(.comment .note .note.* .eh_frame .eh_frame_hdr .gcc_except_table .gcc_except_table.*)
+        *(.init_array .init_array.* .comment .note .note.* .eh_frame .eh_frame_hdr .gcc_except_table .gcc_except_table.*)
     }
 }
 ";
