@@ -146,6 +146,7 @@ fn wrong(given: &[u8], expected: &[u8]) -> i32 {
 }
 
 /// A whole number from 1 to `most`.
+#[inline(never)]
 fn whole(text: &[u8], most: usize) -> Option<usize> {
     let mut number = 0;
     for digit in text {

@@ -2,7 +2,7 @@
 
 use core::ffi::{CStr, c_char, c_int};
 
-use crate::terminal;
+use crate::{system, terminal};
 
 /// Defines the C `main`, which calls a `fn(Arguments) -> i32` for the exit code.
 ///
@@ -22,6 +22,9 @@ macro_rules! main {
             let run: fn($crate::arguments::Arguments) -> i32 = $run;
             run(arguments)
         }
+
+        #[global_allocator]
+        static ALLOCATOR: $crate::allocator::Malloc = $crate::allocator::Malloc;
 
         // What the build script puts in place of functions of std.
         #[cfg(diet)]
@@ -73,7 +76,5 @@ impl Iterator for Arguments {
 /// It is open for reading only: writing to it fails, as it would have when closed. One more stays open,
 /// as the sign that the first three are.
 fn open_standard_streams() {
-    // SAFETY: no memory is shared with this call but the path.
-    let open = || unsafe { libc::open(c"/dev/null".as_ptr(), libc::O_RDONLY | libc::O_CLOEXEC) };
-    while (0..=2).contains(&open()) {}
+    while (0..=2).contains(&system::open(c"/dev/null")) {}
 }

@@ -8,7 +8,7 @@
 use core::{
     ffi::c_int,
     mem::size_of,
-    ptr::{null, null_mut},
+    ptr::{null_mut, with_exposed_provenance_mut},
     slice::from_raw_parts_mut,
     sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
@@ -18,7 +18,10 @@ use x11_dl::{
     xshm::{XShmSegmentInfo, Xext},
 };
 
-use crate::screen::{MOST_PIXELS, pixels};
+use crate::{
+    screen::{MOST_PIXELS, pixels},
+    system::call,
+};
 
 /// Set when the server refuses a request for another reason than that the window is gone.
 pub(crate) static REFUSED: AtomicBool = AtomicBool::new(false);
@@ -167,14 +170,15 @@ unsafe fn share(
     // SAFETY: the segment is as large as it says, zero to begin with, and stays as long as the process.
     // The server reads it, and writes never.
     unsafe {
-        let id = libc::shmget(libc::IPC_PRIVATE, size, libc::IPC_CREAT | 0o600);
-        let memory = libc::shmat(id, null(), 0);
-        if memory as isize == -1 {
+        let id = call!(SYS_shmget, libc::IPC_PRIVATE, size, libc::IPC_CREAT | 0o600);
+        let memory = call!(SYS_shmat, id, 0, 0);
+        if memory == -1 {
             return None;
         }
+        let memory: *mut u32 = with_exposed_provenance_mut(memory as usize);
         let segment = Box::leak(Box::new(XShmSegmentInfo {
             shmseg: 0,
-            shmid: id,
+            shmid: id as c_int,
             shmaddr: memory.cast(),
             readOnly: xlib::True,
         }));
@@ -184,10 +188,10 @@ unsafe fn share(
             (shared.XShmQueryExtension)(display) != 0 && (shared.XShmAttach)(display, segment) != 0;
         (x.XSync)(display, xlib::False);
         // It goes away with the last that is attached, however that ends.
-        libc::shmctl(id, libc::IPC_RMID, null_mut());
+        call!(SYS_shmctl, id, libc::IPC_RMID, 0);
         if !attached || REFUSED.load(Relaxed) {
             return None;
         }
-        Some(from_raw_parts_mut(memory.cast(), 2 * MOST_PIXELS))
+        Some(from_raw_parts_mut(memory, 2 * MOST_PIXELS))
     }
 }

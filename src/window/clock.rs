@@ -1,5 +1,7 @@
 //! Time that only goes forward, in nanoseconds: whole numbers take fewer bytes than fractions.
 
+use crate::system::call;
+
 /// Nanoseconds in a second.
 pub const SECOND: u64 = 1_000_000_000;
 
@@ -40,11 +42,12 @@ fn sleep_until(end: u64) {
     };
     // SAFETY: the time outlives the call, and nothing is written to the null pointer.
     unsafe {
-        libc::clock_nanosleep(
+        call!(
+            SYS_clock_nanosleep,
             libc::CLOCK_MONOTONIC,
             libc::TIMER_ABSTIME,
-            &end,
-            core::ptr::null_mut(),
+            &raw const end,
+            0,
         );
     }
 }

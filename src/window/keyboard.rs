@@ -1,6 +1,6 @@
 //! Keys, as edges: a tap counts even if press and release arrive together.
 
-use std::{cell::Cell, rc::Rc};
+use core::cell::Cell;
 
 use minifb::{InputCallback, Key};
 
@@ -15,12 +15,19 @@ pub(crate) struct Wishes {
 
 /// Collects wishes between two frames. The window's own `is_key_pressed` knows only what is still
 /// down once all events are taken.
-#[derive(Clone, Default)]
+#[derive(Clone, Copy)]
 pub(crate) struct Keyboard {
-    wishes: Rc<Cell<Wishes>>,
+    wishes: &'static Cell<Wishes>,
 }
 
 impl Keyboard {
+    /// For a window that stays as long as the process.
+    pub fn new() -> Keyboard {
+        Keyboard {
+            wishes: Box::leak(Box::default()),
+        }
+    }
+
     /// The wishes since the last call.
     pub fn take(&self) -> Wishes {
         self.wishes.take()

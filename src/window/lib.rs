@@ -8,13 +8,13 @@
 //! | time, and sleeping until it comes | [`clock`] |
 //! | threads that share the work of a frame | [`pool`] |
 //! | the best instruction set | [`cpu`] |
-//! | memory of fixed size | [`fixed`] |
+//! | memory of fixed size, and other | [`fixed`], [`allocator`] |
 //! | lines of text to standard output and error | [`line`] |
 //!
 //! It is compiled for size, and uses of std only what costs few bytes: threads, waiting, time and
 //! output go through libc (what std's own cost is in the size table of the intro's `build.rs`).
 //!
-//! It runs on Linux, on any processor.
+//! It runs on Linux, on any processor of 64 bits.
 
 #![deny(missing_docs)]
 #![warn(clippy::undocumented_unsafe_blocks)]
@@ -23,6 +23,7 @@
 compile_error!("Eightfold's windows, threads and terminals are made for Linux");
 
 pub mod abort;
+pub mod allocator;
 pub mod arguments;
 mod blit;
 pub mod clock;
@@ -33,5 +34,6 @@ mod keyboard;
 pub mod line;
 pub mod pool;
 pub mod screen;
+mod system;
 pub mod terminal;
 pub mod window;

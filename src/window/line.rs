@@ -1,6 +1,9 @@
 //! Lines of text, without `format!` (whose machinery is 6 KB) and without std's buffers and locks.
 
-use crate::clock::{self, SECOND};
+use crate::{
+    clock::{self, SECOND},
+    system,
+};
 
 /// Standard output.
 pub const OUTPUT: i32 = libc::STDOUT_FILENO;
@@ -105,8 +108,7 @@ pub fn print(bytes: &[u8]) -> bool {
 /// signal that ends the program arrives meanwhile.
 pub fn write(file: i32, mut bytes: &[u8]) -> bool {
     while !bytes.is_empty() {
-        // SAFETY: the pointer and the length are those of a slice.
-        let written = unsafe { libc::write(file, bytes.as_ptr().cast(), bytes.len()) };
+        let written = system::write(file, bytes);
         if written > 0 {
             bytes = &bytes[written as usize..];
             continue;

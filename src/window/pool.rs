@@ -16,6 +16,8 @@ use core::{
     },
 };
 
+use crate::system::call;
+
 /// Turns of a spinning wait before the thread goes to sleep: about 50 microseconds, several times
 /// what the rest of a frame takes between two runs.
 const SPINS: u32 = 1000;
@@ -233,12 +235,12 @@ extern "C" fn thread_main(shared: *mut c_void) -> *mut c_void {
 fn futex(word: &AtomicU32, operation: i32, value: u32) {
     // SAFETY: the word is there; there is no time limit, for which the null pointer stands.
     unsafe {
-        libc::syscall(
-            libc::SYS_futex,
+        call!(
+            SYS_futex,
             word.as_ptr(),
             operation | libc::FUTEX_PRIVATE_FLAG,
             value,
-            null_mut::<libc::timespec>(),
+            0,
         );
     }
 }
@@ -277,7 +279,7 @@ pub fn processors() -> usize {
     // SAFETY: zero is an empty set, which is as long as it says and has room for `MOST`.
     unsafe {
         let mut set: libc::cpu_set_t = zeroed();
-        if libc::sched_getaffinity(0, size_of_val(&set), &mut set) != 0 {
+        if call!(SYS_sched_getaffinity, 0, size_of_val(&set), &raw mut set) < 0 {
             // There are more than the set has room for.
             return MOST;
         }

@@ -13,6 +13,7 @@ use core::{
 use crate::{
     line,
     screen::{MOST_PIXELS, Next, Screen, pixels},
+    system::{self, call},
 };
 
 /// The upper half of a cell in the foreground's colour; the lower half shows the background's.
@@ -122,7 +123,7 @@ impl Screen for Terminal {
         // SAFETY: zero is a value of every field, and `size` is what this request writes to.
         let size = unsafe {
             let mut size: libc::winsize = zeroed();
-            libc::ioctl(line::OUTPUT, libc::TIOCGWINSZ, &mut size);
+            call!(SYS_ioctl, line::OUTPUT, libc::TIOCGWINSZ, &raw mut size);
             size
         };
         // Some say nothing of their size.
@@ -168,7 +169,7 @@ impl Escape {
     fn read(&mut self, keyboard: c_int) -> bool {
         let mut typed = [0; 64];
         // SAFETY: it is as long as it says. In this mode, reading doesn't wait.
-        let count = unsafe { libc::read(keyboard, typed.as_mut_ptr().cast(), typed.len()) };
+        let count = unsafe { call!(SYS_read, keyboard, typed.as_mut_ptr(), typed.len()) };
         self.ends(&typed[..count.max(0) as usize])
     }
 
@@ -250,7 +251,7 @@ impl Saved {
             }
             let mut keyboard = libc::STDIN_FILENO;
             if !line::terminal(keyboard) {
-                keyboard = libc::open(c"/dev/tty".as_ptr(), libc::O_RDONLY | libc::O_CLOEXEC);
+                keyboard = system::open(c"/dev/tty");
             }
             if let Some(mut mode) = mode(keyboard) {
                 (*self.mode.get()).write(mode);

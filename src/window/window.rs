@@ -16,6 +16,7 @@ use crate::{
     keyboard::Keyboard,
     line,
     screen::{Next, Screen},
+    system::call,
 };
 
 /// A window that shows frames, with keys: F for the whole screen, W for the window, Esc to end.
@@ -66,8 +67,8 @@ impl Window {
         let (display, handle) = handles(&window).ok_or(NoWindow::NoDisplay)?;
         // The caller keeps the time.
         window.set_target_fps(0);
-        let keyboard = Keyboard::default();
-        window.set_input_callback(Box::new(keyboard.clone()));
+        let keyboard = Keyboard::new();
+        window.set_input_callback(Box::new(keyboard));
         Ok(Window {
             keyboard,
             fullscreen: Fullscreen::new(x, display, handle),
@@ -137,5 +138,6 @@ unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEven
 unsafe extern "C" fn lost(_: *mut xlib::Display) -> c_int {
     line::write(line::ERROR, b"eightfold: the display is gone\n");
     // SAFETY: nothing is left to be written or given back.
-    unsafe { libc::_exit(1) }
+    unsafe { call!(SYS_exit_group, 1) };
+    0
 }
