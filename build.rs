@@ -212,7 +212,7 @@ fn redirections(symbols: &[String]) -> Result<String, Box<dyn Error>> {
                     || part.starts_with(|c: char| c.is_ascii_digit()) && symbol.contains(&part);
                 found |= named;
                 if named && done.insert(symbol) {
-                    writeln!(assembly, ".globl {symbol}\n{symbol}:")?;
+                    writeln!(assembly, ".globl {symbol}\n.hidden {symbol}\n{symbol}:")?;
                 }
             }
             if !found {

@@ -25,7 +25,9 @@ const SPINS: u32 = 1000;
 /// Threads that work for whoever has the pool; they end when it is dropped.
 pub struct Pool {
     shared: Box<Shared>,
-    threads: Vec<libc::pthread_t>,
+    /// The others; as many as `count` says.
+    threads: [libc::pthread_t; Pool::MOST - 1],
+    count: usize,
 }
 
 /// Work for one thread of a run, which it has a number in.
@@ -53,8 +55,11 @@ const OPEN: u32 = 1 << 31;
 unsafe impl Sync for Shared {}
 
 impl Pool {
-    /// Starts threads so that there are `count` with the caller's. There may be fewer if the system
-    /// has no more.
+    /// The most threads of a pool, with the caller's.
+    pub const MOST: usize = 256;
+
+    /// Starts threads so that there are `count` with the caller's, at most [`Pool::MOST`]. There may be fewer
+    /// if the system has no more.
     #[must_use]
     pub fn new(count: usize) -> Pool {
         let shared = Box::new(Shared {
@@ -65,7 +70,8 @@ impl Pool {
             next: AtomicUsize::new(1),
             over: AtomicBool::new(false),
         });
-        let mut threads = Vec::with_capacity(count);
+        let mut threads = [0; Pool::MOST - 1];
+        let mut started = 0;
         // SAFETY: the structures are initialised by the calls before they are read. `shared` has a
         // place of its own that lasts until every thread has been joined.
         unsafe {
@@ -74,23 +80,26 @@ impl Pool {
             let mut before = zeroed();
             (&raw mut all).write_bytes(0xff, 1);
             libc::pthread_sigmask(libc::SIG_SETMASK, &all, &mut before);
-            for _ in 1..count {
-                let mut thread = zeroed();
+            for thread in threads.iter_mut().take(count.saturating_sub(1)) {
                 let pointer = (&raw const *shared).cast_mut().cast();
-                if libc::pthread_create(&mut thread, null(), thread_main, pointer) != 0 {
+                if libc::pthread_create(thread, null(), thread_main, pointer) != 0 {
                     break;
                 }
-                threads.push(thread);
+                started += 1;
             }
             libc::pthread_sigmask(libc::SIG_SETMASK, &before, null_mut());
         }
-        Pool { shared, threads }
+        Pool {
+            shared,
+            threads,
+            count: started,
+        }
     }
 
     /// Threads, with the caller's.
     #[must_use]
     pub fn threads(&self) -> usize {
-        self.threads.len() + 1
+        self.count + 1
     }
 
     /// Does a job on every item, each with one of the workers, and returns when all are done.
@@ -126,7 +135,7 @@ impl Pool {
     /// Has the work done by the caller's thread, with number 0, and by as many others as come in time.
     fn work(&mut self, work: Work<'_>) {
         let shared = &*self.shared;
-        if self.threads.is_empty() {
+        if self.count == 0 {
             return work(0);
         }
         // SAFETY: no run is open and no thread inside, as `&mut self` and the end of `Run` see to.
@@ -141,7 +150,7 @@ impl Drop for Pool {
     fn drop(&mut self) {
         self.shared.over.store(true, Relaxed);
         self.shared.wake();
-        for &thread in &self.threads {
+        for &thread in &self.threads[..self.count] {
             // SAFETY: each thread is joined once, and none is detached.
             unsafe { libc::pthread_join(thread, null_mut()) };
         }

@@ -1,12 +1,25 @@
 //! What frames are shown on.
 
+use std::{
+    alloc::{Layout, alloc_zeroed, handle_alloc_error},
+    ptr::slice_from_raw_parts_mut,
+};
+
 /// The most pixels that a frame may have: 3840x2160.
 pub const MOST_PIXELS: usize = 3840 * 2160;
 
 /// Memory for so many pixels, zero to begin with; it is taken from the system where it is written to.
 pub(crate) fn pixels(count: usize) -> Box<[u32]> {
-    // SAFETY: zero is a pixel.
-    unsafe { Box::new_zeroed_slice(count).assume_init() }
+    assert!(count <= 2 * MOST_PIXELS);
+    // SAFETY: the size is far from too large; the memory is as large as the slice, and zero is a pixel.
+    unsafe {
+        let layout = Layout::from_size_align_unchecked(4 * count, 4);
+        let memory = alloc_zeroed(layout);
+        if memory.is_null() {
+            handle_alloc_error(layout);
+        }
+        Box::from_raw(slice_from_raw_parts_mut(memory.cast(), count))
+    }
 }
 
 /// A place for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal) or
