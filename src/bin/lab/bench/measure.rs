@@ -144,9 +144,8 @@ impl Setting {
             run.times.push(milliseconds(start));
             run.counts += counts;
         }
-        let row = vec![COLOUR; self.size.width];
         let start = Instant::now();
-        fill(&mut studio.pool, &row, &mut self.filled);
+        fill(&mut studio.pool, self.size.width, &mut self.filled);
         self.floor.push(milliseconds(start));
 
         // Not before all are drawn, so that threads and caches stay with what is timed.
@@ -162,16 +161,11 @@ impl Setting {
     }
 }
 
-/// Fills a frame with rows of one colour: no way to draw it on these threads is faster. Copies are as fast as the system
-/// can, however this is compiled.
-fn fill(pool: &mut Pool, row: &[u32], pixels: &mut [u32]) {
-    let mut strips: Vec<&mut [u32]> = pixels.chunks_mut(STRIP * row.len()).collect();
+/// Fills a frame with one colour: no way to draw it on these threads is faster.
+fn fill(pool: &mut Pool, width: usize, pixels: &mut [u32]) {
+    let mut strips: Vec<&mut [u32]> = pixels.chunks_mut(STRIP * width).collect();
     let mut threads = vec![(); pool.threads()];
-    pool.run(&mut threads, &mut strips, &|_, strip| {
-        for pixels in strip.chunks_exact_mut(row.len()) {
-            pixels.copy_from_slice(row);
-        }
-    });
+    pool.run(&mut threads, &mut strips, &|_, strip| strip.fill(COLOUR));
 }
 
 fn milliseconds(start: Instant) -> f64 {
