@@ -7,24 +7,26 @@
 //! definition and drops all that only the second one needed. The substitutes are in
 //! `src/window/abort.rs`.
 //!
-//! What each step saves, measured by leaving it out of the whole program (138,408 bytes, the tracer's three
-//! instruction sets included):
+//! What each step saves, measured by leaving it out of the whole program (61,216 bytes):
 //!
 //! | step | where | bytes |
 //! | --- | --- | ---: |
-//! | functions of std redirected | [`INSTEAD`] | 276,016 |
+//! | functions of std redirected | [`INSTEAD`] | 276,448 |
 //! | ... of these, formatting | | 4,640 |
-//! | ... of these, what `minifb` does and nobody asks for | | 2,696 |
+//! | ... of these, what `minifb` does and nobody asks for | | 2,704 |
 //! | `x11-dl` with 52 functions instead of 826 (in a 30-line program) | `src/window/x11-dl` | 115,056 |
-//! | no unwind tables: nothing unwinds | [`SECTIONS`] | 85,656 |
-//! | few sections, not one per function | [`SECTIONS`] | 20,048 |
-//! | all but the tracer compiled for size | `Cargo.toml` | 7,120 |
-//! | addresses fixed when linked (`-no-pie`) | | 5,200 |
-//! | panics abort | `Cargo.toml` | 1,240 |
-//! | no start files but our own | [`START`] | 904 |
+//! | ... and with the keys that are listened to, instead of a hundred | `src/window/x11-dl` | 1,568 |
+//! | no unwind tables: nothing unwinds | [`SECTIONS`] | 84,808 |
+//! | few sections, not one per function | [`SECTIONS`] | 19,384 |
+//! | compiled for size, not for speed | `Cargo.toml` | 17,240 |
+//! | addresses fixed when linked (`-no-pie`) | | 4,688 |
+//! | panics abort | `Cargo.toml` | 1,032 |
+//! | no start files but our own | [`START`] | 880 |
+//! | system calls by number, not by name | `src/window/system.rs` | 620 |
+//! | memory by `malloc` and no more | `src/window/allocator.rs` | 504 |
+//! | one codegen unit | `Cargo.toml` | 440 |
 //! | identical functions folded (`--icf=all`) | | 208 |
-//! | no padding, relro, build id or old hash table | | 192 |
-//! | one codegen unit | `Cargo.toml` | 64 |
+//! | no padding, relro, build id or old hash table | | 160 |
 //!
 //! What the tracer gave up, one step after the other, down to 64,600 bytes:
 //!
@@ -43,7 +45,8 @@
 //!
 //! Tried, and not kept: link-time optimisation makes std's functions one with the rest, so they can't be
 //! redirected (`lto = "fat"`), or without std's inlines 12,500 bytes more (`-C linker-plugin-lto`);
-//! `-C relocation-model=static` saves 32.
+//! `-C relocation-model=static` saves 950, but goes to procedural macros too, which it breaks;
+//! `-z nosectionheader` leaves the room for the table.
 
 use std::{
     collections::HashSet,
