@@ -28,7 +28,7 @@
 //! | identical functions folded (`--icf=all`) | | 208 |
 //! | no padding, relro, build id or old hash table | | 160 |
 //!
-//! What the tracer gave up, one step after the other, down to 64,600 bytes:
+//! What the tracer gave up, one step after the other:
 //!
 //! | step | where | bytes |
 //! | --- | --- | ---: |
@@ -37,7 +37,6 @@
 //! | sines and roots of our own | `src/trigonometry.rs` | 8,096 |
 //! | a loop where it was unrolled, one place where there were two | `src/trace` | 3,664 |
 //! | no list of who can shadow whom (3 % of the time) | `src/prepare` | 1,904 |
-//! | the tracer at `opt-level = "s"`, not 2 | `Cargo.toml` | 5,648 |
 //! | surfaces made as rows of numbers | `src/prepare` | 800 |
 //!
 //! What std's parts cost, which the intro has by libc instead (measured in that 30-line program): starting
