@@ -113,7 +113,7 @@ impl Options {
         if self.exhaustive {
             &Quality::EXHAUSTIVE
         } else {
-            &Quality::THESIS
+            &Quality::DEFAULT
         }
     }
 }
