@@ -80,13 +80,14 @@ pub fn render(
         let mut bands: [Band<'_>; MAX_BANDS.div_ceil(2)] =
             core::array::from_fn(|_| Band::default());
         let mut len = 0;
-        let strips = pixels
-            .chunks_mut(rows * width)
-            .enumerate()
-            .skip(odd)
-            .step_by(2);
-        let borders = memory.borders[odd..].chunks_mut(2);
-        for (((i, pixels), borders), band) in strips.zip(borders).zip(&mut bands) {
+        let mut borders = memory.borders[odd..].chunks_mut(2);
+        for (i, pixels) in pixels.chunks_mut(rows * width).enumerate() {
+            if i % 2 != odd {
+                continue;
+            }
+            let (Some(borders), Some(band)) = (borders.next(), bands.get_mut(len)) else {
+                break;
+            };
             *band = Band {
                 top: i * rows,
                 width,

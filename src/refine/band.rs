@@ -117,7 +117,7 @@ impl<S: Simd> Refiner<'_, S> {
     fn every_pixel(&mut self) {
         let stretch = BATCH / ROWS;
         let (width, height) = (self.canvas.width, self.canvas.height);
-        for start in (0..width).step_by(stretch) {
+        for start in steps(0, width, stretch) {
             let count = stretch.min(width - start);
             self.seen = self
                 .scene
@@ -153,7 +153,7 @@ impl<S: Simd> Refiner<'_, S> {
             points.row(rows).copy(&borders[1], columns, keys);
         }
         let stretch = STRETCH / square * square;
-        for start in (0..self.canvas.width).step_by(stretch) {
+        for start in steps(0, self.canvas.width, stretch) {
             self.stretch(start, (start + stretch).min(columns - 1));
         }
         if !self.above_done {
@@ -202,11 +202,11 @@ impl<S: Simd> Refiner<'_, S> {
     #[inline(always)]
     fn add_corners(&mut self, start: usize, end: usize, rows: usize) {
         let square = self.quality.square;
-        for y in (0..=rows).step_by(square) {
+        for y in steps(0, rows + 1, square) {
             let is_done = y == 0 && self.above_done || y == Band::rows(square) && self.below_done;
             // The stretch before this one has traced the first column.
             let first = start + square * usize::from(start > 0);
-            for x in (first..=end).step_by(square) {
+            for x in steps(first, end + 1, square) {
                 if !is_done {
                     self.add(x, y);
                 }
@@ -219,8 +219,8 @@ impl<S: Simd> Refiner<'_, S> {
     fn first_squares(&mut self, start: usize, end: usize, rows: usize) -> usize {
         let side = 2 * self.quality.square;
         let mut count = 0;
-        for y in (0..rows).step_by(side) {
-            for x in (start..end).step_by(side) {
+        for y in steps(0, rows, side) {
+            for x in steps(start, end, side) {
                 let (w, h) = (side as u8, side as u8);
                 self.worker.squares[0][count] = Square {
                     x: x as u16,

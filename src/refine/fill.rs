@@ -98,7 +98,7 @@ impl Canvas<'_> {
         let lane_row: I<S> = (lane >> columns.trailing_zeros()).bitcast();
         let lane_column: I<S> = (lane & (columns as u32 - 1)).bitcast();
         let row: F<S> = lane_row.to_float();
-        for left in (0..side).step_by(columns) {
+        for left in steps(0, side, columns) {
             let column: F<S> = lane_column.to_float::<F<S>>() + left as f32;
             let mut b = Steps::new(simd, ramp, 0, column, row, rows as f32);
             let mut g = Steps::new(simd, ramp, 1, column, row, rows as f32);

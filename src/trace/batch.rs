@@ -94,7 +94,7 @@ impl Batch {
     #[inline(always)]
     pub(super) fn finish<S: Isa>(&mut self, simd: S) {
         let n = lanes::<S>();
-        for start in (0..self.len.min(BATCH)).step_by(n) {
+        for start in steps(0, self.len.min(BATCH), n) {
             let sums = &self.sums[start..start + n];
             sample::from_sums(simd, sums, &mut self.samples[start..start + n]);
         }

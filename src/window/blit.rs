@@ -91,11 +91,13 @@ impl Blit {
             return;
         }
         let rows = (MOST_PIXELS / width).max(1);
-        for top in (0..height).step_by(rows) {
+        let mut top = 0;
+        while top < height {
             let bottom = height.min(top + rows);
             self.finish();
             self.stretch((width, height), top, bottom);
             self.put(1, width, top, bottom);
+            top = bottom;
         }
     }
 
