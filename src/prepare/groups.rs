@@ -142,13 +142,11 @@ impl Groups {
 
     /// Makes a group of the spheres with these places in the order.
     fn push(&mut self, scene: &Scene, range: Range<usize>) {
-        let spheres = self.order[range.clone()]
-            .iter()
-            .map(|&i| &scene.spheres[i as usize]);
-        let (low, high) = bounds(spheres.clone().map(|s| s.centre));
+        let (low, high) = bounds(scene, &self.order[range.clone()]);
         let centre = (low + high) * 0.5;
         let mut radius = 0.0f32;
-        for sphere in spheres {
+        for &i in &self.order[range.clone()] {
+            let sphere = &scene.spheres[i as usize];
             radius = radius.max(centre.distance(sphere.centre) + sphere.radius);
         }
         if range.len() > 1 {
@@ -165,17 +163,22 @@ impl Groups {
     }
 }
 
-/// The smallest and the largest coordinates.
-fn bounds(points: impl Iterator<Item = Vec3>) -> (Vec3, Vec3) {
-    points.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), p| {
-        (low.min(p), high.max(p))
-    })
+/// The smallest and the largest coordinates of some spheres' centres.
+#[inline(never)]
+fn bounds(scene: &Scene, order: &[u16]) -> (Vec3, Vec3) {
+    let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    for &i in order {
+        let centre = scene.spheres[i as usize].centre;
+        low = low.min(centre);
+        high = high.max(centre);
+    }
+    (low, high)
 }
 
 /// Puts the spheres that come first along the longest side of the bounds of their centres among the first `middle`.
 fn halve(scene: &Scene, order: &mut [u16], middle: usize) {
     let centre = |i: u16| scene.spheres[i as usize].centre;
-    let (low, high) = bounds(order.iter().map(|&i| centre(i)));
+    let (low, high) = bounds(scene, order);
     let axis = (high - low).max_position();
     // Quickselect; numbers break ties, so that the order is total and the ends always move.
     let before = |a: u16, b: u16| (centre(a)[axis], a) < (centre(b)[axis], b);

@@ -45,37 +45,27 @@ impl Window {
     #[inline(never)]
     pub fn of(group: &Group, eye: Vec3, raster: &Raster, width: usize, height: usize) -> Self {
         let to = group.centre - eye;
-        let (right, down) = (raster.dx.normalize_or_zero(), raster.dy.normalize_or_zero());
-        let forward = right.cross(down);
+        let middle = |size: usize| 0.5 * (size as f32 - 1.0);
+        let Raster { corner, dx, dy } = *raster;
+        let forward = corner + dx * middle(width) + dy * middle(height);
+        let pixel = dx.length();
         let ahead = to.dot(forward);
         // A little larger than it is, so that what rounding adds is covered.
         let radius = group.radius * (1.0 + 1e-4);
         if ahead < -radius {
             return Self::NONE;
         }
-        let pixel = raster.dx.length();
-        let side = |across: f32, size: usize| {
-            let middle = 0.5 * (size as f32 - 1.0);
-            let (low, high) = slopes(across, ahead, radius);
-            (
-                middle + low / pixel - MARGIN,
-                middle + high / pixel + MARGIN,
-            )
-        };
-        let (left, right) = side(to.dot(right), width);
-        let (top, bottom) = side(to.dot(down), height);
+        let (left, right) = slopes(to.dot(dx) / pixel, ahead, radius);
+        let (top, bottom) = slopes(to.dot(dy) / pixel, ahead, radius);
         let window = Self {
-            left,
-            right,
-            top,
-            bottom,
+            left: middle(width) + left / pixel - MARGIN,
+            right: middle(width) + right / pixel + MARGIN,
+            top: middle(height) + top / pixel - MARGIN,
+            bottom: middle(height) + bottom / pixel + MARGIN,
         };
         // A scene with numbers that are none is looked at everywhere.
-        if [left, right, top, bottom].iter().any(|v| v.is_nan()) {
-            Self::ALL
-        } else {
-            window
-        }
+        let sum = (left + top) - (right + bottom);
+        if sum.is_nan() { Self::ALL } else { window }
     }
 
     /// Whether it shares a point with the rectangle of these corners.
