@@ -83,7 +83,7 @@ const GLASS: Sphere = Sphere {
     },
 };
 
-pub(super) const LIGHTS: [Light; 2] = [
+pub(super) static LIGHTS: [Light; 2] = [
     Light {
         position: vec3(-4.0, 6.0, -4.0),
         colour: vec3(0.90, 0.85, 0.80),
@@ -99,13 +99,19 @@ pub(super) const LIGHTS: [Light; 2] = [
 pub(super) const BACKGROUND: Vec3 = vec3(0.10, 0.12, 0.20);
 pub(super) const AMBIENT: Vec3 = vec3(0.12, 0.12, 0.14);
 
+/// All spheres, the one that bounces last.
+static SPHERES: [Sphere; 4] = [RED, MIRROR, BLUE, GLASS];
+static PLANES: [Plane; 1] = [FLOOR];
+
 /// The scene at `time` seconds; it repeats every [`LENGTH`].
 #[must_use]
 pub fn scene(time: f32) -> Scene {
     let look_at = vec3(0.0, 0.9, 0.0);
-    let mut glass = GLASS;
+    let mut spheres = List::of(&SPHERES);
     let sine = sin(time);
-    glass.centre.y += 0.4 * sine * sine;
+    if let Some(glass) = spheres.last_mut() {
+        glass.centre.y += 0.4 * sine * sine;
+    }
     Scene {
         camera: Camera {
             eye: look_at + circling(time, 7.5, 1.3),
@@ -115,8 +121,8 @@ pub fn scene(time: f32) -> Scene {
         },
         background: BACKGROUND,
         ambient: AMBIENT,
-        spheres: List::of(&[RED, MIRROR, BLUE, glass]),
-        planes: List::of(&[FLOOR]),
+        spheres,
+        planes: List::of(&PLANES),
         lights: List::of(&LIGHTS),
     }
 }
