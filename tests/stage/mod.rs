@@ -58,15 +58,20 @@ pub fn run(command: &mut Command) -> (Output, String) {
 ///
 /// # Panics
 /// If it isn't after ten seconds.
-pub fn wait_for<T>(what: &str, mut look: impl FnMut() -> Option<T>) -> T {
+pub fn wait_for<T>(what: &str, look: impl FnMut() -> Option<T>) -> T {
+    waited_for(look).unwrap_or_else(|| panic!("waited in vain for {what}"))
+}
+
+/// Waits up to ten seconds until something is so.
+fn waited_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
     let start = Instant::now();
     while start.elapsed() < Duration::from_secs(10) {
         if let Some(seen) = look() {
-            return seen;
+            return Some(seen);
         }
         sleep(Duration::from_millis(10));
     }
-    panic!("waited in vain for {what}");
+    None
 }
 
 /// A process that doesn't outlive the test.
@@ -180,12 +185,21 @@ impl Server {
         wait_for("the last window to go", || {
             self.window().is_none().then_some(())
         });
-        let intro = Process::start(
-            Command::new(intro())
-                .args(options)
-                .env("DISPLAY", &self.display),
-        );
-        wait_for("the intro's window", || self.window());
+        let start = || {
+            Process::start(
+                Command::new(intro())
+                    .args(options)
+                    .env("DISPLAY", &self.display),
+            )
+        };
+        let mut intro = start();
+        // About once in a hundred runs of all tests at a time no window comes; what is at fault is not known yet.
+        if waited_for(|| self.window()).is_none() {
+            eprintln!("no window within 10 s: the intro is started again");
+            drop(intro);
+            intro = start();
+            wait_for("the intro's window", || self.window());
+        }
         if self.manager.is_some() {
             wait_for("keys to go to the window", || {
                 let name = self.xdotool("getwindowfocus getwindowname");
