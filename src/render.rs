@@ -41,7 +41,8 @@ pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 /// Renders one frame of `width` by `height` pixels: `0x00RRGGBB`, row after row.
 ///
 /// The picture depends on the scene, the quality, the size and the instruction set alone. `run` has to apply the job
-/// to every band, each by any of the workers, in any order, and return when all are done; it is called once or twice.
+/// to every band, each by any of the workers, in any order, and return when all are done; it is called twice, since
+/// every other band needs what its neighbours traced.
 ///
 /// # Panics
 /// If a side is 0 or beyond [`MAX_WIDTH`] or [`MAX_HEIGHT`], if `pixels` has another length than `width * height`, or

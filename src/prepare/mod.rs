@@ -6,8 +6,7 @@ mod surface;
 
 pub(crate) use groups::{GroupSet, Groups, MAX_GROUPS};
 pub(crate) use screen::Window;
-pub(crate) use surface::FIELDS;
-pub(crate) use surface::Surface;
+pub(crate) use surface::{FIELDS, Surface};
 
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
 use glam::Vec3;

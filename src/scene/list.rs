@@ -29,11 +29,6 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         self.len += 1;
         true
     }
-
-    /// Leaves nothing in the list.
-    pub fn clear(&mut self) {
-        self.len = 0;
-    }
 }
 
 impl<T: Copy + Default, const N: usize> Default for List<T, N> {

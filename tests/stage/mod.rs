@@ -195,6 +195,11 @@ impl Server {
         let mut intro = start();
         // About once in a hundred runs of all tests at a time no window comes; what is at fault is not known yet.
         if waited_for(|| self.window()).is_none() {
+            let ended = intro.0.try_wait().expect("it can be asked");
+            assert!(
+                ended.is_none(),
+                "the intro ended without a window: {ended:?}"
+            );
             eprintln!("no window within 10 s: the intro is started again");
             drop(intro);
             intro = start();

@@ -11,7 +11,12 @@
 //! Names and signatures are those of the original, so its documentation, and Xlib's, hold here.
 
 #![no_std]
-#![allow(non_camel_case_types, non_snake_case, non_upper_case_globals)]
+#![allow(
+    non_camel_case_types,
+    non_snake_case,
+    non_upper_case_globals,
+    reason = "Xlib's own names"
+)]
 #![allow(
     missing_docs,
     clippy::missing_safety_doc,
