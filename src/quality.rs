@@ -60,13 +60,44 @@ impl Quality {
     };
 
     /// What the intro plays: squares of 8 pixels, filled where the corners' colours are close, whatever was hit.
-    pub const DEFAULT: Self = Self {
-        square: 8,
-        spread_agreeing: 9.0,
-        spread_differing: 9.0,
-        spread_side: 9.0,
-        ..Self::EXHAUSTIVE
-    };
+    pub const DEFAULT: Self = Self::even(8, 9.0, 5, 0.01);
+
+    /// The named qualities from the finest to the fastest, with [`Quality::DEFAULT`] among them.
+    pub const LADDER: &'static [Self; 7] = &[
+        Self::even(8, 2.0, 5, 0.01),
+        Self::even(8, 4.0, 5, 0.01),
+        Self::even(8, 6.0, 5, 0.01),
+        Self::DEFAULT,
+        Self::even(8, 18.0, 4, 0.02),
+        Self::even(8, 32.0, 3, 0.05),
+        Self::even(16, 64.0, 2, 0.1),
+    ];
+
+    /// The names of the [`Quality::LADDER`]'s rungs in their order, with spaces between them: one string, since a table
+    /// of strings costs the intro 16 bytes a name.
+    pub const NAMES: &'static str = "finest finer fine default fast faster fastest";
+
+    /// The number of the rung with this name.
+    #[must_use]
+    pub fn rung(name: &[u8]) -> Option<usize> {
+        Self::NAMES
+            .as_bytes()
+            .split(|&byte| byte == b' ')
+            .position(|known| known == name)
+    }
+
+    /// Squares that may spread alike whatever their corners saw.
+    const fn even(square: usize, spread: f32, depth: u32, least_contribution: f32) -> Self {
+        Self {
+            square,
+            spread_agreeing: spread,
+            spread_differing: spread,
+            spread_side: spread,
+            depth,
+            least_contribution,
+            ..Self::EXHAUSTIVE
+        }
+    }
 
     /// Whether verdicts depend on keys.
     pub(crate) fn needs_keys(&self) -> bool {

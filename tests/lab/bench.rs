@@ -230,7 +230,11 @@ fn bad_input_is_named_in_one_line() {
         ("--size", "0x5", "WIDTHxHEIGHT"),
         ("--size", "4000x10", "3840x2160"),
         ("--threads", "0", "from 1"),
-        ("--quality", "best", "exhaustive, thesis, default"),
+        (
+            "--quality",
+            "best",
+            "exhaustive, thesis, finest, finer, fine, default, fast, faster, fastest",
+        ),
         ("--frames", "0", "from 1 to"),
         ("--frames", "1.5", "from 1 to"),
         ("--frames", "100001", "to 100000"),

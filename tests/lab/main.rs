@@ -1,6 +1,7 @@
 //! The lab's commands, run as a user runs them.
 
 mod bench;
+mod ladder;
 #[path = "../reader/mod.rs"]
 mod reader;
 
@@ -89,7 +90,11 @@ fn bad_input_is_named_in_one_line() {
         ("--size", "3841x10", "3840x2160"),
         ("--time", "now", "seconds"),
         ("--time", "nan", "seconds"),
-        ("--quality", "best", "exhaustive, thesis, default"),
+        (
+            "--quality",
+            "best",
+            "exhaustive, thesis, finest, finer, fine, default, fast, faster, fastest",
+        ),
         ("--threads", "0", "from 1"),
         ("--threads", "many", "from 1"),
         ("--scene", "field:0", "field:N"),

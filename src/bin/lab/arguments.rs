@@ -106,22 +106,25 @@ impl NamedQuality {
         name: "thesis",
         quality: Quality::THESIS,
     };
-    pub const DEFAULT: Self = Self {
-        name: "default",
-        quality: Quality::DEFAULT,
-    };
-    const ALL: [Self; 3] = [Self::EXHAUSTIVE, Self::THESIS, Self::DEFAULT];
+
+    /// All that have a name: the two to compare with, then the ladder from the finest to the fastest.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let ladder = Quality::NAMES.split(' ').zip(Quality::LADDER);
+        let ladder = ladder.map(|(name, &quality)| Self { name, quality });
+        [Self::EXHAUSTIVE, Self::THESIS].into_iter().chain(ladder)
+    }
 }
 
 impl FromStr for NamedQuality {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        let known = Self::ALL.iter().find(|quality| quality.name == name);
-        known.copied().ok_or_else(|| {
-            let names: Vec<&str> = Self::ALL.iter().map(|quality| quality.name).collect();
-            format!("takes one of {}", names.join(", "))
-        })
+        Self::all()
+            .find(|quality| quality.name == name)
+            .ok_or_else(|| {
+                let names: Vec<&str> = Self::all().map(|quality| quality.name).collect();
+                format!("takes one of {}", names.join(", "))
+            })
     }
 }
 

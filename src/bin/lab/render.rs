@@ -21,7 +21,7 @@ pub struct Arguments {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1024x768")]
     size: Size,
-    /// How it is refined: exhaustive, thesis or default
+    /// How it is refined: exhaustive, thesis, or one of the ladder, from finest to fastest
     #[arg(long, value_name = "NAME", default_value = "default")]
     quality: NamedQuality,
     /// Threads that share the work [default: as many as there are processors]

@@ -32,7 +32,7 @@ pub struct Arguments {
     /// Threads that share the work; may be given several times [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = arguments::threads)]
     threads: Vec<usize>,
-    /// How frames are refined: exhaustive, thesis or default; may be given several times
+    /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest; may be given several times
     #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"])]
     quality: Vec<NamedQuality>,
     /// Frames to draw of each, at times spread evenly
