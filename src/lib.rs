@@ -10,6 +10,7 @@
 //! | which points to trace, fill or split | `refine` |
 //! | points to colours and keys | `trace` |
 //! | rays side by side, by instruction set | `lanes` |
+//! | how a frame came about, for the lab | [`observe`] |
 //!
 //! What trades accuracy for speed is one struct, [`Quality`].
 //!
@@ -20,6 +21,10 @@
 #![warn(missing_docs)]
 
 mod lanes;
+#[cfg(feature = "lab")]
+pub mod observe;
+#[cfg(not(feature = "lab"))]
+mod observe;
 mod prepare;
 mod quality;
 mod refine;
@@ -33,6 +38,8 @@ mod worker;
 pub use fearless_simd::Level;
 pub use quality::Quality;
 pub use refine::Band;
+#[cfg(feature = "lab")]
+pub use render::render_observed;
 pub use render::{Job, Memory, render};
 pub use trace::Counts;
 pub use worker::Worker;

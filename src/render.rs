@@ -1,5 +1,7 @@
 //! One frame: bands in parallel.
 
+#[cfg(feature = "lab")]
+use crate::observe::Observer;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
 use crate::refine::{self, Band, Border};
@@ -60,6 +62,62 @@ pub fn render(
     memory: &mut Memory,
     workers: &mut [Worker],
     pixels: &mut [u32],
+    run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
+) -> Counts {
+    let draw = |prepared: &Prepared, worker: &mut Worker, band: &mut Band<'_>| {
+        refine::render(level, prepared, quality, worker, band);
+    };
+    frame(
+        scene, quality, width, height, memory, workers, pixels, draw, run,
+    )
+}
+
+/// Like [`render`], and the observer hears how the frame comes about: the same frame, the same counts, more time.
+///
+/// Of the feature `lab` alone: 400 bytes of functions would stay in the intro for whoever else might call it.
+///
+/// # Panics
+/// As [`render`].
+#[cfg(feature = "lab")]
+#[allow(
+    clippy::too_many_arguments,
+    reason = "what to draw, in what memory, by whom"
+)]
+pub fn render_observed<O: Observer>(
+    level: Level,
+    scene: &Scene,
+    quality: &Quality,
+    width: usize,
+    height: usize,
+    memory: &mut Memory,
+    workers: &mut [Worker],
+    pixels: &mut [u32],
+    observer: O,
+    run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
+) -> Counts {
+    let draw = |prepared: &Prepared, worker: &mut Worker, band: &mut Band<'_>| {
+        refine::render_observed(level, prepared, quality, observer, worker, band);
+    };
+    frame(
+        scene, quality, width, height, memory, workers, pixels, draw, run,
+    )
+}
+
+/// A frame, each of its bands drawn by `draw`.
+#[inline(always)]
+#[allow(
+    clippy::too_many_arguments,
+    reason = "what to draw, in what memory, by whom"
+)]
+fn frame(
+    scene: &Scene,
+    quality: &Quality,
+    width: usize,
+    height: usize,
+    memory: &mut Memory,
+    workers: &mut [Worker],
+    pixels: &mut [u32],
+    draw: impl Fn(&Prepared, &mut Worker, &mut Band<'_>) + Sync,
     mut run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
 ) -> Counts {
     let is_valid = (1..=MAX_WIDTH).contains(&width)
@@ -74,7 +132,7 @@ pub fn render(
     let count = height.div_ceil(rows);
 
     let job = |worker: &mut Worker, band: &mut Band<'_>| {
-        refine::render(level, prepared, quality, worker, band);
+        draw(prepared, worker, band);
     };
     // Bands of even number trace the borders around them; those between find them traced.
     for odd in [0, 1] {

@@ -4,6 +4,7 @@ use super::fill::Canvas;
 use super::square::{self, Corners, Verdict};
 use super::{Border, Square};
 use crate::lanes::*;
+use crate::observe::{Fill, Observer, tell_points};
 use crate::prepare::{GroupSet, Prepared};
 use crate::quality::Quality;
 use crate::trace::{BATCH, trace};
@@ -52,19 +53,32 @@ pub(crate) fn render(
     worker: &mut Worker,
     band: &mut Band<'_>,
 ) {
-    #[cfg(target_arch = "x86_64")]
-    if let Some(simd) = level.as_sse2() {
-        render_by(simd, level, scene, quality, worker, band);
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    fearless_simd::dispatch!(level, simd => render_by(simd, level, scene, quality, worker, band));
+    render_observed(level, scene, quality, (), worker, band);
 }
 
-fn render_by<S: Simd>(
+/// Like [`render`], and the observer hears of it.
+pub(crate) fn render_observed<O: Observer>(
+    level: Level,
+    scene: &Prepared,
+    quality: &Quality,
+    observer: O,
+    worker: &mut Worker,
+    band: &mut Band<'_>,
+) {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(simd) = level.as_sse2() {
+        render_by(simd, level, scene, quality, observer, worker, band);
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    fearless_simd::dispatch!(level, simd => render_by(simd, level, scene, quality, observer, worker, band));
+}
+
+fn render_by<S: Simd, O: Observer>(
     simd: S,
     level: Level,
     scene: &Prepared,
     quality: &Quality,
+    observer: O,
     worker: &mut Worker,
     band: &mut Band<'_>,
 ) {
@@ -79,6 +93,7 @@ fn render_by<S: Simd>(
         level,
         scene,
         quality,
+        observer,
         top: band.top,
         above_done: band.above_done,
         below_done: band.below_done,
@@ -94,13 +109,14 @@ fn render_by<S: Simd>(
 }
 
 /// A band at work.
-struct Refiner<'a, S: Simd> {
+struct Refiner<'a, S: Simd, O: Observer> {
     /// The lanes that squares are looked at in.
     simd: S,
     /// The instruction set that rays are traced by.
     level: Level,
     scene: &'a Prepared,
     quality: &'a Quality,
+    observer: O,
     top: usize,
     /// Whether the first and the last row of corners are traced.
     above_done: bool,
@@ -111,7 +127,7 @@ struct Refiner<'a, S: Simd> {
     canvas: Canvas<'a>,
 }
 
-impl<S: Simd> Refiner<'_, S> {
+impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     /// Traces every pixel, a stretch at a time.
     #[inline(always)]
     fn every_pixel(&mut self) {
@@ -133,6 +149,14 @@ impl<S: Simd> Refiner<'_, S> {
                 let (x, y, sample, _) = batch.result(i);
                 self.canvas.put(x, y - self.top, sample.pixel());
             }
+            tell_points(
+                self.observer,
+                self.level,
+                self.scene,
+                self.quality,
+                self.seen,
+                batch,
+            );
             batch.clear();
         }
     }
@@ -152,7 +176,8 @@ impl<S: Simd> Refiner<'_, S> {
         if self.below_done {
             points.row(rows).copy(&borders[1], columns, keys);
         }
-        let stretch = STRETCH / square * square;
+        // Whole pairs of squares, since squares start as parts of one twice as large.
+        let stretch = STRETCH / (2 * square) * (2 * square);
         for start in steps(0, self.canvas.width, stretch) {
             self.stretch(start, (start + stretch).min(columns - 1));
         }
@@ -237,6 +262,7 @@ impl<S: Simd> Refiner<'_, S> {
     /// Sets the pixels of a square that is split into single ones.
     #[inline(always)]
     fn put_pixels(&mut self, square: &Square) {
+        self.tell(square, Fill::Points);
         for y in square.y..square.y + u16::from(square.h) {
             for x in square.x..square.x + u16::from(square.w) {
                 let (x, y) = (x as usize, y as usize);
@@ -258,11 +284,25 @@ impl<S: Simd> Refiner<'_, S> {
             return false;
         }
         match square.verdict(self.quality, &self.worker.points, corners, spread) {
-            Verdict::Flat(pixel) => self.canvas.flat(self.simd, square, pixel),
-            Verdict::Bilinear => self.canvas.bilinear(self.simd, square, corners),
+            Verdict::Flat(pixel) => {
+                self.canvas.flat(self.simd, square, pixel);
+                self.tell(square, Fill::Flat);
+            }
+            Verdict::Bilinear => {
+                self.canvas.bilinear(self.simd, square, corners);
+                self.tell(square, Fill::Bilinear);
+            }
             Verdict::Split => return true,
         }
         false
+    }
+
+    /// Tells the observer of a square that has been drawn.
+    #[inline(always)]
+    fn tell(&self, square: &Square, fill: Fill) {
+        let (x, y) = (square.x as usize, square.y as usize);
+        let (w, h) = (square.w as usize, square.h as usize);
+        self.observer.square(x, self.top + y, w, h, fill);
     }
 
     /// Asks for the points that a square's parts need beyond its own corners.
@@ -327,6 +367,14 @@ impl<S: Simd> Refiner<'_, S> {
                 points.put_key(x, y - self.top, key);
             }
         }
+        tell_points(
+            self.observer,
+            self.level,
+            self.scene,
+            self.quality,
+            self.seen,
+            batch,
+        );
         batch.clear();
     }
 }

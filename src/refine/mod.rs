@@ -12,5 +12,7 @@ mod square;
 
 pub use band::Band;
 pub(crate) use band::render;
+#[cfg(feature = "lab")]
+pub(crate) use band::render_observed;
 pub(crate) use points::{Border, Points};
 pub(crate) use square::Square;

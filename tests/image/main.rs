@@ -6,6 +6,9 @@ mod error;
 mod isa;
 #[path = "../oracle/mod.rs"]
 mod oracle;
+#[cfg(feature = "lab")]
+#[path = "../../src/bin/lab/overlay.rs"]
+mod overlay;
 #[path = "../../src/bin/lab/picture.rs"]
 mod picture;
 #[path = "../reader/mod.rs"]
@@ -16,6 +19,8 @@ mod studio;
 mod accuracy;
 mod drawn;
 mod golden;
+#[cfg(feature = "lab")]
+mod observed;
 mod random;
 mod ranges;
 mod refinement;

@@ -3,8 +3,11 @@
 mod arguments;
 mod bench;
 mod error;
+mod figures;
+mod flip;
 mod isa;
 mod output;
+mod overlay;
 mod picture;
 mod render;
 mod studio;
@@ -23,6 +26,7 @@ struct Lab {
 #[derive(Subcommand)]
 enum Command {
     Bench(bench::Arguments),
+    Figures(figures::Arguments),
     Render(render::Arguments),
 }
 
@@ -36,6 +40,7 @@ fn main() -> ExitCode {
     };
     let done = match lab.command {
         Command::Bench(arguments) => bench::run(&arguments),
+        Command::Figures(arguments) => figures::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
     };
     match done {

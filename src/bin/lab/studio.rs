@@ -7,9 +7,9 @@ use eightfold_window::pool::Pool;
 /// Memory for one frame at a time, and threads that start once.
 pub struct Studio {
     /// One, behind a pointer.
-    memory: Vec<Memory>,
+    pub memory: Vec<Memory>,
     /// One for each thread.
-    workers: Vec<Worker>,
+    pub workers: Vec<Worker>,
     pub pool: Pool,
 }
 

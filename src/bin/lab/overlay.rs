@@ -1,0 +1,187 @@
+//! What a frame was made of, drawn over it: the points traced, the squares, the rays of each point, the error.
+
+use crate::error::worst_channel;
+use crate::studio::Studio;
+use eightfold::observe::{Fill, Observer};
+use eightfold::scene::Scene;
+use eightfold::{Band, Counts, Level, Quality, Worker, render_observed};
+use std::sync::LazyLock;
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+
+/// How a frame came about.
+pub struct Trail {
+    width: usize,
+    height: usize,
+    /// For each pixel the rays of the point traced there, shadow rays among them; 0: not traced.
+    rays: Vec<AtomicU32>,
+    /// For each pixel the square whose upper left corner it is, `w << 16 | h << 8 | fill`; 0: none.
+    squares: Vec<AtomicU32>,
+}
+
+/// A square as it was drawn, cut to the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Drawn {
+    pub x: usize,
+    pub y: usize,
+    pub w: usize,
+    pub h: usize,
+    /// Its larger side before it was cut.
+    pub side: usize,
+    pub fill: Fill,
+}
+
+/// The kinds of fill by number, so that 0 is none.
+const FILLS: [Fill; 3] = [Fill::Flat, Fill::Bilinear, Fill::Points];
+
+impl Trail {
+    /// Of a frame of this size, before it is drawn.
+    pub fn new(width: usize, height: usize) -> Self {
+        let zeros = || (0..width * height).map(|_| AtomicU32::new(0)).collect();
+        Self {
+            width,
+            height,
+            rays: zeros(),
+            squares: zeros(),
+        }
+    }
+
+    /// Forgets the frame.
+    pub fn clear(&mut self) {
+        for count in self.rays.iter_mut().chain(&mut self.squares) {
+            *count.get_mut() = 0;
+        }
+    }
+
+    /// For each pixel the rays of the point traced there, with its shadow rays; 0 where none was.
+    pub fn rays(&self) -> impl Iterator<Item = u32> {
+        self.rays.iter().map(|rays| rays.load(Relaxed))
+    }
+
+    /// The squares that make up the picture, row by row of their upper left corners.
+    pub fn squares(&self) -> impl Iterator<Item = Drawn> {
+        let words = self.squares.iter().map(|word| word.load(Relaxed));
+        words
+            .enumerate()
+            .filter(|&(_, word)| word != 0)
+            .map(|(i, word)| {
+                let (x, y) = (i % self.width, i / self.width);
+                let [_, w, h, fill] = word.to_be_bytes().map(usize::from);
+                Drawn {
+                    x,
+                    y,
+                    w: w.min(self.width - x),
+                    h: h.min(self.height - y),
+                    side: w.max(h),
+                    fill: FILLS[fill - 1],
+                }
+            })
+    }
+
+    /// Darkens the frame but for the points that were traced, which become white.
+    pub fn draw_points(&self, pixels: &mut [u32]) {
+        for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
+            *pixel = if rays > 0 {
+                WHITE
+            } else {
+                (*pixel >> 2) & 0x003f_3f3f
+            };
+        }
+    }
+
+    /// Replaces the frame by its squares, each in the colour of its size, with an edge to the left and above.
+    pub fn draw_squares(&self, pixels: &mut [u32]) {
+        for square in self.squares() {
+            let colour = square_colour(square.side);
+            // An edge would be all there is of a smaller one.
+            let edge = if square.side > 2 {
+                (colour >> 1) & 0x007f_7f7f
+            } else {
+                colour
+            };
+            for y in square.y..square.y + square.h {
+                let row = &mut pixels[y * self.width + square.x..][..square.w];
+                row.fill(if y == square.y { edge } else { colour });
+                row[0] = edge;
+            }
+        }
+    }
+
+    /// Replaces the frame by the rays of each point traced, from black for none to white for `most` or more.
+    pub fn draw_heat(&self, pixels: &mut [u32], most: u32) {
+        for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
+            *pixel = heat(rays as f32 / most as f32);
+        }
+    }
+}
+
+impl Observer for &Trail {
+    fn point(self, x: usize, y: usize, work: Counts) {
+        if x < self.width && y < self.height {
+            let rays = (work.rays + work.shadow_rays) as u32;
+            self.rays[y * self.width + x].store(rays, Relaxed);
+        }
+    }
+
+    fn square(self, x: usize, y: usize, w: usize, h: usize, fill: Fill) {
+        if x < self.width && y < self.height {
+            let fill = 1 + FILLS.iter().position(|&known| known == fill).unwrap_or(0);
+            let word = (w << 16 | h << 8 | fill) as u32;
+            self.squares[y * self.width + x].store(word, Relaxed);
+        }
+    }
+}
+
+impl Studio {
+    /// Draws a frame like [`Studio::draw`], and notes in an empty trail how it came about.
+    pub fn draw_observed(
+        &mut self,
+        level: Level,
+        scene: &Scene,
+        quality: &Quality,
+        trail: &Trail,
+        pixels: &mut [u32],
+    ) -> Counts {
+        render_observed(
+            level,
+            scene,
+            quality,
+            trail.width,
+            trail.height,
+            &mut self.memory[0],
+            &mut self.workers,
+            pixels,
+            trail,
+            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
+                self.pool.run(workers, bands, job);
+            },
+        )
+    }
+}
+
+const WHITE: u32 = 0x00ff_ffff;
+
+/// The colour of a square of this side: the darker, the larger, so that what cost much is bright.
+pub fn square_colour(side: usize) -> u32 {
+    let halvings = (Quality::MAX_SQUARE / side.max(1)).max(1).ilog2();
+    heat(0.12 + 0.83 * halvings as f32 / Quality::MAX_SQUARE.ilog2() as f32)
+}
+
+/// Replaces a frame by how far it is from the exhaustive one: from black for not at all to white for `most` of 255 or
+/// more in a channel.
+pub fn draw_error(pixels: &mut [u32], exhaustive: &[u32], most: u32) {
+    for (pixel, &exhaustive) in pixels.iter_mut().zip(exhaustive) {
+        *pixel = heat(worst_channel(*pixel, exhaustive) as f32 / most as f32);
+    }
+}
+
+/// A share of 1 as a colour, darkest for 0, brightest for 1 and more: the scale called magma, which the eye sees as even.
+pub fn heat(share: f32) -> u32 {
+    static SCALE: LazyLock<Vec<u32>> = LazyLock::new(|| {
+        let bytes = nv_flip::magma_lut().to_vec();
+        let colours = bytes
+            .chunks_exact(3)
+            .map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]));
+        colours.collect()
+    });
+    SCALE[(share.clamp(0.0, 1.0) * 255.0).round() as usize]
+}
