@@ -11,6 +11,13 @@ pub(crate) use surface::{FIELDS, Surface};
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
 use glam::Vec3;
 
+/// How far rounding takes a point that was computed to be on a sphere from it, as a share of the sphere's largest
+/// coordinate.
+///
+/// In roundings of 2^-24: sqrt(3) of the point's own coordinates, as many of its start's way to the centre, two of the
+/// normal's length and two of the direction's.
+const SLACK: f32 = 8.0 / (1 << 24) as f32;
+
 /// Objects a ray can hit: spheres, lights (drawn as spheres), planes, and the background.
 const MAX_OBJECTS: usize = MAX_SPHERES + MAX_LIGHTS + MAX_PLANES + 1;
 
@@ -41,6 +48,10 @@ pub(crate) struct Ball {
     pub centre: Vec3,
     /// The radius squared.
     pub r2: f32,
+    /// How far rounding takes a point on it from it, see [`SLACK`].
+    pub slack: f32,
+    /// What [`Ball::r2`] changes by where the radius changes by that.
+    pub slack2: f32,
 }
 
 /// A horizontal rectangle.
@@ -66,7 +77,8 @@ pub(crate) struct Lamp {
 pub(crate) struct Caster {
     /// The lamp seen from the centre.
     pub from_lamp: Vec3,
-    /// The radius squared.
+    /// The radius squared, less what rounding can add to the discriminant of a ray that leaves the sphere; where the
+    /// lamp is inside, more by as much.
     pub r2: f32,
     /// Whether the lamp is inside.
     pub around_lamp: bool,
@@ -163,16 +175,22 @@ impl Prepared {
         lamp.position = light.position;
         lamp.colour = light.colour;
         for (caster, ball) in lamp.casters.iter_mut().zip(&self.balls[..self.solids]) {
+            let from_lamp = light.position - ball.centre;
+            let around_lamp = from_lamp.length_squared() < ball.r2;
+            // The roundings of the sphere's place and of the way from the lamp.
+            let slack2 = ball.slack2 / ball.slack * (ball.slack + slack(from_lamp, 0.0));
             *caster = Caster {
-                from_lamp: light.position - ball.centre,
-                r2: ball.r2,
-                around_lamp: light.position.distance_squared(ball.centre) < ball.r2,
+                from_lamp,
+                r2: ball.r2 + if around_lamp { slack2 } else { -slack2 },
+                around_lamp,
             };
         }
         for (caster, cluster) in lamp.cluster_casters.iter_mut().zip(self.groups.clusters()) {
+            let from_lamp = light.position - cluster.centre;
+            let radius = cluster.radius + slack(from_lamp, cluster.radius);
             *caster = Caster {
-                from_lamp: light.position - cluster.centre,
-                r2: cluster.radius * cluster.radius,
+                from_lamp,
+                r2: radius * radius,
                 // Its spheres may be between the lamp and whatever.
                 around_lamp: false,
             };
@@ -184,14 +202,24 @@ impl Ball {
     const NONE: Self = Self {
         centre: Vec3::ZERO,
         r2: 0.0,
+        slack: 0.0,
+        slack2: 0.0,
     };
 
     fn new(centre: Vec3, radius: f32) -> Self {
+        let slack = slack(centre, radius);
         Self {
             centre,
             r2: radius * radius,
+            slack,
+            slack2: 2.0 * radius * slack,
         }
     }
+}
+
+/// What rounding takes a point of a sphere off it by.
+fn slack(centre: Vec3, radius: f32) -> f32 {
+    SLACK * (centre.abs().max_element() + radius)
 }
 
 impl Rectangle {

@@ -2,11 +2,8 @@
 
 use super::stack::Rays;
 use crate::lanes::*;
-use crate::prepare::{Caster, GroupSet, Lamp, Prepared, Rectangle};
+use crate::prepare::{Ball, Caster, GroupSet, Lamp, Prepared, Rectangle};
 use glam::Vec3;
-
-/// Hits nearer than this are the surface that the ray starts on.
-pub(crate) const NEAREST: f32 = 1e-3;
 
 /// A ray that hits nothing ends this far away.
 const FARTHEST: f32 = 1e30;
@@ -59,7 +56,7 @@ pub(crate) fn nearest<S: Isa>(
             let chord = Chord::new(simd, rays, ball.centre, ball.r2);
             let m = chord.discriminant.simd_ge(splat(simd, 0.0));
             if m.any_true() {
-                let (m, t) = chord.entry(m, hit.t);
+                let (m, t) = chord.entry(m, ball, hit.t);
                 hit.keep_nearer(m, t, i);
             }
         }
@@ -104,15 +101,23 @@ impl<S: Isa> Chord<S> {
     }
 
     /// The nearer end of the chord that lies ahead, if it does so nearer than `limit`.
+    ///
+    /// A ray that starts on the sphere does so up to rounding within or without, and hits nothing of it on its way out
+    /// and the far side on its way in. So the sphere is as much larger for rays on their way in, and smaller for those
+    /// on their way out, as rounding can displace a point on it: the start counts as within or as without. See
+    /// [`Ball::slack`].
     #[inline(always)]
-    fn entry(&self, mask: M<S>, limit: F<S>) -> (M<S>, F<S>) {
+    fn entry(&self, mask: M<S>, ball: &Ball, limit: F<S>) -> (M<S>, F<S>) {
         let simd = self.b.token();
-        let near_limit = splat(simd, NEAREST);
-        let half = self.discriminant.max(splat(simd, 0.0)).sqrt();
+        let slack = splat(simd, ball.slack);
+        let grown = splat(simd, ball.slack2);
+        let is_inward = self.b.simd_lt(-slack);
+        let half2 = self.discriminant + is_inward.select(grown, -grown);
+        let half = half2.max(splat(simd, 0.0)).sqrt();
         let near = -self.b - half;
         let far = half - self.b;
-        let t = near.simd_gt(near_limit).select(near, far);
-        (mask & t.simd_gt(near_limit) & t.simd_lt(limit), t)
+        let t = near.simd_gt(slack).select(near, far);
+        (mask & t.simd_gt(slack) & t.simd_lt(limit), t)
     }
 }
 
@@ -124,16 +129,19 @@ fn plane_hit<S: Isa>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) ->
     let t = (splat(simd, y) - rays.o.y) / rays.d.y;
     let across = t.mul_add(rays.d.x, rays.o.x - x).abs();
     let along = t.mul_add(rays.d.z, rays.o.z - z).abs();
-    let hit = t.simd_gt(splat(simd, NEAREST))
+    // A ray that starts on the plane does so exactly, and 0 is not above 0.
+    let hit = t.simd_gt(splat(simd, 0.0))
         & t.simd_lt(limit)
         & across.simd_le(splat(simd, plane.half_x))
         & along.simd_le(splat(simd, plane.half_z));
     (hit, t)
 }
 
-/// Which rays towards a lamp in direction `l` a sphere blocks at most `reach` from the lamp.
+/// Which rays towards a lamp, `distance` away in direction `l`, a sphere blocks.
+///
+/// It does not block those that start on it and leave it: see [`Caster::r2`].
 #[inline(always)]
-fn caster_blocks<S: Isa>(simd: S, caster: &Caster, l: Vec3x<S>, reach: F<S>) -> M<S> {
+fn caster_blocks<S: Isa>(simd: S, caster: &Caster, l: Vec3x<S>, distance: F<S>) -> M<S> {
     let zero = splat(simd, 0.0);
     // Seen from the lamp, where every ray of this lamp meets: the way back to the point nearest to the centre.
     let f = Vec3x::splat(simd, caster.from_lamp);
@@ -142,11 +150,11 @@ fn caster_blocks<S: Isa>(simd: S, caster: &Caster, l: Vec3x<S>, reach: F<S>) -> 
     let half2 = splat(simd, caster.r2) - across.dot(across);
     if caster.around_lamp {
         // The chord, of half length sqrt(half2) around there, ends between the lamp and the ray's start.
-        let left = (reach - way).max(zero);
+        let left = (distance - way).max(zero);
         return half2.simd_lt(left * left);
     }
     // The chord has a part between the lamp and the ray's start.
-    let short = (way - reach).max(-way).max(zero);
+    let short = (way - distance).max(-way).max(zero);
     half2.simd_gt(short * short)
 }
 
@@ -161,11 +169,10 @@ pub(crate) fn blocked<S: Isa>(
     distance: F<S>,
 ) -> M<S> {
     let mut blocked = M::<S>::splat(simd, false);
-    let reach = distance - NEAREST;
     for (cluster, bound) in scene.groups.clusters().iter().zip(&lamp.cluster_casters) {
-        if caster_blocks(simd, bound, l, reach).any_true() {
+        if caster_blocks(simd, bound, l, distance).any_true() {
             for caster in &lamp.casters[cluster.balls()] {
-                blocked |= caster_blocks(simd, caster, l, reach);
+                blocked |= caster_blocks(simd, caster, l, distance);
             }
         }
     }
@@ -193,7 +200,7 @@ fn plane_blocks<S: Isa>(simd: S, plane: &Rectangle, o: Vec3x<S>, d: Vec3x<S>, li
     let rise = splat(simd, y) - o.y;
     let t: F<S> =
         (rise.bitcast::<U<S>>() ^ (d.y.bitcast::<U<S>>() & U::<S>::splat(simd, 1 << 31))).bitcast();
-    let ahead = t.simd_gt(scale * NEAREST) & t.simd_lt(scale * limit);
+    let ahead = t.simd_gt(splat(simd, 0.0)) & t.simd_lt(scale * limit);
     let across = t.mul_add(d.x, (o.x - x) * scale).abs();
     let along = t.mul_add(d.z, (o.z - z) * scale).abs();
     ahead & across.simd_le(scale * plane.half_x) & along.simd_le(scale * plane.half_z)

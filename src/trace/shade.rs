@@ -48,6 +48,10 @@ fn fixed<S: Isa>(simd: S, c: F<S>) -> I<S> {
         .to_int()
 }
 
+/// Where a hit is farther than this share of the radius from its sphere, one Newton step does not take it there to
+/// within rounding.
+const NEWTON: f32 = 1.0 / (1 << 13) as f32;
+
 /// Where light is gathered.
 struct Place<S: Isa> {
     p: Vec3x<S>,
@@ -94,17 +98,26 @@ pub(super) fn shade<S: Isa>(
 impl<S: Isa> Place<S> {
     #[inline(always)]
     fn new(simd: S, rays: &Rays<S>, t: F<S>, surface: &SurfaceLanes<S>, solid: M<S>) -> Self {
-        let mut p = rays.o.add_scaled(rays.d, t);
+        let zero = splat(simd, 0.0);
+        let inverse_radius = surface.inverse_radius();
+        let upright = surface.upright();
+        // From the centre to the hit, and back to a sphere by its square against the radius: the error of t does not go on
+        // to the rays that start here.
+        let out = (rays.o - surface.centre()).add_scaled(rays.d, t);
+        let square: F<S> = out.dot(out) * (inverse_radius * inverse_radius);
+        let mut scale = square.mul_add(
+            splat(simd, -0.5),
+            upright.mul_add(splat(simd, -0.5), splat(simd, 1.5)),
+        );
+        let far = solid & (scale - 1.0).abs().simd_gt(splat(simd, NEWTON));
+        if far.any_true() {
+            scale = far.select(splat::<S>(simd, 1.0) / square.sqrt(), scale);
+        }
+        let mut p = surface.centre().add_scaled(out, scale);
         // On a plane, exactly.
-        p.y = surface
-            .upright()
-            .simd_gt(splat(simd, 0.0))
-            .select(surface.centre().y, p.y);
-        let mut n = (p - surface.centre()).scaled(surface.inverse_radius());
-        n.y += surface.upright();
-        // One Newton step back to length 1: else the error of p grows with each reflection inside of a sphere, and after
-        // four it is more than the distance that keeps a ray from the surface it starts on.
-        n = n.scaled(n.dot(n).mul_add(splat(simd, -0.5), splat(simd, 1.5)));
+        p.y = upright.simd_gt(zero).select(surface.centre().y, p.y);
+        let mut n = out.scaled(scale * inverse_radius);
+        n.y += upright;
         let outward = rays.d.dot(n);
         // The sign that turns a normal along the ray round.
         let sign = U::<S>::splat(simd, 1 << 31);
@@ -115,12 +128,13 @@ impl<S: Isa> Place<S> {
             z: flipped::<S>(n.z, flip),
         };
         let dn = flipped::<S>(outward, flip);
+        let inside = outward.simd_gt(zero);
         Self {
             p,
             n,
             dn,
             r: rays.d.add_scaled(n, dn * -2.0),
-            inside: outward.simd_gt(splat(simd, 0.0)),
+            inside,
             solid,
         }
     }
@@ -151,7 +165,11 @@ fn gather<S: Isa>(
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light.scaled(one / distance);
         let nl = place.n.dot(l);
-        let facing = place.solid & nl.simd_gt(zero);
+        // A sphere shades itself from within: no light comes from beyond the chord towards the lamp.
+        let least = place
+            .inside
+            .select(distance * surface.inverse_radius(), zero);
+        let facing = place.solid & nl.simd_gt(zero) & (nl * 2.0).simd_ge(least);
         let mut lit = facing;
         let mut highlight = M::<S>::splat(simd, false);
         if facing.any_true() {

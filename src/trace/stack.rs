@@ -95,17 +95,21 @@ impl Stack {
         self.len -= count;
         let start = self.len % CAPACITY;
         let [ox, oy, oz, dx, dy, dz, weight, place] = &self.columns;
+        let d: Vec3x<S> = Vec3x {
+            x: load(simd, dx, start),
+            y: load(simd, dy, start),
+            z: load(simd, dz, start),
+        };
+        // One Newton step back to length 1: else its error grows with each reflection, and after four of them it is more
+        // than what tells a ray's start from a hit.
+        let correction = d.dot(d).mul_add(splat(simd, -0.5), splat(simd, 1.5));
         let rays = Rays {
             o: Vec3x {
                 x: load(simd, ox, start),
                 y: load(simd, oy, start),
                 z: load(simd, oz, start),
             },
-            d: Vec3x {
-                x: load(simd, dx, start),
-                y: load(simd, dy, start),
-                z: load(simd, dz, start),
-            },
+            d: d.scaled(correction),
             weight: load(simd, weight, start),
             place: load(simd, place, start).bitcast(),
         };

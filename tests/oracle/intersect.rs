@@ -4,8 +4,8 @@ use super::{Object, Oracle, Ray};
 use eightfold::scene::Plane;
 use glam::{DVec3, Vec3};
 
-/// Hits nearer than this are none.
-const NEAREST: f64 = 0.001;
+/// Hits nearer than this are none: what the roots of a ray along a sphere are off by, the root of f64's rounding.
+const NEAREST: f64 = 1e-6;
 
 impl Oracle<'_> {
     /// The nearest object and its distance.
