@@ -16,17 +16,17 @@
 //! | ... of these, what `minifb` does and nobody asks for | | 2,704 |
 //! | `x11-dl` with 52 functions instead of 826 (in a 30-line program) | `src/window/x11-dl` | 115,056 |
 //! | ... and with the keys that are listened to, instead of a hundred | `src/window/x11-dl` | 1,568 |
-//! | no unwind tables: nothing unwinds | [`SECTIONS`] | 84,808 |
-//! | few sections, not one per function | [`SECTIONS`] | 19,384 |
+//! | no unwind tables: nothing unwinds | `src/window/program.ld` | 84,808 |
+//! | few sections, not one per function | `src/window/program.ld` | 19,384 |
 //! | compiled for size, not for speed | `Cargo.toml` | 17,240 |
 //! | addresses fixed when linked (`-no-pie`) | | 4,688 |
 //! | panics abort | `Cargo.toml` | 1,032 |
-//! | no start files but our own | [`START`] | 880 |
+//! | headers and the functions of libc in our own way | `src/window/program.s` | 2,280 |
+//! | no start files but our own | `src/window/program.s` | 880 |
 //! | system calls by number, not by name | `src/window/system.rs` | 620 |
 //! | memory by `malloc` and no more | `src/window/allocator.rs` | 504 |
 //! | one codegen unit | `Cargo.toml` | 440 |
 //! | identical functions folded (`--icf=all`) | | 208 |
-//! | no padding, relro, build id or old hash table | | 160 |
 //!
 //! What the tracer gave up, one step after the other:
 //!
@@ -44,8 +44,7 @@
 //!
 //! Tried, and not kept: link-time optimisation makes std's functions one with the rest, so they can't be
 //! redirected (`lto = "fat"`), or without std's inlines 12,500 bytes more (`-C linker-plugin-lto`);
-//! `-C relocation-model=static` saves 950, but goes to procedural macros too, which it breaks;
-//! `-z nosectionheader` leaves the room for the table.
+//! `-C relocation-model=static` saves 950, but goes to procedural macros too, which it breaks.
 
 use std::{
     collections::HashSet,
@@ -106,43 +105,35 @@ const INSTEAD: [(&str, &[&str]); 9] = [
     ("eightfold_since", &["Instant::duration_since"]),
 ];
 
-/// The start of the program: what `crt1.o` does, without the other start files, which are for C++ and
-/// for profiles.
-const START: &str = "
-.section .text._start, \"ax\"
-.globl _start
-_start:
-    xor %ebp, %ebp
-    mov %rdx, %r9
-    pop %rsi
-    mov %rsp, %rdx
-    and $-16, %rsp
-    push %rax
-    push %rsp
-    xor %r8d, %r8d
-    xor %ecx, %ecx
-    mov $main, %edi
-    call *__libc_start_main@GOTPCREL(%rip)
-";
-
-/// How the linker lays out the program: few sections, without what only unwinding and debuggers read.
-const SECTIONS: &str = "
-SECTIONS {
-    . = 0x400000 + SIZEOF_HEADERS;
-    .rodata : { *(.rodata .rodata.*) }
-    .text : { *(.text .text.*) }
-    . = ALIGN(CONSTANT(COMMONPAGESIZE)) + (. & (CONSTANT(COMMONPAGESIZE) - 1));
-    .data : { *(.data .data.*) *(.got) }
-    .bss : { *(.bss .bss.* COMMON) }
-    /DISCARD/ : {
-        *(.init_array .init_array.* .comment .note .note.* .eh_frame .eh_frame_hdr .gcc_except_table .gcc_except_table.*)
-    }
-}
-";
+/// The functions of libc that the intro calls, but for `dlsym`. It looks them up itself, see `src/window/program.s`.
+const C_FUNCTIONS: [&str; 20] = [
+    "__errno_location",
+    "__libc_start_main",
+    "abort",
+    "bcmp",
+    "calloc",
+    "clock_gettime",
+    "dlopen",
+    "free",
+    "malloc",
+    "memcpy",
+    "memset",
+    "pthread_create",
+    "pthread_sigmask",
+    "realloc",
+    "setlocale",
+    "sigaction",
+    "strlen",
+    "syscall",
+    "tcgetattr",
+    "tcsetattr",
+];
 
 fn main() {
     println!("cargo::rustc-check-cfg=cfg(diet)");
-    println!("cargo::rerun-if-changed=build.rs");
+    for file in ["build.rs", "src/window/program.s", "src/window/program.ld"] {
+        println!("cargo::rerun-if-changed={file}");
+    }
     if let Some(reason) = no_diet() {
         println!("cargo::warning=the intro is not put on its diet: {reason}");
         return;
@@ -174,24 +165,27 @@ fn no_diet() -> Option<&'static str> {
 }
 
 fn diet() -> Result<(), Box<dyn Error>> {
-    let directory = PathBuf::from(env::var("OUT_DIR")?);
-    fs::write(
-        directory.join("diet.s"),
-        redirections(&symbols(&libraries()?)?)?,
-    )?;
-    let script = directory.join("diet.ld");
-    fs::write(&script, SECTIONS)?;
+    let source = Path::new("src/window").canonicalize()?;
+    let mut assembly = fs::read_to_string(source.join("program.s"))?;
+    for name in C_FUNCTIONS {
+        writeln!(assembly, "c_function {name}")?;
+    }
+    writeln!(assembly, ".section .rodata.c_names\nc_names_end:")?;
+    assembly += &redirections(&symbols(&libraries()?)?)?;
+    let output = PathBuf::from(env::var("OUT_DIR")?);
+    fs::write(output.join("diet.s"), assembly)?;
+    let script = source.join("program.ld");
+    let map = output.ancestors().nth(3).ok_or("OUT_DIR is elsewhere")?;
     for argument in [
         "-no-pie",
         "-nostartfiles",
         &format!("-Wl,-T,{}", script.display()),
         // Functions that are redirected have two definitions; the first counts.
         "-Wl,-z,muldefs",
-        "-Wl,-z,noseparate-code",
-        "-Wl,-z,norelro",
+        // The file is what the script says, without a header for each section. What is in it is told apart by this map.
+        "-Wl,--oformat=binary",
+        &format!("-Wl,-Map={}", map.join("eightfold.map").display()),
         "-Wl,--build-id=none",
-        "-Wl,--hash-style=gnu",
-        "-Wl,--no-rosegment",
         "-Wl,--icf=all",
     ] {
         println!("cargo::rustc-link-arg-bin=eightfold={argument}");
@@ -202,7 +196,7 @@ fn diet() -> Result<(), Box<dyn Error>> {
 
 /// Assembly that defines functions of std anew, for `main!` to include.
 fn redirections(symbols: &[String]) -> Result<String, Box<dyn Error>> {
-    let mut assembly = String::from(START);
+    let mut assembly = String::new();
     let mut done = HashSet::new();
     for (target, paths) in INSTEAD {
         writeln!(assembly, ".section .text.{target}_instead, \"ax\"")?;

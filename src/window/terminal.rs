@@ -144,7 +144,7 @@ impl Screen for Terminal {
         let shown = self.draw();
         match signal() {
             0 if !shown => Next::End(1),
-            0 if self.escape.read(SAVED.keyboard.load(Relaxed)) => Next::End(0),
+            0 if self.escape.read(SAVED.keyboard()) => Next::End(0),
             0 => Next::GoOn,
             signal => Next::End(128 + signal),
         }
@@ -193,7 +193,7 @@ impl Escape {
 /// What has to be put back when the show ends.
 struct Saved {
     active: AtomicBool,
-    /// The terminal that keys are read from, or -1.
+    /// One more than the number of the terminal that keys are read from, or 0.
     keyboard: AtomicI32,
     mode: UnsafeCell<MaybeUninit<libc::termios>>,
 }
@@ -203,7 +203,7 @@ unsafe impl Sync for Saved {}
 
 static SAVED: Saved = Saved {
     active: AtomicBool::new(false),
-    keyboard: AtomicI32::new(-1),
+    keyboard: AtomicI32::new(0),
     mode: UnsafeCell::new(MaybeUninit::uninit()),
 };
 
@@ -242,6 +242,11 @@ pub(crate) fn mode(file: c_int) -> Option<libc::termios> {
 }
 
 impl Saved {
+    /// The terminal that keys are read from, or -1.
+    fn keyboard(&self) -> c_int {
+        self.keyboard.load(Acquire) - 1
+    }
+
     fn take_over(&self) {
         // SAFETY: zero is a value of every field of the structures, which outlive the calls; `note`
         // does only what a signal's function may. `mode` is written while `active` isn't set.
@@ -255,7 +260,7 @@ impl Saved {
             }
             if let Some(mut mode) = mode(keyboard) {
                 (*self.mode.get()).write(mode);
-                self.keyboard.store(keyboard, Relaxed);
+                self.keyboard.store(keyboard + 1, Relaxed);
                 // Keys at once and unseen, Ctrl-C among them; reading does not wait.
                 mode.c_lflag &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
                 mode.c_iflag &= !libc::IXON;
@@ -273,7 +278,7 @@ impl Saved {
 pub(crate) fn restore() {
     if SAVED.active.swap(false, AcqRel) {
         line::write(line::OUTPUT, LEAVE);
-        let keyboard = SAVED.keyboard.load(Acquire);
+        let keyboard = SAVED.keyboard();
         if keyboard >= 0 {
             // SAFETY: there is a keyboard only once `mode` has been written.
             unsafe { libc::tcsetattr(keyboard, libc::TCSAFLUSH, (*SAVED.mode.get()).as_ptr()) };
