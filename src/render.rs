@@ -31,6 +31,15 @@ impl Memory {
     }
 }
 
+#[cfg(feature = "lab")]
+impl Memory {
+    /// Has the next frames take their samples `x` pixels to the right of the pixels' centres and `y` below them, within
+    /// -0.5 to 0.5. The mean of frames that cover a pixel evenly is a supersampled one.
+    pub fn set_offset(&mut self, x: f32, y: f32) {
+        self.prepared.offset = glam::vec2(x, y);
+    }
+}
+
 impl Default for Memory {
     fn default() -> Self {
         Self::new()

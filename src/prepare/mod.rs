@@ -40,6 +40,9 @@ pub(crate) struct Prepared {
     pub surfaces: [Surface; MAX_OBJECTS],
     /// [`FIELDS`], where the compiler does not see it.
     pub field_count: usize,
+    /// Where samples are, from the centres of their pixels, in pixels.
+    #[cfg(feature = "lab")]
+    pub offset: glam::Vec2,
 }
 
 /// A sphere as its intersection wants it.
@@ -100,6 +103,8 @@ impl Prepared {
             plane_count: 0,
             surfaces: [[0.0; FIELDS]; MAX_OBJECTS],
             field_count: 0,
+            #[cfg(feature = "lab")]
+            offset: glam::Vec2::ZERO,
         }
     }
 
@@ -163,8 +168,23 @@ impl Prepared {
         for (window, group) in self.windows.iter_mut().zip(self.groups.iter()) {
             *window = Window::of(group, self.eye, &self.raster, width, height);
         }
+        #[cfg(feature = "lab")]
+        self.move_samples();
         for i in 0..scene.lights.len() {
             self.set_lamp(scene, i);
+        }
+    }
+
+    /// Moves the samples to their offset, and what each group covers of them the other way.
+    #[cfg(feature = "lab")]
+    fn move_samples(&mut self) {
+        let Raster { corner, dx, dy } = &mut self.raster;
+        *corner += *dx * self.offset.x + *dy * self.offset.y;
+        for window in &mut self.windows {
+            window.left -= self.offset.x;
+            window.right -= self.offset.x;
+            window.top -= self.offset.y;
+            window.bottom -= self.offset.y;
         }
     }
 

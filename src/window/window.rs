@@ -10,6 +10,8 @@ use minifb::{Scale, WindowOptions};
 use raw_window_handle::{HasDisplayHandle, HasWindowHandle, RawDisplayHandle, RawWindowHandle};
 use x11_dl::xlib::{self, Xlib};
 
+#[cfg(feature = "keys")]
+pub use crate::keyboard::Press;
 use crate::{
     blit::{self, Blit},
     fullscreen::Fullscreen,
@@ -84,6 +86,20 @@ impl Window {
         } else {
             self.fullscreen.leave();
         }
+    }
+}
+
+/// What the lab asks of its window.
+#[cfg(feature = "keys")]
+impl Window {
+    /// The keys pressed since the last call, in order; one that is held comes again and again.
+    pub fn presses(&mut self) -> Vec<Press> {
+        self.keyboard.take_presses()
+    }
+
+    /// Names the window anew. The title must not hold a NUL.
+    pub fn set_title(&mut self, title: &str) {
+        self.window.set_title(title);
     }
 }
 

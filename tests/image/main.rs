@@ -10,10 +10,12 @@ mod oracle;
 #[path = "../../src/bin/lab/overlay.rs"]
 mod overlay;
 #[path = "../../src/bin/lab/picture.rs"]
+#[allow(dead_code, reason = "the lab needs more of it")]
 mod picture;
 #[path = "../reader/mod.rs"]
 mod reader;
 #[path = "../../src/bin/lab/studio.rs"]
+#[allow(dead_code, reason = "the lab needs more of it")]
 mod studio;
 
 mod accuracy;

@@ -1,9 +1,12 @@
 //! The lab's commands, run as a user runs them.
 
 mod bench;
+mod capture;
 mod ladder;
 #[path = "../reader/mod.rs"]
 mod reader;
+#[path = "../stage/mod.rs"]
+mod stage;
 
 use reader::read_png;
 use std::path::Path;
@@ -166,6 +169,10 @@ fn help_names_every_command_and_flag() {
         (
             "bench",
             "--scene --time-from --time-to --size --quality --threads --isa --frames --json",
+        ),
+        (
+            "capture",
+            "--png --y4m --video --sheet --frames --from --to --fps --size --scene --quality --supersample --threads --isa",
         ),
     ] {
         assert!(text.contains(command), "{command}");

@@ -11,6 +11,25 @@ const MAX_THREADS: usize = 256;
 /// More frames than anybody waits for; what is kept of each has room.
 const MAX_FRAMES: usize = 100_000;
 
+/// Flags that make no sense together: a line that names them and says what they take.
+#[derive(Debug)]
+pub struct BadInput(String);
+
+impl BadInput {
+    /// As an error of a command.
+    pub fn error(line: String) -> anyhow::Error {
+        Self(line).into()
+    }
+}
+
+impl fmt::Display for BadInput {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for BadInput {}
+
 /// A scene by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SceneName {
@@ -153,8 +172,16 @@ pub fn frames(text: &str) -> Result<usize, String> {
     number(text, MAX_FRAMES)
 }
 
+/// The number of a frame, from 0 on.
+pub fn frame(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok();
+    number
+        .filter(|&n| n <= MAX_FRAMES)
+        .ok_or_else(|| format!("takes the number of a frame, 0 to {MAX_FRAMES}"))
+}
+
 /// A number from 1 to `most`.
-fn number(text: &str, most: usize) -> Result<usize, String> {
+pub fn number(text: &str, most: usize) -> Result<usize, String> {
     let number = text.parse().ok();
     number
         .filter(|n| (1..=most).contains(n))

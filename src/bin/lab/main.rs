@@ -2,6 +2,7 @@
 
 mod arguments;
 mod bench;
+mod capture;
 mod error;
 mod figures;
 mod flip;
@@ -9,6 +10,7 @@ mod isa;
 mod output;
 mod overlay;
 mod picture;
+mod progress;
 mod render;
 mod studio;
 
@@ -26,6 +28,7 @@ struct Lab {
 #[derive(Subcommand)]
 enum Command {
     Bench(bench::Arguments),
+    Capture(capture::Arguments),
     Figures(figures::Arguments),
     Render(render::Arguments),
 }
@@ -40,6 +43,7 @@ fn main() -> ExitCode {
     };
     let done = match lab.command {
         Command::Bench(arguments) => bench::run(&arguments),
+        Command::Capture(arguments) => capture::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
     };
@@ -47,7 +51,11 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error:#}");
-            ExitCode::FAILURE
+            if error.is::<arguments::BadInput>() {
+                ExitCode::from(BAD_INPUT)
+            } else {
+                ExitCode::FAILURE
+            }
         }
     }
 }

@@ -3,28 +3,94 @@
 use anyhow::{Context, Result};
 use std::fs::{self, File, Permissions};
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
-/// Writes all of `bytes` to a file, or to standard output where the name is `-`.
+/// Writes all of `bytes` to a file, or to standard output where the name is `-`; see [`Sink`].
+pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
+    let mut sink = Sink::open(name)?;
+    sink.write(bytes)?;
+    sink.finish()
+}
+
+/// A result on its way to a file, or to standard output where the name is `-`.
 ///
 /// A file appears under its name when it is whole and on the disk, and not before: what stood there stays until then,
 /// and for good if something fails. What is no ordinary file (a device, a pipe) is written to as it is.
-pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
-    if name == Path::new("-") {
-        let mut out = io::stdout().lock();
-        return out
-            .write_all(bytes)
-            .and_then(|()| out.flush())
-            .context("cannot write to standard output");
+pub struct Sink {
+    /// As the user gave it.
+    name: PathBuf,
+    place: Place,
+}
+
+enum Place {
+    Output(io::Stdout),
+    AsItIs(File),
+    Whole(NamedTempFile, PathBuf),
+}
+
+impl Sink {
+    /// Begins a result.
+    pub fn open(name: &Path) -> Result<Self> {
+        let place = if name == Path::new("-") {
+            Place::Output(io::stdout())
+        } else {
+            // A link stays a link: what it leads to is written.
+            let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
+            let opened = match fs::metadata(&path) {
+                Ok(there) if !there.is_file() => open_as_it_is(&path).map(Place::AsItIs),
+                there => {
+                    let permissions = there.ok().map(|there| there.permissions());
+                    start(&path, permissions, PART).map(|file| Place::Whole(file, path))
+                }
+            };
+            opened.with_context(|| cannot_write(name))?
+        };
+        let name = name.to_owned();
+        Ok(Self { name, place })
     }
-    // A link stays a link: what it leads to is written.
-    let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
-    let written = match fs::metadata(&path) {
-        Ok(there) if !there.is_file() => in_place(&path, bytes),
-        there => whole(&path, bytes, there.ok().map(|there| there.permissions())),
-    };
-    written.with_context(|| format!("cannot write {}", name.display()))
+
+    /// Writes some more.
+    pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
+        let written = match &mut self.place {
+            Place::Output(out) => out.write_all(bytes).and_then(|()| out.flush()),
+            Place::AsItIs(file) => file.write_all(bytes),
+            Place::Whole(file, _) => file.write_all(bytes),
+        };
+        written.with_context(|| cannot_write(&self.name))
+    }
+
+    /// Gives the result its name, now that it is whole.
+    pub fn finish(self) -> Result<()> {
+        match self.place {
+            Place::Whole(file, path) => {
+                persist(file, &path).with_context(|| cannot_write(&self.name))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A file that another program fills under the name of `path()`, and that appears under its own name by
+/// [`persist`]; until then its name ends in `suffix`.
+pub fn start_for_another(name: &Path, suffix: &str) -> Result<NamedTempFile> {
+    start(name, None, suffix).with_context(|| cannot_write(name))
+}
+
+/// Gives a whole file its name, once it is on the disk.
+pub fn persist(file: NamedTempFile, path: &Path) -> io::Result<()> {
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}
+
+/// What goes before the reason.
+fn cannot_write(name: &Path) -> String {
+    if name == Path::new("-") {
+        "cannot write to standard output".to_owned()
+    } else {
+        format!("cannot write {}", name.display())
+    }
 }
 
 /// Whether a name could be written to, to be known before much work is done for it.
@@ -34,28 +100,23 @@ pub fn check(name: &Path) -> Result<()> {
     }
     let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
     let checked = match fs::metadata(&path) {
-        Ok(there) if there.is_dir() => in_place(&path, &[]),
+        Ok(there) if there.is_dir() => open_as_it_is(&path).map(drop),
         // Who listens at a pipe's other end would hear it being opened.
         Ok(there) if !there.is_file() => Ok(()),
-        _ => start(&path, None).map(drop),
+        _ => start(&path, None, PART).map(drop),
     };
-    checked.with_context(|| format!("cannot write {}", name.display()))
+    checked.with_context(|| cannot_write(name))
 }
 
-fn in_place(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    File::options().write(true).open(path)?.write_all(bytes)
+fn open_as_it_is(path: &Path) -> io::Result<File> {
+    File::options().write(true).open(path)
 }
 
-fn whole(path: &Path, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
-    let mut file = start(path, permissions)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
-}
+/// How the name of a file that is not whole yet ends.
+const PART: &str = ".part";
 
 /// An empty file next to where it will be; gone when it is dropped.
-fn start(path: &Path, permissions: Option<Permissions>) -> io::Result<NamedTempFile> {
+fn start(path: &Path, permissions: Option<Permissions>, suffix: &str) -> io::Result<NamedTempFile> {
     if path.file_name().is_none() {
         return Err(io::Error::new(
             io::ErrorKind::InvalidInput,
@@ -67,7 +128,7 @@ fn start(path: &Path, permissions: Option<Permissions>) -> io::Result<NamedTempF
         _ => Path::new("."),
     };
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".lab-").suffix(".part");
+    builder.prefix(".lab-").suffix(suffix);
     // Readable by others, as their umask has it, unless the file was there and said otherwise.
     #[cfg(unix)]
     builder.permissions(

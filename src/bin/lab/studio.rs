@@ -29,6 +29,11 @@ impl Studio {
         }
     }
 
+    /// Has frames take their samples beside the pixels' centres; see [`Memory::set_offset`].
+    pub fn set_offset(&mut self, x: f32, y: f32) {
+        self.memory[0].set_offset(x, y);
+    }
+
     /// Draws a frame `width` pixels wide that fills `pixels`, and says how much work it was.
     pub fn draw(
         &mut self,

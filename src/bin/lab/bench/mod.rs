@@ -6,14 +6,12 @@ mod table;
 
 use crate::arguments::{self, NamedQuality, SceneName, Size};
 use crate::isa::{self, Isa};
-use crate::output;
+use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use measure::Plan;
 use row::Row;
 use std::fs;
-use std::io::{IsTerminal, stderr};
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 
@@ -58,7 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         output::check(file)?;
     }
     let plan = plan(arguments);
-    let bar = progress_bar(plan.steps());
+    let bar = progress::bar(plan.steps());
     let rows = plan.measure(|| bar.inc(1));
     bar.finish_and_clear();
 
@@ -109,16 +107,6 @@ fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
         }
     }
     distinct
-}
-
-/// A bar on a terminal, none elsewhere. It has no thread of its own, which would disturb what is measured.
-fn progress_bar(steps: usize) -> ProgressBar {
-    if !stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} to go");
-    ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::stderr())
-        .with_style(style.expect("the template is right"))
 }
 
 /// The processor's name, where the system tells, and how many there are.

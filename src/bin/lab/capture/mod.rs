@@ -1,0 +1,182 @@
+//! `lab capture`: frames of the show as pictures, as a stream, as a video, as a contact sheet.
+
+mod crew;
+mod files;
+mod film;
+mod sheet;
+mod stream;
+mod video;
+mod y4m;
+
+use crate::arguments::{self, BadInput, NamedQuality, SceneName, Size};
+use crate::isa::{self, Isa};
+use anyhow::Result;
+use clap::{ArgGroup, Args};
+use crew::Crew;
+use film::{Film, MAX_SUPERSAMPLE, Rate};
+use std::ops::Range;
+use std::path::PathBuf;
+use std::thread::available_parallelism;
+
+/// Draws frames of the show: PNG files, a Y4M stream, a video, or a contact sheet
+///
+/// A frame's bytes depend on its number and on the flags that say what is drawn, and not on the machine, the number of
+/// threads or the range it is part of. So a long capture can be done in parts, anywhere: see the end of this help.
+#[derive(Args)]
+#[command(
+    group(ArgGroup::new("output").required(true).args(["png", "y4m", "video", "sheet"])),
+    after_long_help = PARTS
+)]
+pub struct Arguments {
+    /// Folder for one PNG file per frame, frame-000000.png and so on; made where it is not there. Frames of this very
+    /// capture that are there already, whole, are kept
+    #[arg(long, value_name = "FOLDER")]
+    png: Option<PathBuf>,
+    /// File for a YUV4MPEG2 stream, or - for standard output: 4:4:4, BT.709, limited range. Kept where it is there, whole
+    #[arg(long, value_name = "FILE")]
+    y4m: Option<PathBuf>,
+    /// File for a video, .mp4 or .mkv, which ffmpeg makes: H.264, 4:2:0, BT.709; width and height have to be even
+    #[arg(long, value_name = "FILE", value_parser = video::name)]
+    video: Option<PathBuf>,
+    /// File for a contact sheet, or - for standard output: a PNG of frames spread evenly over the range
+    #[arg(long, value_name = "FILE")]
+    sheet: Option<PathBuf>,
+    /// Frames on the contact sheet
+    #[arg(long, value_name = "N", default_value = "24", value_parser = arguments::frames, conflicts_with_all = ["png", "y4m", "video"])]
+    frames: usize,
+    /// The first frame; the show begins with frame 0
+    #[arg(long, value_name = "FRAME", default_value = "0", value_parser = arguments::frame, allow_negative_numbers = true)]
+    from: usize,
+    /// The frame to end before; beyond the show's end it means that end [default: the show's end]
+    #[arg(long, value_name = "FRAME", value_parser = arguments::frame, allow_negative_numbers = true)]
+    to: Option<usize>,
+    /// Frames a second, a whole number or a fraction such as 30000/1001
+    #[arg(
+        long,
+        value_name = "RATE",
+        default_value = "60",
+        allow_negative_numbers = true
+    )]
+    fps: Rate,
+    /// Width and height of a frame in pixels [default: 1024x768, and 320x240 on a contact sheet]
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+    /// The scene: model, or field:N for N small spheres
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
+    scene: SceneName,
+    /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest
+    #[arg(long, value_name = "NAME", default_value = "default")]
+    quality: NamedQuality,
+    /// A pixel is the mean of N by N samples
+    #[arg(long, value_name = "N", default_value = "1", value_parser = supersample)]
+    supersample: usize,
+    /// Frames drawn at a time [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = arguments::threads)]
+    threads: Option<usize>,
+    /// Instruction set; avx2 and avx512 draw the same bits, sse2 others [default: the best of this machine, but not sse2]
+    #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
+    isa: Option<Isa>,
+}
+
+/// How to share the work, for `--help`.
+const PARTS: &str = "\
+Parts of a capture, on one machine or on many that share a folder:
+
+  GNU parallel, 100 frames at a time:
+    seq 0 100 1507 | parallel 'target/lab/lab capture --png frames --from {} --to $(({} + 100))'
+  Slurm, as a job array of 16 tasks:
+    sbatch --array=0-15 --wrap 'target/lab/lab capture --png frames \\
+        --from $((SLURM_ARRAY_TASK_ID * 100)) --to $((SLURM_ARRAY_TASK_ID * 100 + 100))'
+
+Started again, it draws what is missing. Streams are joined by leaving out all headers but the first:
+    (head -n 1 part-00.y4m; tail -q -n +2 part-*.y4m) > whole.y4m
+
+What is made of frames, by ffmpeg:
+    ffmpeg -framerate 60 -i frames/frame-%06d.png -vf scale=out_color_matrix=bt709 -pix_fmt yuv420p show.mp4
+    cargo lab capture --y4m - | ffmpeg -colorspace bt709 -i - show.webm";
+
+/// Draws what was asked for.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let film = film(arguments)?;
+    let frames = range(arguments, &film)?;
+    let crew = Crew {
+        film: &film,
+        threads: arguments
+            .threads
+            .unwrap_or_else(|| available_parallelism().map_or(1, usize::from)),
+    };
+    if let Some(folder) = &arguments.png {
+        files::write(&crew, frames, folder)
+    } else if let Some(name) = &arguments.y4m {
+        stream::write(&crew, frames, name)
+    } else if let Some(name) = &arguments.video {
+        video::write(&crew, frames, name)
+    } else if let Some(name) = &arguments.sheet {
+        sheet::write(&crew, frames, arguments.frames, name)
+    } else {
+        unreachable!("one of them is required")
+    }
+}
+
+fn film(arguments: &Arguments) -> Result<Film> {
+    let usual = if arguments.sheet.is_some() {
+        Size {
+            width: 320,
+            height: 240,
+        }
+    } else {
+        Size {
+            width: 1024,
+            height: 768,
+        }
+    };
+    let size = arguments.size.unwrap_or(usual);
+    if arguments.video.is_some() && !(size.width | size.height).is_multiple_of(2) {
+        return Err(BadInput::error(format!(
+            "--size {size} takes an even width and height for --video"
+        )));
+    }
+    Ok(Film {
+        scene: arguments.scene,
+        rate: arguments.fps,
+        size,
+        quality: arguments.quality,
+        supersample: arguments.supersample,
+        isa: arguments.isa.map_or_else(usual_isa, Ok)?,
+    })
+}
+
+/// What frames are drawn by everywhere, unless asked otherwise.
+fn usual_isa() -> Result<Isa> {
+    let best = isa::best();
+    if best.name == "sse2" {
+        return Err(BadInput::error(
+            "--isa takes sse2 on this machine: it has no AVX2, and draws frames that differ in a few last bits".into(),
+        ));
+    }
+    Ok(best)
+}
+
+/// The frames to draw, at least one.
+fn range(arguments: &Arguments, film: &Film) -> Result<Range<usize>> {
+    let length = film.length();
+    let (from, to) = (arguments.from, arguments.to.unwrap_or(length).min(length));
+    if from >= length {
+        return Err(BadInput::error(format!(
+            "--from {from} takes a frame of the show: at {} fps, 0 to {}",
+            film.rate,
+            length - 1
+        )));
+    }
+    if from >= to {
+        return Err(BadInput::error(format!(
+            "--to {to} takes a frame behind --from {from}"
+        )));
+    }
+    Ok(from..to)
+}
+
+/// Samples of a pixel in each direction.
+fn supersample(text: &str) -> Result<usize, String> {
+    arguments::number(text, MAX_SUPERSAMPLE)
+}

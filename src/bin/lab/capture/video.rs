@@ -1,0 +1,89 @@
+//! Frames as a film that players know, by ffmpeg.
+
+use super::crew::Crew;
+use super::stream;
+use crate::output;
+use anyhow::{Context, Error, Result, anyhow, bail};
+use std::io::{self, Read, Write};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStderr, Command, Stdio};
+use std::thread;
+
+/// The containers that hold H.264 for every player.
+const SUFFIXES: [&str; 2] = [".mp4", ".mkv"];
+
+/// A file name that tells a container.
+pub fn name(text: &str) -> Result<PathBuf, String> {
+    suffix(text)
+        .map(|_| text.into())
+        .ok_or_else(|| format!("takes a file name that ends in {}", SUFFIXES.join(" or ")))
+}
+
+fn suffix(name: &str) -> Option<&'static str> {
+    SUFFIXES.into_iter().find(|suffix| name.ends_with(suffix))
+}
+
+/// Writes a video, by `ffmpeg`.
+pub fn write(crew: &Crew<'_>, frames: Range<usize>, name: &Path) -> Result<()> {
+    let suffix = suffix(&name.to_string_lossy()).unwrap_or(SUFFIXES[0]);
+    let file = output::start_for_another(name, suffix)?;
+    let mut ffmpeg = start(file.path())?;
+    let complaints = ffmpeg.stderr.take().expect("a pipe was asked for");
+    let complaints = thread::spawn(move || last_line(complaints));
+    let mut pipe = ffmpeg.stdin.take().expect("a pipe was asked for");
+    let sent = stream::send(crew, frames, |bytes| Ok(pipe.write_all(bytes)?));
+    drop(pipe);
+    let status = ffmpeg.wait().context("ffmpeg is lost")?;
+    let complaint = complaints.join().unwrap_or_default();
+    // It calls it a success when a full disk cuts off the end of what it wrote.
+    if !status.success() || complaint.is_some() {
+        let complaint = complaint.as_deref().unwrap_or("it does not say why");
+        bail!("ffmpeg cannot write {}: {complaint}", name.display());
+    }
+    sent?;
+    output::persist(file, name).with_context(|| format!("cannot write {}", name.display()))
+}
+
+/// Starts ffmpeg on a stream from its standard input.
+///
+/// H.264 in 4:2:0, which every player knows, labelled with the colours that it has: what is not labelled is guessed.
+/// A rate factor of 16 shows no loss to the eye.
+fn start(out: &Path) -> Result<Child> {
+    let colours = ["-colorspace", "bt709", "-color_primaries", "bt709"];
+    let transfer = ["-color_trc", "bt709", "-color_range", "tv"];
+    Command::new("ffmpeg")
+        .args(["-hide_banner", "-loglevel", "error", "-nostdin", "-y"])
+        .args(["-f", "yuv4mpegpipe", "-i", "-"])
+        .args(["-c:v", "libx264", "-crf", "16", "-pix_fmt", "yuv420p"])
+        .args(colours)
+        .args(transfer)
+        .args(["-movflags", "+faststart"])
+        .arg(out)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .map_err(explain)
+}
+
+/// Why ffmpeg does not start, and what to do.
+fn explain(error: io::Error) -> Error {
+    if error.kind() == io::ErrorKind::NotFound {
+        anyhow!(
+            "--video needs ffmpeg, which is not installed: get it by `sudo apt-get install ffmpeg` or from \
+             https://ffmpeg.org/download.html, or write a stream by --y4m"
+        )
+    } else {
+        Error::new(error).context("cannot start ffmpeg")
+    }
+}
+
+/// The last line of what ffmpeg says, if it says anything: nothing but errors, by its log level.
+fn last_line(mut complaints: ChildStderr) -> Option<String> {
+    let mut text = Vec::new();
+    let _ = complaints.read_to_end(&mut text);
+    let text = String::from_utf8_lossy(&text);
+    let last = text.lines().rfind(|line| !line.trim().is_empty());
+    last.map(|line| line.trim().to_owned())
+}

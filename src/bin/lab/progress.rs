@@ -1,0 +1,14 @@
+//! How far a command is, for somebody who watches.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::{IsTerminal, stderr};
+
+/// A bar on a terminal, none elsewhere. It has no thread of its own, which would disturb what is measured.
+pub fn bar(steps: usize) -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} to go");
+    ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::stderr())
+        .with_style(style.expect("the template is right"))
+}

@@ -1,0 +1,207 @@
+//! What is in the files.
+
+use super::{captured, files};
+use crate::lab;
+use crate::reader::read_png;
+use crate::stage;
+use std::fs;
+use std::path::Path;
+
+/// The largest difference of two pictures in a channel.
+fn worst(a: &[u32], b: &[u32]) -> u8 {
+    assert_eq!(a.len(), b.len());
+    let channels = |pixels: &[u32]| -> Vec<u8> {
+        let bytes = pixels.iter().flat_map(|pixel| pixel.to_be_bytes());
+        bytes.collect()
+    };
+    let pairs = channels(a).into_iter().zip(channels(b));
+    pairs.map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
+}
+
+/// Pixels of a file of red, green and blue bytes.
+fn pixels(rgb: &[u8]) -> Vec<u32> {
+    let pixel = |c: &[u8]| u32::from_be_bytes([0, c[0], c[1], c[2]]);
+    rgb.chunks_exact(3).map(pixel).collect()
+}
+
+/// The pictures of frames by `lab render`.
+fn rendered(times: &[&str], size: &str) -> Vec<u32> {
+    let picture = |time: &&str| {
+        let output = lab(&["render", "--size", size, "--time", time, "--out", "-"]);
+        read_png(&output.stdout).1
+    };
+    times.iter().flat_map(picture).collect()
+}
+
+#[test]
+fn frames_are_the_pictures_of_their_times() {
+    let folder = tempfile::tempdir().unwrap();
+    captured("--png", folder.path(), "--fps 4 --from 10 --to 12");
+    let frames: Vec<u32> = files(folder.path())
+        .iter()
+        .flat_map(|(_, bytes)| read_png(bytes).1)
+        .collect();
+    assert!(frames == rendered(&["2.5", "2.75"], "48x32"));
+}
+
+#[test]
+fn without_a_range_it_is_the_whole_show() {
+    let folder = tempfile::tempdir().unwrap();
+    captured("--png", folder.path(), "--fps 1 --size 8x8");
+    let seconds = eightfold::show::LENGTH.ceil() as usize;
+    assert_eq!(files(folder.path()).len(), seconds);
+    // An end beyond it means it.
+    let output = captured("--png", folder.path(), "--fps 1 --size 8x8 --to 99999");
+    let said = String::from_utf8(output.stderr).unwrap();
+    let kept = format!("0 frames drawn, {seconds} kept");
+    assert!(said.contains(&kept), "{said}");
+}
+
+#[test]
+fn a_streams_colours_are_those_of_bt709() {
+    let size = 49 * 31;
+    let output = captured(
+        "--y4m",
+        Path::new("-"),
+        "--size 49x31 --fps 30000/1001 --to 2",
+    );
+    let header = b"YUV4MPEG2 W49 H31 F30000:1001 Ip A1:1 C444 XCOLORRANGE=LIMITED\n";
+    let frames = output.stdout.strip_prefix(header).expect("a header");
+    assert_eq!(frames.len(), 2 * (b"FRAME\n".len() + 3 * size));
+    let mut decoded = Vec::new();
+    for frame in frames.chunks(6 + 3 * size) {
+        let planes = frame.strip_prefix(b"FRAME\n").expect("a mark");
+        for i in 0..size {
+            decoded.push(rgb([planes[i], planes[size + i], planes[2 * size + i]]));
+        }
+    }
+    let frame_1 = (1001.0_f64 / 30000.0).to_string();
+    let wanted = rendered(&["0", &frame_1], "49x31");
+    // Of 8 bits, 219 and 224 steps are used: a channel can be off by 1 / (2 * 219) and twice as much by the colour.
+    assert!(worst(&decoded, &wanted) <= 2);
+}
+
+/// What a decoder makes of the bytes of brightness, blueness and redness (BT.709-6, 3).
+fn rgb(ycc: [u8; 3]) -> u32 {
+    let [y, b, r] = ycc.map(f64::from);
+    let (y, b, r) = ((y - 16.0) / 219.0, (b - 128.0) / 224.0, (r - 128.0) / 224.0);
+    let (red, blue) = (y + 1.5748 * r, y + 1.8556 * b);
+    let green = (y - 0.2126 * red - 0.0722 * blue) / 0.7152;
+    let [r, g, b] = [red, green, blue].map(|c| (255.0 * c).round().clamp(0.0, 255.0) as u8);
+    u32::from_be_bytes([0, r, g, b])
+}
+
+#[test]
+fn ffmpeg_reads_a_stream_as_it_was_meant() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    captured("--y4m", &path("show.y4m"), "--fps 4 --to 3");
+    let mut ffmpeg = stage::tool("ffmpeg", "ffmpeg");
+    let (output, _) = stage::run(
+        ffmpeg
+            .args(["-v", "error", "-colorspace", "bt709", "-i"])
+            .arg(path("show.y4m"))
+            .args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"]),
+    );
+    assert!(output.status.success() && output.stderr.is_empty());
+    let wanted = rendered(&["0", "0.25", "0.5"], "48x32");
+    assert!(worst(&pixels(&output.stdout), &wanted) <= 3);
+}
+
+#[test]
+fn a_video_has_all_frames_and_their_colours() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    for name in ["show.mp4", "show.mkv"] {
+        stage::tool("ffmpeg", "ffmpeg");
+        captured("--video", &path(name), "--fps 4 --to 3 --size 480x360");
+        let mut ffmpeg = stage::tool("ffmpeg", "ffmpeg");
+        let (output, _) = stage::run(
+            ffmpeg
+                .args(["-v", "error", "-i"])
+                .arg(path(name))
+                .args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"]),
+        );
+        let decoded = pixels(&output.stdout);
+        let wanted = rendered(&["0", "0.25", "0.5"], "480x360");
+        assert_eq!(decoded.len(), wanted.len(), "{name}");
+        // 1.2 by what 4:2:0 leaves of the colours; the other matrix makes it 2.2.
+        let difference = mean_difference(&decoded, &wanted);
+        assert!(difference < 1.6, "{name}: {difference}");
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+}
+
+/// The mean difference of two pictures' channels.
+fn mean_difference(a: &[u32], b: &[u32]) -> f64 {
+    let pairs = a.iter().zip(b);
+    let sum: u32 = pairs
+        .flat_map(|(a, b)| {
+            let (a, b) = (a.to_be_bytes(), b.to_be_bytes());
+            (1..4).map(move |i| u32::from(a[i].abs_diff(b[i])))
+        })
+        .sum();
+    f64::from(sum) / (3 * a.len()) as f64
+}
+
+#[test]
+fn a_supersampled_pixel_is_the_mean_of_its_parts() {
+    let folder = tempfile::tempdir().unwrap();
+    let more = "--to 1 --quality exhaustive --supersample 2";
+    captured("--png", folder.path(), more);
+    let (_, bytes) = &files(folder.path())[0];
+    let (_, mean) = read_png(bytes);
+    let exhaustive = ["--quality", "exhaustive"];
+    let twice = lab(&[
+        &["render", "--size", "96x64", "--out", "-"][..],
+        &exhaustive,
+    ]
+    .concat());
+    let (width, twice) = read_png(&twice.stdout);
+    let far = (0..mean.len()).filter(|i| {
+        let (x, y) = (2 * (i % 48), 2 * (i / 48));
+        let parts =
+            [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| twice[y * width + x]);
+        let sum = |shift: u32| parts.iter().map(|part| part >> shift & 0xff).sum::<u32>();
+        let channels = [16, 8, 0].map(|shift| ((sum(shift) + 2) / 4) as u8);
+        let [r, g, b] = channels;
+        worst(&[u32::from_be_bytes([0, r, g, b])], &[mean[*i]]) > 1
+    });
+    // Rays that graze an edge may fall on its other side when they are rounded otherwise.
+    assert!(far.count() <= 2);
+}
+
+#[test]
+fn a_sheet_shows_frames_spread_evenly() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("sheet.png");
+    let more = "--frames 6 --fps 4 --from 8 --to 32 --size 48x32";
+    let output = captured("--sheet", &file, more);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        said.contains("frames 10 14 18 22 26 30, row by row"),
+        "{said}"
+    );
+    let (width, sheet) = read_png(&fs::read(&file).unwrap());
+    let (columns, gap) = (3, 8);
+    assert_eq!(width, gap + columns * (48 + gap));
+    assert_eq!(sheet.len() / width, gap + 2 * (32 + gap));
+    for (i, time) in ["2.5", "3.5", "4.5", "5.5", "6.5", "7.5"]
+        .iter()
+        .enumerate()
+    {
+        let (left, top) = (
+            gap + i % columns * (48 + gap),
+            gap + i / columns * (32 + gap),
+        );
+        let rows = (top..top + 32).map(|y| &sheet[y * width + left..][..48]);
+        assert!(
+            rows.collect::<Vec<_>>().concat() == rendered(&[time], "48x32"),
+            "{i}"
+        );
+    }
+    // 24 of 320 by 240, unless asked otherwise.
+    let output = lab(&["capture", "--sheet", "-"]);
+    let (width, sheet) = read_png(&output.stdout);
+    assert_eq!((width, sheet.len() / width), (8 + 6 * 328, 8 + 4 * 248));
+}

@@ -1,0 +1,155 @@
+//! Parts equal the whole, and what is there is kept.
+
+use super::{captured, files, flags};
+use crate::reader::read_png;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+#[test]
+fn two_halves_are_the_whole_bit_for_bit() {
+    let folder = tempfile::tempdir().unwrap();
+    let (whole, halves) = (folder.path().join("whole"), folder.path().join("halves"));
+    for what in ["", "--supersample 2 --quality thesis --fps 24000/1001"] {
+        captured(
+            "--png",
+            &whole,
+            &format!("--from 3 --to 12 --threads 3 {what}"),
+        );
+        captured(
+            "--png",
+            &halves,
+            &format!("--from 7 --to 12 --threads 1 {what}"),
+        );
+        captured(
+            "--png",
+            &halves,
+            &format!("--from 3 --to 7 --threads 2 {what}"),
+        );
+        let whole = files(&whole);
+        assert_eq!(whole.len(), 9);
+        assert_eq!(whole[0].0, "frame-000003.png");
+        assert!(whole == files(&halves), "{what}");
+    }
+}
+
+#[test]
+fn a_stream_is_its_parts_joined_without_their_headers() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    captured("--y4m", &path("whole.y4m"), "--to 9 --threads 1");
+    captured("--y4m", &path("part-0.y4m"), "--to 4 --threads 3");
+    captured("--y4m", &path("part-1.y4m"), "--from 4 --to 9 --threads 2");
+    // As the help has it.
+    let joined = Command::new("sh")
+        .args(["-c", "head -n 1 part-0.y4m; tail -q -n +2 part-*.y4m"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert!(joined.stdout == fs::read(path("whole.y4m")).unwrap());
+    let output = captured("--y4m", Path::new("-"), "--to 9");
+    assert!(output.stdout == joined.stdout);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn machines_with_avx2_and_with_avx512_draw_the_same_bytes() {
+    if !is_x86_feature_detected!("avx2") {
+        // Such a machine asks for a word of its user instead.
+        let output = super::lab(&["capture", "--y4m", "-"]);
+        return crate::assert_one_line(&output, 2, &["--isa", "sse2"]);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let (best, avx2) = (folder.path().join("best"), folder.path().join("avx2"));
+    for what in ["--scene field:64", "--quality exhaustive --size 111x70"] {
+        captured("--png", &best, &format!("--to 5 {what}"));
+        captured("--png", &avx2, &format!("--to 5 {what} --isa avx2"));
+        assert!(files(&best) == files(&avx2), "{what}");
+    }
+}
+
+#[test]
+fn frames_that_are_there_whole_are_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    captured("--png", folder.path(), "--to 6");
+    let whole = files(folder.path());
+    let path = |n: usize| folder.path().join(&whole[n].0);
+    // One is missing, one is cut off, one has a bit turned over.
+    fs::remove_file(path(1)).unwrap();
+    fs::write(path(2), &whole[2].1[..whole[2].1.len() - 20]).unwrap();
+    let mut turned = whole[3].1.clone();
+    let middle = turned.len() / 2;
+    turned[middle] ^= 4;
+    fs::write(path(3), turned).unwrap();
+    let before = fs::metadata(path(4)).unwrap().modified().unwrap();
+    let output = captured("--png", folder.path(), "--to 6");
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(said.contains("3 frames drawn, 3 kept"), "{said}");
+    assert!(files(folder.path()) == whole);
+    assert_eq!(fs::metadata(path(4)).unwrap().modified().unwrap(), before);
+}
+
+#[test]
+fn frames_of_another_capture_are_not_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    captured("--png", folder.path(), "--to 2");
+    for other in [
+        "--fps 50",
+        "--size 48x33",
+        "--quality exhaustive",
+        "--scene field:9",
+        "--supersample 3",
+    ] {
+        let output = captured("--png", folder.path(), &format!("--to 2 {other}"));
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.contains("2 frames drawn, 0 kept"), "{other}: {said}");
+    }
+}
+
+#[test]
+fn a_stream_that_is_there_whole_is_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("show.y4m");
+    let said = |more: &str| {
+        let output = captured("--y4m", &file, more);
+        String::from_utf8(output.stderr).unwrap()
+    };
+    assert_eq!(said("--to 5"), "");
+    let whole = fs::read(&file).unwrap();
+    assert!(said("--to 5").contains("kept"));
+    // Of the same length, but another one.
+    assert_eq!(said("--from 1 --to 6"), "");
+    assert!(fs::read(&file).unwrap() != whole);
+    fs::write(&file, &whole[..whole.len() - 1]).unwrap();
+    assert_eq!(said("--to 5"), "");
+    assert!(fs::read(&file).unwrap() == whole);
+}
+
+#[test]
+fn a_capture_that_was_killed_leaves_whole_files_and_can_go_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let (whole, killed) = (folder.path().join("whole"), folder.path().join("killed"));
+    let more = "--to 40 --size 320x240 --quality exhaustive";
+    captured("--png", &whole, more);
+    let mut capture = Command::new(env!("CARGO_BIN_EXE_lab"))
+        .args(flags(&format!("--png {} {more}", killed.display())))
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let first = killed.join("frame-000003.png");
+    while !first.exists() && capture.try_wait().unwrap().is_none() {
+        std::thread::yield_now();
+    }
+    let _ = capture.kill();
+    capture.wait().unwrap();
+    for (name, bytes) in files(&killed) {
+        if name.starts_with("frame-") {
+            assert_eq!(read_png(&bytes).1.len(), 320 * 240, "{name}");
+        }
+    }
+    captured("--png", &killed, more);
+    let mut files_then = files(&killed);
+    // What was being written has a name that hides it.
+    files_then.retain(|(name, _)| !name.starts_with('.'));
+    assert!(files_then == files(&whole));
+}

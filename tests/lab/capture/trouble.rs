@@ -1,0 +1,145 @@
+//! Bad input, full disks, closed pipes: a line that says so, and no broken file.
+
+use super::{capture, files, flags};
+use crate::assert_one_line;
+use std::fs;
+use std::io::Read;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+/// Captures where no file may grow beyond so many KiB; the signal that would end the program is ignored.
+fn limited(kib: u32, arguments: &str) -> Output {
+    let script = format!("trap '' XFSZ; ulimit -f {kib}; exec \"$0\" \"$@\"");
+    let mut sh = Command::new("bash");
+    sh.args(["-c", &script]).arg(env!("CARGO_BIN_EXE_lab"));
+    sh.args(flags(arguments)).output().expect("bash runs")
+}
+
+#[test]
+fn bad_input_is_named_in_one_line() {
+    for (flags, words) in [
+        ("", "--png --y4m --video --sheet"),
+        ("--png x --y4m y", "--png --y4m"),
+        ("--y4m - --fps 0", "--fps 0 30000/1001"),
+        ("--y4m - --fps 60/0", "--fps 60/0 30000/1001"),
+        ("--y4m - --fps 1001", "--fps 1001 1000"),
+        ("--y4m - --fps fast", "--fps fast 60"),
+        ("--y4m - --from -1", "--from"),
+        ("--y4m - --from x", "--from number frame"),
+        ("--y4m - --from 1508", "--from 1508 0 1507"),
+        ("--y4m - --from 5 --to 5", "--to 5 --from"),
+        ("--y4m - --to 100001", "--to 100000"),
+        ("--y4m - --size 3841x2160", "--size 3840x2160"),
+        ("--y4m - --supersample 0", "--supersample 1 16"),
+        ("--y4m - --supersample 17", "--supersample 1 16"),
+        ("--y4m - --quality good", "--quality exhaustive"),
+        ("--y4m - --threads 0", "--threads 1"),
+        ("--y4m - --isa mmx", "--isa has"),
+        ("--y4m - --frames 5", "--frames --y4m"),
+        ("--video x.avi", "--video x.avi .mp4 .mkv"),
+        ("--video x.mp4 --size 33x32", "--size 33x32 even --video"),
+        ("--sheet - --frames 0", "--frames 1"),
+        ("--sheet - --frames 9 --to 5", "--frames 9 5"),
+        ("--sheet - --size 3840x2160", "--size 3840x2160 16384"),
+    ] {
+        let words: Vec<&str> = words.split(' ').collect();
+        assert_one_line(&capture(flags), 2, &words);
+    }
+}
+
+#[test]
+fn a_full_disk_is_named_in_one_line_and_leaves_no_broken_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let name = |name: &str| folder.path().join(name).display().to_string();
+    let many = "--to 9 --size 320x240";
+    let output = limited(1, &format!("--png {} {many}", name("frames")));
+    assert_one_line(&output, 1, &["frame-00000", "cannot write"]);
+    assert!(files(&folder.path().join("frames")).is_empty());
+    // It fits in part.
+    let output = limited(800, &format!("--y4m {} {many}", name("show.y4m")));
+    assert_one_line(&output, 1, &["show.y4m", "cannot write"]);
+    let output = limited(
+        1,
+        &format!("--sheet {} {many} --frames 4", name("sheet.png")),
+    );
+    assert_one_line(&output, 1, &["sheet.png", "cannot write"]);
+    let output = limited(1, &format!("--video {} {many}", name("show.mp4")));
+    assert_one_line(&output, 1, &["show.mp4", "ffmpeg"]);
+    let left: Vec<_> = fs::read_dir(folder.path()).unwrap().collect();
+    assert_eq!(left.len(), 1, "{left:?}");
+    assert_one_line(
+        &capture("--y4m /dev/full --to 2"),
+        1,
+        &["/dev/full", "No space"],
+    );
+}
+
+#[test]
+fn a_pipe_that_is_closed_is_named_in_one_line() {
+    let mut capture = Command::new(env!("CARGO_BIN_EXE_lab"))
+        .args(flags("--y4m - --to 200"))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut begin = [0; 9];
+    let mut pipe = capture.stdout.take().unwrap();
+    pipe.read_exact(&mut begin).unwrap();
+    drop(pipe);
+    assert_eq!(&begin, b"YUV4MPEG2");
+    let output = capture.wait_with_output().unwrap();
+    assert_one_line(&output, 1, &["standard output", "pipe"]);
+}
+
+#[test]
+fn what_cannot_be_written_is_named_in_one_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    fs::write(&file, "").unwrap();
+    let below = file.join("below").display().to_string();
+    for flags in [
+        format!("--png {below}"),
+        format!("--y4m {below}"),
+        format!("--video {below}.mp4"),
+        format!("--sheet {below}"),
+        format!("--y4m {}", folder.path().display()),
+    ] {
+        let output = capture(&format!("{flags} --to 30"));
+        assert_one_line(&output, 1, &["cannot"]);
+    }
+}
+
+#[test]
+fn without_ffmpeg_it_says_how_to_get_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let video = folder.path().join("show.mp4");
+    let output = Command::new(env!("CARGO_BIN_EXE_lab"))
+        .args(flags(&format!("--video {} --to 2", video.display())))
+        .env("PATH", folder.path())
+        .output()
+        .unwrap();
+    let words = ["--video", "ffmpeg", "apt-get install", "--y4m"];
+    assert_one_line(&output, 1, &words);
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn a_video_that_ffmpeg_cannot_make_is_named_in_one_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let ffmpeg = folder.path().join("ffmpeg");
+    fs::write(&ffmpeg, "#!/bin/sh\necho 'no such encoder' >&2\nexit 3\n").unwrap();
+    make_executable(&ffmpeg);
+    let video = folder.path().join("show.mp4");
+    let output = Command::new(env!("CARGO_BIN_EXE_lab"))
+        .args(flags(&format!("--video {} --to 99", video.display())))
+        .env("PATH", folder.path())
+        .output()
+        .unwrap();
+    assert_one_line(&output, 1, &["show.mp4", "no such encoder"]);
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+fn make_executable(file: &Path) {
+    use std::os::unix::fs::PermissionsExt;
+    fs::set_permissions(file, fs::Permissions::from_mode(0o755)).unwrap();
+}
