@@ -6,8 +6,9 @@ mod surface;
 
 pub(crate) use groups::{GroupSet, Groups, MAX_GROUPS};
 pub(crate) use screen::Window;
-pub(crate) use surface::{FIELDS, Surface};
+pub(crate) use surface::{FIELDS, Spread};
 
+use crate::lanes::MAX_LANES;
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
 use glam::Vec3;
 
@@ -37,9 +38,7 @@ pub(crate) struct Prepared {
     pub lamp_count: usize,
     pub planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
-    pub surfaces: [Surface; MAX_OBJECTS],
-    /// [`FIELDS`], where the compiler does not see it.
-    pub field_count: usize,
+    pub surfaces: [Spread; MAX_OBJECTS],
     /// Where samples are, from the centres of their pixels, in pixels.
     #[cfg(feature = "lab")]
     pub offset: glam::Vec2,
@@ -101,8 +100,7 @@ impl Prepared {
             lamp_count: 0,
             planes: [Rectangle::NONE; MAX_PLANES],
             plane_count: 0,
-            surfaces: [[0.0; FIELDS]; MAX_OBJECTS],
-            field_count: 0,
+            surfaces: [[[0.0; MAX_LANES]; FIELDS]; MAX_OBJECTS],
             #[cfg(feature = "lab")]
             offset: glam::Vec2::ZERO,
         }
@@ -140,17 +138,18 @@ impl Prepared {
         for (i, &number) in self.groups.order().iter().enumerate() {
             let sphere = &scene.spheres[number as usize];
             self.balls[i] = Ball::new(sphere.centre, sphere.radius);
-            self.surfaces[i] = surface::solid(
+            let surface = surface::solid(
                 sphere.centre,
                 1.0 / sphere.radius,
                 &sphere.material,
                 scene.ambient,
             );
+            surface::spread(&surface, &mut self.surfaces[i]);
         }
         for (i, light) in scene.lights.iter().enumerate() {
             let i = self.solids + i;
             self.balls[i] = Ball::new(light.position, light.radius);
-            self.surfaces[i] = surface::emitting(light.colour);
+            surface::spread(&surface::emitting(light.colour), &mut self.surfaces[i]);
         }
         let first_plane = self.first_plane();
         for (i, plane) in scene.planes.iter().enumerate() {
@@ -159,12 +158,12 @@ impl Prepared {
                 half_x: plane.half_x,
                 half_z: plane.half_z,
             };
-            self.surfaces[first_plane + i] =
-                surface::solid(plane.centre, 0.0, &plane.material, scene.ambient);
+            let surface = surface::solid(plane.centre, 0.0, &plane.material, scene.ambient);
+            surface::spread(&surface, &mut self.surfaces[first_plane + i]);
         }
         let nothing = self.nothing();
-        self.surfaces[nothing] = surface::emitting(scene.background);
-        self.field_count = FIELDS;
+        let background = surface::emitting(scene.background);
+        surface::spread(&background, &mut self.surfaces[nothing]);
         for (window, group) in self.windows.iter_mut().zip(self.groups.iter()) {
             *window = Window::of(group, self.eye, &self.raster, width, height);
         }

@@ -1,5 +1,6 @@
 //! What shading needs of an object.
 
+use crate::lanes::MAX_LANES;
 use crate::scene::Material;
 use glam::Vec3;
 
@@ -21,6 +22,17 @@ pub(crate) const FIELDS: usize = 18;
 /// - the shares of the reflected and of the transmitted ray, and the refractive index;
 /// - solid: 1 where lamps shine on it, 0 for lamps and the background.
 pub(crate) type Surface = [f32; FIELDS];
+
+/// A surface's numbers, each in as many lanes as there can be: a packet that hits one object needs no more than its address.
+pub(crate) type Spread = [[f32; MAX_LANES]; FIELDS];
+
+/// Spreads a surface over lanes.
+#[inline(never)]
+pub(super) fn spread(surface: &Surface, lanes: &mut Spread) {
+    for (lanes, &field) in lanes.iter_mut().zip(surface) {
+        *lanes = [field; MAX_LANES];
+    }
+}
 
 /// The surface of an object of a material; `inverse_radius` is 0 for a plane.
 #[inline(never)]

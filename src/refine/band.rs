@@ -140,14 +140,14 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
                 .seen(start, self.top, start + count, self.top + height);
             let batch = &mut self.worker.batch;
             for y in 0..height {
-                for x in start..start + count {
-                    batch.push(x, self.top + y);
-                }
+                batch.push_row(start, self.top + y, count);
             }
             trace(self.level, self.scene, self.quality, self.seen, batch);
-            for i in 0..batch.len() {
-                let (x, y, sample, _) = batch.result(i);
-                self.canvas.put(x, y - self.top, sample.pixel());
+            for y in 0..height {
+                let row = self.canvas.row(start, y, count);
+                for (pixel, sample) in row.iter_mut().zip(batch.samples(y * count)) {
+                    *pixel = sample.pixel();
+                }
             }
             tell_points(
                 self.observer,

@@ -4,7 +4,7 @@ use super::shade::Node;
 use super::stack::{Rays, Stack};
 use super::{Counts, Sample, sample};
 use crate::lanes::*;
-use crate::prepare::Prepared;
+use crate::prepare::{FIELDS, Prepared, Spread};
 use fearless_simd::i32x4;
 
 /// Points traced in one go: 16 kB of sums, which stay in the nearest cache.
@@ -34,6 +34,8 @@ pub(crate) struct Batch {
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
     pub stack: Stack,
+    /// The surfaces of a packet that hits several.
+    pub mixed: Spread,
     /// What was done since it was last reset.
     pub counts: Counts,
 }
@@ -48,6 +50,7 @@ impl Batch {
             terms: [[0; 4]; MAX_LANES],
             samples: [0; BATCH],
             stack: Stack::new(),
+            mixed: [[0.0; MAX_LANES]; FIELDS],
             counts: Counts::NONE,
         }
     }
@@ -69,6 +72,22 @@ impl Batch {
     pub fn push(&mut self, x: usize, y: usize) {
         self.places[self.len % BATCH] = (y << 16 | x) as u32;
         self.len += 1;
+    }
+
+    /// Adds the points of `count` pixels from (x, y) to the right; there must be room for them.
+    #[inline(always)]
+    pub fn push_row(&mut self, x: usize, y: usize, count: usize) {
+        let places = &mut self.places[self.len..self.len + count];
+        for (place, x) in places.iter_mut().zip(x as u32..) {
+            *place = (y as u32) << 16 | x;
+        }
+        self.len += count;
+    }
+
+    /// The samples of the traced points from number `start` on.
+    #[inline(always)]
+    pub fn samples(&self, start: usize) -> impl Iterator<Item = Sample> {
+        self.samples[start..].iter().map(|&sample| Sample(sample))
     }
 
     /// Takes all points out.
@@ -127,7 +146,6 @@ impl Batch {
         &mut self,
         simd: S,
         rays: &Rays<S>,
-        count: usize,
         first: Option<usize>,
         node: &Node<S>,
     ) {
@@ -140,7 +158,8 @@ impl Batch {
         if place.is_some() {
             return;
         }
-        for (&slot, term) in rays.slots().as_slice().iter().zip(&self.terms).take(count) {
+        // Lanes beyond the last ray add nothing to what was in them before.
+        for (&slot, term) in rays.slots().as_slice().iter().zip(&self.terms) {
             let sum = &mut self.sums[slot as usize % BATCH];
             let new = i32x4::load_array_ref(simd, sum) + i32x4::load_array_ref(simd, term);
             new.store_array(sum);

@@ -40,6 +40,7 @@ impl<S: Isa> States<S> {
 pub(crate) fn term<S: Isa>(
     simd: S,
     quality: &Quality,
+    active: M<S>,
     paths: U<S>,
     objects: U<S>,
     states: States<S>,
@@ -51,7 +52,7 @@ pub(crate) fn term<S: Isa>(
     let to_depth =
         |depth: u32| paths.simd_lt(U::<S>::splat(simd, 2 << depth.min(Quality::MAX_DEPTH)));
     let with_states = to_depth(quality.state_depth);
-    let counted = to_depth(quality.key_depth);
+    let counted = active & to_depth(quality.key_depth);
     let states = with_states.select(states.0, zero) << (PATH_BITS + OBJECT_BITS);
     let mut h = paths | (objects << PATH_BITS) | states;
     // Two rounds of multiply and shift (after Wellons' searched 32-bit mixers) spread every bit.

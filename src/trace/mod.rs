@@ -119,7 +119,7 @@ fn trace_packets<S: Isa>(
         batch.counts.lanes += lanes::<S>() as u64;
         let hit = intersect::nearest(simd, scene, &rays, groups);
         let node = shade::shade(simd, scene, quality, &rays, &hit, first(simd, count), batch);
-        batch.add(simd, &rays, count, is_primary.then_some(next), &node);
+        batch.add(simd, &rays, is_primary.then_some(next), &node);
         next += lanes::<S>() * usize::from(is_primary);
     }
     batch.counts.points += batch.len() as u64;

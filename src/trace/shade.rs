@@ -1,9 +1,10 @@
 //! Light at a hit, by Phong's model, and the rays that leave it.
 
+use super::Counts;
 use super::batch::{Batch, FIXED_POINT};
 use super::intersect::{Hit, blocked};
 use super::key::{self, States};
-use super::stack::Rays;
+use super::stack::{Rays, Stack};
 use super::surface::SurfaceLanes;
 use crate::lanes::*;
 use crate::prepare::Prepared;
@@ -78,26 +79,31 @@ pub(super) fn shade<S: Isa>(
     active: M<S>,
     batch: &mut Batch,
 ) -> Node<S> {
-    let mut surface = SurfaceLanes::new(hit.object);
-    surface.look_up(simd, scene, hit.object, active);
+    let Batch {
+        mixed,
+        stack,
+        counts,
+        ..
+    } = batch;
+    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, mixed);
     let solid = active & surface.solid().simd_gt(splat(simd, 0.0));
     let mut colour = surface.base();
     let mut states = States::new(simd);
     if solid.any_true() {
         let place = Place::new(simd, rays, hit.t, &surface, solid);
-        colour = gather(simd, scene, quality, &surface, &place, &mut states, batch);
-        scatter(simd, quality, rays, &surface, &place, batch);
+        colour = gather(simd, scene, quality, &surface, &place, &mut states, counts);
+        scatter(simd, quality, rays, &surface, &place, stack);
     }
     let paths = rays.paths();
     Node {
-        colour: colour.scaled(rays.weight),
-        key: key::term(simd, quality, paths, hit.object, states),
+        colour: colour.scaled(active.select(rays.weight, splat(simd, 0.0))),
+        key: key::term(simd, quality, active, paths, hit.object, states),
     }
 }
 
 impl<S: Isa> Place<S> {
     #[inline(always)]
-    fn new(simd: S, rays: &Rays<S>, t: F<S>, surface: &SurfaceLanes<S>, solid: M<S>) -> Self {
+    fn new(simd: S, rays: &Rays<S>, t: F<S>, surface: &SurfaceLanes<'_, S>, solid: M<S>) -> Self {
         let zero = splat(simd, 0.0);
         let inverse_radius = surface.inverse_radius();
         let upright = surface.upright();
@@ -152,10 +158,10 @@ fn gather<S: Isa>(
     simd: S,
     scene: &Prepared,
     quality: &Quality,
-    surface: &SurfaceLanes<S>,
+    surface: &SurfaceLanes<'_, S>,
     place: &Place<S>,
     states: &mut States<S>,
-    batch: &mut Batch,
+    counts: &mut Counts,
 ) -> Vec3x<S> {
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
@@ -173,7 +179,7 @@ fn gather<S: Isa>(
         let mut lit = facing;
         let mut highlight = M::<S>::splat(simd, false);
         if facing.any_true() {
-            batch.counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
+            counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
             lit &= !blocked(simd, scene, lamp, place.p, l, distance);
             let mut light = surface.diffuse().scaled(lit.select(nl, zero));
             let rv = place.r.dot(l);
@@ -191,7 +197,9 @@ fn gather<S: Isa>(
             }
             colour = colour + Vec3x::splat(simd, lamp.colour) * light;
         }
-        states.push(lit, highlight);
+        if quality.needs_keys() {
+            states.push(lit, highlight);
+        }
     }
     colour
 }
@@ -202,9 +210,9 @@ fn scatter<S: Isa>(
     simd: S,
     quality: &Quality,
     rays: &Rays<S>,
-    surface: &SurfaceLanes<S>,
+    surface: &SurfaceLanes<'_, S>,
     place: &Place<S>,
-    batch: &mut Batch,
+    stack: &mut Stack,
 ) {
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
@@ -242,9 +250,9 @@ fn scatter<S: Isa>(
         place: reflected,
     };
     if through.any_true() {
-        batch.stack.push(simd, &transmitted, through);
+        stack.push(simd, &transmitted, through);
     }
     if back.any_true() {
-        batch.stack.push(simd, &reflected, back);
+        stack.push(simd, &reflected, back);
     }
 }

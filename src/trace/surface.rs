@@ -1,60 +1,65 @@
 //! The surfaces that a packet hits.
 
 use crate::lanes::*;
-use crate::prepare::{FIELDS, Prepared};
+use crate::prepare::{Prepared, Spread};
 
 /// What shading needs of an object, per lane.
-pub(super) struct SurfaceLanes<S: Isa> {
-    /// The numbers' bits, in the order of [`crate::prepare::Surface`].
-    fields: [U<S>; FIELDS],
+pub(super) struct SurfaceLanes<'a, S: Isa> {
+    simd: S,
+    /// The numbers in the order of [`crate::prepare::Surface`].
+    fields: &'a Spread,
 }
 
-impl<S: Isa> SurfaceLanes<S> {
-    /// Nothing that is looked at; what it holds is no matter.
+impl<'a, S: Isa> SurfaceLanes<'a, S> {
+    /// Looks the objects of the active lanes up. Most packets meet one object, whose numbers lie ready; else each further
+    /// one's go to those lanes that hit it, in `mixed`.
     #[inline(always)]
-    pub fn new(any: U<S>) -> Self {
+    pub fn look_up(
+        simd: S,
+        scene: &'a Prepared,
+        objects: U<S>,
+        active: M<S>,
+        mixed: &'a mut Spread,
+    ) -> Self {
+        let mut rest = active.to_bitmask();
+        let first = &scene.surfaces[object_at(simd, objects, &mut rest).0];
+        if rest == 0 {
+            return Self {
+                simd,
+                fields: first,
+            };
+        }
+        let mut is_first = true;
+        while rest != 0 {
+            let (number, same) = object_at(simd, objects, &mut rest);
+            let mask: U<S> = same.to_vector().bitcast();
+            let new = &scene.surfaces[number];
+            for ((field, first), new) in mixed.iter_mut().zip(first).zip(new) {
+                // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
+                let old: U<S> = load(simd, if is_first { first } else { field }).bitcast();
+                let new: U<S> = load(simd, new).bitcast();
+                let both: F<S> = (old ^ ((old ^ new) & mask)).bitcast();
+                both.store_slice(&mut field[..lanes::<S>()]);
+            }
+            is_first = false;
+        }
         Self {
-            fields: [any; FIELDS],
+            simd,
+            fields: mixed,
         }
     }
 
-    /// Looks the objects of the active lanes up: the first one's surface goes to all lanes, each other one's to those that
-    /// hit it. Most packets meet one or two objects.
     #[inline(always)]
-    pub fn look_up(&mut self, simd: S, scene: &Prepared, objects: U<S>, active: M<S>) {
-        let mut rest = active.to_bitmask();
-        let mut is_first = true;
-        while rest != 0 {
-            let lane = rest.trailing_zeros() as usize % lanes::<S>();
-            let number = objects.as_slice()[lane];
-            let same = objects.simd_eq(U::<S>::splat(simd, number));
-            rest &= !same.to_bitmask();
-            let mask = (same | M::<S>::splat(simd, is_first))
-                .to_vector()
-                .bitcast::<U<S>>();
-            is_first = false;
-            let surface = &scene.surfaces[number as usize];
-            // In the intro the count comes from memory, so that this stays a loop: unrolled it takes a kilobyte.
-            let count = if cfg!(feature = "avx512") {
-                FIELDS
-            } else {
-                scene.field_count
-            };
-            let fields = &surface[..count.min(FIELDS)];
-            for (lane, &field) in self.fields.iter_mut().zip(fields) {
-                // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
-                let new = U::<S>::splat(simd, field.to_bits());
-                *lane ^= (*lane ^ new) & mask;
-            }
-        }
+    fn number(&self, i: usize) -> F<S> {
+        load(self.simd, &self.fields[i])
     }
 
     #[inline(always)]
     fn vector(&self, i: usize) -> Vec3x<S> {
         Vec3x {
-            x: self.fields[i].bitcast(),
-            y: self.fields[i + 1].bitcast(),
-            z: self.fields[i + 2].bitcast(),
+            x: self.number(i),
+            y: self.number(i + 1),
+            z: self.number(i + 2),
         }
     }
 
@@ -75,46 +80,62 @@ impl<S: Isa> SurfaceLanes<S> {
 
     #[inline(always)]
     pub fn inverse_radius(&self) -> F<S> {
-        self.fields[9].bitcast()
+        self.number(9)
     }
 
     #[inline(always)]
     pub fn upright(&self) -> F<S> {
-        self.fields[10].bitcast()
+        self.number(10)
     }
 
     #[inline(always)]
     pub fn ks(&self) -> F<S> {
-        self.fields[11].bitcast()
+        self.number(11)
     }
 
     #[inline(always)]
     pub fn exponent(&self) -> F<S> {
-        self.fields[12].bitcast()
+        self.number(12)
     }
 
     #[inline(always)]
     pub fn faint(&self) -> F<S> {
-        self.fields[13].bitcast()
+        self.number(13)
     }
 
     #[inline(always)]
     pub fn kr(&self) -> F<S> {
-        self.fields[14].bitcast()
+        self.number(14)
     }
 
     #[inline(always)]
     pub fn kt(&self) -> F<S> {
-        self.fields[15].bitcast()
+        self.number(15)
     }
 
     #[inline(always)]
     pub fn index(&self) -> F<S> {
-        self.fields[16].bitcast()
+        self.number(16)
     }
 
     #[inline(always)]
     pub fn solid(&self) -> F<S> {
-        self.fields[17].bitcast()
+        self.number(17)
     }
+}
+
+/// The object of the first lane in `rest`, and the lanes that hit it, which are taken out.
+#[inline(always)]
+fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (usize, M<S>) {
+    let lane = rest.trailing_zeros() as usize % lanes::<S>();
+    let number = objects.as_slice()[lane];
+    let same = objects.simd_eq(U::<S>::splat(simd, number));
+    *rest &= !same.to_bitmask();
+    (number as usize, same)
+}
+
+/// A packet's lanes of a number.
+#[inline(always)]
+fn load<S: Isa>(simd: S, field: &[f32; MAX_LANES]) -> F<S> {
+    F::<S>::from_slice(simd, &field[..lanes::<S>()])
 }
