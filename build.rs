@@ -13,9 +13,7 @@
 //! | --- | --- | ---: |
 //! | functions of std redirected | [`INSTEAD`] | 276,448 |
 //! | ... of these, formatting | | 4,640 |
-//! | ... of these, what `minifb` does and nobody asks for | | 2,704 |
-//! | `x11-dl` with 52 functions instead of 826 (in a 30-line program) | `src/window/x11-dl` | 115,056 |
-//! | ... and with the keys that are listened to, instead of a hundred | `src/window/x11-dl` | 1,568 |
+//! | `x11-dl` with 39 functions instead of 826 (in a 30-line program) | `src/window/x11-dl` | 115,056 |
 //! | no unwind tables: nothing unwinds | `src/window/program.ld` | 84,808 |
 //! | few sections, not one per function | `src/window/program.ld` | 19,384 |
 //! | compiled for size, not for speed | `Cargo.toml` | 17,240 |
@@ -58,13 +56,13 @@ use std::{
 
 use object::{Object, ObjectSymbol, SymbolKind, read::archive::ArchiveFile};
 
-/// The crates of the sysroot that functions are redirected in.
-const CRATES: [&str; 3] = ["core", "alloc", "std"];
+/// The crates of the sysroot that functions are redirected in. (The last two have functions of `alloc` compiled in.)
+const CRATES: [&str; 5] = ["core", "alloc", "std", "gimli", "addr2line"];
 
 /// What is called instead of functions of std, and those functions: parts of paths, each of which has
 /// to be there.
-const INSTEAD: [(&str, &[&str]); 9] = [
-    // All ways to a panic.
+const INSTEAD: [(&str, &[&str]); 5] = [
+    // All ways to a panic, and vectors: nobody makes one.
     (
         "eightfold_abort",
         &[
@@ -83,30 +81,29 @@ const INSTEAD: [(&str, &[&str]); 9] = [
             "rust_eh_personality",
             "std::alloc::rust_oom",
             "std::panicking::panic_with_hook",
+            // In mangled names, a length is before each part.
+            "11RawVecInner15try_allocate_in",
+            "7reserve21do_reserve_and_handle",
         ],
     ),
-    // Formatting, printing, and a sleep that `minifb` has been told not to take.
+    // Formatting, printing, and giving back memory before the process ends.
     (
         "eightfold_ignore",
         &[
             "Debug::fmt",
             "Display::fmt",
             "std::io::stdio::_print",
-            "std::thread::functions::sleep",
+            "11RawVecInner10deallocate",
         ],
     ),
     ("eightfold_format", &["alloc::fmt::format::format_inner"]),
-    // What `minifb` does for what nobody asks it. (In mangled names, `Re` is `::<&str>`.)
+    // (`Re` is `::<&str>`.)
     ("eightfold_c_string", &["7CString3newRe"]),
-    ("eightfold_no_text", &["CStr::from_bytes_with_nul"]),
-    ("eightfold_to_str", &["CStr::to_str"]),
     ("eightfold_now", &["Instant::now"]),
-    ("eightfold_elapsed", &["Instant::elapsed"]),
-    ("eightfold_since", &["Instant::duration_since"]),
 ];
 
 /// The functions of libc that the intro calls, but for `dlsym`. It looks them up itself, see `src/window/program.s`.
-const C_FUNCTIONS: [&str; 20] = [
+const C_FUNCTIONS: [&str; 19] = [
     "__errno_location",
     "__libc_start_main",
     "abort",
@@ -120,7 +117,6 @@ const C_FUNCTIONS: [&str; 20] = [
     "memset",
     "pthread_create",
     "pthread_sigmask",
-    "realloc",
     "setlocale",
     "sigaction",
     "strlen",

@@ -4,8 +4,9 @@ mod stage;
 
 use eightfold::{Band, Level, Memory, Quality, Worker, render, show};
 use eightfold_window::fixed::Fixed;
-use stage::{Server, run, wait_for};
+use stage::{Process, Server, run, wait_for};
 use std::{
+    process::Command,
     sync::{LazyLock, Mutex},
     thread::sleep,
     time::{Duration, Instant},
@@ -171,6 +172,19 @@ fn the_end_of_the_server_is_an_error_and_no_crash() {
         assert_eq!(code, Some(1), "{manager}: {output}{errors}");
         assert_eq!(errors, "eightfold: the display is gone\n");
     }
+}
+
+#[test]
+fn a_display_without_pixels_of_32_bits_is_as_good_as_none() {
+    let server = Server::start_with(320, 240, &["-screen", "0", "320x240x16"]);
+    let intro = Process::start(
+        Command::new(stage::intro())
+            .args(["--seconds", "0.3"])
+            .env("DISPLAY", &server.display),
+    );
+    let (_, code, output, errors) = intro.end();
+    assert_eq!(code, Some(0), "{output}{errors}");
+    assert_eq!(errors, "eightfold: no X display; playing unseen\n");
 }
 
 #[test]

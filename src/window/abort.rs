@@ -8,9 +8,9 @@
 //! What a dependency formats or prints nobody gets to see: the intro has messages of its own.
 
 use std::{
-    ffi::{CStr, CString, FromBytesWithNulError, NulError},
+    ffi::{CString, NulError},
     fmt::Arguments,
-    time::{Duration, Instant},
+    time::Instant,
 };
 
 use crate::{line, terminal};
@@ -42,23 +42,13 @@ pub fn eightfold_format(_: Arguments<'_>) -> String {
 /// Instead of `CString::new`: without a search for NULs that are not there.
 #[unsafe(no_mangle)]
 pub fn eightfold_c_string(text: &str) -> Result<CString, NulError> {
-    // SAFETY: zero is a byte.
-    let mut bytes = unsafe { Box::<[u8]>::new_zeroed_slice(text.len() + 1).assume_init() };
-    bytes[..text.len()].copy_from_slice(text.as_bytes());
-    // SAFETY: what asks for a `CString` in the intro is a title, which has no NUL.
-    Ok(unsafe { Box::from_raw(Box::into_raw(bytes) as *mut CStr) }.into_c_string())
-}
-
-/// Instead of `CStr::from_bytes_with_nul`: no text. `minifb` makes characters of keys this way.
-#[unsafe(no_mangle)]
-pub fn eightfold_no_text(_: &[u8]) -> Result<&CStr, FromBytesWithNulError> {
-    Err(FromBytesWithNulError::NotNulTerminated)
-}
-
-/// Instead of `CStr::to_str`, which that leads to.
-#[unsafe(no_mangle)]
-pub fn eightfold_to_str(_: &CStr) -> Result<&str, std::str::Utf8Error> {
-    Ok("")
+    // SAFETY: the memory is as large as the text with its NUL, and from where a `CString` gives it back to. What asks
+    // for one in the intro is a title, which has no NUL.
+    unsafe {
+        let memory: *mut u8 = libc::calloc(1, text.len() + 1).cast();
+        memory.copy_from_nonoverlapping(text.as_ptr(), text.len());
+        Ok(CString::from_raw(memory.cast()))
+    }
 }
 
 /// Instead of `Instant::now`: the time zero. `minifb` measures how long keys are held and frames take;
@@ -67,16 +57,4 @@ pub fn eightfold_to_str(_: &CStr) -> Result<&str, std::str::Utf8Error> {
 pub fn eightfold_now() -> Instant {
     // SAFETY: it is made of seconds and nanoseconds, of which zero is a value.
     unsafe { core::mem::zeroed() }
-}
-
-/// Instead of `Instant::elapsed`: no time.
-#[unsafe(no_mangle)]
-pub fn eightfold_elapsed(_: &Instant) -> Duration {
-    Duration::ZERO
-}
-
-/// Instead of `Instant::duration_since`: no time.
-#[unsafe(no_mangle)]
-pub fn eightfold_since(_: &Instant, _: Instant) -> Duration {
-    Duration::ZERO
 }

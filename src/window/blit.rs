@@ -14,7 +14,7 @@ use core::{
 };
 
 use x11_dl::{
-    xlib::{self, Xlib},
+    xlib::{self, Functions},
     xshm::{XShmSegmentInfo, Xext},
 };
 
@@ -28,7 +28,7 @@ pub(crate) static REFUSED: AtomicBool = AtomicBool::new(false);
 
 /// Two frames, and the way from there to a window.
 pub(crate) struct Blit {
-    x: Xlib,
+    x: Functions,
     display: *mut xlib::Display,
     window: xlib::Window,
     context: xlib::GC,
@@ -41,8 +41,8 @@ pub(crate) struct Blit {
 }
 
 impl Blit {
-    /// For a window on a display.
-    pub fn new(x: Xlib, display: *mut xlib::Display, window: xlib::Window) -> Blit {
+    /// For a window on a display, if a pixel of it has 32 bits.
+    pub fn new(x: Functions, display: *mut xlib::Display, window: xlib::Window) -> Option<Blit> {
         // SAFETY: the display is open. Xlib's picture without pixels belongs to nobody else.
         unsafe {
             let screen = (x.XDefaultScreen)(display);
@@ -58,21 +58,24 @@ impl Blit {
                 32,
                 0,
             );
+            if (*image).bits_per_pixel != 32 {
+                return None;
+            }
             let context = (x.XDefaultGC)(display, screen);
             let memory = share(x, display, image);
             let shared = memory.is_some();
             let memory = memory.unwrap_or_else(|| Box::leak(pixels(2 * MOST_PIXELS)));
             let (first, second) = memory.split_at_mut(MOST_PIXELS);
-            Blit {
+            Some(Blit {
                 x,
                 display,
                 window,
                 context,
                 image,
-                shared: if shared { Xext::open().ok() } else { None },
+                shared: if shared { Xext::load() } else { None },
                 frames: [first, second],
                 size: (0, 0),
-            }
+            })
         }
     }
 
@@ -163,11 +166,11 @@ impl Blit {
 /// # Safety
 /// The display has to be open, and the image to be an image.
 unsafe fn share(
-    x: Xlib,
+    x: Functions,
     display: *mut xlib::Display,
     image: *mut xlib::XImage,
 ) -> Option<&'static mut [u32]> {
-    let shared = Xext::open().ok()?;
+    let shared = Xext::load()?;
     let size = 2 * MOST_PIXELS * size_of::<u32>();
     // SAFETY: the segment is as large as it says, zero to begin with, and stays as long as the process.
     // The server reads it, and writes never.

@@ -9,11 +9,11 @@ use core::{
     ptr::null_mut,
 };
 
-use x11_dl::xlib::{self, Xlib};
+use x11_dl::xlib::{self, Functions};
 
 /// A window's way to the whole screen and back.
 pub(crate) struct Fullscreen {
-    x: Xlib,
+    x: Functions,
     display: *mut xlib::Display,
     window: xlib::Window,
     root: xlib::Window,
@@ -34,7 +34,7 @@ struct Place {
 
 impl Fullscreen {
     /// For a window on a display.
-    pub fn new(x: Xlib, display: *mut xlib::Display, window: xlib::Window) -> Fullscreen {
+    pub fn new(x: Functions, display: *mut xlib::Display, window: xlib::Window) -> Fullscreen {
         // SAFETY: display and window are open, zero is a colour, and what is pointed to outlives the
         // calls.
         unsafe {
@@ -49,6 +49,24 @@ impl Fullscreen {
                 no_pointer: (x.XCreatePixmapCursor)(display, dot, dot, colour, colour, 0, 0),
                 before: None,
             }
+        }
+    }
+
+    /// Shows the window for the first time, with a size, in the middle of the screen if no window manager knows better.
+    pub fn show(&self, width: usize, height: usize) {
+        let (screen, _) = self.attributes(self.root);
+        let (width, height) = (width as c_uint, height as c_uint);
+        let before = |all: c_uint, part: c_uint| (all.saturating_sub(part) / 2) as c_int;
+        self.move_to(Place {
+            x: before(screen.width, width),
+            y: before(screen.height, height),
+            width,
+            height,
+        });
+        // SAFETY: the window exists.
+        unsafe {
+            (self.x.XMapRaised)(self.display, self.window);
+            (self.x.XFlush)(self.display);
         }
     }
 

@@ -1,22 +1,10 @@
-//! Keys, as edges: a tap counts even if press and release arrive together.
+//! Keys beyond the intro's, for the lab.
 
-use core::cell::Cell;
-#[cfg(feature = "keys")]
-use std::cell::RefCell;
+use core::ffi::c_uint;
 
-use minifb::{InputCallback, Key};
-
-/// What the viewer wants, by the keys pressed since it was last asked.
-#[derive(Clone, Copy, Default)]
-pub(crate) struct Wishes {
-    /// Esc: end the show.
-    pub end: bool,
-    /// The whole screen (F) or a window (W), whichever was pressed last.
-    pub fullscreen: Option<bool>,
-}
+use x11_dl::keysym;
 
 /// A key that the lab listens to.
-#[cfg(feature = "keys")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Press {
     /// Space, or one of 1 to 9 and the lower-case letters e, h, p and s.
@@ -31,86 +19,17 @@ pub enum Press {
     Help,
 }
 
-#[cfg(feature = "keys")]
 impl Press {
-    fn of(key: Key) -> Option<Press> {
-        const DIGITS: [Key; 9] = [
-            Key::Key1,
-            Key::Key2,
-            Key::Key3,
-            Key::Key4,
-            Key::Key5,
-            Key::Key6,
-            Key::Key7,
-            Key::Key8,
-            Key::Key9,
-        ];
+    /// The key with this `keysym` when no other is held.
+    pub(crate) fn of(key: c_uint) -> Option<Press> {
         Some(match key {
-            Key::Left => Press::Left,
-            Key::Right => Press::Right,
-            Key::Home => Press::Home,
-            Key::Slash | Key::F1 => Press::Help,
-            Key::Space => Press::Character(' '),
-            Key::E => Press::Character('e'),
-            Key::H => Press::Character('h'),
-            Key::P => Press::Character('p'),
-            Key::S => Press::Character('s'),
-            key => {
-                let (_, digit) = DIGITS.into_iter().zip('1'..).find(|&(k, _)| k == key)?;
-                Press::Character(digit)
-            }
+            keysym::XK_Left => Press::Left,
+            keysym::XK_Right => Press::Right,
+            keysym::XK_Home => Press::Home,
+            keysym::XK_slash | keysym::XK_F1 => Press::Help,
+            _ => Press::Character(
+                char::from_u32(key).filter(|character| " 123456789ehps".contains(*character))?,
+            ),
         })
-    }
-}
-
-/// Collects wishes between two frames. The window's own `is_key_pressed` knows only what is still
-/// down once all events are taken.
-#[derive(Clone, Copy)]
-pub(crate) struct Keyboard {
-    wishes: &'static Cell<Wishes>,
-    /// What was pressed beside.
-    #[cfg(feature = "keys")]
-    presses: &'static RefCell<Vec<Press>>,
-}
-
-impl Keyboard {
-    /// For a window that stays as long as the process.
-    pub fn new() -> Keyboard {
-        Keyboard {
-            wishes: Box::leak(Box::default()),
-            #[cfg(feature = "keys")]
-            presses: Box::leak(Box::default()),
-        }
-    }
-
-    /// The wishes since the last call.
-    pub fn take(&self) -> Wishes {
-        self.wishes.take()
-    }
-
-    /// What else was pressed since the last call, in order.
-    #[cfg(feature = "keys")]
-    pub fn take_presses(&self) -> Vec<Press> {
-        self.presses.take()
-    }
-}
-
-impl InputCallback for Keyboard {
-    fn add_char(&mut self, _: u32) {}
-
-    fn set_key_state(&mut self, key: Key, down: bool) {
-        let mut wishes = self.wishes.get();
-        match key {
-            _ if !down => {}
-            Key::Escape => wishes.end = true,
-            Key::F => wishes.fullscreen = Some(true),
-            Key::W => wishes.fullscreen = Some(false),
-            _ => {}
-        }
-        self.wishes.set(wishes);
-        #[cfg(feature = "keys")]
-        if down {
-            self.presses.borrow_mut().extend(Press::of(key));
-        }
     }
 }

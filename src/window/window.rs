@@ -1,33 +1,45 @@
 //! A window on an X display.
 
 use core::{
-    ffi::c_int,
-    mem::{ManuallyDrop, forget},
+    ffi::{c_int, c_uint},
+    mem::{forget, zeroed},
     sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
 
 use minifb::{Scale, WindowOptions};
-use raw_window_handle::{HasDisplayHandle, HasWindowHandle, RawDisplayHandle, RawWindowHandle};
-use x11_dl::xlib::{self, Xlib};
+use x11_dl::{
+    keysym,
+    xlib::{self, Functions},
+};
 
 #[cfg(feature = "keys")]
 pub use crate::keyboard::Press;
 use crate::{
     blit::{self, Blit},
     fullscreen::Fullscreen,
-    keyboard::Keyboard,
     line,
     screen::{Next, Screen},
     system::call,
 };
 
 /// A window that shows frames, with keys: F for the whole screen, W for the window, Esc to end.
+///
+/// `minifb` opens it. What happens in it is taken from Xlib: a key that is pressed and released between two frames
+/// counts, and the intro is without the 2 KB that know all keys and the mouse. It stays until the process ends, when
+/// the display closes it, at once and for sure.
 pub struct Window {
-    /// Never dropped: the display closes the window when the process ends, at once and for sure.
-    window: ManuallyDrop<minifb::Window>,
-    keyboard: Keyboard,
+    x: Functions,
+    display: *mut xlib::Display,
+    #[cfg(feature = "keys")]
+    window: xlib::Window,
+    /// What a window manager sends instead of closing it.
+    delete: xlib::Atom,
+    size: (usize, usize),
     fullscreen: Fullscreen,
     blit: Blit,
+    /// Other keys that were pressed.
+    #[cfg(feature = "keys")]
+    presses: Vec<Press>,
 }
 
 /// Why there is no window.
@@ -48,34 +60,44 @@ impl Window {
     /// # Errors
     /// If there is no display to open it on.
     pub fn open(title: &str, width: usize, height: usize) -> Result<Window, NoWindow> {
-        let x = Xlib::open().map_err(|_| NoWindow::NoLibrary)?;
+        let x = Functions::load().ok_or(NoWindow::NoLibrary)?;
         // SAFETY: the functions have the signatures that Xlib calls them by, and stay.
         unsafe {
             (x.XSetErrorHandler)(refused);
             (x.XSetIOErrorHandler)(lost);
         }
+        let display = x.open_display().ok_or(NoWindow::NoDisplay)?;
         let options = WindowOptions {
             resize: true,
             scale: Scale::X1,
             ..WindowOptions::default()
         };
-        let mut window = match minifb::Window::new(title, width, height, options) {
-            Ok(window) => ManuallyDrop::new(window),
-            Err(why) => {
-                forget(why);
-                return Err(NoWindow::NoDisplay);
-            }
+        // Nothing goes through its buffer, which is as large as this.
+        let opened = minifb::Window::new(title, 0, 0, options);
+        let window = opened
+            .as_ref()
+            .map_or(0, |opened| opened.get_window_handle() as xlib::Window);
+        forget(opened);
+        let Some(blit) = Blit::new(x, display, window).filter(|_| window != 0) else {
+            // SAFETY: nobody uses the display any more. The window goes with it.
+            unsafe { (x.XCloseDisplay)(display) };
+            return Err(NoWindow::NoDisplay);
         };
-        let (display, handle) = handles(&window).ok_or(NoWindow::NoDisplay)?;
-        // The caller keeps the time.
-        window.set_target_fps(0);
-        let keyboard = Keyboard::new();
-        window.set_input_callback(Box::new(keyboard));
+        let fullscreen = Fullscreen::new(x, display, window);
+        fullscreen.show(width, height);
+        // SAFETY: the display is open, and the name outlives the call.
+        let delete = unsafe { (x.XInternAtom)(display, c"WM_DELETE_WINDOW".as_ptr(), xlib::False) };
         Ok(Window {
-            keyboard,
-            fullscreen: Fullscreen::new(x, display, handle),
-            blit: Blit::new(x, display, handle),
+            x,
+            display,
+            #[cfg(feature = "keys")]
             window,
+            delete,
+            size: (width, height),
+            fullscreen,
+            blit,
+            #[cfg(feature = "keys")]
+            presses: Vec::new(),
         })
     }
 
@@ -94,18 +116,42 @@ impl Window {
 impl Window {
     /// The keys pressed since the last call, in order; one that is held comes again and again.
     pub fn presses(&mut self) -> Vec<Press> {
-        self.keyboard.take_presses()
+        core::mem::take(&mut self.presses)
     }
 
     /// Names the window anew. The title must not hold a NUL.
     pub fn set_title(&mut self, title: &str) {
-        self.window.set_title(title);
+        use core::ffi::CStr;
+        let Window {
+            x, display, window, ..
+        } = *self;
+        let named = std::ffi::CString::new(title);
+        let atom = |name: &CStr| {
+            // SAFETY: the display is open, and the name outlives the call.
+            unsafe { (x.XInternAtom)(display, name.as_ptr(), xlib::False) }
+        };
+        if let Ok(named) = named {
+            // SAFETY: the window exists, and what is pointed to outlives the calls and is as long as it says.
+            unsafe {
+                (x.XStoreName)(display, window, named.as_ptr());
+                (x.XChangeProperty)(
+                    display,
+                    window,
+                    atom(c"_NET_WM_NAME"),
+                    atom(c"UTF8_STRING"),
+                    8,
+                    xlib::PropModeReplace,
+                    title.as_ptr(),
+                    title.len() as c_int,
+                );
+            }
+        }
     }
 }
 
 impl Screen for Window {
     fn size(&self) -> (usize, usize) {
-        self.window.get_size()
+        self.size
     }
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
@@ -113,28 +159,49 @@ impl Screen for Window {
     }
 
     fn show(&mut self) -> Next {
-        self.blit.show(self.window.get_size());
-        self.window.update();
+        self.blit.show(self.size);
+        let mut fullscreen = None;
+        // SAFETY: zero is a value of every field of an event, and which of its parts is there is told by its type.
+        unsafe {
+            let mut event: xlib::XEvent = zeroed();
+            while (self.x.XPending)(self.display) > 0 {
+                (self.x.XNextEvent)(self.display, &mut event);
+                match event.type_ {
+                    xlib::KeyPress => match (self.x.XLookupKeysym)(&mut event.key, 0) as c_uint {
+                        keysym::XK_Escape => return Next::End(0),
+                        keysym::XK_f => fullscreen = Some(true),
+                        keysym::XK_w => fullscreen = Some(false),
+                        #[cfg(feature = "keys")]
+                        key => {
+                            if let Some(press) = Press::of(key) {
+                                self.presses.push(press);
+                            }
+                        }
+                        #[cfg(not(feature = "keys"))]
+                        _ => {}
+                    },
+                    xlib::ConfigureNotify => {
+                        let (width, height) = (event.configure.width, event.configure.height);
+                        self.size = (width as usize, height as usize);
+                    }
+                    xlib::ClientMessage
+                        if event.client_message.data.get_long(0) as xlib::Atom == self.delete =>
+                    {
+                        return Next::End(0);
+                    }
+                    _ => {}
+                }
+            }
+        }
         self.fullscreen.keep();
-        let wishes = self.keyboard.take();
-        if wishes.end || !self.window.is_open() || CLOSED.load(Relaxed) {
+        if CLOSED.load(Relaxed) {
             return Next::End(0);
         }
-        if let Some(on) = wishes.fullscreen {
+        if let Some(on) = fullscreen {
             self.set_fullscreen(on);
         }
         Next::GoOn
     }
-}
-
-/// Xlib's names for a window and its display.
-fn handles(window: &minifb::Window) -> Option<(*mut xlib::Display, xlib::Window)> {
-    let display = window.display_handle().ok()?.as_raw();
-    let window = window.window_handle().ok()?.as_raw();
-    let (RawDisplayHandle::Xlib(display), RawWindowHandle::Xlib(window)) = (display, window) else {
-        return None;
-    };
-    Some((display.display?.as_ptr().cast(), window.window))
 }
 
 /// Takes note of requests that the server refuses. Xlib's own function would end the process.

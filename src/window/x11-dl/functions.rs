@@ -5,13 +5,14 @@ use core::{
     ffi::{CStr, c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_void},
     mem::MaybeUninit,
     ops::Deref,
+    ptr::{null, null_mut},
     sync::atomic::{
-        AtomicBool,
-        Ordering::{Acquire, Release},
+        AtomicBool, AtomicPtr,
+        Ordering::{Acquire, Relaxed, Release},
     },
 };
 
-use crate::{OpenError, types::*};
+use crate::types::*;
 
 /// A structure of functions that are looked up in a library, in the order of a block of names.
 macro_rules! loaded {
@@ -27,54 +28,13 @@ macro_rules! loaded {
     };
 }
 
-/// `Xlib`: functions that `minifb` calls but the intro needs nothing from. Each answers in place, and
-/// the calls vanish when they are compiled.
-macro_rules! left_out {
-    ($( fn $name:ident($($argument:ty),* $(,)?) -> $result:ty = $answer:expr; )*) => {
-        /// libX11, opened: [`Loaded`], and beside it what is left out.
-        ///
-        /// Left out are input methods (the intro takes keys, not text), Xlib's thread locks (one
-        /// thread talks to the server), the mouse, and visuals with transparency.
-        #[derive(Clone, Copy)]
-        pub struct Xlib {
-            $( pub $name: answer::$name, )*
-        }
-
-        const XLIB: Xlib = Xlib { $( $name: answer::$name, )* };
-
-        mod answer {
-            use super::*;
-            $(
-                #[derive(Clone, Copy)]
-                pub struct $name;
-
-                impl Deref for $name {
-                    type Target = unsafe extern "C" fn($($argument),*) -> $result;
-
-                    #[inline(always)]
-                    fn deref(&self) -> &Self::Target {
-                        #[inline]
-                        unsafe extern "C" fn answer($(_: $argument),*) -> $result {
-                            $answer
-                        }
-                        &(answer as Self::Target)
-                    }
-                }
-            )*
-        }
-    };
-}
-
 loaded! {
     /// The functions that are looked up in libX11.
     Loaded, XLIB_NAMES:
-    fn XBlackPixel(*mut Display, c_int) -> c_ulong;
     fn XChangeProperty(*mut Display, Window, Atom, Atom, c_int, c_int, *const c_uchar, c_int) -> c_int;
     fn XChangeWindowAttributes(*mut Display, Window, c_ulong, *mut XSetWindowAttributes) -> c_int;
-    fn XClearWindow(*mut Display, Window) -> c_int;
     fn XCloseDisplay(*mut Display) -> c_int;
     fn XCreateBitmapFromData(*mut Display, Drawable, *const c_char, c_uint, c_uint) -> Pixmap;
-    fn XCreateGC(*mut Display, Drawable, c_ulong, *mut XGCValues) -> GC;
     fn XCreateImage(*mut Display, *mut Visual, c_uint, c_int, c_int, *mut c_char, c_uint, c_uint, c_int, c_int) -> *mut XImage;
     fn XCreatePixmapCursor(*mut Display, Pixmap, Pixmap, *mut XColor, *mut XColor, c_uint, c_uint) -> Cursor;
     fn XCreateWindow(*mut Display, Window, c_int, c_int, c_uint, c_uint, c_uint, c_int, c_uint, *mut Visual, c_ulong, *mut XSetWindowAttributes) -> Window;
@@ -84,21 +44,14 @@ loaded! {
     fn XDefaultScreen(*mut Display) -> c_int;
     fn XDefaultVisual(*mut Display, c_int) -> *mut Visual;
     fn XDefineCursor(*mut Display, Window, Cursor) -> c_int;
-    fn XDestroyImage(*mut XImage) -> c_int;
-    fn XDestroyWindow(*mut Display, Window) -> c_int;
-    fn XDisplayHeight(*mut Display, c_int) -> c_int;
-    fn XDisplayWidth(*mut Display, c_int) -> c_int;
     fn XFlush(*mut Display) -> c_int;
     fn XFree(*mut c_void) -> c_int;
-    fn XFreeGC(*mut Display, GC) -> c_int;
     fn XGetWindowAttributes(*mut Display, Window, *mut XWindowAttributes) -> Status;
     fn XGetWindowProperty(*mut Display, Window, Atom, c_long, c_long, Bool, Atom, *mut Atom, *mut c_int, *mut c_ulong, *mut c_ulong, *mut *mut c_uchar) -> c_int;
     fn XInternAtom(*mut Display, *const c_char, Bool) -> Atom;
-    fn XListPixmapFormats(*mut Display, *mut c_int) -> *mut XPixmapFormatValues;
     fn XLookupKeysym(*mut XKeyEvent, c_int) -> KeySym;
     fn XMapRaised(*mut Display, Window) -> c_int;
     fn XMoveResizeWindow(*mut Display, Window, c_int, c_int, c_uint, c_uint) -> c_int;
-    fn XMoveWindow(*mut Display, Window, c_int, c_int) -> c_int;
     fn XNextEvent(*mut Display, *mut XEvent) -> c_int;
     fn XOpenDisplay(*const c_char) -> *mut Display;
     fn XPending(*mut Display) -> c_int;
@@ -114,26 +67,6 @@ loaded! {
     fn XSync(*mut Display, Bool) -> c_int;
     fn XTranslateCoordinates(*mut Display, Window, Window, c_int, c_int, *mut c_int, *mut c_int, *mut Window) -> Bool;
     fn XUnmapWindow(*mut Display, Window) -> c_int;
-    fn XkbKeycodeToKeysym(*mut Display, KeyCode, c_int, c_int) -> KeySym;
-    fn XkbQueryExtension(*mut Display, *mut c_int, *mut c_int, *mut c_int, *mut c_int, *mut c_int) -> Bool;
-    fn XkbSetDetectableAutoRepeat(*mut Display, Bool, *mut Bool) -> Bool;
-}
-
-left_out! {
-    fn XInitThreads() -> Status = 1;
-    fn XSetLocaleModifiers(*const c_char) -> *mut c_char = core::ptr::null_mut();
-    fn XOpenIM(*mut Display, XrmDatabase, *mut c_char, *mut c_char) -> XIM = core::ptr::dangling_mut();
-    fn XCloseIM(XIM) -> Status = 1;
-    // Variadic in Xlib; these are the arguments that `minifb` gives it.
-    fn XCreateIC(XIM, *const c_char, c_int, *const c_char, c_ulong, *const c_char, c_ulong, *mut c_void) -> XIC = core::ptr::dangling_mut();
-    fn XDestroyIC(XIC) -> () = ();
-    fn XSetICFocus(XIC) -> () = ();
-    fn XFilterEvent(*mut XEvent, Window) -> Bool = False;
-    fn Xutf8LookupString(XIC, *mut XKeyEvent, *mut c_char, c_int, *mut KeySym, *mut Status) -> c_int = 0;
-    fn XQueryPointer(*mut Display, Window, *mut Window, *mut Window, *mut c_int, *mut c_int, *mut c_int, *mut c_int, *mut c_uint) -> Bool = False;
-    fn XMatchVisualInfo(*mut Display, c_int, c_int, c_int, *mut XVisualInfo) -> Status = 0;
-    fn XCreateColormap(*mut Display, Window, *mut Visual, c_int) -> Colormap = 0;
-    fn XrmUniqueQuark() -> c_int = 0;
 }
 
 loaded! {
@@ -156,32 +89,54 @@ unsafe impl<T> Sync for Table<T> {}
 static XLIB_TABLE: Table<Loaded> = Table::new();
 static XEXT_TABLE: Table<Xext> = Table::new();
 
-impl Xlib {
-    /// Opens libX11 the first time it is called, from any one thread at a time.
-    pub fn open() -> Result<Xlib, OpenError> {
-        XLIB_TABLE
-            .open(c"libX11.so.6", XLIB_NAMES)
-            .ok_or(OpenError)?;
-        Ok(XLIB)
+/// The display that [`Functions::open_display`] has opened.
+pub(crate) static DISPLAY: AtomicPtr<Display> = AtomicPtr::new(null_mut());
+
+/// The functions of libX11.
+///
+/// # Safety
+/// They have to be loaded.
+#[inline(always)]
+pub(crate) unsafe fn loaded() -> &'static Loaded {
+    // SAFETY: the caller vouches for it.
+    unsafe { (*XLIB_TABLE.functions.get()).assume_init_ref() }
+}
+
+/// libX11, opened: its functions. It has nothing in it, so that it costs nothing to hand it on.
+#[derive(Clone, Copy)]
+pub struct Functions(());
+
+impl Functions {
+    /// Opens libX11 the first time it is called, from any one thread at a time; `None` if it is not there, or lacks a
+    /// function.
+    pub fn load() -> Option<Functions> {
+        XLIB_TABLE.open(c"libX11.so.6", XLIB_NAMES)?;
+        Some(Functions(()))
+    }
+
+    /// Connects to the display that the environment names, for `minifb`'s next window. `None` if there is none.
+    pub fn open_display(self) -> Option<*mut Display> {
+        // SAFETY: the null pointer stands for the environment's display.
+        let display = unsafe { (self.XOpenDisplay)(null()) };
+        DISPLAY.store(display, Relaxed);
+        (!display.is_null()).then_some(display)
     }
 }
 
-impl Deref for Xlib {
+impl Deref for Functions {
     type Target = Loaded;
 
     #[inline(always)]
     fn deref(&self) -> &Loaded {
-        // SAFETY: there is an `Xlib` only after `open`, and so a whole table.
-        unsafe { (*XLIB_TABLE.functions.get()).assume_init_ref() }
+        // SAFETY: there are `Functions` only after `load`.
+        unsafe { loaded() }
     }
 }
 
 impl Xext {
     /// Opens libXext the first time it is called, from any one thread at a time.
-    pub fn open() -> Result<&'static Xext, OpenError> {
-        XEXT_TABLE
-            .open(c"libXext.so.6", XEXT_NAMES)
-            .ok_or(OpenError)
+    pub fn load() -> Option<&'static Xext> {
+        XEXT_TABLE.open(c"libXext.so.6", XEXT_NAMES)
     }
 }
 

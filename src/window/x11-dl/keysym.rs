@@ -1,25 +1,20 @@
-//! The keys that the programs listen to, as in `X11/keysymdef.h`.
+//! Keys, as in `X11/keysymdef.h`.
 //!
-//! `minifb` tells a hundred keys apart. Those that nobody listens to all have the value of no key here, so
-//! that its table of them comes to nothing: 1.5 KB. A key that is listened to anew needs its own.
+//! `minifb` tells a hundred of them apart in a function that nobody calls; those that nobody listens to have names, so
+//! that it compiles, and the value of no key.
 
 use core::ffi::c_uint;
 
-pub const XK_f: c_uint = 0x66;
-pub const XK_w: c_uint = 0x77;
-pub const XK_Escape: c_uint = 0xff1b;
-
-/// Gives names their values where the lab listens, and the value of no key in the intro.
-macro_rules! heard_by_the_lab {
-    ($($name:ident = $value:literal)*) => {
-        $( pub const $name: c_uint = if cfg!(feature = "keys") { $value } else { VOID }; )*
-    };
+/// Gives names to keys.
+macro_rules! keys {
+    ($($name:ident = $value:literal)*) => { $( pub const $name: c_uint = $value; )* };
 }
 
-heard_by_the_lab! {
+keys! {
     XK_space = 0x20 XK_slash = 0x2f XK_1 = 0x31 XK_2 = 0x32 XK_3 = 0x33 XK_4 = 0x34 XK_5 = 0x35
-    XK_6 = 0x36 XK_7 = 0x37 XK_8 = 0x38 XK_9 = 0x39 XK_e = 0x65 XK_h = 0x68 XK_p = 0x70 XK_s = 0x73
-    XK_Home = 0xff50 XK_Left = 0xff51 XK_Right = 0xff53 XK_F1 = 0xffbe
+    XK_6 = 0x36 XK_7 = 0x37 XK_8 = 0x38 XK_9 = 0x39 XK_e = 0x65 XK_f = 0x66 XK_h = 0x68 XK_p = 0x70
+    XK_s = 0x73 XK_w = 0x77 XK_Escape = 0xff1b XK_Home = 0xff50 XK_Left = 0xff51 XK_Right = 0xff53
+    XK_F1 = 0xffbe
 }
 
 /// Gives names the value of no key.

@@ -4,7 +4,8 @@
 //! path for each, which is 115 KB of an intro that may have 64. This one has the names and types that
 //! `minifb` 0.29 and `eightfold-window` use, with the values of Xlib's own headers:
 //!
-//! - [`xlib`]: what a window needs, and the functions, looked up by one loop over a block of names.
+//! - [`xlib`]: what a window needs, and the functions: those in use, looked up by one loop over a block of names, and
+//!   those that answer in place.
 //! - [`xcursor`]: answers without a library; the intro's pointer is the desktop's own, or none.
 //! - [`keysym`]: the keys that `minifb` tells apart.
 //!
@@ -23,6 +24,7 @@
     reason = "Xlib's own names, documented there"
 )]
 
+mod answers;
 mod functions;
 pub mod keysym;
 mod types;
@@ -30,7 +32,8 @@ pub mod xcursor;
 
 /// Types, constants and functions of libX11.
 pub mod xlib {
-    pub use crate::functions::{Loaded, Xlib};
+    pub use crate::answers::Xlib;
+    pub use crate::functions::{Functions, Loaded};
     pub use crate::types::*;
 }
 
@@ -40,6 +43,6 @@ pub mod xshm {
     pub use crate::types::XShmSegmentInfo;
 }
 
-/// Why no function can be called: libX11 is not there, or lacks one of them.
+/// Why no function can be called: never, where it is asked. What `minifb` would say of it is left out with it.
 #[derive(Debug)]
-pub struct OpenError;
+pub enum OpenError {}
