@@ -46,6 +46,12 @@ pub(crate) fn first<S: Simd>(simd: S, count: usize) -> M<S> {
     M::<S>::from_bitmask(simd, (1 << count) - 1)
 }
 
+/// A number with those bits changed that are in `flip`.
+#[inline(always)]
+pub(crate) fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
+    (c.bitcast::<U<S>>() ^ flip).bitcast()
+}
+
 /// The lanes' numbers, from 0.
 #[inline(always)]
 pub(crate) fn numbers<S: Simd>(simd: S) -> U<S> {

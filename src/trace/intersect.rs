@@ -45,16 +45,19 @@ pub(crate) fn nearest<S: Isa>(
     while rest != 0 {
         let group = scene.groups.get(rest.trailing_zeros() as usize);
         rest &= rest - 1;
+        let mut meets = M::<S>::splat(simd, true);
         if !group.is_single() {
             let chord = Chord::new(simd, rays, group.centre, group.radius * group.radius);
-            if !chord.is_ahead(hit.t).any_true() {
+            meets = chord.is_ahead(hit.t);
+            if !meets.any_true() {
                 continue;
             }
         }
         for i in group.balls() {
             let ball = &scene.balls[i];
             let chord = Chord::new(simd, rays, ball.centre, ball.r2);
-            let m = chord.discriminant.simd_ge(splat(simd, 0.0));
+            // Where only a neighbour meets the group, the ray does not ask for its spheres either.
+            let m = meets & chord.discriminant.simd_ge(splat(simd, 0.0));
             if m.any_true() {
                 let (m, t) = chord.entry(m, ball, hit.t);
                 hit.keep_nearer(m, t, i);
@@ -102,22 +105,22 @@ impl<S: Isa> Chord<S> {
 
     /// The nearer end of the chord that lies ahead, if it does so nearer than `limit`.
     ///
-    /// A ray that starts on the sphere does so up to rounding within or without, and hits nothing of it on its way out
-    /// and the far side on its way in. So the sphere is as much larger for rays on their way in, and smaller for those
-    /// on their way out, as rounding can displace a point on it: the start counts as within or as without. See
-    /// [`Ball::slack`].
+    /// A ray that starts on the sphere does so but for rounding, a little within or without: it hits nothing of it on
+    /// its way out, and on its way in the far side. So what starts within the sphere's [`Ball::slack`] starts on it.
     #[inline(always)]
     fn entry(&self, mask: M<S>, ball: &Ball, limit: F<S>) -> (M<S>, F<S>) {
         let simd = self.b.token();
-        let slack = splat(simd, ball.slack);
-        let grown = splat(simd, ball.slack2);
-        let is_inward = self.b.simd_lt(-slack);
-        let half2 = self.discriminant + is_inward.select(grown, -grown);
-        let half = half2.max(splat(simd, 0.0)).sqrt();
-        let near = -self.b - half;
-        let far = half - self.b;
-        let t = near.simd_gt(slack).select(near, far);
-        (mask & t.simd_gt(slack) & t.simd_lt(limit), t)
+        let slack2 = splat(simd, ball.slack2);
+        // From the centre to the start, squared, less the radius squared.
+        let start = self.b.mul_add(self.b, -self.discriminant);
+        let is_inward = self.b.simd_lt(splat(simd, -ball.slack));
+        let is_ahead = is_inward | start.simd_lt(-slack2);
+        let half = self.discriminant.max(splat(simd, 0.0)).sqrt();
+        // The near end for those that start outside.
+        let sign =
+            U::<S>::splat(simd, 1 << 31) & start.simd_gt(slack2).to_vector().bitcast::<U<S>>();
+        let t = flipped::<S>(half, sign) - self.b;
+        (mask & is_ahead & t.simd_lt(limit), t)
     }
 }
 
@@ -170,9 +173,10 @@ pub(crate) fn blocked<S: Isa>(
 ) -> M<S> {
     let mut blocked = M::<S>::splat(simd, false);
     for (cluster, bound) in scene.groups.clusters().iter().zip(&lamp.cluster_casters) {
-        if caster_blocks(simd, bound, l, distance).any_true() {
+        let meets = caster_blocks(simd, bound, l, distance);
+        if meets.any_true() {
             for caster in &lamp.casters[cluster.balls()] {
-                blocked |= caster_blocks(simd, caster, l, distance);
+                blocked |= meets & caster_blocks(simd, caster, l, distance);
             }
         }
     }

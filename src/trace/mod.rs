@@ -12,6 +12,8 @@ mod sample;
 mod shade;
 mod stack;
 mod surface;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use batch::{BATCH, Batch};
 pub(crate) use sample::{STEP, Sample};

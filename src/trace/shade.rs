@@ -18,7 +18,7 @@ const BRIGHTEST: f32 = 2.0;
 
 /// What a node of a ray tree adds to its point.
 pub(super) struct Node<S: Isa> {
-    colour: Vec3x<S>,
+    pub colour: Vec3x<S>,
     key: U<S>,
 }
 
@@ -54,16 +54,16 @@ fn fixed<S: Isa>(simd: S, c: F<S>) -> I<S> {
 const NEWTON: f32 = 1.0 / (1 << 13) as f32;
 
 /// Where light is gathered.
-struct Place<S: Isa> {
-    p: Vec3x<S>,
+pub(super) struct Place<S: Isa> {
+    pub p: Vec3x<S>,
     /// The normal, of length 1; it faces the ray.
-    n: Vec3x<S>,
+    pub n: Vec3x<S>,
     /// The ray's direction against the normal, not above 0.
     dn: F<S>,
     /// The reflected direction.
     r: Vec3x<S>,
     /// Whether the ray comes from within.
-    inside: M<S>,
+    pub inside: M<S>,
     /// Lanes that hit something that lamps shine on.
     solid: M<S>,
 }
@@ -103,7 +103,13 @@ pub(super) fn shade<S: Isa>(
 
 impl<S: Isa> Place<S> {
     #[inline(always)]
-    fn new(simd: S, rays: &Rays<S>, t: F<S>, surface: &SurfaceLanes<'_, S>, solid: M<S>) -> Self {
+    pub fn new(
+        simd: S,
+        rays: &Rays<S>,
+        t: F<S>,
+        surface: &SurfaceLanes<'_, S>,
+        solid: M<S>,
+    ) -> Self {
         let zero = splat(simd, 0.0);
         let inverse_radius = surface.inverse_radius();
         let upright = surface.upright();
@@ -144,12 +150,6 @@ impl<S: Isa> Place<S> {
             solid,
         }
     }
-}
-
-/// A number with those bits changed that are in `flip`.
-#[inline(always)]
-fn flipped<S: Isa>(c: F<S>, flip: U<S>) -> F<S> {
-    (c.bitcast::<U<S>>() ^ flip).bitcast()
 }
 
 /// The light that a place sends back along the ray: ambient light, and each lamp's that is not blocked.

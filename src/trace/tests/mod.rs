@@ -1,0 +1,154 @@
+//! What the kernels are held to, ray by ray, on every instruction set of the machine.
+
+mod neighbours;
+mod precision;
+mod refraction;
+mod reintersection;
+mod shadows;
+
+extern crate std;
+
+use super::intersect::{Hit, nearest};
+use super::stack::Rays;
+use crate::lanes::*;
+use crate::prepare::Prepared;
+use crate::scene::{List, Material, Scene, Sphere};
+use fearless_simd::Level;
+use glam::{DVec3, Vec3};
+use std::boxed::Box;
+
+/// What holds whatever the instruction set.
+trait Property {
+    /// Asserts it. Has to be inlined, as kernels have.
+    fn hold<S: Isa>(&self, simd: S, isa: &str);
+}
+
+fn on_every_instruction_set(property: &impl Property) {
+    let level = Level::new();
+    #[cfg(target_arch = "x86_64")]
+    {
+        #[cfg(feature = "avx512")]
+        if let Some(simd) = level.as_avx512() {
+            simd.vectorize(
+                #[inline(always)]
+                || property.hold(simd, "avx512"),
+            );
+        }
+        if let Some(simd) = level.as_avx2() {
+            simd.vectorize(
+                #[inline(always)]
+                || property.hold(simd, "avx2"),
+            );
+        }
+        if let Some(simd) = level.as_sse2() {
+            simd.vectorize(
+                #[inline(always)]
+                || property.hold(simd, "sse2"),
+            );
+        }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    fearless_simd::dispatch!(level, simd => property.hold(simd, "portable"));
+}
+
+/// Numbers that look random (Steele, Lea and Flood's SplitMix).
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut h = self.0;
+        h = (h ^ (h >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        h = (h ^ (h >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        h ^ (h >> 31)
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// A number of either sign whose logarithm to base 10 is spread evenly.
+    fn of_magnitude(&mut self, low: f64, high: f64) -> f64 {
+        let number = 10_f64.powf(self.between(low, high));
+        if self.bits() & 1 == 0 {
+            number
+        } else {
+            -number
+        }
+    }
+
+    /// A vector of such numbers.
+    fn vector(&mut self, low: f64, high: f64) -> DVec3 {
+        let mut number = || self.of_magnitude(low, high);
+        DVec3::new(number(), number(), number())
+    }
+
+    /// A direction, all alike.
+    fn direction(&mut self) -> DVec3 {
+        loop {
+            let mut number = || self.between(-1.0, 1.0);
+            let v = DVec3::new(number(), number(), number());
+            let length2 = v.length_squared();
+            if (1e-3..1.0).contains(&length2) {
+                return v / length2.sqrt();
+            }
+        }
+    }
+}
+
+/// A direction in f32, of length 1 but for rounding.
+fn unit(d: DVec3) -> Vec3 {
+    d.normalize().as_vec3()
+}
+
+/// A scene of one sphere, prepared.
+fn one_sphere(centre: Vec3, radius: f32, material: Material) -> Scene {
+    Scene {
+        spheres: List::of(&[Sphere {
+            centre,
+            radius,
+            material,
+        }]),
+        ..Scene::default()
+    }
+}
+
+fn prepared(scene: &Scene) -> Box<Prepared> {
+    let mut prepared = Box::new(Prepared::new());
+    prepared.set(scene, 8, 8);
+    prepared
+}
+
+/// A packet of rays from one place, as primary rays are; those beyond the slice are like its last one.
+#[inline(always)]
+fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
+    let mut columns = [[0.0; MAX_LANES]; 3];
+    for i in 0..MAX_LANES {
+        let d = d[i.min(d.len() - 1)];
+        for (column, c) in columns.iter_mut().zip(d.to_array()) {
+            column[i] = c;
+        }
+    }
+    let [x, y, z] = &columns;
+    Rays {
+        o: Vec3x::splat(simd, o),
+        d: Vec3x {
+            x: F::<S>::from_slice(simd, &x[..lanes::<S>()]),
+            y: F::<S>::from_slice(simd, &y[..lanes::<S>()]),
+            z: F::<S>::from_slice(simd, &z[..lanes::<S>()]),
+        },
+        weight: splat(simd, 1.0),
+        place: Rays::places(simd, 0),
+    }
+}
+
+#[inline(always)]
+fn hits<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Hit<S> {
+    nearest(simd, scene, rays, scene.groups.all())
+}
+
+/// A lane's vector.
+#[inline(always)]
+fn lane<S: Isa>(v: Vec3x<S>, i: usize) -> Vec3 {
+    Vec3::new(v.x.as_slice()[i], v.y.as_slice()[i], v.z.as_slice()[i])
+}

@@ -1,0 +1,164 @@
+//! What a ray meets and brings back does not depend on its lane, nor on the rays in the others.
+
+use super::*;
+use crate::quality::Quality;
+use crate::show;
+use crate::trace::Batch;
+use crate::trace::shade::shade;
+
+/// Packets.
+const PACKETS: usize = 20_000;
+
+/// All that comes of a ray, as bits: distance, object, what its point gets, and the rays that go on, by path.
+type Outcome = [u32; 2 + 4 + 2 * 7];
+
+/// A ray as it is put in a lane.
+type Ray = (Vec3, Vec3, f32);
+
+/// What comes of each ray of a packet.
+#[inline(always)]
+fn outcomes<S: Isa>(
+    simd: S,
+    scene: &Prepared,
+    packet: &[Ray],
+    batch: &mut Batch,
+) -> [Outcome; MAX_LANES] {
+    let mut columns = [[0.0; MAX_LANES]; 7];
+    for (i, (o, d, weight)) in packet.iter().enumerate() {
+        let numbers = [o.x, o.y, o.z, d.x, d.y, d.z, *weight];
+        for (column, number) in columns.iter_mut().zip(numbers) {
+            column[i] = number;
+        }
+    }
+    let [ox, oy, oz, dx, dy, dz, weight] = &columns;
+    let n = lanes::<S>();
+    let rays = Rays {
+        o: Vec3x {
+            x: F::<S>::from_slice(simd, &ox[..n]),
+            y: F::<S>::from_slice(simd, &oy[..n]),
+            z: F::<S>::from_slice(simd, &oz[..n]),
+        },
+        d: Vec3x {
+            x: F::<S>::from_slice(simd, &dx[..n]),
+            y: F::<S>::from_slice(simd, &dy[..n]),
+            z: F::<S>::from_slice(simd, &dz[..n]),
+        },
+        weight: F::<S>::from_slice(simd, &weight[..n]),
+        place: Rays::places(simd, 0),
+    };
+    let hit = hits(simd, scene, &rays);
+    let quality = &Quality::THESIS;
+    let node = shade(simd, scene, quality, &rays, &hit, first(simd, n), batch);
+    let mut sums = [[0; 4]; MAX_LANES];
+    node.store(simd, &mut sums.as_flattened_mut()[..4 * n]);
+    let mut all = [[0; 20]; MAX_LANES];
+    for i in 0..n {
+        all[i][0] = hit.t.as_slice()[i].to_bits();
+        all[i][1] = hit.object.as_slice()[i];
+        for (to, from) in all[i][2..6].iter_mut().zip(sums[i]) {
+            *to = from as u32;
+        }
+    }
+    while batch.stack.len() > 0 {
+        let (rays, count) = batch.stack.pop(simd);
+        let (paths, slots) = (rays.paths(), rays.slots());
+        for i in 0..count {
+            let start = 6 + 7 * (paths.as_slice()[i] as usize - 2);
+            let (o, d) = (lane(rays.o, i), lane(rays.d, i));
+            let numbers = [o.x, o.y, o.z, d.x, d.y, d.z, rays.weight.as_slice()[i]];
+            let slot = slots.as_slice()[i] as usize;
+            for (to, from) in all[slot][start..start + 7].iter_mut().zip(numbers) {
+                *to = from.to_bits();
+            }
+        }
+    }
+    all
+}
+
+/// A ray from anywhere about the scene to anywhere in it.
+fn ray(random: &mut Random) -> Ray {
+    let mut place = |side: f64| {
+        let mut number = || random.between(-side, side);
+        DVec3::new(number(), number().abs(), number())
+    };
+    let (from, to) = (place(9.0), place(3.0));
+    (
+        from.as_vec3(),
+        unit(to - from),
+        random.between(0.005, 1.0) as f32,
+    )
+}
+
+/// A ray that makes no sense, at least in part.
+fn nonsense(random: &mut Random) -> Ray {
+    let mut bad = ray(random);
+    let number = [
+        f32::NAN,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        0.0,
+        f32::MAX,
+        1e-42,
+    ][random.bits() as usize % 6];
+    match random.bits() % 8 {
+        0 => bad.0 = Vec3::splat(number),
+        1 => bad.1 = Vec3::splat(number),
+        2 => bad.2 = number,
+        i => bad.0[i as usize % 3] = number,
+    }
+    if random.bits().is_multiple_of(2) {
+        bad.1[random.bits() as usize % 3] = number;
+    }
+    bad
+}
+
+struct Neighbours {
+    scene: Scene,
+}
+
+impl Property for Neighbours {
+    #[inline(always)]
+    fn hold<S: Isa>(&self, simd: S, isa: &str) {
+        let mut random = Random(1966);
+        let scene = prepared(&self.scene);
+        let mut batch = Box::new(Batch::new());
+        for _ in 0..PACKETS / lanes::<S>() {
+            let mut rays = [(Vec3::ZERO, Vec3::Z, 1.0); MAX_LANES];
+            for place in &mut rays {
+                *place = ray(&mut random);
+            }
+            let together = outcomes(simd, &scene, &rays[..lanes::<S>()], &mut batch);
+            for (i, &one) in rays.iter().enumerate().take(lanes::<S>()) {
+                let at = random.bits() as usize % lanes::<S>();
+                let mut beside = [one; MAX_LANES];
+                for other in &mut beside {
+                    *other = match random.bits() % 3 {
+                        0 => nonsense(&mut random),
+                        1 => ray(&mut random),
+                        _ => one,
+                    };
+                }
+                beside[at] = one;
+                let beside = outcomes(simd, &scene, &beside[..lanes::<S>()], &mut batch);
+                assert_eq!(
+                    together[i], beside[at],
+                    "{isa}: {one:?} in lane {i} and in lane {at}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn what_comes_of_a_ray_depends_on_no_neighbour() {
+    on_every_instruction_set(&Neighbours {
+        scene: show::scene(1.0),
+    });
+}
+
+#[test]
+fn what_comes_of_a_ray_depends_on_no_neighbour_where_spheres_are_in_groups() {
+    on_every_instruction_set(&Neighbours {
+        scene: show::field(300, 1.0),
+    });
+}

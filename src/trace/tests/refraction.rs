@@ -1,0 +1,147 @@
+//! Refraction and reflection give directions of length 1, at the critical angle too.
+
+use super::*;
+use crate::quality::Quality;
+use crate::trace::Batch;
+use crate::trace::shade::shade;
+
+/// Angles about the critical one, a rounding apart.
+const ULPS: i32 = 256;
+/// How far the squared length of a direction may be from 1: two roundings each of its three parts.
+const LENGTH2: f64 = 4.0 * f32::EPSILON as f64;
+
+const fn glass(index: f32) -> Material {
+    Material {
+        colour: Vec3::ONE,
+        kd: 0.0,
+        ks: 0.0,
+        exponent: 1.0,
+        kr: 0.1,
+        kt: 0.85,
+        index,
+    }
+}
+
+/// The rays that leave the hits of a packet, by place in their trees, 2 reflected and 3 transmitted, and by lane.
+#[inline(always)]
+fn scattered<S: Isa>(
+    simd: S,
+    scene: &Prepared,
+    rays: &Rays<S>,
+    batch: &mut Batch,
+) -> [[Option<(Vec3, f32)>; MAX_LANES]; 2] {
+    let hit = hits(simd, scene, rays);
+    let active = first(simd, lanes::<S>());
+    let _ = shade(simd, scene, &Quality::EXHAUSTIVE, rays, &hit, active, batch);
+    let mut all = [[None; MAX_LANES]; 2];
+    while batch.stack.len() > 0 {
+        let (rays, count) = batch.stack.pop(simd);
+        let (paths, slots) = (rays.paths(), rays.slots());
+        for i in 0..count {
+            let path = paths.as_slice()[i] as usize;
+            let ray = (lane(rays.d, i), rays.weight.as_slice()[i]);
+            all[path - 2][slots.as_slice()[i] as usize] = Some(ray);
+        }
+    }
+    all
+}
+
+struct CriticalAngle;
+
+impl Property for CriticalAngle {
+    #[inline(always)]
+    fn hold<S: Isa>(&self, simd: S, isa: &str) {
+        let mut batch = Box::new(Batch::new());
+        let (mut through, mut total) = (0, 0);
+        for index in [1.0001, 1.1, 1.33, 1.5, 2.4, 10.0_f32] {
+            let scene = prepared(&one_sphere(Vec3::ZERO, 1.0, glass(index)));
+            let sine = 1.0 / f64::from(index);
+            // From a place where the angle at the sphere is that for rays along z.
+            for from in -ULPS..=ULPS {
+                let x = f32::from_bits(((sine as f32).to_bits() as i32 + from) as u32);
+                let rays = packet(simd, Vec3::new(x, 0.0, 0.0), &[Vec3::Z]);
+                let [reflected, transmitted] = scattered(simd, &scene, &rays, &mut batch);
+                let Some((d, weight)) = reflected[0] else {
+                    panic!("{isa}: {index}, {from} roundings: nothing is reflected");
+                };
+                let what = std::format!("{isa}: index {index}, {from} roundings off");
+                assert_unit(d, &what);
+                // Where the roundings of the place, the normal and the cosine decide.
+                let unsure = 1e-6 + 3e-7 * f64::from(index).powi(2);
+                let beyond = f64::from(x) / sine - 1.0;
+                // What is not transmitted is reflected.
+                let sent = transmitted[0].map_or(0.0, |(_, weight)| weight);
+                assert_eq!(weight + sent, 0.1 + 0.85, "{what}");
+                if let Some((d, _)) = transmitted[0] {
+                    assert_unit(d, &what);
+                    through += 1;
+                    assert!(beyond < unsure, "{what} transmits");
+                    // Out, along the surface.
+                    let n = DVec3::new(f64::from(x), 0.0, (1.0 - f64::from(x).powi(2)).sqrt());
+                    let cosine = d.as_dvec3().dot(n);
+                    let exact = (1.0 - (f64::from(x) / sine).powi(2)).max(0.0).sqrt();
+                    assert!(
+                        cosine > -1e-6 && (cosine - exact).abs() < 2e-3 * f64::from(index),
+                        "{what}: {cosine} for {exact}"
+                    );
+                } else {
+                    total += 1;
+                    assert!(beyond > -unsure, "{what} reflects all");
+                }
+            }
+        }
+        assert!(through > 100 && total > 100, "{isa}: {through}, {total}");
+    }
+}
+
+#[track_caller]
+fn assert_unit(d: Vec3, what: &str) {
+    let length2 = d.as_dvec3().length_squared();
+    assert!((length2 - 1.0).abs() <= LENGTH2, "{what}: {d}, {length2}");
+}
+
+#[test]
+fn rays_at_the_critical_angle_are_of_length_one_and_lose_nothing() {
+    on_every_instruction_set(&CriticalAngle);
+}
+
+struct Lengths;
+
+impl Property for Lengths {
+    #[inline(always)]
+    fn hold<S: Isa>(&self, simd: S, isa: &str) {
+        let mut random = Random(1621);
+        let mut batch = Box::new(Batch::new());
+        let mut count = 0;
+        for _ in 0..20_000 {
+            let radius = 10_f64.powf(random.between(-4.0, 6.0));
+            let index = 10_f64.powf(random.between(-1.0, 1.0)) as f32;
+            let scene = prepared(&one_sphere(Vec3::ZERO, radius as f32, glass(index)));
+            // In the middle, on the surface, or far out.
+            let at = [0.0, 0.5, 1.0, 2.0, 1e3][random.bits() as usize % 5];
+            let o = (random.direction() * (radius * at)).as_vec3();
+            let mut ways = [Vec3::ZERO; MAX_LANES];
+            for way in &mut ways {
+                *way = unit(random.direction() * radius - o.as_dvec3());
+            }
+            // Straight at the middle: a cosine of 1, or by rounding above.
+            ways[0] = unit(if at == 0.0 { DVec3::ONE } else { -o.as_dvec3() });
+            let rays = packet(simd, o, &ways);
+            for (d, weight) in scattered(simd, &scene, &rays, &mut batch)
+                .into_iter()
+                .flatten()
+                .flatten()
+            {
+                assert_unit(d, isa);
+                assert!(weight > 0.0 && weight < 1.0, "{isa}: {weight}");
+                count += 1;
+            }
+        }
+        assert!(count > 20_000, "{isa}: {count} rays");
+    }
+}
+
+#[test]
+fn rays_that_leave_a_sphere_of_any_size_are_of_length_one() {
+    on_every_instruction_set(&Lengths);
+}

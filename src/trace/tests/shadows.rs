@@ -1,0 +1,102 @@
+//! A sphere lights up where it faces a lamp and nowhere else: it throws no shadow on itself by rounding.
+
+use super::*;
+use crate::quality::Quality;
+use crate::scene::Light;
+use crate::trace::Batch;
+use crate::trace::shade::shade;
+
+const SPHERES: usize = 20_000;
+
+/// White paper: what a lamp adds is the cosine towards it.
+const PAPER: Material = Material {
+    colour: Vec3::ONE,
+    kd: 1.0,
+    ks: 0.0,
+    exponent: 1.0,
+    kr: 0.0,
+    kt: 0.0,
+    index: 1.0,
+};
+
+struct OwnShadow {
+    is_inside: bool,
+}
+
+impl Property for OwnShadow {
+    #[inline(always)]
+    fn hold<S: Isa>(&self, simd: S, isa: &str) {
+        let mut random = Random(1968);
+        let mut batch = Box::new(Batch::new());
+        let (mut lit, mut dark) = (0, 0);
+        for _ in 0..SPHERES {
+            let r = 10_f64.powf(random.between(-4.0, 4.0));
+            let centre = random.vector(-4.0, 4.0);
+            // Where rounding leaves something of it.
+            let centre = centre * (1e3 * r / centre.length()).min(1.0);
+            let from = |way: DVec3, distance: f64| (centre + way * (distance * r)).as_vec3();
+            let eye_at = 10_f64.powf(random.between(0.1, 3.0));
+            let eye_at = if self.is_inside { 0.5 } else { eye_at };
+            let eye = from(random.direction(), eye_at);
+            let lamp_at = 10_f64.powf(random.between(-1.0, 2.0));
+            let is_within = lamp_at < 1.0;
+            if (lamp_at - 1.0).abs() < 0.05 {
+                continue;
+            }
+            let lamp = from(random.direction(), lamp_at);
+            let mut scene = one_sphere(centre.as_vec3(), r as f32, PAPER);
+            scene.lights = List::of(&[Light {
+                position: lamp,
+                colour: Vec3::ONE,
+                radius: 0.0,
+            }]);
+            let scene = prepared(&scene);
+            let mut ways = [Vec3::ZERO; MAX_LANES];
+            for way in &mut ways {
+                *way = unit(from(random.direction(), 0.99).as_dvec3() - eye.as_dvec3());
+            }
+            let rays = packet(simd, eye, &ways);
+            let hit = hits(simd, &scene, &rays);
+            let active = first(simd, lanes::<S>());
+            let quality = &Quality::EXHAUSTIVE;
+            let node = shade(simd, &scene, quality, &rays, &hit, active, &mut batch);
+            for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
+                if hit.object.as_slice()[i] != 0 {
+                    continue;
+                }
+                let t = f64::from(hit.t.as_slice()[i]);
+                let p = eye.as_dvec3() + t * way.as_dvec3();
+                let out = (p - centre).normalize();
+                let p = centre + out * r;
+                let to_lamp = (lamp.as_dvec3() - p).normalize();
+                let n = if self.is_inside { -out } else { out };
+                let cosine = n.dot(to_lamp);
+                // Rounding of places against the radius, and of the way from the eye.
+                let unsure = 3e-6 * (1e3 + eye_at);
+                if cosine.abs() < unsure {
+                    continue;
+                }
+                let expected = cosine > 0.0 && self.is_inside == is_within;
+                let is_lit = node.colour.x.as_slice()[i] > 0.0;
+                assert_eq!(
+                    is_lit, expected,
+                    "{isa}: radius {r} at {centre}, lamp at {lamp}, seen from {eye} along {way}, cosine {cosine}"
+                );
+                lit += usize::from(is_lit);
+                dark += usize::from(!is_lit);
+            }
+        }
+        assert!(lit > SPHERES / 10, "{isa}: {lit} lit");
+        assert!(dark > SPHERES / 10, "{isa}: {dark} dark");
+    }
+}
+
+#[test]
+fn a_sphere_throws_no_shadow_on_its_side_towards_the_lamp() {
+    on_every_instruction_set(&OwnShadow { is_inside: false });
+}
+
+#[test]
+fn a_sphere_is_lit_from_within_by_lamps_within_alone() {
+    on_every_instruction_set(&OwnShadow { is_inside: true });
+}
