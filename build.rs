@@ -20,6 +20,7 @@
 //! | addresses fixed when linked (`-no-pie`) | | 4,688 |
 //! | panics abort | `Cargo.toml` | 1,032 |
 //! | headers and the functions of libc in our own way | `src/window/program.s` | 2,280 |
+//! | places of panics in the library are not said | `src/window/program.ld` | 1,456 |
 //! | no start files but our own | `src/window/program.s` | 880 |
 //! | system calls by number, not by name | `src/window/system.rs` | 620 |
 //! | memory by `malloc` and no more | `src/window/allocator.rs` | 504 |
