@@ -174,6 +174,10 @@ fn help_names_every_command_and_flag() {
             "capture",
             "--png --y4m --video --sheet --frames --from --to --fps --size --scene --quality --supersample --threads --isa",
         ),
+        (
+            "view",
+            "--scene --size --quality --time --paused --fps --threads --isa Space Home",
+        ),
     ] {
         assert!(text.contains(command), "{command}");
         let help = lab(&[command, "--help"]);

@@ -185,26 +185,9 @@ impl Server {
         wait_for("the last window to go", || {
             self.window().is_none().then_some(())
         });
-        let start = || {
-            Process::start(
-                Command::new(intro())
-                    .args(options)
-                    .env("DISPLAY", &self.display),
-            )
-        };
-        let mut intro = start();
-        // About once in a hundred runs of all tests at a time no window comes; what is at fault is not known yet.
-        if waited_for(|| self.window()).is_none() {
-            let ended = intro.0.try_wait().expect("it can be asked");
-            assert!(
-                ended.is_none(),
-                "the intro ended without a window: {ended:?}"
-            );
-            eprintln!("no window within 10 s: the intro is started again");
-            drop(intro);
-            intro = start();
-            wait_for("the intro's window", || self.window());
-        }
+        let mut command = Command::new(intro());
+        command.args(options);
+        let intro = self.open(&mut command, || self.window());
         if self.manager.is_some() {
             wait_for("keys to go to the window", || {
                 let name = self.xdotool("getwindowfocus getwindowname");
@@ -214,10 +197,34 @@ impl Server {
         intro
     }
 
+    /// Starts a program on this display and waits for its window.
+    pub fn open(&self, command: &mut Command, window: impl Fn() -> Option<[i32; 4]>) -> Process {
+        command.env("DISPLAY", &self.display);
+        let mut program = Process::start(command);
+        // About once in a hundred runs of all tests at a time no window comes; what is at fault is not known yet.
+        if waited_for(&window).is_none() {
+            let ended = program.0.try_wait().expect("it can be asked");
+            assert!(
+                ended.is_none(),
+                "the program ended without a window: {ended:?}"
+            );
+            eprintln!("no window within 10 s: the program is started again");
+            drop(program);
+            program = Process::start(command);
+            wait_for("the window", window);
+        }
+        program
+    }
+
     /// The intro's window, once there is one that can be seen: its inside's place on the screen and size.
     pub fn window(&self) -> Option<[i32; 4]> {
+        self.place(&["-name", "Eightfold"])
+    }
+
+    /// The inside of a window, once it can be seen: its place on the screen and size. `which` is as xwininfo is told.
+    pub fn place(&self, which: &[&str]) -> Option<[i32; 4]> {
         let mut xwininfo = self.tool("xwininfo", "x11-utils");
-        let (_, text) = run(xwininfo.args(["-name", "Eightfold"]));
+        let (_, text) = run(xwininfo.args(which));
         let number = |label: &str| {
             let (_, rest) = text.split_once(label)?;
             rest.split_whitespace().next()?.parse().ok()

@@ -11,8 +11,10 @@ mod output;
 mod overlay;
 mod picture;
 mod progress;
+mod rate;
 mod render;
 mod studio;
+mod view;
 
 use clap::{Parser, Subcommand, error::ErrorKind};
 use std::process::ExitCode;
@@ -31,6 +33,7 @@ enum Command {
     Capture(capture::Arguments),
     Figures(figures::Arguments),
     Render(render::Arguments),
+    View(view::Arguments),
 }
 
 /// Exit code of a command line that makes no sense, as of most programs.
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
         Command::Capture(arguments) => capture::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
+        Command::View(arguments) => view::run(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

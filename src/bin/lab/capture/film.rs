@@ -2,10 +2,9 @@
 
 use crate::arguments::{NamedQuality, SceneName, Size};
 use crate::isa::Isa;
+use crate::rate::Rate;
 use crate::studio::Studio;
 use eightfold::show;
-use std::fmt;
-use std::str::FromStr;
 
 /// All that a frame depends on, besides its number: the same bits wherever it is drawn.
 pub struct Film {
@@ -118,52 +117,5 @@ fn mean(sums: &[[u16; 3]], count: u16, pixels: &mut [u32]) {
         let [r, g, b] =
             sum.map(|sum| ((u32::from(sum) + u32::from(count / 2)) / u32::from(count)) as u8);
         *pixel = u32::from_be_bytes([0, r, g, b]);
-    }
-}
-
-/// Frames a second, as a fraction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Rate {
-    pub num: u32,
-    pub den: u32,
-}
-
-impl Rate {
-    /// Frames a second that nobody needs more of.
-    const MOST: u32 = 1000;
-    /// The largest part of a fraction; 1001 is the one that is in use.
-    const LARGEST: u32 = 1_000_000;
-}
-
-impl FromStr for Rate {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let part = |text: &str| {
-            let part = text.parse().ok();
-            part.filter(|part| (1..=Self::LARGEST).contains(part))
-        };
-        let (num, den) = text.split_once('/').unwrap_or((text, "1"));
-        part(num)
-            .zip(part(den))
-            .filter(|&(num, den)| num <= Self::MOST * den)
-            .map(|(num, den)| Self { num, den })
-            .ok_or_else(|| {
-                format!(
-                    "takes frames a second, such as 60 or 30000/1001, at most {}",
-                    Self::MOST
-                )
-            })
-    }
-}
-
-impl fmt::Display for Rate {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.num)?;
-        if self.den == 1 {
-            Ok(())
-        } else {
-            write!(f, "/{}", self.den)
-        }
     }
 }

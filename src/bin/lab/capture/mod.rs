@@ -10,10 +10,11 @@ mod y4m;
 
 use crate::arguments::{self, BadInput, NamedQuality, SceneName, Size};
 use crate::isa::{self, Isa};
+use crate::rate::Rate;
 use anyhow::Result;
 use clap::{ArgGroup, Args};
 use crew::Crew;
-use film::{Film, MAX_SUPERSAMPLE, Rate};
+use film::{Film, MAX_SUPERSAMPLE};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::thread::available_parallelism;

@@ -4,8 +4,8 @@
 //! limited range), in full resolution (4:4:4): what players take a stream of more than 576 rows or 1280 columns for.
 //! The format itself has no word for the matrix; ffmpeg takes BT.601 for what it is not told, so it has to be told.
 
-use super::film::Rate;
 use crate::arguments::Size;
+use crate::rate::Rate;
 
 /// What a stream begins with.
 pub fn header(size: Size, rate: Rate) -> Vec<u8> {
