@@ -5,6 +5,7 @@ mod capture;
 mod ladder;
 #[path = "../reader/mod.rs"]
 mod reader;
+mod size;
 #[path = "../stage/mod.rs"]
 mod stage;
 
@@ -174,6 +175,7 @@ fn help_names_every_command_and_flag() {
             "capture",
             "--png --y4m --video --sheet --frames --from --to --fps --size --scene --quality --supersample --threads --isa",
         ),
+        ("size", "--functions"),
         (
             "view",
             "--scene --size --quality --time --paused --fps --threads --isa Space Home",

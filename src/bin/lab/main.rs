@@ -13,6 +13,7 @@ mod picture;
 mod progress;
 mod rate;
 mod render;
+mod size;
 mod studio;
 mod view;
 
@@ -33,6 +34,7 @@ enum Command {
     Capture(capture::Arguments),
     Figures(figures::Arguments),
     Render(render::Arguments),
+    Size(size::Arguments),
     View(view::Arguments),
 }
 
@@ -49,6 +51,7 @@ fn main() -> ExitCode {
         Command::Capture(arguments) => capture::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
+        Command::Size(arguments) => size::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
     };
     match done {

@@ -1,0 +1,145 @@
+//! `lab size`: what the intro's bytes are.
+
+mod map;
+mod name;
+
+use crate::arguments;
+use crate::output;
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use map::{Map, Part};
+use name::readable;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::env;
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Builds the intro and prints what its bytes are: sections, crates, and the largest functions, as Markdown tables
+///
+/// The intro itself has neither symbols nor headers of sections; what is in it is read from the linker's map. A function
+/// counts for the crate that was compiled to it, a generic one for the crate that made the instance; the instances of a
+/// crate count together. What was inlined is in the function that it was inlined into.
+#[derive(Args)]
+pub struct Arguments {
+    /// Functions to list
+    #[arg(long, value_name = "N", default_value = "30", value_parser = arguments::frames, allow_negative_numbers = true)]
+    functions: usize,
+}
+
+/// Bytes, and how many there are of what has them.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    bytes: u64,
+    count: usize,
+}
+
+/// Builds the intro, and prints the tables.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let intro = build()?;
+    let file = fs::metadata(&intro).with_context(|| format!("cannot read {}", intro.display()))?;
+    let path = intro.with_extension("map");
+    let map = fs::read_to_string(&path)
+        .with_context(|| format!("cannot read the linker's map, {}", path.display()))?;
+    let map = Map::parse(&map);
+    let mut text = String::new();
+    tell_sections(&mut text, &map, file.len())?;
+    let functions = functions(&map);
+    tell_crates(&mut text, &functions)?;
+    tell_functions(&mut text, &functions, arguments.functions)?;
+    output::write(Path::new("-"), text.as_bytes())
+}
+
+/// The intro, as `cargo run --release` builds it.
+fn build() -> Result<PathBuf> {
+    let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
+    let mut command = Command::new(cargo);
+    command
+        .args(["build", "--release", "--bin", "eightfold"])
+        .args(["--message-format", "json-render-diagnostics"])
+        .stderr(Stdio::inherit());
+    // Where the lab itself is built, unless it is started by hand.
+    if let Some(folder) = env::var_os("CARGO_MANIFEST_DIR") {
+        command.current_dir(folder);
+    }
+    let output = command.output().context("cannot start cargo")?;
+    if !output.status.success() {
+        bail!("cargo cannot build the intro");
+    }
+    let messages = String::from_utf8_lossy(&output.stdout);
+    let paths = messages.lines().filter_map(|line| {
+        let message: Value = serde_json::from_str(line).ok()?;
+        Some(PathBuf::from(message["executable"].as_str()?))
+    });
+    paths.last().context("cargo does not say what it has built")
+}
+
+/// A function's readable name, and its crate.
+type Function<'a> = (String, &'a str);
+
+/// The functions of the program, a crate's instances of one together, the largest first.
+fn functions(map: &Map) -> Vec<(Function<'_>, Sum)> {
+    let mut functions: BTreeMap<Function<'_>, Sum> = BTreeMap::new();
+    for Part { name, of, bytes } in &map.functions {
+        let sum = functions.entry((readable(name), of)).or_default();
+        sum.bytes += bytes;
+        sum.count += 1;
+    }
+    largest_first(functions)
+}
+
+/// Equally large ones by name.
+fn largest_first<K: Ord>(sums: BTreeMap<K, Sum>) -> Vec<(K, Sum)> {
+    let mut sums: Vec<(K, Sum)> = sums.into_iter().collect();
+    sums.sort_by_key(|(_, sum)| std::cmp::Reverse(sum.bytes));
+    sums
+}
+
+fn tell_sections(text: &mut String, map: &Map, file: u64) -> Result<()> {
+    writeln!(text, "| section | bytes | share |\n| --- | ---: | ---: |")?;
+    let share = |bytes: u64| 100.0 * bytes as f64 / file as f64;
+    let mut rest = file;
+    for Part { name, bytes, .. } in &map.sections {
+        writeln!(text, "| {name} | {bytes} | {:.1} % |", share(*bytes))?;
+        rest = rest
+            .checked_sub(*bytes)
+            .context("the linker's map is of another program")?;
+    }
+    writeln!(text, "| between them | {rest} | {:.1} % |", share(rest))?;
+    writeln!(text, "| **the file** | **{file}** | |\n")?;
+    Ok(())
+}
+
+fn tell_crates(text: &mut String, functions: &[(Function<'_>, Sum)]) -> Result<()> {
+    let mut crates: BTreeMap<&str, Sum> = BTreeMap::new();
+    for ((_, of), sum) in functions {
+        let all = crates.entry(of).or_default();
+        all.bytes += sum.bytes;
+        all.count += sum.count;
+    }
+    writeln!(text, "| crate | functions | bytes |\n| --- | ---: | ---: |")?;
+    for (name, Sum { bytes, count }) in largest_first(crates) {
+        writeln!(text, "| {name} | {count} | {bytes} |")?;
+    }
+    writeln!(text)?;
+    Ok(())
+}
+
+fn tell_functions(text: &mut String, functions: &[(Function<'_>, Sum)], most: usize) -> Result<()> {
+    writeln!(
+        text,
+        "| function | crate | instances | bytes |\n| --- | --- | ---: | ---: |"
+    )?;
+    for ((name, of), Sum { bytes, count }) in functions.iter().take(most) {
+        let cell = name.replace('|', "\\|");
+        writeln!(text, "| `{cell}` | {of} | {count} | {bytes} |")?;
+    }
+    let rest: u64 = functions.iter().skip(most).map(|(_, sum)| sum.bytes).sum();
+    let count = functions.len().saturating_sub(most);
+    if count > 0 {
+        writeln!(text, "| {count} smaller ones | | | {rest} |")?;
+    }
+    Ok(())
+}
