@@ -69,11 +69,13 @@ fn build() -> Result<PathBuf> {
         bail!("cargo cannot build the intro");
     }
     let messages = String::from_utf8_lossy(&output.stdout);
-    let paths = messages.lines().filter_map(|line| {
+    let mut paths = messages.lines().filter_map(|line| {
         let message: Value = serde_json::from_str(line).ok()?;
         Some(PathBuf::from(message["executable"].as_str()?))
     });
-    paths.last().context("cargo does not say what it has built")
+    paths
+        .next_back()
+        .context("cargo does not say what it has built")
 }
 
 /// A function's readable name, and its crate.
