@@ -2,8 +2,17 @@
 
 #[path = "../../src/bin/lab/error.rs"]
 mod error;
+#[cfg(feature = "lab")]
+#[path = "../../src/bin/lab/flicker.rs"]
+mod flicker;
+#[cfg(feature = "lab")]
+#[path = "../../src/bin/lab/flip.rs"]
+mod flip;
 #[path = "../../src/bin/lab/isa.rs"]
 mod isa;
+#[cfg(feature = "lab")]
+#[path = "../../src/bin/lab/missed.rs"]
+mod missed;
 #[path = "../oracle/mod.rs"]
 mod oracle;
 #[cfg(feature = "lab")]
@@ -20,6 +29,8 @@ mod studio;
 
 mod accuracy;
 mod drawn;
+#[cfg(feature = "lab")]
+mod errors;
 mod golden;
 #[cfg(feature = "lab")]
 mod observed;

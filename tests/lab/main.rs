@@ -8,6 +8,7 @@ mod reader;
 mod size;
 #[path = "../stage/mod.rs"]
 mod stage;
+mod trade;
 
 use reader::read_png;
 use std::path::Path;

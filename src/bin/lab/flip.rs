@@ -27,6 +27,20 @@ impl Flip {
             errors: map.to_vec(),
         }
     }
+
+    /// The mean of all pixels.
+    pub fn mean(&self) -> f64 {
+        let sum: f64 = self.errors.iter().map(|&error| f64::from(error)).sum();
+        sum / self.errors.len() as f64
+    }
+
+    /// The least error that 99 of 100 pixels do not exceed.
+    pub fn p99(&self) -> f64 {
+        let mut errors = self.errors.clone();
+        let rank = (errors.len() * 99).div_ceil(100) - 1;
+        let (_, error, _) = errors.select_nth_unstable_by(rank, f32::total_cmp);
+        f64::from(*error)
+    }
 }
 
 fn image(width: usize, pixels: &[u32]) -> FlipImageRgb8 {

@@ -5,16 +5,22 @@ mod bench;
 mod capture;
 mod error;
 mod figures;
+mod flicker;
 mod flip;
+mod interrupt;
 mod isa;
+mod machine;
+mod missed;
 mod output;
 mod overlay;
 mod picture;
+mod plot;
 mod progress;
 mod rate;
 mod render;
 mod size;
 mod studio;
+mod trade;
 mod view;
 
 use clap::{Parser, Subcommand, error::ErrorKind};
@@ -35,6 +41,7 @@ enum Command {
     Figures(figures::Arguments),
     Render(render::Arguments),
     Size(size::Arguments),
+    Trade(trade::Arguments),
     View(view::Arguments),
 }
 
@@ -52,6 +59,7 @@ fn main() -> ExitCode {
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Size(arguments) => size::run(&arguments),
+        Command::Trade(arguments) => trade::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
     };
     match done {
@@ -60,6 +68,8 @@ fn main() -> ExitCode {
             eprintln!("error: {error:#}");
             if error.is::<arguments::BadInput>() {
                 ExitCode::from(BAD_INPUT)
+            } else if error.is::<interrupt::Stopped>() {
+                ExitCode::from(interrupt::EXIT_CODE)
             } else {
                 ExitCode::FAILURE
             }

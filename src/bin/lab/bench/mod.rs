@@ -6,12 +6,12 @@ mod table;
 
 use crate::arguments::{self, NamedQuality, SceneName, Size};
 use crate::isa::{self, Isa};
+use crate::machine::machine;
 use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
 use measure::Plan;
 use row::Row;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 
@@ -107,22 +107,6 @@ fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
         }
     }
     distinct
-}
-
-/// The processor's name, where the system tells, and how many there are.
-fn machine() -> String {
-    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let models = info.lines().filter_map(|line| line.split_once(':'));
-    let model = models
-        .filter(|(name, _)| name.trim() == "model name")
-        .map(|(_, model)| model.trim())
-        .next()
-        .unwrap_or("unknown processor");
-    let count = available_parallelism().map_or(1, usize::from);
-    format!(
-        "{model}, {count} processor{}",
-        if count == 1 { "" } else { "s" }
-    )
 }
 
 fn json(rows: &[Row]) -> Result<Vec<u8>> {

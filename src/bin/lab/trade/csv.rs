@@ -1,0 +1,64 @@
+//! Rows as comma-separated values, by the same names as in JSON.
+
+use super::row::Row;
+
+/// A column's title, and what a row has in it.
+type Column = (&'static str, fn(&Row) -> String);
+
+const COLUMNS: [Column; 25] = [
+    ("name", |row| row.name.clone()),
+    ("dials", |row| row.dials.clone()),
+    ("sweep", |row| format!("\"{}\"", row.sweep)),
+    ("square", |row| row.square.to_string()),
+    ("spread_agreeing", |row| row.spread_agreeing.to_string()),
+    ("spread_differing", |row| row.spread_differing.to_string()),
+    ("spread_side", |row| row.spread_side.to_string()),
+    ("key_depth", |row| row.key_depth.to_string()),
+    ("state_depth", |row| row.state_depth.to_string()),
+    ("highlight", |row| row.highlight.to_string()),
+    ("depth", |row| row.depth.to_string()),
+    ("least_contribution", |row| {
+        row.least_contribution.to_string()
+    }),
+    ("keys", |row| row.keys.to_string()),
+    ("frames", |row| row.frames.to_string()),
+    ("speedup", |row| format!("{:.4}", row.speedup)),
+    ("traced_fraction", |row| {
+        format!("{:.6}", row.traced_fraction)
+    }),
+    ("rays", |row| format!("{:.1}", row.rays)),
+    ("psnr_db", |row| finite(row.psnr_db)),
+    ("psnr_worst_db", |row| finite(row.psnr_worst_db)),
+    ("largest_error", |row| row.largest_error.to_string()),
+    ("pixels_over_8", |row| format!("{:.2}", row.pixels_over_8)),
+    ("missed_objects", |row| format!("{:.3}", row.missed_objects)),
+    ("flicker_blocks", |row| {
+        row.flicker_blocks
+            .map_or_else(String::new, |n| format!("{n:.3}"))
+    }),
+    ("flip_mean", |row| {
+        row.flip_mean
+            .map_or_else(String::new, |n| format!("{n:.6}"))
+    }),
+    ("flip_p99", |row| {
+        row.flip_p99.map_or_else(String::new, |n| format!("{n:.6}"))
+    }),
+];
+
+fn finite(decibels: f64) -> String {
+    if decibels.is_finite() {
+        format!("{decibels:.4}")
+    } else {
+        String::new()
+    }
+}
+
+/// A line of titles and a line for each row; the last column says whether the point is on the front.
+pub fn csv(rows: &[Row]) -> String {
+    let titles = COLUMNS.map(|(title, _)| title).join(",");
+    let lines = rows.iter().map(|row| {
+        let cells = COLUMNS.map(|(_, cell)| cell(row)).join(",");
+        format!("{cells},{}\n", row.on_front)
+    });
+    format!("{titles},on_front\n{}", lines.collect::<String>())
+}

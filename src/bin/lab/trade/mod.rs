@@ -1,0 +1,219 @@
+//! `lab trade`: what speed costs in accuracy, dial by dial.
+
+mod csv;
+mod curves;
+mod measure;
+mod plots;
+mod row;
+mod sweep;
+mod table;
+mod tally;
+
+use crate::arguments::{self, SceneName, Size};
+use crate::interrupt::Stopped;
+use crate::isa::{self, Isa};
+use crate::machine::machine;
+use crate::{interrupt, output, progress};
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use curves::{Curve, Curves};
+use eightfold::show;
+use measure::{Bench, Plan};
+use row::{Row, mark_front};
+use serde::Serialize;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::thread::available_parallelism;
+use sweep::Point;
+use tally::Tally;
+
+/// Turns every dial of the quality, and measures what that gains in speed and costs in accuracy
+///
+/// Writes trade.csv, trade.json and plots, each as SVG and PNG, into a folder, and prints the Pareto front as a Markdown
+/// table. Speed is a ratio to exhaustive frames, every pixel traced, that are drawn in between; errors are against the
+/// same frames. Ctrl-C writes what has been measured so far.
+///
+/// Dials in names: s side of the squares in pixels, c spread of colours within which a square is filled, in 255ths (k
+/// depth of the objects / of the lights' states compared, then c spread where they agree / differ), e spread of a side
+/// whose middle is averaged, h least highlight, d depth of rays, w least contribution of a ray.
+#[derive(Args)]
+pub struct Arguments {
+    /// The scene: model, or field:N for N small spheres
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
+    scene: SceneName,
+    /// Width and height in pixels [default: 1024x768, with --quick 512x384]
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+    /// Frames of each point against the clock, at times spread evenly [default: 51, with --quick 9]
+    #[arg(long, value_name = "N", value_parser = arguments::frames)]
+    frames: Option<usize>,
+    /// Time of the first frame in seconds
+    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]
+    time_from: f32,
+    /// Time of the last frame in seconds [default: 25.13, one orbit]
+    #[arg(long, value_name = "SECONDS", value_parser = arguments::seconds, allow_negative_numbers = true)]
+    time_to: Option<f32>,
+    /// Instruction set [default: the best of this machine]
+    #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
+    isa: Option<Isa>,
+    /// Fewer points and smaller frames: done within a minute on two cores
+    #[arg(long)]
+    quick: bool,
+    /// Only the named qualities, as a table that documents them; writes no files
+    #[arg(long)]
+    ladder: bool,
+    /// Folder to write to; it is made where it is missing
+    #[arg(long, value_name = "FOLDER", default_value = "target/trade")]
+    out: PathBuf,
+}
+
+/// All that was measured, as it goes to JSON.
+#[derive(Serialize)]
+pub struct Trade {
+    pub machine: String,
+    pub threads: usize,
+    pub isa: &'static str,
+    pub scene: String,
+    pub width: usize,
+    pub height: usize,
+    /// Seconds of the frames against the clock.
+    pub times: Vec<f32>,
+    pub flicker_frames: usize,
+    pub flip_frames: usize,
+    /// False where Ctrl-C ended it early.
+    pub complete: bool,
+    pub points: Vec<Row>,
+    /// Speed-up against the exhaustive frames by the number of pixels.
+    pub by_resolution: Vec<Curve>,
+    /// Time of a frame by the number of spheres of a field, in exhaustive frames of one sphere.
+    pub by_objects: Vec<Curve>,
+    /// PSNR in dB by the time in seconds; frames without any error are left out.
+    pub over_time: Vec<Curve>,
+}
+
+/// Measures, writes the files and prints the front.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    interrupt::listen();
+    let folder = &arguments.out;
+    if !arguments.ladder {
+        fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+        output::check(&folder.join("trade.csv"))?;
+    }
+    let plan = plan(arguments);
+    let points = if arguments.ladder {
+        sweep::named()
+    } else {
+        sweep::points(arguments.quick)
+    };
+    let trade = measure(arguments, &plan, points);
+    let table = if arguments.ladder {
+        table::ladder(&trade)
+    } else {
+        write(folder, &trade)?;
+        table::front_table(&trade)
+    };
+    output::write(Path::new("-"), table.as_bytes())?;
+    let place = format!("what was measured is in {}", folder.display());
+    match (trade.complete, arguments.ladder) {
+        (false, true) => bail!(Stopped("the table holds what was measured".to_owned())),
+        (false, false) => bail!(Stopped(place)),
+        (true, true) => {}
+        (true, false) => eprintln!("{place}"),
+    }
+    Ok(())
+}
+
+fn plan(arguments: &Arguments) -> Plan {
+    let (width, height, frames, flicker_frames, flip_frames) = if arguments.quick {
+        (512, 384, 9, 60, 1)
+    } else {
+        (1024, 768, 51, 300, 2)
+    };
+    Plan {
+        scene: arguments.scene,
+        isa: arguments.isa.unwrap_or_else(isa::best),
+        size: arguments.size.unwrap_or(Size { width, height }),
+        frames: arguments.frames.unwrap_or(frames),
+        time_from: arguments.time_from,
+        time_to: arguments.time_to.unwrap_or(show::LENGTH),
+        flicker_frames,
+        flip_frames,
+    }
+}
+
+fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
+    let threads = available_parallelism().map_or(1, usize::from);
+    let sizes = curves::sizes(plan.size, arguments.quick);
+    let counts = curves::objects(arguments.quick);
+    let mut steps = plan.steps(points.len());
+    if !arguments.ladder {
+        steps += sizes.iter().map(|&size| curves::cost(size, 1)).sum::<u64>();
+        steps += counts.len() as u64 * curves::cost(plan.size, 2);
+    }
+    let bar = progress::bar(steps as usize);
+    let progress = |done| bar.inc(done);
+    let mut bench = Bench::new(plan, threads, &progress);
+    let tallies = bench.measure(points);
+    let (mut by_resolution, mut by_objects) = (Vec::new(), Vec::new());
+    if !arguments.ladder {
+        let mut curves = Curves {
+            scene: plan.scene,
+            isa: plan.isa,
+            size: plan.size,
+            time: plan.time_from,
+            studio: &mut bench.studio,
+            progress: &progress,
+        };
+        by_resolution = curves.by_resolution(&sizes);
+        by_objects = curves.by_objects(counts);
+    }
+    bar.finish_and_clear();
+    let area = plan.size.area();
+    let mut rows: Vec<Row> = tallies.iter().map(|tally| Row::of(tally, area)).collect();
+    mark_front(&mut rows);
+    Trade {
+        machine: machine(),
+        threads,
+        isa: plan.isa.name,
+        scene: plan.scene.to_string(),
+        width: plan.size.width,
+        height: plan.size.height,
+        times: (0..plan.frames)
+            .map(|i| plan.time(i, plan.frames))
+            .collect(),
+        flicker_frames: plan.flicker_frames,
+        flip_frames: plan.flip_frames,
+        complete: !interrupt::is_stopped(),
+        points: rows,
+        by_resolution,
+        by_objects,
+        over_time: over_time(plan, &tallies),
+    }
+}
+
+/// The error of each frame of the qualities that lines are drawn of.
+fn over_time(plan: &Plan, tallies: &[Tally]) -> Vec<Curve> {
+    let lines = curves::qualities().into_iter().skip(1);
+    lines
+        .filter_map(|line| {
+            let tally = tallies.iter().find(|tally| tally.point.name == line.name)?;
+            let frames = tally.differences.iter().enumerate();
+            let points = frames.map(|(i, d)| (f64::from(plan.time(i, plan.frames)), d.psnr));
+            Some(Curve {
+                name: line.name,
+                points: points.filter(|(_, psnr)| psnr.is_finite()).collect(),
+            })
+        })
+        .collect()
+}
+
+fn write(folder: &Path, trade: &Trade) -> Result<()> {
+    output::write(
+        &folder.join("trade.csv"),
+        csv::csv(&trade.points).as_bytes(),
+    )?;
+    let mut json = serde_json::to_vec_pretty(trade)?;
+    json.push(b'\n');
+    output::write(&folder.join("trade.json"), &json)?;
+    plots::write(folder, trade)
+}

@@ -1,0 +1,296 @@
+//! The plots of a trade.
+
+use super::Trade;
+use super::curves::Curve;
+use super::row::Row;
+use crate::plot::{Axis, COLOURS, Chart, DARK, GREY, Label, Series};
+use anyhow::Result;
+use plotters::style::RGBColor;
+use std::path::Path;
+
+/// The most of a front that the list beside its plot has room for.
+const LISTED: usize = 28;
+
+const PSNR: &str = "PSNR against every pixel traced, dB";
+
+/// Writes all plots that there are figures for.
+pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
+    cloud(trade).write(folder, "front")?;
+    squares(trade).write(folder, "squares")?;
+    if ys(&trade.by_resolution).next().is_some() {
+        resolution(trade).write(folder, "resolution")?;
+    }
+    if ys(&trade.by_objects).next().is_some() {
+        objects(trade).write(folder, "objects")?;
+    }
+    over_time(trade).write(folder, "over-time")
+}
+
+/// What and where was measured, for the line under a title.
+fn note(trade: &Trade) -> String {
+    format!(
+        "{} scene, {}x{}, {} frames, {}, {} thread{}",
+        trade.scene,
+        trade.width,
+        trade.height,
+        trade.times.len(),
+        trade.isa,
+        trade.threads,
+        if trade.threads == 1 { "" } else { "s" }
+    )
+}
+
+/// The points of the front from the slowest to the fastest; those without any error have no place on a plot.
+pub fn front(rows: &[Row]) -> Vec<&Row> {
+    let on_front = rows.iter().filter(|row| row.on_front && !row.is_exact());
+    let mut front: Vec<&Row> = on_front.collect();
+    front.sort_by(|a, b| a.speedup.total_cmp(&b.speedup));
+    front
+}
+
+/// All points, and the front of them by number.
+fn cloud(trade: &Trade) -> Chart {
+    let front = front(&trade.points);
+    // With many points on the front every n-th is named, and the named qualities always.
+    let every = front.len().div_ceil(LISTED).max(1);
+    let is_listed = |&(i, row): &(usize, &&Row)| i.is_multiple_of(every) || is_named(row);
+    let listed = front.iter().enumerate().filter(is_listed);
+    let listed: Vec<&Row> = listed.map(|(_, row)| *row).collect();
+    let off_front = |row: &&Row| is_named(row) && !row.on_front && !row.is_exact();
+    let mut labels: Vec<Label> = Vec::new();
+    for (number, row) in (1..).zip(&listed) {
+        // Where two are close the second one's number goes below.
+        let is_close = |label: &Label| {
+            (label.x / row.speedup).ln().abs() < 0.05 && (label.y - row.psnr_db).abs() < 1.0
+        };
+        let is_below = labels
+            .last()
+            .is_some_and(|last| is_close(last) && !last.is_below);
+        labels.push(label(row, number.to_string(), is_below));
+    }
+    let named = trade.points.iter().filter(off_front);
+    labels.extend(named.map(|row| label(row, row.name.clone(), true)));
+    let by = |is: &dyn Fn(&Row) -> bool| {
+        let rows = trade.points.iter().filter(|row| !row.is_exact() && is(row));
+        rows.map(place).collect::<Vec<_>>()
+    };
+    let all = || trade.points.iter().filter(|row| !row.is_exact());
+    Chart {
+        title: "What speed costs: every setting, and the Pareto front".to_owned(),
+        note: note(trade),
+        x: Axis::log(
+            "speed, in exhaustive frames",
+            all().map(|row| row.speedup),
+            tenths(),
+        ),
+        y: Axis::linear(PSNR, all().map(|row| row.psnr_db), 8),
+        series: vec![
+            series("keys compared", GREY, by(&|row| row.keys), false, 3),
+            series("colours alone", COLOURS[5], by(&|row| !row.keys), false, 3),
+            series("named", DARK, by(&is_named), false, 3),
+            series(
+                "Pareto front",
+                COLOURS[1],
+                front.iter().map(|row| place(row)).collect(),
+                true,
+                4,
+            ),
+        ],
+        labels,
+        list: (1..)
+            .zip(&listed)
+            .map(|(number, row)| entry(number, row))
+            .collect(),
+    }
+}
+
+/// A line of the list beside the front.
+fn entry(number: usize, row: &Row) -> String {
+    if is_named(row) {
+        format!("{number}  {}: {}", row.name, row.dials)
+    } else {
+        format!("{number}  {}", row.dials)
+    }
+}
+
+fn is_named(row: &Row) -> bool {
+    row.name != row.dials
+}
+
+fn place(row: &Row) -> (f64, f64) {
+    (row.speedup, row.psnr_db)
+}
+
+fn label(row: &Row, text: String, is_below: bool) -> Label {
+    let (x, y) = place(row);
+    Label {
+        x,
+        y,
+        text,
+        is_below,
+    }
+}
+
+/// The error by the side of the squares, for the rules of 2008 and what the intro plays by.
+fn squares(trade: &Trade) -> Chart {
+    let line = |keys: bool| {
+        let same = |row: &&Row| {
+            row.square > 1
+                && row.keys == keys
+                && if keys {
+                    row.spread_agreeing.is_infinite() && row.spread_differing == 0.0
+                } else {
+                    let default = eightfold::Quality::DEFAULT;
+                    row.spread_agreeing == default.spread_agreeing
+                        && row.spread_side == default.spread_side
+                }
+                && (row.key_depth, row.state_depth, row.depth) == (5, 0, 5)
+                && row.highlight == eightfold::Quality::THESIS.highlight
+                && row.least_contribution == 0.01
+        };
+        let mut rows: Vec<&Row> = trade.points.iter().filter(same).collect();
+        rows.sort_by_key(|row| row.square);
+        rows
+    };
+    let (thesis, played) = (line(true), line(false));
+    let place = |row: &&Row| (row.square as f64, row.psnr_db);
+    let labels = |rows: &[&Row], is_below| -> Vec<Label> {
+        let label = |row: &&Row| Label {
+            x: row.square as f64,
+            y: row.psnr_db,
+            text: format!("{:.1}x", row.speedup),
+            is_below,
+        };
+        rows.iter().map(label).collect()
+    };
+    let all = || thesis.iter().chain(&played);
+    let line = |name, rows: &[&Row]| {
+        let colour = colour(name);
+        series(name, colour, rows.iter().map(place).collect(), true, 4)
+    };
+    Chart {
+        title: "Error and speed by the side of the squares".to_owned(),
+        note: format!(
+            "{}; beside each point its speed in exhaustive frames",
+            note(trade)
+        ),
+        x: Axis::log(
+            "side of the largest square, pixels",
+            all().map(|row| row.square as f64),
+            vec![2.0, 4.0, 8.0, 16.0, 32.0],
+        ),
+        y: Axis::linear(PSNR, all().map(|row| row.psnr_db), 8),
+        series: vec![line("thesis", &thesis), line("default", &played)],
+        labels: [labels(&thesis, true), labels(&played, false)].concat(),
+        list: Vec::new(),
+    }
+}
+
+fn resolution(trade: &Trade) -> Chart {
+    let curves = &trade.by_resolution;
+    Chart {
+        title: "Speed by the size of the picture".to_owned(),
+        note: note(trade),
+        x: Axis::log("pixels of the picture", xs(curves), tenths()),
+        y: Axis::linear("speed, in exhaustive frames", ys(curves).chain([0.0]), 8),
+        series: lines(curves, 4),
+        labels: Vec::new(),
+        list: Vec::new(),
+    }
+}
+
+fn objects(trade: &Trade) -> Chart {
+    let curves = &trade.by_objects;
+    let powers = (0..9).map(|power| f64::from(1 << power)).collect();
+    Chart {
+        title: "Time of a frame by the number of spheres".to_owned(),
+        note: format!("fields of small spheres, {}x{}", trade.width, trade.height),
+        x: Axis::log("spheres", xs(curves), powers),
+        y: Axis::log(
+            "time, in exhaustive frames of one sphere",
+            ys(curves),
+            tenths(),
+        ),
+        series: lines(curves, 4),
+        labels: Vec::new(),
+        list: Vec::new(),
+    }
+}
+
+fn over_time(trade: &Trade) -> Chart {
+    let curves = &trade.over_time;
+    let last = xs(curves).fold(1e-3, f64::max);
+    Chart {
+        title: "The error of each frame".to_owned(),
+        note: note(trade),
+        x: Axis::linear("seconds", xs(curves), 10).up_to(last),
+        y: Axis::linear(PSNR, ys(curves), 8),
+        series: lines(curves, 0),
+        labels: Vec::new(),
+        list: Vec::new(),
+    }
+}
+
+fn xs(curves: &[Curve]) -> impl Iterator<Item = f64> {
+    curves
+        .iter()
+        .flat_map(|curve| &curve.points)
+        .map(|(x, _)| *x)
+}
+
+fn ys(curves: &[Curve]) -> impl Iterator<Item = f64> {
+    curves
+        .iter()
+        .flat_map(|curve| &curve.points)
+        .map(|(_, y)| *y)
+}
+
+/// 1, 2 and 5 times every power of ten that there are plots for.
+fn tenths() -> Vec<f64> {
+    let powers = (-4..8).map(|power| 10_f64.powi(power));
+    powers
+        .flat_map(|power| [power, 2.0 * power, 5.0 * power])
+        .collect()
+}
+
+fn lines(curves: &[Curve], mark: u32) -> Vec<Series> {
+    let lines = curves.iter();
+    lines
+        .map(|curve| {
+            series(
+                curve.name,
+                colour(curve.name),
+                curve.points.clone(),
+                true,
+                mark,
+            )
+        })
+        .collect()
+}
+
+/// A quality has the same colour in all plots.
+fn colour(name: &str) -> RGBColor {
+    match name {
+        "exhaustive" => DARK,
+        "thesis" => COLOURS[0],
+        "default" => COLOURS[1],
+        "finest" => COLOURS[2],
+        _ => COLOURS[3],
+    }
+}
+
+fn series(
+    name: &str,
+    colour: RGBColor,
+    points: Vec<(f64, f64)>,
+    has_line: bool,
+    mark: u32,
+) -> Series {
+    Series {
+        name: name.to_owned(),
+        colour,
+        points,
+        has_line,
+        mark,
+    }
+}

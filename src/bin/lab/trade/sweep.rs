@@ -1,0 +1,224 @@
+//! The points that are measured: each dial by itself, then the dials that pay together.
+
+use crate::arguments::NamedQuality;
+use eightfold::Quality;
+
+/// A quality to measure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// Its name where it has one, else its dials.
+    pub name: String,
+    /// Its dials, shortly.
+    pub dials: String,
+    /// The dials that were turned when it came up.
+    pub sweep: &'static str,
+    pub quality: Quality,
+}
+
+/// Sides of squares: powers of two, and one that is none.
+pub const SQUARES: [usize; 7] = [1, 2, 4, 8, 16, 17, 32];
+/// Spreads around the intro's 9.
+const SPREADS: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 12.0, 18.0, 26.0, 40.0, 64.0];
+/// Spreads of squares whose keys agree, or differ.
+const KEYED: [(f32, f32); 8] = [
+    (f32::INFINITY, 4.0),
+    (f32::INFINITY, 9.0),
+    (f32::INFINITY, 18.0),
+    (64.0, 9.0),
+    (32.0, 0.0),
+    (32.0, 9.0),
+    (18.0, 0.0),
+    (18.0, 4.0),
+];
+/// Depths of objects and of lights' states that keys hold.
+const COMPARED: [(u32, u32); 9] = [
+    (0, 0),
+    (1, 0),
+    (1, 1),
+    (2, 0),
+    (2, 2),
+    (3, 3),
+    (5, 0),
+    (5, 1),
+    (5, 5),
+];
+/// From where on a highlight is one; infinity: nowhere.
+const HIGHLIGHTS: [f32; 6] = [
+    1.0 / 1024.0,
+    1.0 / 256.0,
+    1.0 / 64.0,
+    1.0 / 16.0,
+    0.25,
+    f32::INFINITY,
+];
+/// Weights below which rays are not followed.
+const CONTRIBUTIONS: [f32; 8] = [0.0, 0.003, 0.01, 0.02, 0.04, 0.06, 0.1, 0.2];
+
+/// The named qualities, the exhaustive one first.
+pub fn named() -> Vec<Point> {
+    let named = NamedQuality::all();
+    named
+        .map(|NamedQuality { quality, .. }| Point::new("named", quality))
+        .collect()
+}
+
+/// All points, the exhaustive one first; `quick`: fewer of those that turn several dials.
+pub fn points(quick: bool) -> Vec<Point> {
+    let mut points = named();
+    let mut add = |sweep, quality| {
+        if !points.iter().any(|point| point.quality == quality) {
+            points.push(Point::new(sweep, quality));
+        }
+    };
+    for (sweep, quality) in single_dials() {
+        add(sweep, quality);
+    }
+    for quality in together(quick) {
+        add("together", quality);
+    }
+    points
+}
+
+/// Each dial alone, around what the intro plays by, or around the rules of 2008 where keys are compared.
+fn single_dials() -> Vec<(&'static str, Quality)> {
+    let (played, thesis) = (Quality::DEFAULT, Quality::THESIS);
+    let mut dials = Vec::new();
+    for square in SQUARES {
+        dials.push(("square", Quality { square, ..played }));
+        dials.push(("square, thesis", Quality { square, ..thesis }));
+    }
+    for (key_depth, state_depth) in COMPARED {
+        let quality = Quality {
+            key_depth,
+            state_depth,
+            ..thesis
+        };
+        dials.push(("key", quality));
+    }
+    for highlight in HIGHLIGHTS {
+        dials.push((
+            "highlight",
+            Quality {
+                highlight,
+                ..thesis
+            },
+        ));
+    }
+    for (spread_agreeing, spread_differing) in KEYED {
+        let quality = Quality {
+            spread_agreeing,
+            spread_differing,
+            ..thesis
+        };
+        dials.push(("spread with keys", quality));
+    }
+    for spread in SPREADS {
+        dials.push(("spread", even(8, spread, spread, &played)));
+    }
+    for side in [0.0, 3.0, 6.0, 14.0, 20.0] {
+        dials.push(("side", even(8, played.spread_agreeing, side, &played)));
+    }
+    for depth in 0..=Quality::MAX_DEPTH {
+        dials.push(("depth", Quality { depth, ..played }));
+    }
+    for least_contribution in CONTRIBUTIONS {
+        let quality = Quality {
+            least_contribution,
+            ..played
+        };
+        dials.push(("contribution", quality));
+    }
+    dials
+}
+
+/// Square, spread, depth and contribution at once.
+fn together(quick: bool) -> Vec<Quality> {
+    let spreads: &[f32] = if quick {
+        &[3.0, 18.0, 40.0]
+    } else {
+        &[2.0, 4.0, 6.0, 12.0, 18.0, 26.0, 40.0]
+    };
+    let mut qualities = Vec::new();
+    for square in [8, 16] {
+        for &spread in spreads {
+            for (depth, least_contribution) in
+                [(5, 0.01), (5, 0.03), (4, 0.02), (3, 0.05), (2, 0.1)]
+            {
+                let quality = Quality {
+                    depth,
+                    least_contribution,
+                    ..Quality::DEFAULT
+                };
+                qualities.push(even(square, spread, spread, &quality));
+            }
+        }
+    }
+    qualities
+}
+
+/// Squares that may spread alike whatever their corners saw.
+fn even(square: usize, spread: f32, spread_side: f32, quality: &Quality) -> Quality {
+    Quality {
+        square,
+        spread_agreeing: spread,
+        spread_differing: spread,
+        spread_side,
+        ..*quality
+    }
+}
+
+impl Point {
+    fn new(sweep: &'static str, quality: Quality) -> Self {
+        let dials = dials(&quality);
+        let known = NamedQuality::all().find(|known| known.quality == quality);
+        Self {
+            name: known.map_or_else(|| dials.clone(), |known| known.name.to_owned()),
+            dials,
+            sweep,
+            quality,
+        }
+    }
+
+    /// Whether it compares keys.
+    pub fn has_keys(&self) -> bool {
+        has_keys(&self.quality)
+    }
+}
+
+fn has_keys(quality: &Quality) -> bool {
+    quality.square > 1 && quality.spread_agreeing != quality.spread_differing
+}
+
+/// A quality's dials: `s` square, `c` spread of colours (where keys are compared `k` depths of objects and states and
+/// the spreads of those that agree and differ), `e` spread of a side where it is another, `h` highlight, `d` depth and
+/// `w` least contribution where they are not the oracle's.
+fn dials(quality: &Quality) -> String {
+    let mut text = format!("s{}", quality.square);
+    if has_keys(quality) {
+        text += &format!(" k{}/{}", quality.key_depth, quality.state_depth);
+        let [agreeing, differing] =
+            [quality.spread_agreeing, quality.spread_differing].map(|spread| {
+                if spread.is_finite() {
+                    spread.to_string()
+                } else {
+                    "all".to_owned()
+                }
+            });
+        text += &format!(" c{agreeing}/{differing}");
+        if quality.highlight != Quality::EXHAUSTIVE.highlight {
+            text += &format!(" h{:.3}", quality.highlight);
+        }
+    } else if quality.square > 1 {
+        text += &format!(" c{}", quality.spread_agreeing);
+        if quality.spread_side != quality.spread_agreeing {
+            text += &format!(" e{}", quality.spread_side);
+        }
+    }
+    if quality.depth != Quality::EXHAUSTIVE.depth {
+        text += &format!(" d{}", quality.depth);
+    }
+    if quality.least_contribution != Quality::EXHAUSTIVE.least_contribution {
+        text += &format!(" w{}", quality.least_contribution);
+    }
+    text
+}

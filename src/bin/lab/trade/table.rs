@@ -1,0 +1,72 @@
+//! Points as tables in Markdown.
+
+use super::Trade;
+use super::plots::front;
+use super::row::Row;
+
+/// The Pareto front, from the slowest to the fastest.
+pub fn front_table(trade: &Trade) -> String {
+    let rows = front(&trade.points);
+    heading(trade) + &table(&rows)
+}
+
+/// The named qualities, in their order.
+pub fn ladder(trade: &Trade) -> String {
+    let rows: Vec<&Row> = trade.points.iter().collect();
+    heading(trade) + &table(&rows)
+}
+
+fn heading(trade: &Trade) -> String {
+    let early = if trade.complete {
+        ""
+    } else {
+        "; stopped early"
+    };
+    format!(
+        "{}; {} scene, {}x{}, {} frames from {} s to {} s{early}\n\n",
+        trade.machine,
+        trade.scene,
+        trade.width,
+        trade.height,
+        trade.times.len(),
+        trade.times.first().unwrap_or(&0.0),
+        trade.times.last().unwrap_or(&0.0),
+    )
+}
+
+fn table(rows: &[&Row]) -> String {
+    let mut text = "| quality | dials | speed-up | traced | PSNR | worst | largest | over 8/255 | missed | flicker | FLIP | p99 |\n\
+                    | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n"
+        .to_owned();
+    for row in rows {
+        text += &format!("| {} |\n", cells(row).join(" | "));
+    }
+    text
+}
+
+/// A row's cells; a dash where nothing differs or nothing was measured.
+fn cells(row: &Row) -> [String; 12] {
+    let dash = || "-".to_owned();
+    let decibels = |psnr: f64| {
+        if psnr.is_finite() {
+            format!("{psnr:.1} dB")
+        } else {
+            dash()
+        }
+    };
+    let known = |value: Option<f64>, digits| value.map_or_else(dash, |v| format!("{v:.digits$}"));
+    [
+        row.name.clone(),
+        row.dials.clone(),
+        format!("{:.2}", row.speedup),
+        format!("{:.1} %", 100.0 * row.traced_fraction),
+        decibels(row.psnr_db),
+        decibels(row.psnr_worst_db),
+        row.largest_error.to_string(),
+        format!("{:.0}", row.pixels_over_8),
+        format!("{:.2}", row.missed_objects),
+        known(row.flicker_blocks, 1),
+        known(row.flip_mean, 4),
+        known(row.flip_p99, 3),
+    ]
+}

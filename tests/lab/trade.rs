@@ -1,0 +1,262 @@
+//! `lab trade`. No figure is held to what a clock says.
+
+use super::{assert_one_line, lab};
+use crate::reader::read_png;
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+const PLOTS: [&str; 5] = ["front", "squares", "resolution", "objects", "over-time"];
+
+/// A trade in very small frames into a folder.
+fn trade(folder: &Path, more: &[&str]) -> String {
+    let folder = folder.to_str().expect("a plain name");
+    let small = ["trade", "--quick", "--size", "48x36", "--frames", "2"];
+    let output = lab(&[&small[..], &["--out", folder], more].concat());
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{error}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn json(folder: &Path) -> Value {
+    serde_json::from_slice(&fs::read(folder.join("trade.json")).unwrap()).expect("JSON")
+}
+
+/// Asserts that all files of a trade are there and whole, these plots among them, and no others.
+#[track_caller]
+fn assert_whole(folder: &Path, plots: &[&str]) {
+    let mut expected = BTreeSet::from(["trade.csv".to_owned(), "trade.json".to_owned()]);
+    for plot in plots {
+        let svg = fs::read_to_string(folder.join(format!("{plot}.svg"))).unwrap();
+        assert!(
+            svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"),
+            "{plot}"
+        );
+        assert!(svg.contains("<text"), "{plot} says nothing");
+        let (width, pixels) = read_png(&fs::read(folder.join(format!("{plot}.png"))).unwrap());
+        assert_eq!((width, pixels.len()), (1920, 1920 * 1200), "{plot}");
+        let dark = pixels.iter().filter(|&&pixel| pixel & 0xff < 0x60).count();
+        assert!(dark > 1000, "{plot} has no ink: {dark} pixels");
+        expected.extend([format!("{plot}.svg"), format!("{plot}.png")]);
+    }
+    let files = fs::read_dir(folder).unwrap();
+    let files = files.map(|file| {
+        file.unwrap()
+            .file_name()
+            .into_string()
+            .expect("a plain name")
+    });
+    assert_eq!(files.collect::<BTreeSet<_>>(), expected);
+
+    let csv = fs::read_to_string(folder.join("trade.csv")).unwrap();
+    let mut lines = csv.lines().map(cells);
+    let titles = lines.next().expect("titles");
+    let json = json(folder);
+    let rows = json["points"].as_array().expect("rows");
+    let keys = rows[0].as_object().expect("an object").keys();
+    let keys: BTreeSet<&str> = keys.map(String::as_str).collect();
+    assert_eq!(
+        titles.iter().map(String::as_str).collect::<BTreeSet<_>>(),
+        keys
+    );
+    let lines: Vec<Vec<String>> = lines.collect();
+    assert_eq!(lines.len(), rows.len());
+    for (line, row) in lines.iter().zip(rows) {
+        assert_eq!(line.len(), titles.len());
+        assert_eq!(line[0], row["name"]);
+    }
+}
+
+/// The cells of a line; those with a comma are quoted.
+fn cells(line: &str) -> Vec<String> {
+    let mut cells = vec![String::new()];
+    let mut is_quoted = false;
+    for c in line.chars() {
+        match c {
+            '"' => is_quoted = !is_quoted,
+            ',' if !is_quoted => cells.push(String::new()),
+            c => cells.last_mut().expect("one").push(c),
+        }
+    }
+    cells
+}
+
+#[test]
+fn all_that_is_measured_is_written_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = trade(folder.path(), &[]);
+    assert!(table.contains("| quality | dials |") && table.contains("48x36"));
+    assert_whole(folder.path(), &PLOTS);
+
+    let json = json(folder.path());
+    assert_eq!(json["complete"], true);
+    let rows = json["points"].as_array().expect("rows");
+    let have = |key: &str, value: f64| rows.iter().any(|row| row[key].as_f64() == Some(value));
+    for square in [1, 2, 4, 8, 16, 17, 32] {
+        assert!(have("square", square.into()), "squares of {square}");
+    }
+    for depth in 0..=7 {
+        assert!(have("depth", depth.into()), "depth {depth}");
+    }
+    for (key, values) in [
+        ("key_depth", vec![0.0, 1.0, 2.0]),
+        ("state_depth", vec![0.0, 1.0, 5.0]),
+        ("least_contribution", vec![0.0, 0.1]),
+        ("spread_differing", vec![1.0, 64.0]),
+        ("highlight", vec![0.25, 1.0 / 64.0]),
+    ] {
+        for value in values {
+            assert!(have(key, value), "{key} {value}");
+        }
+    }
+    for row in rows {
+        for key in [
+            "speedup",
+            "flip_mean",
+            "flip_p99",
+            "flicker_blocks",
+            "pixels_over_8",
+        ] {
+            assert!(
+                row[key].as_f64().is_some_and(|n| n >= 0.0),
+                "{key} of {row}"
+            );
+        }
+    }
+    let exhaustive = &rows[0];
+    assert_eq!(exhaustive["name"], "exhaustive");
+    assert!(exhaustive["psnr_db"].is_null());
+    assert_eq!(exhaustive["flip_mean"], 0.0);
+    assert_eq!(exhaustive["flicker_blocks"], 0.0);
+}
+
+#[test]
+fn no_point_of_the_front_is_beaten_by_another() {
+    let folder = tempfile::tempdir().unwrap();
+    trade(folder.path(), &[]);
+    let json = json(folder.path());
+    let rows = json["points"].as_array().expect("rows");
+    let without_fault = |row: &&Value| row["missed_objects"] == 0.0;
+    // A PSNR of null: nothing differs.
+    let psnr = |row: &Value| row["psnr_db"].as_f64().unwrap_or(f64::INFINITY);
+    let speed = |row: &Value| row["speedup"].as_f64().expect("a number");
+    for row in rows.iter().filter(without_fault) {
+        let mut others = rows.iter().filter(without_fault);
+        let is_beaten = others.any(|other| {
+            speed(other) > speed(row) && psnr(other) >= psnr(row)
+                || speed(other) >= speed(row) && psnr(other) > psnr(row)
+        });
+        if row["on_front"] == true {
+            assert!(!is_beaten, "{row}");
+        }
+    }
+    assert!(rows.iter().filter(|row| row["on_front"] == true).count() > 2);
+}
+
+#[test]
+fn errors_are_those_that_bench_measures() {
+    let frames = [
+        "--size",
+        "64x48",
+        "--frames",
+        "3",
+        "--time-from",
+        "1",
+        "--time-to",
+        "5",
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().expect("a plain name");
+    let output = lab(&[&["trade", "--quick", "--out", out], &frames[..]].concat());
+    assert!(output.status.success());
+    let json = json(folder.path());
+    let output = lab(&[
+        &["bench", "--quality", "default", "--json", "-"],
+        &frames[..],
+    ]
+    .concat());
+    let bench: Vec<Value> = serde_json::from_slice(&output.stdout).expect("JSON");
+    let mut points = json["points"].as_array().expect("rows").iter();
+    let row = points
+        .find(|row| row["name"] == "default")
+        .expect("the default");
+    for key in ["traced_fraction", "psnr_worst_db", "pixels_over_8"] {
+        let pair = [row, &bench[1]].map(|row| row[key].as_f64().expect("a number"));
+        assert!((pair[0] - pair[1]).abs() < 1e-9, "{key}: {pair:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn what_is_done_before_ctrl_c_is_written_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("trade");
+    // Nobody would wait for so many frames.
+    let lab = Command::new(env!("CARGO_BIN_EXE_lab"))
+        .args([
+            "trade", "--quick", "--size", "48x36", "--frames", "100000", "--out",
+        ])
+        .arg(&out)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // By then it listens.
+    while !out.exists() {
+        std::thread::yield_now();
+    }
+    let pid = lab.id().to_string();
+    assert!(
+        Command::new("kill")
+            .args(["-INT", &pid])
+            .status()
+            .unwrap()
+            .success()
+    );
+    let mut output = lab.wait_with_output().unwrap();
+    let table = String::from_utf8(std::mem::take(&mut output.stdout)).expect("text");
+    assert_one_line(
+        &output,
+        130,
+        &["stopped early", out.to_str().expect("a plain name")],
+    );
+    assert!(table.contains("stopped early"));
+    assert_whole(&out, &["front", "squares", "over-time"]);
+    let json = json(&out);
+    assert_eq!(json["complete"], false);
+    for row in json["points"].as_array().expect("rows") {
+        let frames = row["frames"].as_u64().expect("a number");
+        assert!((1..100_000).contains(&frames));
+        assert!(row["flip_mean"].is_null());
+    }
+}
+
+#[test]
+fn bad_input_is_named_in_one_line() {
+    for (flag, value, takes) in [
+        ("--size", "0x5", "WIDTHxHEIGHT"),
+        ("--frames", "0", "from 1 to"),
+        ("--time-from", "inf", "seconds"),
+        ("--time-to", "late", "seconds"),
+        ("--scene", "field:0", "field:N"),
+        ("--isa", "mmx", "this machine has"),
+    ] {
+        assert_one_line(&lab(&["trade", flag, value]), 2, &[flag, value, takes]);
+    }
+    assert_one_line(&lab(&["trade", "--out"]), 2, &["--out"]);
+    assert_one_line(&lab(&["trade", "--quickly"]), 2, &["--quickly"]);
+    assert_one_line(&lab(&["trade", "--quick", "now"]), 2, &["now"]);
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_to_is_named_before_anything_is_measured() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    fs::write(&file, "").unwrap();
+    let file = file.to_str().expect("a plain name");
+    for command in ["trade", "figures"] {
+        assert_one_line(&lab(&[command, "--out", file]), 1, &["cannot make", file]);
+    }
+}
