@@ -1,10 +1,12 @@
 //! What every ray of a frame uses, computed once a frame.
 
 mod groups;
+mod outline;
 mod screen;
 mod surface;
 
 pub(crate) use groups::{GroupSet, Groups, MAX_GROUPS};
+use outline::{Axes, Outline};
 pub(crate) use screen::Window;
 pub(crate) use surface::{FIELDS, Spread};
 
@@ -21,7 +23,7 @@ use glam::Vec3;
 const SLACK: f32 = 10.0 / (1 << 24) as f32;
 
 /// Objects a ray can hit: spheres, lights (drawn as spheres), planes, and the background.
-const MAX_OBJECTS: usize = MAX_SPHERES + MAX_LIGHTS + MAX_PLANES + 1;
+pub(crate) const MAX_OBJECTS: usize = MAX_SPHERES + MAX_LIGHTS + MAX_PLANES + 1;
 
 /// One frame's scene in the order the kernels want it.
 ///
@@ -29,11 +31,16 @@ const MAX_OBJECTS: usize = MAX_SPHERES + MAX_LIGHTS + MAX_PLANES + 1;
 pub(crate) struct Prepared {
     pub eye: Vec3,
     pub raster: Raster,
+    /// Rows of the picture.
+    pub height: usize,
     /// The solid spheres, then the lights' spheres.
     pub balls: [Ball; MAX_SPHERES + MAX_LIGHTS],
     pub groups: Groups,
     /// What each group covers of the picture.
     pub windows: [Window; MAX_GROUPS],
+    pub axes: Axes,
+    /// What each object covers of the picture.
+    pub outlines: [Outline; MAX_OBJECTS],
     pub solids: usize,
     pub lamps: [Lamp; MAX_LIGHTS],
     pub lamp_count: usize,
@@ -93,9 +100,12 @@ impl Prepared {
         Self {
             eye: Vec3::ZERO,
             raster: Raster::NONE,
+            height: 0,
             balls: [Ball::NONE; MAX_SPHERES + MAX_LIGHTS],
             groups: Groups::NONE,
             windows: [Window::ZERO; MAX_GROUPS],
+            axes: Axes::NONE,
+            outlines: [Outline::NONE; MAX_OBJECTS],
             solids: 0,
             lamps: [const { Lamp::NONE }; MAX_LIGHTS],
             lamp_count: 0,
@@ -122,7 +132,8 @@ impl Prepared {
     pub fn seen(&self, left: usize, top: usize, right: usize, bottom: usize) -> GroupSet {
         let mut set = 0;
         for (i, _) in self.groups.iter().enumerate() {
-            let meets = self.windows[i].meets(left as f32, top as f32, right as f32, bottom as f32);
+            let meets =
+                self.windows[i].meets([left as f32, top as f32, right as f32, bottom as f32]);
             set |= GroupSet::from(meets) << i;
         }
         set
@@ -132,6 +143,7 @@ impl Prepared {
     pub fn set(&mut self, scene: &Scene, width: usize, height: usize) {
         self.eye = scene.camera.eye;
         self.raster = scene.camera.raster(width, height);
+        self.height = height;
         self.solids = scene.spheres.len();
         self.lamp_count = scene.lights.len();
         self.plane_count = scene.planes.len();
@@ -165,13 +177,33 @@ impl Prepared {
         let nothing = self.nothing();
         let background = surface::emitting(scene.background);
         surface::spread(&background, &mut self.surfaces[nothing]);
-        for (window, group) in self.windows.iter_mut().zip(self.groups.iter()) {
-            *window = Window::of(group, self.eye, &self.raster, width, height);
-        }
+        self.set_outlines(width, height);
         #[cfg(feature = "lab")]
         self.move_samples();
         for i in 0..scene.lights.len() {
             self.set_lamp(scene, i);
+        }
+    }
+
+    /// Takes in what each object covers of the picture; the objects and groups are in already.
+    #[inline(never)]
+    fn set_outlines(&mut self, width: usize, height: usize) {
+        self.axes = Axes::of(&self.raster, width, height);
+        let (first_plane, nothing) = (self.first_plane(), self.nothing());
+        let window = |centre: Vec3, radius: f32| {
+            Window::of(centre, radius, self.eye, &self.raster, width, height)
+        };
+        for (window_of, group) in self.windows.iter_mut().zip(self.groups.iter()) {
+            *window_of = window(group.centre, group.radius);
+        }
+        for i in 0..nothing {
+            self.outlines[i] = if i < first_plane {
+                let ball = &self.balls[i];
+                let window = window(ball.centre, libm::sqrtf(ball.r2));
+                Outline::sphere(&self.axes, self.eye, ball, window)
+            } else {
+                Outline::rectangle(&self.axes, self.eye, &self.planes[i - first_plane])
+            };
         }
     }
 
@@ -180,7 +212,9 @@ impl Prepared {
     fn move_samples(&mut self) {
         let Raster { corner, dx, dy } = &mut self.raster;
         *corner += *dx * self.offset.x + *dy * self.offset.y;
-        for window in &mut self.windows {
+        self.axes.move_middle(-self.offset);
+        let outlines = self.outlines.iter_mut().map(|outline| &mut outline.window);
+        for window in self.windows.iter_mut().chain(outlines) {
             window.left -= self.offset.x;
             window.right -= self.offset.x;
             window.top -= self.offset.y;

@@ -1,6 +1,5 @@
 //! What a sphere covers of the picture.
 
-use super::groups::Group;
 use crate::scene::camera::Raster;
 use glam::Vec3;
 
@@ -34,24 +33,31 @@ impl Window {
     };
 
     /// All of the picture, and beyond.
-    const ALL: Self = Self {
+    pub const ALL: Self = Self {
         left: f32::NEG_INFINITY,
         right: f32::INFINITY,
         top: f32::NEG_INFINITY,
         bottom: f32::INFINITY,
     };
 
-    /// Where a group's sphere can be seen.
+    /// Where a sphere can be seen.
     #[inline(never)]
-    pub fn of(group: &Group, eye: Vec3, raster: &Raster, width: usize, height: usize) -> Self {
-        let to = group.centre - eye;
+    pub fn of(
+        centre: Vec3,
+        radius: f32,
+        eye: Vec3,
+        raster: &Raster,
+        width: usize,
+        height: usize,
+    ) -> Self {
+        let to = centre - eye;
         let middle = |size: usize| 0.5 * (size as f32 - 1.0);
         let Raster { corner, dx, dy } = *raster;
         let forward = corner + dx * middle(width) + dy * middle(height);
         let pixel = dx.length();
         let ahead = to.dot(forward);
         // A little larger than it is, so that what rounding adds is covered.
-        let radius = group.radius * (1.0 + 1e-4);
+        let radius = radius * (1.0 + 1e-4);
         if ahead < -radius {
             return Self::NONE;
         }
@@ -70,7 +76,7 @@ impl Window {
 
     /// Whether it shares a point with the rectangle of these corners.
     #[inline(always)]
-    pub fn meets(&self, left: f32, top: f32, right: f32, bottom: f32) -> bool {
+    pub fn meets(&self, [left, top, right, bottom]: [f32; 4]) -> bool {
         self.left <= right && self.right >= left && self.top <= bottom && self.bottom >= top
     }
 }

@@ -1,13 +1,13 @@
 //! A band of the picture: the unit of work that threads share.
 
 use super::fill::Canvas;
-use super::square::{self, Corners, Verdict};
+use super::square::{self, Corners, Spreads, Verdict};
 use super::{Border, Square};
 use crate::lanes::*;
 use crate::observe::{Fill, Observer, tell_points};
 use crate::prepare::{GroupSet, Prepared};
 use crate::quality::Quality;
-use crate::trace::{BATCH, trace};
+use crate::trace::{BATCH, Sample, trace};
 use crate::worker::Worker;
 use fearless_simd::Level;
 
@@ -98,6 +98,7 @@ fn render_by<S: Simd, O: Observer>(
         above_done: band.above_done,
         below_done: band.below_done,
         seen: 0,
+        next: 0,
         worker,
         canvas,
     };
@@ -123,6 +124,8 @@ struct Refiner<'a, S: Simd, O: Observer> {
     below_done: bool,
     /// The groups that the stretch at work can show.
     seen: GroupSet,
+    /// Squares listed for the next round.
+    next: usize,
     worker: &'a mut Worker,
     canvas: Canvas<'a>,
 }
@@ -193,33 +196,28 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     fn stretch(&mut self, start: usize, end: usize) {
         let rows = self.canvas.height.next_multiple_of(self.quality.square);
         self.seen = self.scene.seen(start, self.top, end, self.top + rows);
+        if self.quality.guarded {
+            let rectangle = self.rectangle(start, 0, end - start, rows);
+            self.worker
+                .unseen
+                .set(self.simd, self.scene, self.seen, rectangle);
+        }
         self.add_corners(start, end, rows);
         let mut count = self.first_squares(start, end, rows);
         let mut round = 0;
         while count > 0 {
             self.trace();
-            let mut splits = 0;
+            self.next = 0;
             for i in 0..count {
                 let square = self.worker.squares[round][i];
                 if square.is_last() {
                     self.put_pixels(&square);
-                    continue;
-                }
-                let grid = square.grid(&self.worker.points);
-                let spreads = grid.spreads(self.simd);
-                let parts = square.parts();
-                for (part, (corners, &spread)) in
-                    parts.iter().zip(grid.corners().into_iter().zip(&spreads))
-                {
-                    if self.decide(part, corners, spread) {
-                        self.request_parts(part, corners);
-                        self.worker.squares[1 - round][splits] = *part;
-                        splits += 1;
-                    }
+                } else {
+                    self.look_at(&square, 1 - round);
                 }
             }
             round = 1 - round;
-            count = splits;
+            count = self.next;
         }
     }
 
@@ -252,6 +250,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
                     y: y as u16,
                     w,
                     h,
+                    is_clear: !self.quality.guarded,
                 };
                 count += 1;
             }
@@ -259,31 +258,50 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
         count
     }
 
-    /// Sets the pixels of a square that is split into single ones.
+    /// Looks at the parts of a square: fills them, or lists them for the next round.
     #[inline(always)]
-    fn put_pixels(&mut self, square: &Square) {
-        self.tell(square, Fill::Points);
-        for y in square.y..square.y + u16::from(square.h) {
-            for x in square.x..square.x + u16::from(square.w) {
-                let (x, y) = (x as usize, y as usize);
-                self.canvas
-                    .put(x, y, self.worker.points.sample(x, y).pixel());
+    fn look_at(&mut self, square: &Square, next_round: usize) {
+        let grid = square.grid(&self.worker.points);
+        let (right, below) = (
+            square.x + u16::from(square.w),
+            square.y + u16::from(square.h),
+        );
+        // Beyond the picture the grid may hold points of other frames.
+        let has_grid = right as usize <= self.canvas.width && below as usize <= self.canvas.height;
+        let is_clear = square.is_clear || has_grid && !self.may_hide(square, grid.samples());
+        let largest = square.w.max(square.h);
+        let spreads = grid.spreads(self.simd, self.quality, largest - largest / 2);
+        for i in 0..4 {
+            let mut part = square.part(i);
+            let corners = grid.corners(i);
+            if part.x as usize >= self.canvas.width
+                || part.y as usize >= self.canvas.height
+                || part.w == 0
+                || part.h == 0
+            {
+                continue;
+            }
+            if part.w == 1 && part.h == 1 {
+                self.put_pixels(&part);
+                continue;
+            }
+            part.is_clear = is_clear || !self.may_hide(&part, &corners);
+            if self.decide(&part, i, corners, &spreads) {
+                self.request_parts(&part, corners);
+                self.worker.squares[next_round][self.next] = part;
+                self.next += 1;
             }
         }
     }
 
-    /// Fills a square, unless it has to be split or is not in the picture.
+    /// Fills a square, part number `i` of another, unless it has to be split.
     #[inline(always)]
-    fn decide(&mut self, square: &Square, corners: Corners, spread: u16) -> bool {
-        let (x, y) = (square.x as usize, square.y as usize);
-        if x >= self.canvas.width || y >= self.canvas.height || square.w == 0 || square.h == 0 {
-            return false;
+    fn decide(&mut self, square: &Square, i: usize, corners: Corners, spreads: &Spreads) -> bool {
+        if !square.is_clear {
+            return true;
         }
-        if square.w == 1 && square.h == 1 {
-            self.put_pixels(square);
-            return false;
-        }
-        match square.verdict(self.quality, &self.worker.points, corners, spread) {
+        let agrees = !self.quality.needs_keys() || square.agrees(&self.worker.points);
+        match spreads.verdict(i, agrees, corners) {
             Verdict::Flat(pixel) => {
                 self.canvas.flat(self.simd, square, pixel);
                 self.tell(square, Fill::Flat);
@@ -305,6 +323,38 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
         self.observer.square(x, self.top + y, w, h, fill);
     }
 
+    /// Whether there may be an object in a square that none of these samples shows, which are on its sides and inside.
+    #[inline(always)]
+    fn may_hide(&self, square: &Square, samples: &[Sample]) -> bool {
+        let (x, y) = (square.x as usize, square.y as usize);
+        let (w, h) = (square.w as usize, square.h as usize);
+        let rectangle = self.rectangle(x, y, w, h);
+        // Points beyond the picture show nothing.
+        let is_inside = x + w < self.canvas.width && self.top + y + h < self.scene.height;
+        let unseen = &self.worker.unseen;
+        unseen.may_show(self.simd, self.scene, rectangle, samples, is_inside)
+    }
+
+    /// The corners of a rectangle of points in the picture.
+    #[inline(always)]
+    fn rectangle(&self, x: usize, y: usize, w: usize, h: usize) -> [f32; 4] {
+        let y = self.top + y;
+        [x as f32, y as f32, (x + w) as f32, (y + h) as f32]
+    }
+
+    /// Sets the pixels of a square whose points are all known.
+    #[inline(never)]
+    fn put_pixels(&mut self, square: &Square) {
+        self.tell(square, Fill::Points);
+        for y in square.y..square.y + u16::from(square.h) {
+            for x in square.x..square.x + u16::from(square.w) {
+                let (x, y) = (x as usize, y as usize);
+                self.canvas
+                    .put(x, y, self.worker.points.sample(x, y).pixel());
+            }
+        }
+    }
+
     /// Asks for the points that a square's parts need beyond its own corners.
     #[inline(always)]
     fn request_parts(&mut self, square: &Square, corners: Corners) {
@@ -312,35 +362,41 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
         let (right, below) = (x + square.w as usize, y + square.h as usize);
         let (middle_x, middle_y) = square.middle();
         let [a, b, c, d] = corners;
-        let limit = self.quality.side_limit(square.w, square.h);
-        let close = square::close_sides(self.simd, corners, limit);
-        let points = [
-            (middle_x, y, close[0].then(|| a.mean(b))),
-            (x, middle_y, close[1].then(|| a.mean(c))),
-            (middle_x, middle_y, None),
-            (right, middle_y, close[2].then(|| b.mean(d))),
-            (middle_x, below, close[3].then(|| c.mean(d))),
-        ];
+        let limit = if square.is_clear {
+            self.quality.side_limit(square.w, square.h)
+        } else {
+            -1.0
+        };
+        let far = square::far_sides(self.simd, corners, limit);
         // Parts beyond the picture need no corners, and single pixels none but their own point.
         let right_part = middle_x < self.canvas.width;
         let lower_part = middle_y < self.canvas.height;
-        let wanted = if square.is_last() {
-            [
-                right_part,
-                lower_part,
-                right_part && lower_part,
-                false,
-                false,
-            ]
-        } else {
-            [true, true, true, right_part, lower_part]
-        };
-        for ((x, y, mean), wanted) in points.into_iter().zip(wanted) {
-            if wanted && self.worker.points.claim(x, y) {
-                match mean {
-                    Some(sample) => self.worker.points.put(x, y, sample),
-                    None => self.add(x, y),
-                }
+        let is_last = square.is_last();
+        if right_part || !is_last {
+            self.request(middle_x, y, far & 0xf == 0, a, b);
+        }
+        if lower_part || !is_last {
+            self.request(x, middle_y, far & 0xf0 == 0, a, c);
+        }
+        if right_part && lower_part || !is_last {
+            self.request(middle_x, middle_y, false, a, d);
+        }
+        if right_part && !is_last {
+            self.request(right, middle_y, far & 0xf00 == 0, b, d);
+        }
+        if lower_part && !is_last {
+            self.request(middle_x, below, far & 0xf000 == 0, c, d);
+        }
+    }
+
+    /// Asks for a point, unless that has been done; `is_mean` says that it lies between samples that are close enough.
+    #[inline(never)]
+    fn request(&mut self, x: usize, y: usize, is_mean: bool, a: Sample, b: Sample) {
+        if self.worker.points.claim(x, y) {
+            if is_mean {
+                self.worker.points.put(x, y, a.mean(b));
+            } else {
+                self.add(x, y);
             }
         }
     }

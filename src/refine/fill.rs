@@ -3,7 +3,7 @@
 use super::square::{Corners, Square};
 use crate::lanes::*;
 use crate::trace::{STEP, Sample};
-use fearless_simd::{f32x4, i32x4, u16x8, u32x8, u64x2};
+use fearless_simd::{i16x8, u8x16, u16x8, u32x4, u64x2};
 
 /// The pixels of a band, row after row, `width` to a row.
 pub(crate) struct Canvas<'a> {
@@ -12,30 +12,17 @@ pub(crate) struct Canvas<'a> {
     pub height: usize,
 }
 
-/// How a square's colours change: blue, green and red at its upper left corner, and what is added per pixel.
-///
-/// Half of one is added to all, so that cutting off rounds.
-#[derive(Clone, Copy)]
-struct Ramp<S: Simd> {
-    start: f32x4<S>,
-    across: f32x4<S>,
-    down: f32x4<S>,
-    /// Added to `down` per column.
-    twist: f32x4<S>,
-}
+/// The colours of two neighbouring pixels, a word for each channel, in 256ths of an output step.
+type Pair<S> = u16x8<S>;
+
+/// Half an output step: added before the fraction is cut off, it rounds.
+const HALF: u16 = 128;
 
 impl Canvas<'_> {
-    /// The pixels of row `y` from `x` on, `w` of them or as many as the picture has.
+    /// The pixels of row `y` from `x` on, `w` of them.
     #[inline(always)]
     pub fn row(&mut self, x: usize, y: usize, w: usize) -> &mut [u32] {
-        let end = (x + w).min(self.width);
-        &mut self.pixels[y * self.width..][x..end]
-    }
-
-    /// The rows of a square that are in the picture.
-    #[inline(always)]
-    fn rows(&self, square: &Square) -> usize {
-        (square.h as usize).min(self.height - square.y as usize)
+        &mut self.pixels[y * self.width + x..][..w]
     }
 
     /// Sets one pixel, if it is in the picture.
@@ -49,16 +36,16 @@ impl Canvas<'_> {
     /// One colour.
     #[inline(always)]
     pub fn flat<S: Simd>(&mut self, simd: S, square: &Square, pixel: u32) {
-        let (x, y, w) = (square.x as usize, square.y as usize, square.w as usize);
-        let rows = self.rows(square);
-        let pixels = &mut self.pixels[y * self.width..(y + rows) * self.width];
+        let (x, y) = (square.x as usize, square.y as usize);
+        let end = (x + square.w as usize).min(self.width);
+        let below = (y + square.h as usize).min(self.height);
+        let pixels = &mut self.pixels[y * self.width..below * self.width];
         for row in pixels.chunks_exact_mut(self.width) {
-            let row = &mut row[x..];
-            // The common length has its own way.
-            match row.first_chunk_mut::<8>() {
-                Some(eight) if w == 8 => u32x8::splat(simd, pixel).store_array(eight),
-                _ => row.iter_mut().take(w).for_each(|p| *p = pixel),
+            let (fours, rest) = row[x..end].as_chunks_mut::<4>();
+            for four in fours {
+                u32x4::splat(simd, pixel).store_array(four);
             }
+            rest.fill(pixel);
         }
     }
 
@@ -76,121 +63,110 @@ impl Canvas<'_> {
             self.put(x + 1, y + 1, upper.mean(c.mean(d)).pixel());
             return;
         }
-        let ramp = Ramp::between(simd, corners, w, h);
         let is_whole = x + w <= self.width && y + h <= self.height;
-        if is_whole && w == h && w.is_power_of_two() {
-            self.ramp(simd, x, y, w, &ramp);
-        } else {
-            for j in 0..self.rows(square) {
-                for (i, pixel) in self.row(x, y + j, w).iter_mut().enumerate() {
-                    *pixel = ramp.pixel_at(i as f32, j as f32);
-                }
+        if is_whole && w == h && w.is_power_of_two() && w > 1 {
+            let mut columns = Columns::between(simd, corners, w);
+            for left in steps(0, w, 4) {
+                self.four_columns(y * self.width + x + left, &mut columns);
+            }
+            return;
+        }
+        for j in 0..h {
+            for i in 0..w {
+                self.put(x + i, y + j, between(corners, [i, j], [w, h]));
             }
         }
     }
 
-    /// Fills a square whose side is a power of two, as many pixels at a time as there are lanes.
+    /// Fills the next four columns of a square, the first pixel at `place`.
     #[inline(always)]
-    fn ramp<S: Simd>(&mut self, simd: S, x: usize, y: usize, side: usize, ramp: &Ramp<S>) {
-        let columns = lanes::<S>().min(side);
-        let rows = (lanes::<S>() / columns).min(side);
-        let lane = numbers(simd);
-        let lane_row: I<S> = (lane >> columns.trailing_zeros()).bitcast();
-        let lane_column: I<S> = (lane & (columns as u32 - 1)).bitcast();
-        let row: F<S> = lane_row.to_float();
-        for left in steps(0, side, columns) {
-            let column: F<S> = lane_column.to_float::<F<S>>() + left as f32;
-            let mut b = Steps::new(simd, ramp, 0, column, row, rows as f32);
-            let mut g = Steps::new(simd, ramp, 1, column, row, rows as f32);
-            let mut r = Steps::new(simd, ramp, 2, column, row, rows as f32);
-            let mut place = y * self.width + x + left;
-            for _ in 0..side / rows {
-                let pixels = r.next() << 16 | g.next() << 8 | b.next();
-                let mut pixels = pixels.as_slice();
-                for _ in 0..rows {
-                    let (run, rest) = pixels.split_at(columns);
-                    copy(run, &mut self.pixels[place..place + columns]);
-                    pixels = rest;
-                    place += self.width;
-                }
+    fn four_columns<S: Simd>(&mut self, place: usize, columns: &mut Columns<S>) {
+        let (mut left, left_down) = columns.next();
+        let (mut right, right_down) = columns.next();
+        let end = place + (columns.side - 1) * self.width + 4;
+        for row in self.pixels[place..end].chunks_mut(self.width) {
+            if let Some(four) = row.first_chunk_mut() {
+                let bytes: u8x16<S> = (left >> 8).narrow(right >> 8);
+                bytes.bitcast::<u32x4<S>>().store_array(four);
             }
+            left += left_down;
+            right += right_down;
         }
     }
 }
 
-/// Copies a run of 2, 4, 8 or 16 pixels, each by a move of its own: the compiler makes a call of a loop.
-#[inline(always)]
-fn copy(from: &[u32], to: &mut [u32]) {
-    #[inline(always)]
-    fn exactly<const N: usize>(from: &[u32], to: &mut [u32]) {
-        if let (Some(from), Some(to)) = (from.first_chunk::<N>(), to.first_chunk_mut::<N>()) {
-            *to = *from;
-        }
-    }
-    match from.len() {
-        2 => exactly::<2>(from, to),
-        4 => exactly::<4>(from, to),
-        8 => exactly::<8>(from, to),
-        _ => exactly::<16>(from, to),
-    }
+/// The upper and the lower side of a square, two pixels at a time.
+///
+/// All is added up without a carry out of 16 bits, so that differences of any size work. A step is off by half a 256th of
+/// an output step at most, so that the last pixel of a square of 8 is off by 7 of them, and by 31 in one of 32.
+struct Columns<S: Simd> {
+    side: usize,
+    shift: u32,
+    upper: Pair<S>,
+    lower: Pair<S>,
+    /// From two pixels to the next two.
+    upper_step: Pair<S>,
+    lower_step: Pair<S>,
 }
 
-/// A [`Ramp`] in lanes, some rows at a time.
-struct Steps<S: Simd> {
-    value: F<S>,
-    step: F<S>,
-}
-
-impl<S: Simd> Steps<S> {
-    /// Channel `i` at the lanes' columns and rows, to be stepped `rows` rows at a time.
+impl<S: Simd> Columns<S> {
+    /// Between the corners of a square whose side is a power of two and at least 4.
     #[inline(always)]
-    fn new(simd: S, ramp: &Ramp<S>, i: usize, column: F<S>, row: F<S>, rows: f32) -> Self {
-        let down = column.mul_add(splat(simd, ramp.twist[i]), splat(simd, ramp.down[i]));
-        let top = column.mul_add(splat(simd, ramp.across[i]), splat(simd, ramp.start[i]));
+    fn between(simd: S, [a, b, c, d]: Corners, side: usize) -> Self {
+        let shift = side.trailing_zeros() - 1;
+        let second: Pair<S> = u64x2::simd_from(simd, [0, u64::MAX]).bitcast();
+        let (a, b, c, d) = (
+            twice(simd, a),
+            twice(simd, b),
+            twice(simd, c),
+            twice(simd, d),
+        );
+        let (across, across_below) = (step(b, a, shift), step(d, c, shift));
         Self {
-            value: row.mul_add(down, top),
-            step: down * rows,
+            side,
+            shift,
+            upper: a + a + HALF + (across & second),
+            lower: c + c + HALF + (across_below & second),
+            upper_step: across + across,
+            lower_step: across_below + across_below,
         }
     }
 
-    /// The numbers of these rows, cut to whole ones.
+    /// The next two pixels of the upper side, and what is added from row to row below them.
     #[inline(always)]
-    fn next(&mut self) -> U<S> {
-        let whole: I<S> = self.value.to_int();
-        self.value += self.step;
-        whole.bitcast()
+    fn next(&mut self) -> (Pair<S>, Pair<S>) {
+        let value = self.upper;
+        let down = step(self.lower >> 1, self.upper >> 1, self.shift);
+        self.upper += self.upper_step;
+        self.lower += self.lower_step;
+        (value, down)
     }
 }
 
-impl<S: Simd> Ramp<S> {
-    /// Between the corners of a square of `w` by `h` pixels.
-    #[inline(always)]
-    fn between(simd: S, [a, b, c, d]: Corners, w: usize, h: usize) -> Self {
-        let (a, b) = channels(simd, a, b);
-        let (c, d) = channels(simd, c, d);
-        let (w, h) = (1.0 / w as f32, 1.0 / h as f32);
-        Self {
-            start: a + 0.5,
-            across: (b - a) * w,
-            down: (c - a) * h,
-            twist: (d - c - b + a) * (w * h),
-        }
-    }
-
-    /// A pixel by its column and row.
-    #[inline(always)]
-    fn pixel_at(&self, column: f32, row: f32) -> u32 {
-        let colour = self.start + self.across * column + (self.down + self.twist * column) * row;
-        (colour[2] as u32) << 16 | (colour[1] as u32) << 8 | colour[0] as u32
-    }
-}
-
-/// Blue, green and red of two samples, in steps.
+/// A sample for both pixels of a pair, as it counts: in 128ths of an output step.
 #[inline(always)]
-fn channels<S: Simd>(simd: S, a: Sample, b: Sample) -> (f32x4<S>, f32x4<S>) {
-    let both: u16x8<S> = u64x2::simd_from(simd, [a.0, b.0]).bitcast();
-    let (a, b) = both.widen();
-    let (a, b): (i32x4<S>, i32x4<S>) = (a.bitcast(), b.bitcast());
-    let (a, b): (f32x4<S>, f32x4<S>) = (a.to_float(), b.to_float());
-    (a * (1.0 / STEP as f32), b * (1.0 / STEP as f32))
+fn twice<S: Simd>(simd: S, sample: Sample) -> Pair<S> {
+    u64x2::splat(simd, sample.colour()).bitcast()
+}
+
+/// The way from one number of 128ths to another in `2^(shift + 1)` steps, in 256ths, rounded.
+#[inline(always)]
+fn step<S: Simd>(to: Pair<S>, from: Pair<S>, shift: u32) -> Pair<S> {
+    let way: i16x8<S> = (to - from).bitcast();
+    // Half is added to a quarter of the range of words at most.
+    (((way >> (shift - 1)) + 1) >> 1).bitcast()
+}
+
+/// The colour at a column and row of a square of any sides.
+fn between(corners: Corners, [i, j]: [usize; 2], [w, h]: [usize; 2]) -> u32 {
+    let [a, b, c, d] = corners.map(|corner| corner.colour());
+    let (step, area) = (STEP as usize, w * h);
+    let channel = |shift: u32| {
+        let at = |sample: u64| (sample >> shift & 0xffff) as usize;
+        let upper = at(a) * (w - i) + at(b) * i;
+        let lower = at(c) * (w - i) + at(d) * i;
+        let sum = upper * (h - j) + lower * j;
+        (sum + step * area / 2) / (step * area)
+    };
+    (channel(32) << 16 | channel(16) << 8 | channel(0)) as u32
 }

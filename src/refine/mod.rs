@@ -4,11 +4,25 @@
 //! of all squares are traced, then each square is filled or split, then the points that the splits asked for are
 //! traced, and so on down to single pixels, so that lanes stay full. No point is traced twice: a stretch finds what the
 //! one before it traced at their seam, and bands exchange the rows they share (see [`Border`]).
+//!
+//! # What is not missed
+//!
+//! Corners do not see what lies between them. A guarded quality (see `Quality::guarded`), as all named ones are, shows every
+//! object that tracing every pixel shows, each in one pixel at least: a square is split as long as some object may be
+//! seen in it that none of its corners shows. An object that has a pixel p is in a candidate's outline around each square
+//! with p, since outlines are bounds (see `prepare::outline`), so a square with p is filled only where one of its corners
+//! that are pixels shows the object, or where all corners show one that covers the square and is in front. Averaged
+//! points count as showing what both their ends show. What a square is cleared of, its parts are, too.
+//!
+//! Only what the eye sees directly is guaranteed. Gaps between objects, shadows, highlights and what is seen by
+//! reflection or through glass can be missed where they fall between corners; the lab's bench measures how much of the
+//! picture that is, and how it flickers.
 
 pub(crate) mod band;
 mod fill;
 mod points;
 mod square;
+mod unseen;
 
 pub use band::Band;
 pub(crate) use band::render;
@@ -16,3 +30,4 @@ pub(crate) use band::render;
 pub(crate) use band::render_observed;
 pub(crate) use points::{Border, Points};
 pub(crate) use square::Square;
+pub(crate) use unseen::Unseen;

@@ -14,6 +14,8 @@ pub(crate) struct Square {
     pub y: u16,
     pub w: u8,
     pub h: u8,
+    /// Whether nothing can be seen in it that is not shown anyway.
+    pub is_clear: bool,
 }
 
 /// The samples at a square's corners: upper left, upper right, lower left, lower right.
@@ -53,37 +55,24 @@ impl Square {
         )
     }
 
-    /// The up to four parts; a part may be empty.
+    /// The part number `i` of four; it may be empty.
     #[inline(always)]
-    pub fn parts(&self) -> [Self; 4] {
+    pub fn part(&self, i: usize) -> Self {
         let (left, top) = (self.w / 2, self.h / 2);
-        let (right, bottom) = (self.w - left, self.h - top);
-        let (x, y) = (self.x + u16::from(left), self.y + u16::from(top));
-        [
-            Self {
-                w: left,
-                h: top,
-                ..*self
-            },
-            Self {
-                x,
-                w: right,
-                h: top,
-                ..*self
-            },
-            Self {
-                y,
-                w: left,
-                h: bottom,
-                ..*self
-            },
-            Self {
-                x,
-                y,
-                w: right,
-                h: bottom,
-            },
-        ]
+        let mut part = Self {
+            w: left,
+            h: top,
+            ..*self
+        };
+        if i % 2 == 1 {
+            part.x += u16::from(left);
+            part.w = self.w - left;
+        }
+        if i / 2 == 1 {
+            part.y += u16::from(top);
+            part.h = self.h - top;
+        }
+        part
     }
 
     /// The samples around the parts: three rows of three.
@@ -99,101 +88,109 @@ impl Square {
                 points.sample(right, y),
             ]
         };
-        Grid([row(y), row(middle_y), row(below)])
+        let [[a, b, c], [d, e, f], [g, h, i]] = [row(y), row(middle_y), row(below)];
+        Grid([a, b, c, d, e, f, g, h, i])
     }
 
-    /// What a quality says of a square with these corners, whose spread is known.
+    /// Whether the keys at the corners agree.
     #[inline(always)]
-    pub fn verdict(
-        &self,
-        quality: &Quality,
-        points: &Points,
-        [a, b, c, d]: Corners,
-        spread: u16,
-    ) -> Verdict {
-        let colour = a.pixel();
-        if spread == 0 {
-            return Verdict::Flat(colour);
-        }
-        let side = self.w.max(self.h);
-        if f32::from(spread) <= limit(self.allowed(quality, points), side) {
-            return Verdict::Bilinear;
-        }
-        if colour == b.pixel() && colour == c.pixel() && colour == d.pixel() {
-            return Verdict::Flat(colour);
-        }
-        Verdict::Split
-    }
-
-    /// How far the corners' colours may be apart, for a square of 8 pixels.
-    #[inline(always)]
-    fn allowed(&self, quality: &Quality, points: &Points) -> f32 {
-        if quality.needs_keys() {
-            let [a, b, c, d] = self.places();
-            let key = |(x, y)| points.key(x, y);
-            if key(a) != key(b) || key(a) != key(c) || key(a) != key(d) {
-                return quality.spread_differing;
-            }
-        }
-        quality.spread_agreeing
+    pub fn agrees(&self, points: &Points) -> bool {
+        let [a, b, c, d] = self.places();
+        let key = |(x, y)| points.key(x, y);
+        key(a) == key(b) && key(a) == key(c) && key(a) == key(d)
     }
 }
 
 /// The samples around a square's parts: three rows of three.
-pub(crate) struct Grid([[Sample; 3]; 3]);
+pub(crate) struct Grid([Sample; 9]);
+
+/// What the spreads of a square's parts are, four bits for each part, of which some are set where it is so.
+pub(crate) struct Spreads {
+    some: u64,
+    over_agreeing: u64,
+    over_differing: u64,
+}
 
 impl Grid {
-    /// The corners of each part.
+    /// The corners of part number `i`.
     #[inline(always)]
-    pub fn corners(&self) -> [Corners; 4] {
-        let [[a, b, c], [d, e, f], [g, h, i]] = self.0;
-        [[a, b, d, e], [b, c, e, f], [d, e, g, h], [e, f, h, i]]
+    pub fn corners(&self, i: usize) -> Corners {
+        let first = i / 2 * 3 + i % 2;
+        [0, 1, 3, 4].map(|next| self.0[first + next])
     }
 
-    /// For each part the largest difference between two corners in a channel, as a sample counts.
+    /// The samples, row after row.
     #[inline(always)]
-    pub fn spreads<S: Simd>(&self, simd: S) -> [u16; 4] {
-        let [[a, b, c], [d, e, f], [g, h, i]] = self.0;
-        let (p, q) = (channels(simd, [a, b, d, e]), channels(simd, [b, c, e, f]));
-        let (r, s) = (channels(simd, [d, e, g, h]), channels(simd, [e, f, h, i]));
-        let most = p.max(q).max(r.max(s));
-        let least = p.min(q).min(r.min(s));
-        widest(most - least)
+    pub fn samples(&self) -> &[Sample] {
+        &self.0
+    }
+
+    /// Compares the parts' spreads to what a quality allows parts of this side.
+    #[inline(always)]
+    pub fn spreads<S: Simd>(&self, simd: S, quality: &Quality, side: u8) -> Spreads {
+        let [a, b, c, d, e, f, g, h, i] = self.0;
+        let (p, q) = (fours(simd, [a, b, d, e]), fours(simd, [b, c, e, f]));
+        let (r, s) = (fours(simd, [d, e, g, h]), fours(simd, [e, f, h, i]));
+        let spread = p.max(q).max(r.max(s)) - p.min(q).min(r.min(s));
+        let over = |limit: u64| {
+            let limit: i16x16<S> = u64x4::splat(simd, limit).bitcast();
+            spread.simd_gt(limit).to_bitmask()
+        };
+        let over_agreeing = over(channels(limit(quality.spread_agreeing, side)));
+        let over_differing = if quality.needs_keys() {
+            over(channels(limit(quality.spread_differing, side)))
+        } else {
+            over_agreeing
+        };
+        Spreads {
+            some: over(channels(0.0)),
+            over_agreeing,
+            over_differing,
+        }
+    }
+}
+
+impl Spreads {
+    /// What becomes of the part number `i`, with these corners.
+    #[inline(always)]
+    pub fn verdict(&self, i: usize, agrees: bool, [a, b, c, d]: Corners) -> Verdict {
+        let of_part = |bits: u64| bits >> (4 * i) & 0xf;
+        let over = if agrees {
+            self.over_agreeing
+        } else {
+            self.over_differing
+        };
+        let colour = a.pixel();
+        if of_part(self.some) == 0 {
+            Verdict::Flat(colour)
+        } else if of_part(over) == 0 {
+            Verdict::Bilinear
+        } else if colour == b.pixel() && colour == c.pixel() && colour == d.pixel() {
+            Verdict::Flat(colour)
+        } else {
+            Verdict::Split
+        }
     }
 }
 
 /// The channels of four samples, which are below 2^15: SSE2 compares no unsigned words.
 #[inline(always)]
-fn channels<S: Simd>(simd: S, [a, b, c, d]: [Sample; 4]) -> i16x16<S> {
+fn fours<S: Simd>(simd: S, [a, b, c, d]: Corners) -> i16x16<S> {
     u64x4::simd_from(simd, [a.0, b.0, c.0, d.0]).bitcast()
 }
 
-/// The largest channel of each of four samples.
+/// A limit for each channel of a sample, none for what else its word holds.
 #[inline(always)]
-fn widest<S: Simd>(channels: i16x16<S>) -> [u16; 4] {
-    let words: u64x4<S> = channels.bitcast();
-    let (second, third): (i16x16<S>, i16x16<S>) =
-        ((words >> 16).bitcast(), (words >> 32).bitcast());
-    let widest: u64x4<S> = channels.max(second).max(third).bitcast();
-    [
-        widest[0] as u16,
-        widest[1] as u16,
-        widest[2] as u16,
-        widest[3] as u16,
-    ]
+fn channels(limit: f32) -> u64 {
+    (u64::from(limit as i16 as u16) * 0x0001_0001_0001) | (0x7fff << 48)
 }
 
-/// Whether the ends of the upper, left, right and lower side are at most `limit` apart in each channel.
+/// Four bits for each of the upper, left, right and lower side, of which some are set where its ends are more than
+/// `limit` apart in a channel.
 #[inline(always)]
-pub(super) fn close_sides<S: Simd>(simd: S, [a, b, c, d]: Corners, limit: f32) -> [bool; 4] {
-    let starts = channels(simd, [a, a, b, c]);
-    let ends = channels(simd, [b, c, d, d]);
-    let [upper, left, right, lower] = widest(starts.max(ends) - starts.min(ends));
-    let is_close = |apart: u16| f32::from(apart) <= limit;
-    [
-        is_close(upper),
-        is_close(left),
-        is_close(right),
-        is_close(lower),
-    ]
+pub(super) fn far_sides<S: Simd>(simd: S, [a, b, c, d]: Corners, limit: f32) -> u64 {
+    let (starts, ends) = (fours(simd, [a, a, b, c]), fours(simd, [b, c, d, d]));
+    let limit: i16x16<S> = u64x4::splat(simd, channels(limit)).bitcast();
+    let apart = starts.max(ends) - starts.min(ends);
+    apart.simd_gt(limit).to_bitmask()
 }

@@ -33,6 +33,8 @@ pub(crate) struct Batch {
     /// What a packet of secondary rays adds to the sums.
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
+    /// The objects that the primary rays hit.
+    objects: [u32; BATCH],
     pub stack: Stack,
     /// The surfaces of a packet that hits several.
     pub mixed: Spread,
@@ -49,6 +51,7 @@ impl Batch {
             sums: [[0; 4]; BATCH],
             terms: [[0; 4]; MAX_LANES],
             samples: [0; BATCH],
+            objects: [0; BATCH],
             stack: Stack::new(),
             mixed: [[0.0; MAX_LANES]; FIELDS],
             counts: Counts::NONE,
@@ -104,7 +107,7 @@ impl Batch {
         (
             place & 0xffff,
             place >> 16,
-            Sample(self.samples[i]),
+            Sample(self.samples[i]).showing(self.objects[i]),
             self.sums[i][KEY] as u32,
         )
     }
@@ -137,6 +140,13 @@ impl Batch {
             weight: splat(simd, 1.0),
             place: Rays::places(simd, start),
         }
+    }
+
+    /// Keeps what a packet of primary rays hit, whose first point is number `first`.
+    #[inline(always)]
+    pub(super) fn keep_objects<S: Isa>(&mut self, first: usize, objects: U<S>) {
+        let first = first % BATCH / lanes::<S>() * lanes::<S>();
+        objects.store_slice(&mut self.objects[first..first + lanes::<S>()]);
     }
 
     /// Adds what a packet's nodes give to the points' sums; `first` is the first point of a packet of primary rays, which

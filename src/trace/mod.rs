@@ -120,6 +120,9 @@ fn trace_packets<S: Isa>(
         batch.counts.rays += count as u64;
         batch.counts.lanes += lanes::<S>() as u64;
         let hit = intersect::nearest(simd, scene, &rays, groups);
+        if is_primary {
+            batch.keep_objects::<S>(next, hit.object);
+        }
         let node = shade::shade(simd, scene, quality, &rays, &hit, first(simd, count), batch);
         batch.add(simd, &rays, is_primary.then_some(next), &node);
         next += lanes::<S>() * usize::from(is_primary);

@@ -3,7 +3,8 @@
 use super::batch::{STEP_BITS, Sum};
 use crate::lanes::*;
 
-/// A traced point's colour: blue, green and red from the low bits up, 16 bits each, in 128ths of an output step.
+/// A traced point's colour: blue, green and red from the low bits up, 16 bits each, in 128ths of an output step. Above
+/// them, 16 bits tell the object that the point shows: its number plus one, or 0 where it is not known.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
 
@@ -13,15 +14,42 @@ const SAMPLE_BITS: i32 = 7;
 /// Parts that a sample counts an output step in.
 pub(crate) const STEP: i32 = 1 << SAMPLE_BITS;
 
+/// Where a sample tells its object.
+const OBJECT: u32 = 48;
+
 /// The colour of a [`Sample`], without what else its word holds.
-const COLOUR: u64 = 0xffff_ffff_ffff;
+const COLOUR: u64 = (1 << OBJECT) - 1;
 
 impl Sample {
-    /// The colour half-way between two.
+    /// The sample, with the object that it shows.
+    #[inline(always)]
+    pub fn showing(self, object: u32) -> Self {
+        Self(self.0 | u64::from(object + 1) << OBJECT)
+    }
+
+    /// The number of the object that is shown, plus one; 0 where it is not known.
+    #[inline(always)]
+    pub fn object(self) -> usize {
+        (self.0 >> OBJECT) as usize
+    }
+
+    /// The sample without its object.
+    #[inline(always)]
+    pub fn colour(self) -> u64 {
+        self.0 & COLOUR
+    }
+
+    /// The colour half-way between two, and the object if it is the same.
     #[inline(always)]
     pub fn mean(self, other: Self) -> Self {
         // Channels are below 2^15, so that no sum reaches the next one.
-        Self(((self.0 + other.0) >> 1) & (COLOUR ^ 0x8000_8000_8000))
+        let colour = ((self.0 + other.0) >> 1) & (COLOUR ^ 0x8000_8000_8000);
+        let object = if self.object() == other.object() {
+            self.0 & !COLOUR
+        } else {
+            0
+        };
+        Self(colour | object)
     }
 
     /// The colour as a pixel, `0x00RRGGBB`, rounded.

@@ -6,6 +6,7 @@ use crate::drawn::{Drawn, draw_by_all};
 use crate::error::Difference;
 use crate::picture::png;
 use crate::reader::read_png;
+use crate::unseen::between_corners;
 use eightfold::scene::Scene;
 use eightfold::{Quality, show};
 use std::fs;
@@ -66,4 +67,10 @@ fn golden_squares() {
 #[test]
 fn golden_field() {
     hold("field", &show::field(64, 1.0), &Quality::THESIS, 320, 240);
+}
+
+#[test]
+fn golden_spheres_between_corners() {
+    let scene = between_corners();
+    hold("between", &scene, &Quality::DEFAULT, 320, 240);
 }

@@ -39,3 +39,4 @@ mod ranges;
 mod refinement;
 mod sameness;
 mod sizes;
+mod unseen;

@@ -7,7 +7,7 @@ use crate::drawn::draw;
 use crate::isa;
 use crate::oracle::frame::Frame;
 use crate::oracle::squares::Squares;
-use crate::refinement::assert_as_refined;
+use crate::refinement::{assert_as_refined, bare};
 use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use eightfold::{Quality, show};
 use glam::{Vec3, vec3};
@@ -16,7 +16,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 /// Seeded; `PROPTEST_CASES` cases, or this many.
-fn config(cases: u32) -> ProptestConfig {
+pub fn config(cases: u32) -> ProptestConfig {
     let asked = std::env::var("PROPTEST_CASES").ok();
     ProptestConfig {
         cases: asked.and_then(|n| n.parse().ok()).unwrap_or(cases),
@@ -166,7 +166,7 @@ proptest! {
     #[test]
     fn any_scene_is_refined_by_the_rules(sketch in sketch(vec(sphere(), 0..12), 2)) {
         let scene = sketch.scene();
-        for quality in [Quality::THESIS, Quality::DEFAULT] {
+        for quality in [Quality::THESIS, Quality::DEFAULT].map(bare) {
             let squares = Squares::new(&scene, &quality, 96, 72);
             for isa in isa::all() {
                 let drawn = draw(isa, 1, &scene, &quality, 96, 72);
@@ -183,11 +183,12 @@ proptest! {
     ) {
         let scene = show::scene(time);
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
-        let squares = Squares::new(&scene, &Quality::THESIS, width, height);
+        let thesis = bare(Quality::THESIS);
+        let squares = Squares::new(&scene, &thesis, width, height);
         for isa in isa::all() {
             let drawn = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, width, height);
             assert_as_traced(&drawn, &frame, isa.name);
-            let drawn = draw(isa, 2, &scene, &Quality::THESIS, width, height);
+            let drawn = draw(isa, 2, &scene, &thesis, width, height);
             assert_as_refined(&drawn, &squares, isa.name);
         }
     }

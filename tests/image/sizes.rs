@@ -4,17 +4,18 @@ use crate::accuracy::assert_as_traced;
 use crate::drawn::draw_by_all;
 use crate::oracle::frame::Frame;
 use crate::oracle::squares::Squares;
-use crate::refinement::assert_as_refined;
+use crate::refinement::{assert_as_refined, bare};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality, show};
 
 fn hold(width: usize, height: usize) {
     let scene = show::scene(0.5);
     let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
-    let squares = Squares::new(&scene, &Quality::THESIS, width, height);
+    let thesis = bare(Quality::THESIS);
+    let squares = Squares::new(&scene, &thesis, width, height);
     for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, width, height) {
         assert_as_traced(&drawn, &frame, &format!("{width}x{height} by {}", isa.name));
     }
-    for (isa, drawn) in draw_by_all(&scene, &Quality::THESIS, width, height) {
+    for (isa, drawn) in draw_by_all(&scene, &thesis, width, height) {
         assert_as_refined(
             &drawn,
             &squares,

@@ -1,0 +1,81 @@
+//! Objects that may be seen between the corners of squares.
+
+use crate::lanes::*;
+use crate::prepare::{GroupSet, MAX_OBJECTS, Prepared};
+use crate::trace::Sample;
+use core::ops::Range;
+
+/// The objects that a part of the picture may show.
+pub(crate) struct Unseen {
+    objects: [u16; MAX_OBJECTS],
+    count: usize,
+}
+
+impl Unseen {
+    pub const fn new() -> Self {
+        Self {
+            objects: [0; MAX_OBJECTS],
+            count: 0,
+        }
+    }
+
+    /// Lists the objects that the rectangle with these corners may show, in pixels; the spheres are in `groups`.
+    #[inline(never)]
+    pub fn set<S: Simd>(
+        &mut self,
+        simd: S,
+        scene: &Prepared,
+        groups: GroupSet,
+        rectangle: [f32; 4],
+    ) {
+        self.count = 0;
+        let mut rest = groups;
+        while rest != 0 {
+            let group = scene.groups.get(rest.trailing_zeros() as usize);
+            rest &= rest - 1;
+            self.add(simd, scene, group.balls(), rectangle);
+        }
+        let planes = scene.first_plane()..scene.nothing();
+        self.add(simd, scene, planes, rectangle);
+    }
+
+    /// Lists those of some objects that a rectangle may show.
+    #[inline(never)]
+    fn add<S: Simd>(
+        &mut self,
+        simd: S,
+        scene: &Prepared,
+        objects: Range<usize>,
+        rectangle: [f32; 4],
+    ) {
+        for object in objects {
+            if scene.may_show(simd, object, rectangle) {
+                self.objects[self.count] = object as u16;
+                self.count += 1;
+            }
+        }
+    }
+
+    /// Whether a square, its sides included, may show an object that none of some samples shows. They are on its sides
+    /// and inside, the outermost at its corners; the first one is a pixel of the picture, and all where `is_inside`.
+    #[inline(never)]
+    pub fn may_show<S: Simd>(
+        &self,
+        simd: S,
+        scene: &Prepared,
+        rectangle: [f32; 4],
+        samples: &[Sample],
+        is_inside: bool,
+    ) -> bool {
+        let first = samples[0].object();
+        let pixels = if is_inside { samples } else { &samples[..1] };
+        let all_show = first > 0 && samples.iter().all(|sample| sample.object() == first);
+        self.objects[..self.count].iter().any(|&object| {
+            let object = object as usize;
+            let is_shown = pixels.iter().any(|sample| sample.object() == object + 1);
+            !is_shown
+                && scene.may_show(simd, object, rectangle)
+                && !(all_show && scene.hides(first - 1, object))
+        })
+    }
+}

@@ -1,0 +1,256 @@
+//! Nothing that can be seen in a pixel is missed: every object that tracing every pixel shows is shown by every quality.
+//!
+//! Objects shine by ambient light alone, each in a colour of its own, so that a pixel tells what it shows.
+
+use crate::drawn::draw;
+use crate::isa::{self, Isa};
+use crate::random::config;
+use crate::refinement::bare;
+use crate::studio::Studio;
+use eightfold::Quality;
+use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use glam::{Vec3, vec3};
+use proptest::collection::vec;
+use proptest::prelude::*;
+use std::collections::HashSet;
+
+/// Where a sphere is in the picture, and how large: shares of its width and height, distance, radius in pixels.
+#[derive(Clone, Copy, Debug)]
+struct Spot {
+    x: f32,
+    y: f32,
+    distance: f32,
+    radius: f32,
+}
+
+/// Spheres of a tenth of a pixel to half the picture, anywhere in it; the near ones hide others.
+fn spot() -> impl Strategy<Value = Spot> {
+    (0.0_f32..1.0, 0.0_f32..1.0, 0.5_f32..40.0, -1.0_f32..1.6).prop_map(
+        |(x, y, distance, decades)| Spot {
+            x,
+            y,
+            distance,
+            radius: 10.0_f32.powf(decades),
+        },
+    )
+}
+
+/// Rectangles below and above, as large as a hand or a field.
+fn plane() -> impl Strategy<Value = Plane> {
+    let place = (-6.0_f32..6.0, -3.0_f32..3.0, -6.0_f32..6.0);
+    (place, -1.5_f32..1.5, -1.5_f32..1.5).prop_map(|(place, x, z)| Plane {
+        centre: place.into(),
+        half_x: 10.0_f32.powf(x),
+        half_z: 10.0_f32.powf(z),
+        material: Material::default(),
+    })
+}
+
+/// A camera among the objects, looking anywhere; sometimes straight along an axis.
+fn camera() -> impl Strategy<Value = Camera> {
+    let place = (-3.0_f32..3.0, -2.0_f32..2.0, -3.0_f32..3.0);
+    let direction = prop_oneof![
+        3 => (-1.0_f32..1.0, -1.0_f32..1.0, -1.0_f32..1.0).prop_map(Vec3::from),
+        1 => prop_oneof![Just(Vec3::X), Just(Vec3::NEG_Z), Just(vec3(0.0, -1.0, 1e-3))],
+    ];
+    (place, direction, 0.2_f32..2.0).prop_map(|(place, direction, field_of_view)| {
+        let eye = Vec3::from(place);
+        Camera {
+            eye,
+            look_at: eye + direction + vec3(0.01, 0.0, 0.0),
+            up: Vec3::Y,
+            field_of_view,
+        }
+    })
+}
+
+/// The colour of an object by its number; `step` of 255 apart from the next one in a channel.
+fn colour(number: usize, step: usize) -> Vec3 {
+    let digit = |place: usize| (number / place % 8 * step + 20) as f32 / 255.0;
+    vec3(digit(1), digit(8), digit(64))
+}
+
+fn material(number: usize, step: usize) -> Material {
+    Material {
+        colour: colour(number, step),
+        ..Material::default()
+    }
+}
+
+#[derive(Clone, Debug)]
+struct Sketch {
+    camera: Camera,
+    spots: Vec<Spot>,
+    /// Spheres around the eye, or near to it: how far their surface is from it, as a share of the radius.
+    around: Vec<(f32, f32)>,
+    planes: Vec<Plane>,
+    lights: usize,
+    step: usize,
+    width: usize,
+    height: usize,
+}
+
+impl Sketch {
+    fn scene(&self) -> Scene {
+        let raster = self.camera.raster(self.width, self.height);
+        let mut balls: Vec<(Vec3, f32)> = Vec::new();
+        for spot in &self.spots {
+            // On the way through a pixel's centre, so that hardly a small one is missed by all.
+            let pixel = |share: f32, size: usize| (share * size as f32).floor();
+            let (x, y) = (pixel(spot.x, self.width), pixel(spot.y, self.height));
+            let d = raster.corner + raster.dx * x + raster.dy * y;
+            let centre = self.camera.eye + d * spot.distance;
+            balls.push((centre, spot.radius * raster.dx.length() * spot.distance));
+        }
+        for &(radius, share) in &self.around {
+            let centre = self.camera.eye + vec3(0.6, 0.0, 0.8) * (radius * share);
+            balls.push((centre, radius));
+        }
+        let mut number = 1..;
+        let mut next = || number.next().unwrap();
+        let lights = balls.split_off(balls.len() - self.lights.min(balls.len()));
+        let spheres: Vec<Sphere> = balls
+            .iter()
+            .map(|&(centre, radius)| Sphere {
+                centre,
+                radius,
+                material: material(next(), self.step),
+            })
+            .collect();
+        let lights: Vec<Light> = lights
+            .iter()
+            .map(|&(position, radius)| Light {
+                position,
+                radius,
+                colour: colour(next(), self.step),
+            })
+            .collect();
+        let planes: Vec<Plane> = self
+            .planes
+            .iter()
+            .map(|plane| Plane {
+                material: material(next(), self.step),
+                ..*plane
+            })
+            .collect();
+        Scene {
+            camera: self.camera,
+            background: colour(0, self.step),
+            ambient: Vec3::ONE,
+            spheres: List::of(&spheres),
+            planes: List::of(&planes),
+            lights: List::of(&lights),
+        }
+    }
+}
+
+fn sketch() -> impl Strategy<Value = Sketch> {
+    let around = (
+        0.05_f32..20.0,
+        prop_oneof![0.0_f32..0.99, 1.001_f32..2.0, Just(1.0_f32)],
+    );
+    (
+        camera(),
+        vec(spot(), 1..64),
+        prop_oneof![3 => Just(vec![]), 1 => vec(around, 1..3)],
+        vec(plane(), 0..3),
+        0_usize..3,
+        prop_oneof![Just(1_usize), Just(28)],
+        (1_usize..160, 1_usize..120),
+    )
+        .prop_map(
+            |(camera, spots, around, planes, lights, step, (width, height))| Sketch {
+                camera,
+                spots,
+                around,
+                planes,
+                lights,
+                step,
+                width,
+                height,
+            },
+        )
+}
+
+/// All named qualities that do not trace every pixel.
+fn qualities() -> impl Iterator<Item = Quality> {
+    Quality::LADDER.iter().copied().chain([Quality::THESIS])
+}
+
+/// Asserts that each colour of the exhaustive picture but the background's is shown at one of its pixels: a gap between
+/// objects may be missed.
+fn assert_nothing_is_missed(scene: &Scene, width: usize, height: usize) {
+    let mut studio = Studio::new(1);
+    let mut draw = |isa: Isa, scene: &Scene, quality: &Quality| {
+        let mut pixels = vec![0; width * height];
+        studio.draw(isa.level, scene, quality, width, &mut pixels);
+        pixels
+    };
+    let empty = Scene {
+        background: scene.background,
+        ..Scene::default()
+    };
+    for isa in isa::all() {
+        let nothing = draw(isa, &empty, &Quality::EXHAUSTIVE)[0];
+        // As if the background were shown in any case.
+        let mut exhaustive = draw(isa, scene, &Quality::EXHAUSTIVE);
+        exhaustive.push(nothing);
+        for quality in qualities() {
+            let mut drawn = draw(isa, scene, &quality);
+            drawn.push(nothing);
+            let missed = missed(&exhaustive, &drawn);
+            assert_eq!(missed, 0, "by {} with {quality:?}", isa.name);
+        }
+    }
+}
+
+/// Spheres smaller than a square of 8 pixels, each between the corners of one, in a picture of 320 by 240.
+pub fn between_corners() -> Scene {
+    let sphere = |(column, row): (usize, usize)| Spot {
+        x: (16 * column + 4) as f32 / 320.0 + 1e-3,
+        y: (16 * row + 4) as f32 / 240.0 + 1e-3,
+        distance: 10.0,
+        radius: 0.3 + 0.15 * column as f32,
+    };
+    let places = (0..15).flat_map(|row| (0..20).map(move |column| (column, row)));
+    let sketch = Sketch {
+        camera: Camera::default(),
+        spots: places.map(sphere).collect(),
+        around: Vec::new(),
+        planes: Vec::new(),
+        lights: 0,
+        step: 28,
+        width: 320,
+        height: 240,
+    };
+    sketch.scene()
+}
+
+/// Colours of the exhaustive picture that a quality's has at none of the same pixels.
+fn missed(exhaustive: &[u32], drawn: &[u32]) -> usize {
+    let pairs = exhaustive.iter().zip(drawn);
+    let shown: HashSet<u32> = pairs.filter(|(a, b)| a == b).map(|(&a, _)| a).collect();
+    let all: HashSet<u32> = exhaustive.iter().copied().collect();
+    all.difference(&shown).count()
+}
+
+#[test]
+fn spheres_between_corners_are_shown_and_the_bare_rules_miss_them() {
+    let scene = between_corners();
+    let draw = |quality| draw(isa::best(), 2, &scene, &quality, 320, 240).pixels;
+    let exhaustive = draw(Quality::EXHAUSTIVE);
+    for quality in qualities() {
+        assert_eq!(missed(&exhaustive, &draw(quality)), 0, "{quality:?}");
+        let bare = missed(&exhaustive, &draw(bare(quality)));
+        assert!(bare > 200, "{bare} missed by the bare {quality:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(config(200))]
+
+    #[test]
+    fn every_object_that_a_pixel_can_show_is_shown(sketch in sketch()) {
+        assert_nothing_is_missed(&sketch.scene(), sketch.width, sketch.height);
+    }
+}
