@@ -1,14 +1,14 @@
 //! How speed depends on the size of a picture and on the number of objects.
 
-use super::row::median;
+use super::row::quartile;
 use crate::arguments::{NamedQuality, SceneName, Size};
 use crate::interrupt;
 use crate::isa::Isa;
 use crate::studio::Studio;
+use cpu_time::ThreadTime;
 use eightfold::scene::{MAX_SPHERES, Scene};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH};
 use serde::Serialize;
-use std::time::Instant;
 
 /// Frames of each point of a curve.
 const ROUNDS: usize = 7;
@@ -28,6 +28,7 @@ pub struct Curves<'a> {
     pub isa: Isa,
     pub size: Size,
     pub time: f32,
+    /// Of one thread.
     pub studio: &'a mut Studio,
     /// Called after each point.
     pub progress: &'a dyn Fn(u64),
@@ -84,8 +85,8 @@ impl Curves<'_> {
                 break;
             };
             for (curve, times) in curves.iter_mut().zip(others) {
-                let ratios: Vec<f64> = exhaustive.iter().zip(times).map(|(a, b)| a / b).collect();
-                curve.points.push((size.area() as f64, median(&ratios)));
+                let speed = quartile(exhaustive) / quartile(times);
+                curve.points.push((size.area() as f64, speed));
             }
         }
         curves
@@ -104,8 +105,8 @@ impl Curves<'_> {
             // The other qualities of one sphere come first.
             let rest = &rest[curves.len() - 1..];
             for (curve, times) in curves.iter_mut().zip(rest) {
-                let ratios: Vec<f64> = times.iter().zip(unit).map(|(a, b)| a / b).collect();
-                curve.points.push((count as f64, median(&ratios)));
+                let time = quartile(times) / quartile(unit);
+                curve.points.push((count as f64, time));
             }
         }
         curves
@@ -125,7 +126,7 @@ impl Curves<'_> {
                 qualities.map(move |quality| (scene, &quality.quality))
             });
             for ((scene, quality), times) in pairs.zip(&mut times) {
-                let start = Instant::now();
+                let start = ThreadTime::now();
                 let level = self.isa.level;
                 self.studio
                     .draw(level, scene, quality, size.width, &mut pixels);

@@ -9,12 +9,12 @@ use crate::interrupt;
 use crate::isa::Isa;
 use crate::missed::Visible;
 use crate::studio::Studio;
+use cpu_time::ThreadTime;
 use eightfold::scene::Scene;
 use eightfold::{Counts, Quality};
-use std::time::Instant;
 
 /// Points drawn one right after the other between two exhaustive frames: the machine's speed drifts little meanwhile.
-const GROUP: usize = 8;
+const GROUP: usize = 4;
 
 /// Frames a second of those that flicker is looked for in.
 const FLICKER_FPS: f64 = 60.0;
@@ -37,7 +37,11 @@ pub struct Plan {
 /// Where frames are drawn and compared, and the exhaustive frame that the others are held to.
 pub struct Bench<'a> {
     pub plan: &'a Plan,
-    pub studio: Studio,
+    /// Of one thread, whose time on a processor is what is measured: unlike the clock's it does not hold what others at
+    /// work on the machine take.
+    pub timed: Studio,
+    /// Of all threads, for frames that no time is taken of.
+    studio: Studio,
     threads: usize,
     exhaustive: Vec<u32>,
     /// The frames of a group.
@@ -75,6 +79,7 @@ impl<'a> Bench<'a> {
     pub fn new(plan: &'a Plan, threads: usize, progress: &'a dyn Fn(u64)) -> Self {
         Self {
             plan,
+            timed: Studio::new(1),
             studio: Studio::new(threads),
             threads,
             exhaustive: vec![0; plan.size.area()],
@@ -88,14 +93,18 @@ impl<'a> Bench<'a> {
         let mut tallies: Vec<Tally> = points.into_iter().map(Tally::new).collect();
         let plan = self.plan;
         // One frame that does not count: threads and memory come to life.
-        self.draw_exhaustive(&plan.scene.at(plan.time_from));
+        self.time_exhaustive(&plan.scene.at(plan.time_from));
         // The first frame is drawn in any case, so that there is something to tell of each point.
         for frame in 0..plan.frames {
             if frame > 0 && interrupt::is_stopped() {
                 break;
             }
+            // Each time another one comes first, so that none has its place in a group to thank.
+            tallies.rotate_left(1);
             self.against_the_clock(&mut tallies, plan.time(frame, plan.frames));
         }
+        let turned = plan.frames.min(tallies[0].times.len()) % tallies.len();
+        tallies.rotate_right(turned);
         for frame in 0..plan.flicker_frames {
             let time = f64::from(plan.time_from) + frame as f64 / FLICKER_FPS;
             self.for_flicker(&mut tallies, time as f32);
@@ -111,13 +120,14 @@ impl<'a> Bench<'a> {
         let Size { width, height } = self.plan.size;
         let scene = self.plan.scene.at(time);
         let visible = Visible::new(&scene, width, height);
-        let mut before = self.draw_exhaustive(&scene);
+        let mut before = self.time_exhaustive(&scene);
         for group in tallies.chunks_mut(GROUP) {
-            let drawn = self.draw_group(&scene, group);
-            let after = self.draw_exhaustive(&scene);
+            let drawn = self.time_group(&scene, group);
+            let after = self.time_exhaustive(&scene);
             for (tally, (counts, time)) in group.iter_mut().zip(drawn) {
                 tally.counts += counts;
-                tally.ratios.push(0.5 * (before + after) / time);
+                tally.times.push(time);
+                tally.exhaustive_times.push(before.min(after));
             }
             before = after;
             self.compare(group, |tally, exhaustive, pixels| {
@@ -162,32 +172,44 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Draws the exhaustive frame and says how many seconds that took.
-    fn draw_exhaustive(&mut self, scene: &Scene) -> f64 {
-        let level = self.plan.isa.level;
-        let start = Instant::now();
+    /// Draws the exhaustive frame, and says how many seconds that took one thread.
+    fn time_exhaustive(&mut self, scene: &Scene) -> f64 {
+        let (level, width) = (self.plan.isa.level, self.plan.size.width);
+        let start = ThreadTime::now();
         let pixels = &mut self.exhaustive;
-        self.studio.draw(
-            level,
-            scene,
-            &Quality::EXHAUSTIVE,
-            self.plan.size.width,
-            pixels,
-        );
+        self.timed
+            .draw(level, scene, &Quality::EXHAUSTIVE, width, pixels);
         start.elapsed().as_secs_f64()
     }
 
-    /// Draws a frame of each point of a group and says how much work each was and how many seconds it took.
-    fn draw_group(&mut self, scene: &Scene, group: &[Tally]) -> Vec<(Counts, f64)> {
+    /// Draws a frame of each point of a group, and says how much work each was and how many seconds it took one thread.
+    fn time_group(&mut self, scene: &Scene, group: &[Tally]) -> Vec<(Counts, f64)> {
         let (level, width) = (self.plan.isa.level, self.plan.size.width);
         let each = group.iter().zip(&mut self.frames);
         each.map(|(tally, pixels)| {
-            let start = Instant::now();
+            let start = ThreadTime::now();
             let quality = &tally.point.quality;
-            let counts = self.studio.draw(level, scene, quality, width, pixels);
+            let counts = self.timed.draw(level, scene, quality, width, pixels);
             (counts, start.elapsed().as_secs_f64())
         })
         .collect()
+    }
+
+    /// Draws the exhaustive frame.
+    fn draw_exhaustive(&mut self, scene: &Scene) {
+        let (level, width) = (self.plan.isa.level, self.plan.size.width);
+        let pixels = &mut self.exhaustive;
+        self.studio
+            .draw(level, scene, &Quality::EXHAUSTIVE, width, pixels);
+    }
+
+    /// Draws a frame of each point of a group.
+    fn draw_group(&mut self, scene: &Scene, group: &[Tally]) {
+        let (level, width) = (self.plan.isa.level, self.plan.size.width);
+        for (tally, pixels) in group.iter().zip(&mut self.frames) {
+            let quality = &tally.point.quality;
+            self.studio.draw(level, scene, quality, width, pixels);
+        }
     }
 
     /// Does something with each point of a group, the exhaustive frame and its own, on as many threads as draw.

@@ -30,8 +30,8 @@ use tally::Tally;
 /// Turns every dial of the quality, and measures what that gains in speed and costs in accuracy
 ///
 /// Writes trade.csv, trade.json and plots, each as SVG and PNG, into a folder, and prints the Pareto front as a Markdown
-/// table. Speed is a ratio to exhaustive frames, every pixel traced, that are drawn in between; errors are against the
-/// same frames. Ctrl-C writes what has been measured so far.
+/// table. Speed is a ratio to exhaustive frames, every pixel traced, that are drawn in between, all on one thread, by its
+/// time on a processor; errors are against the same frames. Ctrl-C writes what has been measured so far.
 ///
 /// Dials in names: s side of the squares in pixels, c spread of colours within which a square is filled, in 255ths (k
 /// depth of the objects / of the lights' states compared, then c spread where they agree / differ), e spread of a side
@@ -71,7 +71,6 @@ pub struct Arguments {
 #[derive(Serialize)]
 pub struct Trade {
     pub machine: String,
-    pub threads: usize,
     pub isa: &'static str,
     pub scene: String,
     pub width: usize,
@@ -161,7 +160,7 @@ fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
             isa: plan.isa,
             size: plan.size,
             time: plan.time_from,
-            studio: &mut bench.studio,
+            studio: &mut bench.timed,
             progress: &progress,
         };
         by_resolution = curves.by_resolution(&sizes);
@@ -173,7 +172,6 @@ fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
     mark_front(&mut rows);
     Trade {
         machine: machine(),
-        threads,
         isa: plan.isa.name,
         scene: plan.scene.to_string(),
         width: plan.size.width,

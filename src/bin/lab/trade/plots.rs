@@ -29,14 +29,12 @@ pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
 /// What and where was measured, for the line under a title.
 fn note(trade: &Trade) -> String {
     format!(
-        "{} scene, {}x{}, {} frames, {}, {} thread{}",
+        "{} scene, {}x{}, {} frames, {}, one thread",
         trade.scene,
         trade.width,
         trade.height,
         trade.times.len(),
         trade.isa,
-        trade.threads,
-        if trade.threads == 1 { "" } else { "s" }
     )
 }
 

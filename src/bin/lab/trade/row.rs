@@ -26,7 +26,8 @@ pub struct Row {
     pub keys: bool,
     /// Frames against the clock.
     pub frames: usize,
-    /// The exhaustive frame's time over this one's, the median of all frames.
+    /// The time that a quarter of the exhaustive frames stay within over that of this one's frames: whoever else is at
+    /// work on the machine lengthens the other frames, and long ones more than short ones.
     pub speedup: f64,
     /// Points traced for each pixel of the picture.
     pub traced_fraction: f64,
@@ -82,7 +83,7 @@ impl Row {
             least_contribution: quality.least_contribution,
             keys: tally.point.has_keys(),
             frames,
-            speedup: median(&tally.ratios),
+            speedup: quartile(&tally.exhaustive_times) / quartile(&tally.times),
             traced_fraction: mean(tally.counts.points as f64) / area as f64,
             rays: mean((tally.counts.rays + tally.counts.shadow_rays) as f64),
             psnr_db: -10.0 * mean(squares).log10(),
@@ -103,16 +104,11 @@ impl Row {
     }
 }
 
-/// The middle one of some numbers, or the mean of the two in the middle.
-pub fn median(numbers: &[f64]) -> f64 {
-    let mut numbers = numbers.to_vec();
-    numbers.sort_by(f64::total_cmp);
-    let middle = numbers.len() / 2;
-    if numbers.len().is_multiple_of(2) {
-        0.5 * (numbers[middle - 1] + numbers[middle])
-    } else {
-        numbers[middle]
-    }
+/// What a quarter of some times stay within.
+pub fn quartile(times: &[f64]) -> f64 {
+    let mut times = times.to_vec();
+    times.sort_by(f64::total_cmp);
+    times[times.len().div_ceil(4) - 1]
 }
 
 /// Marks the Pareto front: the points than which no other is faster and nearer to the exhaustive frames at once. Points

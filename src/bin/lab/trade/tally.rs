@@ -8,8 +8,9 @@ use eightfold::Counts;
 /// A point at work.
 pub struct Tally {
     pub point: Point,
-    /// For each frame, the exhaustive one's time over this one's.
-    pub ratios: Vec<f64>,
+    /// Seconds of each frame, and of the faster exhaustive one of the two drawn before and after it.
+    pub times: Vec<f64>,
+    pub exhaustive_times: Vec<f64>,
     /// Of all frames together.
     pub counts: Counts,
     /// Of each frame to the exhaustive one.
@@ -26,7 +27,8 @@ impl Tally {
     pub fn new(point: Point) -> Self {
         Self {
             point,
-            ratios: Vec::new(),
+            times: Vec::new(),
+            exhaustive_times: Vec::new(),
             counts: Counts::NONE,
             differences: Vec::new(),
             missed: 0,
