@@ -2,6 +2,7 @@
 
 mod bench;
 mod capture;
+mod figures;
 mod ladder;
 #[path = "../reader/mod.rs"]
 mod reader;

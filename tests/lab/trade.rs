@@ -111,6 +111,7 @@ fn all_that_is_measured_is_written_whole() {
             assert!(have(key, value), "{key} {value}");
         }
     }
+    assert!(rows.iter().any(|row| row["guarded"] == false));
     for row in rows {
         for key in [
             "speedup",

@@ -325,7 +325,7 @@ impl Ranged for Scale {
 }
 
 /// Text of so many units.
-fn text(size: u32, scale: u32, style: FontStyle) -> TextStyle<'static> {
+pub fn text(size: u32, scale: u32, style: FontStyle) -> TextStyle<'static> {
     let size = f64::from(size * scale);
     FontDesc::new(FontFamily::SansSerif, size, style).color(&INK)
 }
@@ -334,7 +334,8 @@ fn at(x: i32, y: i32, scale: u32) -> (i32, i32) {
     (x * scale as i32, y * scale as i32)
 }
 
-fn register_fonts() {
+/// Makes the charts' font known; to be called before any text is drawn.
+pub fn register_fonts() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         for (style, font) in [
@@ -347,8 +348,8 @@ fn register_fonts() {
     });
 }
 
-/// Pixels of which each is the mean of `by` times `by` of a bitmap `width` wide.
-fn smoothed(rgb: &[u8], width: usize, by: usize) -> Vec<u32> {
+/// Pixels, `0x00RRGGBB`, of which each is the mean of `by` times `by` of a bitmap `width` wide.
+pub fn smoothed(rgb: &[u8], width: usize, by: usize) -> Vec<u32> {
     let columns = width / by;
     let rows = rgb.len() / (3 * width * by);
     let mut pixels = Vec::with_capacity(columns * rows);

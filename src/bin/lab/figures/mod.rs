@@ -1,18 +1,24 @@
 //! `lab figures`: the thesis' figures, and more of the kind.
 
+mod sheet;
+
 use crate::arguments::{self, NamedQuality, SceneName, Size};
+use crate::error::Difference;
 use crate::flip::Flip;
-use crate::overlay::{Trail, draw_error, heat};
+use crate::overlay::{Trail, heat};
 use crate::studio::Studio;
 use crate::{isa, output, picture};
 use anyhow::{Context, Result};
 use clap::Args;
 use eightfold::Quality;
+use sheet::{Figure, sheet};
 use std::fs;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 
 /// Draws how a frame comes about: its points, squares, rays and errors
+///
+/// Writes a PNG for each, and sheet.png with all of them and captions.
 #[derive(Args)]
 pub struct Arguments {
     /// The scene: model, or field:N for N small spheres
@@ -28,23 +34,35 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME", default_value = "default")]
     quality: NamedQuality,
     /// Folder to write the pictures to; it is made where it is missing
-    #[arg(long, value_name = "FOLDER", default_value = "figures")]
+    #[arg(long, value_name = "FOLDER", default_value = "target/figures")]
     out: PathBuf,
 }
 
-/// Draws the pictures and writes them.
+/// Draws the pictures and writes them, and all on one sheet.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let folder = &arguments.out;
     fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
-    let pictures = draw(arguments);
-    for (name, pixels) in &pictures {
-        let png = picture::png(arguments.size.width, pixels)?;
-        output::write(&folder.join(format!("{name}.png")), &png)?;
+    let Size { width, height } = arguments.size;
+    let figures = draw(arguments);
+    for figure in &figures {
+        let png = picture::png(width, &figure.pixels)?;
+        output::write(&folder.join(format!("{}.png", figure.name)), &png)?;
     }
-    Ok(())
+    let (sheet_width, pixels) = sheet(&figures, width, height)?;
+    let png = picture::png(sheet_width, &pixels)?;
+    output::write(&folder.join("sheet.png"), &png)
 }
 
-fn draw(arguments: &Arguments) -> Vec<(&'static str, Vec<u32>)> {
+/// What was drawn of a frame: every pixel traced, and as the quality has it.
+struct Frames {
+    exhaustive: Vec<u32>,
+    /// Of the exhaustive frame.
+    all: Trail,
+    picture: Vec<u32>,
+    trail: Trail,
+}
+
+fn draw(arguments: &Arguments) -> Vec<Figure> {
     let Size { width, height } = arguments.size;
     let mut studio = Studio::new(available_parallelism().map_or(1, usize::from));
     let scene = arguments.scene.at(arguments.time);
@@ -56,26 +74,100 @@ fn draw(arguments: &Arguments) -> Vec<(&'static str, Vec<u32>)> {
     };
     let (exhaustive, all) = draw(&Quality::EXHAUSTIVE);
     let (picture, trail) = draw(&arguments.quality.quality);
-    let most = all.rays().max().unwrap_or(1);
+    let frames = Frames {
+        exhaustive,
+        all,
+        picture,
+        trail,
+    };
+    figures(width, &frames)
+}
+
+fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
+    let Frames {
+        exhaustive,
+        all,
+        picture,
+        trail,
+    } = frames;
     let over = |draw: &dyn Fn(&mut [u32])| {
         let mut pixels = picture.clone();
         draw(&mut pixels);
         pixels
     };
-    let flip = Flip::between(width, &exhaustive, &picture);
+    let area = picture.len() as f64;
+    let traced = trail.rays().filter(|&rays| rays > 0).count() as f64 / area;
+    let rays = |trail: &Trail| trail.rays().map(u64::from).sum::<u64>() as f64;
+    let most = all.rays().max().unwrap_or(1);
+    let squares = trail.squares().count();
+    let difference = Difference::between(exhaustive, picture);
+    let flip = Flip::between(width, exhaustive, picture);
+    let figure = |name, title, caption, pixels| Figure {
+        name,
+        title,
+        caption,
+        pixels,
+    };
     vec![
-        ("points", over(&|pixels| trail.draw_points(pixels))),
-        ("squares", over(&|pixels| trail.draw_squares(pixels))),
-        ("rays", over(&|pixels| trail.draw_heat(pixels, most))),
-        (
+        figure(
+            "points",
+            "The points traced",
+            format!("{:.1} % of all pixels, white", 100.0 * traced),
+            over(&|pixels| trail.draw_points(pixels)),
+        ),
+        figure(
+            "picture",
+            "The picture",
+            format!("{} to every pixel traced", psnr(&difference)),
+            picture.clone(),
+        ),
+        figure(
+            "squares",
+            "The squares by size",
+            format!("{squares} squares, the brighter the smaller"),
+            over(&|pixels| trail.draw_squares(pixels)),
+        ),
+        figure(
+            "rays",
+            "Rays of each point traced",
+            format!(
+                "{:.1} % of all rays; the brightest: {most} rays",
+                100.0 * rays(trail) / rays(all)
+            ),
+            over(&|pixels| trail.draw_heat(pixels, most)),
+        ),
+        figure(
             "rays-exhaustive",
+            "Rays of each pixel, every pixel traced",
+            format!(
+                "{:.1} rays a pixel; the brightest: {most}",
+                rays(all) / area
+            ),
             over(&|pixels| all.draw_heat(pixels, most)),
         ),
-        ("error", over(&|pixels| draw_error(pixels, &exhaustive, 32))),
-        (
-            "flip",
-            flip.errors.iter().map(|&error| heat(error)).collect(),
+        figure(
+            "error",
+            "The error that is seen, by FLIP",
+            format!(
+                "mean {:.4}, 99 % of pixels within {:.3}; the brightest: {FLIP_SHOWN}",
+                flip.mean(),
+                flip.p99()
+            ),
+            flip.errors
+                .iter()
+                .map(|&error| heat(error / FLIP_SHOWN))
+                .collect(),
         ),
-        ("picture", picture),
     ]
+}
+
+/// The FLIP error that is shown brightest: beyond the 99th percentile of the coarsest named quality.
+const FLIP_SHOWN: f32 = 0.25;
+
+fn psnr(difference: &Difference) -> String {
+    if difference.psnr.is_finite() {
+        format!("PSNR {:.1} dB", difference.psnr)
+    } else {
+        "equal".to_owned()
+    }
 }

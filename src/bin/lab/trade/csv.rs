@@ -5,7 +5,7 @@ use super::row::Row;
 /// A column's title, and what a row has in it.
 type Column = (&'static str, fn(&Row) -> String);
 
-const COLUMNS: [Column; 25] = [
+const COLUMNS: [Column; 26] = [
     ("name", |row| row.name.clone()),
     ("dials", |row| row.dials.clone()),
     ("sweep", |row| format!("\"{}\"", row.sweep)),
@@ -13,6 +13,7 @@ const COLUMNS: [Column; 25] = [
     ("spread_agreeing", |row| row.spread_agreeing.to_string()),
     ("spread_differing", |row| row.spread_differing.to_string()),
     ("spread_side", |row| row.spread_side.to_string()),
+    ("guarded", |row| row.guarded.to_string()),
     ("key_depth", |row| row.key_depth.to_string()),
     ("state_depth", |row| row.state_depth.to_string()),
     ("highlight", |row| row.highlight.to_string()),

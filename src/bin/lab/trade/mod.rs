@@ -35,7 +35,7 @@ use tally::Tally;
 ///
 /// Dials in names: s side of the squares in pixels, c spread of colours within which a square is filled, in 255ths (k
 /// depth of the objects / of the lights' states compared, then c spread where they agree / differ), e spread of a side
-/// whose middle is averaged, h least highlight, d depth of rays, w least contribution of a ray.
+/// whose middle is averaged, u not guarded against missed objects, h least highlight, d depth of rays, w least contribution of a ray.
 #[derive(Args)]
 pub struct Arguments {
     /// The scene: model, or field:N for N small spheres

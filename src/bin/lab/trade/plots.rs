@@ -134,6 +134,7 @@ fn squares(trade: &Trade) -> Chart {
     let line = |keys: bool| {
         let same = |row: &&Row| {
             row.square > 1
+                && row.guarded
                 && row.keys == keys
                 && if keys {
                     row.spread_agreeing.is_infinite() && row.spread_differing == 0.0

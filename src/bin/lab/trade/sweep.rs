@@ -87,6 +87,10 @@ fn single_dials() -> Vec<(&'static str, Quality)> {
         dials.push(("square", Quality { square, ..played }));
         dials.push(("square, thesis", Quality { square, ..thesis }));
     }
+    for quality in [played, thesis] {
+        let guarded = false;
+        dials.push(("guard", Quality { guarded, ..quality }));
+    }
     for (key_depth, state_depth) in COMPARED {
         let quality = Quality {
             key_depth,
@@ -190,7 +194,7 @@ fn has_keys(quality: &Quality) -> bool {
 }
 
 /// A quality's dials: `s` square, `c` spread of colours (where keys are compared `k` depths of objects and states and
-/// the spreads of those that agree and differ), `e` spread of a side where it is another, `h` highlight, `d` depth and
+/// the spreads of those that agree and differ), `e` spread of a side where it is another, `h` highlight, `u` unguarded, `d` depth and
 /// `w` least contribution where they are not the oracle's.
 fn dials(quality: &Quality) -> String {
     let mut text = format!("s{}", quality.square);
@@ -213,6 +217,9 @@ fn dials(quality: &Quality) -> String {
         if quality.spread_side != quality.spread_agreeing {
             text += &format!(" e{}", quality.spread_side);
         }
+    }
+    if !quality.guarded {
+        text += " u";
     }
     if quality.depth != Quality::EXHAUSTIVE.depth {
         text += &format!(" d{}", quality.depth);
