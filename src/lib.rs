@@ -12,7 +12,7 @@
 //! | rays side by side, by instruction set | `lanes` |
 //! | how a frame came about, for the lab | [`observe`] |
 //!
-//! What trades accuracy for speed is one struct, [`Quality`].
+//! What trades accuracy for speed is one struct, [`Quality`]. How far the numbers can be trusted is in [`limits`].
 //!
 //! A frame is a function of scene, size, quality and instruction set: the same bits for any number of threads. The
 //! library cannot allocate; its memory, [`Memory`] and a [`Worker`] per thread, belongs to the caller.
@@ -21,6 +21,7 @@
 #![warn(missing_docs)]
 
 mod lanes;
+pub mod limits;
 #[cfg(feature = "lab")]
 pub mod observe;
 #[cfg(not(feature = "lab"))]

@@ -67,6 +67,7 @@ fn exp2<S: Simd>(simd: S, y: F<S>) -> F<S> {
     (bits + (whole << 23)).bitcast()
 }
 
+/// 1.5 * 2^23.
 const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// A polynomial by Horner's rule, the coefficient of the highest power first.
@@ -77,4 +78,58 @@ fn polynomial<S: Simd>(simd: S, x: F<S>, coefficients: &[f32]) -> F<S> {
         p = p.mul_add(x, splat(simd, c));
     }
     p
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+    use fearless_simd::{Level, dispatch};
+
+    /// Asserts the error that [`pow`] states, for a number and an exponent per lane.
+    #[inline(always)]
+    fn hold<S: Simd>(simd: S, xs: &[f32], h: f32) {
+        let mut results = [0.0; MAX_LANES];
+        let results = &mut results[..lanes::<S>()];
+        pow(simd, F::<S>::from_slice(simd, xs), splat(simd, h)).store_slice(results);
+        for (&x, &result) in xs.iter().zip(results.iter()) {
+            let log2 = libm::log2(f64::from(x));
+            let exact = libm::exp2((f64::from(h) * log2).max(-126.0));
+            let allowed = 1e-6 + 1.2e-7 * f64::from(h) * log2.abs();
+            let error = (f64::from(result) / exact - 1.0).abs();
+            assert!(error <= allowed, "{x} to the {h}: {result} for {exact}");
+        }
+    }
+
+    #[inline(always)]
+    fn hold_everywhere<S: Simd>(simd: S) {
+        // A number in 997 of all that f32 has from 1e-6 to 1.001, and all of the 10,000 about 1.
+        let (first, last) = (1e-6_f32.to_bits(), 1.001_f32.to_bits());
+        let dense = 1_f32.to_bits() - 5000..1_f32.to_bits() + 5000;
+        let sparse = (first..=last).step_by(997);
+        let mut xs = [1.0; MAX_LANES];
+        let exponents = [1.0, 1.5, 2.0, 10.0, 40.0, 80.0, 100.0, 333.3, 1000.0];
+        for (i, bits) in sparse.chain(dense).enumerate() {
+            let lane = i % lanes::<S>();
+            xs[lane] = f32::from_bits(bits);
+            if lane == lanes::<S>() - 1 {
+                for h in exponents {
+                    hold(simd, &xs[..lanes::<S>()], h);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn powers_are_as_exact_as_stated() {
+        dispatch!(Level::new(), simd => hold_everywhere(simd));
+        #[cfg(target_arch = "x86_64")]
+        if let Some(simd) = Level::new().as_sse2() {
+            simd.vectorize(
+                #[inline(always)]
+                || hold_everywhere(simd),
+            );
+        }
+    }
 }

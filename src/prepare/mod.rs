@@ -11,7 +11,7 @@ pub(crate) use screen::Window;
 pub(crate) use surface::{FIELDS, Spread};
 
 use crate::lanes::MAX_LANES;
-use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
+use crate::scene::{MAX_LENGTH, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
 use glam::Vec3;
 
 /// How far rounding takes a point that was computed to be on a sphere from it, as a share of the sphere's largest
@@ -227,7 +227,8 @@ impl Prepared {
         let light = &scene.lights[i];
         let lamp = &mut self.lamps[i];
         lamp.position = light.position;
-        lamp.colour = light.colour;
+        let [_, _, _, red, green, blue, ..] = self.surfaces[self.solids + i];
+        lamp.colour = Vec3::new(red[0], green[0], blue[0]);
         for (caster, ball) in lamp.casters.iter_mut().zip(&self.balls[..self.solids]) {
             let from_lamp = light.position - ball.centre;
             let around_lamp = from_lamp.length_squared() < ball.r2;
@@ -260,7 +261,10 @@ impl Ball {
         slack2: 0.0,
     };
 
+    /// A radius out of its range, or that is no number, counts as 0.
     fn new(centre: Vec3, radius: f32) -> Self {
+        let is_length = (0.0..=MAX_LENGTH).contains(&radius);
+        let radius = if is_length { radius } else { 0.0 };
         let slack = slack(centre, radius);
         Self {
             centre,

@@ -52,7 +52,9 @@ impl Camera {
     #[must_use]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
         let forward = (self.look_at - self.eye).normalize_or(Vec3::NEG_Z);
-        let right = forward.cross(self.up).normalize_or(Vec3::X);
+        let right = forward
+            .cross(self.up)
+            .normalize_or(forward.any_orthonormal_vector());
         let up = right.cross(forward);
         let half_angle = self.field_of_view * 0.5;
         let pixel = 2.0 * sin(half_angle) / cos(half_angle) / height as f32;

@@ -1,13 +1,16 @@
 //! What is drawn: a camera, a few primitives with their materials, and lights.
 //!
-//! Right-handed coordinates, y up; lengths in scene units; colours linear RGB, 0 to 1.
+//! Right-handed coordinates, y up; lengths in scene units; colours linear RGB, 0 to 1. [`Scene::validate`] says whether
+//! all numbers are in their ranges.
 
 pub(crate) mod camera;
 mod list;
+mod validate;
 
 pub use camera::Camera;
 use glam::Vec3;
 pub use list::List;
+pub use validate::{Flaw, MAX_LENGTH, MIN_LENGTH};
 
 /// Spheres a scene can hold: the largest scene in use, a field of 256, with room to grow.
 pub const MAX_SPHERES: usize = 320;
@@ -42,13 +45,13 @@ pub struct Material {
     pub kd: f32,
     /// Specular coefficient, 0 to 1.
     pub ks: f32,
-    /// Exponent of the highlight, at least 1; larger is smaller and sharper.
+    /// Exponent of the highlight, 1 to 1000; larger is smaller and sharper.
     pub exponent: f32,
     /// Share of the reflected ray, 0 to 1.
     pub kr: f32,
     /// Share of the transmitted ray, 0 to 1; above 0 the surface is transparent.
     pub kt: f32,
-    /// Refractive index of the inside against the outside, above 0; used where `kt` is above 0.
+    /// Refractive index of the inside against the outside, 0.1 to 10; used where `kt` is above 0.
     pub index: f32,
 }
 
@@ -57,7 +60,7 @@ pub struct Material {
 pub struct Sphere {
     /// Centre.
     pub centre: Vec3,
-    /// Radius, above 0.
+    /// Radius, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub radius: f32,
     /// Surface.
     pub material: Material,
@@ -68,9 +71,9 @@ pub struct Sphere {
 pub struct Plane {
     /// Middle of the rectangle.
     pub centre: Vec3,
-    /// Half its extent along x.
+    /// Half its extent along x, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub half_x: f32,
-    /// Half its extent along z.
+    /// Half its extent along z, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub half_z: f32,
     /// Surface.
     pub material: Material,
@@ -83,6 +86,6 @@ pub struct Light {
     pub position: Vec3,
     /// Colour times brightness.
     pub colour: Vec3,
-    /// Radius of the sphere it is drawn as.
+    /// Radius of the sphere it is drawn as, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub radius: f32,
 }

@@ -31,6 +31,7 @@ mod accuracy;
 mod drawn;
 #[cfg(feature = "lab")]
 mod errors;
+mod extremes;
 mod golden;
 #[cfg(feature = "lab")]
 mod observed;
@@ -39,4 +40,5 @@ mod ranges;
 mod refinement;
 mod sameness;
 mod sizes;
+mod soak;
 mod unseen;

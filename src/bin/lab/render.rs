@@ -41,10 +41,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         .threads
         .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
     let size = arguments.size;
+    let scene = arguments.scene.at(arguments.time);
+    scene.validate()?;
     let mut pixels = vec![0; size.area()];
     Studio::new(threads).draw(
         arguments.isa.unwrap_or_else(isa::best).level,
-        &arguments.scene.at(arguments.time),
+        &scene,
         &arguments.quality.quality,
         size.width,
         &mut pixels,

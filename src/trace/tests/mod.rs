@@ -1,4 +1,4 @@
-//! What the kernels are held to, ray by ray, on every instruction set of the machine.
+//! What the kernels are held to, ray by ray, on every instruction set of the machine; [`crate::limits`] sums it up.
 
 mod neighbours;
 mod precision;

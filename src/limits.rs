@@ -1,0 +1,69 @@
+//! How far the tracer can be trusted: each limit, its figure, and the test that holds it.
+//!
+//! # Ranges
+//!
+//! | what | takes | held by |
+//! | --- | --- | --- |
+//! | a scene's numbers | what [`Scene::validate`](crate::scene::Scene::validate) says | `a_scene_is_refused_by_its_first_number_out_of_range` |
+//! | lengths, in scene units | [`MIN_LENGTH`](crate::scene::MIN_LENGTH) to [`MAX_LENGTH`](crate::scene::MAX_LENGTH) | `ends_of_the_ranges_of_lengths_draw_what_they_are` |
+//! | sizes in pixels | 1x1 to 3840x2160 | `the_largest_is_right_to_the_last_row_and_column` and others in `tests/image/sizes.rs` |
+//! | time in seconds | any; angles are right to 1e-6 up to 1e6 rad | `any_time_gives_a_picture`, `sines_are_within_a_millionth` |
+//!
+//! A number that is none, or infinite, is refused by `validate`. The tracer itself takes it: the picture is defined, the
+//! same on any number of threads, and at most 2.5 times the work of the scene without it
+//! (`what_is_no_number_is_refused_and_still_gives_a_picture_for_bounded_work`, `many_spheres_that_are_none_give_a_picture`).
+//! Whatever the scene, a point costs at most `2^(depth + 1) - 1` rays and as many times the lights in shadow rays
+//! (`any_case_is_drawn_by_the_same_bits_for_bounded_work`, which `tests/run --soak` draws for ten minutes).
+//!
+//! # Rays
+//!
+//! | what | figure | held by |
+//! | --- | --- | --- |
+//! | rays that leave a sphere and hit it again; radii 1e-4 to 1e4, rays from up to 1e8 away | 0 of 500,000 and more | `rays_that_leave_a_sphere_do_not_hit_it_again` |
+//! | ... centres up to 1e4 from the origin | 0 of 500,000 and more | `rays_that_leave_a_sphere_far_from_the_origin_do_not_hit_it_again` |
+//! | rays that leave a plane and hit it again, along it too | 0 of 500,000 and more | `rays_that_leave_a_plane_do_not_hit_it_again` |
+//! | rays into a sphere that miss its far side, but for chords of less than 0.003 radii (in the origin) | 0 | the same as of spheres |
+//! | points of a sphere in their own shadow | 0, n.l above 0.003 | `a_sphere_throws_no_shadow_on_its_side_towards_the_lamp` |
+//! | lamps that shine through the sphere they are outside of | 0 | `a_sphere_is_lit_from_within_by_lamps_within_alone` |
+//! | length of a reflected or refracted direction, squared; radii 1e-4 to 1e6, indices 0.1 to 10 | 1 to within 5e-7 | `rays_that_leave_a_sphere_of_any_size_are_of_length_one` |
+//! | ... 256 roundings about the critical angle | the same, and no light is lost | `rays_at_the_critical_angle_are_of_length_one_and_lose_nothing` |
+//! | bits of a ray that depend on its lane, or on the rays beside it | 0 | `what_comes_of_a_ray_depends_on_no_neighbour` |
+//! | a scene 1e-4 to 1e4 times as large against itself | 50 dB | `a_scene_of_any_scale_gives_the_same_picture` |
+//!
+//! How that is: a hit is taken back to its sphere, which leaves rounding of the scale of the sphere's own coordinates, and a
+//! ray that starts that near a sphere starts on it: on its way out it hits nothing of it, on its way in the far side. On a
+//! plane a point is exact. There is no distance below which hits do not count, and so no scale that a scene must have.
+//!
+//! A sphere seen from a distance, in radii; rays in a million that hit it where they should pass by or the other way round;
+//! the error of the distance, in radii, but for the outermost tenth (`a_small_sphere_far_away_is_hit_where_it_is`):
+//!
+//! | distance | wrong, AVX2 and AVX-512 | wrong, SSE2 | error of the distance |
+//! | ---: | ---: | ---: | ---: |
+//! | 1 | 0 | 10 | 3e-7 |
+//! | 10 | 0 | 0 | 3e-6 |
+//! | 100 | 0 | 0 | 3e-5 |
+//! | 1,000 | 0 | 30 | 3e-4 |
+//! | 10,000 | 0 | 60 | 3e-3 |
+//! | 100,000 | 10 | 1,000 | 0.03 |
+//! | 1,000,000 | 1,500 | 11,000 | 0.3 |
+//!
+//! In the model scene's picture at 3840x2160, a sphere 1,000 radii away is 5 pixels wide.
+//!
+//! # Approximations
+//!
+//! | function | domain | largest error | held by |
+//! | --- | --- | --- | --- |
+//! | `pow(x, h)` | x 1e-6 to 1.001, h 1 to 1000 | 1e-6 + 1.2e-7 h \|log2 x\|, relative | `powers_are_as_exact_as_stated` |
+//! | `sin`, `cos` | to 1e6 rad | 1e-6 | `sines_are_within_a_millionth` |
+//! | `root_below(x, h)` | x 1e-4 to 1, h 1 to 1000 | 0 to 20 % below | `roots_are_below_by_a_fifth_at_most` |
+//! | one Newton step to a direction's length | what reflection leaves of it | 5e-7 of the square | `rays_that_leave_a_sphere_of_any_size_are_of_length_one` |
+//!
+//! Roots and quotients are the processor's exact ones: its fast ones differ from maker to maker.
+//!
+//! # What is not promised
+//!
+//! - Surfaces that lie in each other, two planes of one height, or two spheres that are the same: which one is hit is decided
+//!   by rounding.
+//! - Chords of a sphere so short that rounding hides them, see above: a ray passes by.
+//! - A sphere smaller than the rounding of its own coordinates, less than 1e-6 of the largest: where it is hit is up to
+//!   rounding, but no ray that leaves it hits it again.

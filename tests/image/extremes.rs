@@ -1,0 +1,303 @@
+//! Scenes, times and cameras at the ends of their ranges and beyond: a picture that is defined, for bounded work.
+
+use crate::accuracy::assert_as_traced;
+use crate::drawn::{draw, draw_by_all};
+use crate::error::Difference;
+use crate::isa;
+use crate::oracle::frame::Frame;
+use crate::studio::Studio;
+use eightfold::scene::{Camera, List, Material, Scene};
+use eightfold::{Counts, Quality, show};
+use glam::{Vec3, vec3};
+
+const QUALITIES: [Quality; 3] = [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT];
+
+/// Rays of all kinds.
+fn work(counts: &Counts) -> u64 {
+    counts.rays + counts.shadow_rays
+}
+
+/// A scene `factor` times as large.
+fn scaled(scene: &Scene, factor: f32) -> Scene {
+    let mut scene = scene.clone();
+    scene.camera.eye *= factor;
+    scene.camera.look_at *= factor;
+    for sphere in scene.spheres.iter_mut() {
+        sphere.centre *= factor;
+        sphere.radius *= factor;
+    }
+    for plane in scene.planes.iter_mut() {
+        plane.centre *= factor;
+        plane.half_x *= factor;
+        plane.half_z *= factor;
+    }
+    for light in scene.lights.iter_mut() {
+        light.position *= factor;
+        light.radius *= factor;
+    }
+    scene
+}
+
+#[test]
+fn a_scene_of_any_scale_gives_the_same_picture() {
+    for scene in [show::scene(2.0), show::field(60, 2.0)] {
+        for quality in [Quality::EXHAUSTIVE, Quality::DEFAULT] {
+            for isa in isa::all() {
+                let picture = |scene: &Scene| draw(isa, 2, scene, &quality, 320, 240).pixels;
+                let plain = picture(&scene);
+                for factor in [1e-4, 1e-2, 0.7, 3.0, 1e2, 1e4] {
+                    let scene = scaled(&scene, factor);
+                    assert_eq!(scene.validate(), Ok(()));
+                    let psnr = Difference::between(&plain, &picture(&scene)).psnr;
+                    assert!(psnr >= 50.0, "{}, times {factor}: {psnr} dB", isa.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees() {
+    let mut scene = show::scene(0.0);
+    let glass = scene.spheres[3].material;
+    for material in [glass, scene.spheres[0].material] {
+        // In the mirror's place, so that the light comes from all around.
+        scene.spheres[1].material = material;
+        let (centre, radius) = (scene.spheres[1].centre, scene.spheres[1].radius);
+        for (distance, along) in [
+            (0.0, false),
+            (0.5, false),
+            (0.999, false),
+            (1.0, false),
+            (1.0, true),
+            (1.001, true),
+            (1.5, false),
+        ] {
+            // Towards the middle, or past it along the sphere.
+            let eye = centre + Vec3::NEG_Z * (radius * distance);
+            let ahead = if along { Vec3::X } else { Vec3::Z };
+            scene.camera = Camera {
+                eye,
+                look_at: eye + ahead,
+                up: Vec3::Y,
+                field_of_view: 1.2,
+            };
+            let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 120, 90);
+            for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 120, 90) {
+                let what = format!("at {distance} radii, along it: {along}, by {}", isa.name);
+                assert_as_traced(&drawn, &frame, &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn any_time_gives_a_picture() {
+    for quality in QUALITIES {
+        for isa in isa::all() {
+            let normal = work(&draw(isa, 1, &show::scene(0.0), &quality, 160, 120).counts);
+            for time in [
+                -0.0,
+                -1e-30,
+                -3.0,
+                1e6,
+                -1e6,
+                1e30,
+                f32::MAX,
+                f32::NAN,
+                f32::INFINITY,
+                f32::NEG_INFINITY,
+            ] {
+                let drawn = draw(isa, 1, &show::scene(time), &quality, 160, 120);
+                let rays = work(&drawn.counts);
+                assert!(
+                    2 * rays <= 5 * normal,
+                    "{time} s: {rays} rays, not {normal}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_million_seconds_on_the_picture_is_the_one_of_that_time() {
+    let time = 1e6;
+    let scene = show::scene(time);
+    assert_eq!(scene.validate(), Ok(()));
+    let angle = f64::from(time) * 0.25;
+    let eye = scene.camera.eye.as_dvec3();
+    assert!((eye.x - 7.5 * angle.sin()).abs() < 1e-4, "{eye}");
+    assert!((eye.z + 7.5 * angle.cos()).abs() < 1e-4, "{eye}");
+}
+
+/// A vector's numbers.
+fn add<'a>(all: &mut Vec<(&'static str, &'a mut f32)>, name: &'static str, v: &'a mut Vec3) {
+    let Vec3 { x, y, z } = v;
+    all.extend([(name, x), (name, y), (name, z)]);
+}
+
+/// Every number of a scene.
+fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
+    let mut all = Vec::new();
+    let camera = &mut scene.camera;
+    add(&mut all, "eye", &mut camera.eye);
+    add(&mut all, "look_at", &mut camera.look_at);
+    add(&mut all, "up", &mut camera.up);
+    add(&mut all, "background", &mut scene.background);
+    add(&mut all, "ambient", &mut scene.ambient);
+    let mut materials = Vec::new();
+    let mut lengths = vec![("field of view", &mut camera.field_of_view)];
+    for sphere in scene.spheres.iter_mut() {
+        add(&mut all, "sphere", &mut sphere.centre);
+        lengths.push(("radius", &mut sphere.radius));
+        materials.push(&mut sphere.material);
+    }
+    for plane in scene.planes.iter_mut() {
+        add(&mut all, "plane", &mut plane.centre);
+        lengths.push(("half_x", &mut plane.half_x));
+        lengths.push(("half_z", &mut plane.half_z));
+        materials.push(&mut plane.material);
+    }
+    for light in scene.lights.iter_mut() {
+        add(&mut all, "light", &mut light.position);
+        add(&mut all, "light's colour", &mut light.colour);
+        lengths.push(("light's radius", &mut light.radius));
+    }
+    for material in materials {
+        let Material {
+            colour,
+            kd,
+            ks,
+            exponent,
+            kr,
+            kt,
+            index,
+        } = material;
+        add(&mut all, "colour", colour);
+        lengths.extend([("kd", kd), ("ks", ks), ("exponent", exponent)]);
+        lengths.extend([("kr", kr), ("kt", kt), ("index", index)]);
+    }
+    all.extend(lengths);
+    all
+}
+
+#[test]
+fn what_is_no_number_is_refused_and_still_gives_a_picture_for_bounded_work() {
+    let scene = show::scene(1.0);
+    assert_eq!(scene.validate(), Ok(()));
+    let count = numbers(&mut scene.clone()).len();
+    let mut studio = Studio::new(1);
+    let mut pixels = vec![0; 64 * 48];
+    for quality in QUALITIES {
+        for isa in isa::all() {
+            let normal = work(&draw(isa, 1, &scene, &quality, 64, 48).counts);
+            for place in 0..count {
+                for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+                    let mut scene = scene.clone();
+                    let (name, number) = numbers(&mut scene).swap_remove(place);
+                    *number = wrong;
+                    let what = format!("{name} {wrong} by {}", isa.name);
+                    // An index that no ray is bent by may be anything.
+                    let is_refused = scene.validate().is_err();
+                    assert!(is_refused || name == "index", "{what}");
+                    pixels.fill(u32::MAX);
+                    let rays = work(&studio.draw(isa.level, &scene, &quality, 64, &mut pixels));
+                    assert!(2 * rays <= 5 * normal, "{what}: {rays} rays, not {normal}");
+                    assert!(pixels.iter().all(|pixel| pixel >> 24 == 0), "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn many_spheres_that_are_none_give_a_picture() {
+    // In groups, whose bounds such numbers reach.
+    let normal = show::field(100, 1.0);
+    for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
+        for every in [1, 3, 50] {
+            let mut scene = normal.clone();
+            for sphere in scene.spheres.iter_mut().step_by(every) {
+                sphere.centre.x = wrong;
+            }
+            assert!(scene.validate().is_err());
+            for quality in QUALITIES {
+                for isa in isa::all() {
+                    let one = draw(isa, 1, &scene, &quality, 64, 48);
+                    let most = 5 * work(&draw(isa, 1, &normal, &quality, 64, 48).counts) / 2;
+                    assert!(work(&one.counts) <= most, "{wrong}, every {every}");
+                    let two = draw(isa, 2, &scene, &quality, 64, 48);
+                    assert!(one.pixels == two.pixels, "{wrong}, every {every}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_scene_is_refused_by_its_first_number_out_of_range() {
+    let refused = |change: fn(&mut Scene)| {
+        let mut scene = show::scene(0.0);
+        change(&mut scene);
+        scene.validate().unwrap_err().to_string()
+    };
+    for (change, message) in [
+        (
+            (|scene| scene.spheres[2].radius = 0.0) as fn(&mut Scene),
+            "sphere 2: radius takes a length from 1e-9 to 1e9",
+        ),
+        (
+            |scene| scene.lights[1].colour.y = -1.0,
+            "light 1: colour takes numbers from 0 on, such as 1 0.5 0",
+        ),
+        (
+            |scene| scene.planes[0].material.kr = 1.5,
+            "plane 0: kr takes a number from 0 to 1",
+        ),
+        (
+            |scene| scene.camera.look_at = scene.camera.eye,
+            "camera 0: look_at takes a point that is not the eye",
+        ),
+        (
+            |scene| scene.camera.up = scene.camera.look_at - scene.camera.eye,
+            "camera 0: up takes a direction that is not along the line of sight",
+        ),
+    ] {
+        assert_eq!(refused(change), message);
+    }
+    for time in [0.0, 12.0] {
+        assert_eq!(show::field(320, time).validate(), Ok(()));
+    }
+    assert_eq!(Scene::default().validate(), Ok(()));
+}
+
+#[test]
+fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
+    // One sphere before the camera, from a hundred-millionth of a unit to as many units.
+    let plain = |r: f32| {
+        let mut scene = show::scene(0.0);
+        let mut sphere = scene.spheres[0];
+        sphere.centre = vec3(0.0, 0.0, -3.0 * r);
+        sphere.radius = r;
+        scene.spheres = List::of(&[sphere]);
+        scene.planes = List::default();
+        scene.camera = Camera::default();
+        scene.camera.eye = Vec3::ZERO;
+        scene.camera.look_at = Vec3::NEG_Z * r;
+        for light in scene.lights.iter_mut() {
+            light.position *= r;
+            light.radius *= r;
+        }
+        scene
+    };
+    for isa in isa::all() {
+        let one = draw(isa, 1, &plain(1.0), &Quality::EXHAUSTIVE, 96, 72).pixels;
+        for r in [1e-8, 1e-4, 1e6, 1e8] {
+            let scene = plain(r);
+            assert_eq!(scene.validate(), Ok(()), "{r}");
+            let other = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 96, 72).pixels;
+            let psnr = Difference::between(&one, &other).psnr;
+            assert!(psnr >= 50.0, "{}, radius {r}: {psnr} dB", isa.name);
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! Any scene, at any time, of any size, by any quality, on any instruction set: a seeded sample of them all.
+//!
+//! `tests/run --soak` draws cases for `SOAK_SECONDS` (600, ten minutes) and says how many there were; otherwise a fixed
+//! number is drawn. The cases are the same in each run, one after the other; `SOAK_SEED` asks for others.
+
+use crate::error::Difference;
+use crate::isa;
+use crate::studio::Studio;
+use eightfold::scene::{Camera, Light, Material, Plane, Scene, Sphere};
+use eightfold::{Counts, Quality, show};
+use glam::{Vec3, vec3};
+use std::env;
+use std::time::{Duration, Instant};
+
+/// Cases of a run that is no soak.
+const CASES: u64 = 150;
+/// What the default quality may be off from every pixel on average, of 255: small spheres that no corner sees, at 3,000
+/// pixels and more.
+const FARTHEST: f64 = 8.0;
+/// The widest and the tallest picture.
+const SIDES: (usize, usize) = (160, 120);
+
+/// Numbers that look random (Steele, Lea and Flood's SplitMix).
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut h = self.0;
+        h = (h ^ (h >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        h = (h ^ (h >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        h ^ (h >> 31)
+    }
+
+    fn below(&mut self, end: usize) -> usize {
+        (self.bits() % end as u64) as usize
+    }
+
+    fn between(&mut self, low: f32, high: f32) -> f32 {
+        low + (high - low) * ((self.bits() >> 40) as f32 / (1 << 24) as f32)
+    }
+
+    fn vector(&mut self, low: Vec3, high: Vec3) -> Vec3 {
+        let mut number = || self.between(0.0, 1.0);
+        low + (high - low) * vec3(number(), number(), number())
+    }
+}
+
+fn material(random: &mut Random) -> Material {
+    let kt = [0.0, 0.0, random.between(0.1, 1.0)][random.below(3)];
+    Material {
+        colour: random.vector(Vec3::ZERO, Vec3::ONE),
+        kd: random.between(0.0, 1.0),
+        ks: random.between(0.0, 1.0),
+        exponent: 10_f32.powf(random.between(0.0, 3.0)),
+        kr: (1.0 - kt) * random.between(0.0, 1.0),
+        kt,
+        index: [random.between(0.5, 0.99), random.between(1.01, 3.0)][random.below(2)],
+    }
+}
+
+/// A valid scene, from nothing at all to as much as there is room for.
+fn valid(random: &mut Random) -> Scene {
+    let scale = 10_f32.powf(random.between(-3.0, 3.0));
+    let mut scene = Scene {
+        background: random.vector(Vec3::ZERO, Vec3::ONE),
+        ambient: random.vector(Vec3::ZERO, Vec3::splat(0.3)),
+        ..Scene::default()
+    };
+    let most = [4, 12, 40, 320][random.below(4)];
+    let smallest = [-0.5, -3.0][random.below(2)];
+    for _ in 0..random.below(most + 1) {
+        scene.spheres.push(Sphere {
+            centre: scale * random.vector(vec3(-5.0, -1.0, -5.0), vec3(5.0, 4.0, 5.0)),
+            radius: scale * 10_f32.powf(random.between(smallest, 0.2)),
+            material: material(random),
+        });
+    }
+    for _ in 0..random.below(4) {
+        scene.planes.push(Plane {
+            centre: scale * vec3(0.0, random.between(-3.0, 1.0), 0.0),
+            half_x: scale * random.between(0.5, 20.0),
+            half_z: scale * random.between(0.5, 20.0),
+            material: material(random),
+        });
+    }
+    for _ in 0..random.below(5) {
+        scene.lights.push(Light {
+            position: scale * random.vector(vec3(-8.0, -1.0, -8.0), vec3(8.0, 9.0, 8.0)),
+            colour: random.vector(Vec3::ZERO, Vec3::splat(1.5)),
+            radius: scale * random.between(0.01, 0.5),
+        });
+    }
+    scene.camera = Camera {
+        eye: scale * random.vector(vec3(-9.0, -1.0, -9.0), vec3(9.0, 7.0, 9.0)),
+        look_at: scale * random.vector(Vec3::splat(-1.0), Vec3::ONE),
+        up: Vec3::Y,
+        field_of_view: random.between(0.1, 2.5),
+    };
+    scene
+}
+
+/// Puts a number that makes no sense somewhere.
+fn spoil(scene: &mut Scene, random: &mut Random) {
+    let numbers = [
+        f32::NAN,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        f32::MAX,
+        -1.0,
+        0.0,
+        1e-40,
+        1e20,
+    ];
+    let number = numbers[random.below(numbers.len())];
+    let Scene {
+        camera,
+        spheres,
+        planes,
+        lights,
+        ..
+    } = scene;
+    let (a, b, c) = (
+        random.bits() as usize,
+        random.bits() as usize,
+        random.bits() as usize,
+    );
+    let mut places: Vec<&mut f32> = vec![
+        &mut camera.eye[a % 3],
+        &mut camera.look_at[b % 3],
+        &mut camera.up[c % 3],
+        &mut camera.field_of_view,
+    ];
+    for sphere in spheres.iter_mut() {
+        let m = &mut sphere.material;
+        places.extend([&mut sphere.centre[a % 3], &mut sphere.radius]);
+        places.extend([&mut m.colour[b % 3], &mut m.kd, &mut m.ks, &mut m.exponent]);
+        places.extend([&mut m.kr, &mut m.kt, &mut m.index]);
+    }
+    for plane in planes.iter_mut() {
+        places.extend([&mut plane.centre[a % 3], &mut plane.half_x]);
+        places.extend([&mut plane.half_z, &mut plane.material.kr]);
+    }
+    for light in lights.iter_mut() {
+        places.extend([&mut light.position[a % 3], &mut light.colour[b % 3]]);
+        places.push(&mut light.radius);
+    }
+    let place = random.below(places.len());
+    *places[place] = number;
+}
+
+fn quality(random: &mut Random) -> Quality {
+    let named = [Quality::THESIS, Quality::DEFAULT];
+    let any = Quality {
+        square: 1 + random.below(Quality::MAX_SQUARE),
+        spread_agreeing: [0.0, 9.0, f32::INFINITY][random.below(3)],
+        spread_differing: [0.0, 4.0, f32::NAN][random.below(3)],
+        spread_side: [0.0, 9.0][random.below(2)],
+        key_depth: random.below(9) as u32,
+        state_depth: random.below(9) as u32,
+        depth: random.below(Quality::MAX_DEPTH as usize + 1) as u32,
+        least_contribution: [0.0, 0.01, 0.2, f32::NAN][random.below(4)],
+        ..Quality::DEFAULT
+    };
+    [named[0], named[1], any][random.below(3)]
+}
+
+/// What a run draws in.
+struct Room {
+    one: Studio,
+    two: Studio,
+    exhaustive: Studio,
+}
+
+/// Draws case number `case` and asserts what holds for any; the error of the default quality, where the case is one to
+/// measure it by.
+fn hold(room: &mut Room, seed: u64, case: u64) -> Option<Difference> {
+    let what = format!("case {case} of seed {seed}");
+    let mut random = Random(seed ^ case.wrapping_mul(0xd134_2543_de82_ef95));
+    let time = random.between(-100.0, 100.0) * 10_f32.powi(random.below(5) as i32);
+    let mut scene = match random.below(8) {
+        0 => show::scene(time),
+        1 => show::field(random.below(321), time),
+        _ => valid(&mut random),
+    };
+    let is_valid = scene.validate().is_ok();
+    assert!(is_valid, "{what}: {:?}", scene.validate());
+    let is_spoilt = random.below(4) == 0;
+    if is_spoilt {
+        spoil(&mut scene, &mut random);
+    }
+    let quality = quality(&mut random);
+    let (width, height) = match random.below(8) {
+        0 => (1, 1 + random.below(300)),
+        1 => (1 + random.below(300), 1),
+        _ => (1 + random.below(SIDES.0), 1 + random.below(SIDES.1)),
+    };
+    let sets: Vec<_> = isa::all().collect();
+    let level = sets[random.below(sets.len())].level;
+
+    let mut pixels = vec![u32::MAX; width * height];
+    let mut others = pixels.clone();
+    let counts = room.one.draw(level, &scene, &quality, width, &mut pixels);
+    let again = room.two.draw(level, &scene, &quality, width, &mut others);
+    let is_drawn = pixels.iter().all(|pixel| pixel >> 24 == 0);
+    assert!(is_drawn, "{what}: a pixel was left out");
+    assert!(pixels == others, "{what}: another picture by two threads");
+    let bare = |counts: Counts| Counts { lanes: 0, ..counts };
+    assert_eq!(bare(counts), bare(again), "{what}");
+
+    let corners = |side: usize| (side.next_multiple_of(quality.square) + 1) as u64;
+    assert!(
+        counts.points <= corners(width) * corners(height),
+        "{what}: {counts:?}"
+    );
+    let tree = (2 << quality.depth) - 1;
+    assert!(counts.rays <= counts.points * tree, "{what}: {counts:?}");
+    let lights = scene.lights.len() as u64;
+    assert!(
+        counts.shadow_rays <= counts.rays * lights,
+        "{what}: {counts:?}"
+    );
+
+    // Corners of the first squares are traced whatever the quality.
+    let every = Quality {
+        square: 1,
+        ..quality
+    };
+    room.exhaustive
+        .draw(level, &scene, &every, width, &mut others);
+    for y in (0..height).step_by(quality.square) {
+        for x in (0..width).step_by(quality.square) {
+            let i = y * width + x;
+            assert_eq!(pixels[i], others[i], "{what}: ({x}, {y})");
+        }
+    }
+    let is_measured = quality == Quality::DEFAULT && !is_spoilt && pixels.len() > 5000;
+    is_measured.then(|| Difference::between(&others, &pixels))
+}
+
+#[test]
+fn any_case_is_drawn_by_the_same_bits_for_bounded_work() {
+    let number = |name| {
+        env::var(name)
+            .ok()
+            .and_then(|text| text.parse::<u64>().ok())
+    };
+    let seed = number("SOAK_SEED").unwrap_or(2008);
+    let limit = number("SOAK_SECONDS").map(Duration::from_secs);
+    let start = Instant::now();
+    let mut room = Room {
+        one: Studio::new(1),
+        two: Studio::new(2),
+        exhaustive: Studio::new(1),
+    };
+    let (mut cases, mut measured, mut worst) = (0, 0, 0.0_f64);
+    while limit.map_or(cases < CASES, |limit| start.elapsed() < limit) {
+        if let Some(difference) = hold(&mut room, seed, cases) {
+            measured += 1;
+            worst = worst.max(difference.mean);
+        }
+        cases += 1;
+    }
+    assert!(
+        worst <= FARTHEST,
+        "the default quality is off by {worst} of 255"
+    );
+    println!(
+        "{cases} cases held; the default quality, measured in {measured}, was off by {worst:.2} of 255 at worst"
+    );
+}
