@@ -32,6 +32,7 @@ mod refine;
 mod render;
 pub mod scene;
 pub mod show;
+pub mod sound;
 mod trace;
 mod trigonometry;
 mod worker;

@@ -1,0 +1,47 @@
+//! The soundtrack: a song and the synthesizer that plays it, 48 kHz stereo.
+//!
+//! | what | module |
+//! | --- | --- |
+//! | patterns, arrangement, harmony | `song` |
+//! | what each instrument sounds like | `instruments` |
+//! | an instrument's oscillators, envelopes, filter | `voice` |
+//! | echo and room, in buffers of fixed size | `space` |
+//! | all of them together, block by block | [`Synthesizer`] |
+//! | what the picture takes from the sound | [`pulse()`] |
+//!
+//! A sample is a function of the song and its position, whichever blocks it is asked for in.
+
+mod instruments;
+mod pulse;
+mod song;
+mod space;
+mod synthesizer;
+mod voice;
+
+pub use pulse::{Pulse, pulse};
+pub use synthesizer::Synthesizer;
+
+use crate::show::grid;
+
+/// Samples in a second, for each ear.
+pub const RATE: u32 = 48_000;
+
+/// Samples of a sixteenth, the song's shortest step: 6,000.
+pub const STEP: u32 = RATE * 60 / grid::BEATS_PER_MINUTE / (STEPS_PER_BAR / grid::BEATS_PER_BAR);
+
+/// Sixteenths of a bar.
+const STEPS_PER_BAR: u32 = 16;
+
+/// Samples of the whole song: 96 s.
+pub const LENGTH: u32 = STEP * STEPS_PER_BAR * grid::BARS;
+
+/// 2 to the power `x`, for `x` from -126 to 127, to within a part in 10,000: a fifth of a cent.
+#[inline(never)]
+fn exp2(x: f32) -> f32 {
+    let biased = x + 127.0;
+    let whole = biased as i32;
+    let f = biased - whole as f32;
+    // Goes through 2^f at 0, 0.27, 0.67 and 1.
+    let p = 1.0 + f * (0.695438 + f * (0.226334 + f * 0.078228));
+    f32::from_bits((whole as u32) << 23) * p
+}

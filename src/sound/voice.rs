@@ -1,0 +1,226 @@
+//! A voice: four oscillators, two envelopes, a filter.
+
+use super::exp2;
+use super::instruments::*;
+use super::song;
+use super::synthesizer::BLOCK;
+use core::cell::Cell;
+use glam::{Vec4, vec4};
+
+/// Sums of what voices play, for one sample. Lanes 0 and 2 are to the left, 1 and 3 to the right.
+///
+/// As cells: see [`Instrument`].
+pub(super) struct Sum {
+    pub dry: Cell<Vec4>,
+    pub echo: Cell<Vec4>,
+    pub room: Cell<Vec4>,
+    /// Noise for all voices, -1 to 1.
+    pub noise: [f32; 4],
+}
+
+impl Sum {
+    /// Silence.
+    pub const fn new() -> Sum {
+        Sum {
+            dry: Cell::new(Vec4::ZERO),
+            echo: Cell::new(Vec4::ZERO),
+            room: Cell::new(Vec4::ZERO),
+            noise: [0.0; 4],
+        }
+    }
+}
+
+/// What all voices follow in a block.
+pub(super) struct Mood {
+    /// How loud the kick is where the block begins, 0 to 1, and what that gains by the sample.
+    pub kick: Vec4,
+    pub kick_slope: Vec4,
+    /// How bright it is, 0 to 1.
+    pub light: Vec4,
+}
+
+/// The state of an instrument: all zero before its first note.
+///
+/// What is one number is in all four lanes too.
+#[derive(Clone, Copy)]
+pub(super) struct Voice {
+    /// Where the oscillators are, in turns from -1/2 to 1/2.
+    phase: Vec4,
+    /// Where those are that shift the phase of the sines.
+    shift: Vec4,
+    /// Turns a sample, and what they glide to.
+    pitch: Vec4,
+    goal: Vec4,
+    /// The filter's two memories.
+    band: Vec4,
+    low: Vec4,
+    level: Vec4,
+    /// What the level rises to.
+    peak: Vec4,
+    /// 1 where a note begins, falling to 0.
+    sweep: Vec4,
+    /// Blocks since the note began.
+    age: f32,
+}
+
+/// Quieter than this is silent: -100 dB.
+const SILENCE: f32 = 1e-5;
+
+/// How the oscillators are out of tune, in parts of the outer ones'.
+const DETUNES: Vec4 = vec4(1.0, -1.0, -0.4, 0.4);
+
+impl Voice {
+    pub const ZERO: Voice = Voice {
+        phase: Vec4::ZERO,
+        shift: Vec4::ZERO,
+        pitch: Vec4::ZERO,
+        goal: Vec4::ZERO,
+        band: Vec4::ZERO,
+        low: Vec4::ZERO,
+        level: Vec4::ZERO,
+        peak: Vec4::ZERO,
+        sweep: Vec4::ZERO,
+        age: 0.0,
+    };
+
+    /// Begins a note: a pattern's digit, in a bar's chord.
+    #[inline(never)]
+    pub fn begin(&mut self, instrument: &Instrument, notes: u8, digit: u32, chord: [u8; 4]) {
+        let kind = notes & KINDS;
+        let up = u32::from(notes & !KINDS);
+        let mut tone = digit - 1;
+        let mut goal = [0.0; 4];
+        for goal in &mut goal {
+            let note = match kind {
+                DRUM => up,
+                SCALE => song::scale(digit),
+                _ => up + u32::from(chord[tone as usize & 3]) + (tone >> 2) * 12,
+            };
+            if kind == CHORD {
+                tone += 1;
+            }
+            // MIDI's note 69 is 440 Hz.
+            const OCTAVES: f32 = 69.0 / 12.0;
+            *goal = exp2(note as i32 as f32 / 12.0 - OCTAVES) * (440.0 / super::RATE as f32);
+        }
+        let goal = Vec4::from_array(goal);
+        self.goal = goal + goal * DETUNES * instrument[DETUNE].get();
+        let peak = if kind == DRUM {
+            digit as i32 as f32 / 15.0
+        } else {
+            1.0
+        };
+        self.peak = Vec4::splat(peak);
+        self.sweep = Vec4::ONE;
+        self.age = 0.0;
+        // Every hit of a drum sounds the same.
+        if kind == DRUM {
+            self.phase = Vec4::ZERO;
+        }
+    }
+
+    /// Adds a block.
+    #[inline(never)]
+    pub fn play(&mut self, instrument: &Instrument, mood: &Mood, sums: &[Sum; BLOCK]) {
+        /// Blocks of a beat.
+        const BEAT: f32 = (super::STEP * 4) as f32 / BLOCK as f32;
+        /// Of the way to its peak a level rises 1 - 1/e^2.
+        const RISEN: f32 = 2.0 / BLOCK as f32;
+        self.age += 1.0;
+        let (peak, rate) = if self.age * instrument[ATTACK].get().x < RISEN {
+            (self.peak, ATTACK)
+        } else if self.age < instrument[GATE].get().x * BEAT {
+            (Vec4::ZERO, DECAY)
+        } else {
+            (Vec4::ZERO, RELEASE)
+        };
+        if self.level.x + peak.x < SILENCE {
+            return;
+        }
+        let rate = instrument[rate].get();
+        self.pitch += (self.goal - self.pitch) * instrument[GLIDE].get();
+        let filter = Filter::new(instrument, self.sweep, mood.light);
+        let mut voice = *self;
+        let mut duck = 1.0 - instrument[DUCK].get() * mood.kick;
+        let duck_slope = instrument[DUCK].get() * mood.kick_slope;
+        for sum in sums {
+            voice.level += (peak - voice.level) * rate;
+            voice.sweep -= voice.sweep * instrument[SWEEP].get();
+            let turn = voice.pitch + voice.pitch * instrument[BEND].get() * voice.sweep;
+            voice.phase = wrap(voice.phase + turn);
+            voice.shift = wrap(voice.shift + turn * instrument[RATIO].get());
+            let shift = sine(voice.shift) * instrument[INDEX].get() * voice.sweep;
+            let sound = saw(voice.phase, turn) * instrument[SAW].get()
+                + sine(wrap(voice.phase + shift)) * instrument[SINE].get()
+                + Vec4::from_array(sum.noise) * instrument[NOISE].get();
+            let sound = filter.pass(instrument, sound, &mut voice) * voice.level * duck;
+            duck -= duck_slope;
+            sum.dry.set(sum.dry.get() + sound);
+            sum.echo
+                .set(sum.echo.get() + sound * instrument[ECHO].get());
+            sum.room
+                .set(sum.room.get() + sound * instrument[ROOM].get());
+        }
+        *self = voice;
+    }
+}
+
+/// A phase as turns from -1/2 to 1/2.
+#[inline(always)]
+fn wrap(phase: Vec4) -> Vec4 {
+    // Adding 1.5 * 2^23 leaves the nearest integer in the low bits.
+    const ROUND: Vec4 = Vec4::splat(12_582_912.0);
+    phase - (phase + ROUND - ROUND)
+}
+
+/// Nearly a sine of an angle in turns from -1/2 to 1/2: two parabolas, all overtones below -28 dB.
+#[inline(always)]
+fn sine(phase: Vec4) -> Vec4 {
+    phase * (8.0 - phase.abs() * 16.0)
+}
+
+/// A sawtooth that goes up by so many turns a sample. Its step is two parabolas (PolyBLEP), which keeps most of what
+/// would alias out of it.
+#[inline(always)]
+fn saw(phase: Vec4, turn: Vec4) -> Vec4 {
+    let per_turn = turn.recip();
+    let after = (1.0 - (0.5 + phase) * per_turn).max(Vec4::ZERO);
+    let before = (1.0 - (0.5 - phase) * per_turn).max(Vec4::ZERO);
+    phase + phase + after * after - before * before
+}
+
+/// A state-variable filter, 12 dB an octave, by trapezoids (Simper, "Linear trapezoidal integrated SVF", 2011).
+struct Filter {
+    a1: Vec4,
+    a2: Vec4,
+    a3: Vec4,
+}
+
+impl Filter {
+    #[inline(always)]
+    fn new(instrument: &Instrument, sweep: Vec4, light: Vec4) -> Filter {
+        let to = instrument[TO].get();
+        let angle =
+            (to + (instrument[FROM].get() - to) * sweep) * (1.0 + instrument[LIGHT].get() * light);
+        // Up to 15 kHz; the tangent to within 3 %.
+        let x = angle.min(Vec4::ONE);
+        let g = x / (1.0 - 0.38 * x * x);
+        let damping = instrument[DAMPING].get();
+        let a1 = (1.0 + g * (g + damping)).recip();
+        Filter {
+            a1,
+            a2: g * a1,
+            a3: g * g * a1,
+        }
+    }
+
+    #[inline(always)]
+    fn pass(&self, instrument: &Instrument, sound: Vec4, voice: &mut Voice) -> Vec4 {
+        let rest = sound - voice.low;
+        let v1 = voice.band * self.a1 + rest * self.a2;
+        let v2 = voice.low + voice.band * self.a2 + rest * self.a3;
+        voice.band = v1 + v1 - voice.band;
+        voice.low = v2 + v2 - voice.low;
+        v2 + (sound - v1 * instrument[DAMPING].get() - v2 - v2) * instrument[HIGH].get()
+    }
+}

@@ -1,0 +1,34 @@
+//! The soundtrack, as it is heard.
+
+mod levels;
+mod onsets;
+mod sameness;
+
+use eightfold::sound::{LENGTH, Synthesizer};
+use std::sync::OnceLock;
+
+/// Samples of a bar.
+const BAR: usize = 96_000;
+
+/// The whole song.
+fn song() -> &'static [[f32; 2]] {
+    static SONG: OnceLock<Vec<[f32; 2]>> = OnceLock::new();
+    SONG.get_or_init(|| {
+        let mut samples = vec![[0.0; 2]; LENGTH as usize];
+        Box::<Synthesizer>::default().play(&mut samples);
+        samples
+    })
+}
+
+/// The largest sample.
+fn peak(samples: &[[f32; 2]]) -> f32 {
+    samples
+        .as_flattened()
+        .iter()
+        .fold(0.0, |peak, sample| peak.max(sample.abs()))
+}
+
+/// Decibels of full scale as a sample.
+fn decibels(level: f32) -> f32 {
+    10_f32.powf(level / 20.0)
+}
