@@ -7,6 +7,7 @@ mod ladder;
 #[path = "../reader/mod.rs"]
 mod reader;
 mod size;
+mod sound;
 #[path = "../stage/mod.rs"]
 mod stage;
 mod trade;
@@ -178,6 +179,7 @@ fn help_names_every_command_and_flag() {
             "--png --y4m --video --sheet --frames --from --to --fps --size --scene --quality --supersample --threads --isa",
         ),
         ("size", "--functions"),
+        ("sound", "--wav --waveform --spectrogram"),
         (
             "view",
             "--scene --size --quality --time --paused --fps --threads --isa Space Home",

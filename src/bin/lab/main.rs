@@ -19,9 +19,11 @@ mod progress;
 mod rate;
 mod render;
 mod size;
+mod sound;
 mod studio;
 mod trade;
 mod view;
+mod wav;
 
 use clap::{Parser, Subcommand, error::ErrorKind};
 use std::process::ExitCode;
@@ -41,6 +43,7 @@ enum Command {
     Figures(figures::Arguments),
     Render(render::Arguments),
     Size(size::Arguments),
+    Sound(sound::Arguments),
     Trade(trade::Arguments),
     View(view::Arguments),
 }
@@ -59,6 +62,7 @@ fn main() -> ExitCode {
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Size(arguments) => size::run(&arguments),
+        Command::Sound(arguments) => sound::run(&arguments),
         Command::Trade(arguments) => trade::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
     };

@@ -1,0 +1,83 @@
+//! How loud it is, bar by bar.
+
+use anyhow::Result;
+use ebur128::{EbuR128, Mode};
+use eightfold::show::grid::{BARS, CUTS};
+use eightfold::sound::{LENGTH, RATE};
+use std::fmt::Write;
+
+/// The scenes that begin at [`CUTS`].
+const SCENES: [&str; CUTS.len()] = [
+    "title",
+    "model",
+    "method",
+    "colonnade",
+    "machine",
+    "field",
+    "finale",
+];
+
+/// Levels of samples.
+struct Levels {
+    /// The largest sample, and the largest between samples, in dB of full scale.
+    peak: f64,
+    true_peak: f64,
+    /// In LUFS; without end where all is silent.
+    loudness: f64,
+    /// The mean of the samples, of the side where it is larger.
+    mean: f64,
+}
+
+impl Levels {
+    fn of(samples: &[[f32; 2]]) -> Result<Self> {
+        let mut meter = EbuR128::new(2, RATE, Mode::I | Mode::TRUE_PEAK)?;
+        meter.add_frames_f32(samples.as_flattened())?;
+        let sides = [0, 1];
+        let decibels = |peaks: [f64; 2]| 20.0 * peaks[0].max(peaks[1]).log10();
+        let peak = |side: usize| {
+            samples.iter().fold(0.0, |peak, sample| {
+                f64::max(peak, sample[side].abs().into())
+            })
+        };
+        let mean = |side| {
+            samples
+                .iter()
+                .map(|sample| f64::from(sample[side]))
+                .sum::<f64>()
+                / samples.len() as f64
+        };
+        let means = sides.map(|side: usize| mean(side).abs());
+        Ok(Self {
+            peak: decibels(sides.map(peak)),
+            true_peak: decibels([meter.true_peak(0)?, meter.true_peak(1)?]),
+            loudness: meter.loudness_global()?,
+            mean: means[0].max(means[1]),
+        })
+    }
+}
+
+/// A Markdown table of the levels of the song's bars, and a line for the whole.
+pub fn markdown(samples: &[[f32; 2]]) -> Result<String> {
+    let mut text = String::from(
+        "| bar |     scene | peak dBFS |  LUFS |\n| --: | --------: | --------: | ----: |\n",
+    );
+    for (bar, samples) in (0..).zip(samples.chunks_exact((LENGTH / BARS) as usize)) {
+        let levels = Levels::of(samples)?;
+        let scene = CUTS
+            .iter()
+            .position(|&cut| cut == bar)
+            .map_or("", |cut| SCENES[cut]);
+        writeln!(
+            text,
+            "| {bar:3} | {scene:>9} | {:9.1} | {:5.1} |",
+            levels.peak, levels.loudness
+        )?;
+    }
+    let all = Levels::of(samples)?;
+    writeln!(
+        text,
+        "\nAll: peak {:.2} dBFS, {:.2} dB between samples, {:.2} LUFS, mean {:.1e}.",
+        all.peak, all.true_peak, all.loudness, all.mean
+    )?;
+    Ok(text)
+}

@@ -1,0 +1,65 @@
+//! `lab sound`: what the soundtrack is like, in figures and pictures.
+
+mod levels;
+mod spectrogram;
+mod waveform;
+
+use crate::{output, picture, wav};
+use anyhow::Result;
+use clap::Args;
+use eightfold::sound::{LENGTH, RATE};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Makes the soundtrack, and prints its levels bar by bar
+///
+/// Prints a Markdown table: where a scene begins, the largest sample and the loudness (EBU R128) of each bar, and of all.
+#[derive(Args)]
+pub struct Arguments {
+    /// File to write the sound to as WAV, or - for standard output
+    #[arg(long, value_name = "FILE")]
+    wav: Option<PathBuf>,
+    /// File to draw the waveform into as PNG
+    #[arg(long, value_name = "FILE")]
+    waveform: Option<PathBuf>,
+    /// File to draw the spectrogram into as PNG
+    #[arg(long, value_name = "FILE")]
+    spectrogram: Option<PathBuf>,
+}
+
+/// Pixels of a waveform and of a spectrogram: 40 to a bar.
+const SIZE: (usize, usize) = (1920, 480);
+
+/// Makes the sound, measures and draws it.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let files = [&arguments.wav, &arguments.waveform, &arguments.spectrogram];
+    for file in files.into_iter().flatten() {
+        output::check(file)?;
+    }
+    let start = Instant::now();
+    let samples = wav::record(0..LENGTH);
+    let time = start.elapsed().as_secs_f64();
+    let table = format!(
+        "{}\nMade in {time:.2} s: {:.1} % of one core while it plays.\n",
+        levels::markdown(&samples)?,
+        100.0 * time * f64::from(RATE) / f64::from(LENGTH),
+    );
+    if arguments.wav.as_deref() == Some(Path::new("-")) {
+        eprint!("{table}");
+    } else {
+        output::write(Path::new("-"), table.as_bytes())?;
+    }
+    if let Some(file) = &arguments.wav {
+        output::write(file, &wav::wav(&samples))?;
+    }
+    let (width, height) = SIZE;
+    if let Some(file) = &arguments.waveform {
+        let pixels = waveform::draw(&samples, width, height);
+        output::write(file, &picture::png(width, &pixels)?)?;
+    }
+    if let Some(file) = &arguments.spectrogram {
+        let pixels = spectrogram::draw(&samples, width, height);
+        output::write(file, &picture::png(width, &pixels)?)?;
+    }
+    Ok(())
+}

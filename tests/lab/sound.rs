@@ -1,0 +1,63 @@
+//! `lab sound`, and its files.
+
+use super::{assert_one_line, lab, read_png};
+use eightfold::show::grid;
+use eightfold::sound::{LENGTH, RATE};
+
+#[test]
+fn every_bar_has_a_row_and_files_are_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (wav, waveform, spectrogram) = (
+        file("song.wav"),
+        file("waveform.png"),
+        file("spectrogram.png"),
+    );
+    let output = lab(&[
+        "sound",
+        "--wav",
+        &wav,
+        "--waveform",
+        &waveform,
+        "--spectrogram",
+        &spectrogram,
+    ]);
+    assert!(output.status.success() && output.stderr.is_empty());
+    let text = String::from_utf8(output.stdout).unwrap();
+    let rows = text.lines().filter(|line| line.starts_with("| ")).count();
+    assert_eq!(rows, grid::BARS as usize + 2, "{text}");
+    for word in ["title", "finale", "LUFS", "of one core"] {
+        assert!(text.contains(word), "{word}");
+    }
+
+    let bytes = std::fs::read(wav).unwrap();
+    let number = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    assert_eq!(
+        (&bytes[..4], &bytes[8..16]),
+        (&b"RIFF"[..], &b"WAVEfmt "[..])
+    );
+    assert_eq!(number(4) as usize, bytes.len() - 8);
+    assert_eq!(number(24), RATE);
+    assert_eq!(bytes.len(), 58 + LENGTH as usize * 8);
+    let side = |at: usize| f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    let loudest = (58..bytes.len())
+        .step_by(4)
+        .map(|at| side(at).abs())
+        .fold(0.0, f32::max);
+    assert!((0.3..0.9).contains(&loudest), "{loudest}");
+
+    for picture in [waveform, spectrogram] {
+        let (width, pixels) = read_png(&std::fs::read(&picture).unwrap());
+        assert_eq!((width, pixels.len()), (1920, 1920 * 480));
+        let mut colours = pixels;
+        colours.sort_unstable();
+        colours.dedup();
+        assert!(colours.len() >= 4, "{picture}: {} colours", colours.len());
+    }
+}
+
+#[test]
+fn a_sound_that_cannot_be_written_is_named_in_one_line() {
+    let output = lab(&["sound", "--wav", "/no/such/folder/song.wav"]);
+    assert_one_line(&output, 1, &["/no/such/folder/song.wav"]);
+}
