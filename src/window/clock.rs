@@ -6,6 +6,7 @@ use crate::system::call;
 pub const SECOND: u64 = 1_000_000_000;
 
 /// Time since it was started.
+#[derive(Clone, Copy)]
 pub struct Clock {
     start: u64,
 }

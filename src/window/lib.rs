@@ -5,6 +5,7 @@
 //! | the C `main` and its arguments | [`main!`], [`arguments`] |
 //! | where a panic ends in the intro | [`abort`](mod@abort) |
 //! | a screen to show frames on: a window, a terminal, or none | [`screen`], [`window`], [`terminal`] |
+//! | sound, and the time by which it is heard | [`sound`] |
 //! | time, and sleeping until it comes | [`clock`] |
 //! | threads that share the work of a frame | [`pool`] |
 //! | the best instruction set | [`cpu`] |
@@ -35,6 +36,7 @@ mod keyboard;
 pub mod line;
 pub mod pool;
 pub mod screen;
+pub mod sound;
 mod system;
 pub mod terminal;
 pub mod window;

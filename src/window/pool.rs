@@ -72,22 +72,13 @@ impl Pool {
         });
         let mut threads = [0; Pool::MOST - 1];
         let mut started = 0;
-        // SAFETY: the structures are initialised by the calls before they are read. `shared` has a
-        // place of its own that lasts until every thread has been joined.
-        unsafe {
-            // Signals are for the caller's thread.
-            let mut all: libc::sigset_t = zeroed();
-            let mut before = zeroed();
-            (&raw mut all).write_bytes(0xff, 1);
-            libc::pthread_sigmask(libc::SIG_SETMASK, &all, &mut before);
-            for thread in threads.iter_mut().take(count.saturating_sub(1)) {
-                let pointer = (&raw const *shared).cast_mut().cast();
-                if libc::pthread_create(thread, null(), thread_main, pointer) != 0 {
-                    break;
-                }
-                started += 1;
+        let pointer = (&raw const *shared).cast_mut().cast();
+        for thread in threads.iter_mut().take(count.saturating_sub(1)) {
+            // SAFETY: `shared` has a place of its own that lasts until every thread has been joined.
+            if !unsafe { spawn(thread, thread_main, pointer) } {
+                break;
             }
-            libc::pthread_sigmask(libc::SIG_SETMASK, &before, null_mut());
+            started += 1;
         }
         Pool {
             shared,
@@ -225,6 +216,28 @@ impl Shared {
         if self.inside.fetch_sub(1, Release) == 1 {
             futex(&self.inside, libc::FUTEX_WAKE, 1);
         }
+    }
+}
+
+/// Starts a thread. False if the system has no more.
+///
+/// # Safety
+/// What the thread does with the pointer has to be right for as long as it runs.
+pub(crate) unsafe fn spawn(
+    thread: &mut libc::pthread_t,
+    main: extern "C" fn(*mut c_void) -> *mut c_void,
+    pointer: *mut c_void,
+) -> bool {
+    // SAFETY: the structures are initialised by the calls before they are read. The caller vouches for the rest.
+    unsafe {
+        // Signals are for the caller's thread.
+        let mut all: libc::sigset_t = zeroed();
+        let mut before = zeroed();
+        (&raw mut all).write_bytes(0xff, 1);
+        libc::pthread_sigmask(libc::SIG_SETMASK, &all, &mut before);
+        let failed = libc::pthread_create(thread, null(), main, pointer);
+        libc::pthread_sigmask(libc::SIG_SETMASK, &before, null_mut());
+        failed == 0
     }
 }
 

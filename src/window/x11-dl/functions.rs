@@ -14,7 +14,9 @@ use core::{
 
 use crate::types::*;
 
-/// A structure of functions that are looked up in a library, in the order of a block of names.
+/// A structure of functions that are looked up in a library, in the order of a block of names. A
+/// [`Table`] holds it.
+#[macro_export]
 macro_rules! loaded {
     ($(#[$doc:meta])* $table:ident, $names:ident: $( fn $name:ident($($argument:ty),* $(,)?) -> $result:ty; )*) => {
         $(#[$doc])*
@@ -77,8 +79,8 @@ loaded! {
     fn XShmPutImage(*mut Display, Drawable, GC, *mut XImage, c_int, c_int, c_int, c_int, c_uint, c_uint, Bool) -> Status;
 }
 
-/// A table of functions, filled once, read ever after.
-struct Table<T> {
+/// A table of functions, made by [`loaded!`], filled once, read ever after.
+pub struct Table<T> {
     functions: UnsafeCell<MaybeUninit<T>>,
     ready: AtomicBool,
 }
@@ -140,17 +142,24 @@ impl Xext {
     }
 }
 
+impl<T> Default for Table<T> {
+    fn default() -> Table<T> {
+        Table::new()
+    }
+}
+
 impl<T> Table<T> {
-    const fn new() -> Table<T> {
+    pub const fn new() -> Table<T> {
         Table {
             functions: UnsafeCell::new(MaybeUninit::uninit()),
             ready: AtomicBool::new(false),
         }
     }
 
-    /// Fills the table, unless it is, with the functions of a library. `names` has one for each.
+    /// Fills the table, unless it is, with the functions of a library, from any one thread at a time.
+    /// `names` has one for each.
     #[inline]
-    fn open(&'static self, library: &CStr, names: &str) -> Option<&'static T> {
+    pub fn open(&'static self, library: &CStr, names: &str) -> Option<&'static T> {
         if !self.ready.load(Acquire) {
             // SAFETY: nothing reads the table before `ready` is set; it is made of pointers, and
             // `loaded!` gives it as many as names.

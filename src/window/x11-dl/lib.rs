@@ -5,7 +5,7 @@
 //! `minifb` 0.29 and `eightfold-window` use, with the values of Xlib's own headers:
 //!
 //! - [`xlib`]: what a window needs, and the functions: those in use, looked up by one loop over a block of names, and
-//!   those that answer in place.
+//!   those that answer in place. [`loaded!`] does for other libraries too.
 //! - [`xcursor`]: answers without a library; the intro's pointer is the desktop's own, or none.
 //! - [`keysym`]: the keys that `minifb` tells apart.
 //!
@@ -29,6 +29,8 @@ mod functions;
 pub mod keysym;
 mod types;
 pub mod xcursor;
+
+pub use functions::Table;
 
 /// Types, constants and functions of libX11.
 pub mod xlib {

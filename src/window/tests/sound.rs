@@ -1,0 +1,262 @@
+//! Sound through ALSA itself, with devices of the tests' own: its plug-ins `file` and `null` need no hardware.
+//!
+//! A process reads ALSA's configuration once, so each scene is this program, started again.
+
+use eightfold_window::sound::{Heard, Player, RATE, Source};
+use std::{
+    alloc::{GlobalAlloc, Layout, System},
+    env, fs,
+    path::Path,
+    process::{Command, Output},
+    sync::atomic::{AtomicUsize, Ordering::SeqCst},
+    thread,
+    time::{Duration, Instant},
+};
+
+/// Counts what is asked of Rust's allocator. ALSA has C's.
+struct Counting;
+
+static COUNT: AtomicUsize = AtomicUsize::new(0);
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+// SAFETY: the system's allocator does it all.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.fetch_add(1, SeqCst);
+        // SAFETY: as the caller's.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as the caller's.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+/// Sound that says which sample it is.
+struct Numbers {
+    next: u32,
+    block: [[f32; 2]; 48],
+}
+
+/// One of many samples, both sides of it different, all exact.
+fn sample(number: u32) -> [f32; 2] {
+    let value = (number % 65_536) as f32 / 65_536.0;
+    [value, -value]
+}
+
+impl Source for Numbers {
+    fn block(&mut self) -> &[[f32; 2]] {
+        for place in &mut self.block {
+            *place = sample(self.next);
+            self.next += 1;
+        }
+        &self.block
+    }
+}
+
+/// Plays for a second. Says how long that was by the player, and how many allocations there were.
+fn play() {
+    let numbers = Box::leak(Box::new(Numbers {
+        next: 0,
+        block: [[0.0; 2]; 48],
+    }));
+    let mut player = Player::start(c"default", numbers);
+    let start = Instant::now();
+    let before = COUNT.load(SeqCst);
+    let mut last = 0;
+    while start.elapsed() < Duration::from_secs(1) {
+        let time = player.time();
+        assert!(time >= last, "time goes forward");
+        last = time;
+        thread::sleep(Duration::from_millis(10));
+    }
+    let allocations = COUNT.load(SeqCst) - before;
+    let wall = start.elapsed().as_nanos() as f64;
+    println!("{} {allocations}", player.time() as f64 / wall);
+}
+
+/// What a scene said.
+struct Scene {
+    /// The player's time as a share of the wall's.
+    pace: f64,
+    allocations: usize,
+    /// Lines on standard error.
+    errors: String,
+}
+
+/// This program, with a configuration of ALSA's in a folder, through a command that ends in `"$0"`.
+fn scene(folder: &Path, configuration: &str, command: &str) -> Scene {
+    let file = folder.join("asound.conf");
+    fs::write(&file, configuration).unwrap();
+    let Output {
+        status,
+        stdout,
+        stderr,
+    } = Command::new("sh")
+        .args(["-c", command])
+        .arg(env::current_exe().unwrap())
+        .env("ALSA_CONFIG_PATH", &file)
+        .env("EIGHTFOLD_SOUND_SCENE", "1")
+        .output()
+        .unwrap();
+    let errors = String::from_utf8_lossy(&stderr).into_owned();
+    assert!(status.success(), "{errors}");
+    let said = String::from_utf8_lossy(&stdout).into_owned();
+    let (pace, allocations) = said.trim().split_once(' ').expect("two numbers");
+    let scene = Scene {
+        pace: pace.parse().unwrap(),
+        allocations: allocations.parse().unwrap(),
+        errors,
+    };
+    assert_eq!(scene.allocations, 0, "allocations while it plays");
+    scene
+}
+
+/// A test and its name.
+type Named = (&'static str, fn(&Path));
+
+/// Whether what is said is the one line of a show that goes on without sound.
+fn says_silent(scene: &Scene) -> bool {
+    scene.errors.trim_end().lines().count() == 1
+        && scene.errors.starts_with("eightfold: ")
+        && scene.errors.contains("playing silently")
+}
+
+const PLAIN: &str = "exec \"$0\"";
+
+fn a_device_gets_every_sample_in_order(folder: &Path) {
+    let out = folder.join("out.raw");
+    let configuration = format!(
+        "pcm.default {{ type file, slave.pcm {{ type null }}, file \"{}\", format raw }}",
+        out.display()
+    );
+    let scene = scene(folder, &configuration, PLAIN);
+    assert_eq!(scene.errors, "");
+    // What plays nothing takes what is made, up to 120 ms ahead.
+    assert!((0.98..1.2).contains(&scene.pace), "{}", scene.pace);
+    let bytes = fs::read(out).unwrap();
+    let sides: Vec<f32> = bytes
+        .chunks_exact(4)
+        .map(|b| f32::from_le_bytes(b.try_into().unwrap()))
+        .collect();
+    let count = sides.len() / 2;
+    let second = RATE as usize;
+    assert!(
+        (second * 9 / 10..second * 13 / 10).contains(&count),
+        "{count} samples"
+    );
+    for (number, sides) in (0..).zip(sides.chunks_exact(2)) {
+        assert_eq!(sides, sample(number), "sample {number}");
+    }
+}
+
+fn a_device_that_plays_nothing_keeps_time(folder: &Path) {
+    let scene = scene(folder, "pcm.default { type null }", PLAIN);
+    assert_eq!(scene.errors, "");
+    assert!((0.98..1.2).contains(&scene.pace), "{}", scene.pace);
+}
+
+fn time_goes_on_without_a_device(folder: &Path) {
+    let scene = scene(folder, "", PLAIN);
+    assert!(says_silent(&scene), "{}", scene.errors);
+    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
+}
+
+fn time_goes_on_without_the_library(folder: &Path) {
+    fs::write(folder.join("libasound.so.2"), "not a library").unwrap();
+    let command = format!("LD_LIBRARY_PATH='{}' exec \"$0\"", folder.display());
+    let scene = scene(folder, "pcm.default { type null }", &command);
+    assert!(says_silent(&scene), "{}", scene.errors);
+    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
+}
+
+fn time_goes_on_when_the_device_disappears(folder: &Path) {
+    // Half a second fits in the file; the signal that would end the program is ignored.
+    let configuration = format!(
+        "pcm.default {{ type file, slave.pcm {{ type null }}, file \"{}\", format raw }}",
+        folder.join("short.raw").display()
+    );
+    let scene = scene(
+        folder,
+        &configuration,
+        "trap '' XFSZ; ulimit -f 375; exec \"$0\"",
+    );
+    assert!(says_silent(&scene), "{}", scene.errors);
+    assert!((0.98..1.2).contains(&scene.pace), "{}", scene.pace);
+    let played = fs::metadata(folder.join("short.raw")).unwrap().len();
+    assert!(played > 100_000, "{played} bytes before it disappeared");
+}
+
+fn time_goes_on_with_a_device_that_refuses_48_khz(folder: &Path) {
+    // It opens, and then ALSA says "Rate doesn't match (requested 48000Hz, get 44100Hz)".
+    let configuration = "pcm.nothing { type null }
+        pcm.default { type share, slave { pcm nothing, rate 44100, channels 2 }, bindings { 0 0, 1 1 } }";
+    let scene = scene(folder, configuration, PLAIN);
+    assert!(says_silent(&scene), "{}", scene.errors);
+    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
+}
+
+/// A device's clock that is fast or slow, answers in steps of 10 ms, and runs out of samples once: what is given is within
+/// 20 ms of what is heard, but for a second and a half after that.
+fn picture_and_sound_stay_together() {
+    for parts_per_million in [-500_i64, 0, 500] {
+        let mut heard = Heard::default();
+        let mut last = 0;
+        let (frame, lost) = (16_666_667, 30_000_000_000);
+        for clock in (0..96_000_000_000_u64).step_by(frame) {
+            let stalled = if clock > lost { 100_000_000 } else { 0 };
+            let really = clock as i64 + clock as i64 / 1_000_000 * parts_per_million - stalled;
+            let said = really / 10_000_000 * 10_000_000;
+            let time = heard.time(clock, said - clock as i64);
+            assert!(time >= last, "backwards at {clock} ns");
+            last = time;
+            if !(lost..lost + 1_500_000_000).contains(&clock) {
+                let drift = time as i64 - really.max(0);
+                assert!(drift.abs() <= 20_000_000, "{drift} ns at {clock} ns");
+            }
+        }
+    }
+}
+
+fn main() {
+    if env::var_os("EIGHTFOLD_SOUND_SCENE").is_some() {
+        return play();
+    }
+    picture_and_sound_stay_together();
+    let folder = env::temp_dir().join(format!("eightfold-sound-{}", std::process::id()));
+    fs::create_dir(&folder).unwrap();
+    let scenes: [Named; 6] = [
+        (
+            "a device gets every sample in order",
+            a_device_gets_every_sample_in_order,
+        ),
+        (
+            "a device that plays nothing keeps time",
+            a_device_that_plays_nothing_keeps_time,
+        ),
+        (
+            "time goes on without a device",
+            time_goes_on_without_a_device,
+        ),
+        (
+            "time goes on when the device disappears",
+            time_goes_on_when_the_device_disappears,
+        ),
+        (
+            "time goes on with a device that refuses 48 kHz",
+            time_goes_on_with_a_device_that_refuses_48_khz,
+        ),
+        (
+            "time goes on without the library",
+            time_goes_on_without_the_library,
+        ),
+    ];
+    for (name, run) in scenes {
+        run(&folder);
+        println!("{name}: ok");
+    }
+    fs::remove_dir_all(&folder).unwrap();
+}
