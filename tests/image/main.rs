@@ -42,3 +42,4 @@ mod sameness;
 mod sizes;
 mod soak;
 mod unseen;
+mod wrong;

@@ -59,7 +59,7 @@ fn material() -> impl Strategy<Value = Material> {
         })
 }
 
-fn sphere() -> impl Strategy<Value = Sphere> {
+pub fn sphere() -> impl Strategy<Value = Sphere> {
     (place(4.0, 3.0), 0.2_f32..1.5, material()).prop_map(|(centre, radius, material)| Sphere {
         centre,
         radius,
@@ -104,7 +104,7 @@ fn camera() -> impl Strategy<Value = Camera> {
 
 /// A scene in few words, for the message about a failure.
 #[derive(Clone, Debug)]
-struct Sketch {
+pub struct Sketch {
     camera: Camera,
     background: Vec3,
     ambient: Vec3,
@@ -114,7 +114,7 @@ struct Sketch {
 }
 
 impl Sketch {
-    fn scene(&self) -> Scene {
+    pub fn scene(&self) -> Scene {
         Scene {
             camera: self.camera,
             background: self.background,
@@ -127,7 +127,7 @@ impl Sketch {
 }
 
 /// Some spheres, which may pass through each other, planes and lights.
-fn sketch(
+pub fn sketch(
     spheres: impl Strategy<Value = Vec<Sphere>>,
     planes: usize,
 ) -> impl Strategy<Value = Sketch> {

@@ -5,7 +5,7 @@ use crate::reader::read_png;
 use serde_json::Value;
 use std::path::Path;
 
-const KEYS: [&str; 19] = [
+const KEYS: [&str; 20] = [
     "scene",
     "width",
     "height",
@@ -23,16 +23,21 @@ const KEYS: [&str; 19] = [
     "psnr_mean_db",
     "psnr_worst_db",
     "pixels_over_8",
+    "flicker",
     "speedup_vs_exhaustive",
     "floor_ratio",
 ];
 
 const COLUMNS: &str = "size, threads, isa, quality, fps median, ms median, ms p99, traced, rays, shadow rays, \
-                       lanes used, PSNR mean, PSNR worst, over 8/255, speed-up, floor";
+                       lanes used, PSNR mean, PSNR worst, over 8/255, flicker, speed-up, floor";
 
 /// A short bench in small frames: its table and its rows.
 fn bench(more: &[&str]) -> (String, Vec<Value>) {
-    let output = lab(&[&["bench", "--frames", "3", "--json", "-"], more].concat());
+    let output = lab(&[
+        &["bench", "--frames", "3", "--flicker", "2", "--json", "-"],
+        more,
+    ]
+    .concat());
     let table = String::from_utf8(output.stderr).expect("text");
     assert!(output.status.success(), "{table}");
     (table, serde_json::from_slice(&output.stdout).expect("JSON"))

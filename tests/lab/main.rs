@@ -172,7 +172,7 @@ fn help_names_every_command_and_flag() {
         ),
         (
             "bench",
-            "--scene --time-from --time-to --size --quality --threads --isa --frames --json",
+            "--scene --time-from --time-to --size --quality --threads --isa --frames --flicker --json",
         ),
         (
             "capture",

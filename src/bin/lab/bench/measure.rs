@@ -3,6 +3,7 @@
 use super::row::Row;
 use crate::arguments::{NamedQuality, SceneName, Size};
 use crate::error::Difference;
+use crate::flicker::Flicker;
 use crate::isa::Isa;
 use crate::studio::Studio;
 use eightfold::Counts;
@@ -22,6 +23,8 @@ pub struct Plan {
     /// Times of the first and of the last frame in seconds.
     pub time_from: f32,
     pub time_to: f32,
+    /// Frames in a row, 60 a second, that flicker is looked for in, from the first time on.
+    pub flicker_frames: usize,
 }
 
 /// A size on a number of threads: what is drawn one right after the other.
@@ -45,10 +48,14 @@ pub struct Run {
     pub counts: Counts,
     /// Of each frame to what it is held to.
     pub differences: Vec<Difference>,
+    /// Of the frames that flicker is looked for in.
+    pub flicker: Flicker,
     /// The last frame.
     pixels: Vec<u32>,
 }
 
+/// Frames a second of those that flicker is looked for in: what a screen shows.
+const FLICKER_FPS: f64 = 60.0;
 /// What frames are filled with to see how fast that is.
 const COLOUR: u32 = 0x0012_3456;
 /// Rows that a thread fills in one go, as many as the intro's bands have.
@@ -57,7 +64,8 @@ const STRIP: usize = 16;
 impl Plan {
     /// How often [`Plan::measure`] calls back.
     pub fn steps(&self) -> usize {
-        (1 + self.frames) * self.sizes.len() * self.threads.len()
+        let settings = (1 + self.frames) * self.sizes.len() * self.threads.len();
+        settings + self.flicker_frames * self.sizes.len()
     }
 
     /// Draws all frames of all qualities in all settings. Calls `step` now and then, while no time is taken.
@@ -87,9 +95,21 @@ impl Plan {
                 }
             }
         }
-        let settings = benches.iter().flat_map(|(_, settings)| settings);
+        // The frames are the same on any number of threads.
+        let (studio, last) = benches.last_mut().expect("there is a number of threads");
+        for setting in last.iter_mut() {
+            for frame in 0..self.flicker_frames {
+                let time = f64::from(self.time_from) + frame as f64 / FLICKER_FPS;
+                setting.look_for_flicker(self, studio, time as f32);
+                step();
+            }
+        }
+        let flickers = || benches.last().into_iter().flat_map(|(_, last)| last);
+        let settings = benches
+            .iter()
+            .flat_map(|(_, settings)| settings.iter().zip(flickers()));
         settings
-            .flat_map(|setting| Row::of(self, setting))
+            .flat_map(|(setting, flicker)| Row::of(self, setting, flicker))
             .collect()
     }
 
@@ -108,6 +128,7 @@ impl Setting {
             times: Vec::new(),
             counts: Counts::NONE,
             differences: Vec::new(),
+            flicker: Flicker::default(),
             pixels: vec![0; size.area()],
         });
         Self {
@@ -157,6 +178,20 @@ impl Setting {
         for run in others {
             let difference = Difference::between(&reference.pixels, &run.pixels);
             run.differences.push(difference);
+        }
+    }
+
+    /// Draws a frame of each quality and compares it to the one before.
+    fn look_for_flicker(&mut self, plan: &Plan, studio: &mut Studio, time: f32) {
+        let scene = plan.scene.at(time);
+        for run in &mut self.runs {
+            let (level, width) = (plan.isa.level, self.size.width);
+            studio.draw(level, &scene, &run.quality.quality, width, &mut run.pixels);
+        }
+        let (reference, others) = self.runs.split_first_mut().expect("there is a reference");
+        for run in others {
+            run.flicker
+                .next(self.size.width, &reference.pixels, &run.pixels);
         }
     }
 }

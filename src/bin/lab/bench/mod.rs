@@ -42,6 +42,9 @@ pub struct Arguments {
     /// Time of the last frame in seconds
     #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = arguments::seconds, allow_negative_numbers = true)]
     time_to: f32,
+    /// Frames in a row, 60 a second, in which flicker is counted
+    #[arg(long, value_name = "N", default_value = "300", value_parser = arguments::frames)]
+    flicker: usize,
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
@@ -95,6 +98,7 @@ fn plan(arguments: &Arguments) -> Plan {
         frames: arguments.frames,
         time_from: arguments.time_from,
         time_to: arguments.time_to,
+        flicker_frames: arguments.flicker,
     }
 }
 

@@ -33,6 +33,9 @@ pub struct Row {
     pub psnr_worst_db: f64,
     /// Pixels with a channel more than 8 of 255 off.
     pub pixels_over_8: f64,
+    /// Blocks of 8x8 pixels whose error jumps by more than 8 of 255 from a frame to the next, in all frames that flicker is
+    /// looked for in; see [`crate::flicker`].
+    pub flicker: usize,
     /// The exhaustive frames' median time over this one.
     pub speedup_vs_exhaustive: f64,
     /// The median time over that of filling the frame with one colour.
@@ -40,11 +43,12 @@ pub struct Row {
 }
 
 impl Row {
-    /// The rows of a setting, one for each run.
-    pub fn of(plan: &Plan, setting: &Setting) -> Vec<Self> {
+    /// The rows of a setting, one for each run. Flicker was looked for in another one, on any number of threads.
+    pub fn of(plan: &Plan, setting: &Setting, flicker: &Setting) -> Vec<Self> {
         let floor = median(&setting.floor);
         let exhaustive = median(&setting.runs[0].times);
-        let rows = setting.runs.iter().map(|run| {
+        let runs = setting.runs.iter().zip(&flicker.runs);
+        let rows = runs.map(|(run, flicker)| {
             let per_frame = |count: u64| count as f64 / plan.frames as f64;
             let ms = median(&run.times);
             let psnr = run.differences.iter().map(|difference| difference.psnr);
@@ -67,6 +71,7 @@ impl Row {
                 psnr_mean_db: psnr.clone().sum::<f64>() / plan.frames as f64,
                 psnr_worst_db: psnr.fold(f64::INFINITY, f64::min),
                 pixels_over_8: per_frame(over_8 as u64),
+                flicker: flicker.flicker.jumps,
                 speedup_vs_exhaustive: exhaustive / ms,
                 floor_ratio: ms / floor,
             }

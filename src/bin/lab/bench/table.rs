@@ -5,7 +5,7 @@ use super::row::Row;
 /// A column's title, and what a row says in it.
 type Column = (&'static str, fn(&Row) -> String);
 
-const COLUMNS: [Column; 16] = [
+const COLUMNS: [Column; 17] = [
     ("size", |row| format!("{}x{}", row.width, row.height)),
     ("threads", |row| row.threads.to_string()),
     ("isa", |row| row.isa.to_owned()),
@@ -20,6 +20,7 @@ const COLUMNS: [Column; 16] = [
     ("PSNR mean", |row| decibels(row.psnr_mean_db)),
     ("PSNR worst", |row| decibels(row.psnr_worst_db)),
     ("over 8/255", |row| format!("{:.1}", row.pixels_over_8)),
+    ("flicker", |row| row.flicker.to_string()),
     ("speed-up", |row| {
         format!("{:.2}", row.speedup_vs_exhaustive)
     }),
