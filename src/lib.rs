@@ -12,7 +12,8 @@
 //! | rays side by side, by instruction set | `lanes` |
 //! | how a frame came about, for the lab | [`observe`] |
 //!
-//! What trades accuracy for speed is one struct, [`Quality`]. How far the numbers can be trusted is in [`limits`].
+//! What trades accuracy for speed is one struct, [`Quality`]; [`Governor`] chooses one by how long frames take. How far
+//! the numbers can be trusted is in [`limits`].
 //!
 //! A frame is a function of scene, size, quality and instruction set: the same bits for any number of threads. The
 //! library cannot allocate; its memory, [`Memory`] and a [`Worker`] per thread, belongs to the caller.
@@ -20,6 +21,7 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod governor;
 mod lanes;
 pub mod limits;
 #[cfg(feature = "lab")]
@@ -38,6 +40,7 @@ mod trigonometry;
 mod worker;
 
 pub use fearless_simd::Level;
+pub use governor::Governor;
 pub use quality::Quality;
 pub use refine::Band;
 #[cfg(feature = "lab")]

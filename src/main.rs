@@ -7,7 +7,7 @@ mod options;
 
 use core::mem::ManuallyDrop;
 
-use eightfold::{Band, MAX_HEIGHT, MAX_WIDTH, Memory, Worker, render, show};
+use eightfold::{Band, Governor, MAX_HEIGHT, MAX_WIDTH, Memory, Quality, Worker, render, show};
 use eightfold_window::{
     arguments::Arguments,
     clock::{Clock, SECOND},
@@ -19,10 +19,7 @@ use eightfold_window::{
     terminal::Terminal,
     window::{NoWindow, Window},
 };
-use options::{MAX_THREADS, Options};
-
-/// Time between two frames in nanoseconds, unless uncapped.
-const FRAME: u64 = SECOND / 60;
+use options::{FULLSCREEN, MAX_THREADS, Options, UNCAPPED};
 
 /// Nanoseconds of the show.
 const LENGTH: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;
@@ -49,6 +46,7 @@ fn run(arguments: Arguments) -> i32 {
         ),
         memory: MEMORY.take(),
         workers: WORKERS.take(),
+        governor: Governor::new(options.fps as u64),
         tally: Tally::default(),
     });
     let code = intro.run(&options);
@@ -61,6 +59,7 @@ struct Intro {
     pool: Pool,
     memory: &'static mut Memory,
     workers: &'static mut [Worker; MAX_THREADS],
+    governor: Governor,
     tally: Tally,
 }
 
@@ -70,7 +69,7 @@ impl Intro {
         let (width, height) = options.size;
         let why = match Window::open("Eightfold", width, height) {
             Ok(mut window) => {
-                if options.fullscreen {
+                if options.has(FULLSCREEN) {
                     window.set_fullscreen(true);
                 }
                 return self.play(&mut window, options);
@@ -104,22 +103,26 @@ impl Intro {
                 self.tally.time = time;
                 return 0;
             }
-            self.draw(time, screen, options);
+            let rung = options.rung.unwrap_or(self.governor.rung());
+            let quality = Quality::LADDER.get(rung).unwrap_or(&Quality::EXHAUSTIVE);
+            self.draw(time, screen, quality);
             let next = screen.show();
-            self.tally.count(clock.time());
+            let shown = clock.time();
+            self.governor.frame(shown - time);
+            self.tally.count(shown, rung);
             if let Next::End(code) = next {
                 return code;
             }
-            if !options.uncapped {
+            if !options.has(UNCAPPED) {
                 // After a late frame the next ones don't hurry.
-                due = u64::max(due + FRAME, time);
+                due = u64::max(due + SECOND / options.fps as u64, time);
                 clock.sleep_until(due);
             }
         }
     }
 
     /// Draws the frame of a time.
-    fn draw(&mut self, time: u64, screen: &mut dyn Screen, options: &Options) {
+    fn draw(&mut self, time: u64, screen: &mut dyn Screen, quality: &Quality) {
         let (width, height) = fit(screen.size());
         self.tally.size = (width, height);
         let scene = show::scene((time % LENGTH) as f32 / SECOND as f32);
@@ -127,7 +130,7 @@ impl Intro {
         render(
             self.level,
             &scene,
-            options.quality(),
+            quality,
             width,
             height,
             self.memory,
@@ -167,9 +170,15 @@ impl Intro {
             .text(", threads ")
             .number(self.pool.threads() as u64)
             .text(", ")
-            .text(cpu::name(self.level))
-            .text("\n");
-        line::print(report.bytes())
+            .text(cpu::name(self.level));
+        let names = Quality::NAMES.as_bytes().split(|&byte| byte == b' ');
+        for (name, &time) in names.zip(&self.tally.rungs) {
+            if time > 0 {
+                report.text(", ").quote(name).text(" ");
+                report.decimal(time / (SECOND / 100), 2).text(" s");
+            }
+        }
+        line::print(report.text("\n").bytes())
     }
 }
 
@@ -185,12 +194,17 @@ struct Tally {
     second: (u64, u64),
     /// Width and height of the last frame.
     size: (usize, usize),
+    /// Nanoseconds that each rung of the ladder was used.
+    rungs: [u64; Quality::LADDER.len()],
 }
 
 impl Tally {
-    /// Counts a frame that was shown at a time.
-    fn count(&mut self, time: u64) {
+    /// Counts a frame that was shown at a time, on a rung of the ladder.
+    fn count(&mut self, time: u64, rung: usize) {
         self.frames += 1;
+        if let Some(used) = self.rungs.get_mut(rung) {
+            *used += time - self.time;
+        }
         self.time = time;
         let (second, frames) = self.second;
         let now = time / SECOND;

@@ -18,39 +18,56 @@ pub struct Options {
     pub threads: Option<usize>,
     /// Nanoseconds until it ends, or as long as the show is.
     pub length: Option<u64>,
-    /// Start over the whole screen.
-    pub fullscreen: bool,
-    /// As many frames as can be, not 60 a second.
-    pub uncapped: bool,
-    /// Every pixel is traced.
-    pub exhaustive: bool,
+    /// Frames a second.
+    pub fps: usize,
+    /// The rung of the ladder of qualities, or whichever `fps` allows. Beyond the ladder, every pixel is traced.
+    pub rung: Option<usize>,
+    /// The options without a value that were given, a bit each.
+    switches: u32,
 }
 
 /// The start of what `--help` says, which `--version` says too.
 const NAME: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"), "\n");
 
 /// The options, a line each. The command line is read by these, and errors quote them.
-const OPTIONS: &str = "\
+static OPTIONS: [u8; joined_length(LINES)] = joined(LINES);
+
+/// [`OPTIONS`] in parts.
+const LINES: [&str; 3] = [
+    "\
 --size WxH    size of the window, from 1x1 to 3840x2160 (1024x768)
 --threads N   threads that trace, from 1 to 64 (one for each processor)
 --seconds S   time until the end, above 0, such as 7.5 (25.13, one orbit)
+--fps N       frames a second to hold, from 1 to 1000 (60)
+--quality Q   one quality and no other: ",
+    Quality::NAMES,
+    "
 --loop        start again instead of ending
 --fullscreen  start over the whole screen
---uncapped    draw as many frames as can be, not 60 a second
+--uncapped    as many frames as can be, by default at default quality
 --exhaustive  trace every pixel
 --help        say this
 --version     say which version this is
-";
+",
+];
 
-// The lines of `OPTIONS`; the first three take a value.
+// The lines of `OPTIONS`; the first five take a value.
 const SIZE: usize = 0;
 const THREADS: usize = 1;
 const SECONDS: usize = 2;
-const LOOP: usize = 3;
-const FULLSCREEN: usize = 4;
-const UNCAPPED: usize = 5;
-const HELP: usize = 7;
-const VERSION: usize = 8;
+const FPS: usize = 3;
+const QUALITY: usize = 4;
+const LOOP: usize = 5;
+/// Starts over the whole screen.
+pub const FULLSCREEN: usize = 6;
+/// As many frames as can be.
+pub const UNCAPPED: usize = 7;
+const EXHAUSTIVE: usize = 8;
+const HELP: usize = 9;
+const VERSION: usize = 10;
+
+/// The most frames a second that can be asked for.
+const MAX_FPS: usize = 1000;
 
 /// The end of what `--help` says.
 const KEYS: &str = "keys: F whole screen, W window, Esc end\n";
@@ -66,16 +83,15 @@ impl Options {
             size: (1024, 768),
             threads: None,
             length: None,
-            fullscreen: false,
-            uncapped: false,
-            exhaustive: false,
+            fps: 60,
+            rung: None,
+            switches: 0,
         };
-        let mut forever = false;
         while let Some(flag) = arguments.next() {
             let Some((option, line)) = find(flag) else {
                 return Err(wrong(flag, b"--help says what there is"));
             };
-            let value = if option <= SECONDS {
+            let value = if option <= QUALITY {
                 arguments.next()
             } else {
                 None
@@ -85,16 +101,14 @@ impl Options {
                 SIZE => size(value).map(|size| options.size = size),
                 THREADS => whole(value, MAX_THREADS).map(|count| options.threads = Some(count)),
                 SECONDS => seconds(value).map(|time| options.length = Some(time)),
-                HELP => return Err(answer(&[NAME, OPTIONS, KEYS])),
-                VERSION => return Err(answer(&[NAME])),
+                FPS => whole(value, MAX_FPS).map(|fps| options.fps = fps),
+                QUALITY => Quality::rung(value).map(|rung| options.rung = Some(rung)),
+                HELP => {
+                    return Err(answer(&[NAME.as_bytes(), &OPTIONS, KEYS.as_bytes()]));
+                }
+                VERSION => return Err(answer(&[NAME.as_bytes()])),
                 _ => {
-                    let switch = match option {
-                        LOOP => &mut forever,
-                        FULLSCREEN => &mut options.fullscreen,
-                        UNCAPPED => &mut options.uncapped,
-                        _ => &mut options.exhaustive,
-                    };
-                    *switch = true;
+                    options.switches |= 1 << option;
                     Some(())
                 }
             };
@@ -102,25 +116,46 @@ impl Options {
                 return Err(wrong(value, line));
             }
         }
-        if forever && options.length.is_none() {
+        if options.has(LOOP) && options.length.is_none() {
             options.length = Some(u64::MAX);
+        }
+        if options.has(UNCAPPED) && options.rung.is_none() {
+            options.rung = Quality::rung(b"default");
+        }
+        if options.has(EXHAUSTIVE) {
+            options.rung = Some(usize::MAX);
         }
         Ok(options)
     }
 
-    /// How frames are drawn.
-    pub fn quality(&self) -> &'static Quality {
-        if self.exhaustive {
-            &Quality::EXHAUSTIVE
-        } else {
-            &Quality::DEFAULT
-        }
+    /// Whether an option without a value was given.
+    pub fn has(&self, option: usize) -> bool {
+        self.switches & 1 << option != 0
     }
+}
+
+/// The bytes of some texts, one after the other.
+const fn joined<const N: usize>(texts: [&str; 3]) -> [u8; N] {
+    let mut all = [0; N];
+    let (mut text, mut end) = (0, 0);
+    while text < texts.len() {
+        let (_, rest) = all.split_at_mut(end);
+        let (place, _) = rest.split_at_mut(texts[text].len());
+        place.copy_from_slice(texts[text].as_bytes());
+        end += texts[text].len();
+        text += 1;
+    }
+    all
+}
+
+/// How many they are.
+const fn joined_length(texts: [&str; 3]) -> usize {
+    texts[0].len() + texts[1].len() + texts[2].len()
 }
 
 /// The line of an option: its number, and what it says.
 fn find(flag: &[u8]) -> Option<(usize, &'static [u8])> {
-    let lines = OPTIONS.as_bytes().split(|&byte| byte == b'\n');
+    let lines = OPTIONS.split(|&byte| byte == b'\n');
     lines
         .enumerate()
         .find(|(_, line)| line.split(|&byte| byte == b' ').next() == Some(flag))
@@ -128,8 +163,8 @@ fn find(flag: &[u8]) -> Option<(usize, &'static [u8])> {
 }
 
 /// Answers, and returns the exit code.
-fn answer(texts: &[&str]) -> i32 {
-    let said = texts.iter().all(|text| line::print(text.as_bytes()));
+fn answer(texts: &[&[u8]]) -> i32 {
+    let said = texts.iter().all(|text| line::print(text));
     i32::from(!said)
 }
 

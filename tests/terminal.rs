@@ -2,6 +2,7 @@
 
 mod stage;
 
+use eightfold::Quality;
 use stage::{Process, intro, run, tool, wait_for};
 use std::{
     env, fs,
@@ -289,6 +290,13 @@ fn bad_arguments_are_named_in_one_line() {
             &["--seconds", "99999999999999999999999999999"],
             "--seconds S",
         ),
+        (&["--fps", "0"], "--fps N"),
+        (&["--fps", "1001"], "--fps N"),
+        (&["--fps", "59.9"], "--fps N"),
+        (&["--quality", "best"], "--quality Q"),
+        (&["--quality", ""], Quality::NAMES),
+        (&["--quality"], Quality::NAMES),
+        (&["--quality", "fast faster"], Quality::NAMES),
         (&["--loop", "--seconds", "1", "--size", "1x"], "--size WxH"),
     ];
     for (arguments, named) in bad {
@@ -311,6 +319,9 @@ fn questions_are_answered() {
         "--fullscreen",
         "--threads",
         "--seconds",
+        "--fps",
+        "--quality",
+        Quality::NAMES,
         "--loop",
         "--uncapped",
         "--exhaustive",
@@ -340,6 +351,43 @@ fn every_option_does_its_part() {
     };
     assert!(frames("--seconds 1 --size 64x48") <= 61);
     assert!(frames("--seconds 1 --size 64x48 --uncapped") > 120);
+    assert!(frames("--seconds 1 --size 64x48 --fps 24") <= 25);
+}
+
+#[test]
+fn the_report_says_how_long_each_rung_was_used() {
+    // Rungs in the report, and how long each was used.
+    let used = |options: &str| {
+        let (_, said) = run(unseen().args(options.split(' ')));
+        let names = Quality::NAMES.split(' ');
+        let rungs = names.filter_map(|name| {
+            let (_, rest) = said.split_once(&format!(", {name} "))?;
+            let (time, _) = rest.split_once(" s").expect("a unit");
+            Some((name, time.parse::<f64>().expect("a time")))
+        });
+        rungs.collect::<Vec<_>>()
+    };
+    let small = used("--seconds 1 --size 16x12 --fps 30");
+    assert_eq!(small[0].0, "finest", "it begins with the best");
+    for (options, expected) in [
+        ("--quality faster", "faster"),
+        ("--uncapped", "default"),
+        ("--uncapped --quality fine", "fine"),
+    ] {
+        let rungs = used(&format!("--seconds 0.5 --size 64x48 {options}"));
+        let [(name, time)] = rungs[..] else {
+            panic!("{options}: {rungs:?}");
+        };
+        assert_eq!(name, expected, "{options}");
+        assert!((0.3..=0.7).contains(&time), "{options}: {time}");
+    }
+    assert_eq!(used("--seconds 0.3 --size 16x12 --exhaustive"), []);
+    // No machine draws so many, and none need more than the least.
+    let hurried = used("--seconds 3 --size 1920x1080 --threads 1 --fps 1000");
+    let sum: f64 = hurried.iter().map(|(_, time)| time).sum();
+    let (last, time) = hurried[hurried.len() - 1];
+    assert_eq!(last, "fastest");
+    assert!(time > 0.5 * sum, "{hurried:?}");
 }
 
 #[test]

@@ -43,7 +43,8 @@ fn the_window_has_its_title_and_size_and_shows_the_frame() {
 
         // A small one, to look for its frame among those of the time it can be of.
         let start = Instant::now();
-        let intro = server.play(&["--size", "200x150", "--seconds", "60"]);
+        let words = "--size 200x150 --seconds 60 --quality default";
+        let intro = server.play(&words.split(' ').collect::<Vec<_>>());
         sleep(Duration::from_millis(500));
         let shot = server.screenshot(server.window().expect("a window"));
         let difference = difference_to_show(&shot, 200, 150, start.elapsed());

@@ -1,0 +1,184 @@
+//! The governor holds the frame rate on simulated machines, without a clock.
+
+use eightfold::{Governor, Quality};
+use proptest::prelude::*;
+
+const SECOND: u64 = 1_000_000_000;
+const RUNGS: usize = Quality::LADDER.len();
+
+/// A machine and a show: what a frame takes on each rung.
+struct Machine {
+    governor: Governor,
+    fps: u64,
+    /// What a frame takes on each rung, over what it takes on the finest.
+    shares: [f64; RUNGS],
+    /// What a frame takes on the finest rung, over the time that it may take.
+    load: f64,
+    /// How far times spread to either side.
+    noise: f64,
+    random: u32,
+    /// Time since the start.
+    now: u64,
+    /// Changes: when, from which rung, to which.
+    changes: Vec<(u64, usize, usize)>,
+}
+
+impl Machine {
+    fn new(fps: u64, ratios: [f64; RUNGS - 1], load: f64, noise: f64) -> Machine {
+        let mut shares = [1.0; RUNGS];
+        for (i, ratio) in ratios.into_iter().enumerate() {
+            shares[i + 1] = shares[i] / ratio;
+        }
+        Machine {
+            governor: Governor::new(fps),
+            fps,
+            shares,
+            load,
+            noise,
+            random: 1,
+            now: 0,
+            changes: Vec::new(),
+        }
+    }
+
+    fn budget(&self) -> f64 {
+        SECOND as f64 / self.fps as f64
+    }
+
+    /// The time of a frame on the present rung without noise, over what it may take.
+    fn cost(&self) -> f64 {
+        self.load * self.shares[self.governor.rung()]
+    }
+
+    /// Draws a frame, `factor` times as slow as it would be.
+    fn frame(&mut self, factor: f64) {
+        // Xorshift: as good as chance here, and the same each time.
+        for shift in [13, -17, 5] {
+            let shifted = if shift > 0 {
+                self.random << shift
+            } else {
+                self.random >> -shift
+            };
+            self.random ^= shifted;
+        }
+        let chance = f64::from(self.random) / f64::from(u32::MAX) * 2.0 - 1.0;
+        let time = self.cost() * (1.0 + self.noise * chance) * factor * self.budget();
+        let rung = self.governor.rung();
+        self.governor.frame(time as u64);
+        self.now += time.max(self.budget()) as u64;
+        if self.governor.rung() != rung {
+            self.changes.push((self.now, rung, self.governor.rung()));
+        }
+    }
+
+    fn run(&mut self, time: u64) {
+        let end = self.now + time;
+        while self.now < end {
+            self.frame(1.0);
+        }
+    }
+
+    /// Runs until the rung is no longer changed, and forgets how it got there.
+    fn settle(&mut self) {
+        self.run(10 * SECOND);
+        self.changes.clear();
+    }
+
+    /// How long the first change takes, once the load is another.
+    fn reaction(&mut self, load: f64) -> Option<u64> {
+        self.load = load;
+        let start = self.now;
+        self.run(3 * SECOND);
+        self.changes.first().map(|&(time, ..)| time - start)
+    }
+}
+
+/// How much neighbouring rungs may differ.
+fn ratios() -> impl Strategy<Value = [f64; RUNGS - 1]> {
+    prop::array::uniform(1.1..2.5)
+}
+
+proptest! {
+    #[test]
+    fn a_constant_load_only_leads_down_and_then_nowhere(
+        fps in 24u64..=240, ratios in ratios(), load in 0.1..20.0, noise in 0.0..0.1,
+    ) {
+        let mut machine = Machine::new(fps, ratios, load, noise);
+        machine.run(60 * SECOND);
+        prop_assert!(machine.changes.iter().all(|&(_, from, to)| to == from + 1), "{:?}", machine.changes);
+        let mut machine = Machine::new(fps, ratios, load, noise);
+        machine.settle();
+        machine.run(60 * SECOND);
+        // Where the time just does not do, it may take chance a while to say so.
+        prop_assert!(machine.changes.len() <= 1, "{:?}", machine.changes);
+    }
+
+    #[test]
+    fn frames_come_in_time_where_any_rung_allows_it(
+        fps in 24u64..=240, ratios in ratios(), load in 0.1..20.0,
+    ) {
+        let mut machine = Machine::new(fps, ratios, load, 0.0);
+        machine.settle();
+        let is_last = machine.governor.rung() == RUNGS - 1;
+        prop_assert!(machine.cost() <= 1.0 || is_last, "{}", machine.cost());
+        // And none finer would do.
+        let rung = machine.governor.rung();
+        prop_assert!(rung == 0 || load * machine.shares[rung - 1] > 0.9);
+    }
+
+    #[test]
+    fn a_heavier_load_leads_down_within_half_a_second(
+        fps in 24u64..=240, ratios in ratios(), load in 0.1..0.9, heavier in 1.05..15.0, noise in 0.0..0.05,
+    ) {
+        let mut machine = Machine::new(fps, ratios, load, noise);
+        machine.settle();
+        let frame = (heavier * (1.0 + noise) * machine.budget()) as u64;
+        let reaction = machine.reaction(heavier).expect("a change");
+        prop_assert!(machine.changes[0].2 > machine.changes[0].1);
+        prop_assert!(reaction <= (SECOND / 2).max(2 * frame), "{reaction}");
+    }
+
+    #[test]
+    fn a_lighter_load_leads_up_within_half_a_second(
+        fps in 30u64..=240, ratios in ratios(), load in 1.2..8.0, noise in 0.0..0.05,
+    ) {
+        let mut machine = Machine::new(fps, ratios, load, noise);
+        machine.settle();
+        let rung = machine.governor.rung();
+        prop_assume!(rung > 0 && machine.cost() < 1.0);
+        // So that the next finer rung takes two thirds of the time.
+        let reaction = machine.reaction(0.67 / machine.shares[rung - 1]).expect("a change");
+        prop_assert_eq!(machine.changes[0].2, rung - 1);
+        prop_assert!(reaction <= SECOND / 2, "{}", reaction);
+    }
+
+    #[test]
+    fn a_load_that_comes_and_goes_is_followed_without_trying(
+        ratios in ratios(), light in 0.2..0.7, heavy in 1.2..4.0, noise in 0.0..0.05,
+    ) {
+        let mut machine = Machine::new(60, ratios, light, noise);
+        machine.settle();
+        for _ in 0..5 {
+            machine.load = heavy;
+            machine.run(5 * SECOND);
+            machine.load = light;
+            machine.run(5 * SECOND);
+        }
+        // Down and up once each time: no rung is left again for nothing.
+        let turns = machine.changes.windows(2).filter(|pair| {
+            (pair[0].1 < pair[0].2) != (pair[1].1 < pair[1].2)
+        });
+        prop_assert!(turns.count() <= 9, "{:?}", machine.changes);
+    }
+
+    #[test]
+    fn single_late_frames_change_nothing(
+        fps in 24u64..=240, load in 0.1..0.8, noise in 0.0..0.1, every in 8usize..100, factor in 2.0..100.0,
+    ) {
+        let mut machine = Machine::new(fps, [1.3; RUNGS - 1], load, noise);
+        for i in 0..5000 {
+            machine.frame(if i % every == 0 { factor } else { 1.0 });
+        }
+        prop_assert!(machine.changes.is_empty(), "{:?}", machine.changes);
+    }
+}
