@@ -18,8 +18,8 @@ const TOO_LATE: u64 = 6;
 const ONE_IS_AT_MOST: u64 = 4;
 
 /// Time for which a finer rung has to look possible before it is tried. With what [`Governor::mean`] takes to follow,
-/// half a second at 60 frames a second.
-const CALM: u64 = SECOND * 3 / 10;
+/// half a second at 30 frames a second.
+const CALM: u64 = SECOND / 5;
 
 /// Frames after a change in which the new rung is compared with the one before.
 const COMPARED: u64 = 8;
