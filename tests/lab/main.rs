@@ -6,6 +6,7 @@ mod figures;
 mod ladder;
 #[path = "../reader/mod.rs"]
 mod reader;
+mod report;
 mod size;
 mod sound;
 #[path = "../stage/mod.rs"]

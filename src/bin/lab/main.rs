@@ -18,6 +18,7 @@ mod plot;
 mod progress;
 mod rate;
 mod render;
+mod report;
 mod size;
 mod sound;
 mod studio;
@@ -42,6 +43,7 @@ enum Command {
     Capture(capture::Arguments),
     Figures(figures::Arguments),
     Render(render::Arguments),
+    Report(report::Arguments),
     Size(size::Arguments),
     Sound(sound::Arguments),
     Trade(trade::Arguments),
@@ -61,6 +63,7 @@ fn main() -> ExitCode {
         Command::Capture(arguments) => capture::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Size(arguments) => size::run(&arguments),
         Command::Sound(arguments) => sound::run(&arguments),
         Command::Trade(arguments) => trade::run(&arguments),
