@@ -85,7 +85,8 @@ impl Quality {
     /// | fastest | s16 c26 d4 w0.02 | 7.3 | 1.3 % | 38.5 dB | 18755 | 9.4 | 0.0225 |
     ///
     /// In the dials `s` is the square, `c` the spread, `d` the depth and `w` the least contribution where they are not the
-    /// oracle's.
+    /// oracle's. They are taken from the Pareto front of `cargo lab trade`. Squares of 16 gain 11 to 14 % over those of 8 and
+    /// flicker 2.5 times as much, so the last rung alone has them.
     pub const LADDER: &'static [Self; 7] = &[
         Self::even(8, 2.0, 5, 0.01),
         Self::even(8, 4.0, 5, 0.01),

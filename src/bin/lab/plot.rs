@@ -55,6 +55,7 @@ pub struct Label {
     pub x: f64,
     pub y: f64,
     pub text: String,
+    /// Below and to the left, not above and to the right.
     pub is_below: bool,
 }
 
@@ -242,12 +243,12 @@ impl Chart {
             chart.draw_series(marks.map(|place| Circle::new(place, mark, colour.filled())))?;
         }
         for label in &self.labels {
-            let (vertical, offset) = if label.is_below {
-                (VPos::Top, at(5, 3, scale))
+            let (horizontal, vertical, offset) = if label.is_below {
+                (HPos::Right, VPos::Top, at(-5, 3, scale))
             } else {
-                (VPos::Bottom, at(5, -3, scale))
+                (HPos::Left, VPos::Bottom, at(5, -3, scale))
             };
-            let style = text(12, scale, FontStyle::Normal).pos(Pos::new(HPos::Left, vertical));
+            let style = text(12, scale, FontStyle::Normal).pos(Pos::new(horizontal, vertical));
             let place = (self.x.place(label.x), self.y.place(label.y));
             let text = Text::new(label.text.clone(), offset, style);
             chart.draw_series([EmptyElement::at(place) + text])?;
@@ -266,7 +267,7 @@ impl Chart {
             let corners = [at(20, y, scale), at(32, y + 12, scale)];
             area.draw(&Rectangle::new(corners, series.colour.filled()))?;
             let style = text(13, scale, FontStyle::Normal);
-            area.draw_text(&series.name, &style, at(38, y - 1, scale))?;
+            area.draw_text(&series.name, &style, at(38, y + 1, scale))?;
             y += 20;
         }
         y += 6;

@@ -114,14 +114,14 @@ pub fn quartile(times: &[f64]) -> f64 {
 }
 
 /// Marks the Pareto front: the points than which no other is faster and nearer to the exhaustive frames at once. Points
-/// that miss objects are none to recommend, and stay behind it.
+/// that miss objects are none to recommend, in this scene or for want of a guard in others, and stay behind it.
 pub fn mark_front(rows: &mut [Row]) {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by(|&a, &b| rows[b].speedup.total_cmp(&rows[a].speedup));
     let mut best = f64::NEG_INFINITY;
     for i in order {
         let row = &mut rows[i];
-        if row.missed_objects == 0.0 && row.psnr_db > best {
+        if row.guarded && row.missed_objects == 0.0 && row.psnr_db > best {
             best = row.psnr_db;
             row.on_front = true;
         }
