@@ -2,7 +2,7 @@
 //!
 //! The refiner is generic over who listens. The intro's listener is `()`, of which nothing is left when it is compiled.
 
-use crate::prepare::{GroupSet, Prepared};
+use crate::prepare::{Prepared, Seen};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Batch, Counts, trace};
 use fearless_simd::Level;
@@ -50,7 +50,7 @@ pub(crate) fn tell_points<O: Observer>(
     level: Level,
     scene: &Prepared,
     quality: &Quality,
-    seen: GroupSet,
+    seen: Seen,
     batch: &mut Batch,
 ) {
     if !O::LISTENS {

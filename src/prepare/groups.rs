@@ -1,99 +1,88 @@
-//! Spheres that lie together, so that rays can pass by many at once.
+//! Spheres that lie together, so that much can be left out at once.
 
 use crate::scene::{MAX_LIGHTS, MAX_SPHERES, Scene};
 use core::ops::Range;
 use glam::Vec3;
 
-/// Solid groups; a power of two. Each of up to that many spheres is a group of its own.
-const LEAVES: usize = 32;
+/// The most solid groups; a power of two. Each of up to that many spheres is a group of its own.
+const MOST: usize = 32;
+
+/// The most spheres of a leaf of the [`super::tree`].
+const LEAF: usize = 4;
 
 /// Groups of a frame: the solid ones, then one for each light.
-pub(crate) const MAX_GROUPS: usize = LEAVES + MAX_LIGHTS;
+pub(crate) const MAX_GROUPS: usize = MOST + MAX_LIGHTS;
 
 /// Some of the groups, a bit each.
 pub(crate) type GroupSet = u64;
 
-/// Spheres of successive numbers, and a sphere around them.
+/// Spheres that lie together, and a sphere around them.
 #[derive(Clone, Copy)]
 pub(crate) struct Group {
     pub centre: Vec3,
     pub radius: f32,
-    first: u16,
-    end: u16,
 }
 
 /// A frame's groups.
 pub(crate) struct Groups {
     groups: [Group; MAX_GROUPS],
-    all_in_one: Group,
-    solid: usize,
     count: usize,
-    /// The scene's numbers of the spheres, group after group.
+    /// The scene's numbers of the spheres, those that lie together one after the other.
     order: [u16; MAX_SPHERES],
     spheres: usize,
 }
 
 impl Group {
-    const NONE: Self = Self {
+    pub const NONE: Self = Self {
         centre: Vec3::ZERO,
         radius: 0.0,
-        first: 0,
-        end: 0,
     };
-
-    /// The numbers of its balls.
-    #[inline(always)]
-    pub fn balls(&self) -> Range<usize> {
-        self.first as usize..self.end as usize
-    }
-
-    /// Whether it is one sphere, its own bound.
-    #[inline(always)]
-    pub fn is_single(&self) -> bool {
-        self.end - self.first == 1
-    }
 }
 
 impl Groups {
     pub const NONE: Self = Self {
         groups: [Group::NONE; MAX_GROUPS],
-        all_in_one: Group::NONE,
-        solid: 0,
         count: 0,
         order: [0; MAX_SPHERES],
         spheres: 0,
     };
 
-    /// All groups.
+    /// All groups: those of solid spheres, then the lights, each for itself.
     #[inline(always)]
     pub fn iter(&self) -> core::slice::Iter<'_, Group> {
         self.groups[..self.count.min(MAX_GROUPS)].iter()
     }
 
-    /// The group number `i`.
-    #[inline(always)]
-    pub fn get(&self, i: usize) -> &Group {
-        &self.groups[i]
-    }
-
-    /// All of them.
-    pub fn all(&self) -> GroupSet {
-        (1 << self.count) - 1
-    }
-
-    /// The solid spheres as shadow rays look at them: by groups, or all in one where each is a group of its own.
-    #[inline(always)]
-    pub fn clusters(&self) -> &[Group] {
-        if self.solid == self.spheres {
-            core::slice::from_ref(&self.all_in_one)
-        } else {
-            &self.groups[..self.solid]
-        }
-    }
-
-    /// The spheres' numbers in the scene, in the order that the balls have.
+    /// The spheres' numbers in the scene, in the order that the kernels have.
     pub fn order(&self) -> &[u16] {
         &self.order[..self.spheres]
+    }
+
+    /// How often the spheres are halved for a leaf to hold few: a bound costs a ray as much as a sphere does.
+    pub fn levels(&self) -> u32 {
+        self.spheres.div_ceil(LEAF).next_power_of_two().ilog2()
+    }
+
+    /// The part number `part` of `parts`, as places in the order.
+    pub fn part(&self, part: usize, parts: usize) -> Range<usize> {
+        let place = |i: usize| self.spheres * i / parts;
+        place(part)..place(part + 1)
+    }
+
+    /// The groups that some of the spheres are in.
+    pub fn holding(&self, places: Range<usize>) -> GroupSet {
+        let mut set = 0;
+        let solid = self.spheres.min(MOST);
+        for i in 0..solid {
+            let group = self.part(i, solid);
+            set |= GroupSet::from(group.start < places.end && places.start < group.end) << i;
+        }
+        set
+    }
+
+    /// The group of the light number `i`.
+    pub fn of_light(&self, i: usize) -> GroupSet {
+        1 << (self.spheres.min(MOST) + i)
     }
 
     /// Groups a scene's spheres.
@@ -102,64 +91,52 @@ impl Groups {
         for (i, number) in self.order[..self.spheres].iter_mut().enumerate() {
             *number = i as u16;
         }
-        self.count = 0;
-        self.push(scene, 0..self.spheres);
-        self.all_in_one = self.groups[0];
-        self.count = 0;
-        if self.spheres <= LEAVES {
-            for i in 0..self.spheres {
-                self.push(scene, i..i + 1);
-            }
-        } else {
-            // Halve along the longest side until there are enough.
-            let mut parts = 1;
-            while parts < LEAVES {
-                for part in 0..parts {
-                    let range = |i: usize| self.spheres * i / parts;
-                    let (first, end) = (range(part), range(part + 1));
-                    let middle = self.spheres * (2 * part + 1) / (2 * parts);
-                    halve(scene, &mut self.order[first..end], middle - first);
-                }
-                parts *= 2;
-            }
-            for part in 0..LEAVES {
-                let range = |i: usize| self.spheres * i / LEAVES;
-                self.push(scene, range(part)..range(part + 1));
+        // Halve along the longest side until there are enough parts for leaves and for groups.
+        let mut levels = self.levels();
+        if self.spheres > MOST {
+            levels = levels.max(MOST.ilog2());
+        }
+        for level in 0..levels {
+            let parts = 1 << level;
+            for part in 0..parts {
+                let Range { start, end } = self.part(part, parts);
+                let middle = self.part(2 * part, 2 * parts).end;
+                halve(scene, &mut self.order[start..end], middle - start);
             }
         }
-        self.solid = self.count;
-        for (i, light) in scene.lights.iter().enumerate() {
-            let first = (self.spheres + i) as u16;
-            self.groups[self.count] = Group {
+        self.count = 0;
+        let solid = self.spheres.min(MOST);
+        for i in 0..solid {
+            self.push(self.bound(scene, self.part(i, solid)));
+        }
+        for light in scene.lights.iter() {
+            self.push(Group {
                 centre: light.position,
                 radius: light.radius,
-                first,
-                end: first + 1,
-            };
-            self.count += 1;
+            });
         }
     }
 
-    /// Makes a group of the spheres with these places in the order.
-    fn push(&mut self, scene: &Scene, range: Range<usize>) {
-        let (low, high) = bounds(scene, &self.order[range.clone()]);
+    fn push(&mut self, group: Group) {
+        self.groups[self.count] = group;
+        self.count += 1;
+    }
+
+    /// A sphere around those with these places in the order; around one, itself.
+    pub fn bound(&self, scene: &Scene, places: Range<usize>) -> Group {
+        let order = &self.order[places];
+        let (low, high) = bounds(scene, order);
         let centre = (low + high) * 0.5;
         let mut radius = 0.0f32;
-        for &i in &self.order[range.clone()] {
+        for &i in order {
             let sphere = &scene.spheres[i as usize];
             radius = radius.max(centre.distance(sphere.centre) + sphere.radius);
         }
-        if range.len() > 1 {
+        if order.len() > 1 {
             // The sums above are rounded.
             radius *= 1.0 + 1e-5;
         }
-        self.groups[self.count] = Group {
-            centre,
-            radius,
-            first: range.start as u16,
-            end: range.end as u16,
-        };
-        self.count += 1;
+        Group { centre, radius }
     }
 }
 

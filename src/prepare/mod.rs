@@ -1,17 +1,21 @@
 //! What every ray of a frame uses, computed once a frame.
 
 mod groups;
+mod lamp;
 mod outline;
 mod screen;
 mod surface;
+mod tree;
 
 pub(crate) use groups::{GroupSet, Groups, MAX_GROUPS};
+pub(crate) use lamp::{Caster, Lamp};
 use outline::{Axes, Outline};
 pub(crate) use screen::Window;
 pub(crate) use surface::{FIELDS, Spread};
+pub(crate) use tree::{Node, Tree};
 
 use crate::lanes::MAX_LANES;
-use crate::scene::{MAX_LENGTH, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
+use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
 use glam::Vec3;
 
 /// How far rounding takes a point that was computed to be on a sphere from it, as a share of the sphere's largest
@@ -33,11 +37,12 @@ pub(crate) struct Prepared {
     pub raster: Raster,
     /// Rows of the picture.
     pub height: usize,
-    /// The solid spheres, then the lights' spheres.
-    pub balls: [Ball; MAX_SPHERES + MAX_LIGHTS],
     pub groups: Groups,
+    pub tree: Tree,
     /// What each group covers of the picture.
     pub windows: [Window; MAX_GROUPS],
+    /// The same of its mirror image in the first plane.
+    pub mirrored: [Window; MAX_GROUPS],
     pub axes: Axes,
     /// What each object covers of the picture.
     pub outlines: [Outline; MAX_OBJECTS],
@@ -52,16 +57,13 @@ pub(crate) struct Prepared {
     pub offset: glam::Vec2,
 }
 
-/// A sphere as its intersection wants it.
-#[derive(Clone, Copy)]
-pub(crate) struct Ball {
-    pub centre: Vec3,
-    /// The radius squared.
-    pub r2: f32,
-    /// How far rounding takes a point on it from it, see [`SLACK`].
-    pub slack: f32,
-    /// What [`Ball::r2`] changes by where the radius changes by that.
-    pub slack2: f32,
+/// The groups that a part of the picture can show.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Seen {
+    /// Met by primary rays.
+    pub directly: GroupSet,
+    /// Met by what the first plane reflects of primary rays.
+    pub mirrored: GroupSet,
 }
 
 /// A horizontal rectangle.
@@ -72,28 +74,6 @@ pub(crate) struct Rectangle {
     pub half_z: f32,
 }
 
-/// A point light.
-pub(crate) struct Lamp {
-    pub position: Vec3,
-    pub colour: Vec3,
-    /// The solid spheres as shadow rays want them.
-    pub casters: [Caster; MAX_SPHERES],
-    /// The bounds of [`Groups::clusters`].
-    pub cluster_casters: [Caster; MAX_GROUPS],
-}
-
-/// A sphere as shadow rays want it.
-#[derive(Clone, Copy)]
-pub(crate) struct Caster {
-    /// The lamp seen from the centre.
-    pub from_lamp: Vec3,
-    /// The radius squared, less what rounding can add to the discriminant of a ray that leaves the sphere; where the
-    /// lamp is inside, more by as much.
-    pub r2: f32,
-    /// Whether the lamp is inside.
-    pub around_lamp: bool,
-}
-
 impl Prepared {
     /// An empty frame, all zeros.
     pub const fn new() -> Self {
@@ -101,9 +81,10 @@ impl Prepared {
             eye: Vec3::ZERO,
             raster: Raster::NONE,
             height: 0,
-            balls: [Ball::NONE; MAX_SPHERES + MAX_LIGHTS],
             groups: Groups::NONE,
+            tree: Tree::NONE,
             windows: [Window::ZERO; MAX_GROUPS],
+            mirrored: [Window::ZERO; MAX_GROUPS],
             axes: Axes::NONE,
             outlines: [Outline::NONE; MAX_OBJECTS],
             solids: 0,
@@ -127,16 +108,21 @@ impl Prepared {
         self.first_plane() + self.plane_count
     }
 
-    /// The groups that primary rays through the points of a rectangle of the picture can meet.
+    /// The groups that rays through the points of a rectangle of the picture can meet.
     #[inline(never)]
-    pub fn seen(&self, left: usize, top: usize, right: usize, bottom: usize) -> GroupSet {
-        let mut set = 0;
-        for (i, _) in self.groups.iter().enumerate() {
-            let meets =
-                self.windows[i].meets([left as f32, top as f32, right as f32, bottom as f32]);
-            set |= GroupSet::from(meets) << i;
+    pub fn seen(&self, left: usize, top: usize, right: usize, bottom: usize) -> Seen {
+        let rectangle = [left as f32, top as f32, right as f32, bottom as f32];
+        let set = |windows: &[Window]| {
+            let mut set = 0;
+            for (i, _) in self.groups.iter().enumerate() {
+                set |= GroupSet::from(windows[i].meets(rectangle)) << i;
+            }
+            set
+        };
+        Seen {
+            directly: set(&self.windows),
+            mirrored: set(&self.mirrored),
         }
-        set
     }
 
     /// Takes a scene in, for pictures of `width` by `height` pixels.
@@ -148,9 +134,9 @@ impl Prepared {
         self.lamp_count = scene.lights.len();
         self.plane_count = scene.planes.len();
         self.groups.set(scene);
+        self.tree.set(scene, &self.groups);
         for (i, &number) in self.groups.order().iter().enumerate() {
             let sphere = &scene.spheres[number as usize];
-            self.balls[i] = Ball::new(sphere.centre, sphere.radius);
             let surface = surface::solid(
                 sphere.centre,
                 1.0 / sphere.radius,
@@ -161,7 +147,6 @@ impl Prepared {
         }
         for (i, light) in scene.lights.iter().enumerate() {
             let i = self.solids + i;
-            self.balls[i] = Ball::new(light.position, light.radius);
             surface::spread(&surface::emitting(light.colour), &mut self.surfaces[i]);
         }
         let first_plane = self.first_plane();
@@ -180,8 +165,10 @@ impl Prepared {
         self.set_outlines(width, height);
         #[cfg(feature = "lab")]
         self.move_samples();
-        for i in 0..scene.lights.len() {
-            self.set_lamp(scene, i);
+        for (i, light) in scene.lights.iter().enumerate() {
+            let [_, _, _, red, green, blue, ..] = self.surfaces[self.solids + i];
+            let colour = Vec3::new(red[0], green[0], blue[0]);
+            self.lamps[i].set(light.position, colour, self.tree.solid());
         }
     }
 
@@ -193,17 +180,21 @@ impl Prepared {
         let window = |centre: Vec3, radius: f32| {
             Window::of(centre, radius, self.eye, &self.raster, width, height)
         };
-        for (window_of, group) in self.windows.iter_mut().zip(self.groups.iter()) {
-            *window_of = window(group.centre, group.radius);
+        let floor = self.planes[0].centre.y;
+        for (i, group) in self.groups.iter().enumerate() {
+            let mut centre = group.centre;
+            self.windows[i] = window(centre, group.radius);
+            centre.y = 2.0 * floor - centre.y;
+            self.mirrored[i] = window(centre, group.radius);
         }
-        for i in 0..nothing {
-            self.outlines[i] = if i < first_plane {
-                let ball = &self.balls[i];
-                let window = window(ball.centre, libm::sqrtf(ball.r2));
-                Outline::sphere(&self.axes, self.eye, ball, window)
-            } else {
-                Outline::rectangle(&self.axes, self.eye, &self.planes[i - first_plane])
-            };
+        for node in self.tree.nodes().iter().filter(|node| !node.is_bound) {
+            let window = window(node.centre, node.radius);
+            let outline = Outline::sphere(&self.axes, self.eye, node, window);
+            self.outlines[node.number as usize] = outline;
+        }
+        for i in first_plane..nothing {
+            let plane = &self.planes[i - first_plane];
+            self.outlines[i] = Outline::rectangle(&self.axes, self.eye, plane);
         }
     }
 
@@ -214,63 +205,12 @@ impl Prepared {
         *corner += *dx * self.offset.x + *dy * self.offset.y;
         self.axes.move_middle(-self.offset);
         let outlines = self.outlines.iter_mut().map(|outline| &mut outline.window);
-        for window in self.windows.iter_mut().chain(outlines) {
+        let windows = self.windows.iter_mut().chain(&mut self.mirrored);
+        for window in windows.chain(outlines) {
             window.left -= self.offset.x;
             window.right -= self.offset.x;
             window.top -= self.offset.y;
             window.bottom -= self.offset.y;
-        }
-    }
-
-    /// Takes the light number `i` in; the spheres and planes are in already.
-    fn set_lamp(&mut self, scene: &Scene, i: usize) {
-        let light = &scene.lights[i];
-        let lamp = &mut self.lamps[i];
-        lamp.position = light.position;
-        let [_, _, _, red, green, blue, ..] = self.surfaces[self.solids + i];
-        lamp.colour = Vec3::new(red[0], green[0], blue[0]);
-        for (caster, ball) in lamp.casters.iter_mut().zip(&self.balls[..self.solids]) {
-            let from_lamp = light.position - ball.centre;
-            let around_lamp = from_lamp.length_squared() < ball.r2;
-            // The roundings of the sphere's place and of the way from the lamp.
-            let slack2 = ball.slack2 / ball.slack * (ball.slack + slack(from_lamp, 0.0));
-            *caster = Caster {
-                from_lamp,
-                r2: ball.r2 + if around_lamp { slack2 } else { -slack2 },
-                around_lamp,
-            };
-        }
-        for (caster, cluster) in lamp.cluster_casters.iter_mut().zip(self.groups.clusters()) {
-            let from_lamp = light.position - cluster.centre;
-            let radius = cluster.radius + slack(from_lamp, cluster.radius);
-            *caster = Caster {
-                from_lamp,
-                r2: radius * radius,
-                // Its spheres may be between the lamp and whatever.
-                around_lamp: false,
-            };
-        }
-    }
-}
-
-impl Ball {
-    const NONE: Self = Self {
-        centre: Vec3::ZERO,
-        r2: 0.0,
-        slack: 0.0,
-        slack2: 0.0,
-    };
-
-    /// A radius out of its range, or that is no number, counts as 0.
-    fn new(centre: Vec3, radius: f32) -> Self {
-        let is_length = (0.0..=MAX_LENGTH).contains(&radius);
-        let radius = if is_length { radius } else { 0.0 };
-        let slack = slack(centre, radius);
-        Self {
-            centre,
-            r2: radius * radius,
-            slack,
-            slack2: 2.0 * radius * slack,
         }
     }
 }
@@ -285,22 +225,5 @@ impl Rectangle {
         centre: Vec3::ZERO,
         half_x: 0.0,
         half_z: 0.0,
-    };
-}
-
-impl Lamp {
-    const NONE: Self = Self {
-        position: Vec3::ZERO,
-        colour: Vec3::ZERO,
-        casters: [Caster::NONE; MAX_SPHERES],
-        cluster_casters: [Caster::NONE; MAX_GROUPS],
-    };
-}
-
-impl Caster {
-    const NONE: Self = Self {
-        from_lamp: Vec3::ZERO,
-        r2: 0.0,
-        around_lamp: false,
     };
 }

@@ -7,7 +7,7 @@
 //! square of the picture. So a square that has a side's tangent plane in its middle below 0 at all corners is outside.
 
 use super::screen::Window;
-use super::{Ball, Prepared, Rectangle};
+use super::{Node, Prepared, Rectangle};
 use crate::lanes::*;
 use crate::scene::camera::Raster;
 use fearless_simd::f32x4;
@@ -125,8 +125,8 @@ impl Outline {
 
     /// A sphere's.
     #[inline(never)]
-    pub fn sphere(axes: &Axes, eye: Vec3, ball: &Ball, window: Window) -> Self {
-        let (centre, radius) = (ball.centre, libm::sqrtf(ball.r2));
+    pub fn sphere(axes: &Axes, eye: Vec3, ball: &Node, window: Window) -> Self {
+        let (centre, radius) = (ball.centre, ball.radius);
         let to = centre - eye;
         let touching = TOUCHING * ball.slack;
         let distance2 = to.dot(to);

@@ -5,7 +5,7 @@ use super::square::{self, Corners, Spreads, Verdict};
 use super::{Border, Square};
 use crate::lanes::*;
 use crate::observe::{Fill, Observer, tell_points};
-use crate::prepare::{GroupSet, Prepared};
+use crate::prepare::{Prepared, Seen};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Sample, trace};
 use crate::worker::Worker;
@@ -97,7 +97,7 @@ fn render_by<S: Simd, O: Observer>(
         top: band.top,
         above_done: band.above_done,
         below_done: band.below_done,
-        seen: 0,
+        seen: Seen::default(),
         next: 0,
         worker,
         canvas,
@@ -123,7 +123,7 @@ struct Refiner<'a, S: Simd, O: Observer> {
     above_done: bool,
     below_done: bool,
     /// The groups that the stretch at work can show.
-    seen: GroupSet,
+    seen: Seen,
     /// Squares listed for the next round.
     next: usize,
     worker: &'a mut Worker,
@@ -146,10 +146,11 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
                 batch.push_row(start, self.top + y, count);
             }
             trace(self.level, self.scene, self.quality, self.seen, batch);
+            let pixels = batch.pixels(self.simd);
             for y in 0..height {
-                let row = self.canvas.row(start, y, count);
-                for (pixel, sample) in row.iter_mut().zip(batch.samples(y * count)) {
-                    *pixel = sample.pixel();
+                let pixels = &pixels[y * count..];
+                for (to, &pixel) in self.canvas.row(start, y, count).iter_mut().zip(pixels) {
+                    *to = pixel;
                 }
             }
             tell_points(
@@ -200,7 +201,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
             let rectangle = self.rectangle(start, 0, end - start, rows);
             self.worker
                 .unseen
-                .set(self.simd, self.scene, self.seen, rectangle);
+                .set(self.simd, self.scene, self.seen.directly, rectangle);
         }
         self.add_corners(start, end, rows);
         let mut count = self.first_squares(start, end, rows);

@@ -29,11 +29,14 @@ impl Unseen {
         rectangle: [f32; 4],
     ) {
         self.count = 0;
-        let mut rest = groups;
-        while rest != 0 {
-            let group = scene.groups.get(rest.trailing_zeros() as usize);
-            rest &= rest - 1;
-            self.add(simd, scene, group.balls(), rectangle);
+        let mut i = scene.tree.start(groups);
+        while let Some(node) = scene.tree.nodes().get(i) {
+            let is_met = node.groups & groups != 0;
+            if is_met && !node.is_bound {
+                let number = node.number as usize;
+                self.add(simd, scene, number..number + 1, rectangle);
+            }
+            i += node.step(is_met);
         }
         let planes = scene.first_plane()..scene.nothing();
         self.add(simd, scene, planes, rectangle);

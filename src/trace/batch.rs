@@ -35,6 +35,7 @@ pub(crate) struct Batch {
     samples: [u64; BATCH],
     /// The objects that the primary rays hit.
     objects: [u32; BATCH],
+    pixels: [u32; BATCH],
     pub stack: Stack,
     /// The surfaces of a packet that hits several.
     pub mixed: Spread,
@@ -52,6 +53,7 @@ impl Batch {
             terms: [[0; 4]; MAX_LANES],
             samples: [0; BATCH],
             objects: [0; BATCH],
+            pixels: [0; BATCH],
             stack: Stack::new(),
             mixed: [[0.0; MAX_LANES]; FIELDS],
             counts: Counts::NONE,
@@ -87,10 +89,15 @@ impl Batch {
         self.len += count;
     }
 
-    /// The samples of the traced points from number `start` on.
+    /// The traced points as pixels.
     #[inline(always)]
-    pub fn samples(&self, start: usize) -> impl Iterator<Item = Sample> {
-        self.samples[start..].iter().map(|&sample| Sample(sample))
+    pub fn pixels<S: Simd>(&mut self, simd: S) -> &[u32] {
+        let (samples, _) = self.samples.as_chunks();
+        let (pixels, _) = self.pixels.as_chunks_mut();
+        for (pixels, samples) in pixels.iter_mut().zip(samples) {
+            *pixels = sample::pixels(simd, samples);
+        }
+        &self.pixels
     }
 
     /// Takes all points out.
@@ -169,7 +176,21 @@ impl Batch {
             return;
         }
         // Lanes beyond the last ray add nothing to what was in them before.
-        for (&slot, term) in rays.slots().as_slice().iter().zip(&self.terms) {
+        let slots = rays.slots();
+        let first = slots.as_slice()[0];
+        let start = first as usize % BATCH;
+        let in_order = slots.simd_eq(numbers(simd) + first).all_true();
+        if let (true, Some(sums)) = (in_order, self.sums.get_mut(start..start + lanes::<S>())) {
+            let (sums, terms) = (sums.as_flattened_mut(), self.terms.as_flattened());
+            for i in steps(0, 4 * lanes::<S>(), lanes::<S>()) {
+                let sums = &mut sums[i..i + lanes::<S>()];
+                let terms = &terms[i..i + lanes::<S>()];
+                let new = I::<S>::from_slice(simd, sums) + I::<S>::from_slice(simd, terms);
+                new.store_slice(sums);
+            }
+            return;
+        }
+        for (&slot, term) in slots.as_slice().iter().zip(&self.terms) {
             let sum = &mut self.sums[slot as usize % BATCH];
             let new = i32x4::load_array_ref(simd, sum) + i32x4::load_array_ref(simd, term);
             new.store_array(sum);

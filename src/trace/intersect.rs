@@ -2,7 +2,7 @@
 
 use super::stack::Rays;
 use crate::lanes::*;
-use crate::prepare::{Ball, Caster, GroupSet, Lamp, Prepared, Rectangle};
+use crate::prepare::{Caster, GroupSet, Lamp, Node, Prepared, Rectangle};
 use glam::Vec3;
 
 /// A ray that hits nothing ends this far away.
@@ -25,13 +25,14 @@ impl<S: Isa> Hit<S> {
     }
 }
 
-/// The nearest hits among the planes and some groups.
+/// The nearest hits among the planes and the spheres of some groups, from the node number `first` on.
 #[inline(always)]
 pub(crate) fn nearest<S: Isa>(
     simd: S,
     scene: &Prepared,
     rays: &Rays<S>,
     groups: GroupSet,
+    first: usize,
 ) -> Hit<S> {
     let mut hit = Hit {
         t: splat(simd, FARTHEST),
@@ -41,28 +42,20 @@ pub(crate) fn nearest<S: Isa>(
         let (m, t) = plane_hit(simd, plane, rays, hit.t);
         hit.keep_nearer(m, t, scene.first_plane() + i);
     }
-    let mut rest = groups;
-    while rest != 0 {
-        let group = scene.groups.get(rest.trailing_zeros() as usize);
-        rest &= rest - 1;
-        let mut meets = M::<S>::splat(simd, true);
-        if !group.is_single() {
-            let chord = Chord::new(simd, rays, group.centre, group.radius * group.radius);
-            meets = chord.is_ahead(hit.t);
-            if !meets.any_true() {
-                continue;
+    let nodes = scene.tree.nodes();
+    let mut i = first;
+    while let Some(node) = nodes.get(i) {
+        let mut is_met = node.groups & groups != 0;
+        if is_met {
+            let chord = Chord::new(simd, rays, node);
+            let ahead = chord.is_ahead(node);
+            is_met = ahead.any_true();
+            if is_met && !node.is_bound {
+                let (m, t) = chord.entry(ahead, node, hit.t);
+                hit.keep_nearer(m, t, node.number as usize);
             }
         }
-        for i in group.balls() {
-            let ball = &scene.balls[i];
-            let chord = Chord::new(simd, rays, ball.centre, ball.r2);
-            // Where only a neighbour meets the group, the ray does not ask for its spheres either.
-            let m = meets & chord.discriminant.simd_ge(splat(simd, 0.0));
-            if m.any_true() {
-                let (m, t) = chord.entry(m, ball, hit.t);
-                hit.keep_nearer(m, t, i);
-            }
-        }
+        i += node.step(is_met);
     }
     hit
 }
@@ -80,40 +73,36 @@ impl<S: Isa> Chord<S> {
     /// sphere is small and far away (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere
     /// Intersection, Ray Tracing Gems, 2019).
     #[inline(always)]
-    fn new(simd: S, rays: &Rays<S>, centre: Vec3, r2: f32) -> Self {
-        let f = rays.o - Vec3x::splat(simd, centre);
+    fn new(simd: S, rays: &Rays<S>, node: &Node) -> Self {
+        let f = rays.o - Vec3x::splat(simd, node.centre);
         let b = f.dot(rays.d);
         let l = f.add_scaled(rays.d, -b);
         Self {
             b,
-            discriminant: splat(simd, r2) - l.dot(l),
+            discriminant: splat(simd, node.r2) - l.dot(l),
         }
     }
 
-    /// Whether some of the chord lies ahead and nearer than `limit`.
+    /// Whether the far end lies ahead.
     #[inline(always)]
-    fn is_ahead(&self, limit: F<S>) -> M<S> {
+    fn is_ahead(&self, node: &Node) -> M<S> {
         let simd = self.b.token();
-        let zero = splat(simd, 0.0);
-        // The far end is ahead where the middle is, or half the chord is longer than the way back to the middle; the
-        // near end is nearer than the limit likewise.
-        let behind = self.b.max(zero);
-        let beyond = (-self.b - limit).max(zero);
-        let shorter = behind.max(beyond);
-        self.discriminant.simd_ge(shorter * shorter)
+        // It does where the middle does, or half the chord is longer than the way back to the middle.
+        let back = (self.b + node.least).max(splat(simd, 0.0));
+        self.discriminant.simd_ge(back * back)
     }
 
     /// The nearer end of the chord that lies ahead, if it does so nearer than `limit`.
     ///
     /// A ray that starts on the sphere does so but for rounding, a little within or without: it hits nothing of it on
-    /// its way out, and on its way in the far side. So what starts within the sphere's [`Ball::slack`] starts on it.
+    /// its way out, and on its way in the far side. So what starts within the sphere's [`Node::slack`] starts on it.
     #[inline(always)]
-    fn entry(&self, mask: M<S>, ball: &Ball, limit: F<S>) -> (M<S>, F<S>) {
+    fn entry(&self, mask: M<S>, node: &Node, limit: F<S>) -> (M<S>, F<S>) {
         let simd = self.b.token();
-        let slack2 = splat(simd, ball.slack2);
+        let slack2 = splat(simd, node.slack2);
         // From the centre to the start, squared, less the radius squared.
         let start = self.b.mul_add(self.b, -self.discriminant);
-        let is_inward = self.b.simd_lt(splat(simd, -ball.slack));
+        let is_inward = self.b.simd_lt(splat(simd, -node.slack));
         let is_ahead = is_inward | start.simd_lt(-slack2);
         let half = self.discriminant.max(splat(simd, 0.0)).sqrt();
         // The near end for those that start outside.
@@ -140,7 +129,16 @@ fn plane_hit<S: Isa>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) ->
     (hit, t)
 }
 
-/// Which rays towards a lamp, `distance` away in direction `l`, a sphere blocks.
+/// Which rays towards a lamp, `distance` away in direction `l`, start in a sphere's shadow or, where there is more to know
+/// than the cone, may do so.
+#[inline(always)]
+fn caster_shades<S: Isa>(simd: S, caster: &Caster, l: Vec3x<S>, distance: F<S>) -> M<S> {
+    let chord = l - Vec3x::splat(simd, caster.axis);
+    chord.dot(chord).simd_lt(splat(simd, caster.chord2))
+        & distance.simd_gt(splat(simd, caster.from))
+}
+
+/// Which rays towards a lamp, `distance` away in direction `l`, a sphere blocks, wherever they start.
 ///
 /// It does not block those that start on it and leave it: see [`Caster::r2`].
 #[inline(always)]
@@ -172,13 +170,20 @@ pub(crate) fn blocked<S: Isa>(
     distance: F<S>,
 ) -> M<S> {
     let mut blocked = M::<S>::splat(simd, false);
-    for (cluster, bound) in scene.groups.clusters().iter().zip(&lamp.cluster_casters) {
-        let meets = caster_blocks(simd, bound, l, distance);
-        if meets.any_true() {
-            for caster in &lamp.casters[cluster.balls()] {
-                blocked |= meets & caster_blocks(simd, caster, l, distance);
-            }
+    let casters = &lamp.casters[..scene.tree.solid().len()];
+    let mut i = 0;
+    while let Some(caster) = casters.get(i) {
+        let shaded = caster_shades(simd, caster, l, distance);
+        if caster.is_cone {
+            blocked |= shaded;
+            i += 1;
+            continue;
         }
+        let is_met = shaded.any_true();
+        if is_met && !caster.is_bound {
+            blocked |= caster_blocks(simd, caster, l, distance);
+        }
+        i += if is_met { 1 } else { caster.skip as usize };
     }
     for plane in &scene.planes[..scene.plane_count] {
         let below = lamp.position.y > plane.centre.y;

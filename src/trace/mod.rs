@@ -19,7 +19,7 @@ pub(crate) use batch::{BATCH, Batch};
 pub(crate) use sample::{STEP, Sample};
 
 use crate::lanes::*;
-use crate::prepare::{GroupSet, Prepared};
+use crate::prepare::{GroupSet, Prepared, Seen};
 use crate::quality::Quality;
 use fearless_simd::Level;
 
@@ -55,12 +55,13 @@ impl core::ops::AddAssign for Counts {
     }
 }
 
-/// Traces a batch's points with all their rays by an instruction set; the primary rays meet none but the groups `seen`.
+/// Traces a batch's points with all their rays by an instruction set; the primary rays and their reflections meet none
+/// but the groups `seen`.
 pub(crate) fn trace(
     level: Level,
     scene: &Prepared,
     quality: &Quality,
-    seen: GroupSet,
+    seen: Seen,
     batch: &mut Batch,
 ) {
     #[cfg(target_arch = "x86_64")]
@@ -80,13 +81,7 @@ pub(crate) fn trace(
 }
 
 #[inline(always)]
-fn trace_by<S: Isa>(
-    simd: S,
-    scene: &Prepared,
-    quality: &Quality,
-    seen: GroupSet,
-    batch: &mut Batch,
-) {
+fn trace_by<S: Isa>(simd: S, scene: &Prepared, quality: &Quality, seen: Seen, batch: &mut Batch) {
     simd.vectorize(
         #[inline(always)]
         || {
@@ -101,29 +96,36 @@ fn trace_packets<S: Isa>(
     simd: S,
     scene: &Prepared,
     quality: &Quality,
-    seen: GroupSet,
+    seen: Seen,
     batch: &mut Batch,
 ) {
     let mut next = 0;
     loop {
         let is_primary = batch.stack.len() < lanes::<S>() && next < batch.len();
-        let (rays, count, groups) = if is_primary {
+        let (rays, count) = if is_primary {
             let rays = batch.primary_rays(simd, scene, next);
-            (rays, (batch.len() - next).min(lanes::<S>()), seen)
+            (rays, (batch.len() - next).min(lanes::<S>()))
         } else {
-            let (rays, count) = batch.stack.pop(simd);
-            (rays, count, scene.groups.all())
+            batch.stack.pop(simd)
         };
         if count == 0 {
             break;
         }
+        let active = first(simd, count);
+        let (groups, from) = if is_primary {
+            (seen.directly, scene.tree.start(seen.directly))
+        } else if (rays.mirrored(simd) | !active).all_true() {
+            (seen.mirrored, scene.tree.start(seen.mirrored))
+        } else {
+            (GroupSet::MAX, 0)
+        };
         batch.counts.rays += count as u64;
         batch.counts.lanes += lanes::<S>() as u64;
-        let hit = intersect::nearest(simd, scene, &rays, groups);
+        let hit = intersect::nearest(simd, scene, &rays, groups, from);
         if is_primary {
             batch.keep_objects::<S>(next, hit.object);
         }
-        let node = shade::shade(simd, scene, quality, &rays, &hit, first(simd, count), batch);
+        let node = shade::shade(simd, scene, quality, &rays, &hit, active, batch);
         batch.add(simd, &rays, is_primary.then_some(next), &node);
         next += lanes::<S>() * usize::from(is_primary);
     }

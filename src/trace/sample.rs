@@ -2,6 +2,7 @@
 
 use super::batch::{STEP_BITS, Sum};
 use crate::lanes::*;
+use fearless_simd::{u16x8, u32x4, u64x2};
 
 /// A traced point's colour: blue, green and red from the low bits up, 16 bits each, in 128ths of an output step. Above
 /// them, 16 bits tell the object that the point shows: its number plus one, or 0 where it is not known.
@@ -59,6 +60,19 @@ impl Sample {
         let half = (self.0 + 0x0040_0040_0040) >> SAMPLE_BITS;
         (half & 0xff | (half >> 8) & 0xff00 | (half >> 16) & 0x00ff_0000) as u32
     }
+}
+
+/// Four samples as pixels.
+#[inline(always)]
+pub(super) fn pixels<S: Simd>(simd: S, &[a, b, c, d]: &[u64; 4]) -> [u32; 4] {
+    // As by [`Sample::pixel`], a channel to a lane.
+    let first: u16x8<S> = u64x2::simd_from(simd, [a, b]).bitcast();
+    let second: u16x8<S> = u64x2::simd_from(simd, [c, d]).bitcast();
+    let half = STEP as u16 / 2;
+    let steps = ((first + half) >> SAMPLE_BITS as u32)
+        .relaxed_narrow((second + half) >> SAMPLE_BITS as u32);
+    let pixels: u32x4<S> = steps.bitcast();
+    pixels.into()
 }
 
 /// The samples of as many sums as there are lanes.

@@ -9,6 +9,7 @@ use super::surface::SurfaceLanes;
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
+use glam::Vec3;
 
 /// The most a node adds to a point, in units of full brightness.
 ///
@@ -92,7 +93,8 @@ pub(super) fn shade<S: Isa>(
     if solid.any_true() {
         let place = Place::new(simd, rays, hit.t, &surface, solid);
         colour = gather(simd, scene, quality, &surface, &place, &mut states, counts);
-        scatter(simd, quality, rays, &surface, &place, stack);
+        let marks = rays.mirror_marks(simd, hit.object, scene.first_plane());
+        scatter(simd, quality, rays, &surface, &place, marks, stack);
     }
     let paths = rays.paths();
     Node {
@@ -165,43 +167,39 @@ fn gather<S: Isa>(
 ) -> Vec3x<S> {
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
-    let mut colour = surface.base();
+    // What lamps give to all diffuse and to all specular reflection.
+    let mut diffuse = Vec3x::splat(simd, Vec3::ZERO);
+    let mut specular = diffuse;
+    // A sphere shades itself from within: no light comes from beyond the chord towards the lamp, which is as long as
+    // twice the cosine and the radius.
+    let least = place.inside.select(surface.inverse_radius() * 0.5, zero);
     for lamp in &scene.lamps[..scene.lamp_count] {
         let to_light = Vec3x::splat(simd, lamp.position) - place.p;
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light.scaled(one / distance);
         let nl = place.n.dot(l);
-        // A sphere shades itself from within: no light comes from beyond the chord towards the lamp.
-        let least = place
-            .inside
-            .select(distance * surface.inverse_radius(), zero);
-        let facing = place.solid & nl.simd_gt(zero) & (nl * 2.0).simd_ge(least);
+        let facing = place.solid & nl.simd_gt(distance * least);
         let mut lit = facing;
         let mut highlight = M::<S>::splat(simd, false);
         if facing.any_true() {
             counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
             lit &= !blocked(simd, scene, lamp, place.p, l, distance);
-            let mut light = surface.diffuse().scaled(lit.select(nl, zero));
+            let colour = Vec3x::splat(simd, lamp.colour);
+            diffuse = diffuse.add_scaled(colour, lit.select(nl, zero));
             let rv = place.r.dot(l);
             let shiny = lit & rv.simd_gt(surface.faint());
             if shiny.any_true() {
                 let strength = surface.ks() * pow(simd, shiny.select(rv, one), surface.exponent());
-                let specular = shiny.select(strength, zero);
-                highlight = specular.simd_gt(splat(simd, quality.highlight));
-                light = light
-                    + Vec3x {
-                        x: specular,
-                        y: specular,
-                        z: specular,
-                    };
+                let strength = shiny.select(strength, zero);
+                highlight = strength.simd_gt(splat(simd, quality.highlight));
+                specular = specular.add_scaled(colour, strength);
             }
-            colour = colour + Vec3x::splat(simd, lamp.colour) * light;
         }
         if quality.needs_keys() {
             states.push(lit, highlight);
         }
     }
-    colour
+    surface.base() + specular + surface.diffuse() * diffuse
 }
 
 /// Puts the transmitted and the reflected rays on the stack.
@@ -212,6 +210,7 @@ fn scatter<S: Isa>(
     rays: &Rays<S>,
     surface: &SurfaceLanes<'_, S>,
     place: &Place<S>,
+    marks: U<S>,
     stack: &mut Stack,
 ) {
     let zero = splat(simd, 0.0);
@@ -247,7 +246,7 @@ fn scatter<S: Isa>(
         o: p,
         d: place.r,
         weight,
-        place: reflected,
+        place: reflected | marks,
     };
     if through.any_true() {
         stack.push(simd, &transmitted, through);

@@ -15,6 +15,9 @@ pub(crate) struct Rays<S: Isa> {
     pub place: U<S>,
 }
 
+/// A place's bit that says that the ray is what the first plane reflects of a primary ray.
+const MIRRORED: u32 = 1 << 31;
+
 /// Enough for the paths of [`crate::Quality::MAX_DEPTH`].
 const PATH_BITS: u32 = 8;
 
@@ -28,7 +31,7 @@ impl<S: Isa> Rays<S> {
     /// Which points the rays belong to.
     #[inline(always)]
     pub fn slots(&self) -> U<S> {
-        self.place >> PATH_BITS
+        (self.place & !MIRRORED) >> PATH_BITS
     }
 
     /// Where the rays stand in their trees.
@@ -40,7 +43,21 @@ impl<S: Isa> Rays<S> {
     /// The places of the reflected rays; those of the transmitted rays are one more.
     #[inline(always)]
     pub fn reflected_places(&self) -> U<S> {
-        self.place + self.paths()
+        (self.place + self.paths()) & !MIRRORED
+    }
+
+    /// Marks of the reflected rays' places where the first plane, the object number `plane`, reflects a primary ray.
+    #[inline(always)]
+    pub fn mirror_marks(&self, simd: S, objects: U<S>, plane: usize) -> U<S> {
+        let plane = objects.simd_eq(U::<S>::splat(simd, plane as u32));
+        let mirrored = plane & self.paths().simd_eq(U::<S>::splat(simd, 1));
+        mirrored.to_vector().bitcast::<U<S>>() & MIRRORED
+    }
+
+    /// Which rays are so marked.
+    #[inline(always)]
+    pub fn mirrored(&self, simd: S) -> M<S> {
+        self.place.bitcast::<I<S>>().simd_lt(I::<S>::splat(simd, 0))
     }
 }
 

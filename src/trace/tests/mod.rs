@@ -11,7 +11,7 @@ extern crate std;
 use super::intersect::{Hit, nearest};
 use super::stack::Rays;
 use crate::lanes::*;
-use crate::prepare::Prepared;
+use crate::prepare::{GroupSet, Prepared};
 use crate::scene::{List, Material, Scene, Sphere};
 use fearless_simd::Level;
 use glam::{DVec3, Vec3};
@@ -144,7 +144,7 @@ fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
 
 #[inline(always)]
 fn hits<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Hit<S> {
-    nearest(simd, scene, rays, scene.groups.all())
+    nearest(simd, scene, rays, GroupSet::MAX, 0)
 }
 
 /// A lane's vector.
