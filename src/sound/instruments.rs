@@ -102,10 +102,10 @@ const fn s(time: f32) -> f32 {
 const TABLE: [[f32; TRACKS]; NUMBERS] = [
     //          kick       clap       hat       open      bass      pad       pad       arp       melody    bell      stab       swell      boom
     /* saw   */ [0.0      , 0.0      , 0.0      , 0.0      , 0.30     , 0.10     , 0.10     , 0.12     , 0.11     , 0.0      , 0.25     , 0.0      , 0.0],
-    /* sine  */ [0.55     , 0.12     , 0.0      , 0.0      , 0.20     , 0.0      , 0.0      , 0.0      , 0.03     , 0.10     , 0.0      , 0.0      , 0.32],
-    /* noise */ [0.15     , 0.45     , 0.45     , 0.28     , 0.0      , 0.002    , 0.002    , 0.0      , 0.0      , 0.0      , 0.0      , 0.18     , 0.05],
+    /* sine  */ [0.65     , 0.12     , 0.0      , 0.0      , 0.20     , 0.0      , 0.0      , 0.0      , 0.03     , 0.10     , 0.0      , 0.0      , 0.32],
+    /* noise */ [0.40     , 0.45     , 0.45     , 0.28     , 0.0      , 0.002    , 0.002    , 0.0      , 0.0      , 0.0      , 0.0      , 0.18     , 0.05],
     /* detune*/ [0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.006    , 0.007    , 0.004    , 0.006    , 0.001    , 0.008    , 0.0      , 0.0],
-    /* bend  */ [6.0      , 0.8      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 2.0],
+    /* bend  */ [8.0      , 0.8      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 2.0],
     /* index */ [0.0      , 0.0      , 0.0      , 0.0      , 0.10     , 0.0      , 0.0      , 0.0      , 0.0      , 0.25     , 0.0      , 0.0      , 0.0],
     /* ratio */ [0.0      , 0.0      , 0.0      , 0.0      , 1.0      , 0.0      , 0.0      , 0.0      , 0.0      , 3.5      , 0.0      , 0.0      , 0.0],
     /* attack*/ [s(0.001) , s(0.001) , s(0.001) , s(0.001) , s(0.003) , s(0.6)   , s(0.6)   , s(0.002) , s(0.015) , s(0.002) , s(0.003) , s(2.0)   , s(0.002)],
@@ -120,9 +120,12 @@ const TABLE: [[f32; TRACKS]; NUMBERS] = [
     /* high  */ [0.0      , 0.9      , 1.0      , 1.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.0      , 0.3      , 0.0],
     /* glide */ [1.0      , 1.0      , 1.0      , 1.0      , 1.0      , 0.03     , 0.03     , 1.0      , 0.04     , 1.0      , 1.0      , 1.0      , 1.0],
     /* echo  */ [0.0      , 0.0      , 0.0      , 0.04     , 0.0      , 0.0      , 0.0      , 0.45     , 0.40     , 0.40     , 0.25     , 0.1      , 0.0],
-    /* room  */ [0.02     , 0.25     , 0.05     , 0.05     , 0.02     , 0.40     , 0.40     , 0.25     , 0.30     , 0.50     , 0.20     , 0.4      , 0.4],
+    /* room  */ [0.01     , 0.125    , 0.025    , 0.025    , 0.01     , 0.2      , 0.2      , 0.125    , 0.15     , 0.25     , 0.1      , 0.2      , 0.2],
     /* duck  */ [0.0      , 0.0      , 0.1      , 0.1      , 0.7      , 0.6      , 0.6      , 0.5      , 0.3      , 0.3      , 0.5      , 0.5      , 0.0],
 ];
+
+/// How loud it all is.
+const LOUDNESS: f32 = 0.46;
 
 /// [`TABLE`] by instruments, a byte for each number.
 static CODES: [[u8; NUMBERS]; TRACKS] = codes();
@@ -133,7 +136,9 @@ const fn codes() -> [[u8; NUMBERS]; TRACKS] {
     while track < TRACKS {
         let mut number = 0;
         while number < NUMBERS {
-            codes[track][number] = code(TABLE[number][track]);
+            // The first rows are how loud it is.
+            let unit = if number <= NOISE { LOUDNESS } else { 1.0 };
+            codes[track][number] = code(unit * TABLE[number][track]);
             number += 1;
         }
         track += 1;
@@ -170,7 +175,7 @@ pub(super) fn read(instruments: &[Instrument; TRACKS]) {
     let codes = CODES.as_flattened();
     for (number, &code) in instruments.as_flattened().iter().zip(codes) {
         if code != 0 {
-            number.set(Vec4::splat(exp2(f32::from(code) / PER_OCTAVE + LEAST)));
+            number.set(Vec4::ONE * exp2(f32::from(code) / PER_OCTAVE + LEAST));
         }
     }
 }

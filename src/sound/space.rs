@@ -10,7 +10,7 @@ const ECHO: usize = 1 << 15;
 const DELAY: usize = 3 * STEP as usize;
 
 /// How much of an echo is in the next one.
-const FEEDBACK: f32 = 0.42;
+const FEEDBACK: f32 = 0.5;
 
 /// Samples that the room remembers: a power of two above the longest of [`LENGTHS`].
 const ROOM: usize = 1 << 12;
@@ -50,14 +50,14 @@ impl Space {
         }
         // A reflection in the diagonal of all delays mixes each with each and keeps the energy; the lanes
         // take turns.
-        let reflected = taps * (2.0 / LENGTHS.len() as f32);
-        let sent = sum.room.get() + echo * 0.3;
+        let reflected = taps * (-2.0 / LENGTHS.len() as f32);
+        let sent = sum.room.get() + echo * 0.5;
         for (line, &length) in LENGTHS.iter().enumerate() {
             let tap = self.room[position.wrapping_sub(usize::from(length)) % ROOM][line];
             let wall = &mut self.walls[line];
-            *wall += (sent + (tap - reflected) * DECAY - *wall) * WALL;
+            *wall += (sent + (tap + reflected) * DECAY - *wall) * WALL;
             self.room[position % ROOM][line] = wall.yzwx();
         }
-        sum.dry.get() + echo + taps * 0.25
+        sum.dry.get() + echo + taps * 0.5
     }
 }

@@ -32,9 +32,9 @@ impl Sum {
 
 /// What all voices follow in a block.
 pub(super) struct Mood {
-    /// How loud the kick is where the block begins, 0 to 1, and what that gains by the sample.
+    /// How loud the kick is where the block begins, 0 to 1, and where the next one does.
     pub kick: Vec4,
-    pub kick_slope: Vec4,
+    pub next_kick: Vec4,
     /// How bright it is, 0 to 1.
     pub light: Vec4,
 }
@@ -105,18 +105,15 @@ impl Voice {
         }
         let goal = Vec4::from_array(goal);
         self.goal = goal + goal * DETUNES * instrument[DETUNE].get();
-        let peak = if kind == DRUM {
-            digit as i32 as f32 / 15.0
-        } else {
-            1.0
-        };
-        self.peak = Vec4::splat(peak);
-        self.sweep = Vec4::ONE;
-        self.age = 0.0;
-        // Every hit of a drum sounds the same.
+        let mut peak = 15;
         if kind == DRUM {
+            peak = digit as i32;
+            // Every hit sounds the same.
             self.phase = Vec4::ZERO;
         }
+        self.peak = Vec4::ONE * (peak as f32 / 15.0);
+        self.sweep = Vec4::ONE;
+        self.age = 0.0;
     }
 
     /// Adds a block.
@@ -142,7 +139,8 @@ impl Voice {
         let filter = Filter::new(instrument, self.sweep, mood.light);
         let mut voice = *self;
         let mut duck = 1.0 - instrument[DUCK].get() * mood.kick;
-        let duck_slope = instrument[DUCK].get() * mood.kick_slope;
+        let duck_slope =
+            instrument[DUCK].get() * (mood.next_kick - mood.kick) * (1.0 / BLOCK as f32);
         for sum in sums {
             voice.level += (peak - voice.level) * rate;
             voice.sweep -= voice.sweep * instrument[SWEEP].get();
@@ -202,9 +200,9 @@ impl Filter {
         let to = instrument[TO].get();
         let angle =
             (to + (instrument[FROM].get() - to) * sweep) * (1.0 + instrument[LIGHT].get() * light);
-        // Up to 15 kHz; the tangent to within 3 %.
+        // Up to 15 kHz; the tangent to within 4 %.
         let x = angle.min(Vec4::ONE);
-        let g = x / (1.0 - 0.38 * x * x);
+        let g = x / (1.0 + x * x * (-1.0 / 3.0));
         let damping = instrument[DAMPING].get();
         let a1 = (1.0 + g * (g + damping)).recip();
         Filter {

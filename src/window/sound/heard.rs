@@ -10,7 +10,7 @@ pub struct Heard {
     /// How far the time is ahead of the clock, in nanoseconds.
     ahead: i64,
     /// The last time that was given.
-    time: u64,
+    time: i64,
 }
 
 /// What a difference is divided by for each frame.
@@ -21,7 +21,7 @@ impl Heard {
     /// asked. All in nanoseconds.
     pub fn time(&mut self, clock: u64, ahead: i64) -> u64 {
         self.ahead += (ahead - self.ahead) / PULL;
-        self.time = self.time.max(clock.saturating_add_signed(self.ahead));
-        self.time
+        self.time = self.time.max(clock as i64 + self.ahead);
+        self.time as u64
     }
 }
