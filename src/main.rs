@@ -4,6 +4,7 @@
 #![deny(unsafe_code)]
 
 mod options;
+mod parts;
 
 use core::mem::ManuallyDrop;
 
@@ -20,6 +21,7 @@ use eightfold_window::{
     window::{NoWindow, Window},
 };
 use options::{FULLSCREEN, MAX_THREADS, Options, UNCAPPED};
+use parts::Parts;
 
 /// Nanoseconds of the show.
 const LENGTH: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;
@@ -171,7 +173,7 @@ impl Intro {
             .number(self.pool.threads() as u64)
             .text(", ")
             .text(cpu::name(self.level));
-        let names = Quality::NAMES.as_bytes().split(|&byte| byte == b' ');
+        let names = Parts::of(Quality::NAMES.as_bytes(), b' ');
         for (name, &time) in names.zip(&self.tally.rungs) {
             if time > 0 {
                 report.text(", ").quote(name).text(" ");

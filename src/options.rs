@@ -1,5 +1,6 @@
 //! The intro's command line.
 
+use crate::parts::Parts;
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::{
     arguments::Arguments,
@@ -102,7 +103,7 @@ impl Options {
                 THREADS => whole(value, MAX_THREADS).map(|count| options.threads = Some(count)),
                 SECONDS => seconds(value).map(|time| options.length = Some(time)),
                 FPS => whole(value, MAX_FPS).map(|fps| options.fps = fps),
-                QUALITY => Quality::rung(value).map(|rung| options.rung = Some(rung)),
+                QUALITY => rung(value).map(|rung| options.rung = Some(rung)),
                 HELP => {
                     return Err(answer(&[NAME.as_bytes(), &OPTIONS, KEYS.as_bytes()]));
                 }
@@ -120,7 +121,7 @@ impl Options {
             options.length = Some(u64::MAX);
         }
         if options.has(UNCAPPED) && options.rung.is_none() {
-            options.rung = Quality::rung(b"default");
+            options.rung = rung(b"default");
         }
         if options.has(EXHAUSTIVE) {
             options.rung = Some(usize::MAX);
@@ -155,11 +156,13 @@ const fn joined_length(texts: [&str; 3]) -> usize {
 
 /// The line of an option: its number, and what it says.
 fn find(flag: &[u8]) -> Option<(usize, &'static [u8])> {
-    let lines = OPTIONS.split(|&byte| byte == b'\n');
-    lines
-        .enumerate()
-        .find(|(_, line)| line.split(|&byte| byte == b' ').next() == Some(flag))
-        .filter(|_| !flag.is_empty())
+    let mut lines = Parts::of(&OPTIONS, b'\n').enumerate();
+    lines.find(|(_, line)| line.starts_with(flag) && line.get(flag.len()) == Some(&b' '))
+}
+
+/// The number of a rung of the ladder of qualities, by its name.
+fn rung(name: &[u8]) -> Option<usize> {
+    Parts::of(Quality::NAMES.as_bytes(), b' ').position(|known| known == name)
 }
 
 /// Answers, and returns the exit code.
@@ -194,12 +197,11 @@ fn whole(text: &[u8], most: usize) -> Option<usize> {
 }
 
 /// Two whole numbers with an `x` between them, up to the largest picture.
-fn size(text: &[u8]) -> Option<(usize, usize)> {
-    let x = text.iter().position(|&byte| byte == b'x')?;
-    Some((
-        whole(&text[..x], MAX_WIDTH)?,
-        whole(&text[x + 1..], MAX_HEIGHT)?,
-    ))
+fn size(text: &'static [u8]) -> Option<(usize, usize)> {
+    let mut sides = Parts::of(text, b'x');
+    let width = whole(sides.next()?, MAX_WIDTH)?;
+    let height = whole(sides.next()?, MAX_HEIGHT)?;
+    sides.next().is_none().then_some((width, height))
 }
 
 /// Digits with at most one point among them, above 0 and up to a thousand million: nanoseconds.

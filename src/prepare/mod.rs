@@ -15,7 +15,10 @@ pub(crate) use surface::{FIELDS, Spread};
 pub(crate) use tree::{Node, Tree};
 
 use crate::lanes::MAX_LANES;
-use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene, camera::Raster};
+use crate::scene::{
+    MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene,
+    camera::{Raster, pixels},
+};
 use glam::Vec3;
 
 /// How far rounding takes a point that was computed to be on a sphere from it, as a share of the sphere's largest
@@ -111,11 +114,11 @@ impl Prepared {
     /// The groups that rays through the points of a rectangle of the picture can meet.
     #[inline(never)]
     pub fn seen(&self, left: usize, top: usize, right: usize, bottom: usize) -> Seen {
-        let rectangle = [left as f32, top as f32, right as f32, bottom as f32];
+        let rectangle = [left, top, right, bottom].map(pixels);
         let set = |windows: &[Window]| {
             let mut set = 0;
-            for (i, _) in self.groups.iter().enumerate() {
-                set |= GroupSet::from(windows[i].meets(rectangle)) << i;
+            for (i, (_, window)) in self.groups.iter().zip(windows).enumerate() {
+                set |= GroupSet::from(window.meets(rectangle)) << i;
             }
             set
         };

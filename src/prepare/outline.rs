@@ -9,7 +9,7 @@
 use super::screen::Window;
 use super::{Node, Prepared, Rectangle};
 use crate::lanes::*;
-use crate::scene::camera::Raster;
+use crate::scene::camera::{Raster, pixels};
 use fearless_simd::f32x4;
 use glam::Vec3;
 
@@ -73,8 +73,8 @@ impl Axes {
     /// The axes of a picture of `width` by `height` pixels.
     pub fn of(raster: &Raster, width: usize, height: usize) -> Self {
         let pixel = raster.dx.length();
-        let middle_x = 0.5 * (width as f32 - 1.0);
-        let middle_y = 0.5 * (height as f32 - 1.0);
+        let middle_x = 0.5 * (pixels(width) - 1.0);
+        let middle_y = 0.5 * (pixels(height) - 1.0);
         Self {
             right: raster.dx / pixel,
             down: raster.dy / pixel,

@@ -1,6 +1,6 @@
 //! What a sphere covers of the picture.
 
-use crate::scene::camera::Raster;
+use crate::scene::camera::{Raster, pixels};
 use glam::Vec3;
 
 /// A rectangle of the picture, in pixels; both ends included.
@@ -51,7 +51,7 @@ impl Window {
         height: usize,
     ) -> Self {
         let to = centre - eye;
-        let middle = |size: usize| 0.5 * (size as f32 - 1.0);
+        let middle = |size: usize| 0.5 * (pixels(size) - 1.0);
         let Raster { corner, dx, dy } = *raster;
         let forward = corner + dx * middle(width) + dy * middle(height);
         let pixel = dx.length();

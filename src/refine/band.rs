@@ -7,6 +7,7 @@ use crate::lanes::*;
 use crate::observe::{Fill, Observer, tell_points};
 use crate::prepare::{Prepared, Seen};
 use crate::quality::Quality;
+use crate::scene::camera::pixels;
 use crate::trace::{BATCH, Sample, trace};
 use crate::worker::Worker;
 use fearless_simd::Level;
@@ -340,7 +341,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     #[inline(always)]
     fn rectangle(&self, x: usize, y: usize, w: usize, h: usize) -> [f32; 4] {
         let y = self.top + y;
-        [x as f32, y as f32, (x + w) as f32, (y + h) as f32]
+        [pixels(x), pixels(y), pixels(x + w), pixels(y + h)]
     }
 
     /// Sets the pixels of a square whose points are all known.

@@ -55,10 +55,9 @@ impl Camera {
         let right = unit(forward.cross(self.up), forward.any_orthonormal_vector());
         let up = right.cross(forward);
         let half_angle = self.field_of_view * 0.5;
-        // (By way of `i32`, since the processor knows how to; a `usize` takes 35 bytes.)
-        let pixel = 2.0 * sin(half_angle) / cos(half_angle) / height as i32 as f32;
+        let pixel = 2.0 * sin(half_angle) / cos(half_angle) / pixels(height);
         let (dx, dy) = (right * pixel, up * -pixel);
-        let half = |side: usize| 0.5 - 0.5 * side as i32 as f32;
+        let half = |side: usize| 0.5 - 0.5 * pixels(side);
         Raster {
             corner: forward + dx * half(width) + dy * half(height),
             dx,
@@ -77,4 +76,10 @@ fn unit(v: Vec3, otherwise: Vec3) -> Vec3 {
     } else {
         otherwise
     }
+}
+
+/// A number of pixels. It takes the way of `i32`, which the processor knows; from `usize` it takes 30 bytes more.
+#[inline(always)]
+pub(crate) fn pixels(number: usize) -> f32 {
+    number as i32 as f32
 }
