@@ -6,7 +6,11 @@ use object::{
     Object, ObjectSection, ObjectSymbol, RelocationTarget,
     read::{archive::ArchiveFile, elf::ElfFile64},
 };
-use std::{collections::BTreeSet, fs, path::Path};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs,
+    path::Path,
+};
 
 type Elf<'a> = ElfFile64<'a, object::Endianness>;
 
@@ -42,82 +46,78 @@ fn the_intro_is_at_most_64_kib() {
     assert!(size <= LIMIT, "{size} bytes are more than {LIMIT}");
 }
 
-/// The linker leaves out parts of the library by their names (`.unsaid` in `src/window/program.ld`): they may be nothing
-/// but the places of panics, 24 bytes that begin with the address of a file's name, and those names.
+/// The linker leaves out parts of libraries by their names (`.unsaid` in `src/window/program.ld`): they may be nothing but
+/// the places of panics, 24 bytes that begin with the address of a file's name, and those names.
 #[test]
 fn nothing_is_left_unsaid_but_where_panics_were() {
     let map = fs::read_to_string(stage::intro().with_extension("map")).expect("the linker's map");
-    let mut parts = 0;
-    let mut archives = BTreeSet::new();
+    let mut places: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    let mut texts = 0;
     let lines = map.lines().skip_while(|line| !line.ends_with(" .unsaid"));
     for line in lines
         .skip(1)
         .take_while(|line| !line.ends_with("= 0x400000"))
     {
-        let (archive, section) = line.rsplit_once(":(").expect("a part of an archive");
-        if section.starts_with(".rodata.str") || line.contains("<internal>") {
-            continue;
-        }
-        assert_eq!(
-            line.split_whitespace().nth(2),
-            Some("18"),
-            "{line}: a size of 24"
-        );
-        parts += 1;
-        let (archive, _) = archive.split_once('(').expect("a member of an archive");
-        let path = archive.split_whitespace().last().expect("a path");
-        if archives.insert(path.to_string()) {
-            assert_places_of_panics(Path::new(path), path.contains("/libeightfold-"));
+        let (part, section) = line.rsplit_once(":(").expect("a part of something");
+        let [_, _, size, _, of] = part.split_whitespace().collect::<Vec<_>>()[..] else {
+            panic!("{line}");
+        };
+        if of == "<internal>" {
+            assert_eq!(section, ".rodata.str1.1)");
+            texts += usize::from_str_radix(size, 16).expect("a size");
+        } else if !section.starts_with(".rodata.str") {
+            assert_eq!(size, "18", "{line}: a size of 24");
+            let (archive, _) = of.split_once('(').expect("a member of an archive");
+            let section = section.strip_suffix(')').expect("an end");
+            places.entry(archive).or_default().insert(section);
         }
     }
-    println!("{parts} places of panics, {archives:?}");
-    assert!(archives.iter().any(|path| path.contains("/libeightfold-")));
+    let count: usize = places.values().map(BTreeSet::len).sum();
+    println!("{count} places of panics");
+    // Only the library's texts are left out, and each of them once.
+    let is_library = |path: &str| path.contains("/libeightfold-");
+    let mut files = BTreeSet::new();
+    for (path, sections) in &places {
+        let found = files_of_places(Path::new(path), sections);
+        assert_eq!(found.len(), sections.len(), "{path}: places of panics");
+        if is_library(path) {
+            files.extend(found);
+        }
+    }
+    assert!(places.keys().any(|path| is_library(path)));
+    let said: usize = files.iter().map(|file| file.len() + 1).sum();
+    assert_eq!(said, texts, "{files:?} is all that is left out");
 }
 
-/// All that the linker leaves out of an archive begins with the name of a source file, and is 24 bytes; and of the
-/// library, all texts that end with a NUL are such names.
-fn assert_places_of_panics(path: &Path, is_library: bool) {
+/// The names of source files that these sections of an archive begin with the address of.
+fn files_of_places(path: &Path, sections: &BTreeSet<&str>) -> Vec<Vec<u8>> {
     let data = fs::read(path).expect("the archive can be read");
     let members = ArchiveFile::parse(&*data).expect("an archive").members();
+    let mut files = Vec::new();
     for member in members.map(|member| member.expect("a member")) {
-        let Ok(file) = Elf::parse(member.data(&*data).expect("its bytes")) else {
-            continue;
-        };
-        for section in file.sections() {
-            let name = section.name().expect("a name");
-            if is_library && name.starts_with(".rodata.str") {
-                for text in section
-                    .data()
-                    .expect("bytes")
-                    .split_inclusive(|&byte| byte == 0)
-                {
-                    assert!(text.ends_with(b".rs\0"), "{name}: {text:?}");
-                }
-            }
-            if is_library && name.starts_with(".data.rel.ro..Lanon.") {
-                assert_eq!(section.size(), 24, "{name}");
-                assert!(begins_with_a_file_name(&file, &section), "{name}");
-            }
+        if let Ok(file) = Elf::parse(member.data(&*data).expect("its bytes")) {
+            let wanted = file
+                .sections()
+                .filter(|section| section.name().is_ok_and(|name| sections.contains(name)));
+            files.extend(wanted.filter_map(|section| file_of_place(&file, &section)));
         }
     }
+    files
 }
 
-/// Whether what is at the beginning of a section is the address of a text that ends with `.rs` and a NUL.
-fn begins_with_a_file_name<'a>(file: &Elf<'a>, section: &impl ObjectSection<'a>) -> bool {
+/// The text that ends with `.rs` and a NUL whose address is at the beginning of a section, and nothing else is.
+fn file_of_place<'a>(file: &Elf<'a>, section: &impl ObjectSection<'a>) -> Option<Vec<u8>> {
     let relocations: Vec<_> = section.relocations().collect();
     let [(0, relocation)] = &relocations[..] else {
-        return false;
+        return None;
     };
     let RelocationTarget::Symbol(symbol) = relocation.target() else {
-        return false;
+        return None;
     };
-    let symbol = file.symbol_by_index(symbol).expect("a symbol");
-    let texts = file
-        .section_by_index(symbol.section_index().expect("a section"))
-        .expect("a section");
-    let start = symbol.address() as i64 + relocation.addend();
-    let text = &texts.data().expect("bytes")[start as usize..];
-    text.split(|&byte| byte == 0)
-        .next()
-        .is_some_and(|text| text.ends_with(b".rs"))
+    let symbol = file.symbol_by_index(symbol).ok()?;
+    let texts = file.section_by_index(symbol.section_index()?).ok()?;
+    let start = symbol.address().checked_add_signed(relocation.addend())?;
+    let texts = texts.data().ok()?.get(start as usize..)?;
+    let text = texts.split(|&byte| byte == 0).next()?;
+    text.ends_with(b".rs").then(|| text.to_vec())
 }
