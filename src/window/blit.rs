@@ -93,7 +93,7 @@ impl Blit {
             self.frames.swap(0, 1);
             return;
         }
-        let rows = (MOST_PIXELS / width).max(1);
+        let rows = (MOST_PIXELS / width.max(1)).max(1);
         let mut top = 0;
         while top < height {
             let bottom = height.min(top + rows);
@@ -108,12 +108,18 @@ impl Blit {
     fn stretch(&mut self, (width, height): (usize, usize), top: usize, bottom: usize) {
         let [from, to] = &mut self.frames;
         let (from_width, from_height) = self.size;
-        // Steps in units of 2^-32 pixels.
-        let step = (from_width << 32) / width;
-        for (y, row) in (top..bottom).zip(to.chunks_exact_mut(width)) {
-            let from = &from[y * from_height / height * from_width..][..from_width];
-            for (x, pixel) in row.iter_mut().enumerate() {
-                *pixel = from[(x * step) >> 32];
+        // Steps in units of 2^-32 pixels, rounded up, so that what is just a pixel stays one.
+        let step = |from: usize, to: usize| (from << 32) / to.max(1) + 1;
+        let (across, down) = (step(from_width, width), step(from_height, height));
+        let mut pixels = to.iter_mut();
+        for y in top..bottom {
+            let row = ((y * down) >> 32) * from_width;
+            for x in 0..width {
+                if let (Some(to), Some(from)) =
+                    (pixels.next(), from.get(row + ((x * across) >> 32)))
+                {
+                    *to = *from;
+                }
             }
         }
     }

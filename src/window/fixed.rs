@@ -32,8 +32,14 @@ impl<T> Fixed<T> {
     /// The second time.
     #[allow(clippy::mut_from_ref, reason = "it happens once")]
     pub fn take(&'static self) -> &'static mut T {
-        assert!(!self.taken.swap(true, AcqRel), "taken already");
+        take_once(&self.taken);
         // SAFETY: the flag lets one caller through, ever.
         unsafe { &mut *self.value.get() }
     }
+}
+
+/// Sets the flag; apart, so that the check is in the program once.
+#[inline(never)]
+fn take_once(taken: &AtomicBool) {
+    assert!(!taken.swap(true, AcqRel), "taken already");
 }

@@ -17,8 +17,8 @@ pub struct Line {
 }
 
 impl Line {
-    /// Bytes that a line can hold.
-    pub const CAPACITY: usize = 256;
+    /// Bytes that a line can hold: what the [`terminal`](crate::terminal) writes at a time.
+    pub const CAPACITY: usize = 1 << 13;
 
     /// An empty line.
     #[must_use]
@@ -49,30 +49,38 @@ impl Line {
     }
 
     /// Adds a number that counts units of `10^-digits`: `decimal(2513, 2)` adds `25.13`.
-    pub fn decimal(&mut self, mut number: u64, digits: usize) -> &mut Line {
-        let mut text = [0; 24];
-        let mut start = text.len();
-        let mut written = 0;
-        while number > 0 || written <= digits {
-            if written == digits && digits > 0 {
-                start -= 1;
-                text[start] = b'.';
-            }
-            start -= 1;
-            text[start] = b'0' + (number % 10) as u8;
-            number /= 10;
-            written += 1;
+    pub fn decimal(&mut self, number: u64, digits: usize) -> &mut Line {
+        let (mut unit, mut place) = (1, 0);
+        while place < digits || number / unit >= 10 {
+            unit *= 10;
+            place += 1;
         }
-        self.add(&text[start..])
+        loop {
+            self.add(&[b'0' + (number / unit % 10) as u8]);
+            if place == 0 {
+                return self;
+            }
+            if place == digits {
+                self.add(b".");
+            }
+            unit /= 10;
+            place -= 1;
+        }
+    }
+
+    /// Takes all of it out.
+    pub(crate) fn clear(&mut self) {
+        self.length = 0;
     }
 
     /// The bytes so far.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
-        &self.bytes[..self.length]
+        self.bytes.get(..self.length).unwrap_or_default()
     }
 
-    fn add(&mut self, bytes: &[u8]) -> &mut Line {
+    /// Adds bytes.
+    pub(crate) fn add(&mut self, bytes: &[u8]) -> &mut Line {
         for &byte in bytes {
             if let Some(end) = self.bytes.get_mut(self.length) {
                 *end = byte;
@@ -148,7 +156,9 @@ mod tests {
     #[test]
     fn what_does_not_fit_is_cut_off() {
         let mut line = Line::new();
-        line.text(&"x".repeat(300)).text("y").number(1);
+        line.text(&"x".repeat(Line::CAPACITY + 1))
+            .text("y")
+            .number(1);
         assert_eq!(line.bytes(), "x".repeat(Line::CAPACITY).as_bytes());
     }
 

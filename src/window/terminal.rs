@@ -11,13 +11,13 @@ use core::{
 };
 
 use crate::{
-    line,
+    line::{self, Line},
     screen::{MOST_PIXELS, Next, Screen, pixels},
     system::{self, call},
 };
 
 /// The upper half of a cell in the foreground's colour; the lower half shows the background's.
-const UPPER_HALF: &[u8] = "\u{2580}".as_bytes();
+const UPPER_HALF: &str = "\u{2580}";
 
 /// Takes the alternate screen, hides the cursor, and does not wrap at the right edge.
 const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
@@ -25,11 +25,9 @@ const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
 /// Undoes [`ENTER`], and the colours.
 const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
-/// Bytes that are collected before they are written.
-const CHUNK: usize = 1 << 13;
-
-/// Room for what is added between two looks at how many they are: a place, two colours and a block.
-const MORE: usize = 64;
+/// Bytes that are collected before they are written: there is room for what is added between two looks at how many they
+/// are, a place, two colours and a block.
+const CHUNK: usize = Line::CAPACITY - 64;
 
 /// The terminal on standard output. Esc and Ctrl-C end the show.
 ///
@@ -37,8 +35,7 @@ const MORE: usize = 64;
 /// that ask a process to end.
 pub struct Terminal {
     escape: Escape,
-    text: [u8; CHUNK + MORE],
-    length: usize,
+    text: Line,
     pixels: Box<[u32]>,
     size: (usize, usize),
     shown: (usize, usize),
@@ -51,45 +48,32 @@ impl Terminal {
         SAVED.take_over();
         Terminal {
             escape: Escape::default(),
-            text: [0; CHUNK + MORE],
-            length: 0,
+            text: Line::new(),
             pixels: pixels(MOST_PIXELS),
             size: (0, 0),
             shown: (0, 0),
         }
     }
 
-    fn add(&mut self, bytes: &[u8]) {
-        for &byte in bytes {
-            self.text[self.length] = byte;
-            self.length += 1;
-        }
-    }
-
     /// Adds `\x1b[`, numbers with `;` between them, and a last byte.
-    fn sequence(&mut self, numbers: &[u32], last: u8) {
-        self.add(b"\x1b");
-        let mut before = b'[';
+    fn sequence(&mut self, numbers: &[u32], last: &str) {
+        let mut before = "\x1b[";
         for &number in numbers {
-            self.add(&[before]);
-            before = b';';
-            for unit in [1000, 100, 10, 1] {
-                if number >= unit || unit == 1 {
-                    self.add(&[b'0' + (number / unit % 10) as u8]);
-                }
-            }
+            self.text.text(before).number(u64::from(number));
+            before = ";";
         }
-        self.add(&[last]);
+        self.text.text(last);
     }
 
     /// Writes what has been added, once it is as much as that. False if the terminal does not take it.
     fn flush(&mut self, least: usize) -> bool {
-        if self.length < least {
+        let text = self.text.bytes();
+        if text.len() < least {
             return true;
         }
-        let text = &self.text[..self.length];
-        self.length = 0;
-        line::write(line::OUTPUT, text)
+        let written = line::write(line::OUTPUT, text);
+        self.text.clear();
+        written
     }
 
     /// Writes the picture. False if the terminal does not take it.
@@ -98,17 +82,17 @@ impl Terminal {
         for row in 0..height / 2 {
             // A colour that no pixel has: each row sets its own.
             let mut colours = [u32::MAX; 2];
-            self.sequence(&[row as u32 + 1, 1], b'H');
+            self.sequence(&[row as u32 + 1, 1], "H");
             for x in 0..width {
                 for (half, ground) in [(0, 38), (1, 48)] {
                     let colour = self.pixels[(2 * row + half) * width + x];
                     if colours[half] != colour {
                         colours[half] = colour;
                         let [_, red, green, blue] = colour.to_be_bytes().map(u32::from);
-                        self.sequence(&[ground, 2, red, green, blue], b'm');
+                        self.sequence(&[ground, 2, red, green, blue], "m");
                     }
                 }
-                self.add(UPPER_HALF);
+                self.text.text(UPPER_HALF);
                 if !self.flush(CHUNK) {
                     return false;
                 }
@@ -139,7 +123,7 @@ impl Screen for Terminal {
     fn show(&mut self) -> Next {
         if self.shown != self.size {
             self.shown = self.size;
-            self.add(b"\x1b[0m\x1b[2J");
+            self.text.text("\x1b[0m\x1b[2J");
         }
         let shown = self.draw();
         match signal() {

@@ -74,11 +74,12 @@ impl Window {
         };
         // Nothing goes through its buffer, which is as large as this.
         let opened = minifb::Window::new(title, 0, 0, options);
-        let window = opened
-            .as_ref()
-            .map_or(0, |opened| opened.get_window_handle() as xlib::Window);
+        let drawn = opened.as_ref().ok().and_then(|opened| {
+            let window = opened.get_window_handle() as xlib::Window;
+            Some((window, Blit::new(x, display, window)?))
+        });
         forget(opened);
-        let Some(blit) = Blit::new(x, display, window).filter(|_| window != 0) else {
+        let Some((window, blit)) = drawn else {
             // SAFETY: nobody uses the display any more. The window goes with it.
             unsafe { (x.XCloseDisplay)(display) };
             return Err(NoWindow::NoDisplay);

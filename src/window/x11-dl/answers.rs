@@ -79,21 +79,27 @@ left_out! {
         core::hint::assert_unchecked(!display.is_null());
         display
     };
+    // (Windows and atoms are never none. Told so, the compiler leaves out what `minifb` would do about it.)
     // SAFETY: it is called with what Xlib's own is.
     fn XCreateWindow(display: *mut Display, parent: Window, x: c_int, y: c_int, _: c_uint, _: c_uint, _: c_uint, _: c_int, class: c_uint, _: *mut Visual, mask: c_ulong, attributes: *mut XSetWindowAttributes) -> Window = unsafe {
-        (loaded().XCreateWindow)(display, parent, x, y, 1, 1, 0, 0, class, null_mut(), mask, attributes)
+        (loaded().XCreateWindow)(display, parent, x, y, 1, 1, 0, 0, class, null_mut(), mask, attributes).max(1)
+    };
+    // SAFETY: it is called with what Xlib's own is.
+    fn XInternAtom(display: *mut Display, name: *const c_char, only_if_exists: Bool) -> Atom = unsafe {
+        (loaded().XInternAtom)(display, name, only_if_exists).max(1)
     };
     fn XMapRaised(_: *mut Display, _: Window) -> c_int = 0;
     fn XFlush(_: *mut Display) -> c_int = 0;
     // SAFETY: it points to where the number of formats goes.
     fn XListPixmapFormats(_: *mut Display, count: *mut c_int) -> *mut XPixmapFormatValues = unsafe {
-        static FORMAT: XPixmapFormatValues = XPixmapFormatValues {
+        // (A constant, since what is in a static of this crate is not known where `minifb` is compiled.)
+        const FORMAT: &XPixmapFormatValues = &XPixmapFormatValues {
             depth: 0,
             bits_per_pixel: 32,
             scanline_pad: 32,
         };
         count.write(1);
-        (&raw const FORMAT).cast_mut()
+        core::ptr::from_ref(FORMAT).cast_mut()
     };
     fn XSetLocaleModifiers(_: *const c_char) -> *mut c_char = null_mut();
     fn XOpenIM(_: *mut Display, _: XrmDatabase, _: *mut c_char, _: *mut c_char) -> XIM = dangling_mut();
