@@ -2,7 +2,7 @@
 
 use super::*;
 use core::ops::{Add, Mul, Sub};
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// A vector per lane, structure of arrays.
 #[derive(Clone, Copy)]

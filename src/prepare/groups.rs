@@ -2,7 +2,7 @@
 
 use crate::scene::{MAX_LIGHTS, MAX_SPHERES, Scene};
 use core::ops::Range;
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// The most solid groups; a power of two. Each of up to that many spheres is a group of its own.
 const MOST: usize = 32;

@@ -2,7 +2,7 @@
 
 use super::slack;
 use super::tree::{MARGIN, MAX_NODES, Node};
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// A point light.
 pub(crate) struct Lamp {

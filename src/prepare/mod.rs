@@ -19,7 +19,7 @@ use crate::scene::{
     MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene,
     camera::{Raster, pixels},
 };
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// How far rounding takes a point that was computed to be on a sphere from it, as a share of the sphere's largest
 /// coordinate.

@@ -11,7 +11,7 @@ use super::{Node, Prepared, Rectangle};
 use crate::lanes::*;
 use crate::scene::camera::{Raster, pixels};
 use fearless_simd::f32x4;
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// The camera's axes, and where its pixels are in the plane at distance 1.
 pub(crate) struct Axes {

@@ -1,7 +1,7 @@
 //! What a sphere covers of the picture.
 
 use crate::scene::camera::{Raster, pixels};
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// A rectangle of the picture, in pixels; both ends included.
 #[derive(Clone, Copy)]

@@ -2,7 +2,7 @@
 
 use crate::lanes::MAX_LANES;
 use crate::scene::Material;
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// A highlight below this is not computed: 1/40 of what 8 bits can show.
 const FAINT: f32 = 1e-4;

@@ -3,7 +3,7 @@
 use super::groups::{Group, GroupSet, Groups};
 use super::slack;
 use crate::scene::{MAX_LENGTH, MAX_LIGHTS, MAX_SPHERES, Scene};
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// Bounds of the largest tree, and its spheres and lights.
 pub(crate) const MAX_NODES: usize = 255 + MAX_SPHERES + MAX_LIGHTS;

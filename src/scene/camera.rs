@@ -1,7 +1,7 @@
 //! The pinhole camera.
 
 use crate::trigonometry::{cos, sin};
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// A pinhole camera with square pixels; a pixel's sample is its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,7 +8,7 @@ mod list;
 mod validate;
 
 pub use camera::Camera;
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 pub use list::List;
 pub use validate::{Flaw, MAX_LENGTH, MIN_LENGTH};
 

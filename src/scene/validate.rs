@@ -2,7 +2,7 @@
 
 use super::{Camera, Material, Scene};
 use core::fmt;
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// The largest coordinate and the largest extent, in scene units: their squares, times a few, stay finite in f32.
 pub const MAX_LENGTH: f32 = 1e9;

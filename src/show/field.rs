@@ -4,7 +4,7 @@
 
 use super::model::{AMBIENT, BACKGROUND, FLOOR, LIGHTS, circling};
 use crate::scene::{Camera, List, MAX_SPHERES, Material, Scene, Sphere};
-use glam::{Vec3, vec3};
+use glam::{Vec3A as Vec3, vec3a as vec3};
 
 /// The side of a full field, in scene units; the floor's is 24.
 const SIDE: f32 = 16.0;

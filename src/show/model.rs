@@ -4,7 +4,7 @@
 
 use crate::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use crate::trigonometry::{cos, sin};
-use glam::{Vec3, vec3};
+use glam::{Vec3A as Vec3, vec3a as vec3};
 
 /// Seconds of one orbit: a full turn at [`ORBIT_SPEED`].
 pub const LENGTH: f32 = 8.0 * core::f32::consts::PI;

@@ -3,7 +3,7 @@
 use super::stack::Rays;
 use crate::lanes::*;
 use crate::prepare::{Caster, GroupSet, Lamp, Node, Prepared, Rectangle};
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// A ray that hits nothing ends this far away.
 const FARTHEST: f32 = 1e30;
@@ -116,7 +116,7 @@ impl<S: Isa> Chord<S> {
 /// Where rays hit a plane nearer than `limit`.
 #[inline(always)]
 fn plane_hit<S: Isa>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) -> (M<S>, F<S>) {
-    let Vec3 { x, y, z } = plane.centre;
+    let [x, y, z] = plane.centre.to_array();
     // Where a ray runs along the plane this is infinite or not a number, and no comparison below holds.
     let t = (splat(simd, y) - rays.o.y) / rays.d.y;
     let across = t.mul_add(rays.d.x, rays.o.x - x).abs();
@@ -203,7 +203,7 @@ pub(crate) fn blocked<S: Isa>(
 /// Whether a plane is between `o` and the point at distance `limit`, without a division.
 #[inline(always)]
 fn plane_blocks<S: Isa>(simd: S, plane: &Rectangle, o: Vec3x<S>, d: Vec3x<S>, limit: F<S>) -> M<S> {
-    let Vec3 { x, y, z } = plane.centre;
+    let [x, y, z] = plane.centre.to_array();
     // The distance times |d.y|.
     let scale = d.y.abs();
     let rise = splat(simd, y) - o.y;

@@ -9,7 +9,7 @@ use super::surface::SurfaceLanes;
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
-use glam::Vec3;
+use glam::Vec3A as Vec3;
 
 /// The most a node adds to a point, in units of full brightness.
 ///
