@@ -32,6 +32,8 @@
 //! | no start files but our own * | `src/window/program.s` | 880 |
 //! | system calls by number, not by name * | `src/window/system.rs` | 620 |
 //! | memory by `malloc` and no more * | `src/window/allocator.rs` | 504 |
+//! | constants loaded where they are used (`-disable-machine-licm`) | `.cargo/config.toml` | 960 |
+//! | vectors in registers, by `Vec3A` | | 816 |
 //! | numbers of pixels by way of `i32` | `src/scene/camera.rs` | 448 |
 //! | identical functions folded (`--icf=all`) | | 176 |
 //!
@@ -53,8 +55,7 @@
 //! redirected (`lto = "fat"`), or without std's inlines 12,500 bytes more (`-C linker-plugin-lto`). All of the library at
 //! `opt-level = "z"`: the kernels get larger (SSE2 by 1,300, AVX2 by 1,600) and the rest smaller by 300.
 //! `-C relocation-model=static` saves 110 more, but goes to procedural macros too, which it breaks. Of LLVM's own
-//! options (`-C llvm-args`, for everything that is compiled, so not for this alone) `-disable-machine-licm` saves 690 and
-//! `-sink-insts-to-avoid-spills` 290, at the same speed; `-enable-ipra` 110 to 180; the machine outliner 60 to 140;
+//! options `-sink-insts-to-avoid-spills` saves 100 to 290, `-enable-ipra` 110 to 180, the machine outliner 60 to 140;
 //! others less, or cost. Structures with their small fields first: 50.
 
 use std::{

@@ -123,9 +123,19 @@ impl Quality {
         }
     }
 
+    /// Whether keys can be compared: they are 1.6 kB that the intro, whose rungs need none, does without.
+    const HAS_KEYS: bool = cfg!(feature = "lab");
+
+    /// Whether it can be drawn by.
+    pub(crate) fn is_valid(&self) -> bool {
+        (1..=Self::MAX_SQUARE).contains(&self.square)
+            && self.depth <= Self::MAX_DEPTH
+            && (Self::HAS_KEYS || self.square == 1 || self.spread_agreeing == self.spread_differing)
+    }
+
     /// Whether verdicts depend on keys.
     pub(crate) fn needs_keys(&self) -> bool {
-        self.square > 1 && self.spread_agreeing != self.spread_differing
+        Self::HAS_KEYS && self.square > 1 && self.spread_agreeing != self.spread_differing
     }
 
     /// How far the ends of a side of a square may be apart for its middle to be averaged, as samples count; below 0

@@ -132,8 +132,7 @@ fn frame(
     let is_valid = (1..=MAX_WIDTH).contains(&width)
         && (1..=MAX_HEIGHT).contains(&height)
         && pixels.len() == width * height
-        && (1..=Quality::MAX_SQUARE).contains(&quality.square)
-        && quality.depth <= Quality::MAX_DEPTH;
+        && quality.is_valid();
     assert!(is_valid, "size or quality out of range");
     memory.prepared.set(scene, width, height);
     let prepared = &memory.prepared;

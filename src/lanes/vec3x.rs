@@ -2,7 +2,7 @@
 
 use super::*;
 use core::ops::{Add, Mul, Sub};
-use glam::Vec3A as Vec3;
+use glam::Vec3A;
 
 /// A vector per lane, structure of arrays.
 #[derive(Clone, Copy)]
@@ -15,7 +15,7 @@ pub(crate) struct Vec3x<S: Simd> {
 impl<S: Simd> Vec3x<S> {
     /// The same vector in every lane.
     #[inline(always)]
-    pub fn splat(simd: S, v: Vec3) -> Self {
+    pub fn splat(simd: S, v: Vec3A) -> Self {
         Self {
             x: splat(simd, v.x),
             y: splat(simd, v.y),

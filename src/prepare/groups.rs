@@ -1,8 +1,8 @@
-//! Spheres that lie together, so that much can be left out at once.
+//! Spheres that lie together, so that much can be left out at once; boxes and cylinders count as spheres around them.
 
-use crate::scene::{MAX_LIGHTS, MAX_SPHERES, Scene};
+use crate::scene::{MAX_LIGHTS, MAX_SOLIDS, Scene};
 use core::ops::Range;
-use glam::Vec3A as Vec3;
+use glam::Vec3A;
 
 /// The most solid groups; a power of two. Each of up to that many spheres is a group of its own.
 const MOST: usize = 32;
@@ -19,7 +19,7 @@ pub(crate) type GroupSet = u64;
 /// Spheres that lie together, and a sphere around them.
 #[derive(Clone, Copy)]
 pub(crate) struct Group {
-    pub centre: Vec3,
+    pub centre: Vec3A,
     pub radius: f32,
 }
 
@@ -28,13 +28,13 @@ pub(crate) struct Groups {
     groups: [Group; MAX_GROUPS],
     count: usize,
     /// The scene's numbers of the spheres, those that lie together one after the other.
-    order: [u16; MAX_SPHERES],
+    order: [u16; MAX_SOLIDS],
     spheres: usize,
 }
 
 impl Group {
     pub const NONE: Self = Self {
-        centre: Vec3::ZERO,
+        centre: Vec3A::ZERO,
         radius: 0.0,
     };
 }
@@ -43,7 +43,7 @@ impl Groups {
     pub const NONE: Self = Self {
         groups: [Group::NONE; MAX_GROUPS],
         count: 0,
-        order: [0; MAX_SPHERES],
+        order: [0; MAX_SOLIDS],
         spheres: 0,
     };
 
@@ -87,7 +87,7 @@ impl Groups {
 
     /// Groups a scene's spheres.
     pub fn set(&mut self, scene: &Scene) {
-        self.spheres = scene.spheres.len();
+        self.spheres = scene.solids();
         for (i, number) in self.order[..self.spheres].iter_mut().enumerate() {
             *number = i as u16;
         }
@@ -129,8 +129,8 @@ impl Groups {
         let centre = (low + high) * 0.5;
         let mut radius = 0.0f32;
         for &i in order {
-            let sphere = &scene.spheres[i as usize];
-            radius = radius.max(centre.distance(sphere.centre) + sphere.radius);
+            let (of, its_radius, _) = scene.around(i as usize);
+            radius = radius.max(centre.distance(of) + its_radius);
         }
         if order.len() > 1 {
             // The sums above are rounded.
@@ -142,10 +142,10 @@ impl Groups {
 
 /// The smallest and the largest coordinates of some spheres' centres.
 #[inline(never)]
-fn bounds(scene: &Scene, order: &[u16]) -> (Vec3, Vec3) {
-    let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+fn bounds(scene: &Scene, order: &[u16]) -> (Vec3A, Vec3A) {
+    let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
     for &i in order {
-        let centre = scene.spheres[i as usize].centre;
+        let centre = scene.around(i as usize).0;
         low = low.min(centre);
         high = high.max(centre);
     }
@@ -154,7 +154,7 @@ fn bounds(scene: &Scene, order: &[u16]) -> (Vec3, Vec3) {
 
 /// Puts the spheres that come first along the longest side of the bounds of their centres among the first `middle`.
 fn halve(scene: &Scene, order: &mut [u16], middle: usize) {
-    let centre = |i: u16| scene.spheres[i as usize].centre;
+    let centre = |i: u16| scene.around(i as usize).0;
     let (low, high) = bounds(scene, order);
     let axis = (high - low).max_position();
     // Quickselect; numbers break ties, so that the order is total and the ends always move.

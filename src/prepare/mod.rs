@@ -1,5 +1,6 @@
 //! What every ray of a frame uses, computed once a frame.
 
+mod details;
 mod groups;
 mod lamp;
 mod outline;
@@ -7,6 +8,7 @@ mod screen;
 mod surface;
 mod tree;
 
+pub(crate) use details::{Details, Object};
 pub(crate) use groups::{GroupSet, Groups, MAX_GROUPS};
 pub(crate) use lamp::{Caster, Lamp};
 use outline::{Axes, Outline};
@@ -14,12 +16,13 @@ pub(crate) use screen::Window;
 pub(crate) use surface::{FIELDS, Spread};
 pub(crate) use tree::{Node, Tree};
 
+use crate::DETAILS;
 use crate::lanes::MAX_LANES;
 use crate::scene::{
-    MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene,
+    MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Scene,
     camera::{Raster, pixels},
 };
-use glam::Vec3A as Vec3;
+use glam::Vec3A;
 
 /// How far rounding takes a point that was computed to be on a sphere from it, as a share of the sphere's largest
 /// coordinate.
@@ -30,13 +33,13 @@ use glam::Vec3A as Vec3;
 const SLACK: f32 = 10.0 / (1 << 24) as f32;
 
 /// Objects a ray can hit: spheres, lights (drawn as spheres), planes, and the background.
-pub(crate) const MAX_OBJECTS: usize = MAX_SPHERES + MAX_LIGHTS + MAX_PLANES + 1;
+pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 
 /// One frame's scene in the order the kernels want it.
 ///
 /// Objects are numbered: spheres (as [`Groups`] order them), lights, planes, background.
 pub(crate) struct Prepared {
-    pub eye: Vec3,
+    pub eye: Vec3A,
     pub raster: Raster,
     /// Rows of the picture.
     pub height: usize,
@@ -55,6 +58,9 @@ pub(crate) struct Prepared {
     pub planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
     pub surfaces: [Spread; MAX_OBJECTS],
+    pub details: Details,
+    /// What primary rays weigh.
+    pub weight: f32,
     /// Where samples are, from the centres of their pixels, in pixels.
     #[cfg(feature = "lab")]
     pub offset: glam::Vec2,
@@ -72,7 +78,7 @@ pub(crate) struct Seen {
 /// A horizontal rectangle.
 #[derive(Clone, Copy)]
 pub(crate) struct Rectangle {
-    pub centre: Vec3,
+    pub centre: Vec3A,
     pub half_x: f32,
     pub half_z: f32,
 }
@@ -81,7 +87,7 @@ impl Prepared {
     /// An empty frame, all zeros.
     pub const fn new() -> Self {
         Self {
-            eye: Vec3::ZERO,
+            eye: Vec3A::ZERO,
             raster: Raster::NONE,
             height: 0,
             groups: Groups::NONE,
@@ -96,6 +102,8 @@ impl Prepared {
             planes: [Rectangle::NONE; MAX_PLANES],
             plane_count: 0,
             surfaces: [[[0.0; MAX_LANES]; FIELDS]; MAX_OBJECTS],
+            details: Details::NONE,
+            weight: 0.0,
             #[cfg(feature = "lab")]
             offset: glam::Vec2::ZERO,
         }
@@ -133,19 +141,23 @@ impl Prepared {
         self.eye = scene.camera.eye;
         self.raster = scene.camera.raster(width, height);
         self.height = height;
-        self.solids = scene.spheres.len();
+        self.solids = scene.solids();
+        self.weight = if DETAILS { 1.0 - scene.fade } else { 1.0 };
+        self.details.set(scene, self.raster.dx.length());
         self.lamp_count = scene.lights.len();
         self.plane_count = scene.planes.len();
         self.groups.set(scene);
         self.tree.set(scene, &self.groups);
         for (i, &number) in self.groups.order().iter().enumerate() {
-            let sphere = &scene.spheres[number as usize];
-            let surface = surface::solid(
-                sphere.centre,
-                1.0 / sphere.radius,
-                &sphere.material,
-                scene.ambient,
-            );
+            let number = number as usize;
+            let (centre, radius, material) = scene.around(number);
+            // Of boxes and cylinders the details know more.
+            let inverse_radius = if number < scene.spheres.len() {
+                1.0 / radius
+            } else {
+                0.0
+            };
+            let surface = surface::solid(centre, inverse_radius, material, scene.ambient);
             surface::spread(&surface, &mut self.surfaces[i]);
         }
         for (i, light) in scene.lights.iter().enumerate() {
@@ -170,8 +182,9 @@ impl Prepared {
         self.move_samples();
         for (i, light) in scene.lights.iter().enumerate() {
             let [_, _, _, red, green, blue, ..] = self.surfaces[self.solids + i];
-            let colour = Vec3::new(red[0], green[0], blue[0]);
-            self.lamps[i].set(light.position, colour, self.tree.solid());
+            let colour = Vec3A::new(red[0], green[0], blue[0]);
+            let has_blocks = !scene.blocks.is_empty();
+            self.lamps[i].set(light, colour, has_blocks, self.tree.solid());
         }
     }
 
@@ -180,7 +193,7 @@ impl Prepared {
     fn set_outlines(&mut self, width: usize, height: usize) {
         self.axes = Axes::of(&self.raster, width, height);
         let (first_plane, nothing) = (self.first_plane(), self.nothing());
-        let window = |centre: Vec3, radius: f32| {
+        let window = |centre: Vec3A, radius: f32| {
             Window::of(centre, radius, self.eye, &self.raster, width, height)
         };
         let floor = self.planes[0].centre.y;
@@ -219,13 +232,13 @@ impl Prepared {
 }
 
 /// What rounding takes a point of a sphere off it by.
-fn slack(centre: Vec3, radius: f32) -> f32 {
+fn slack(centre: Vec3A, radius: f32) -> f32 {
     SLACK * (centre.abs().max_element() + radius)
 }
 
 impl Rectangle {
     const NONE: Self = Self {
-        centre: Vec3::ZERO,
+        centre: Vec3A::ZERO,
         half_x: 0.0,
         half_z: 0.0,
     };

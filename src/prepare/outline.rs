@@ -11,13 +11,13 @@ use super::{Node, Prepared, Rectangle};
 use crate::lanes::*;
 use crate::scene::camera::{Raster, pixels};
 use fearless_simd::f32x4;
-use glam::Vec3A as Vec3;
+use glam::Vec3A;
 
 /// The camera's axes, and where its pixels are in the plane at distance 1.
 pub(crate) struct Axes {
-    right: Vec3,
-    down: Vec3,
-    forward: Vec3,
+    right: Vec3A,
+    down: Vec3A,
+    forward: Vec3A,
     pixel: f32,
     middle_x: f32,
     middle_y: f32,
@@ -32,7 +32,7 @@ pub(crate) struct Outline {
     cosine: f32,
     /// Around all of it.
     pub window: Window,
-    pub centre: Vec3,
+    pub centre: Vec3A,
     pub radius: f32,
     /// A sphere's power of the eye, distance squared minus radius squared: of two spheres the one with the smaller power
     /// is in front wherever both are, since the plane of equal powers parts what can be seen of them (Aurenhammer: Power
@@ -62,9 +62,9 @@ const LEAST_COSINE: f32 = 0.05;
 
 impl Axes {
     pub const NONE: Self = Self {
-        right: Vec3::ZERO,
-        down: Vec3::ZERO,
-        forward: Vec3::ZERO,
+        right: Vec3A::ZERO,
+        down: Vec3A::ZERO,
+        forward: Vec3A::ZERO,
         pixel: 0.0,
         middle_x: 0.0,
         middle_y: 0.0,
@@ -108,7 +108,7 @@ impl Axes {
     }
 
     /// A vector's components along the axes.
-    fn components(&self, d: Vec3) -> [f32; 3] {
+    fn components(&self, d: Vec3A) -> [f32; 3] {
         [d.dot(self.right), d.dot(self.down), d.dot(self.forward)]
     }
 }
@@ -118,14 +118,14 @@ impl Outline {
         n: [[0.0; 4]; 3],
         cosine: 0.0,
         window: Window::ZERO,
-        centre: Vec3::ZERO,
+        centre: Vec3A::ZERO,
         radius: 0.0,
         power: 0.0,
     };
 
     /// A sphere's.
     #[inline(never)]
-    pub fn sphere(axes: &Axes, eye: Vec3, ball: &Node, window: Window) -> Self {
+    pub fn sphere(axes: &Axes, eye: Vec3A, ball: &Node, window: Window) -> Self {
         let (centre, radius) = (ball.centre, ball.radius);
         let to = centre - eye;
         let touching = TOUCHING * ball.slack;
@@ -155,7 +155,7 @@ impl Outline {
 
     /// A horizontal rectangle's.
     #[inline(never)]
-    pub fn rectangle(axes: &Axes, eye: Vec3, plane: &Rectangle) -> Self {
+    pub fn rectangle(axes: &Axes, eye: Vec3A, plane: &Rectangle) -> Self {
         let Rectangle {
             centre,
             half_x,
@@ -167,7 +167,7 @@ impl Outline {
         let scale = 1.0 / (from.y.abs() + half_x + half_z + from.x.abs() + from.z.abs());
         let h = from.y.abs() * scale;
         let q = if from.y < 0.0 { scale } else { -scale };
-        let side = |axis: Vec3| {
+        let side = |axis: Vec3A| {
             let q = q * axis.y;
             [
                 (half_x - from.x) * q - h * axis.x,

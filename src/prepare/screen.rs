@@ -1,7 +1,7 @@
 //! What a sphere covers of the picture.
 
 use crate::scene::camera::{Raster, pixels};
-use glam::Vec3A as Vec3;
+use glam::Vec3A;
 
 /// A rectangle of the picture, in pixels; both ends included.
 #[derive(Clone, Copy)]
@@ -43,9 +43,9 @@ impl Window {
     /// Where a sphere can be seen.
     #[inline(never)]
     pub fn of(
-        centre: Vec3,
+        centre: Vec3A,
         radius: f32,
-        eye: Vec3,
+        eye: Vec3A,
         raster: &Raster,
         width: usize,
         height: usize,

@@ -2,7 +2,7 @@
 
 use crate::lanes::MAX_LANES;
 use crate::scene::Material;
-use glam::Vec3A as Vec3;
+use glam::Vec3A;
 
 /// A highlight below this is not computed: 1/40 of what 8 bits can show.
 const FAINT: f32 = 1e-4;
@@ -42,10 +42,10 @@ pub(super) fn spread(surface: &Surface, lanes: &mut Spread) {
 /// The surface of an object of a material; `inverse_radius` is 0 for a plane.
 #[inline(never)]
 pub(super) fn solid(
-    centre: Vec3,
+    centre: Vec3A,
     inverse_radius: f32,
     material: &Material,
-    ambient: Vec3,
+    ambient: Vec3A,
 ) -> Surface {
     let m = material;
     let (base, diffuse) = (m.colour * ambient, m.colour * m.kd);
@@ -79,7 +79,7 @@ pub(super) fn solid(
 
 /// The surface of what shines by itself.
 #[inline(never)]
-pub(super) fn emitting(colour: Vec3) -> Surface {
+pub(super) fn emitting(colour: Vec3A) -> Surface {
     let mut surface = [0.0; FIELDS];
     surface[3..6].copy_from_slice(&colour.to_array());
     surface[13] = NO_HIGHLIGHT;

@@ -2,16 +2,17 @@
 
 use super::groups::{Group, GroupSet, Groups};
 use super::slack;
-use crate::scene::{MAX_LENGTH, MAX_LIGHTS, MAX_SPHERES, Scene};
-use glam::Vec3A as Vec3;
+use crate::DETAILS;
+use crate::scene::{Light, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
+use glam::Vec3A;
 
 /// Bounds of the largest tree, and its spheres and lights.
-pub(crate) const MAX_NODES: usize = 255 + MAX_SPHERES + MAX_LIGHTS;
+pub(crate) const MAX_NODES: usize = 255 + MAX_SOLIDS + MAX_LIGHTS;
 
 /// A sphere of the scene or one around some of them, as its intersection wants it.
 #[derive(Clone, Copy)]
 pub(crate) struct Node {
-    pub centre: Vec3,
+    pub centre: Vec3A,
     /// The radius squared.
     pub r2: f32,
     /// How far rounding takes a point on it from it, see [`super::SLACK`].
@@ -28,6 +29,8 @@ pub(crate) struct Node {
     /// How many nodes to go on by where it is missed.
     pub skip: u16,
     pub is_bound: bool,
+    /// Whether it is around a box or a cylinder.
+    pub is_block: bool,
     /// Whether no other object's points are within the sphere.
     pub is_apart: bool,
 }
@@ -100,23 +103,28 @@ impl Tree {
                 }
             }
             for place in groups.part(leaf, leaves) {
-                let sphere = &scene.spheres[groups.order()[place] as usize];
+                let number = groups.order()[place] as usize;
+                let (centre, radius, _) = scene.around(number);
                 self.push(Node {
                     number: place as u16,
                     groups: groups.holding(place..place + 1),
-                    ..Node::of_sphere(sphere.centre, sphere.radius)
+                    is_block: DETAILS && number >= scene.spheres.len(),
+                    ..Node::of_sphere(centre, radius)
                 });
             }
         }
         self.solid = self.len;
         for i in 0..self.solid {
-            self.nodes[i].is_apart = !self.nodes[i].is_bound && self.is_apart(scene, i);
+            let Node {
+                is_bound, is_block, ..
+            } = self.nodes[i];
+            self.nodes[i].is_apart = !is_bound && !is_block && self.is_apart(scene, i);
         }
         for (i, light) in scene.lights.iter().enumerate() {
             self.push(Node {
-                number: (scene.spheres.len() + i) as u16,
+                number: (scene.solids() + i) as u16,
                 groups: groups.of_light(i),
-                ..Node::of_sphere(light.position, light.radius)
+                ..Node::lamp(light)
             });
         }
     }
@@ -148,7 +156,7 @@ impl Tree {
 
 impl Node {
     const NONE: Self = Self {
-        centre: Vec3::ZERO,
+        centre: Vec3A::ZERO,
         r2: 0.0,
         slack: 0.0,
         slack2: 0.0,
@@ -158,6 +166,7 @@ impl Node {
         number: 0,
         skip: 0,
         is_bound: false,
+        is_block: false,
         is_apart: false,
     };
 
@@ -166,17 +175,17 @@ impl Node {
         if centre.is_finite() && radius.is_finite() {
             Self::new(centre, radius * (1.0 + MARGIN))
         } else {
-            Self::new(Vec3::ZERO, EVERYTHING)
+            Self::new(Vec3A::ZERO, EVERYTHING)
         }
     }
 
     /// A radius out of its range, or that is no number, counts as 0.
-    fn of_sphere(centre: Vec3, radius: f32) -> Self {
+    fn of_sphere(centre: Vec3A, radius: f32) -> Self {
         let is_length = (0.0..=MAX_LENGTH).contains(&radius);
         Self::new(centre, if is_length { radius } else { 0.0 })
     }
 
-    fn new(centre: Vec3, radius: f32) -> Self {
+    fn new(centre: Vec3A, radius: f32) -> Self {
         let slack = slack(centre, radius);
         Self {
             centre,
@@ -188,6 +197,15 @@ impl Node {
             skip: 1,
             ..Self::NONE
         }
+    }
+
+    /// What a light is drawn as: where it is not drawn, what no ray comes near to.
+    fn lamp(light: &Light) -> Self {
+        let mut node = Self::of_sphere(light.position, light.radius);
+        if DETAILS && (light.parallel || light.radius == 0.0) {
+            node.r2 = -1.0;
+        }
+        node
     }
 
     /// How many nodes to go on by.

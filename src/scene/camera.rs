@@ -1,17 +1,17 @@
 //! The pinhole camera.
 
 use crate::trigonometry::{cos, sin};
-use glam::Vec3A as Vec3;
+use glam::Vec3A;
 
 /// A pinhole camera with square pixels; a pixel's sample is its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// Where it stands.
-    pub eye: Vec3,
+    pub eye: Vec3A,
     /// The point in the middle of the picture; not the eye.
-    pub look_at: Vec3,
+    pub look_at: Vec3A,
     /// The direction that is up in the picture; not along the line of sight.
-    pub up: Vec3,
+    pub up: Vec3A,
     /// Vertical field of view in radians, above 0 and below pi.
     pub field_of_view: f32,
 }
@@ -19,9 +19,9 @@ pub struct Camera {
 impl Default for Camera {
     fn default() -> Self {
         Self {
-            eye: Vec3::Z,
-            look_at: Vec3::ZERO,
-            up: Vec3::Y,
+            eye: Vec3A::Z,
+            look_at: Vec3A::ZERO,
+            up: Vec3A::Y,
             field_of_view: core::f32::consts::FRAC_PI_4,
         }
     }
@@ -31,19 +31,19 @@ impl Default for Camera {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Raster {
     /// Through the centre of the upper left pixel.
-    pub corner: Vec3,
+    pub corner: Vec3A,
     /// One pixel to the right.
-    pub dx: Vec3,
+    pub dx: Vec3A,
     /// One pixel down.
-    pub dy: Vec3,
+    pub dy: Vec3A,
 }
 
 impl Raster {
     /// No picture.
     pub const NONE: Self = Self {
-        corner: Vec3::ZERO,
-        dx: Vec3::ZERO,
-        dy: Vec3::ZERO,
+        corner: Vec3A::ZERO,
+        dx: Vec3A::ZERO,
+        dy: Vec3A::ZERO,
     };
 }
 
@@ -51,7 +51,7 @@ impl Camera {
     /// The picture plane for a picture of `width` by `height` pixels, at distance 1 from the eye.
     #[must_use]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
-        let forward = unit(self.look_at - self.eye, Vec3::NEG_Z);
+        let forward = unit(self.look_at - self.eye, Vec3A::NEG_Z);
         let right = unit(forward.cross(self.up), forward.any_orthonormal_vector());
         let up = right.cross(forward);
         let half_angle = self.field_of_view * 0.5;
@@ -68,7 +68,7 @@ impl Camera {
 
 /// A vector of length 1 along another, or something else where that has no direction.
 #[inline(never)]
-fn unit(v: Vec3, otherwise: Vec3) -> Vec3 {
+fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     let length = v.length();
     // Both less than nothing and not a number.
     if length > 0.0 && length < f32::INFINITY {

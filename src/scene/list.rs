@@ -3,7 +3,7 @@
 use core::ops::{Deref, DerefMut};
 
 /// Up to `N` items in place; behaves as the slice of those pushed.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct List<T, const N: usize> {
     items: [T; N],
     len: usize,
@@ -18,6 +18,14 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
             list.push(item);
         }
         list
+    }
+
+    /// An empty list over some item.
+    pub(crate) const fn over(item: T) -> Self {
+        Self {
+            items: [item; N],
+            len: 0,
+        }
     }
 
     /// Appends an item and says whether there was room for it.

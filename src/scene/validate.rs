@@ -2,7 +2,7 @@
 
 use super::{Camera, Material, Scene};
 use core::fmt;
-use glam::Vec3A as Vec3;
+use glam::Vec3A;
 
 /// The largest coordinate and the largest extent, in scene units: their squares, times a few, stay finite in f32.
 pub const MAX_LENGTH: f32 = 1e9;
@@ -39,6 +39,8 @@ impl core::error::Error for Flaw {}
 const PLACE: &str = "coordinates from -1e9 to 1e9";
 const EXTENT: &str = "a length from 1e-9 to 1e9";
 const COLOUR: &str = "numbers from 0 on, such as 1 0.5 0";
+const UNIT: &str = "a direction of length 1";
+const HAZE: &str = "a number from 0 to 1000";
 const SHARE: &str = "a number from 0 to 1";
 
 impl Scene {
@@ -53,6 +55,18 @@ impl Scene {
         self.camera.validate()?;
         let scene = Part("scene", 0);
         scene.hold("background", COLOUR, is_colour(self.background))?;
+        let straight_up = self.background + self.sky;
+        scene.hold(
+            "sky",
+            "no more than the background loses",
+            is_colour(straight_up),
+        )?;
+        scene.hold("haze", HAZE, (0.0..=1e3).contains(&self.haze))?;
+        scene.hold(
+            "fade",
+            "a number from -10 to 1",
+            (-10.0..=1.0).contains(&self.fade),
+        )?;
         scene.hold("ambient", COLOUR, is_colour(self.ambient))?;
         for (i, sphere) in self.spheres.iter().enumerate() {
             let part = Part("sphere", i);
@@ -71,7 +85,32 @@ impl Scene {
             let part = Part("light", i);
             part.hold("position", PLACE, is_place(light.position))?;
             part.hold("colour", COLOUR, is_colour(light.colour))?;
-            part.hold("radius", EXTENT, is_extent(light.radius))?;
+            let is_radius = light.radius == 0.0 || is_extent(light.radius);
+            part.hold("radius", "0, or a length from 1e-9 to 1e9", is_radius)?;
+            let is_size = (0.0..=MAX_LENGTH).contains(&light.size);
+            part.hold("size", "a length from 0 to 1e9", is_size)?;
+            if let Some(spot) = light.spot {
+                part.hold("aim", UNIT, is_unit(spot.aim))?;
+                let is_cone = spot.dark >= -1.0 && spot.dark < spot.bright && spot.bright <= 1.0;
+                part.hold(
+                    "spot",
+                    "cosines, that of dark below that of bright",
+                    is_cone,
+                )?;
+            }
+        }
+        for (i, block) in self.blocks.iter().enumerate() {
+            let part = Part("block", i);
+            part.hold("centre", PLACE, is_place(block.centre))?;
+            let is_block = block.half.to_array().into_iter().all(is_extent);
+            part.hold("half", EXTENT, is_block)?;
+            let is_even = !block.round || block.half.x == block.half.z;
+            part.hold("half", "the same along x and z of a cylinder", is_even)?;
+            let [x, y, z] = [0, 1, 2].map(|i| block.axes.col(i));
+            let is_square = x.dot(y).abs().max(y.dot(z).abs()).max(z.dot(x).abs()) < 1e-4;
+            let are_axes = is_unit(x) && is_unit(y) && is_unit(z) && is_square;
+            part.hold("axes", "three of length 1, square to each other", are_axes)?;
+            block.material.validate(&part)?;
         }
         Ok(())
     }
@@ -83,7 +122,7 @@ impl Camera {
         part.hold("eye", PLACE, is_place(self.eye))?;
         part.hold("look_at", PLACE, is_place(self.look_at))?;
         let forward = (self.look_at - self.eye).normalize_or_zero();
-        let is_ahead = forward != Vec3::ZERO;
+        let is_ahead = forward != Vec3A::ZERO;
         part.hold("look_at", "a point that is not the eye", is_ahead)?;
         // Within a thousandth of the line of sight, rounding decides where the picture's sides are.
         let across = forward.cross(self.up.normalize_or_zero()).length();
@@ -105,7 +144,19 @@ impl Material {
         part.hold("kr", SHARE, is_share(self.kr))?;
         part.hold("kt", SHARE, is_share(self.kt))?;
         let is_index = self.kt == 0.0 || (0.1..=10.0).contains(&self.index);
-        part.hold("index", "a number from 0.1 to 10", is_index)
+        part.hold("index", "a number from 0.1 to 10", is_index)?;
+        part.hold(
+            "tint",
+            SHARE,
+            self.tint.to_array().into_iter().all(is_share),
+        )?;
+        let pattern = &self.pattern;
+        part.hold("pattern", SHARE, is_share(pattern.depth))?;
+        let is_number = |x: f32| (0.0..=1e3).contains(&x);
+        let numbers = [pattern.edge, pattern.warp, pattern.grain];
+        let waves = pattern.waves.to_array();
+        let all = numbers.into_iter().chain(waves).all(is_number);
+        part.hold("pattern", "numbers from 0 to 1000", all)
     }
 }
 
@@ -124,8 +175,12 @@ impl Part {
     }
 }
 
-fn is_place(v: Vec3) -> bool {
+fn is_place(v: Vec3A) -> bool {
     v.to_array().iter().all(|c| c.abs() <= MAX_LENGTH)
+}
+
+fn is_unit(v: Vec3A) -> bool {
+    (v.length() - 1.0).abs() < 1e-4
 }
 
 fn is_extent(length: f32) -> bool {
@@ -133,6 +188,6 @@ fn is_extent(length: f32) -> bool {
 }
 
 /// Bright lights are above 1; nothing is above what f32 can multiply.
-fn is_colour(v: Vec3) -> bool {
+fn is_colour(v: Vec3A) -> bool {
     v.to_array().iter().all(|c| (0.0..=1e9).contains(c))
 }

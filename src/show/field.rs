@@ -3,8 +3,9 @@
 //! Shows how the time of a frame grows with the number of objects.
 
 use super::model::{AMBIENT, BACKGROUND, FLOOR, LIGHTS, circling};
+use super::random::Random;
 use crate::scene::{Camera, List, MAX_SPHERES, Material, Scene, Sphere};
-use glam::{Vec3A as Vec3, vec3a as vec3};
+use glam::{Vec3A, vec3a};
 
 /// The side of a full field, in scene units; the floor's is 24.
 const SIDE: f32 = 16.0;
@@ -32,19 +33,19 @@ pub fn field(count: usize, time: f32) -> Scene {
             let start = (cell_number as f32 - 0.5 * cells as f32) * cell;
             start + radius + room * random.share()
         };
-        let centre = vec3(place(i % cells), radius, place(i / cells));
+        let centre = vec3a(place(i % cells), radius, place(i / cells));
         spheres.push(Sphere {
             centre,
             radius,
             material: material(&mut random),
         });
     }
-    let look_at = vec3(0.0, 0.4, 0.0);
+    let look_at = vec3a(0.0, 0.4, 0.0);
     Scene {
         camera: Camera {
             eye: look_at + circling(time, 11.0, 4.5),
             look_at,
-            up: Vec3::Y,
+            up: Vec3A::Y,
             field_of_view: core::f32::consts::FRAC_PI_4,
         },
         background: BACKGROUND,
@@ -52,6 +53,7 @@ pub fn field(count: usize, time: f32) -> Scene {
         spheres,
         planes: List::of(&[FLOOR]),
         lights: List::of(&LIGHTS),
+        ..Scene::default()
     }
 }
 
@@ -59,7 +61,7 @@ pub fn field(count: usize, time: f32) -> Scene {
 fn material(random: &mut Random) -> Material {
     let kind = random.share();
     let mut channel = || 0.12 + 0.8 * random.share();
-    let colour = vec3(channel(), channel(), channel());
+    let colour = vec3a(channel(), channel(), channel());
     if kind < 0.6 {
         Material {
             colour,
@@ -69,41 +71,29 @@ fn material(random: &mut Random) -> Material {
             kr: 0.2,
             kt: 0.0,
             index: 1.0,
+            ..Material::BLACK
         }
     } else if kind < 0.8 {
         Material {
-            colour: Vec3::splat(0.6) + 0.4 * colour,
+            colour: Vec3A::splat(0.6) + 0.4 * colour,
             kd: 0.2,
             ks: 0.8,
             exponent: 80.0,
             kr: 0.7,
             kt: 0.0,
             index: 1.0,
+            ..Material::BLACK
         }
     } else {
         Material {
-            colour: Vec3::splat(0.95),
+            colour: Vec3A::splat(0.95),
             kd: 0.05,
             ks: 0.8,
             exponent: 100.0,
             kr: 0.1,
             kt: 0.85,
             index: 1.5,
+            ..Material::BLACK
         }
-    }
-}
-
-/// Numbers that look random: Steele, Lea and Flood's SplitMix with the 32-bit mixer of Wellons and Mulvey.
-struct Random(u32);
-
-impl Random {
-    /// The next one, 0 to below 1.
-    fn share(&mut self) -> f32 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9);
-        let mut h = self.0;
-        h = (h ^ (h >> 16)).wrapping_mul(0x7feb_352d);
-        h = (h ^ (h >> 15)).wrapping_mul(0x846c_a68b);
-        h ^= h >> 16;
-        (h >> 8) as f32 / (1 << 24) as f32
     }
 }

@@ -1,8 +1,10 @@
 //! Points that are traced together.
 
+use super::details::Packet;
 use super::shade::Node;
 use super::stack::{Rays, Stack};
 use super::{Counts, Sample, sample};
+use crate::DETAILS;
 use crate::lanes::*;
 use crate::prepare::{FIELDS, Prepared, Spread};
 use fearless_simd::i32x4;
@@ -37,6 +39,8 @@ pub(crate) struct Batch {
     objects: [u32; BATCH],
     pixels: [u32; BATCH],
     pub stack: Stack,
+    /// The packet at work, as details look at it.
+    pub packet: Packet,
     /// The surfaces of a packet that hits several.
     pub mixed: Spread,
     /// What was done since it was last reset.
@@ -55,6 +59,7 @@ impl Batch {
             objects: [0; BATCH],
             pixels: [0; BATCH],
             stack: Stack::new(),
+            packet: Packet::NONE,
             mixed: [[0.0; MAX_LANES]; FIELDS],
             counts: Counts::NONE,
         }
@@ -144,7 +149,7 @@ impl Batch {
         Rays {
             o: Vec3x::splat(simd, scene.eye),
             d: d.scaled(splat(simd, 1.0) / d.dot(d).sqrt()),
-            weight: splat(simd, 1.0),
+            weight: splat(simd, if DETAILS { scene.weight } else { 1.0 }),
             place: Rays::places(simd, start),
         }
     }

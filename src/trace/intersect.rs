@@ -1,9 +1,10 @@
 //! Where rays hit.
 
+use super::details::Packet;
 use super::stack::Rays;
+use crate::DETAILS;
 use crate::lanes::*;
 use crate::prepare::{Caster, GroupSet, Lamp, Node, Prepared, Rectangle};
-use glam::Vec3A as Vec3;
 
 /// A ray that hits nothing ends this far away.
 const FARTHEST: f32 = 1e30;
@@ -25,7 +26,8 @@ impl<S: Isa> Hit<S> {
     }
 }
 
-/// The nearest hits among the planes and the spheres of some groups, from the node number `first` on.
+/// The nearest hits among the planes and the spheres of some groups, from the node number `first` on; their boxes and
+/// cylinders become candidates of the packet.
 #[inline(always)]
 pub(crate) fn nearest<S: Isa>(
     simd: S,
@@ -33,7 +35,9 @@ pub(crate) fn nearest<S: Isa>(
     rays: &Rays<S>,
     groups: GroupSet,
     first: usize,
+    packet: &mut Packet,
 ) -> Hit<S> {
+    packet.clear();
     let mut hit = Hit {
         t: splat(simd, FARTHEST),
         object: U::<S>::splat(simd, scene.nothing() as u32),
@@ -50,7 +54,9 @@ pub(crate) fn nearest<S: Isa>(
             let chord = Chord::new(simd, rays, node);
             let ahead = chord.is_ahead(node);
             is_met = ahead.any_true();
-            if is_met && !node.is_bound {
+            if DETAILS && is_met && node.is_block {
+                packet.push(node.number);
+            } else if is_met && !node.is_bound {
                 let (m, t) = chord.entry(ahead, node, hit.t);
                 hit.keep_nearer(m, t, node.number as usize);
             }
@@ -159,7 +165,8 @@ fn caster_blocks<S: Isa>(simd: S, caster: &Caster, l: Vec3x<S>, distance: F<S>) 
     half2.simd_gt(short * short)
 }
 
-/// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked.
+/// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked. If the lamp is not plain, planes
+/// block alone, and what else may be in the way becomes candidates of the packet.
 #[inline(always)]
 pub(crate) fn blocked<S: Isa>(
     simd: S,
@@ -168,7 +175,9 @@ pub(crate) fn blocked<S: Isa>(
     p: Vec3x<S>,
     l: Vec3x<S>,
     distance: F<S>,
+    packet: &mut Packet,
 ) -> M<S> {
+    packet.clear();
     let mut blocked = M::<S>::splat(simd, false);
     let casters = &lamp.casters[..scene.tree.solid().len()];
     let mut i = 0;
@@ -180,7 +189,9 @@ pub(crate) fn blocked<S: Isa>(
             continue;
         }
         let is_met = shaded.any_true();
-        if is_met && !caster.is_bound {
+        if is_met && !caster.is_bound && !lamp.is_plain() {
+            packet.push(caster.number);
+        } else if is_met && !caster.is_bound {
             blocked |= caster_blocks(simd, caster, l, distance);
         }
         i += if is_met { 1 } else { caster.skip as usize };

@@ -6,6 +6,7 @@
 //! so a point has the same bits whatever points it is traced with.
 
 mod batch;
+mod details;
 mod intersect;
 mod key;
 mod sample;
@@ -121,7 +122,13 @@ fn trace_packets<S: Isa>(
         };
         batch.counts.rays += count as u64;
         batch.counts.lanes += lanes::<S>() as u64;
-        let hit = intersect::nearest(simd, scene, &rays, groups, from);
+        let packet = &mut batch.packet;
+        let mut hit = intersect::nearest(simd, scene, &rays, groups, from, packet);
+        if scene.details.is_there() {
+            packet.set_hits(&rays, &hit);
+            details::look(scene, active.to_bitmask(), packet);
+            hit = packet.hits(simd);
+        }
         if is_primary {
             batch.keep_objects::<S>(next, hit.object);
         }

@@ -2,6 +2,7 @@
 
 use super::Counts;
 use super::batch::{Batch, FIXED_POINT};
+use super::details::{self, Packet, load};
 use super::intersect::{Hit, blocked};
 use super::key::{self, States};
 use super::stack::{Rays, Stack};
@@ -9,7 +10,7 @@ use super::surface::SurfaceLanes;
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
-use glam::Vec3A as Vec3;
+use glam::Vec3A;
 
 /// The most a node adds to a point, in units of full brightness.
 ///
@@ -63,6 +64,10 @@ pub(super) struct Place<S: Isa> {
     dn: F<S>,
     /// The reflected direction.
     r: Vec3x<S>,
+    /// How far `p` is from the surface, against the ray.
+    slack: F<S>,
+    /// What a pattern leaves of the colour.
+    left: F<S>,
     /// Whether the ray comes from within.
     pub inside: M<S>,
     /// Lanes that hit something that lamps shine on.
@@ -84,17 +89,37 @@ pub(super) fn shade<S: Isa>(
         mixed,
         stack,
         counts,
+        packet,
         ..
     } = batch;
     let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, mixed);
     let solid = active & surface.solid().simd_gt(splat(simd, 0.0));
     let mut colour = surface.base();
     let mut states = States::new(simd);
+    let mut weight = rays.weight;
+    if scene.details.is_there() {
+        weight *= load(simd, &packet.through);
+    }
     if solid.any_true() {
-        let place = Place::new(simd, rays, hit.t, &surface, solid);
-        colour = gather(simd, scene, quality, &surface, &place, &mut states, counts);
+        let closer = scene.details.is_there().then_some(&*packet);
+        let place = Place::new(simd, rays, hit.t, &surface, solid, closer);
+        colour = gather(
+            simd,
+            scene,
+            quality,
+            &surface,
+            &place,
+            &mut states,
+            counts,
+            packet,
+        );
         let marks = rays.mirror_marks(simd, hit.object, scene.first_plane());
-        scatter(simd, quality, rays, &surface, &place, marks, stack);
+        scatter(simd, quality, rays, weight, &surface, &place, marks, stack);
+    }
+    if scene.details.is_there() {
+        let behind = packet.behind.load(simd);
+        let through = load(simd, &packet.through);
+        colour = behind.add_scaled(colour - behind, through);
     }
     let paths = rays.paths();
     Node {
@@ -104,8 +129,27 @@ pub(super) fn shade<S: Isa>(
 }
 
 impl<S: Isa> Place<S> {
+    /// Where rays of length `t` hit, by what a closer look has found, if there was one.
     #[inline(always)]
     pub fn new(
+        simd: S,
+        rays: &Rays<S>,
+        t: F<S>,
+        surface: &SurfaceLanes<'_, S>,
+        solid: M<S>,
+        closer: Option<&Packet>,
+    ) -> Self {
+        let mut place = Self::on_surface(simd, rays, t, surface, solid);
+        if let Some(packet) = closer {
+            place.look_closer(simd, packet);
+        }
+        place.face(simd, rays);
+        place
+    }
+
+    /// As spheres and planes are hit.
+    #[inline(always)]
+    fn on_surface(
         simd: S,
         rays: &Rays<S>,
         t: F<S>,
@@ -132,6 +176,33 @@ impl<S: Isa> Place<S> {
         p.y = upright.simd_gt(zero).select(surface.centre().y, p.y);
         let mut n = out.scaled(scale * inverse_radius);
         n.y += upright;
+        Self {
+            p,
+            n,
+            dn: zero,
+            r: n,
+            slack: zero,
+            left: splat(simd, 1.0),
+            inside: solid,
+            solid,
+        }
+    }
+
+    /// Boxes and cylinders as they are, and what patterns leave.
+    #[inline(always)]
+    fn look_closer(&mut self, simd: S, packet: &Packet) {
+        self.slack = load(simd, &packet.slack);
+        self.left = load(simd, &packet.left);
+        let is_block = self.slack.simd_gt(splat(simd, 0.0));
+        let (p, n) = (packet.p.load(simd), packet.n.load(simd));
+        self.p = select(is_block, p, self.p);
+        self.n = select(is_block, n, self.n);
+    }
+
+    /// Turns the normal to the rays, and reflects them.
+    #[inline(always)]
+    fn face(&mut self, simd: S, rays: &Rays<S>) {
+        let n = self.n;
         let outward = rays.d.dot(n);
         // The sign that turns a normal along the ray round.
         let sign = U::<S>::splat(simd, 1 << 31);
@@ -141,21 +212,25 @@ impl<S: Isa> Place<S> {
             y: flipped::<S>(n.y, flip),
             z: flipped::<S>(n.z, flip),
         };
-        let dn = flipped::<S>(outward, flip);
-        let inside = outward.simd_gt(zero);
-        Self {
-            p,
-            n,
-            dn,
-            r: rays.d.add_scaled(n, dn * -2.0),
-            inside,
-            solid,
-        }
+        self.n = n;
+        self.dn = flipped::<S>(outward, flip);
+        self.r = rays.d.add_scaled(n, self.dn * -2.0);
+        self.inside = outward.simd_gt(splat(simd, 0.0));
+    }
+}
+
+#[inline(always)]
+fn select<S: Isa>(mask: M<S>, a: Vec3x<S>, b: Vec3x<S>) -> Vec3x<S> {
+    Vec3x {
+        x: mask.select(a.x, b.x),
+        y: mask.select(a.y, b.y),
+        z: mask.select(a.z, b.z),
     }
 }
 
 /// The light that a place sends back along the ray: ambient light, and each lamp's that is not blocked.
 #[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "a place, and who looks at it")]
 fn gather<S: Isa>(
     simd: S,
     scene: &Prepared,
@@ -164,16 +239,17 @@ fn gather<S: Isa>(
     place: &Place<S>,
     states: &mut States<S>,
     counts: &mut Counts,
+    packet: &mut Packet,
 ) -> Vec3x<S> {
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
     // What lamps give to all diffuse and to all specular reflection.
-    let mut diffuse = Vec3x::splat(simd, Vec3::ZERO);
+    let mut diffuse = Vec3x::splat(simd, Vec3A::ZERO);
     let mut specular = diffuse;
     // A sphere shades itself from within: no light comes from beyond the chord towards the lamp, which is as long as
     // twice the cosine and the radius.
     let least = place.inside.select(surface.inverse_radius() * 0.5, zero);
-    for lamp in &scene.lamps[..scene.lamp_count] {
+    for (number, lamp) in scene.lamps[..scene.lamp_count].iter().enumerate() {
         let to_light = Vec3x::splat(simd, lamp.position) - place.p;
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light.scaled(one / distance);
@@ -183,8 +259,15 @@ fn gather<S: Isa>(
         let mut highlight = M::<S>::splat(simd, false);
         if facing.any_true() {
             counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
-            lit &= !blocked(simd, scene, lamp, place.p, l, distance);
-            let colour = Vec3x::splat(simd, lamp.colour);
+            lit &= !blocked(simd, scene, lamp, place.p, l, distance, packet);
+            let mut colour = Vec3x::splat(simd, lamp.colour);
+            if !lamp.is_plain() {
+                packet.set(place.p, l, distance);
+                details::reach(scene, number, facing.to_bitmask(), packet);
+                let passing = packet.passing.load(simd);
+                lit &= passing.x.max(passing.y).max(passing.z).simd_gt(zero);
+                colour = colour * passing;
+            }
             diffuse = diffuse.add_scaled(colour, lit.select(nl, zero));
             let rv = place.r.dot(l);
             let shiny = lit & rv.simd_gt(surface.faint());
@@ -199,15 +282,20 @@ fn gather<S: Isa>(
             states.push(lit, highlight);
         }
     }
-    surface.base() + specular + surface.diffuse() * diffuse
+    specular.add_scaled(surface.base() + surface.diffuse() * diffuse, place.left)
 }
 
 /// Puts the transmitted and the reflected rays on the stack.
 #[inline(always)]
+#[allow(
+    clippy::too_many_arguments,
+    reason = "a place, and the rays that leave it"
+)]
 fn scatter<S: Isa>(
     simd: S,
     quality: &Quality,
     rays: &Rays<S>,
+    weight: F<S>,
     surface: &SurfaceLanes<'_, S>,
     place: &Place<S>,
     marks: U<S>,
@@ -220,10 +308,12 @@ fn scatter<S: Isa>(
     let follow = place.solid & rays.paths().simd_lt(deepest);
     let reflected = rays.reflected_places();
     let mut kr = surface.kr();
-    let Place { p, n, dn, .. } = *place;
+    let Place {
+        p, n, dn, slack, ..
+    } = *place;
     let mut through = M::<S>::splat(simd, false);
     let mut transmitted = Rays {
-        o: p,
+        o: p.add_scaled(n, slack * -2.0),
         d: place.r,
         weight: zero,
         place: reflected + 1,
@@ -235,12 +325,12 @@ fn scatter<S: Isa>(
         let k = one - eta * eta * (one - dn * dn);
         let total = k.simd_lt(zero);
         kr = (glass & total).select(kr + surface.kt(), kr);
-        transmitted.weight = rays.weight * surface.kt();
+        transmitted.weight = weight * surface.kt();
         through = glass & !total & transmitted.weight.simd_ge(least);
         let along = -eta.mul_add(dn, k.max(zero).sqrt());
         transmitted.d = rays.d.scaled(eta).add_scaled(n, along);
     }
-    let weight = rays.weight * kr;
+    let weight = weight * kr;
     let back = follow & weight.simd_ge(least);
     let reflected = Rays {
         o: p,

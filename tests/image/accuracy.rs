@@ -5,7 +5,7 @@ use crate::error::{Difference, worst_channel};
 use crate::oracle::frame::Frame;
 use eightfold::scene::{Camera, Light, List, Material, Scene, Sphere};
 use eightfold::{Quality, show};
-use glam::{Vec3, vec3};
+use glam::{Vec3A, vec3a};
 
 /// Asserts that a picture is the oracle's: on average within 0.01 of 255; over 8 in at most 0.02 % of the pixels, or in
 /// one of a small picture, and on silhouettes alone.
@@ -88,29 +88,30 @@ fn silhouettes_are_the_lesser_part_of_a_picture() {
 /// Glass shells in each other, seen from their middle: every ray meets one and goes on in two.
 fn shells(count: usize) -> Scene {
     let glass = Material {
-        colour: Vec3::splat(0.9),
+        colour: Vec3A::splat(0.9),
         kd: 0.2,
         ks: 0.5,
         exponent: 50.0,
         kr: 0.5,
         kt: 0.5,
         index: 1.01,
+        ..Material::BLACK
     };
     let shell = |i| Sphere {
-        centre: Vec3::ZERO,
+        centre: Vec3A::ZERO,
         radius: 2.0 + 0.5 * i as f32,
         material: glass,
     };
     let shells: Vec<Sphere> = (0..count).map(shell).collect();
     Scene {
         camera: Camera {
-            eye: vec3(0.1, 0.2, 0.3),
-            look_at: Vec3::X,
-            up: Vec3::Y,
+            eye: vec3a(0.1, 0.2, 0.3),
+            look_at: Vec3A::X,
+            up: Vec3A::Y,
             field_of_view: 1.0,
         },
-        background: Vec3::splat(0.4),
-        ambient: Vec3::splat(0.3),
+        background: Vec3A::splat(0.4),
+        ambient: Vec3A::splat(0.3),
         spheres: List::of(&shells),
         ..Scene::default()
     }
@@ -140,9 +141,10 @@ fn no_ray_is_lost_where_some_end_and_others_go_on_in_two() {
     // A black ball before the eye, so that packets of waiting rays are never full.
     let mut scene = shells(Quality::MAX_DEPTH as usize + 1);
     scene.lights = List::of(&[Light {
-        position: vec3(0.6, 0.2, 0.3),
-        colour: Vec3::ZERO,
+        position: vec3a(0.6, 0.2, 0.3),
+        colour: Vec3A::ZERO,
         radius: 0.15,
+        ..Light::DARK
     }]);
     let quality = Quality {
         depth: Quality::MAX_DEPTH,
@@ -168,16 +170,17 @@ fn a_lamp_lights_the_sphere_around_it_from_within_alone() {
     let mut scene = shells(1);
     scene.planes = List::of(&show::scene(0.0).planes);
     for (lamp, eye) in [
-        (vec3(0.5, 0.7, 0.1), vec3(0.1, 0.2, 0.3)),
-        (vec3(0.5, 0.7, 0.1), vec3(1.0, 3.0, 7.0)),
-        (vec3(3.5, 3.7, 0.1), vec3(0.1, 0.2, 0.3)),
+        (vec3a(0.5, 0.7, 0.1), vec3a(0.1, 0.2, 0.3)),
+        (vec3a(0.5, 0.7, 0.1), vec3a(1.0, 3.0, 7.0)),
+        (vec3a(3.5, 3.7, 0.1), vec3a(0.1, 0.2, 0.3)),
     ] {
         scene.camera.eye = eye;
-        scene.camera.look_at = Vec3::ZERO;
+        scene.camera.look_at = Vec3A::ZERO;
         scene.lights = List::of(&[Light {
             position: lamp,
-            colour: Vec3::ONE,
+            colour: Vec3A::ONE,
             radius: 0.1,
+            ..Light::DARK
         }]);
         hold(
             &scene,

@@ -8,7 +8,7 @@ use crate::oracle::frame::Frame;
 use crate::studio::Studio;
 use eightfold::scene::{Camera, List, Material, Scene};
 use eightfold::{Counts, Quality, show};
-use glam::{Vec3, vec3};
+use glam::{Vec3A, vec3a};
 
 const QUALITIES: [Quality; 3] = [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT];
 
@@ -19,7 +19,7 @@ fn work(counts: &Counts) -> u64 {
 
 /// A scene `factor` times as large.
 fn scaled(scene: &Scene, factor: f32) -> Scene {
-    let mut scene = scene.clone();
+    let mut scene = *scene;
     scene.camera.eye *= factor;
     scene.camera.look_at *= factor;
     for sphere in scene.spheres.iter_mut() {
@@ -74,12 +74,12 @@ fn a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees() {
             (1.5, false),
         ] {
             // Towards the middle, or past it along the sphere.
-            let eye = centre + Vec3::NEG_Z * (radius * distance);
-            let ahead = if along { Vec3::X } else { Vec3::Z };
+            let eye = centre + Vec3A::NEG_Z * (radius * distance);
+            let ahead = if along { Vec3A::X } else { Vec3A::Z };
             scene.camera = Camera {
                 eye,
                 look_at: eye + ahead,
-                up: Vec3::Y,
+                up: Vec3A::Y,
                 field_of_view: 1.2,
             };
             let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 120, 90);
@@ -131,9 +131,12 @@ fn a_million_seconds_on_the_picture_is_the_one_of_that_time() {
 }
 
 /// A vector's numbers.
-fn add<'a>(all: &mut Vec<(&'static str, &'a mut f32)>, name: &'static str, v: &'a mut Vec3) {
-    let Vec3 { x, y, z } = v;
-    all.extend([(name, x), (name, y), (name, z)]);
+fn add<'a>(all: &mut Vec<(&'static str, &'a mut f32)>, name: &'static str, v: &'a mut Vec3A) {
+    all.extend(
+        AsMut::<[f32; 3]>::as_mut(v)
+            .iter_mut()
+            .map(|number| (name, number)),
+    );
 }
 
 /// Every number of a scene.
@@ -144,9 +147,11 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
     add(&mut all, "look_at", &mut camera.look_at);
     add(&mut all, "up", &mut camera.up);
     add(&mut all, "background", &mut scene.background);
+    add(&mut all, "sky", &mut scene.sky);
     add(&mut all, "ambient", &mut scene.ambient);
     let mut materials = Vec::new();
     let mut lengths = vec![("field of view", &mut camera.field_of_view)];
+    lengths.extend([("haze", &mut scene.haze), ("fade", &mut scene.fade)]);
     for sphere in scene.spheres.iter_mut() {
         add(&mut all, "sphere", &mut sphere.centre);
         lengths.push(("radius", &mut sphere.radius));
@@ -162,6 +167,7 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
         add(&mut all, "light", &mut light.position);
         add(&mut all, "light's colour", &mut light.colour);
         lengths.push(("light's radius", &mut light.radius));
+        lengths.push(("light's size", &mut light.size));
     }
     for material in materials {
         let Material {
@@ -172,8 +178,14 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
             kr,
             kt,
             index,
+            tint,
+            pattern,
         } = material;
         add(&mut all, "colour", colour);
+        add(&mut all, "tint", tint);
+        add(&mut all, "waves", &mut pattern.waves);
+        lengths.extend([("depth", &mut pattern.depth), ("edge", &mut pattern.edge)]);
+        lengths.extend([("warp", &mut pattern.warp), ("grain", &mut pattern.grain)]);
         lengths.extend([("kd", kd), ("ks", ks), ("exponent", exponent)]);
         lengths.extend([("kr", kr), ("kt", kt), ("index", index)]);
     }
@@ -193,7 +205,7 @@ fn what_is_no_number_is_refused_and_still_gives_a_picture_for_bounded_work() {
             let normal = work(&draw(isa, 1, &scene, &quality, 64, 48).counts);
             for place in 0..count {
                 for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-                    let mut scene = scene.clone();
+                    let mut scene = scene;
                     let (name, number) = numbers(&mut scene).swap_remove(place);
                     *number = wrong;
                     let what = format!("{name} {wrong} by {}", isa.name);
@@ -216,7 +228,7 @@ fn many_spheres_that_are_none_give_a_picture() {
     let normal = show::field(100, 1.0);
     for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
         for every in [1, 3, 50] {
-            let mut scene = normal.clone();
+            let mut scene = normal;
             for sphere in scene.spheres.iter_mut().step_by(every) {
                 sphere.centre.x = wrong;
             }
@@ -277,13 +289,13 @@ fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
     let plain = |r: f32| {
         let mut scene = show::scene(0.0);
         let mut sphere = scene.spheres[0];
-        sphere.centre = vec3(0.0, 0.0, -3.0 * r);
+        sphere.centre = vec3a(0.0, 0.0, -3.0 * r);
         sphere.radius = r;
         scene.spheres = List::of(&[sphere]);
         scene.planes = List::default();
         scene.camera = Camera::default();
-        scene.camera.eye = Vec3::ZERO;
-        scene.camera.look_at = Vec3::NEG_Z * r;
+        scene.camera.eye = Vec3A::ZERO;
+        scene.camera.look_at = Vec3A::NEG_Z * r;
         for light in scene.lights.iter_mut() {
             light.position *= r;
             light.radius *= r;

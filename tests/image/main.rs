@@ -28,6 +28,7 @@ mod reader;
 mod studio;
 
 mod accuracy;
+mod details;
 mod drawn;
 #[cfg(feature = "lab")]
 mod errors;

@@ -8,9 +8,9 @@ use crate::isa;
 use crate::oracle::frame::Frame;
 use crate::oracle::squares::Squares;
 use crate::refinement::{assert_as_refined, bare};
-use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold::scene::{Block, Camera, Light, List, Material, Pattern, Plane, Scene, Sphere, Spot};
 use eightfold::{Quality, show};
-use glam::{Vec3, vec3};
+use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -27,13 +27,13 @@ pub fn config(cases: u32) -> ProptestConfig {
     }
 }
 
-fn colour() -> impl Strategy<Value = Vec3> {
-    [0.0_f32..1.0, 0.0..1.0, 0.0..1.0].prop_map(Vec3::from)
+fn colour() -> impl Strategy<Value = Vec3A> {
+    [0.0_f32..1.0, 0.0..1.0, 0.0..1.0].prop_map(Vec3A::from)
 }
 
 /// A point in a box about the origin, above the ground.
-fn place(half: f32, height: f32) -> impl Strategy<Value = Vec3> {
-    (-half..half, 0.2..height, -half..half).prop_map(|(x, y, z)| vec3(x, y, z))
+fn place(half: f32, height: f32) -> impl Strategy<Value = Vec3A> {
+    (-half..half, 0.2..height, -half..half).prop_map(|(x, y, z)| vec3a(x, y, z))
 }
 
 /// Plastic, mirror or glass; what it sends on is at most what it gets.
@@ -56,6 +56,7 @@ fn material() -> impl Strategy<Value = Material> {
             kr: kr * (1.0 - kt),
             kt,
             index,
+            ..Material::BLACK
         })
 }
 
@@ -70,7 +71,7 @@ pub fn sphere() -> impl Strategy<Value = Sphere> {
 fn plane() -> impl Strategy<Value = Plane> {
     ((-2.0_f32..0.0, 1.0_f32..20.0, 1.0_f32..20.0), material()).prop_map(
         |((y, half_x, half_z), material)| Plane {
-            centre: vec3(0.3, y, -0.2),
+            centre: vec3a(0.3, y, -0.2),
             half_x,
             half_z,
             material,
@@ -83,6 +84,7 @@ fn light() -> impl Strategy<Value = Light> {
         position,
         colour,
         radius,
+        ..Light::DARK
     })
 }
 
@@ -94,9 +96,9 @@ fn camera() -> impl Strategy<Value = Camera> {
     )
         .prop_map(
             |((angle, distance, height), look_at, field_of_view)| Camera {
-                eye: vec3(distance * angle.sin(), height, distance * angle.cos()),
+                eye: vec3a(distance * angle.sin(), height, distance * angle.cos()),
                 look_at,
-                up: Vec3::Y,
+                up: Vec3A::Y,
                 field_of_view,
             },
         )
@@ -106,8 +108,8 @@ fn camera() -> impl Strategy<Value = Camera> {
 #[derive(Clone, Debug)]
 pub struct Sketch {
     camera: Camera,
-    background: Vec3,
-    ambient: Vec3,
+    background: Vec3A,
+    ambient: Vec3A,
     spheres: Vec<Sphere>,
     planes: Vec<Plane>,
     lights: Vec<Light>,
@@ -122,6 +124,7 @@ impl Sketch {
             spheres: List::of(&self.spheres),
             planes: List::of(&self.planes),
             lights: List::of(&self.lights),
+            ..Scene::default()
         }
     }
 }
@@ -150,12 +153,145 @@ pub fn sketch(
         )
 }
 
+/// Stripes, checkers, marble or an even colour.
+fn pattern() -> impl Strategy<Value = Pattern> {
+    let waves = || prop_oneof![Just(0.0_f32), 0.2_f32..2.0];
+    (
+        (waves(), waves(), waves()),
+        (0.2_f32..1.0, 0.5_f32..50.0),
+        (0.0_f32..1.5, 0.2_f32..2.0),
+    )
+        .prop_map(|((x, y, z), (depth, edge), (warp, grain))| Pattern {
+            waves: vec3a(x, y, z),
+            depth: if x + y + z > 0.0 { depth } else { 0.0 },
+            edge,
+            warp,
+            grain,
+        })
+}
+
+/// What has a pattern, and lets some light pass.
+fn painted() -> impl Strategy<Value = Material> {
+    (material(), pattern(), colour()).prop_map(|(material, pattern, tint)| Material {
+        tint: if material.kt > 0.0 { tint } else { Vec3A::ZERO },
+        pattern,
+        ..material
+    })
+}
+
+fn block() -> impl Strategy<Value = Block> {
+    (
+        place(4.0, 3.0),
+        [0.2_f32..1.5, 0.2..1.5, 0.2..1.5],
+        ([-1.0_f32..1.0, -1.0..1.0, -1.0..1.0], 0.1_f32..1.0),
+        any::<bool>(),
+        painted(),
+    )
+        .prop_map(|(centre, half, ([x, y, z], w), round, material)| {
+            let half = Vec3A::from(half);
+            Block {
+                centre,
+                half: if round { half.with_z(half.x) } else { half },
+                axes: Mat3A::from_quat(Quat::from_xyzw(x, y, z, w).normalize()),
+                round,
+                material,
+            }
+        })
+}
+
+/// A point, a ball, parallel rays; a cone of any of them. It is above everything.
+fn lamp() -> impl Strategy<Value = Light> {
+    let spot = (0.3_f32..0.8, 0.05_f32..0.2);
+    (
+        ([-9.0_f32..9.0, 6.0..12.0, -9.0..9.0], colour()),
+        (0.0_f32..0.4, any::<bool>()),
+        prop_oneof![Just(0.0_f32), 0.1_f32..2.0],
+        proptest::option::of(spot),
+    )
+        .prop_map(|((position, colour), (radius, parallel), size, spot)| {
+            let position = Vec3A::from(position);
+            Light {
+                position,
+                colour,
+                radius,
+                parallel,
+                size,
+                spot: spot.map(|(dark, soft)| Spot {
+                    aim: -position.normalize(),
+                    dark,
+                    bright: dark + soft,
+                }),
+            }
+        })
+}
+
+/// Everything a scene can have.
+#[derive(Clone, Debug)]
+struct Rich {
+    sketch: Sketch,
+    blocks: Vec<Block>,
+    lamps: Vec<Light>,
+    floor: Material,
+    sky: Vec3A,
+    air: (f32, f32),
+}
+
+impl Rich {
+    fn scene(&self) -> Scene {
+        let mut scene = self.sketch.scene();
+        if let Some(plane) = scene.planes.first_mut() {
+            plane.material = self.floor;
+        }
+        Scene {
+            blocks: List::of(&self.blocks),
+            lights: List::of(&self.lamps),
+            sky: self.sky - scene.background,
+            haze: self.air.0,
+            fade: self.air.1,
+            ..scene
+        }
+    }
+}
+
+fn rich() -> impl Strategy<Value = Rich> {
+    (
+        sketch(vec(painted_sphere(), 0..6), 2),
+        vec(block(), 0..8),
+        vec(lamp(), 0..=3),
+        (painted(), colour()),
+        (prop_oneof![Just(0.0_f32), 0.01_f32..0.1], -0.2_f32..0.9),
+    )
+        .prop_map(|(sketch, blocks, lamps, (floor, sky), air)| Rich {
+            sketch,
+            blocks,
+            lamps,
+            floor,
+            sky,
+            air,
+        })
+}
+
+fn painted_sphere() -> impl Strategy<Value = Sphere> {
+    (sphere(), painted()).prop_map(|(sphere, material)| Sphere { material, ..sphere })
+}
+
 proptest! {
     #![proptest_config(config(48))]
 
     #[test]
     fn any_scene_is_as_the_oracle_sees_it(sketch in sketch(vec(sphere(), 0..12), 2)) {
         let scene = sketch.scene();
+        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 96, 72);
+        for isa in isa::all() {
+            let drawn = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 96, 72);
+            assert_as_traced(&drawn, &frame, isa.name);
+        }
+    }
+
+    #[test]
+    fn any_rich_scene_is_as_the_oracle_sees_it(rich in rich()) {
+        let scene = rich.scene();
+        scene.validate().unwrap();
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 96, 72);
         for isa in isa::all() {
             let drawn = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 96, 72);

@@ -71,7 +71,7 @@ fn comparing_deeper_than_rays_go_compares_all() {
 #[test]
 fn an_empty_scene_is_its_background() {
     let scene = Scene {
-        background: glam::vec3(1.0, 0.5, 0.0),
+        background: glam::vec3a(1.0, 0.5, 0.0),
         ..Scene::default()
     };
     for isa in isa::all() {

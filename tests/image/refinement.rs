@@ -6,7 +6,7 @@ use crate::isa;
 use crate::oracle::squares::Squares;
 use eightfold::scene::{Camera, Scene};
 use eightfold::{Quality, show};
-use glam::{Vec3, vec3};
+use glam::{Vec3A, vec3a};
 
 /// Asserts that a picture is the oracle's by adaptive squares: as many points to 0.2 %, or 24, and the same pixels but
 /// for a few squares that rounding decides.
@@ -150,9 +150,9 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
     // Many spheres from above, and all that can be told apart compared: hardly a square is filled.
     let mut scene = show::field(320, 0.0);
     scene.camera = Camera {
-        eye: vec3(0.0, 14.0, 0.1),
-        look_at: Vec3::ZERO,
-        up: Vec3::Y,
+        eye: vec3a(0.0, 14.0, 0.1),
+        look_at: Vec3A::ZERO,
+        up: Vec3A::Y,
         field_of_view: 0.13,
     };
     let (width, height) = (700, 70);

@@ -8,7 +8,7 @@ use crate::isa;
 use crate::studio::Studio;
 use eightfold::scene::{Camera, Light, Material, Plane, Scene, Sphere};
 use eightfold::{Counts, Quality, show};
-use glam::{Vec3, vec3};
+use glam::{Vec3A, vec3a};
 use std::env;
 use std::time::{Duration, Instant};
 
@@ -40,22 +40,23 @@ impl Random {
         low + (high - low) * ((self.bits() >> 40) as f32 / (1 << 24) as f32)
     }
 
-    fn vector(&mut self, low: Vec3, high: Vec3) -> Vec3 {
+    fn vector(&mut self, low: Vec3A, high: Vec3A) -> Vec3A {
         let mut number = || self.between(0.0, 1.0);
-        low + (high - low) * vec3(number(), number(), number())
+        low + (high - low) * vec3a(number(), number(), number())
     }
 }
 
 fn material(random: &mut Random) -> Material {
     let kt = [0.0, 0.0, random.between(0.1, 1.0)][random.below(3)];
     Material {
-        colour: random.vector(Vec3::ZERO, Vec3::ONE),
+        colour: random.vector(Vec3A::ZERO, Vec3A::ONE),
         kd: random.between(0.0, 1.0),
         ks: random.between(0.0, 1.0),
         exponent: 10_f32.powf(random.between(0.0, 3.0)),
         kr: (1.0 - kt) * random.between(0.0, 1.0),
         kt,
         index: [random.between(0.5, 0.99), random.between(1.01, 3.0)][random.below(2)],
+        ..Material::BLACK
     }
 }
 
@@ -63,22 +64,22 @@ fn material(random: &mut Random) -> Material {
 fn valid(random: &mut Random) -> Scene {
     let scale = 10_f32.powf(random.between(-3.0, 3.0));
     let mut scene = Scene {
-        background: random.vector(Vec3::ZERO, Vec3::ONE),
-        ambient: random.vector(Vec3::ZERO, Vec3::splat(0.3)),
+        background: random.vector(Vec3A::ZERO, Vec3A::ONE),
+        ambient: random.vector(Vec3A::ZERO, Vec3A::splat(0.3)),
         ..Scene::default()
     };
     let most = [4, 12, 40, 320][random.below(4)];
     let smallest = [-0.5, -3.0][random.below(2)];
     for _ in 0..random.below(most + 1) {
         scene.spheres.push(Sphere {
-            centre: scale * random.vector(vec3(-5.0, -1.0, -5.0), vec3(5.0, 4.0, 5.0)),
+            centre: scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),
             radius: scale * 10_f32.powf(random.between(smallest, 0.2)),
             material: material(random),
         });
     }
     for _ in 0..random.below(4) {
         scene.planes.push(Plane {
-            centre: scale * vec3(0.0, random.between(-3.0, 1.0), 0.0),
+            centre: scale * vec3a(0.0, random.between(-3.0, 1.0), 0.0),
             half_x: scale * random.between(0.5, 20.0),
             half_z: scale * random.between(0.5, 20.0),
             material: material(random),
@@ -86,15 +87,16 @@ fn valid(random: &mut Random) -> Scene {
     }
     for _ in 0..random.below(5) {
         scene.lights.push(Light {
-            position: scale * random.vector(vec3(-8.0, -1.0, -8.0), vec3(8.0, 9.0, 8.0)),
-            colour: random.vector(Vec3::ZERO, Vec3::splat(1.5)),
+            position: scale * random.vector(vec3a(-8.0, -1.0, -8.0), vec3a(8.0, 9.0, 8.0)),
+            colour: random.vector(Vec3A::ZERO, Vec3A::splat(1.5)),
             radius: scale * random.between(0.01, 0.5),
+            ..Light::DARK
         });
     }
     scene.camera = Camera {
-        eye: scale * random.vector(vec3(-9.0, -1.0, -9.0), vec3(9.0, 7.0, 9.0)),
-        look_at: scale * random.vector(Vec3::splat(-1.0), Vec3::ONE),
-        up: Vec3::Y,
+        eye: scale * random.vector(vec3a(-9.0, -1.0, -9.0), vec3a(9.0, 7.0, 9.0)),
+        look_at: scale * random.vector(Vec3A::splat(-1.0), Vec3A::ONE),
+        up: Vec3A::Y,
         field_of_view: random.between(0.1, 2.5),
     };
     scene

@@ -9,7 +9,7 @@ use crate::refinement::bare;
 use crate::studio::Studio;
 use eightfold::Quality;
 use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
-use glam::{Vec3, vec3};
+use glam::{Vec3A, vec3a};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::collections::HashSet;
@@ -50,24 +50,24 @@ fn plane() -> impl Strategy<Value = Plane> {
 fn camera() -> impl Strategy<Value = Camera> {
     let place = (-3.0_f32..3.0, -2.0_f32..2.0, -3.0_f32..3.0);
     let direction = prop_oneof![
-        3 => (-1.0_f32..1.0, -1.0_f32..1.0, -1.0_f32..1.0).prop_map(Vec3::from),
-        1 => prop_oneof![Just(Vec3::X), Just(Vec3::NEG_Z), Just(vec3(0.0, -1.0, 1e-3))],
+        3 => (-1.0_f32..1.0, -1.0_f32..1.0, -1.0_f32..1.0).prop_map(Vec3A::from),
+        1 => prop_oneof![Just(Vec3A::X), Just(Vec3A::NEG_Z), Just(vec3a(0.0, -1.0, 1e-3))],
     ];
     (place, direction, 0.2_f32..2.0).prop_map(|(place, direction, field_of_view)| {
-        let eye = Vec3::from(place);
+        let eye = Vec3A::from(place);
         Camera {
             eye,
-            look_at: eye + direction + vec3(0.01, 0.0, 0.0),
-            up: Vec3::Y,
+            look_at: eye + direction + vec3a(0.01, 0.0, 0.0),
+            up: Vec3A::Y,
             field_of_view,
         }
     })
 }
 
 /// The colour of an object by its number; `step` of 255 apart from the next one in a channel.
-fn colour(number: usize, step: usize) -> Vec3 {
+fn colour(number: usize, step: usize) -> Vec3A {
     let digit = |place: usize| (number / place % 8 * step + 20) as f32 / 255.0;
-    vec3(digit(1), digit(8), digit(64))
+    vec3a(digit(1), digit(8), digit(64))
 }
 
 fn material(number: usize, step: usize) -> Material {
@@ -93,7 +93,7 @@ struct Sketch {
 impl Sketch {
     fn scene(&self) -> Scene {
         let raster = self.camera.raster(self.width, self.height);
-        let mut balls: Vec<(Vec3, f32)> = Vec::new();
+        let mut balls: Vec<(Vec3A, f32)> = Vec::new();
         for spot in &self.spots {
             // On the way through a pixel's centre, so that hardly a small one is missed by all.
             let pixel = |share: f32, size: usize| (share * size as f32).floor();
@@ -103,7 +103,7 @@ impl Sketch {
             balls.push((centre, spot.radius * raster.dx.length() * spot.distance));
         }
         for &(radius, share) in &self.around {
-            let centre = self.camera.eye + vec3(0.6, 0.0, 0.8) * (radius * share);
+            let centre = self.camera.eye + vec3a(0.6, 0.0, 0.8) * (radius * share);
             balls.push((centre, radius));
         }
         let mut number = 1..;
@@ -123,6 +123,7 @@ impl Sketch {
                 position,
                 radius,
                 colour: colour(next(), self.step),
+                ..Light::DARK
             })
             .collect();
         let planes: Vec<Plane> = self
@@ -136,10 +137,11 @@ impl Sketch {
         Scene {
             camera: self.camera,
             background: colour(0, self.step),
-            ambient: Vec3::ONE,
+            ambient: Vec3A::ONE,
             spheres: List::of(&spheres),
             planes: List::of(&planes),
             lights: List::of(&lights),
+            ..Scene::default()
         }
     }
 }

@@ -5,6 +5,8 @@
 
 pub mod frame;
 mod intersect;
+mod light;
+mod pattern;
 mod shade;
 pub mod squares;
 
@@ -22,6 +24,8 @@ pub struct Oracle<'a> {
     corner: DVec3,
     dx: DVec3,
     dy: DVec3,
+    /// The side of a pixel at distance 1.
+    pixel: f64,
 }
 
 /// What came of a point.
@@ -45,6 +49,7 @@ pub struct Traced {
 enum Object {
     Sphere(usize),
     Plane(usize),
+    Block(usize),
     Light(usize),
     Nothing,
 }
@@ -74,6 +79,7 @@ impl<'a> Oracle<'a> {
             corner: forward - dx * (0.5 * width as f64 - 0.5) - dy * (0.5 * height as f64 - 0.5),
             dx,
             dy,
+            pixel,
         }
     }
 
@@ -85,7 +91,8 @@ impl<'a> Oracle<'a> {
             d: d.normalize(),
         };
         let mut traced = Traced::default();
-        traced.colour = self.follow(ray, 1.0, 1, &mut traced);
+        let weight = 1.0 - self.scene.fade;
+        traced.colour = f64::from(weight) * self.follow(ray, weight, 1, &mut traced);
         traced
     }
 }

@@ -1,5 +1,8 @@
 //! Light at a hit by Phong's model, and the rays that leave it.
 
+use super::intersect::block;
+use super::light::Seen;
+use super::pattern::left_of_colour;
 use super::{Object, Oracle, Ray, Traced};
 use eightfold::scene::Material;
 use glam::DVec3;
@@ -19,31 +22,90 @@ impl Oracle<'_> {
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
         let (object, t) = self.nearest(ray);
-        let (material, normal): (&Material, _) = match object {
-            Object::Nothing => return self.emitted(self.scene.background, object, path, traced),
+        let p = ray.o + t * ray.d;
+        // The material, the normal, and the place as the object's pattern sees it.
+        let (material, normal, place): (&Material, _, _) = match object {
+            Object::Nothing => {
+                self.note(object, &[], path, traced);
+                return self.behind(ray.d);
+            }
             Object::Light(i) => {
-                return self.emitted(self.scene.lights[i].colour, object, path, traced);
+                self.note(object, &[], path, traced);
+                return self.scene.lights[i].colour.as_dvec3();
             }
             Object::Sphere(i) => {
                 let sphere = &self.scene.spheres[i];
-                let out = ray.o + t * ray.d - sphere.centre.as_dvec3();
-                (&sphere.material, out / f64::from(sphere.radius))
+                let out = p - sphere.centre.as_dvec3();
+                (&sphere.material, out / f64::from(sphere.radius), out)
             }
-            Object::Plane(i) => (&self.scene.planes[i].material, DVec3::Y),
+            Object::Plane(i) => {
+                let plane = &self.scene.planes[i];
+                let out = p - plane.centre.as_dvec3();
+                (&plane.material, DVec3::Y, out.with_y(0.0))
+            }
+            Object::Block(i) => {
+                let it = &self.scene.blocks[i];
+                let normal = block(ray, it).map_or(DVec3::Y, |hit| hit.1.normalize());
+                let out =
+                    glam::Mat3::from(it.axes).as_dmat3().transpose() * (p - it.centre.as_dvec3());
+                (&it.material, normal, out)
+            }
         };
-        let p = ray.o + t * ray.d;
         let inside = ray.d.dot(normal) > 0.0;
         let n = if inside { -normal } else { normal };
+        let footprint = t * self.pixel / -ray.d.dot(n);
+        let painted = &Material {
+            colour: material.colour * left_of_colour(&material.pattern, place, footprint) as f32,
+            ..*material
+        };
+        // Of what the surface sends, haze lets so much pass.
+        let passing = 1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2));
 
-        let mut colour = self.scene.ambient.as_dvec3() * material.colour.as_dvec3();
+        let mut colour = self.scene.ambient.as_dvec3() * painted.colour.as_dvec3();
+        let within = match object {
+            Object::Sphere(i) if inside => Some(f64::from(self.scene.spheres[i].radius)),
+            _ => None,
+        };
         let mut states = Vec::new();
         for i in 0..self.scene.lights.len() {
-            let (state, light) = self.lit(i, ray, p, n, material, traced);
+            let (state, light) = self.lit(i, ray, p, n, within, painted, traced);
             colour += light;
             states.push(state);
         }
         self.note(object, &states, path, traced);
+        colour += self.secondary(
+            ray,
+            p,
+            n,
+            inside,
+            material,
+            weight * passing as f32,
+            path,
+            traced,
+        );
+        self.behind(ray.d).lerp(colour, passing)
+    }
 
+    /// What lies behind everything in a direction.
+    fn behind(&self, d: DVec3) -> DVec3 {
+        let rise = d.y.max(0.0);
+        self.scene.background.as_dvec3() + rise * (2.0 - rise) * self.scene.sky.as_dvec3()
+    }
+
+    /// The light of the transmitted and the reflected ray.
+    #[allow(clippy::too_many_arguments, reason = "a hit and its ray")]
+    fn secondary(
+        &self,
+        ray: Ray,
+        p: DVec3,
+        n: DVec3,
+        inside: bool,
+        material: &Material,
+        weight: f32,
+        path: u32,
+        traced: &mut Traced,
+    ) -> DVec3 {
+        let mut colour = DVec3::ZERO;
         if depth(path) == self.quality.depth {
             return colour;
         }
@@ -71,26 +133,30 @@ impl Oracle<'_> {
         colour
     }
 
-    /// What a light adds to a hit at `p` with normal `n`.
+    /// What a light adds to a hit at `p` with normal `n`, on the inside of a sphere of a radius or not.
+    #[allow(clippy::too_many_arguments, reason = "a light and a hit")]
     fn lit(
         &self,
         light: usize,
         ray: Ray,
         p: DVec3,
         n: DVec3,
+        within: Option<f64>,
         material: &Material,
         traced: &mut Traced,
     ) -> (State, DVec3) {
         let light = &self.scene.lights[light];
-        let to_light = light.position.as_dvec3() - p;
-        let distance = to_light.length();
-        let l = to_light / distance;
+        let seen = Seen::new(light, p);
+        let l = seen.l;
         let nl = n.dot(l);
         if nl <= 0.0 {
             return (State::Dark, DVec3::ZERO);
         }
         traced.shadow_rays += 1;
-        if self.blocked(Ray { o: p, d: l }, distance) {
+        // A sphere shades itself from within.
+        let is_beyond = within.is_some_and(|radius| 2.0 * nl * radius < seen.distance);
+        let share = self.reaching(light, &seen, p);
+        if is_beyond || share == DVec3::ZERO {
             return (State::Dark, DVec3::ZERO);
         }
         let rv = (2.0 * nl * n - l).dot(-ray.d).max(0.0);
@@ -101,13 +167,10 @@ impl Oracle<'_> {
         } else {
             State::Lit
         };
-        (state, light.colour.as_dvec3() * (diffuse + specular))
-    }
-
-    /// A hit that ends its ray.
-    fn emitted(&self, colour: glam::Vec3, object: Object, path: u32, traced: &mut Traced) -> DVec3 {
-        self.note(object, &[], path, traced);
-        colour.as_dvec3()
+        (
+            state,
+            share * light.colour.as_dvec3() * (diffuse + specular),
+        )
     }
 
     /// Adds a node of the ray tree to what stands for it.

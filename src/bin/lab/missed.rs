@@ -2,7 +2,7 @@
 
 use crate::error::worst_channel;
 use eightfold::scene::Scene;
-use glam::Vec3;
+use glam::Vec3A;
 use std::collections::BTreeMap;
 
 /// A pixel is off where a channel differs by more than so much of 255 from the exhaustive frame's.
@@ -49,7 +49,7 @@ impl Visible {
 }
 
 /// The first object along a ray: spheres, lights and planes counted on.
-fn nearest(scene: &Scene, o: Vec3, d: Vec3) -> Option<usize> {
+fn nearest(scene: &Scene, o: Vec3A, d: Vec3A) -> Option<usize> {
     let spheres = scene.spheres.iter().map(|s| (s.centre, s.radius));
     let lights = scene.lights.iter().map(|l| (l.position, l.radius));
     let round = spheres.chain(lights).map(|(c, r)| sphere(o, d, c, r));
@@ -65,7 +65,7 @@ fn nearest(scene: &Scene, o: Vec3, d: Vec3) -> Option<usize> {
 }
 
 /// How far along a ray a sphere begins, for an eye outside of it.
-fn sphere(o: Vec3, d: Vec3, centre: Vec3, radius: f32) -> Option<f32> {
+fn sphere(o: Vec3A, d: Vec3A, centre: Vec3A, radius: f32) -> Option<f32> {
     let to = centre - o;
     let along = to.dot(d);
     // The distance of the centre from the ray, not the difference of two large squares.

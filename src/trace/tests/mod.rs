@@ -1,5 +1,7 @@
 //! What the kernels are held to, ray by ray, on every instruction set of the machine; [`crate::limits`] sums it up.
 
+#[cfg(feature = "details")]
+mod blocks;
 mod neighbours;
 mod precision;
 mod refraction;
@@ -8,13 +10,14 @@ mod shadows;
 
 extern crate std;
 
+use super::details::Packet;
 use super::intersect::{Hit, nearest};
 use super::stack::Rays;
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Prepared};
 use crate::scene::{List, Material, Scene, Sphere};
 use fearless_simd::Level;
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec3A};
 use std::boxed::Box;
 
 /// What holds whatever the instruction set.
@@ -97,12 +100,12 @@ impl Random {
 }
 
 /// A direction in f32, of length 1 but for rounding.
-fn unit(d: DVec3) -> Vec3 {
-    d.normalize().as_vec3()
+fn unit(d: DVec3) -> Vec3A {
+    d.normalize().as_vec3a()
 }
 
 /// A scene of one sphere, prepared.
-fn one_sphere(centre: Vec3, radius: f32, material: Material) -> Scene {
+fn one_sphere(centre: Vec3A, radius: f32, material: Material) -> Scene {
     Scene {
         spheres: List::of(&[Sphere {
             centre,
@@ -121,7 +124,7 @@ fn prepared(scene: &Scene) -> Box<Prepared> {
 
 /// A packet of rays from one place, as primary rays are; those beyond the slice are like its last one.
 #[inline(always)]
-fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
+fn packet<S: Isa>(simd: S, o: Vec3A, d: &[Vec3A]) -> Rays<S> {
     let mut columns = [[0.0; MAX_LANES]; 3];
     for i in 0..MAX_LANES {
         let d = d[i.min(d.len() - 1)];
@@ -144,11 +147,11 @@ fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
 
 #[inline(always)]
 fn hits<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Hit<S> {
-    nearest(simd, scene, rays, GroupSet::MAX, 0)
+    nearest(simd, scene, rays, GroupSet::MAX, 0, &mut { Packet::NONE })
 }
 
 /// A lane's vector.
 #[inline(always)]
-fn lane<S: Isa>(v: Vec3x<S>, i: usize) -> Vec3 {
-    Vec3::new(v.x.as_slice()[i], v.y.as_slice()[i], v.z.as_slice()[i])
+fn lane<S: Isa>(v: Vec3x<S>, i: usize) -> Vec3A {
+    Vec3A::new(v.x.as_slice()[i], v.y.as_slice()[i], v.z.as_slice()[i])
 }

@@ -13,7 +13,7 @@ const PACKETS: usize = 20_000;
 type Outcome = [u32; 2 + 4 + 2 * 7];
 
 /// A ray as it is put in a lane.
-type Ray = (Vec3, Vec3, f32);
+type Ray = (Vec3A, Vec3A, f32);
 
 /// What comes of each ray of a packet.
 #[inline(always)]
@@ -83,7 +83,7 @@ fn ray(random: &mut Random) -> Ray {
     };
     let (from, to) = (place(9.0), place(3.0));
     (
-        from.as_vec3(),
+        from.as_vec3a(),
         unit(to - from),
         random.between(0.005, 1.0) as f32,
     )
@@ -101,8 +101,8 @@ fn nonsense(random: &mut Random) -> Ray {
         1e-42,
     ][random.bits() as usize % 6];
     match random.bits() % 8 {
-        0 => bad.0 = Vec3::splat(number),
-        1 => bad.1 = Vec3::splat(number),
+        0 => bad.0 = Vec3A::splat(number),
+        1 => bad.1 = Vec3A::splat(number),
         2 => bad.2 = number,
         i => bad.0[i as usize % 3] = number,
     }
@@ -123,7 +123,7 @@ impl Property for Neighbours {
         let scene = prepared(&self.scene);
         let mut batch = Box::new(Batch::new());
         for _ in 0..PACKETS / lanes::<S>() {
-            let mut rays = [(Vec3::ZERO, Vec3::Z, 1.0); MAX_LANES];
+            let mut rays = [(Vec3A::ZERO, Vec3A::Z, 1.0); MAX_LANES];
             for place in &mut rays {
                 *place = ray(&mut random);
             }

@@ -32,10 +32,10 @@ impl Property for HitOrMiss {
                 let r = f64::from(radius);
                 // Outside, at distance 1 too.
                 let o = (1e-5 + distance) * r * random.direction();
-                let o = o.as_vec3();
-                let scene = prepared(&one_sphere(Vec3::ZERO, radius, Material::default()));
+                let o = o.as_vec3a();
+                let scene = prepared(&one_sphere(Vec3A::ZERO, radius, Material::default()));
                 for _ in 0..64 / lanes::<S>() {
-                    let mut ways = [Vec3::ZERO; MAX_LANES];
+                    let mut ways = [Vec3A::ZERO; MAX_LANES];
                     for way in &mut ways {
                         let aim = 1.2 * r * random.direction();
                         *way = unit(aim - o.as_dvec3());
@@ -66,7 +66,7 @@ impl Property for HitOrMiss {
 
 /// The first hit of a sphere in the origin by the very ray that f32 holds, in f64: the way in units of length, and how
 /// far from the middle, in radii.
-fn exact(o: Vec3, d: Vec3, radius: f64) -> Option<(f64, f64)> {
+fn exact(o: Vec3A, d: Vec3A, radius: f64) -> Option<(f64, f64)> {
     let (o, d) = (o.as_dvec3(), d.as_dvec3());
     let length = d.length();
     let d = d / length;

@@ -14,7 +14,7 @@ const RAYS: usize = 1000;
 
 /// Where a ray hits the one object of a scene: the point, and the normal towards the ray.
 #[inline(always)]
-fn hit_by<S: Isa>(simd: S, scene: &Prepared, o: Vec3, d: Vec3) -> Option<(Vec3, Vec3, bool)> {
+fn hit_by<S: Isa>(simd: S, scene: &Prepared, o: Vec3A, d: Vec3A) -> Option<(Vec3A, Vec3A, bool)> {
     let rays = packet(simd, o, &[d]);
     let hit = hits(simd, scene, &rays);
     if hit.object.as_slice()[0] != 0 {
@@ -23,7 +23,7 @@ fn hit_by<S: Isa>(simd: S, scene: &Prepared, o: Vec3, d: Vec3) -> Option<(Vec3, 
     let active = first(simd, 1);
     let mut mixed = [[0.0; MAX_LANES]; FIELDS];
     let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, &mut mixed);
-    let place = Place::new(simd, &rays, hit.t, &surface, active);
+    let place = Place::new(simd, &rays, hit.t, &surface, active, None);
     let inside = place.inside.to_bitmask() & 1 == 1;
     Some((lane(place.p, 0), lane(place.n, 0), inside))
 }
@@ -42,14 +42,14 @@ impl Property for Spheres {
         while count < SHAPES {
             let radius = 10_f64.powf(random.between(-4.0, 4.0)) as f32;
             let centre = match self.centre {
-                Some(most) => random.vector(-4.0, most).as_vec3(),
-                None => Vec3::ZERO,
+                Some(most) => random.vector(-4.0, most).as_vec3a(),
+                None => Vec3A::ZERO,
             };
             let o = random.vector(-8.0, 8.0);
             let corner = DVec3::splat(f64::from(radius));
             let [x, y, z] = [0; 3].map(|_| random.between(-1.0, 1.0));
             let aim = centre.as_dvec3() + corner * DVec3::new(x, y, z);
-            let (o, d) = (o.as_vec3(), unit(aim - o));
+            let (o, d) = (o.as_vec3a(), unit(aim - o));
             let scene = prepared(&one_sphere(centre, radius, Material::default()));
             let Some((p, n, inside)) = hit_by(simd, &scene, o, d) else {
                 count += usize::from(random.bits().is_multiple_of(8));
@@ -62,9 +62,9 @@ impl Property for Spheres {
             // Two roundings of the largest coordinate: about what the hit is off the sphere by.
             let off = f64::from(f32::EPSILON) * largest;
             for _ in 0..RAYS / lanes::<S>() {
-                let mut ways = [Vec3::ZERO; MAX_LANES];
+                let mut ways = [Vec3A::ZERO; MAX_LANES];
                 for way in &mut ways {
-                    *way = random.direction().as_vec3();
+                    *way = random.direction().as_vec3a();
                 }
                 let hit = hits(simd, &scene, &packet(simd, p, &ways));
                 for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
@@ -115,10 +115,10 @@ impl Property for Planes {
             let [x, z] = [0; 2].map(|_| random.between(-1.0, 1.0));
             let aim = centre + DVec3::new(half_x * x, 0.0, half_z * z);
             let o = random.vector(-8.0, 8.0);
-            let (o, d) = (o.as_vec3(), unit(aim - o));
+            let (o, d) = (o.as_vec3a(), unit(aim - o));
             let scene = prepared(&Scene {
                 planes: List::of(&[Plane {
-                    centre: centre.as_vec3(),
+                    centre: centre.as_vec3a(),
                     half_x: half_x as f32,
                     half_z: half_z as f32,
                     material: Material::default(),
@@ -129,9 +129,9 @@ impl Property for Planes {
                 continue;
             };
             for _ in 0..RAYS / lanes::<S>() {
-                let mut ways = [Vec3::ZERO; MAX_LANES];
+                let mut ways = [Vec3A::ZERO; MAX_LANES];
                 for way in &mut ways {
-                    *way = random.direction().as_vec3();
+                    *way = random.direction().as_vec3a();
                 }
                 // Along the plane too, by either zero.
                 ways[0].y = if rays % 2 == 0 { 0.0 } else { -0.0 };

@@ -10,13 +10,14 @@ const SPHERES: usize = 20_000;
 
 /// White paper: what a lamp adds is the cosine towards it.
 const PAPER: Material = Material {
-    colour: Vec3::ONE,
+    colour: Vec3A::ONE,
     kd: 1.0,
     ks: 0.0,
     exponent: 1.0,
     kr: 0.0,
     kt: 0.0,
     index: 1.0,
+    ..Material::BLACK
 };
 
 struct OwnShadow {
@@ -34,7 +35,7 @@ impl Property for OwnShadow {
             let centre = random.vector(-4.0, 4.0);
             // Where rounding leaves something of it.
             let centre = centre * (1e3 * r / centre.length()).min(1.0);
-            let from = |way: DVec3, distance: f64| (centre + way * (distance * r)).as_vec3();
+            let from = |way: DVec3, distance: f64| (centre + way * (distance * r)).as_vec3a();
             let eye_at = 10_f64.powf(random.between(0.1, 3.0));
             let eye_at = if self.is_inside { 0.5 } else { eye_at };
             let eye = from(random.direction(), eye_at);
@@ -44,14 +45,15 @@ impl Property for OwnShadow {
                 continue;
             }
             let lamp = from(random.direction(), lamp_at);
-            let mut scene = one_sphere(centre.as_vec3(), r as f32, PAPER);
+            let mut scene = one_sphere(centre.as_vec3a(), r as f32, PAPER);
             scene.lights = List::of(&[Light {
                 position: lamp,
-                colour: Vec3::ONE,
+                colour: Vec3A::ONE,
                 radius: 0.0,
+                ..Light::DARK
             }]);
             let scene = prepared(&scene);
-            let mut ways = [Vec3::ZERO; MAX_LANES];
+            let mut ways = [Vec3A::ZERO; MAX_LANES];
             for way in &mut ways {
                 *way = unit(from(random.direction(), 0.99).as_dvec3() - eye.as_dvec3());
             }

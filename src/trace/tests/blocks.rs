@@ -1,0 +1,156 @@
+//! Boxes and cylinders are hit where they are, and rays that leave them do not hit them again, whatever their size and
+//! place.
+
+use super::*;
+use crate::scene::Block;
+use crate::trace::details::{Packet, look};
+use glam::{Mat3A, Quat, Vec3A};
+
+const BLOCKS: usize = 2000;
+/// Rays that leave each hit.
+const RAYS: usize = 64;
+
+/// A packet that has looked at where rays hit.
+#[inline(always)]
+fn looked<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Packet {
+    let mut packet = Packet::NONE;
+    let hit = nearest(simd, scene, rays, GroupSet::MAX, 0, &mut packet);
+    packet.set_hits(rays, &hit);
+    look(scene, (1 << lanes::<S>()) - 1, &mut packet);
+    packet
+}
+
+/// Any block, and the length that its numbers are rounded by.
+fn block(random: &mut Random) -> (Block, f64) {
+    // Not so thin or so far that rounding takes a point on one side to another.
+    let scale = 10_f64.powf(random.between(-3.0, 3.0));
+    let mut length = || (scale * 10_f64.powf(random.between(-1.0, 1.0))) as f32;
+    let (x, y, z) = (length(), length(), length());
+    let round = random.bits().is_multiple_of(2);
+    let centre = (scale * random.vector(-3.0, 1.5)).as_vec3a();
+    let [a, b, c] = random.direction().as_vec3a().to_array();
+    let turn = Quat::from_xyzw(a, b, c, random.between(-1.0, 1.0) as f32);
+    let block = Block {
+        centre,
+        half: Vec3A::new(x, y, if round { x } else { z }),
+        axes: Mat3A::from_quat(turn.normalize()),
+        round,
+        ..Block::default()
+    };
+    let largest = (centre.abs() + block.half).max_element();
+    (block, f64::from(largest))
+}
+
+/// How far a point is outside of the nearest side, below 0 where it is inside.
+fn outside(block: &Block, p: Vec3A) -> f64 {
+    let axes = glam::Mat3::from(block.axes).as_dmat3();
+    let own = axes.transpose() * (p.as_dvec3() - block.centre.as_dvec3());
+    let half = block.half.as_dvec3();
+    let mut out = own.abs() - half;
+    if block.round {
+        out.x = own.x.hypot(own.z) - half.x;
+        out.z = out.x;
+    }
+    out.max_element()
+}
+
+struct Blocks;
+
+impl Property for Blocks {
+    #[inline(always)]
+    fn hold<S: Isa>(&self, simd: S, isa: &str) {
+        let mut random = Random(1998);
+        let (mut hits, mut left, mut crossed) = (0, 0, 0);
+        for _ in 0..BLOCKS {
+            let (block, largest) = block(&mut random);
+            let scene = Scene {
+                blocks: List::of(&[block]),
+                ..Scene::default()
+            };
+            let scene = prepared(&scene);
+            let half = block.half.as_dvec3();
+            let mut part = || random.between(-1.0, 1.0);
+            let within = DVec3::new(part(), part(), part()) * half;
+            let aim = block.centre.as_dvec3() + glam::Mat3::from(block.axes).as_dmat3() * within;
+            let o = (aim + random.direction() * (2.0 * half.length())).as_vec3a();
+            let d = unit(aim - o.as_dvec3());
+            let packet = looked(simd, &scene, &packet(simd, o, &[d]));
+            if packet.object[0].to_bits() != 0 {
+                continue;
+            }
+            hits += 1;
+            let what = std::format!("{isa}: {block:?} from {o} along {d}");
+            let (p, n) = (packet.p.at(0), packet.n.at(0));
+            let slack = f64::from(packet.slack[0]);
+            let off = outside(&block, p) - slack;
+            assert!(
+                off.abs() < 0.5 * slack,
+                "{what}: {p} is {off} off, {largest}"
+            );
+            assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
+            // Those that leave, and those that go on inside from as far below the surface.
+            for is_leaving in [true, false] {
+                let from = if is_leaving {
+                    p
+                } else {
+                    p - 2.0 * packet.slack[0] * n
+                };
+                for _ in 0..RAYS / lanes::<S>() {
+                    let mut ways = [Vec3A::ZERO; MAX_LANES];
+                    for way in &mut ways {
+                        let any = random.direction().as_vec3a();
+                        let side = if is_leaving { 1.0 } else { -1.0 };
+                        *way = if any.dot(n) * side < 0.0 { -any } else { any };
+                    }
+                    let next = looked(simd, &scene, &super::packet(simd, from, &ways));
+                    for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
+                        let is_hit = next.object[i].to_bits() == 0;
+                        if is_leaving {
+                            assert!(!is_hit, "{what}: {p} is hit again along {way}");
+                            left += 1;
+                        } else if outside(&block, from) < -0.5 * slack {
+                            assert!(is_hit, "{what}: {way} from {from} leaks");
+                            crossed += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(hits > BLOCKS / 2, "{isa}: {hits} hits");
+        assert!(
+            left > hits * RAYS / 2 && crossed > hits * RAYS / 4,
+            "{isa}: {crossed}"
+        );
+    }
+}
+
+#[test]
+fn rays_that_leave_a_block_do_not_hit_it_again_and_those_inside_do_not_leak() {
+    on_every_instruction_set(&Blocks);
+}
+
+#[test]
+fn a_cylinder_seen_along_its_axis_is_its_end() {
+    let scene = Scene {
+        blocks: List::of(&[Block {
+            half: Vec3A::ONE,
+            axes: Mat3A::from_cols(Vec3A::X, Vec3A::Z, Vec3A::NEG_Y),
+            round: true,
+            ..Block::default()
+        }]),
+        ..Scene::default()
+    };
+    let scene = prepared(&scene);
+    struct End<'a>(&'a Prepared);
+    impl Property for End<'_> {
+        #[inline(always)]
+        fn hold<S: Isa>(&self, simd: S, isa: &str) {
+            for (x, t) in [(0.0, 2.0), (0.9, 2.0), (-0.999, 2.0), (1.001, 1e30)] {
+                let rays = packet(simd, Vec3A::new(x, 0.0, -3.0), &[Vec3A::Z]);
+                let packet = looked(simd, self.0, &rays);
+                assert!((packet.t[0] - t).abs() <= 1e-5 * t, "{isa}: {x}");
+            }
+        }
+    }
+    on_every_instruction_set(&End(&scene));
+}

@@ -1,0 +1,68 @@
+//! Procedural textures.
+
+use eightfold::scene::Pattern;
+use glam::DVec3;
+
+/// What is left of a colour at `p`, in the object's own axes, where a pixel covers `footprint` scene units.
+pub(super) fn left_of_colour(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
+    if pattern.depth == 0.0 {
+        return 1.0;
+    }
+    let waves = pattern.waves.as_dvec3();
+    let mut v = p * waves;
+    v.x += turbulence(pattern, p);
+    let waves_there = v.to_array().map(wave);
+    let sign: f64 = waves_there.into_iter().map(f64::signum).product();
+    let lowest = waves_there.into_iter().map(f64::abs).fold(1.0, f64::min);
+    // A wave falls from 1 to -1 in half its length: no edge is narrower than a pixel.
+    let steepest = 0.5 / (footprint * waves.abs().max_element());
+    let edge = f64::from(pattern.edge).min(steepest);
+    let height = (sign * lowest * edge).clamp(-1.0, 1.0);
+    1.0 - f64::from(pattern.depth) * (0.5 - 0.5 * height)
+}
+
+/// A triangle wave of length 1, between -1 and 1, highest at 0.
+fn wave(v: f64) -> f64 {
+    1.0 - 4.0 * (v - v.round()).abs()
+}
+
+/// Noise by which the pattern is shifted, in waves: it is the same along a slope through the three axes.
+fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
+    let (u, v) = (p.x + 0.6 * p.z, p.y + 0.8 * p.z);
+    let mut grain = f64::from(pattern.grain);
+    let mut strength = f64::from(pattern.warp);
+    let mut sum = 0.0;
+    while strength > f64::from(Pattern::LEAST_WARP) {
+        sum += strength * noise([u * grain, v * grain]);
+        strength /= 2.0;
+        grain *= 2.0;
+    }
+    sum
+}
+
+/// Numbers by chance at whole coordinates, -1 to 1, and smooth between them.
+fn noise(p: [f64; 2]) -> f64 {
+    let cell = p.map(|v| v.floor());
+    let s = [0, 1].map(|i| {
+        let f = p[i] - cell[i];
+        f * f * (3.0 - 2.0 * f)
+    });
+    let mut sum = 0.0;
+    for corner in [[0, 0], [1, 0], [0, 1], [1, 1]] {
+        let share = |i: usize| if corner[i] == 1 { s[i] } else { 1.0 - s[i] };
+        let place = [0, 1].map(|i| (cell[i] as i32).wrapping_add(corner[i]) as u32);
+        sum += share(0) * share(1) * chance(place);
+    }
+    sum
+}
+
+/// A number from -1 to 1 by whole coordinates. Those count from the bits of 1.5 * 2^23, where f32 has whole numbers in
+/// its low bits.
+fn chance(place: [u32; 2]) -> f64 {
+    let [u, v] = place.map(|n| n.wrapping_add(0x4b40_0000));
+    let h = u
+        .wrapping_mul(0x9e37_79b9)
+        .wrapping_add(v.wrapping_mul(0x85eb_ca6b));
+    let h = (h ^ (h >> 15)).wrapping_mul(0x846c_a68b);
+    f64::from(h as i32) / 2.0f64.powi(31)
+}
