@@ -33,6 +33,7 @@
 //! | system calls by number, not by name * | `src/window/system.rs` | 620 |
 //! | memory by `malloc` and no more * | `src/window/allocator.rs` | 504 |
 //! | constants loaded where they are used (`-disable-machine-licm`) | `.cargo/config.toml` | 960 |
+//! | functions called by their own addresses (`-Crelro-level=off`) | `.cargo/config.toml` | 896 |
 //! | vectors in registers, by `Vec3A` | | 816 |
 //! | numbers of pixels by way of `i32` | `src/scene/camera.rs` | 448 |
 //! | identical functions folded (`--icf=all`) | | 176 |
