@@ -5,7 +5,7 @@ use crate::reader::read_png;
 use serde_json::Value;
 use std::path::Path;
 
-const KEYS: [&str; 20] = [
+const KEYS: [&str; 21] = [
     "scene",
     "width",
     "height",
@@ -14,6 +14,7 @@ const KEYS: [&str; 20] = [
     "quality",
     "frames",
     "fps_median",
+    "fps_worst_second",
     "ms_median",
     "ms_p99",
     "traced_fraction",
@@ -30,6 +31,9 @@ const KEYS: [&str; 20] = [
 
 const COLUMNS: &str = "size, threads, isa, quality, fps median, ms median, ms p99, traced, rays, shadow rays, \
                        lanes used, PSNR mean, PSNR worst, over 8/255, flicker, speed-up, floor";
+
+const SHOW_COLUMNS: &str = "size, threads, scene, quality, fps median, worst second, ms median, ms p99, traced, PSNR mean, \
+                            PSNR worst, over 8/255, flicker";
 
 /// A short bench in small frames: its table and its rows.
 fn bench(more: &[&str]) -> (String, Vec<Value>) {
@@ -127,6 +131,9 @@ fn figures_fit_each_other() {
         let ms = number(row, "ms_median");
         assert!(ms > 0.0 && number(row, "ms_p99") >= ms);
         assert!((number(row, "fps_median") * ms - 1e3).abs() < 1e-6);
+        // Of three frames in ten seconds each has a second of its own.
+        let worst = number(row, "fps_worst_second");
+        assert!((worst * number(row, "ms_p99") - 1e3).abs() < 1e-6);
         let speedup = number(exhaustive, "ms_median") / ms;
         assert!((number(row, "speedup_vs_exhaustive") - speedup).abs() < 1e-6 * speedup);
         assert!(number(row, "floor_ratio") > 0.0);
@@ -150,6 +157,66 @@ fn figures_fit_each_other() {
             assert_eq!(one[key], two[key], "{key}");
         }
     }
+}
+
+#[test]
+fn the_show_has_a_row_for_each_scene_and_quality_and_a_line_for_its_worst_second() {
+    let (table, rows) = bench(&["--scene", "show", "--size", "32x18", "--quality", "default"]);
+    assert!(table.contains("show, each scene in 3 frames from 0 s to 95.98"));
+    let scenes = "title model method colonnade machine field finale".split(' ');
+    let names = scenes.flat_map(|scene| {
+        let name = |quality| (format!("show:{scene}"), quality);
+        ["exhaustive", "default"].map(name)
+    });
+    let found = rows.iter().map(|row| {
+        let text = |key: &str| row[key].as_str().expect("text");
+        (text("scene").to_owned(), text("quality"))
+    });
+    assert!(found.eq(names));
+    let lines = cells(&table);
+    assert_eq!(lines[0].join(", "), SHOW_COLUMNS);
+    assert_eq!(lines.len(), 1 + rows.len());
+    for (line, row) in lines[1..].iter().zip(&rows) {
+        let worst = number(row, "fps_worst_second");
+        // Of three frames, each in a second of its own.
+        assert!((worst * number(row, "ms_p99") - 1e3).abs() < 1e-6);
+        assert_eq!(line[2], row["scene"]);
+        assert_eq!(line[5], format!("{worst:.1}"));
+    }
+    let worst = rows.iter().filter(|row| row["quality"] == "default");
+    let fps = |row: &Value| number(row, "fps_worst_second");
+    let worst = worst.min_by(|a, b| fps(a).total_cmp(&fps(b)));
+    let worst = worst.expect("a row");
+    let (fps, scene) = (number(worst, "fps_worst_second"), &worst["scene"]);
+    let last = table.lines().last().expect("a line");
+    assert!(last.starts_with("Worst second of the show at 32x18, threads "));
+    assert!(
+        last.contains(&format!("default {fps:.1} fps from ")),
+        "{last}"
+    );
+    let scene = scene.as_str().expect("a name");
+    assert!(last.ends_with(&format!("({scene})")), "{last}");
+}
+
+#[test]
+fn a_scene_of_the_show_is_its_part_of_the_show() {
+    let small = ["--size", "32x18", "--quality", "default"];
+    let rows = |more: &[&str]| bench(&[&small, more].concat()).1;
+    // The machine plays from 60 s to 72 s.
+    let part = ["--time-from", "1", "--time-to", "3"];
+    let part = rows(&[&["--scene", "show:machine"], &part[..]].concat());
+    let show = ["--time-from", "61", "--time-to", "63"];
+    let show = rows(&[&["--scene", "show"], &show[..]].concat());
+    assert_eq!((part.len(), show.len()), (2, 2));
+    for (a, b) in part.iter().zip(&show) {
+        for key in ["scene", "rays", "shadow_rays", "psnr_worst_db", "flicker"] {
+            assert_eq!(a[key], b[key], "{key}");
+        }
+    }
+    // It has no frames in other scenes.
+    let past = ["--scene", "show:machine", "--time-from", "12"];
+    let output = lab(&[&["bench"], &past[..]].concat());
+    assert_one_line(&output, 2, &["--time-from", "show:machine", "0 to 12"]);
 }
 
 #[test]

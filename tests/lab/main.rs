@@ -77,6 +77,7 @@ fn every_choice_changes_the_picture() {
         ["--quality", "exhaustive"],
         ["--time", "-1"],
         ["--scene", "field:20"],
+        ["--scene", "show:finale"],
         ["--size", "41x30"],
     ] {
         // The last of two equal flags would be refused, so the size comes by itself.
@@ -108,6 +109,7 @@ fn bad_input_is_named_in_one_line() {
         ("--scene", "field:0", "field:N"),
         ("--scene", "field:99999", "field:N"),
         ("--scene", "models", "field:N"),
+        ("--scene", "show:end", "show:NAME"),
         ("--isa", "mmx", "this machine has"),
     ] {
         let output = lab(&["render", "--out", "-", flag, value]);

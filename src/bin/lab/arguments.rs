@@ -1,8 +1,7 @@
-//! What several commands take: a scene, a size, a quality, threads, an instruction set.
+//! What several commands take: a size, a quality, threads, an instruction set.
 
 use crate::isa::{self, Isa};
-use eightfold::scene::{MAX_SPHERES, Scene};
-use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality, show};
+use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use std::fmt;
 use std::str::FromStr;
 
@@ -29,49 +28,6 @@ impl fmt::Display for BadInput {
 }
 
 impl std::error::Error for BadInput {}
-
-/// A scene by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SceneName {
-    /// The scene of every measurement.
-    Model,
-    /// A field of so many small spheres.
-    Field(usize),
-}
-
-impl SceneName {
-    /// The scene at `time` seconds.
-    pub fn at(self, time: f32) -> Scene {
-        match self {
-            Self::Model => show::scene(time),
-            Self::Field(count) => show::field(count, time),
-        }
-    }
-}
-
-impl FromStr for SceneName {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Self, String> {
-        let count = name.strip_prefix("field:").map(str::parse::<usize>);
-        match (name, count) {
-            ("model", _) => Ok(Self::Model),
-            (_, Some(Ok(count))) if (1..=MAX_SPHERES).contains(&count) => Ok(Self::Field(count)),
-            _ => Err(format!(
-                "takes model, or field:N with N from 1 to {MAX_SPHERES}"
-            )),
-        }
-    }
-}
-
-impl fmt::Display for SceneName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Model => write!(f, "model"),
-            Self::Field(count) => write!(f, "field:{count}"),
-        }
-    }
-}
 
 /// Width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

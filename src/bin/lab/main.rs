@@ -19,6 +19,7 @@ mod progress;
 mod rate;
 mod render;
 mod report;
+mod scenes;
 mod size;
 mod sound;
 mod studio;

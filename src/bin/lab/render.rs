@@ -1,7 +1,8 @@
 //! `lab render`: one frame as a PNG file.
 
-use crate::arguments::{self, NamedQuality, SceneName, Size};
+use crate::arguments::{self, NamedQuality, Size};
 use crate::isa::{self, Isa};
+use crate::scenes::SceneName;
 use crate::studio::Studio;
 use crate::{output, picture};
 use anyhow::Result;
@@ -12,7 +13,7 @@ use std::thread::available_parallelism;
 /// Draws one frame into a PNG file
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: model, or field:N for N small spheres
+    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Seconds since the scene's start

@@ -1,10 +1,11 @@
 //! Draws frames against the clock.
 
 use super::row::Row;
-use crate::arguments::{NamedQuality, SceneName, Size};
+use crate::arguments::{NamedQuality, Size};
 use crate::error::Difference;
 use crate::flicker::Flicker;
 use crate::isa::Isa;
+use crate::scenes::SceneName;
 use crate::studio::Studio;
 use eightfold::Counts;
 use eightfold_window::pool::Pool;
@@ -12,31 +13,57 @@ use std::time::Instant;
 
 /// What to measure.
 pub struct Plan {
-    pub scene: SceneName,
+    pub shots: Vec<Shot>,
     pub isa: Isa,
     pub sizes: Vec<Size>,
     /// Numbers of threads.
     pub threads: Vec<usize>,
     /// The first is what the others are held to.
     pub qualities: Vec<NamedQuality>,
-    pub frames: usize,
-    /// Times of the first and of the last frame in seconds.
-    pub time_from: f32,
-    pub time_to: f32,
+}
+
+/// The frames of a scene.
+pub struct Shot {
+    pub scene: SceneName,
+    /// When they are, in seconds since the scene's start.
+    pub times: Vec<f32>,
     /// Frames in a row, 60 a second, that flicker is looked for in, from the first time on.
     pub flicker_frames: usize,
 }
 
-/// A size on a number of threads: what is drawn one right after the other.
+/// Where a size is drawn by a number of threads.
+struct Bench {
+    studio: Studio,
+    /// One for each size.
+    stands: Vec<Stand>,
+}
+
+/// What is drawn one right after the other.
+struct Stand {
+    canvas: Canvas,
+    /// One for each shot.
+    settings: Vec<Setting>,
+}
+
+/// The last frame.
+struct Canvas {
+    size: Size,
+    /// A picture for each quality.
+    pictures: Vec<Vec<u32>>,
+    /// The picture that is filled.
+    filled: Vec<u32>,
+}
+
+/// A shot in a size on a number of threads.
 pub struct Setting {
+    /// The shot's place in the plan.
+    pub shot: usize,
     pub size: Size,
     pub threads: usize,
     /// One for each quality.
     pub runs: Vec<Run>,
     /// Milliseconds to fill each frame with one colour.
     pub floor: Vec<f64>,
-    /// The picture that is filled.
-    filled: Vec<u32>,
 }
 
 /// A quality in a setting.
@@ -50,8 +77,6 @@ pub struct Run {
     pub differences: Vec<Difference>,
     /// Of the frames that flicker is looked for in.
     pub flicker: Flicker,
-    /// The last frame.
-    pixels: Vec<u32>,
 }
 
 /// Frames a second of those that flicker is looked for in: what a screen shows.
@@ -64,8 +89,9 @@ const STRIP: usize = 16;
 impl Plan {
     /// How often [`Plan::measure`] calls back.
     pub fn steps(&self) -> usize {
-        let settings = (1 + self.frames) * self.sizes.len() * self.threads.len();
-        settings + self.flicker_frames * self.sizes.len()
+        let frames: usize = self.shots.iter().map(|shot| shot.times.len()).sum();
+        let flicker: usize = self.shots.iter().map(|shot| shot.flicker_frames).sum();
+        self.sizes.len() * (self.threads.len() * (self.shots.len() + frames) + flicker)
     }
 
     /// Draws all frames of all qualities in all settings. Calls `step` now and then, while no time is taken.
@@ -74,75 +100,97 @@ impl Plan {
     /// hits them alike.
     pub fn measure(&self, mut step: impl FnMut()) -> Vec<Row> {
         let threads = self.threads.iter();
-        let mut benches: Vec<(Studio, Vec<Setting>)> = threads
-            .map(|&threads| {
-                let settings = self.sizes.iter();
-                let settings = settings.map(|&size| Setting::new(self, size, threads));
-                (Studio::new(threads), settings.collect())
-            })
-            .collect();
-        for (studio, settings) in &mut benches {
-            for setting in settings {
-                setting.warm_up(self, studio);
+        let mut benches: Vec<Bench> = threads.map(|&threads| Bench::new(self, threads)).collect();
+        for bench in &mut benches {
+            bench.each(|studio, canvas, setting| {
+                setting.warm_up(self, studio, canvas);
                 step();
-            }
+            });
         }
-        for frame in 0..self.frames {
-            for (studio, settings) in &mut benches {
-                for setting in settings {
-                    setting.draw(self, studio, self.time(frame));
-                    step();
-                }
+        let longest = self.shots.iter().map(|shot| shot.times.len()).max();
+        for frame in 0..longest.unwrap_or(0) {
+            for bench in &mut benches {
+                bench.each(|studio, canvas, setting| {
+                    if let Some(&time) = self.shots[setting.shot].times.get(frame) {
+                        setting.draw(self, studio, canvas, time);
+                        step();
+                    }
+                });
             }
         }
         // The frames are the same on any number of threads.
-        let (studio, last) = benches.last_mut().expect("there is a number of threads");
-        for setting in last.iter_mut() {
-            for frame in 0..self.flicker_frames {
-                let time = f64::from(self.time_from) + frame as f64 / FLICKER_FPS;
-                setting.look_for_flicker(self, studio, time as f32);
+        let last = benches.last_mut().expect("there is a number of threads");
+        last.each(|studio, canvas, setting| {
+            let shot = &self.shots[setting.shot];
+            for frame in 0..shot.flicker_frames {
+                let time = f64::from(shot.times[0]) + frame as f64 / FLICKER_FPS;
+                setting.look_for_flicker(self, studio, canvas, time as f32);
                 step();
             }
+        });
+        let last = benches.last().into_iter();
+        let flickers: Vec<&Setting> = last.flat_map(Bench::settings).collect();
+        let rows = benches.iter().flat_map(|bench| {
+            let settings = bench.settings().zip(&flickers);
+            settings.flat_map(|(setting, flicker)| Row::of(self, setting, flicker))
+        });
+        rows.collect()
+    }
+}
+
+impl Bench {
+    fn new(plan: &Plan, threads: usize) -> Self {
+        let stand = |&size: &Size| Stand {
+            canvas: Canvas {
+                size,
+                pictures: vec![vec![0; size.area()]; plan.qualities.len()],
+                filled: vec![0; size.area()],
+            },
+            settings: (0..plan.shots.len())
+                .map(|shot| Setting::new(plan, shot, size, threads))
+                .collect(),
+        };
+        Self {
+            studio: Studio::new(threads),
+            stands: plan.sizes.iter().map(stand).collect(),
         }
-        let flickers = || benches.last().into_iter().flat_map(|(_, last)| last);
-        let settings = benches
-            .iter()
-            .flat_map(|(_, settings)| settings.iter().zip(flickers()));
-        settings
-            .flat_map(|(setting, flicker)| Row::of(self, setting, flicker))
-            .collect()
     }
 
-    /// When a frame is, in seconds.
-    fn time(&self, frame: usize) -> f32 {
-        let last = (self.frames - 1).max(1);
-        let share = frame as f64 / last as f64;
-        (f64::from(self.time_from) * (1.0 - share) + f64::from(self.time_to) * share) as f32
+    fn settings(&self) -> impl Iterator<Item = &Setting> {
+        self.stands.iter().flat_map(|stand| &stand.settings)
+    }
+
+    /// Does something in each setting.
+    fn each(&mut self, mut work: impl FnMut(&mut Studio, &mut Canvas, &mut Setting)) {
+        for Stand { canvas, settings } in &mut self.stands {
+            for setting in settings {
+                work(&mut self.studio, canvas, setting);
+            }
+        }
     }
 }
 
 impl Setting {
-    fn new(plan: &Plan, size: Size, threads: usize) -> Self {
+    fn new(plan: &Plan, shot: usize, size: Size, threads: usize) -> Self {
         let runs = plan.qualities.iter().map(|&quality| Run {
             quality,
             times: Vec::new(),
             counts: Counts::NONE,
             differences: Vec::new(),
             flicker: Flicker::default(),
-            pixels: vec![0; size.area()],
         });
         Self {
+            shot,
             size,
             threads,
             runs: runs.collect(),
             floor: Vec::new(),
-            filled: vec![0; size.area()],
         }
     }
 
     /// Draws a frame of each quality that does not count.
-    fn warm_up(&mut self, plan: &Plan, studio: &mut Studio) {
-        self.draw(plan, studio, plan.time(0));
+    fn warm_up(&mut self, plan: &Plan, studio: &mut Studio, canvas: &mut Canvas) {
+        self.draw(plan, studio, canvas, plan.shots[self.shot].times[0]);
         self.floor.clear();
         for run in &mut self.runs {
             run.times.clear();
@@ -152,21 +200,17 @@ impl Setting {
     }
 
     /// Draws a frame of each quality and fills one, then compares.
-    fn draw(&mut self, plan: &Plan, studio: &mut Studio, time: f32) {
-        for run in &mut self.runs {
+    fn draw(&mut self, plan: &Plan, studio: &mut Studio, canvas: &mut Canvas, time: f32) {
+        let (scene, width) = (plan.shots[self.shot].scene, canvas.size.width);
+        for (run, picture) in self.runs.iter_mut().zip(&mut canvas.pictures) {
             let start = Instant::now();
-            let counts = studio.draw(
-                plan.isa.level,
-                &plan.scene.at(time),
-                &run.quality.quality,
-                self.size.width,
-                &mut run.pixels,
-            );
+            let quality = &run.quality.quality;
+            let counts = studio.draw(plan.isa.level, &scene.at(time), quality, width, picture);
             run.times.push(milliseconds(start));
             run.counts += counts;
         }
         let start = Instant::now();
-        fill(&mut studio.pool, self.size.width, &mut self.filled);
+        fill(&mut studio.pool, width, &mut canvas.filled);
         self.floor.push(milliseconds(start));
 
         // Not before all are drawn, so that threads and caches stay with what is timed.
@@ -175,23 +219,22 @@ impl Setting {
             psnr: f64::INFINITY,
             ..Difference::default()
         });
-        for run in others {
-            let difference = Difference::between(&reference.pixels, &run.pixels);
+        for (run, picture) in others.iter_mut().zip(&canvas.pictures[1..]) {
+            let difference = Difference::between(&canvas.pictures[0], picture);
             run.differences.push(difference);
         }
     }
 
     /// Draws a frame of each quality and compares it to the one before.
-    fn look_for_flicker(&mut self, plan: &Plan, studio: &mut Studio, time: f32) {
-        let scene = plan.scene.at(time);
-        for run in &mut self.runs {
-            let (level, width) = (plan.isa.level, self.size.width);
-            studio.draw(level, &scene, &run.quality.quality, width, &mut run.pixels);
+    fn look_for_flicker(&mut self, plan: &Plan, studio: &mut Studio, canvas: &mut Canvas, t: f32) {
+        let scene = plan.shots[self.shot].scene.at(t);
+        let (level, width) = (plan.isa.level, canvas.size.width);
+        for (run, picture) in self.runs.iter().zip(&mut canvas.pictures) {
+            studio.draw(level, &scene, &run.quality.quality, width, picture);
         }
-        let (reference, others) = self.runs.split_first_mut().expect("there is a reference");
-        for run in others {
-            run.flicker
-                .next(self.size.width, &reference.pixels, &run.pixels);
+        let (reference, others) = canvas.pictures.split_first().expect("a reference");
+        for (run, picture) in self.runs[1..].iter_mut().zip(others) {
+            run.flicker.next(width, reference, picture);
         }
     }
 }

@@ -4,13 +4,14 @@ mod measure;
 mod row;
 mod table;
 
-use crate::arguments::{self, NamedQuality, SceneName, Size};
+use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::isa::{self, Isa};
 use crate::machine::machine;
+use crate::scenes::SceneName;
 use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
-use measure::Plan;
+use measure::{Plan, Shot};
 use row::Row;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
@@ -19,9 +20,12 @@ use std::thread::available_parallelism;
 ///
 /// Prints a Markdown table. Exhaustive frames, every pixel traced, are always among those measured: the others are
 /// held to them. What is compared takes turns, frame by frame. A frame's time holds making the scene and drawing it.
+///
+/// The show has a line for each of its scenes, with the frames a second of its worst second, and one for the worst of the
+/// whole show.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: model, or field:N for N small spheres
+    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Width and height in pixels; may be given several times
@@ -33,16 +37,16 @@ pub struct Arguments {
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest; may be given several times
     #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"])]
     quality: Vec<NamedQuality>,
-    /// Frames to draw of each, at times spread evenly
+    /// Frames to draw of each quality and scene, at times spread evenly
     #[arg(long, value_name = "N", default_value = "101", value_parser = arguments::frames)]
     frames: usize,
-    /// Time of the first frame in seconds
+    /// Time of the first frame in seconds, since the start of the scene or of the show
     #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]
     time_from: f32,
-    /// Time of the last frame in seconds
-    #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = arguments::seconds, allow_negative_numbers = true)]
-    time_to: f32,
-    /// Frames in a row, 60 a second, in which flicker is counted
+    /// Time of the last frame in seconds [default: 10, and in the show the last frame before the end]
+    #[arg(long, value_name = "SECONDS", value_parser = arguments::seconds, allow_negative_numbers = true)]
+    time_to: Option<f32>,
+    /// Frames in a row, 60 a second, in which flicker is counted, from each scene's first time on
     #[arg(long, value_name = "N", default_value = "300", value_parser = arguments::frames)]
     flicker: usize,
     /// Instruction set [default: the best of this machine]
@@ -53,24 +57,28 @@ pub struct Arguments {
     json: Option<PathBuf>,
 }
 
+/// Seconds of a frame, at 60 a second.
+const FRAME: f32 = 1.0 / 60.0;
+
 /// Measures, and says how it went.
 pub fn run(arguments: &Arguments) -> Result<()> {
     if let Some(file) = &arguments.json {
         output::check(file)?;
     }
-    let plan = plan(arguments);
+    let plan = plan(arguments)?;
     let bar = progress::bar(plan.steps());
     let rows = plan.measure(|| bar.inc(1));
     bar.finish_and_clear();
 
+    let (what, table) = match arguments.scene {
+        SceneName::Show => ("show, each scene in", table::of_show(&rows)),
+        scene => (&*format!("{scene} scene,"), table::of_scene(&rows)),
+    };
+    let (from, to) = times(arguments);
+    let frames = arguments.frames;
     let table = format!(
-        "{}; {} scene, {} frames from {} s to {} s\n\n{}",
-        machine(),
-        plan.scene,
-        plan.frames,
-        plan.time_from,
-        plan.time_to,
-        table::markdown(&rows)
+        "{}; {what} {frames} frames from {from} s to {to} s\n\n{table}",
+        machine()
     );
     match arguments.json.as_deref() {
         Some(file) if file == Path::new("-") => eprint!("{table}"),
@@ -82,24 +90,64 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-fn plan(arguments: &Arguments) -> Plan {
+/// Times of the first and of the last frame in seconds.
+fn times(arguments: &Arguments) -> (f32, f32) {
+    let scene = arguments.scene;
+    // The model scene's usual end is that of all measurements so far.
+    let usual = scene.start().map_or(10.0, |_| scene.length() - FRAME);
+    (arguments.time_from, arguments.time_to.unwrap_or(usual))
+}
+
+fn plan(arguments: &Arguments) -> Result<Plan> {
     let mut threads = arguments.threads.clone();
     if threads.is_empty() {
         threads.push(available_parallelism().map_or(1, usize::from));
     }
     let others = arguments.quality.iter().copied();
     let qualities = [NamedQuality::EXHAUSTIVE].into_iter().chain(others);
-    Plan {
-        scene: arguments.scene,
+    let parts = arguments.scene.parts().into_iter();
+    let shots: Vec<Shot> = parts.filter_map(|part| shot(arguments, part)).collect();
+    if shots.is_empty() {
+        let scene = arguments.scene;
+        return Err(BadInput::error(format!(
+            "--time-from and --time-to take times in {scene}, 0 to {}",
+            scene.length()
+        )));
+    }
+    Ok(Plan {
+        shots,
         isa: arguments.isa.unwrap_or_else(isa::best),
         sizes: distinct(arguments.size.iter().copied()),
         threads: distinct(threads),
         qualities: distinct(qualities),
-        frames: arguments.frames,
-        time_from: arguments.time_from,
-        time_to: arguments.time_to,
-        flicker_frames: arguments.flicker,
+    })
+}
+
+/// The frames of a scene; none if they would all lie outside of it.
+fn shot(arguments: &Arguments, scene: SceneName) -> Option<Shot> {
+    let (mut from, mut to) = times(arguments);
+    let mut flicker_frames = arguments.flicker;
+    if let Some(start) = scene.start() {
+        // Between its cuts.
+        let start = start - arguments.scene.start().unwrap_or(0.0);
+        let last = scene.length() - FRAME;
+        (from, to) = ((from - start).max(0.0), (to - start).min(last));
+        if from > to {
+            return None;
+        }
+        let rest = ((scene.length() - from) / FRAME).round() as usize;
+        flicker_frames = flicker_frames.min(rest);
     }
+    let last = (arguments.frames - 1).max(1) as f64;
+    let time = |frame: usize| {
+        let share = frame as f64 / last;
+        (f64::from(from) * (1.0 - share) + f64::from(to) * share) as f32
+    };
+    Some(Shot {
+        scene,
+        times: (0..arguments.frames).map(time).collect(),
+        flicker_frames,
+    })
 }
 
 /// Each item the first time that it comes.

@@ -1,6 +1,6 @@
 //! The figures of a run.
 
-use super::measure::{Plan, Setting};
+use super::measure::{Plan, Setting, Shot};
 use serde::Serialize;
 
 /// What was measured of one quality in one setting.
@@ -18,6 +18,11 @@ pub struct Row {
     /// Frames drawn.
     pub frames: usize,
     pub fps_median: f64,
+    /// In the second of the scene, or of the show, whose frames took longest.
+    pub fps_worst_second: f64,
+    /// When it begins, in seconds.
+    #[serde(skip)]
+    pub worst_second: f64,
     pub ms_median: f64,
     /// 99 of 100 frames took no longer.
     pub ms_p99: f64,
@@ -28,7 +33,7 @@ pub struct Row {
     pub shadow_rays: f64,
     /// Primary and secondary rays for each lane that could have carried one.
     pub lane_occupancy: f64,
-    /// Mean of the frames' PSNR against the exhaustive ones.
+    /// Mean of the frames' PSNR against the exhaustive ones, of those frames that differ.
     pub psnr_mean_db: f64,
     pub psnr_worst_db: f64,
     /// Pixels with a channel more than 8 of 255 off.
@@ -45,30 +50,42 @@ pub struct Row {
 impl Row {
     /// The rows of a setting, one for each run. Flicker was looked for in another one, on any number of threads.
     pub fn of(plan: &Plan, setting: &Setting, flicker: &Setting) -> Vec<Self> {
+        let shot = &plan.shots[setting.shot];
+        let frames = shot.times.len();
         let floor = median(&setting.floor);
         let exhaustive = median(&setting.runs[0].times);
         let runs = setting.runs.iter().zip(&flicker.runs);
         let rows = runs.map(|(run, flicker)| {
-            let per_frame = |count: u64| count as f64 / plan.frames as f64;
+            let per_frame = |count: u64| count as f64 / frames as f64;
             let ms = median(&run.times);
+            let (worst_second, worst_ms) = worst_second(shot, &run.times);
             let psnr = run.differences.iter().map(|difference| difference.psnr);
+            // Black frames are all alike.
+            let finite: Vec<f64> = psnr.clone().filter(|psnr| psnr.is_finite()).collect();
+            let sum = finite.iter().sum::<f64>();
             let over_8: usize = run.differences.iter().map(|d| d.over_8).sum();
             Self {
-                scene: plan.scene.to_string(),
+                scene: shot.scene.to_string(),
                 width: setting.size.width,
                 height: setting.size.height,
                 threads: setting.threads,
                 isa: plan.isa.name,
                 quality: run.quality.name,
-                frames: plan.frames,
+                frames,
                 fps_median: 1e3 / ms,
+                fps_worst_second: 1e3 / worst_ms,
+                worst_second,
                 ms_median: ms,
                 ms_p99: percentile(&run.times, 99),
                 traced_fraction: per_frame(run.counts.points) / setting.size.area() as f64,
                 rays: per_frame(run.counts.rays),
                 shadow_rays: per_frame(run.counts.shadow_rays),
                 lane_occupancy: run.counts.rays as f64 / run.counts.lanes as f64,
-                psnr_mean_db: psnr.clone().sum::<f64>() / plan.frames as f64,
+                psnr_mean_db: if finite.is_empty() {
+                    f64::INFINITY
+                } else {
+                    sum / finite.len() as f64
+                },
                 psnr_worst_db: psnr.fold(f64::INFINITY, f64::min),
                 pixels_over_8: per_frame(over_8 as u64),
                 flicker: flicker.flicker.jumps,
@@ -78,6 +95,24 @@ impl Row {
         });
         rows.collect()
     }
+}
+
+/// The second of the show, or of a scene that stands alone, whose frames took longest: when it begins, and the mean of
+/// their milliseconds.
+fn worst_second(shot: &Shot, times: &[f64]) -> (f64, f64) {
+    let start = shot.scene.start().unwrap_or(0.0);
+    let seconds = shot
+        .times
+        .iter()
+        .map(|time| f64::from(start + time).floor());
+    let frames: Vec<(f64, f64)> = seconds.zip(times.iter().copied()).collect();
+    let means = frames.chunk_by(|a, b| a.0 == b.0).map(|second| {
+        let sum: f64 = second.iter().map(|(_, ms)| ms).sum();
+        (second[0].0, sum / second.len() as f64)
+    });
+    means
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .expect("there is a frame")
 }
 
 /// The middle one of some times, or the mean of the two in the middle.

@@ -5,26 +5,64 @@ use super::row::Row;
 /// A column's title, and what a row says in it.
 type Column = (&'static str, fn(&Row) -> String);
 
+const SCENE: Column = ("scene", |row| row.scene.clone());
+const SIZE: Column = ("size", |row| format!("{}x{}", row.width, row.height));
+const THREADS: Column = ("threads", |row| row.threads.to_string());
+const ISA: Column = ("isa", |row| row.isa.to_owned());
+const QUALITY: Column = ("quality", |row| row.quality.to_owned());
+const FPS: Column = ("fps median", |row| format!("{:.1}", row.fps_median));
+const WORST_SECOND: Column = ("worst second", |row| format!("{:.1}", row.fps_worst_second));
+const MS: Column = ("ms median", |row| format!("{:.3}", row.ms_median));
+const MS_P99: Column = ("ms p99", |row| format!("{:.3}", row.ms_p99));
+const TRACED: Column = ("traced", |row| percent(row.traced_fraction));
+const RAYS: Column = ("rays", |row| format!("{:.0}", row.rays));
+const SHADOW_RAYS: Column = ("shadow rays", |row| format!("{:.0}", row.shadow_rays));
+const LANES: Column = ("lanes used", |row| percent(row.lane_occupancy));
+const PSNR_MEAN: Column = ("PSNR mean", |row| decibels(row.psnr_mean_db));
+const PSNR_WORST: Column = ("PSNR worst", |row| decibels(row.psnr_worst_db));
+const OVER_8: Column = ("over 8/255", |row| format!("{:.1}", row.pixels_over_8));
+const FLICKER: Column = ("flicker", |row| row.flicker.to_string());
+const SPEED_UP: Column = ("speed-up", |row| {
+    format!("{:.2}", row.speedup_vs_exhaustive)
+});
+const FLOOR: Column = ("floor", |row| format!("{:.1}", row.floor_ratio));
+
+/// Of a scene.
 const COLUMNS: [Column; 17] = [
-    ("size", |row| format!("{}x{}", row.width, row.height)),
-    ("threads", |row| row.threads.to_string()),
-    ("isa", |row| row.isa.to_owned()),
-    ("quality", |row| row.quality.to_owned()),
-    ("fps median", |row| format!("{:.1}", row.fps_median)),
-    ("ms median", |row| format!("{:.3}", row.ms_median)),
-    ("ms p99", |row| format!("{:.3}", row.ms_p99)),
-    ("traced", |row| percent(row.traced_fraction)),
-    ("rays", |row| format!("{:.0}", row.rays)),
-    ("shadow rays", |row| format!("{:.0}", row.shadow_rays)),
-    ("lanes used", |row| percent(row.lane_occupancy)),
-    ("PSNR mean", |row| decibels(row.psnr_mean_db)),
-    ("PSNR worst", |row| decibels(row.psnr_worst_db)),
-    ("over 8/255", |row| format!("{:.1}", row.pixels_over_8)),
-    ("flicker", |row| row.flicker.to_string()),
-    ("speed-up", |row| {
-        format!("{:.2}", row.speedup_vs_exhaustive)
-    }),
-    ("floor", |row| format!("{:.1}", row.floor_ratio)),
+    SIZE,
+    THREADS,
+    ISA,
+    QUALITY,
+    FPS,
+    MS,
+    MS_P99,
+    TRACED,
+    RAYS,
+    SHADOW_RAYS,
+    LANES,
+    PSNR_MEAN,
+    PSNR_WORST,
+    OVER_8,
+    FLICKER,
+    SPEED_UP,
+    FLOOR,
+];
+
+/// Of the show's scenes.
+const SHOW_COLUMNS: [Column; 13] = [
+    SIZE,
+    THREADS,
+    SCENE,
+    QUALITY,
+    FPS,
+    WORST_SECOND,
+    MS,
+    MS_P99,
+    TRACED,
+    PSNR_MEAN,
+    PSNR_WORST,
+    OVER_8,
+    FLICKER,
 ];
 
 fn percent(share: f64) -> String {
@@ -40,30 +78,59 @@ fn decibels(psnr: f64) -> String {
     }
 }
 
+/// A line for each row.
+pub fn of_scene(rows: &[Row]) -> String {
+    markdown(&COLUMNS, rows)
+}
+
+/// A line for each row, and the worst second of the show for each size and number of threads.
+pub fn of_show(rows: &[Row]) -> String {
+    let mut text = markdown(&SHOW_COLUMNS, rows) + "\n";
+    let setting = |row: &Row| (row.threads, row.width, row.height);
+    for rows in rows.chunk_by(|a, b| setting(a) == setting(b)) {
+        let (threads, width, height) = setting(&rows[0]);
+        let first = rows.iter().take_while(|row| row.scene == rows[0].scene);
+        let worst = first.map(|row| worst_second(rows, row.quality));
+        let worst: Vec<String> = worst.collect();
+        text += &format!(
+            "Worst second of the show at {width}x{height}, threads {threads}: {}\n",
+            worst.join(", ")
+        );
+    }
+    text
+}
+
+/// The worst second of a quality in some scenes.
+fn worst_second(rows: &[Row], quality: &str) -> String {
+    let rows = rows.iter().filter(|row| row.quality == quality);
+    let worst = rows.min_by(|a, b| a.fps_worst_second.total_cmp(&b.fps_worst_second));
+    worst.map_or(String::new(), |row| {
+        let (fps, second) = (row.fps_worst_second, row.worst_second);
+        format!("{quality} {fps:.1} fps from {second} s ({})", row.scene)
+    })
+}
+
 /// A line for each row, in columns that line up as plain text too.
-pub fn markdown(rows: &[Row]) -> String {
-    let columns = COLUMNS.map(|(title, cell)| {
+fn markdown(columns: &[Column], rows: &[Row]) -> String {
+    let columns = columns.iter().map(|&(title, cell)| {
         let cells: Vec<String> = rows.iter().map(cell).collect();
         let longest = cells.iter().map(String::len).max().unwrap_or(0);
         let width = longest.max(title.len());
         (title, cells, width)
     });
-    let titles = columns
-        .each_ref()
-        .map(|(title, _, width)| format!("{title:>width$}"));
-    let rules = columns
-        .each_ref()
-        .map(|(_, _, width)| format!("{}:", "-".repeat(width - 1)));
-    let mut text = line(&titles) + &line(&rules);
+    let columns: Vec<_> = columns.collect();
+    let titles = columns.iter();
+    let titles = titles.map(|(title, _, width)| format!("{title:>width$}"));
+    let rules = columns.iter();
+    let rules = rules.map(|(_, _, width)| format!("{}:", "-".repeat(width - 1)));
+    let mut text = line(titles) + &line(rules);
     for i in 0..rows.len() {
-        let cells = columns
-            .each_ref()
-            .map(|(_, cells, width)| format!("{:>width$}", cells[i]));
-        text += &line(&cells);
+        let cells = columns.iter();
+        text += &line(cells.map(|(_, cells, width)| format!("{:>width$}", cells[i])));
     }
     text
 }
 
-fn line(cells: &[String]) -> String {
-    format!("| {} |\n", cells.join(" | "))
+fn line(cells: impl Iterator<Item = String>) -> String {
+    format!("| {} |\n", cells.collect::<Vec<_>>().join(" | "))
 }

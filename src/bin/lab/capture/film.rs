@@ -1,8 +1,9 @@
 //! The film: which picture has which number.
 
-use crate::arguments::{NamedQuality, SceneName, Size};
+use crate::arguments::{NamedQuality, Size};
 use crate::isa::Isa;
 use crate::rate::Rate;
+use crate::scenes::SceneName;
 use crate::studio::Studio;
 use eightfold::show;
 

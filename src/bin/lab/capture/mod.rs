@@ -8,9 +8,10 @@ mod stream;
 mod video;
 mod y4m;
 
-use crate::arguments::{self, BadInput, NamedQuality, SceneName, Size};
+use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::isa::{self, Isa};
 use crate::rate::Rate;
+use crate::scenes::SceneName;
 use anyhow::Result;
 use clap::{ArgGroup, Args};
 use crew::Crew;
@@ -62,7 +63,7 @@ pub struct Arguments {
     /// Width and height of a frame in pixels [default: 1024x768, and 320x240 on a contact sheet]
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
-    /// The scene: model, or field:N for N small spheres
+    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest

@@ -2,10 +2,11 @@
 
 mod sheet;
 
-use crate::arguments::{self, NamedQuality, SceneName, Size};
+use crate::arguments::{self, NamedQuality, Size};
 use crate::error::Difference;
 use crate::flip::Flip;
 use crate::overlay::{Trail, heat};
+use crate::scenes::SceneName;
 use crate::studio::Studio;
 use crate::{isa, output, picture};
 use anyhow::{Context, Result};
@@ -21,7 +22,7 @@ use std::thread::available_parallelism;
 /// Writes a PNG for each, and sheet.png with all of them and captions.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: model, or field:N for N small spheres
+    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Seconds since the scene's start

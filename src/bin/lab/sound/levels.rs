@@ -1,21 +1,11 @@
 //! How loud it is, bar by bar.
 
+use crate::scenes::PARTS;
 use anyhow::Result;
 use ebur128::{EbuR128, Mode};
 use eightfold::show::grid::{BARS, CUTS};
 use eightfold::sound::{LENGTH, RATE};
 use std::fmt::Write;
-
-/// The scenes that begin at [`CUTS`].
-const SCENES: [&str; CUTS.len()] = [
-    "title",
-    "model",
-    "method",
-    "colonnade",
-    "machine",
-    "field",
-    "finale",
-];
 
 /// Levels of samples.
 struct Levels {
@@ -66,7 +56,7 @@ pub fn markdown(samples: &[[f32; 2]]) -> Result<String> {
         let scene = CUTS
             .iter()
             .position(|&cut| cut == bar)
-            .map_or("", |cut| SCENES[cut]);
+            .map_or("", |cut| PARTS[cut]);
         writeln!(
             text,
             "| {bar:3} | {scene:>9} | {:9.1} | {:5.1} |",

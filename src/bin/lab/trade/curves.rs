@@ -1,9 +1,10 @@
 //! How speed depends on the size of a picture and on the number of objects.
 
 use super::row::quartile;
-use crate::arguments::{NamedQuality, SceneName, Size};
+use crate::arguments::{NamedQuality, Size};
 use crate::interrupt;
 use crate::isa::Isa;
+use crate::scenes::SceneName;
 use crate::studio::Studio;
 use cpu_time::ThreadTime;
 use eightfold::scene::{MAX_SPHERES, Scene};

@@ -2,12 +2,13 @@
 
 use super::sweep::Point;
 use super::tally::Tally;
-use crate::arguments::{SceneName, Size};
+use crate::arguments::Size;
 use crate::error::Difference;
 use crate::flip::Flip;
 use crate::interrupt;
 use crate::isa::Isa;
 use crate::missed::Visible;
+use crate::scenes::SceneName;
 use crate::studio::Studio;
 use cpu_time::ThreadTime;
 use eightfold::scene::Scene;

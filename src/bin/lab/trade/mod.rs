@@ -9,10 +9,11 @@ mod sweep;
 mod table;
 mod tally;
 
-use crate::arguments::{self, SceneName, Size};
+use crate::arguments::{self, Size};
 use crate::interrupt::Stopped;
 use crate::isa::{self, Isa};
 use crate::machine::machine;
+use crate::scenes::SceneName;
 use crate::{interrupt, output, progress};
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -38,7 +39,7 @@ use tally::Tally;
 /// whose middle is averaged, u not guarded against missed objects, h least highlight, d depth of rays, w least contribution of a ray.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: model, or field:N for N small spheres
+    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Width and height in pixels [default: 1024x768, with --quick 512x384]

@@ -1,10 +1,11 @@
 //! Where a frame is drawn to be looked at: the picture, what it was made of, how right it is.
 
 use super::controls::{Controls, Look, MOST_ERROR, MOST_RAYS};
-use crate::arguments::{SceneName, Size};
+use crate::arguments::Size;
 use crate::error::Difference;
 use crate::isa::Isa;
 use crate::overlay::{Trail, draw_error};
+use crate::scenes::SceneName;
 use crate::studio::Studio;
 use eightfold::Quality;
 use eightfold::scene::Scene;

@@ -3,9 +3,10 @@
 mod controls;
 mod easel;
 
-use crate::arguments::{self, NamedQuality, SceneName, Size};
+use crate::arguments::{self, NamedQuality, Size};
 use crate::isa::{self, Isa};
 use crate::rate::Rate;
+use crate::scenes::SceneName;
 use anyhow::{Result, bail};
 use clap::Args;
 use controls::{Controls, KEYS, Look};
@@ -23,7 +24,7 @@ use std::time::{Duration, Instant};
 #[derive(Args)]
 #[command(after_help = format!("Keys:\n{KEYS}"))]
 pub struct Arguments {
-    /// The scene: model, or field:N for N small spheres
+    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Width and height of the window in pixels
