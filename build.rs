@@ -19,11 +19,11 @@
 //! | functions of std redirected * | [`INSTEAD`] | 276,448 |
 //! | ... of these, formatting | | 2,629 |
 //! | ... of these, vectors | | 704 |
-//! | `x11-dl` with 39 functions instead of 826 (in a 30-line program) | `src/window/x11-dl` | 115,056 |
+//! | `x11-dl` with 26 functions instead of 826 (in a 30-line program) | `src/window/x11-dl` | 115,056 |
 //! | no unwind tables: nothing unwinds * | `src/window/program.ld` | 84,808 |
 //! | compiled for size, not for speed | `Cargo.toml` | 26,944 |
 //! | few sections, not one per function * | `src/window/program.ld` | 19,384 |
-//! | `minifb` makes the window and no more | `src/window/window.rs`, `x11-dl/answers.rs` | 5,100 |
+//! | `minifb` makes the window and no more, Xlib does no more than needed | `src/window/window.rs`, `x11-dl/answers.rs` | 7,870 |
 //! | addresses fixed when linked (`-no-pie`) * | | 4,688 |
 //! | headers and the functions of libc in our own way | `src/window/program.s` | 2,280 |
 //! | places of panics in the library are not said | `src/window/program.ld` | 1,808 |

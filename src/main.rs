@@ -69,7 +69,7 @@ impl Intro {
     /// Plays on the best screen there is. Returns the exit code.
     fn run(&mut self, options: &Options) -> i32 {
         let (width, height) = options.size;
-        let why = match Window::open("Eightfold", width, height) {
+        let why = match Window::open(c"Eightfold", width, height) {
             Ok(mut window) => {
                 if options.has(FULLSCREEN) {
                     window.set_fullscreen(true);

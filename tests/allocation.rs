@@ -57,7 +57,7 @@ static WORKERS: Fixed<[Worker; THREADS]> = Fixed::new([const { Worker::new() }; 
 
 fn main() {
     stage::on_displays(&[&[]], || {
-        let mut window = Window::open("Eightfold", 320, 240).expect("there is a display");
+        let mut window = Window::open(c"Eightfold", 320, 240).expect("there is a display");
         let mut pool = Pool::new(THREADS);
         let memory = MEMORY.take();
         let workers = WORKERS.take();

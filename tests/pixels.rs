@@ -21,7 +21,7 @@ fn main() {
 
 fn look() {
     let display = env::var("DISPLAY").expect("there is a display");
-    let mut window = Window::open("Eightfold", 301, 203).expect("there is a display");
+    let mut window = Window::open(c"Eightfold", 301, 203).expect("there is a display");
     let sizes = [
         (301, 203),
         (1280, 1024),

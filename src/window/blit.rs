@@ -45,11 +45,11 @@ impl Blit {
     pub fn new(x: Functions, display: *mut xlib::Display, window: xlib::Window) -> Option<Blit> {
         // SAFETY: the display is open. Xlib's picture without pixels belongs to nobody else.
         unsafe {
-            let screen = (x.XDefaultScreen)(display);
+            let screen = &*(*display).screen();
             let image = (x.XCreateImage)(
                 display,
-                (x.XDefaultVisual)(display, screen),
-                (x.XDefaultDepth)(display, screen) as u32,
+                screen.root_visual,
+                screen.root_depth as u32,
                 xlib::ZPixmap,
                 0,
                 null_mut(),
@@ -61,7 +61,6 @@ impl Blit {
             if (*image).bits_per_pixel != 32 {
                 return None;
             }
-            let context = (x.XDefaultGC)(display, screen);
             let memory = share(x, display, image);
             let shared = memory.is_some();
             let memory = memory.unwrap_or_else(|| Box::leak(pixels(2 * MOST_PIXELS)));
@@ -70,7 +69,7 @@ impl Blit {
                 x,
                 display,
                 window,
-                context,
+                context: screen.default_gc,
                 image,
                 shared: if shared { Xext::load() } else { None },
                 frames: [first, second],
@@ -162,7 +161,6 @@ impl Blit {
             } else {
                 (self.x.XPutImage)(display, window, context, image, 0, 0, 0, top, width, height);
             }
-            (self.x.XFlush)(display);
         }
     }
 }

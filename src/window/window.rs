@@ -1,8 +1,9 @@
 //! A window on an X display.
 
 use core::{
-    ffi::{c_int, c_uint},
+    ffi::{CStr, c_int, c_uint, c_void},
     mem::{forget, zeroed},
+    ptr::null_mut,
     sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
 
@@ -16,21 +17,21 @@ use x11_dl::{
 pub use crate::keyboard::Press;
 use crate::{
     blit::{self, Blit},
+    clock::{self, SECOND},
     fullscreen::Fullscreen,
-    line,
+    line, pool,
     screen::{Next, Screen},
     system::call,
 };
 
 /// A window that shows frames, with keys: F for the whole screen, W for the window, Esc to end.
 ///
-/// `minifb` opens it. What happens in it is taken from Xlib: a key that is pressed and released between two frames
+/// `minifb` makes it. What happens in it is taken from Xlib: a key that is pressed and released between two frames
 /// counts, and the intro is without the 2 KB that know all keys and the mouse. It stays until the process ends, when
 /// the display closes it, at once and for sure.
 pub struct Window {
     x: Functions,
     display: *mut xlib::Display,
-    #[cfg(feature = "keys")]
     window: xlib::Window,
     /// What a window manager sends instead of closing it.
     delete: xlib::Atom,
@@ -59,7 +60,7 @@ impl Window {
     ///
     /// # Errors
     /// If there is no display to open it on.
-    pub fn open(title: &str, width: usize, height: usize) -> Result<Window, NoWindow> {
+    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, NoWindow> {
         let x = Functions::load().ok_or(NoWindow::NoLibrary)?;
         // SAFETY: the functions have the signatures that Xlib calls them by, and stay.
         unsafe {
@@ -67,47 +68,73 @@ impl Window {
             (x.XSetIOErrorHandler)(lost);
         }
         let display = x.open_display().ok_or(NoWindow::NoDisplay)?;
-        let options = WindowOptions {
-            resize: true,
-            scale: Scale::X1,
-            ..WindowOptions::default()
-        };
-        // Nothing goes through its buffer, which is as large as this.
-        let opened = minifb::Window::new(title, 0, 0, options);
-        let drawn = opened.as_ref().ok().and_then(|opened| {
-            let window = opened.get_window_handle() as xlib::Window;
-            Some((window, Blit::new(x, display, window)?))
-        });
-        forget(opened);
-        let Some((window, blit)) = drawn else {
-            // SAFETY: nobody uses the display any more. The window goes with it.
-            unsafe { (x.XCloseDisplay)(display) };
+        // SAFETY: it needs nothing, and the title is not kept.
+        if !unsafe { pool::spawn(&mut 0, make, null_mut()) } {
             return Err(NoWindow::NoDisplay);
+        }
+        let window = loop {
+            if let Some(window) = x.window() {
+                break window;
+            }
+            clock::sleep(SECOND / 1000);
         };
+        let blit = Blit::new(x, display, window).ok_or(NoWindow::NoDisplay)?;
         let fullscreen = Fullscreen::new(x, display, window);
-        fullscreen.show(width, height);
-        // SAFETY: the display is open, and the name outlives the call.
-        let delete = unsafe { (x.XInternAtom)(display, c"WM_DELETE_WINDOW".as_ptr(), xlib::False) };
-        Ok(Window {
+        let atom = |name: &CStr| {
+            // SAFETY: the display is open, and the name outlives the call.
+            unsafe { (x.XInternAtom)(display, name.as_ptr(), xlib::False) }
+        };
+        let mut window = Window {
             x,
             display,
-            #[cfg(feature = "keys")]
             window,
-            delete,
+            delete: atom(c"WM_DELETE_WINDOW"),
             size: (width, height),
             fullscreen,
             blit,
             #[cfg(feature = "keys")]
             presses: Vec::new(),
-        })
+        };
+        window.set_title(title);
+        // SAFETY: the window exists, and what is pointed to outlives the call.
+        unsafe {
+            let events = xlib::StructureNotifyMask | xlib::KeyPressMask;
+            (x.XSelectInput)(display, window.window, events);
+            (x.XSetWMProtocols)(display, window.window, &mut window.delete, 1);
+        }
+        window.fullscreen.show(width, height);
+        // SAFETY: the display is open.
+        unsafe { (x.XSync)(display, xlib::False) };
+        Ok(window)
     }
 
     /// Goes to the whole screen, or back to the window where it was and as it was.
     pub fn set_fullscreen(&mut self, on: bool) {
-        if on {
-            self.fullscreen.enter();
-        } else {
-            self.fullscreen.leave();
+        self.fullscreen.set(on);
+    }
+
+    /// Names the window anew.
+    pub fn set_title(&mut self, title: &CStr) {
+        let Window {
+            x, display, window, ..
+        } = *self;
+        let atom = |name: &CStr| {
+            // SAFETY: the display is open, and the name outlives the call.
+            unsafe { (x.XInternAtom)(display, name.as_ptr(), xlib::False) }
+        };
+        // SAFETY: the window exists, and what is pointed to outlives the calls and is as long as it says.
+        unsafe {
+            (x.XStoreName)(display, window, title.as_ptr());
+            (x.XChangeProperty)(
+                display,
+                window,
+                atom(c"_NET_WM_NAME"),
+                atom(c"UTF8_STRING"),
+                8,
+                xlib::PropModeReplace,
+                title.as_ptr().cast(),
+                title.count_bytes() as c_int,
+            );
         }
     }
 }
@@ -118,35 +145,6 @@ impl Window {
     /// The keys pressed since the last call, in order; one that is held comes again and again.
     pub fn presses(&mut self) -> Vec<Press> {
         core::mem::take(&mut self.presses)
-    }
-
-    /// Names the window anew. The title must not hold a NUL.
-    pub fn set_title(&mut self, title: &str) {
-        use core::ffi::CStr;
-        let Window {
-            x, display, window, ..
-        } = *self;
-        let named = std::ffi::CString::new(title);
-        let atom = |name: &CStr| {
-            // SAFETY: the display is open, and the name outlives the call.
-            unsafe { (x.XInternAtom)(display, name.as_ptr(), xlib::False) }
-        };
-        if let Ok(named) = named {
-            // SAFETY: the window exists, and what is pointed to outlives the calls and is as long as it says.
-            unsafe {
-                (x.XStoreName)(display, window, named.as_ptr());
-                (x.XChangeProperty)(
-                    display,
-                    window,
-                    atom(c"_NET_WM_NAME"),
-                    atom(c"UTF8_STRING"),
-                    8,
-                    xlib::PropModeReplace,
-                    title.as_ptr(),
-                    title.len() as c_int,
-                );
-            }
-        }
     }
 }
 
@@ -194,7 +192,6 @@ impl Screen for Window {
                 }
             }
         }
-        self.fullscreen.keep();
         if CLOSED.load(Relaxed) {
             return Next::End(0);
         }
@@ -203,6 +200,18 @@ impl Screen for Window {
         }
         Next::GoOn
     }
+}
+
+/// Has `minifb` make a window: it is there once [`Functions::window`] has it, and this thread ends with that.
+extern "C" fn make(_: *mut c_void) -> *mut c_void {
+    let options = WindowOptions {
+        resize: true,
+        scale: Scale::X1,
+        ..WindowOptions::default()
+    };
+    // (An error would have a message that nobody reads; there is a display, so there is none.)
+    forget(minifb::Window::new("", 0, 0, options));
+    null_mut()
 }
 
 /// Takes note of requests that the server refuses. Xlib's own function would end the process.

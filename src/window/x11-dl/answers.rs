@@ -1,8 +1,8 @@
 //! Functions as `minifb` finds them: those that the intro needs nothing from answer in place.
 //!
-//! `minifb` makes the window, of no size and not yet to be seen, gives it its title and selects its events.
-//! The rest is done by `eightfold-window`, which opens the display before, so that nothing can fail here, and shows
-//! the window after.
+//! `minifb` makes the window, without a size and not yet to be seen, on a thread of its own, which ends with that: what
+//! `minifb` does later, for pictures and keys, is left out of the program, 1.5 kB. The rest is done by `eightfold-window`,
+//! which opens the display before, so that nothing can fail here, and shows the window after.
 
 use core::{
     ffi::{c_char, c_int, c_uint, c_ulong, c_void},
@@ -13,7 +13,7 @@ use core::{
 
 use crate::{
     OpenError,
-    functions::{DISPLAY, Loaded, loaded},
+    functions::{DISPLAY, Loaded, loaded, made},
     types::*,
 };
 
@@ -24,7 +24,7 @@ macro_rules! left_out {
         ///
         /// Left out are input methods (the intro takes keys, not text), Xlib's thread locks (one
         /// thread talks to the server), the mouse, visuals with transparency, and pictures: the window takes its
-        /// parent's depth and visual, for which zero stands.
+        /// parent's depth and visual, for which zero stands. Left out is all that follows [`answer::XCreateWindow`].
         #[derive(Clone, Copy)]
         pub struct Xlib {
             $( pub $name: answer::$name, )*
@@ -79,15 +79,13 @@ left_out! {
         core::hint::assert_unchecked(!display.is_null());
         display
     };
-    // (Windows and atoms are never none. Told so, the compiler leaves out what `minifb` would do about it.)
     // SAFETY: it is called with what Xlib's own is.
     fn XCreateWindow(display: *mut Display, parent: Window, x: c_int, y: c_int, _: c_uint, _: c_uint, _: c_uint, _: c_int, class: c_uint, _: *mut Visual, mask: c_ulong, attributes: *mut XSetWindowAttributes) -> Window = unsafe {
-        (loaded().XCreateWindow)(display, parent, x, y, 1, 1, 0, 0, class, null_mut(), mask, attributes).max(1)
+        made((loaded().XCreateWindow)(display, parent, x, y, 1, 1, 0, 0, class, null_mut(), mask, attributes))
     };
-    // SAFETY: it is called with what Xlib's own is.
-    fn XInternAtom(display: *mut Display, name: *const c_char, only_if_exists: Bool) -> Atom = unsafe {
-        (loaded().XInternAtom)(display, name, only_if_exists).max(1)
-    };
+    fn XInternAtom(_: *mut Display, _: *const c_char, _: Bool) -> Atom = 0;
+    // SAFETY: the display is open.
+    fn XDefaultRootWindow(display: *mut Display) -> Window = unsafe { (*(*display).screen()).root };
     fn XMapRaised(_: *mut Display, _: Window) -> c_int = 0;
     fn XFlush(_: *mut Display) -> c_int = 0;
     // SAFETY: it points to where the number of formats goes.
@@ -133,5 +131,6 @@ left_out! {
     fn XCreateImage(_: *mut Display, _: *mut Visual, _: c_uint, _: c_int, _: c_int, _: *mut c_char, _: c_uint, _: c_uint, _: c_int, _: c_int) -> *mut XImage = dangling_mut();
     fn XSetWMNormalHints(_: *mut Display, _: Window, _: *mut XSizeHints) -> () = ();
     fn XMoveWindow(_: *mut Display, _: Window, _: c_int, _: c_int) -> c_int = 0;
+    fn XTranslateCoordinates(_: *mut Display, _: Window, _: Window, _: c_int, _: c_int, _: *mut c_int, _: *mut c_int, _: *mut Window) -> Bool = False;
     fn XkbKeycodeToKeysym(_: *mut Display, _: KeyCode, _: c_int, _: c_int) -> KeySym = 0;
 }

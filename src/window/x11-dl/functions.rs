@@ -7,7 +7,7 @@ use core::{
     ops::Deref,
     ptr::{null, null_mut},
     sync::atomic::{
-        AtomicBool, AtomicPtr,
+        AtomicBool, AtomicPtr, AtomicUsize,
         Ordering::{Acquire, Relaxed, Release},
     },
 };
@@ -34,22 +34,12 @@ loaded! {
     /// The functions that are looked up in libX11.
     Loaded, XLIB_NAMES:
     fn XChangeProperty(*mut Display, Window, Atom, Atom, c_int, c_int, *const c_uchar, c_int) -> c_int;
-    fn XChangeWindowAttributes(*mut Display, Window, c_ulong, *mut XSetWindowAttributes) -> c_int;
-    fn XCloseDisplay(*mut Display) -> c_int;
     fn XCreateBitmapFromData(*mut Display, Drawable, *const c_char, c_uint, c_uint) -> Pixmap;
     fn XCreateImage(*mut Display, *mut Visual, c_uint, c_int, c_int, *mut c_char, c_uint, c_uint, c_int, c_int) -> *mut XImage;
     fn XCreatePixmapCursor(*mut Display, Pixmap, Pixmap, *mut XColor, *mut XColor, c_uint, c_uint) -> Cursor;
     fn XCreateWindow(*mut Display, Window, c_int, c_int, c_uint, c_uint, c_uint, c_int, c_uint, *mut Visual, c_ulong, *mut XSetWindowAttributes) -> Window;
-    fn XDefaultDepth(*mut Display, c_int) -> c_int;
-    fn XDefaultGC(*mut Display, c_int) -> GC;
-    fn XDefaultRootWindow(*mut Display) -> Window;
-    fn XDefaultScreen(*mut Display) -> c_int;
-    fn XDefaultVisual(*mut Display, c_int) -> *mut Visual;
     fn XDefineCursor(*mut Display, Window, Cursor) -> c_int;
-    fn XFlush(*mut Display) -> c_int;
-    fn XFree(*mut c_void) -> c_int;
     fn XGetWindowAttributes(*mut Display, Window, *mut XWindowAttributes) -> Status;
-    fn XGetWindowProperty(*mut Display, Window, Atom, c_long, c_long, Bool, Atom, *mut Atom, *mut c_int, *mut c_ulong, *mut c_ulong, *mut *mut c_uchar) -> c_int;
     fn XInternAtom(*mut Display, *const c_char, Bool) -> Atom;
     fn XLookupKeysym(*mut XKeyEvent, c_int) -> KeySym;
     fn XMapRaised(*mut Display, Window) -> c_int;
@@ -63,12 +53,9 @@ loaded! {
     fn XSetErrorHandler(unsafe extern "C" fn(*mut Display, *mut XErrorEvent) -> c_int) -> *mut c_void;
     fn XSetIOErrorHandler(unsafe extern "C" fn(*mut Display) -> c_int) -> *mut c_void;
     fn XSetInputFocus(*mut Display, Window, c_int, Time) -> c_int;
-    fn XSetWMNormalHints(*mut Display, Window, *mut XSizeHints) -> ();
     fn XSetWMProtocols(*mut Display, Window, *mut Atom, c_int) -> Status;
     fn XStoreName(*mut Display, Window, *const c_char) -> c_int;
     fn XSync(*mut Display, Bool) -> c_int;
-    fn XTranslateCoordinates(*mut Display, Window, Window, c_int, c_int, *mut c_int, *mut c_int, *mut Window) -> Bool;
-    fn XUnmapWindow(*mut Display, Window) -> c_int;
 }
 
 loaded! {
@@ -93,6 +80,19 @@ static XEXT_TABLE: Table<Xext> = Table::new();
 
 /// The display that [`Functions::open_display`] has opened.
 pub(crate) static DISPLAY: AtomicPtr<Display> = AtomicPtr::new(null_mut());
+
+/// The window that `minifb` has made, or 0.
+static WINDOW: AtomicUsize = AtomicUsize::new(0);
+
+/// Takes note of the window that `minifb` has made, and ends the thread that it made it on.
+#[cold]
+pub(crate) fn made(window: Window) -> ! {
+    WINDOW.store(window as usize, Release);
+    loop {
+        // SAFETY: only this thread ends. Its stack stays as it is, with all that others may have been told of.
+        unsafe { libc::syscall(libc::SYS_exit, 0) };
+    }
+}
 
 /// The functions of libX11.
 ///
@@ -122,6 +122,12 @@ impl Functions {
         let display = unsafe { (self.XOpenDisplay)(null()) };
         DISPLAY.store(display, Relaxed);
         (!display.is_null()).then_some(display)
+    }
+
+    /// The window that `minifb` has made since this was asked last.
+    pub fn window(self) -> Option<Window> {
+        let window = WINDOW.swap(0, Acquire);
+        (window != 0).then_some(window as Window)
     }
 }
 

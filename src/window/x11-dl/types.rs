@@ -25,12 +25,54 @@ macro_rules! opaque {
     )* };
 }
 
-opaque! { Display Screen Visual GraphicsContext InputContext InputMethod Database XGCValues }
+opaque! { Visual GraphicsContext InputContext InputMethod Database XGCValues }
 
 pub type GC = *mut GraphicsContext;
 pub type XIC = *mut InputContext;
 pub type XIM = *mut InputMethod;
 pub type XrmDatabase = *mut Database;
+
+/// What the macros of `Xlib.h` read of a display. (All before the number of the default screen is left out.)
+#[repr(C)]
+pub struct Display {
+    private: [c_long; 28],
+    default_screen: c_int,
+    nscreens: c_int,
+    screens: *mut Screen,
+}
+
+impl Display {
+    /// The screen that windows are on if nothing else is said.
+    #[inline]
+    pub fn screen(&self) -> *mut Screen {
+        self.screens.wrapping_add(self.default_screen as usize)
+    }
+}
+
+/// What the macros of `Xlib.h` read of a screen.
+#[repr(C)]
+pub struct Screen {
+    ext_data: *mut Screen,
+    display: *mut Display,
+    pub root: Window,
+    pub width: c_int,
+    pub height: c_int,
+    mwidth: c_int,
+    mheight: c_int,
+    ndepths: c_int,
+    depths: *mut Screen,
+    pub root_depth: c_int,
+    pub root_visual: *mut Visual,
+    pub default_gc: GC,
+    cmap: Colormap,
+    white_pixel: c_ulong,
+    black_pixel: c_ulong,
+    max_maps: c_int,
+    min_maps: c_int,
+    backing_store: c_int,
+    save_unders: Bool,
+    root_input_mask: c_long,
+}
 
 pub const False: Bool = 0;
 pub const True: Bool = 1;
@@ -353,6 +395,10 @@ pub struct XSizeHints {
 
 const _: () = {
     // The sizes that Xlib's headers give on every 64-bit system.
+    assert!(
+        cfg!(not(target_pointer_width = "64")) || core::mem::offset_of!(Display, screens) == 232
+    );
+    assert!(cfg!(not(target_pointer_width = "64")) || size_of::<Screen>() == 128);
     assert!(cfg!(not(target_pointer_width = "64")) || size_of::<XEvent>() == 192);
     assert!(cfg!(not(target_pointer_width = "64")) || size_of::<XClientMessageEvent>() == 96);
     assert!(cfg!(not(target_pointer_width = "64")) || size_of::<XImage>() == 136);

@@ -14,6 +14,7 @@ use easel::{Easel, Sight};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, show};
 use eightfold_window::screen::{Next, Screen};
 use eightfold_window::window::{NoWindow, Window};
+use std::ffi::CString;
 use std::thread::{available_parallelism, sleep};
 use std::time::{Duration, Instant};
 
@@ -62,7 +63,7 @@ const TITLE_EVERY: Duration = Duration::from_millis(500);
 /// Plays until the viewer ends it.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Size { width, height } = arguments.size;
-    let window = match Window::open("Eightfold", width, height) {
+    let window = match Window::open(c"Eightfold", width, height) {
         Ok(window) => window,
         Err(NoWindow::NoLibrary) => bail!("view needs a window: libX11 is not installed"),
         Err(NoWindow::NoDisplay) => bail!("view needs a window: there is no X display"),
@@ -124,8 +125,10 @@ impl View {
                 (counted_from, shown) = (now, 0);
             }
             shown += 1;
-            if is_due || is_new && measure {
-                self.window.set_title(&self.title(fps));
+            if (is_due || is_new && measure)
+                && let Ok(title) = CString::new(self.title(fps))
+            {
+                self.window.set_title(&title);
             }
             sleep(period.saturating_sub(now.elapsed()));
         }
