@@ -8,6 +8,7 @@ mod parts;
 
 use core::mem::ManuallyDrop;
 
+use eightfold::scene::Scene;
 use eightfold::{Band, Governor, MAX_HEIGHT, MAX_WIDTH, Memory, Quality, Worker, render, show};
 use eightfold_window::{
     arguments::Arguments,
@@ -23,9 +24,20 @@ use eightfold_window::{
 use options::{FULLSCREEN, MAX_THREADS, Options, UNCAPPED};
 use parts::Parts;
 
-/// Nanoseconds of the show.
-const LENGTH: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;
+/// Whether the show has what its scenes need; the model scene is played otherwise.
+const DETAILS: bool = cfg!(feature = "details");
 
+/// Nanoseconds of the show.
+const LENGTH: u64 = {
+    let seconds = if DETAILS {
+        show::grid::LENGTH
+    } else {
+        show::LENGTH
+    };
+    (seconds as f64 * SECOND as f64) as u64
+};
+
+static SCENE: Fixed<Scene> = Fixed::new(Scene::NONE);
 static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
 static WORKERS: Fixed<[Worker; MAX_THREADS]> = Fixed::new([const { Worker::new() }; MAX_THREADS]);
 
@@ -46,6 +58,7 @@ fn run(arguments: Arguments) -> i32 {
                 .unwrap_or_else(pool::processors)
                 .min(MAX_THREADS),
         ),
+        scene: SCENE.take(),
         memory: MEMORY.take(),
         workers: WORKERS.take(),
         governor: Governor::new(options.fps as u64),
@@ -59,6 +72,7 @@ fn run(arguments: Arguments) -> i32 {
 struct Intro {
     level: Level,
     pool: Pool,
+    scene: &'static mut Scene,
     memory: &'static mut Memory,
     workers: &'static mut [Worker; MAX_THREADS],
     governor: Governor,
@@ -127,11 +141,16 @@ impl Intro {
     fn draw(&mut self, time: u64, screen: &mut dyn Screen, quality: &Quality) {
         let (width, height) = fit(screen.size());
         self.tally.size = (width, height);
-        let scene = show::scene((time % LENGTH) as f32 / SECOND as f32);
+        let seconds = (time % LENGTH) as f32 / SECOND as f32;
+        if DETAILS {
+            show::at(seconds, self.scene);
+        } else {
+            show::model(seconds, self.scene);
+        }
         let threads = self.pool.threads();
         render(
             self.level,
-            &scene,
+            self.scene,
             quality,
             width,
             height,

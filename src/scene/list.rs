@@ -28,6 +28,20 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         }
     }
 
+    /// Leaves no item.
+    pub fn clear(&mut self) {
+        self.len = 0;
+    }
+
+    /// Appends an item for the caller to write, whose fields are what they have been; the last one again where there is
+    /// no room for another.
+    #[inline(always)]
+    pub(crate) fn grow(&mut self) -> &mut T {
+        let place = self.len.min(N - 1);
+        self.len = place + 1;
+        &mut self.items[place]
+    }
+
     /// Appends an item and says whether there was room for it.
     pub fn push(&mut self, item: T) -> bool {
         let Some(place) = self.items.get_mut(self.len) else {

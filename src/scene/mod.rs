@@ -6,6 +6,7 @@
 mod block;
 pub(crate) mod camera;
 mod list;
+mod method;
 mod pattern;
 mod validate;
 
@@ -14,6 +15,7 @@ pub use block::Block;
 pub use camera::Camera;
 use glam::{Mat3A, Vec3A};
 pub use list::List;
+pub use method::Method;
 pub use pattern::Pattern;
 pub use validate::{Flaw, MAX_LENGTH, MIN_LENGTH};
 
@@ -44,6 +46,8 @@ pub struct Scene {
     pub fade: f32,
     /// Light that reaches every surface alike.
     pub ambient: Vec3A,
+    /// How the picture shows its own making.
+    pub method: Method,
     /// Spheres, in no particular order.
     pub spheres: List<Sphere, MAX_SPHERES>,
     /// Horizontal bounded planes.
@@ -55,8 +59,8 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Nothing, all zeros.
-    pub(crate) const NONE: Self = {
+    /// Nothing, all zeros: memory for a scene, which takes no room in a program's file.
+    pub const NONE: Self = {
         let material = Material {
             exponent: 0.0,
             index: 0.0,
@@ -74,6 +78,11 @@ impl Scene {
             haze: 0.0,
             fade: 0.0,
             ambient: Vec3A::ZERO,
+            method: Method {
+                points: 0.0,
+                squares: 0.0,
+                picture: 0.0,
+            },
             spheres: List::over(Sphere {
                 centre: Vec3A::ZERO,
                 radius: 0.0,

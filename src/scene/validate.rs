@@ -1,6 +1,6 @@
 //! Which scenes are within the tracer's limits.
 
-use super::{Camera, Material, Scene};
+use super::{Camera, Material, Method, Scene};
 use core::fmt;
 use glam::Vec3A;
 
@@ -68,6 +68,15 @@ impl Scene {
             (-10.0..=1.0).contains(&self.fade),
         )?;
         scene.hold("ambient", COLOUR, is_colour(self.ambient))?;
+        let Method {
+            points,
+            squares,
+            picture,
+        } = self.method;
+        let is_method = [points, squares, picture]
+            .iter()
+            .all(|x| (0.0..=1.0).contains(x));
+        scene.hold("method", SHARE, is_method)?;
         for (i, sphere) in self.spheres.iter().enumerate() {
             let part = Part("sphere", i);
             part.hold("centre", PLACE, is_place(sphere.centre))?;

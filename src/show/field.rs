@@ -2,9 +2,10 @@
 //!
 //! Shows how the time of a frame grows with the number of objects.
 
-use super::model::{AMBIENT, BACKGROUND, FLOOR, LIGHTS, circling};
+use super::model::{ORBIT_SPEED, model};
+use super::path::orbit;
 use super::random::Random;
-use crate::scene::{Camera, List, MAX_SPHERES, Material, Scene, Sphere};
+use crate::scene::{MAX_SPHERES, Material, Scene, Sphere};
 use glam::{Vec3A, vec3a};
 
 /// The side of a full field, in scene units; the floor's is 24.
@@ -25,7 +26,9 @@ pub fn field(count: usize, time: f32) -> Scene {
     let cells = (1..).find(|n| n * n >= count).unwrap_or(1);
     let cell = (SIDE / cells as f32).min(CELL);
     let mut random = Random(SEED);
-    let mut spheres = List::default();
+    let mut scene = Scene::default();
+    model(time, &mut scene);
+    scene.spheres.clear();
     for i in 0..count {
         let radius = RADIUS.0 + RADIUS.1 * random.share();
         let mut place = |cell_number: usize| {
@@ -34,27 +37,14 @@ pub fn field(count: usize, time: f32) -> Scene {
             start + radius + room * random.share()
         };
         let centre = vec3a(place(i % cells), radius, place(i / cells));
-        spheres.push(Sphere {
+        scene.spheres.push(Sphere {
             centre,
             radius,
             material: material(&mut random),
         });
     }
-    let look_at = vec3a(0.0, 0.4, 0.0);
-    Scene {
-        camera: Camera {
-            eye: look_at + circling(time, 11.0, 4.5),
-            look_at,
-            up: Vec3A::Y,
-            field_of_view: core::f32::consts::FRAC_PI_4,
-        },
-        background: BACKGROUND,
-        ambient: AMBIENT,
-        spheres,
-        planes: List::of(&[FLOOR]),
-        lights: List::of(&LIGHTS),
-        ..Scene::default()
-    }
+    scene.camera = orbit(vec3a(0.0, 0.4, 0.0), ORBIT_SPEED * time, 11.0, 4.5);
+    scene
 }
 
 /// One of the model scene's kinds, in a colour of its own.

@@ -46,29 +46,35 @@ static STROKES: [u32; 36] = [
     0xf683_15bd, // 9
 ];
 
-/// Calls `stroke` with the ends of each straight stroke of a line of text: grid units right and down from the upper left
-/// of the first letter. What is no capital and no digit is a space.
-pub(crate) fn strokes(text: &str, mut stroke: impl FnMut(Vec2, Vec2)) {
-    for (place, letter) in text.bytes().enumerate() {
-        let number = match letter {
-            b'A'..=b'Z' => letter - b'A',
-            b'0'..=b'9' => letter - b'0' + 26,
-            _ => continue,
-        };
-        let mut points = STROKES[number as usize];
-        let mut last = None;
-        for _ in 0..8 {
-            let point = points & 15;
-            points >>= 4;
-            let at = vec2(
-                (point % 3) as f32 + place as f32 * ADVANCE,
-                (point / 3) as f32,
-            );
-            let is_down = point < 15;
-            if let (Some(from), true) = (last, is_down) {
-                stroke(from, at);
+/// What is left of a letter's points.
+pub(crate) struct Strokes(u32);
+
+/// The straight strokes of a capital or a digit; anything else is a space.
+pub(crate) fn strokes(letter: u8) -> Strokes {
+    let letter = letter.wrapping_sub(b'0');
+    let number = if letter < 10 {
+        letter + 26
+    } else {
+        letter.wrapping_sub(b'A' - b'0')
+    };
+    Strokes(*STROKES.get(usize::from(number)).unwrap_or(&!0))
+}
+
+impl Iterator for Strokes {
+    /// Its ends in grid units right and down from the letter's upper left.
+    type Item = (Vec2, Vec2);
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<(Vec2, Vec2)> {
+        let place = |point: u32| vec2((point % 3) as i32 as f32, (point / 3) as i32 as f32);
+        while self.0 != !0 {
+            let from = self.0 & 15;
+            self.0 = self.0 >> 4 | 15 << 28;
+            let to = self.0 & 15;
+            if from < 15 && to < 15 {
+                return Some((place(from), place(to)));
             }
-            last = is_down.then_some(at);
         }
+        None
     }
 }

@@ -17,7 +17,8 @@ fn every_scene_of_the_show_is_as_the_oracle_sees_it() {
             continue;
         }
         let time = (bar as f32 + 0.3) * grid::BAR;
-        let scene = show::at(time);
+        let mut scene = Scene::default();
+        show::at(time, &mut scene);
         scene.validate().unwrap();
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 160, 90);
         for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 160, 90) {

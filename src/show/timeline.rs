@@ -1,0 +1,67 @@
+//! When what is seen, and from where: shots on the grid of bars.
+
+use super::grid::{BAR, BEATS_PER_BAR, LENGTH};
+use super::path::{Key, between, smooth};
+use super::{Set, settings, swarm, things, title};
+use crate::scene::Scene;
+
+/// A way of the camera through a scene.
+struct Shot {
+    set: Set,
+    /// Bars it takes.
+    bars: u8,
+    /// Bars of its scene that are over when it begins.
+    before: u8,
+    way: [Key; 2],
+}
+
+#[rustfmt::skip]
+static SHOTS: [Shot; 7] = [
+    //                       bars before    looks at           angle distance height
+    shot(Set::Title,     6, 0, Key::new([4.0, 1.0, 0.0],   0.9,  9.0, 0.4), Key::new([0.0, 1.2, 0.0], -0.2, 14.6, 1.8)),
+    shot(Set::Model,     8, 0, Key::new([0.0, 0.9, 0.0],   0.0,  7.4, 1.3), Key::new([0.0, 0.9, 0.0],  4.0,  7.4, 1.3)),
+    shot(Set::Model,     8, 8, Key::new([0.0, 0.9, 0.0],   0.0,  7.4, 1.3), Key::new([0.0, 0.9, 0.0],  4.0,  7.4, 1.3)),
+    shot(Set::Colonnade, 8, 0, Key::new([-0.4, 1.6, -3.0], -0.4, 9.0, 0.1), Key::new([0.3, 1.9, 5.0],  0.3,  7.0, 1.4)),
+    shot(Set::Machine,   6, 0, Key::new([-1.0, 1.6, 0.0],  -0.9, 7.0, 0.8), Key::new([0.0, 1.7, 0.0],  0.8,  9.4, 2.6)),
+    shot(Set::Swarm,     6, 0, Key::new([0.0, 0.8, 0.0],   0.6, 12.0, 5.5), Key::new([0.0, 2.4, 0.0], -3.0,  9.4, 2.6)),
+    shot(Set::Finale,    6, 0, Key::new([0.0, 1.9, 0.0],  -0.3,  9.0, 0.2), Key::new([0.0, 2.6, 0.0],  0.3, 15.0, 1.6)),
+];
+
+const fn shot(set: Set, bars: u8, before: u8, from: Key, to: Key) -> Shot {
+    Shot {
+        set,
+        bars,
+        before,
+        way: [from, to],
+    }
+}
+
+/// Seconds in which the show comes out of the dark, and goes back to it.
+const DAWN: f32 = 1.0;
+const DUSK: f32 = 2.0;
+
+/// Makes a scene that of the show at `time` seconds, 0 to [`LENGTH`].
+pub fn at(time: f32, scene: &mut Scene) {
+    let mut bar = time / BAR;
+    let mut shot = &SHOTS[0];
+    for next in &SHOTS {
+        shot = next;
+        let left = bar - f32::from(shot.bars);
+        if left < 0.0 {
+            break;
+        }
+        bar = left;
+    }
+    let beat = (bar + f32::from(shot.before)) * BEATS_PER_BAR as f32;
+    settings::set(shot.set, scene);
+    scene.camera = between(&shot.way, bar / f32::from(shot.bars));
+    scene.fade = 1.0 - smooth(time / DAWN) + smooth((time - LENGTH) / DUSK + 1.0);
+    scene.spheres.clear();
+    scene.blocks.clear();
+    things::add(shot.set, beat, scene);
+    match shot.set {
+        Set::Title => title::add(beat, scene),
+        Set::Swarm => swarm::add(beat, scene),
+        _ => {}
+    }
+}
