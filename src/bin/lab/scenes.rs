@@ -38,7 +38,9 @@ impl SceneName {
             Self::Show | Self::Part(_) => {
                 // There is nothing before the show and after it.
                 let time = self.start().unwrap_or(0.0) + time;
-                show::at(time.clamp(0.0, grid::LENGTH))
+                let mut scene = Scene::default();
+                show::at(time.clamp(0.0, grid::LENGTH), &mut scene);
+                scene
             }
         }
     }
