@@ -1,6 +1,6 @@
 //! Every dial that trades accuracy for speed.
 
-use crate::trace::STEP;
+use crate::refine::Limit;
 
 /// How a frame is refined and how far its rays are followed.
 ///
@@ -11,7 +11,8 @@ use crate::trace::STEP;
 /// what one of 4 may spread is twice as much, since an error there covers a quarter of the pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
-    /// Side of the largest square in pixels, 1 to [`Quality::MAX_SQUARE`]. At 1 every pixel is traced.
+    /// Side of the largest square in pixels, 1 to [`Quality::MAX_SQUARE`]; a power of two, but for the lab. At 1 every pixel
+    /// is traced.
     pub square: usize,
     /// The spread allowed where the corners' keys agree: they saw the same objects in the same light. 0 to infinity.
     pub spread_agreeing: f32,
@@ -126,9 +127,14 @@ impl Quality {
     /// Whether keys can be compared: they are 1.6 kB that the intro, whose rungs need none, does without.
     const HAS_KEYS: bool = cfg!(feature = "lab");
 
+    /// Whether squares of any side can be drawn, or of powers of two alone: the others are 600 bytes that the intro does
+    /// without.
+    pub(crate) const HAS_ALL_SIDES: bool = cfg!(feature = "lab");
+
     /// Whether it can be drawn by.
     pub(crate) fn is_valid(&self) -> bool {
         (1..=Self::MAX_SQUARE).contains(&self.square)
+            && (Self::HAS_ALL_SIDES || self.square.is_power_of_two())
             && self.depth <= Self::MAX_DEPTH
             && (Self::HAS_KEYS || self.square == 1 || self.spread_agreeing == self.spread_differing)
     }
@@ -138,19 +144,37 @@ impl Quality {
         Self::HAS_KEYS && self.square > 1 && self.spread_agreeing != self.spread_differing
     }
 
-    /// How far the ends of a side of a square may be apart for its middle to be averaged, as samples count; below 0
-    /// where it must not be.
-    pub(crate) fn side_limit(&self, w: u8, h: u8) -> f32 {
-        let has_middle = (w | h).is_multiple_of(2);
-        if has_middle && !self.needs_keys() && self.spread_side > 0.0 {
-            limit(self.spread_side, w.max(h))
+    /// How far samples may be apart.
+    pub(crate) fn limits(&self) -> Limits {
+        let has_means = !self.needs_keys() && self.spread_side > 0.0;
+        Limits {
+            agreeing: Limit::new(self.spread_agreeing),
+            differing: Limit::new(self.spread_differing),
+            side: if has_means {
+                Limit::new(self.spread_side)
+            } else {
+                Limit::NONE
+            },
+        }
+    }
+
+    /// The next multiple of the squares' side.
+    pub(crate) fn whole(&self, length: usize) -> usize {
+        if Self::HAS_ALL_SIDES {
+            length.next_multiple_of(self.square)
         } else {
-            -1.0
+            (length + self.square - 1) & !(self.square - 1)
         }
     }
 }
 
-/// How far corners of a square of this side may be apart, as samples count.
-pub(crate) fn limit(spread: f32, side: u8) -> f32 {
-    spread * (8.0 * STEP as f32) / f32::from(side)
+/// How far samples may be apart.
+#[derive(Clone, Copy)]
+pub(crate) struct Limits {
+    /// The corners of a square whose keys agree.
+    pub agreeing: Limit,
+    /// Those of a square whose keys differ.
+    pub differing: Limit,
+    /// The ends of a side whose middle is averaged.
+    pub side: Limit,
 }

@@ -160,8 +160,7 @@ fn frame(
                 width,
                 pixels,
                 borders,
-                above_done: odd == 1,
-                below_done: odd == 1 && i + 1 < count,
+                are_done: [odd == 1, odd == 1 && i + 1 < count],
             };
             len += 1;
         }

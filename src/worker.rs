@@ -1,6 +1,6 @@
 //! A thread's working memory.
 
-use crate::refine::{Points, Square, Unseen, band::MAX_SQUARES};
+use crate::refine::{Points, Square, Unseen, refiner::MAX_SQUARES};
 use crate::trace::{Batch, Counts};
 
 /// What one thread works in: some MB of fixed size, owned by the caller, reused from band to band.
@@ -9,7 +9,7 @@ pub struct Worker {
     pub(crate) points: Points,
     pub(crate) unseen: Unseen,
     /// Squares to look at, of this round and of the next.
-    pub(crate) squares: [[Square; MAX_SQUARES]; 2],
+    pub(crate) squares: [Square; MAX_SQUARES],
 }
 
 impl Worker {
@@ -20,13 +20,13 @@ impl Worker {
             batch: Batch::new(),
             points: Points::new(),
             unseen: Unseen::new(),
-            squares: [[Square {
+            squares: [Square {
                 x: 0,
                 y: 0,
                 w: 0,
                 h: 0,
                 is_clear: false,
-            }; MAX_SQUARES]; 2],
+            }; MAX_SQUARES],
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::square::{Corners, Square};
 use crate::lanes::*;
+use crate::quality::Quality;
 use crate::trace::{STEP, Sample};
 use fearless_simd::{i16x8, u8x16, u16x8, u32x4, u64x2};
 
@@ -19,12 +20,6 @@ type Pair<S> = u16x8<S>;
 const HALF: u16 = 128;
 
 impl Canvas<'_> {
-    /// The pixels of row `y` from `x` on, `w` of them.
-    #[inline(always)]
-    pub fn row(&mut self, x: usize, y: usize, w: usize) -> &mut [u32] {
-        &mut self.pixels[y * self.width + x..][..w]
-    }
-
     /// Sets one pixel, if it is in the picture.
     #[inline(always)]
     pub fn put(&mut self, x: usize, y: usize, pixel: u32) {
@@ -33,64 +28,41 @@ impl Canvas<'_> {
         }
     }
 
-    /// One colour.
-    #[inline(always)]
-    pub fn flat<S: Simd>(&mut self, simd: S, square: &Square, pixel: u32) {
-        let (x, y) = (square.x as usize, square.y as usize);
-        let end = (x + square.w as usize).min(self.width);
-        let below = (y + square.h as usize).min(self.height);
-        let pixels = &mut self.pixels[y * self.width..below * self.width];
-        for row in pixels.chunks_exact_mut(self.width) {
-            let (fours, rest) = row[x..end].as_chunks_mut::<4>();
-            for four in fours {
-                u32x4::splat(simd, pixel).store_array(four);
-            }
-            rest.fill(pixel);
-        }
-    }
-
-    /// Interpolates the corners' colours along both sides.
-    #[inline(always)]
-    pub fn bilinear<S: Simd>(&mut self, simd: S, square: &Square, corners: Corners) {
-        let (x, y) = (square.x as usize, square.y as usize);
-        let (w, h) = (square.w as usize, square.h as usize);
-        if w == 2 && h == 2 {
-            let [a, b, c, d] = corners;
-            let (upper, left) = (a.mean(b), a.mean(c));
-            self.put(x, y, a.pixel());
-            self.put(x + 1, y, upper.pixel());
-            self.put(x, y + 1, left.pixel());
-            self.put(x + 1, y + 1, upper.mean(c.mean(d)).pixel());
-            return;
-        }
-        let is_whole = x + w <= self.width && y + h <= self.height;
-        if is_whole && w == h && w.is_power_of_two() && w > 1 {
-            let mut columns = Columns::between(simd, corners, w);
-            for left in steps(0, w, 4) {
-                self.four_columns(y * self.width + x + left, &mut columns);
+    /// Interpolates the corners' colours along both sides of a square, as far as it is in the picture.
+    #[inline(never)]
+    pub fn fill<S: Simd>(&mut self, simd: S, square: &Square, corners: &Corners) {
+        let (x, y, w, h) = square.place();
+        let (right, below) = ((x + w).min(self.width), (y + h).min(self.height));
+        if Quality::HAS_ALL_SIDES && !(w == h && w.is_power_of_two()) {
+            for j in 0..below - y {
+                for i in 0..right - x {
+                    self.put(x + i, y + j, between(corners, [i, j], [w, h]));
+                }
             }
             return;
         }
-        for j in 0..h {
-            for i in 0..w {
-                self.put(x + i, y + j, between(corners, [i, j], [w, h]));
+        let mut columns = Columns::between(simd, corners, w);
+        for x in steps(x, right, 4) {
+            let (mut a, a_down) = columns.next();
+            let (mut b, b_down) = columns.next();
+            for y in y..below {
+                let bytes: u8x16<S> = (a >> 8).narrow(b >> 8);
+                let four: [u32; 4] = bytes.bitcast::<u32x4<S>>().into();
+                let row = self
+                    .pixels
+                    .get_mut(y * self.width + x..)
+                    .unwrap_or_default();
+                match row.first_chunk_mut() {
+                    Some(pixels) if x + 4 <= right => *pixels = four,
+                    _ => {
+                        for (pixel, colour) in row.iter_mut().zip(four).take(right - x) {
+                            *pixel = colour;
+                        }
+                    }
+                }
+                a += a_down;
+                b += b_down;
             }
-        }
-    }
-
-    /// Fills the next four columns of a square, the first pixel at `place`.
-    #[inline(always)]
-    fn four_columns<S: Simd>(&mut self, place: usize, columns: &mut Columns<S>) {
-        let (mut left, left_down) = columns.next();
-        let (mut right, right_down) = columns.next();
-        let end = place + (columns.side - 1) * self.width + 4;
-        for row in self.pixels[place..end].chunks_mut(self.width) {
-            if let Some(four) = row.first_chunk_mut() {
-                let bytes: u8x16<S> = (left >> 8).narrow(right >> 8);
-                bytes.bitcast::<u32x4<S>>().store_array(four);
-            }
-            left += left_down;
-            right += right_down;
         }
     }
 }
@@ -100,8 +72,8 @@ impl Canvas<'_> {
 /// All is added up without a carry out of 16 bits, so that differences of any size work. A step is off by half a 256th of
 /// an output step at most, so that the last pixel of a square of 8 is off by 7 of them, and by 31 in one of 32.
 struct Columns<S: Simd> {
-    side: usize,
-    shift: u32,
+    /// The side is two to this power.
+    log: u32,
     upper: Pair<S>,
     lower: Pair<S>,
     /// From two pixels to the next two.
@@ -110,10 +82,11 @@ struct Columns<S: Simd> {
 }
 
 impl<S: Simd> Columns<S> {
-    /// Between the corners of a square whose side is a power of two and at least 4.
+    /// Between the corners of a square whose side is a power of two and at least 2.
     #[inline(always)]
-    fn between(simd: S, [a, b, c, d]: Corners, side: usize) -> Self {
-        let shift = side.trailing_zeros() - 1;
+    fn between(simd: S, corners: &Corners, side: usize) -> Self {
+        let [a, b, c, d] = *corners;
+        let log = side.trailing_zeros();
         let second: Pair<S> = u64x2::simd_from(simd, [0, u64::MAX]).bitcast();
         let (a, b, c, d) = (
             twice(simd, a),
@@ -121,10 +94,9 @@ impl<S: Simd> Columns<S> {
             twice(simd, c),
             twice(simd, d),
         );
-        let (across, across_below) = (step(b, a, shift), step(d, c, shift));
+        let (across, across_below) = (step(b, a, log), step(d, c, log));
         Self {
-            side,
-            shift,
+            log,
             upper: a + a + HALF + (across & second),
             lower: c + c + HALF + (across_below & second),
             upper_step: across + across,
@@ -136,7 +108,7 @@ impl<S: Simd> Columns<S> {
     #[inline(always)]
     fn next(&mut self) -> (Pair<S>, Pair<S>) {
         let value = self.upper;
-        let down = step(self.lower >> 1, self.upper >> 1, self.shift);
+        let down = step(self.lower >> 1, self.upper >> 1, self.log);
         self.upper += self.upper_step;
         self.lower += self.lower_step;
         (value, down)
@@ -149,16 +121,17 @@ fn twice<S: Simd>(simd: S, sample: Sample) -> Pair<S> {
     u64x2::splat(simd, sample.colour()).bitcast()
 }
 
-/// The way from one number of 128ths to another in `2^(shift + 1)` steps, in 256ths, rounded.
+/// The way from one number of 128ths to another in `2^log` steps, in 256ths, rounded.
 #[inline(always)]
-fn step<S: Simd>(to: Pair<S>, from: Pair<S>, shift: u32) -> Pair<S> {
+fn step<S: Simd>(to: Pair<S>, from: Pair<S>, log: u32) -> Pair<S> {
     let way: i16x8<S> = (to - from).bitcast();
-    // Half is added to a quarter of the range of words at most.
-    (((way >> (shift - 1)) + 1) >> 1).bitcast()
+    // Of two steps each is the way; else half is added to a quarter of the range of words at most.
+    let round = (log - 1).min(1);
+    (((way >> (log - 1 - round)) + round as i16) >> round).bitcast()
 }
 
 /// The colour at a column and row of a square of any sides.
-fn between(corners: Corners, [i, j]: [usize; 2], [w, h]: [usize; 2]) -> u32 {
+fn between(corners: &Corners, [i, j]: [usize; 2], [w, h]: [usize; 2]) -> u32 {
     let [a, b, c, d] = corners.map(|corner| corner.colour());
     let (step, area) = (STEP as usize, w * h);
     let channel = |shift: u32| {

@@ -21,13 +21,15 @@
 pub(crate) mod band;
 mod fill;
 mod points;
+pub(crate) mod refiner;
 mod square;
 mod unseen;
+mod verdict;
 
 pub use band::Band;
 pub(crate) use band::render;
 #[cfg(feature = "lab")]
 pub(crate) use band::render_observed;
 pub(crate) use points::{Border, Points};
-pub(crate) use square::Square;
+pub(crate) use square::{Limit, Square};
 pub(crate) use unseen::Unseen;

@@ -31,19 +31,43 @@ impl Border {
         traced: [0; WORDS],
     };
 
-    /// Forgets the first `width` points.
-    pub fn clear(&mut self, width: usize) {
-        self.traced[..width.div_ceil(64)].fill(0);
-    }
-
     /// Takes the first `width` points over from another row.
     pub fn copy(&mut self, other: &Self, width: usize, with_keys: bool) {
-        let words = width.div_ceil(64);
-        self.traced[..words].copy_from_slice(&other.traced[..words]);
-        self.samples[..width].copy_from_slice(&other.samples[..width]);
+        self.traced = other.traced;
+        for (to, from) in self.samples.iter_mut().zip(&other.samples).take(width) {
+            *to = *from;
+        }
         if with_keys {
             self.keys[..width].copy_from_slice(&other.keys[..width]);
         }
+    }
+}
+
+impl Border {
+    /// Notes that the point at x is going to be traced; false where it was noted before.
+    #[inline(always)]
+    pub fn claim(&mut self, x: usize) -> bool {
+        let Some(word) = self.traced.get_mut(x / 64) else {
+            return false;
+        };
+        let bit = 1 << (x % 64);
+        let new = *word & bit == 0;
+        *word |= bit;
+        new
+    }
+
+    /// Keeps what was traced at x.
+    #[inline(always)]
+    pub fn put(&mut self, x: usize, sample: Sample) {
+        if let Some(place) = self.samples.get_mut(x) {
+            *place = sample;
+        }
+    }
+
+    /// Keeps the key at x.
+    #[inline(always)]
+    pub fn put_key(&mut self, x: usize, key: u32) {
+        self.keys[x] = key;
     }
 }
 
@@ -52,26 +76,18 @@ impl Points {
         Self([Border::NONE; ROWS])
     }
 
-    /// Forgets the first `rows` rows, `width` points of each.
-    pub fn clear(&mut self, rows: usize, width: usize) {
-        for row in &mut self.0[..rows] {
-            row.clear(width);
+    /// Forgets the first `rows` rows.
+    #[inline(always)]
+    pub fn clear(&mut self, rows: usize) {
+        for row in self.0.iter_mut().take(rows) {
+            row.traced.fill(0);
         }
     }
 
     /// Row `y`.
-    pub fn row(&mut self, y: usize) -> &mut Border {
-        &mut self.0[y]
-    }
-
-    /// Notes that the point at (x, y) is going to be traced; false where it was noted before.
     #[inline(always)]
-    pub fn claim(&mut self, x: usize, y: usize) -> bool {
-        let word = &mut self.0[y].traced[x / 64];
-        let bit = 1 << (x % 64);
-        let new = *word & bit == 0;
-        *word |= bit;
-        new
+    pub fn row(&mut self, y: usize) -> Option<&mut Border> {
+        self.0.get_mut(y)
     }
 
     /// The sample at (x, y); some sample where there is none.
@@ -84,17 +100,5 @@ impl Points {
     #[inline(always)]
     pub fn key(&self, x: usize, y: usize) -> u32 {
         self.0[y].keys[x]
-    }
-
-    /// Keeps what was traced at (x, y).
-    #[inline(always)]
-    pub fn put(&mut self, x: usize, y: usize, sample: Sample) {
-        self.0[y].samples[x] = sample;
-    }
-
-    /// Keeps the key at (x, y).
-    #[inline(always)]
-    pub fn put_key(&mut self, x: usize, y: usize, key: u32) {
-        self.0[y].keys[x] = key;
     }
 }

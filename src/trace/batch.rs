@@ -84,16 +84,6 @@ impl Batch {
         self.len += 1;
     }
 
-    /// Adds the points of `count` pixels from (x, y) to the right; there must be room for them.
-    #[inline(always)]
-    pub fn push_row(&mut self, x: usize, y: usize, count: usize) {
-        let places = &mut self.places[self.len..self.len + count];
-        for (place, x) in places.iter_mut().zip(x as u32..) {
-            *place = (y as u32) << 16 | x;
-        }
-        self.len += count;
-    }
-
     /// The traced points as pixels.
     #[inline(always)]
     pub fn pixels<S: Simd>(&mut self, simd: S) -> &[u32] {
