@@ -21,8 +21,9 @@ use eightfold_window::{
     terminal::Terminal,
     window::{NoWindow, Window},
 };
-use options::{FULLSCREEN, MAX_THREADS, Options, UNCAPPED};
-use parts::Parts;
+use options::{
+    FPS, FULLSCREEN, LOOP, MAX_THREADS, Options, QUALITY, SECONDS, SIZE, THREADS, UNCAPPED, names,
+};
 
 /// Whether the show has what its scenes need; the model scene is played otherwise.
 const DETAILS: bool = cfg!(feature = "details");
@@ -54,14 +55,14 @@ fn run(arguments: Arguments) -> i32 {
         level: cpu::level(),
         pool: Pool::new(
             options
-                .threads
-                .unwrap_or_else(pool::processors)
+                .get(THREADS)
+                .map_or_else(pool::processors, |count| count as usize)
                 .min(MAX_THREADS),
         ),
         scene: SCENE.take(),
         memory: MEMORY.take(),
         workers: WORKERS.take(),
-        governor: Governor::new(options.fps as u64),
+        governor: Governor::new(fps(&options)),
         tally: Tally::default(),
     });
     let code = intro.run(&options);
@@ -82,10 +83,11 @@ struct Intro {
 impl Intro {
     /// Plays on the best screen there is. Returns the exit code.
     fn run(&mut self, options: &Options) -> i32 {
-        let (width, height) = options.size;
+        let size = options.get(SIZE).unwrap_or(1024 << 32 | 768);
+        let (width, height) = ((size >> 32) as usize, size as u32 as usize);
         let why = match Window::open(c"Eightfold", width, height) {
             Ok(mut window) => {
-                if options.has(FULLSCREEN) {
+                if options.get(FULLSCREEN).is_some() {
                     window.set_fullscreen(true);
                 }
                 return self.play(&mut window, options);
@@ -112,14 +114,24 @@ impl Intro {
     /// Plays until the show or the viewer ends it. Returns the exit code.
     fn play(&mut self, screen: &mut dyn Screen, options: &Options) -> i32 {
         let clock = Clock::start();
+        let length = options
+            .get(SECONDS)
+            .unwrap_or(options.get(LOOP).map_or(LENGTH, |_| u64::MAX));
+        let pause = match options.get(UNCAPPED) {
+            Some(_) => 0,
+            None => SECOND / fps(options),
+        };
         let mut due = 0;
         loop {
             let time = clock.time();
-            if time >= options.length.unwrap_or(LENGTH) {
+            if time >= length {
                 self.tally.time = time;
                 return 0;
             }
-            let rung = options.rung.unwrap_or(self.governor.rung());
+            let rung = match options.get(QUALITY) {
+                Some(quality) => quality as usize - 1,
+                None => self.governor.rung(),
+            };
             let quality = Quality::LADDER.get(rung).unwrap_or(&Quality::EXHAUSTIVE);
             self.draw(time, screen, quality);
             let next = screen.show();
@@ -129,9 +141,9 @@ impl Intro {
             if let Next::End(code) = next {
                 return code;
             }
-            if !options.has(UNCAPPED) {
-                // After a late frame the next ones don't hurry.
-                due = u64::max(due + SECOND / options.fps as u64, time);
+            // After a late frame the next ones don't hurry.
+            due = u64::max(due + pause, time);
+            if pause > 0 {
                 clock.sleep_until(due);
             }
         }
@@ -177,30 +189,32 @@ impl Intro {
         let worst = worst.map_or(mean, |frames| frames * 10);
         let mut report = Line::new();
         report
-            .number(frames)
-            .text(" frames in ")
-            .decimal(time / (SECOND / 100), 2)
-            .text(" s: ")
-            .decimal(mean, 1)
-            .text(" fps, worst second ")
-            .decimal(worst, 1)
-            .text(" fps, ")
-            .number(size.0 as u64)
-            .text("x")
-            .number(size.1 as u64)
-            .text(", threads ")
-            .number(self.pool.threads() as u64)
-            .text(", ")
+            .form(
+                "\0 frames in \u{2} s: \u{1} fps, worst second \u{1} fps, \0x\0, threads \0, ",
+                &[
+                    frames,
+                    time / (SECOND / 100),
+                    mean,
+                    worst,
+                    size.0 as u64,
+                    size.1 as u64,
+                    self.pool.threads() as u64,
+                ],
+            )
             .text(cpu::name(self.level));
-        let names = Parts::of(Quality::NAMES.as_bytes(), b' ');
-        for (name, &time) in names.zip(&self.tally.rungs) {
+        for (name, &time) in names().zip(&self.tally.rungs) {
             if time > 0 {
-                report.text(", ").quote(name).text(" ");
-                report.decimal(time / (SECOND / 100), 2).text(" s");
+                let time = time / (SECOND / 100);
+                report.text(", ").quote(name).form(" \u{2} s", &[time]);
             }
         }
         line::print(report.text("\n").bytes())
     }
+}
+
+/// Frames a second to hold.
+fn fps(options: &Options) -> u64 {
+    options.get(FPS).unwrap_or(60)
 }
 
 /// Counts of a run.

@@ -4,37 +4,22 @@ use crate::parts::Parts;
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::{
     arguments::Arguments,
-    clock::SECOND,
     line::{self, Line},
 };
 
 /// The most threads that have a worker's memory waiting for them.
 pub const MAX_THREADS: usize = 64;
 
-/// What the viewer asks for.
-pub struct Options {
-    /// Width and height of the window in pixels.
-    pub size: (usize, usize),
-    /// Threads that trace, or as many as there are processors.
-    pub threads: Option<usize>,
-    /// Nanoseconds until it ends, or as long as the show is.
-    pub length: Option<u64>,
-    /// Frames a second.
-    pub fps: usize,
-    /// The rung of the ladder of qualities, or whichever `fps` allows. Beyond the ladder, every pixel is traced.
-    pub rung: Option<usize>,
-    /// The options without a value that were given, a bit each.
-    switches: u32,
-}
+/// What the viewer asks for: the values of the options by their numbers, 0 where one was not given.
+pub struct Options([u64; VERSION + 1]);
 
-/// The start of what `--help` says, which `--version` says too.
-const NAME: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"), "\n");
+/// What `--help` says: the name, which `--version` says too, then the options, a line each, and the keys. The command line
+/// is read by these lines, and errors quote them.
+static TEXT: [u8; joined_length(TEXTS)] = joined(TEXTS);
 
-/// The options, a line each. The command line is read by these, and errors quote them.
-static OPTIONS: [u8; joined_length(LINES)] = joined(LINES);
-
-/// [`OPTIONS`] in parts.
-const LINES: [&str; 3] = [
+/// [`TEXT`] in parts.
+const TEXTS: [&str; 4] = [
+    concat!("eightfold ", env!("CARGO_PKG_VERSION"), "\n"),
     "\
 --size WxH    size of the window, from 1x1 to 3840x2160 (1024x768)
 --threads N   threads that trace, from 1 to 64 (one for each processor)
@@ -49,29 +34,37 @@ const LINES: [&str; 3] = [
 --exhaustive  trace every pixel
 --help        say this
 --version     say which version this is
+keys: F whole screen, W window, Esc end
 ",
 ];
 
-// The lines of `OPTIONS`; the first five take a value.
-const SIZE: usize = 0;
-const THREADS: usize = 1;
-const SECONDS: usize = 2;
-const FPS: usize = 3;
-const QUALITY: usize = 4;
-const LOOP: usize = 5;
+// The lines of `TEXT` that are options; the first five take a value.
+
+/// Width of the window in pixels, times 2^32, and its height.
+pub const SIZE: usize = 1;
+/// Threads that trace.
+pub const THREADS: usize = 2;
+/// Nanoseconds until it ends.
+pub const SECONDS: usize = 3;
+/// Frames a second.
+pub const FPS: usize = 4;
+/// One more than the number of the rung of the ladder of qualities. Beyond the ladder, every pixel is traced.
+pub const QUALITY: usize = 5;
+/// It starts again instead of ending.
+pub const LOOP: usize = 6;
 /// Starts over the whole screen.
-pub const FULLSCREEN: usize = 6;
+pub const FULLSCREEN: usize = 7;
 /// As many frames as can be.
-pub const UNCAPPED: usize = 7;
-const EXHAUSTIVE: usize = 8;
-const HELP: usize = 9;
-const VERSION: usize = 10;
+pub const UNCAPPED: usize = 8;
+const EXHAUSTIVE: usize = 9;
+const HELP: usize = 10;
+const VERSION: usize = 11;
 
 /// The most frames a second that can be asked for.
-const MAX_FPS: usize = 1000;
+const MOST_FPS: u64 = 1000;
 
-/// The end of what `--help` says.
-const KEYS: &str = "keys: F whole screen, W window, Esc end\n";
+/// The longest time that can be asked for: what fits, at least a thousand million seconds.
+const LONGEST: u64 = u64::MAX / 10;
 
 impl Options {
     /// Reads the command line, and answers what only asks for an answer.
@@ -80,63 +73,50 @@ impl Options {
     /// The exit code, if there is nothing to play: 0 when a question was answered, 1 when the answer
     /// could not be written, 2 when an argument is wrong, which standard error says.
     pub fn read(mut arguments: Arguments) -> Result<Options, i32> {
-        let mut options = Options {
-            size: (1024, 768),
-            threads: None,
-            length: None,
-            fps: 60,
-            rung: None,
-            switches: 0,
-        };
+        let mut options = Options([0; _]);
         while let Some(flag) = arguments.next() {
-            let Some((option, line)) = find(flag) else {
+            let mut lines = Parts::of(&TEXT, b'\n').zip(&mut options.0).enumerate();
+            let found = lines.find(|(_, (line, _))| {
+                line.starts_with(flag) && line.get(flag.len()) == Some(&b' ')
+            });
+            let Some((option @ SIZE.., (line, place))) = found else {
                 return Err(wrong(flag, b"--help says what there is"));
             };
             let value = if option <= QUALITY {
-                arguments.next()
+                arguments.next().unwrap_or_default()
             } else {
-                None
+                b"1"
             };
-            let value = value.unwrap_or_default();
-            let right = match option {
-                SIZE => size(value).map(|size| options.size = size),
-                THREADS => whole(value, MAX_THREADS).map(|count| options.threads = Some(count)),
-                SECONDS => seconds(value).map(|time| options.length = Some(time)),
-                FPS => whole(value, MAX_FPS).map(|fps| options.fps = fps),
-                QUALITY => rung(value).map(|rung| options.rung = Some(rung)),
-                HELP => {
-                    return Err(answer(&[NAME.as_bytes(), &OPTIONS, KEYS.as_bytes()]));
-                }
-                VERSION => return Err(answer(&[NAME.as_bytes()])),
-                _ => {
-                    options.switches |= 1 << option;
-                    Some(())
-                }
+            *place = match option {
+                SIZE => size(value),
+                THREADS => number(value, MAX_THREADS as u64, 0),
+                FPS => number(value, MOST_FPS, 0),
+                QUALITY => rung(value),
+                HELP => return Err(answer(&TEXT)),
+                VERSION => return Err(answer(TEXTS[0].as_bytes())),
+                _ => number(value, LONGEST, 9),
             };
-            if right.is_none() {
+            if *place == 0 {
                 return Err(wrong(value, line));
             }
         }
-        if options.has(LOOP) && options.length.is_none() {
-            options.length = Some(u64::MAX);
+        if options.0[UNCAPPED] != 0 && options.0[QUALITY] == 0 {
+            options.0[QUALITY] = rung(b"default");
         }
-        if options.has(UNCAPPED) && options.rung.is_none() {
-            options.rung = rung(b"default");
-        }
-        if options.has(EXHAUSTIVE) {
-            options.rung = Some(usize::MAX);
+        if options.0[EXHAUSTIVE] != 0 {
+            options.0[QUALITY] = u64::MAX;
         }
         Ok(options)
     }
 
-    /// Whether an option without a value was given.
-    pub fn has(&self, option: usize) -> bool {
-        self.switches & 1 << option != 0
+    /// The value of an option, if it was given.
+    pub fn get(&self, option: usize) -> Option<u64> {
+        self.0.get(option).copied().filter(|&value| value != 0)
     }
 }
 
 /// The bytes of some texts, one after the other.
-const fn joined<const N: usize>(texts: [&str; 3]) -> [u8; N] {
+const fn joined<const N: usize>(texts: [&str; 4]) -> [u8; N] {
     let mut all = [0; N];
     let (mut text, mut end) = (0, 0);
     while text < texts.len() {
@@ -150,25 +130,27 @@ const fn joined<const N: usize>(texts: [&str; 3]) -> [u8; N] {
 }
 
 /// How many they are.
-const fn joined_length(texts: [&str; 3]) -> usize {
-    texts[0].len() + texts[1].len() + texts[2].len()
+const fn joined_length(texts: [&str; 4]) -> usize {
+    texts[0].len() + texts[1].len() + texts[2].len() + texts[3].len()
 }
 
-/// The line of an option: its number, and what it says.
-fn find(flag: &[u8]) -> Option<(usize, &'static [u8])> {
-    let mut lines = Parts::of(&OPTIONS, b'\n').enumerate();
-    lines.find(|(_, line)| line.starts_with(flag) && line.get(flag.len()) == Some(&b' '))
+/// The names of the rungs of the ladder of qualities, where [`TEXT`] has them.
+pub fn names() -> Parts {
+    const START: usize = TEXTS[0].len() + TEXTS[1].len();
+    const END: usize = START + TEXTS[2].len();
+    Parts::of(const { TEXT.split_at(END).0.split_at(START).1 }, b' ')
 }
 
-/// The number of a rung of the ladder of qualities, by its name.
-fn rung(name: &[u8]) -> Option<usize> {
-    Parts::of(Quality::NAMES.as_bytes(), b' ').position(|known| known == name)
+/// One more than the number of the rung of the ladder of qualities with a name, or 0.
+fn rung(name: &[u8]) -> u64 {
+    names()
+        .position(|known| known == name)
+        .map_or(0, |rung| rung as u64 + 1)
 }
 
 /// Answers, and returns the exit code.
-fn answer(texts: &[&[u8]]) -> i32 {
-    let said = texts.iter().all(|text| line::print(text));
-    i32::from(!said)
+fn answer(text: &[u8]) -> i32 {
+    i32::from(!line::print(text))
 }
 
 /// Says in one line on standard error what is wrong, and returns the exit code.
@@ -183,44 +165,51 @@ fn wrong(given: &[u8], expected: &[u8]) -> i32 {
     2
 }
 
-/// A whole number from 1 to `most`.
+/// Digits, with a point among them where there may be places after it: the number times ten for each place. 0 if it is
+/// anything else, or more than `most`.
 #[inline(never)]
-fn whole(text: &[u8], most: usize) -> Option<usize> {
+fn number(text: &[u8], most: u64, places: u32) -> u64 {
     let mut number = 0;
-    for digit in text {
-        number = number * 10 + usize::from(digit.wrapping_sub(b'0'));
-        if !digit.is_ascii_digit() || number > most {
-            return None;
-        }
-    }
-    (number > 0).then_some(number)
-}
-
-/// Two whole numbers with an `x` between them, up to the largest picture.
-fn size(text: &'static [u8]) -> Option<(usize, usize)> {
-    let mut sides = Parts::of(text, b'x');
-    let width = whole(sides.next()?, MAX_WIDTH)?;
-    let height = whole(sides.next()?, MAX_HEIGHT)?;
-    sides.next().is_none().then_some((width, height))
-}
-
-/// Digits with at most one point among them, above 0 and up to a thousand million: nanoseconds.
-fn seconds(text: &[u8]) -> Option<u64> {
-    let mut time = 0;
-    let mut unit = SECOND;
+    let mut left = places;
     let mut point = false;
-    for &byte in text {
-        match byte {
-            b'0'..=b'9' if point => {
-                unit /= 10;
-                time += u64::from(byte - b'0') * unit;
+    let mut text = text.iter();
+    loop {
+        let digit = match text.next() {
+            None if left == 0 => return number,
+            None => {
+                point = true;
+                0
             }
-            b'0'..=b'9' if time <= SECOND * SECOND / 10 => {
-                time = time * 10 + u64::from(byte - b'0') * SECOND;
+            Some(b'.') if !point && left > 0 => {
+                point = true;
+                continue;
             }
-            b'.' if !point => point = true,
-            _ => return None,
+            Some(byte) => byte.wrapping_sub(b'0'),
+        };
+        if digit > 9 {
+            return 0;
+        }
+        if point {
+            // What is finer than that does not matter.
+            if left == 0 {
+                continue;
+            }
+            left -= 1;
+        }
+        number = number * 10 + u64::from(digit);
+        if number > most {
+            return 0;
         }
     }
-    (time > 0).then_some(time)
+}
+
+/// Two whole numbers with an `x` between them, up to the largest picture, as [`SIZE`] says.
+fn size(text: &'static [u8]) -> u64 {
+    let mut sides = Parts::of(text, b'x');
+    let mut side = |most: usize| number(sides.next().unwrap_or_default(), most as u64, 0);
+    let (width, height) = (side(MAX_WIDTH), side(MAX_HEIGHT));
+    if width == 0 || height == 0 || sides.next().is_some() {
+        return 0;
+    }
+    width << 32 | height
 }

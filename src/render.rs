@@ -31,6 +31,25 @@ impl Memory {
     }
 }
 
+impl Memory {
+    /// Prepares a frame of so many pixels.
+    fn begin(
+        &mut self,
+        scene: &Scene,
+        quality: &Quality,
+        width: usize,
+        height: usize,
+        count: usize,
+    ) {
+        let is_valid = (1..=MAX_WIDTH).contains(&width)
+            && (1..=MAX_HEIGHT).contains(&height)
+            && count == width * height
+            && quality.is_valid();
+        assert!(is_valid, "size or quality out of range");
+        self.prepared.set(scene, width, height);
+    }
+}
+
 #[cfg(feature = "lab")]
 impl Memory {
     /// Has the next frames take their samples `x` pixels to the right of the pixels' centres and `y` below them, within
@@ -48,6 +67,9 @@ impl Default for Memory {
 
 /// A job on a band, to be run by a worker.
 pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
+
+/// What has a job done on bands.
+type Run<'a> = &'a mut dyn FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>);
 
 /// Renders one frame of `width` by `height` pixels: `0x00RRGGBB`, row after row.
 ///
@@ -71,14 +93,14 @@ pub fn render(
     memory: &mut Memory,
     workers: &mut [Worker],
     pixels: &mut [u32],
-    run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
+    mut run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
 ) -> Counts {
-    let draw = |prepared: &Prepared, worker: &mut Worker, band: &mut Band<'_>| {
+    memory.begin(scene, quality, width, height, pixels.len());
+    let (prepared, borders) = (&memory.prepared, &mut memory.borders);
+    let job = |worker: &mut Worker, band: &mut Band<'_>| {
         refine::render(level, prepared, quality, worker, band);
     };
-    frame(
-        scene, quality, width, height, memory, workers, pixels, draw, run,
-    )
+    frame(quality, width, borders, workers, pixels, &job, &mut run)
 }
 
 /// Like [`render`], and the observer hears how the frame comes about: the same frame, the same counts, more time.
@@ -102,52 +124,37 @@ pub fn render_observed<O: Observer>(
     workers: &mut [Worker],
     pixels: &mut [u32],
     observer: O,
-    run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
-) -> Counts {
-    let draw = |prepared: &Prepared, worker: &mut Worker, band: &mut Band<'_>| {
-        refine::render_observed(level, prepared, quality, observer, worker, band);
-    };
-    frame(
-        scene, quality, width, height, memory, workers, pixels, draw, run,
-    )
-}
-
-/// A frame, each of its bands drawn by `draw`.
-#[inline(always)]
-#[allow(
-    clippy::too_many_arguments,
-    reason = "what to draw, in what memory, by whom"
-)]
-fn frame(
-    scene: &Scene,
-    quality: &Quality,
-    width: usize,
-    height: usize,
-    memory: &mut Memory,
-    workers: &mut [Worker],
-    pixels: &mut [u32],
-    draw: impl Fn(&Prepared, &mut Worker, &mut Band<'_>) + Sync,
     mut run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
 ) -> Counts {
-    let is_valid = (1..=MAX_WIDTH).contains(&width)
-        && (1..=MAX_HEIGHT).contains(&height)
-        && pixels.len() == width * height
-        && quality.is_valid();
-    assert!(is_valid, "size or quality out of range");
-    memory.prepared.set(scene, width, height);
-    let prepared = &memory.prepared;
+    memory.begin(scene, quality, width, height, pixels.len());
+    let (prepared, borders) = (&memory.prepared, &mut memory.borders);
+    let job = |worker: &mut Worker, band: &mut Band<'_>| {
+        refine::render_observed(level, prepared, quality, observer, worker, band);
+    };
+    frame(quality, width, borders, workers, pixels, &job, &mut run)
+}
+
+/// The bands of a frame, each drawn by the job. (A function of its own, and what is generic only around it: what is compiled
+/// with the program keeps the places of its panics, 300 bytes.)
+fn frame(
+    quality: &Quality,
+    width: usize,
+    all_borders: &mut [Border],
+    workers: &mut [Worker],
+    pixels: &mut [u32],
+    job: Job<'_>,
+    run: Run<'_>,
+) -> Counts {
+    let height = pixels.len() / width;
     let rows = Band::rows(quality.square);
     let count = height.div_ceil(rows);
 
-    let job = |worker: &mut Worker, band: &mut Band<'_>| {
-        draw(prepared, worker, band);
-    };
     // Bands of even number trace the borders around them; those between find them traced.
     for odd in [0, 1] {
         let mut bands: [Band<'_>; MAX_BANDS.div_ceil(2)] =
             core::array::from_fn(|_| Band::default());
         let mut len = 0;
-        let mut borders = memory.borders[odd..].chunks_mut(2);
+        let mut borders = all_borders[odd..].chunks_mut(2);
         for (i, pixels) in pixels.chunks_mut(rows * width).enumerate() {
             if i % 2 != odd {
                 continue;
@@ -164,7 +171,7 @@ fn frame(
             };
             len += 1;
         }
-        run(workers, &mut bands[..len], &job);
+        run(workers, &mut bands[..len], job);
     }
     let mut counts = Counts::default();
     for worker in workers {

@@ -63,7 +63,7 @@ impl Blit {
             }
             let memory = share(x, display, image);
             let shared = memory.is_some();
-            let memory = memory.unwrap_or_else(|| Box::leak(pixels(2 * MOST_PIXELS)));
+            let memory = memory.unwrap_or_else(pixels);
             let (first, second) = memory.split_at_mut(MOST_PIXELS);
             Some(Blit {
                 x,

@@ -43,29 +43,32 @@ impl Line {
         self
     }
 
-    /// Adds a whole number.
-    pub fn number(&mut self, number: u64) -> &mut Line {
-        self.decimal(number, 0)
+    /// Adds text in which the bytes 0, 1 and 2 stand for the values, in their order, with so many digits after the point.
+    pub fn form(&mut self, text: &str, values: &[u64]) -> &mut Line {
+        let mut values = values.iter();
+        for &byte in text.as_bytes() {
+            match values.as_slice().first() {
+                Some(&value) if byte < 3 => {
+                    values.next();
+                    self.decimal(value, byte.into());
+                }
+                _ => {
+                    self.add(&[byte]);
+                }
+            }
+        }
+        self
     }
 
     /// Adds a number that counts units of `10^-digits`: `decimal(2513, 2)` adds `25.13`.
-    pub fn decimal(&mut self, number: u64, digits: usize) -> &mut Line {
-        let (mut unit, mut place) = (1, 0);
-        while place < digits || number / unit >= 10 {
-            unit *= 10;
-            place += 1;
+    pub fn decimal(&mut self, number: u64, digits: i32) {
+        if digits > 0 || number >= 10 {
+            self.decimal(number / 10, digits - 1);
         }
-        loop {
-            self.add(&[b'0' + (number / unit % 10) as u8]);
-            if place == 0 {
-                return self;
-            }
-            if place == digits {
-                self.add(b".");
-            }
-            unit /= 10;
-            place -= 1;
+        if digits == 1 {
+            self.add(b".");
         }
+        self.add(&[b'0' + (number % 10) as u8]);
     }
 
     /// Takes all of it out.
@@ -154,11 +157,18 @@ mod tests {
     }
 
     #[test]
+    fn values_are_where_the_form_has_them() {
+        let mut line = Line::new();
+        line.form("\0 in \u{2} s: \u{1} fps\n", &[60, 101, 594]);
+        assert_eq!(line.bytes(), b"60 in 1.01 s: 59.4 fps\n");
+    }
+
+    #[test]
     fn what_does_not_fit_is_cut_off() {
         let mut line = Line::new();
         line.text(&"x".repeat(Line::CAPACITY + 1))
             .text("y")
-            .number(1);
+            .form("\0", &[1]);
         assert_eq!(line.bytes(), "x".repeat(Line::CAPACITY).as_bytes());
     }
 

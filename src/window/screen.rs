@@ -1,25 +1,16 @@
 //! What frames are shown on.
 
-use std::{
-    alloc::{Layout, alloc_zeroed, handle_alloc_error},
-    ptr::slice_from_raw_parts_mut,
-};
+use crate::fixed::Fixed;
 
 /// The most pixels that a frame may have: 3840x2160.
 pub const MOST_PIXELS: usize = 3840 * 2160;
 
-/// Memory for so many pixels, zero to begin with; it is taken from the system where it is written to.
-pub(crate) fn pixels(count: usize) -> Box<[u32]> {
-    assert!(count <= 2 * MOST_PIXELS);
-    // SAFETY: the size is far from too large; the memory is as large as the slice, and zero is a pixel.
-    unsafe {
-        let layout = Layout::from_size_align_unchecked(4 * count, 4);
-        let memory = alloc_zeroed(layout);
-        if memory.is_null() {
-            handle_alloc_error(layout);
-        }
-        Box::from_raw(slice_from_raw_parts_mut(memory.cast(), count))
-    }
+/// Memory for two frames, which the one screen of the program takes; the system gives it where it is written to.
+static PIXELS: Fixed<[u32; 2 * MOST_PIXELS]> = Fixed::new([0; 2 * MOST_PIXELS]);
+
+/// Takes [`PIXELS`].
+pub(crate) fn pixels() -> &'static mut [u32] {
+    PIXELS.take()
 }
 
 /// A place for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal) or
@@ -52,7 +43,7 @@ pub enum Next {
 /// No screen: the frames are drawn and not shown.
 pub struct Unseen {
     size: (usize, usize),
-    pixels: Box<[u32]>,
+    pixels: &'static mut [u32],
 }
 
 impl Unseen {
@@ -61,7 +52,7 @@ impl Unseen {
     pub fn new(width: usize, height: usize) -> Unseen {
         Unseen {
             size: (width, height),
-            pixels: pixels(MOST_PIXELS),
+            pixels: pixels(),
         }
     }
 }

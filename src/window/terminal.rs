@@ -12,7 +12,7 @@ use core::{
 
 use crate::{
     line::{self, Line},
-    screen::{MOST_PIXELS, Next, Screen, pixels},
+    screen::{Next, Screen, pixels},
     system::{self, call},
 };
 
@@ -36,7 +36,7 @@ const CHUNK: usize = Line::CAPACITY - 64;
 pub struct Terminal {
     escape: Escape,
     text: Line,
-    pixels: Box<[u32]>,
+    pixels: &'static mut [u32],
     size: (usize, usize),
     shown: (usize, usize),
 }
@@ -49,20 +49,10 @@ impl Terminal {
         Terminal {
             escape: Escape::default(),
             text: Line::new(),
-            pixels: pixels(MOST_PIXELS),
+            pixels: pixels(),
             size: (0, 0),
             shown: (0, 0),
         }
-    }
-
-    /// Adds `\x1b[`, numbers with `;` between them, and a last byte.
-    fn sequence(&mut self, numbers: &[u32], last: &str) {
-        let mut before = "\x1b[";
-        for &number in numbers {
-            self.text.text(before).number(u64::from(number));
-            before = ";";
-        }
-        self.text.text(last);
     }
 
     /// Writes what has been added, once it is as much as that. False if the terminal does not take it.
@@ -82,14 +72,15 @@ impl Terminal {
         for row in 0..height / 2 {
             // A colour that no pixel has: each row sets its own.
             let mut colours = [u32::MAX; 2];
-            self.sequence(&[row as u32 + 1, 1], "H");
+            self.text.form("\x1b[\0;1H", &[row as u64 + 1]);
             for x in 0..width {
                 for (half, ground) in [(0, 38), (1, 48)] {
                     let colour = self.pixels[(2 * row + half) * width + x];
                     if colours[half] != colour {
                         colours[half] = colour;
-                        let [_, red, green, blue] = colour.to_be_bytes().map(u32::from);
-                        self.sequence(&[ground, 2, red, green, blue], "m");
+                        let channel = |shift: u32| u64::from(colour >> shift & 0xff);
+                        let values = [ground, channel(16), channel(8), channel(0)];
+                        self.text.form("\x1b[\0;2;\0;\0;\0m", &values);
                     }
                 }
                 self.text.text(UPPER_HALF);
