@@ -9,6 +9,7 @@ mod parts;
 use core::mem::ManuallyDrop;
 
 use eightfold::scene::Scene;
+use eightfold::sound::Synthesizer;
 use eightfold::{Band, Governor, MAX_HEIGHT, MAX_WIDTH, Memory, Quality, Worker, render, show};
 use eightfold_window::{
     arguments::Arguments,
@@ -18,11 +19,13 @@ use eightfold_window::{
     line::{self, Line},
     pool::{self, Pool},
     screen::{Next, Screen, Unseen},
+    sound::{Player, Source},
     terminal::Terminal,
     window::{NoWindow, Window},
 };
 use options::{
-    FPS, FULLSCREEN, LOOP, MAX_THREADS, Options, QUALITY, SECONDS, SIZE, THREADS, UNCAPPED, names,
+    FPS, FULLSCREEN, LOOP, MAX_THREADS, Options, QUALITY, SECONDS, SILENT, SIZE, THREADS, UNCAPPED,
+    names,
 };
 
 /// Whether the show has what its scenes need; the model scene is played otherwise.
@@ -41,6 +44,16 @@ const LENGTH: u64 = {
 static SCENE: Fixed<Scene> = Fixed::new(Scene::NONE);
 static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
 static WORKERS: Fixed<[Worker; MAX_THREADS]> = Fixed::new([const { Worker::new() }; MAX_THREADS]);
+static MUSIC: Fixed<Music> = Fixed::new(Music(Synthesizer::new()));
+
+/// The soundtrack.
+struct Music(Synthesizer);
+
+impl Source for Music {
+    fn block(&mut self) -> &[[f32; 2]] {
+        self.0.block()
+    }
+}
 
 eightfold_window::main!(run);
 
@@ -113,6 +126,11 @@ impl Intro {
 
     /// Plays until the show or the viewer ends it. Returns the exit code.
     fn play(&mut self, screen: &mut dyn Screen, options: &Options) -> i32 {
+        let music: Option<&'static mut dyn Source> = match options.get(SILENT) {
+            Some(_) => None,
+            None => Some(MUSIC.take()),
+        };
+        let mut player = Player::start(c"default", music);
         let clock = Clock::start();
         let length = options
             .get(SECONDS)
@@ -124,7 +142,8 @@ impl Intro {
         let mut due = 0;
         loop {
             let time = clock.time();
-            if time >= length {
+            let heard = player.time();
+            if heard >= length {
                 self.tally.time = time;
                 return 0;
             }
@@ -133,7 +152,7 @@ impl Intro {
                 None => self.governor.rung(),
             };
             let quality = Quality::LADDER.get(rung).unwrap_or(&Quality::EXHAUSTIVE);
-            self.draw(time, screen, quality);
+            self.draw(heard, screen, quality);
             let next = screen.show();
             let shown = clock.time();
             self.governor.frame(shown - time);

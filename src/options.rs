@@ -32,6 +32,7 @@ const TEXTS: [&str; 4] = [
 --fullscreen  start over the whole screen
 --uncapped    as many frames as can be, by default at default quality
 --exhaustive  trace every pixel
+--silent      play no sound
 --help        say this
 --version     say which version this is
 keys: F whole screen, W window, Esc end
@@ -57,8 +58,10 @@ pub const FULLSCREEN: usize = 7;
 /// As many frames as can be.
 pub const UNCAPPED: usize = 8;
 const EXHAUSTIVE: usize = 9;
-const HELP: usize = 10;
-const VERSION: usize = 11;
+/// Without sound.
+pub const SILENT: usize = 10;
+const HELP: usize = 11;
+const VERSION: usize = 12;
 
 /// The most frames a second that can be asked for.
 const MOST_FPS: u64 = 1000;

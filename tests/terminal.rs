@@ -2,7 +2,7 @@
 
 mod stage;
 
-use eightfold::Quality;
+use eightfold::{Quality, sound::Synthesizer};
 use stage::{Process, intro, run, tool, wait_for};
 use std::{
     env, fs,
@@ -180,10 +180,10 @@ fn keys_come_from_the_terminal_where_standard_input_is_none() {
     terminal.wait_for_end(0);
 }
 
-/// The intro, to be started without a display.
+/// The intro, to be started without a display and without sound.
 fn unseen() -> Command {
     let mut command = Command::new(intro());
-    command.env_remove("DISPLAY");
+    command.env_remove("DISPLAY").arg("--silent");
     command
 }
 
@@ -203,6 +203,59 @@ fn without_display_and_terminal_it_runs_unseen() {
     assert_eq!(errors, "eightfold: no X display; playing unseen\n");
     assert_eq!(said.lines().count(), 1, "{said}");
     assert!(said.contains("320x200, threads 3"), "{said}");
+}
+
+#[test]
+fn the_soundtrack_is_played() {
+    let folder = tempfile::tempdir().unwrap();
+    let (configuration, out) = (
+        folder.path().join("asound.conf"),
+        folder.path().join("out.raw"),
+    );
+    let device = format!(
+        "pcm.default {{ type file, slave.pcm {{ type null }}, file \"{}\", format raw }}",
+        out.display()
+    );
+    fs::write(&configuration, device).unwrap();
+    let mut command = Command::new(intro());
+    let command = command.args(["--seconds", "2", "--size", "64x48"]);
+    let (output, _) = run(command
+        .env_remove("DISPLAY")
+        .env("ALSA_CONFIG_PATH", &configuration));
+    assert_eq!(
+        texts(&output).1,
+        "eightfold: no X display; playing unseen\n"
+    );
+    let heard = fs::read(out).unwrap();
+    let mut samples = vec![[0.0; 2]; heard.len() / 8];
+    assert!(
+        (85_000..120_000).contains(&samples.len()),
+        "{} samples",
+        samples.len()
+    );
+    Box::<Synthesizer>::default().play(&mut samples);
+    let bytes: Vec<u8> = samples
+        .as_flattened()
+        .iter()
+        .flat_map(|side| side.to_le_bytes())
+        .collect();
+    assert!(
+        heard[..bytes.len()] == bytes,
+        "the song's samples, to the bit"
+    );
+}
+
+#[test]
+fn without_a_sound_device_it_says_so_in_one_line() {
+    let mut command = Command::new(intro());
+    let command = command.args(["--seconds", "0.2", "--size", "64x48"]);
+    let (output, _) = run(command
+        .env_remove("DISPLAY")
+        .env("ALSA_CONFIG_PATH", "/dev/null"));
+    assert_eq!(output.status.code(), Some(0));
+    let (_, errors) = texts(&output);
+    assert_eq!(errors.lines().count(), 2, "{errors}");
+    assert!(errors.ends_with("; playing silently\n"), "{errors}");
 }
 
 #[test]
@@ -325,6 +378,7 @@ fn questions_are_answered() {
         "--loop",
         "--uncapped",
         "--exhaustive",
+        "--silent",
         "--help",
         "--version",
     ] {

@@ -180,7 +180,7 @@ fn a_display_without_pixels_of_32_bits_is_as_good_as_none() {
     let server = Server::start_with(320, 240, &["-screen", "0", "320x240x16"]);
     let intro = Process::start(
         Command::new(stage::intro())
-            .args(["--seconds", "0.3"])
+            .args(["--seconds", "0.3", "--silent"])
             .env("DISPLAY", &server.display),
     );
     let (_, code, output, errors) = intro.end();

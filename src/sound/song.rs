@@ -184,7 +184,7 @@ pub(super) fn step(track: usize, step: u32) -> u32 {
 
 /// How bright a bar gets, 0 to 1, and its chord.
 pub(super) fn mood(bar: u32) -> (f32, [u8; 4]) {
-    let mood = *MOODS.get(bar as usize).unwrap_or(&0);
+    let mood = MOODS.get(bar as usize).map_or(0, |&mood| mood);
     (f32::from(mood >> 4) / 15.0, CHORDS[usize::from(mood & 7)])
 }
 

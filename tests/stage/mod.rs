@@ -186,7 +186,7 @@ impl Server {
             self.window().is_none().then_some(())
         });
         let mut command = Command::new(intro());
-        command.args(options);
+        command.arg("--silent").args(options);
         let intro = self.open(&mut command, || self.window());
         if self.manager.is_some() {
             wait_for("keys to go to the window", || {

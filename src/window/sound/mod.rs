@@ -7,7 +7,6 @@ mod alsa;
 mod heard;
 
 use core::{
-    cell::UnsafeCell,
     ffi::{CStr, c_void},
     ptr::null_mut,
     sync::atomic::{AtomicI64, Ordering::Relaxed},
@@ -34,6 +33,10 @@ const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 /// Nanoseconds that blocks may come ahead of their pace: what the device wants, and twice that to catch up.
 const SLACK: u64 = 3 * LATENCY as u64 * 1000;
 
+/// By what share of the time a device can be ahead of the clock: 0.1 %, more than any quartz. One that plays nothing has
+/// heard at once all that it is given, which is no time to go by.
+const FASTEST: i64 = 1000;
+
 /// What makes sound.
 pub trait Source: Send {
     /// Makes the next samples, some milliseconds at most: left and right, full scale 1.
@@ -44,59 +47,49 @@ pub trait Source: Send {
 pub struct Player {
     clock: Clock,
     heard: Heard,
-    /// Nanoseconds that the sound is ahead of the clock.
-    ahead: &'static AtomicI64,
 }
+
+/// Nanoseconds that the sound is ahead of the clock, of the one player that a program has.
+static AHEAD: AtomicI64 = AtomicI64::new(0);
 
 /// What the thread that plays works with. It lives as long as the process.
 struct Work {
     clock: Clock,
-    /// The thread's alone.
-    instruments: UnsafeCell<(Device, &'static mut dyn Source)>,
-    /// See [`Player`].
-    ahead: AtomicI64,
+    device: Device,
+    source: &'static mut dyn Source,
 }
 
 impl Player {
-    /// The time by the clock, without sound.
-    #[must_use]
-    pub fn silent() -> Player {
-        static AHEAD: AtomicI64 = AtomicI64::new(0);
-        Player {
+    /// Plays a source on a device of ALSA's, by its name: `default` is what the desktop plays on. The thread that does
+    /// ends with the process. Without a source, the time goes by the clock.
+    ///
+    /// So it does if there is no such device, or it refuses the sound as it is made, and standard error says so.
+    pub fn start(device: &CStr, source: Option<&'static mut dyn Source>) -> Player {
+        let player = Player {
             clock: Clock::start(),
             heard: Heard::default(),
-            ahead: &AHEAD,
-        }
-    }
-
-    /// Plays a source on a device of ALSA's, by its name: `default` is what the desktop plays on. The thread that does
-    /// ends with the process.
-    ///
-    /// If there is no such device, or it refuses the sound as it is made, standard error says so, and the time goes by the
-    /// clock.
-    pub fn start(device: &CStr, source: &'static mut dyn Source) -> Player {
-        let mut player = Player::silent();
-        let Some(device) = Device::open(device, RATE, LATENCY) else {
-            say_silent();
-            return player;
         };
-        let work: &Work = Box::leak(Box::new(Work {
-            clock: player.clock,
-            instruments: UnsafeCell::new((device, source)),
-            ahead: AtomicI64::new(0),
-        }));
-        let pointer = (&raw const *work).cast_mut().cast();
-        // SAFETY: the work lasts, and there is one thread that does it.
-        if !unsafe { pool::spawn(&mut 0, play, pointer) } {
-            say_silent();
+        if let Some(source) = source {
+            let device = Device::open(device, RATE, LATENCY);
+            let started = device.is_some_and(|device| {
+                let work = Box::leak(Box::new(Work {
+                    clock: player.clock,
+                    device,
+                    source,
+                }));
+                // SAFETY: the work lasts, and there is one thread that does it.
+                unsafe { pool::spawn(&mut 0, play, (&raw mut *work).cast()) }
+            });
+            if !started {
+                say_silent();
+            }
         }
-        player.ahead = &work.ahead;
         player
     }
 
     /// Nanoseconds of the show until now. If the device is lost, it goes on from where it was.
     pub fn time(&mut self) -> u64 {
-        self.heard.time(self.clock.time(), self.ahead.load(Relaxed))
+        self.heard.time(self.clock.time(), AHEAD.load(Relaxed))
     }
 }
 
@@ -109,10 +102,12 @@ fn say_silent() {
 
 /// Plays until the device is lost, or the process ends.
 extern "C" fn play(work: *mut c_void) -> *mut c_void {
-    // SAFETY: `Player::start` passes it, and never frees it.
-    let work = unsafe { &*work.cast::<Work>() };
-    // SAFETY: nobody else looks at it.
-    let (device, source) = unsafe { &mut *work.instruments.get() };
+    // SAFETY: `Player::start` passes it, never frees it, and nobody else looks at it.
+    let Work {
+        clock,
+        device,
+        source,
+    } = unsafe { &mut *work.cast::<Work>() };
     let mut written = 0;
     let mut due = 0;
     loop {
@@ -123,12 +118,12 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
         }
         let count = block.len() as u64;
         written += count;
-        let now = work.clock.time();
+        let now = clock.time();
         if let Some(delay) = device.delay() {
             let heard = (written as i64 - delay) * (SECOND as i64 / 1000) / i64::from(RATE / 1000);
-            work.ahead.store(heard - now as i64, Relaxed);
+            AHEAD.store((heard - now as i64).min(now as i64 / FASTEST), Relaxed);
         }
         due = u64::max(due + count * PACE, now);
-        work.clock.sleep_until(due - due.min(SLACK));
+        clock.sleep_until(due - due.min(SLACK));
     }
 }

@@ -63,7 +63,7 @@ fn play() {
         next: 0,
         block: [[0.0; 2]; 48],
     }));
-    let mut player = Player::start(c"default", numbers);
+    let mut player = Player::start(c"default", Some(numbers));
     let start = Instant::now();
     let before = COUNT.load(SeqCst);
     let mut last = 0;
@@ -135,8 +135,7 @@ fn a_device_gets_every_sample_in_order(folder: &Path) {
     );
     let scene = scene(folder, &configuration, PLAIN);
     assert_eq!(scene.errors, "");
-    // What plays nothing takes what is made, up to 120 ms ahead.
-    assert!((0.98..1.2).contains(&scene.pace), "{}", scene.pace);
+    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
     let bytes = fs::read(out).unwrap();
     let sides: Vec<f32> = bytes
         .chunks_exact(4)
@@ -156,7 +155,7 @@ fn a_device_gets_every_sample_in_order(folder: &Path) {
 fn a_device_that_plays_nothing_keeps_time(folder: &Path) {
     let scene = scene(folder, "pcm.default { type null }", PLAIN);
     assert_eq!(scene.errors, "");
-    assert!((0.98..1.2).contains(&scene.pace), "{}", scene.pace);
+    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
 }
 
 fn time_goes_on_without_a_device(folder: &Path) {
@@ -185,7 +184,7 @@ fn time_goes_on_when_the_device_disappears(folder: &Path) {
         "trap '' XFSZ; ulimit -f 375; exec \"$0\"",
     );
     assert!(says_silent(&scene), "{}", scene.errors);
-    assert!((0.98..1.2).contains(&scene.pace), "{}", scene.pace);
+    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
     let played = fs::metadata(folder.join("short.raw")).unwrap().len();
     assert!(played > 100_000, "{played} bytes before it disappeared");
 }
@@ -199,8 +198,8 @@ fn time_goes_on_with_a_device_that_refuses_48_khz(folder: &Path) {
     assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
 }
 
-/// A device's clock that is fast or slow, answers in steps of 10 ms, and runs out of samples once: what is given is within
-/// 20 ms of what is heard, but for a second and a half after that.
+/// A device's clock that is fast or slow, answers in steps of 10 ms, and runs out of samples for 100 ms: what is given is
+/// within 20 ms of what is heard, but for the time that it waits then, as long as was lost.
 fn picture_and_sound_stay_together() {
     for parts_per_million in [-500_i64, 0, 500] {
         let mut heard = Heard::default();
@@ -213,7 +212,7 @@ fn picture_and_sound_stay_together() {
             let time = heard.time(clock, said - clock as i64);
             assert!(time >= last, "backwards at {clock} ns");
             last = time;
-            if !(lost..lost + 1_500_000_000).contains(&clock) {
+            if !(lost..lost + 120_000_000).contains(&clock) {
                 let drift = time as i64 - really.max(0);
                 assert!(drift.abs() <= 20_000_000, "{drift} ns at {clock} ns");
             }
