@@ -18,11 +18,15 @@ struct View {
 }
 
 impl View {
-    /// Starts with a pause after 2 s: time has no part in what is seen.
+    /// Starts the model scene with a pause after 2 s: time has no part in what is seen.
     fn start(options: &[&str]) -> View {
+        View::of(&[&["--scene", "model", "--time", "2", "--paused"], options].concat())
+    }
+
+    fn of(options: &[&str]) -> View {
         let server = Server::start(640, 480);
         let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
-        lab.args(["view", "--size", "320x240", "--time", "2", "--paused"]);
+        lab.args(["view", "--size", "320x240"]);
         let process = server.open(lab.args(options), || window(&server));
         let [x, y, ..] = window(&server).expect("a window");
         server.xdotool(&format!("mousemove {} {}", x + 9, y + 9));
@@ -99,6 +103,17 @@ fn it_shows_the_picture_of_the_moment_and_says_how_right_it_is() {
     assert!(traced > 1.0 && traced < 50.0, "{title}");
     let psnr = number(&title, " dB");
     assert!(psnr > 20.0 && psnr < 90.0, "{title}");
+}
+
+#[test]
+fn it_is_the_show_unless_asked_otherwise() {
+    let view = View::of(&["--time", "20", "--paused"]);
+    let (output, _) = run(Command::new(env!("CARGO_BIN_EXE_lab"))
+        .args(["render", "--size", "320x240", "--out", "-"])
+        .args(["--scene", "show", "--time", "20"]));
+    let picture = read_png(&output.stdout).1;
+    assert!(picture != rendered("20", "default"));
+    view.assert_shows("the picture", |shot| shot == picture);
 }
 
 #[test]

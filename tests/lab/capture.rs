@@ -2,6 +2,7 @@
 
 mod formats;
 mod parts;
+mod sound;
 mod trouble;
 
 use super::lab;
@@ -13,12 +14,15 @@ fn capture(arguments: &str) -> Output {
     lab(&flags(arguments))
 }
 
-/// The words of a command line, for small frames, if no size is asked for.
+/// The words of a command line: of the model scene and for small frames, if nothing else is asked for.
 fn flags(arguments: &str) -> Vec<&str> {
     let mut words = vec!["capture"];
     words.extend(arguments.split_whitespace());
     if !words.contains(&"--size") {
         words.extend(["--size", "48x32"]);
+    }
+    if !words.contains(&"--scene") {
+        words.extend(["--scene", "model"]);
     }
     // Without AVX2 it asks to be told.
     #[cfg(target_arch = "x86_64")]

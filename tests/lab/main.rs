@@ -6,6 +6,7 @@ mod figures;
 mod ladder;
 #[path = "../reader/mod.rs"]
 mod reader;
+mod release;
 mod report;
 mod size;
 mod sound;
@@ -179,8 +180,9 @@ fn help_names_every_command_and_flag() {
         ),
         (
             "capture",
-            "--png --y4m --video --sheet --frames --from --to --fps --size --scene --quality --supersample --threads --isa",
+            "--png --y4m --video --sheet --audio --frames --from --to --fps --size --scene --quality --supersample --threads --isa",
         ),
+        ("release", "--intro --out"),
         ("size", "--functions"),
         ("sound", "--wav --waveform --spectrogram"),
         (

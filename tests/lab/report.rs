@@ -8,11 +8,13 @@ use std::process::Output;
 
 const README: &str = "# A title\n\nSaid by hand.\n\n<!-- lab report speed -->\nold\n<!-- lab report end -->\n\nIn between.\n\n\
                       <!-- lab report ladder --><!-- lab report end -->\n<!-- lab report figures -->\n\
+                      <!-- lab report end -->\n<!-- lab report sheet -->\n<!-- lab report end -->\n<!-- lab report show -->\n\
                       <!-- lab report end -->\n<!-- lab report front -->\n<!-- lab report end -->\nThe end, without a new line";
 
 /// Figures that a clock has a say in, by their columns' titles.
-const TIMED: [&str; 6] = [
+const TIMED: [&str; 7] = [
     "fps median",
+    "worst second",
     "ms median",
     "ms p99",
     "speed-up",
@@ -34,6 +36,7 @@ fn without_timings(text: &str) -> Vec<String> {
         .map(|line| {
             if !line.starts_with('|') {
                 timed.clear();
+                let (line, _) = line.split_once(", threads ").unwrap_or((line, ""));
                 return line.to_owned();
             }
             let cells: Vec<&str> = line.split('|').map(str::trim).collect();
@@ -72,6 +75,10 @@ fn the_marked_parts_are_rewritten_and_a_second_time_changes_timings_only() {
         "    cargo lab trade --ladder --size 64x48 --frames 2\n",
         "    cargo lab trade --quick --size 64x48 --frames 2\n",
         "    cargo lab figures --size 64x48\n",
+        "    cargo lab bench --scene show --size 64x48 --frames 2\n",
+        "    cargo lab capture --size 64x48 --supersample 2 --frames 2 --sheet pictures/show.png\n",
+        "](pictures/show.png)",
+        "Worst second of the show at 64x48",
         "| finest | s8 c2 |",
         "](pictures/sheet.png)",
         "](pictures/front.svg)",

@@ -8,6 +8,7 @@ mod figures;
 mod flicker;
 mod flip;
 mod interrupt;
+mod intro;
 mod isa;
 mod machine;
 mod missed;
@@ -17,6 +18,7 @@ mod picture;
 mod plot;
 mod progress;
 mod rate;
+mod release;
 mod render;
 mod report;
 mod scenes;
@@ -43,6 +45,7 @@ enum Command {
     Bench(bench::Arguments),
     Capture(capture::Arguments),
     Figures(figures::Arguments),
+    Release(release::Arguments),
     Render(render::Arguments),
     Report(report::Arguments),
     Size(size::Arguments),
@@ -63,6 +66,7 @@ fn main() -> ExitCode {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Capture(arguments) => capture::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
+        Command::Release(arguments) => release::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Size(arguments) => size::run(&arguments),

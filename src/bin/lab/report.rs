@@ -14,8 +14,8 @@ use std::thread::available_parallelism;
 
 /// Measures what README.md tells of speed, errors and size, and rewrites the marked parts of it and their pictures
 ///
-/// A part begins at a line <!-- lab report NAME --> and ends at <!-- lab report end -->; its name is speed, ladder, front,
-/// figures or size. What stands outside of the parts stays, and parts that are not there are not measured. Run twice on
+/// A part begins at a line <!-- lab report NAME --> and ends at <!-- lab report end -->; its name is sheet, speed, show,
+/// ladder, front, figures or size. What stands outside of the parts stays, and parts that are not there are not measured. Run twice on
 /// the same machine, it changes timings alone.
 #[derive(Args)]
 pub struct Arguments {
@@ -39,7 +39,9 @@ struct Part {
     name: &'static str,
     /// The command that is run and shown.
     command: Vec<String>,
-    /// Pictures that the command makes in the folder it is given, and what is said of each.
+    /// The flag by which it is told where to put pictures: a folder by `--out`, the one file by any other.
+    flag: &'static str,
+    /// Pictures that the command makes there, and what is said of each.
     pictures: &'static [(&'static str, &'static str)],
     /// Whether what it prints is shown.
     is_printed: bool,
@@ -58,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         .collect();
     if parts.is_empty() {
         let line = format!(
-            "--readme: {} has no part marked <!-- lab report speed -->, ladder, front, figures or size",
+            "--readme: {} has no part marked <!-- lab report speed -->, sheet, show, ladder, front, figures or size",
             readme.display()
         );
         return Err(BadInput::error(line));
@@ -72,7 +74,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     output::check(readme)?;
     let folder = beside(readme, &arguments.pictures);
     for part in &parts {
-        eprintln!("{}: {}", part.name, part.shown());
+        eprintln!("{}: {}", part.name, part.shown(&arguments.pictures));
         let body = part.measure(&folder, &arguments.pictures)?;
         text = replaced(&text, &part.begin(), &body).map_err(BadInput::error)?;
     }
@@ -99,10 +101,29 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     let part = |name, command: String, pictures, is_printed| Part {
         name,
         command: command.split(' ').map(str::to_owned).collect(),
+        flag: "--out",
         pictures,
         is_printed,
     };
+    // Tiles that stay readable in a column of text.
+    let tile = sizes.first().map_or(" --size 240x135", String::as_str);
+    let show_size = sizes.first().map_or(" --size 1280x720", String::as_str);
     vec![
+        Part {
+            flag: "--sheet",
+            ..part(
+                "sheet",
+                format!("capture{tile} --supersample 2{frames}"),
+                &SHEET,
+                false,
+            )
+        },
+        part(
+            "show",
+            format!("bench --scene show{show_size}{frames}"),
+            &[],
+            true,
+        ),
         part(
             "speed",
             format!("bench{threads}{all_sizes}{frames}"),
@@ -132,6 +153,10 @@ const FRONT: [(&str, &str); 2] = [
         "PSNR by the side of the squares, 2 to 32 pixels",
     ),
 ];
+const SHEET: [(&str, &str); 1] = [(
+    "show.png",
+    "Frames of the show, row by row: title, model scene, method, colonnade, machine, field, finale",
+)];
 const FIGURES: [(&str, &str); 1] = [(
     "sheet.png",
     "The points traced, the picture, the squares by size, rays of each point, the error",
@@ -143,8 +168,18 @@ impl Part {
     }
 
     /// The command as somebody would type it.
-    fn shown(&self) -> String {
-        format!("cargo lab {}", self.command.join(" "))
+    fn shown(&self, link: &Path) -> String {
+        let command = self.command.join(" ");
+        match self.pictures {
+            [(name, _)] if self.flag != "--out" => {
+                format!(
+                    "cargo lab {command} {} {}",
+                    self.flag,
+                    link.join(name).display()
+                )
+            }
+            _ => format!("cargo lab {command}"),
+        }
     }
 
     /// Runs the command; what to put between the marks.
@@ -153,14 +188,20 @@ impl Part {
         let mut command = Command::new(lab);
         command.args(&self.command).stderr(Stdio::inherit());
         let made = tempfile::tempdir().context("cannot make a folder for pictures")?;
-        if !self.pictures.is_empty() {
-            command.arg("--out").arg(made.path());
+        match self.pictures {
+            [] => {}
+            [(name, _)] if self.flag != "--out" => {
+                command.arg(self.flag).arg(made.path().join(name));
+            }
+            _ => {
+                command.arg(self.flag).arg(made.path());
+            }
         }
         let output = command.output().context("cannot start the lab")?;
         if !output.status.success() {
-            bail!("{} has failed", self.shown());
+            bail!("{} has failed", self.shown(link));
         }
-        let mut body = format!("\n    {}\n", self.shown());
+        let mut body = format!("\n    {}\n", self.shown(link));
         if self.is_printed {
             let printed = String::from_utf8_lossy(&output.stdout);
             body += &format!("\n{}\n", printed.trim_end());

@@ -4,7 +4,9 @@ use super::{captured, files};
 use crate::lab;
 use crate::reader::read_png;
 use crate::stage;
+use eightfold::show::grid;
 use std::fs;
+use std::ops::Range;
 use std::path::Path;
 
 /// The largest difference of two pictures in a channel.
@@ -46,15 +48,38 @@ fn frames_are_the_pictures_of_their_times() {
 
 #[test]
 fn without_a_range_it_is_the_whole_show() {
-    let folder = tempfile::tempdir().unwrap();
-    captured("--png", folder.path(), "--fps 1 --size 8x8");
-    let seconds = eightfold::show::LENGTH.ceil() as usize;
-    assert_eq!(files(folder.path()).len(), seconds);
-    // An end beyond it means it.
-    let output = captured("--png", folder.path(), "--fps 1 --size 8x8 --to 99999");
-    let said = String::from_utf8(output.stderr).unwrap();
-    let kept = format!("0 frames drawn, {seconds} kept");
-    assert!(said.contains(&kept), "{said}");
+    for (scene, seconds) in [
+        ("show", grid::LENGTH),
+        ("show:machine", 12.0),
+        ("model", eightfold::show::LENGTH.ceil()),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let more = format!("--scene {scene} --fps 1 --size 8x8");
+        captured("--png", folder.path(), &more);
+        assert_eq!(files(folder.path()).len(), seconds as usize);
+        // An end beyond it means it.
+        let output = captured("--png", folder.path(), &format!("{more} --to 99999"));
+        let said = String::from_utf8(output.stderr).unwrap();
+        let kept = format!("0 frames drawn, {seconds} kept");
+        assert!(said.contains(&kept), "{said}");
+    }
+}
+
+#[test]
+fn it_is_the_show_unless_asked_otherwise() {
+    // Without AVX2 it asks to be told; that is another test's.
+    #[cfg(target_arch = "x86_64")]
+    if !is_x86_feature_detected!("avx2") {
+        return;
+    }
+    let captured = |more: &[&str]| {
+        let fixed = ["capture", "--y4m", "-", "--size", "48x32", "--fps", "1"];
+        let range = ["--from", "20", "--to", "21"];
+        lab(&[&fixed[..], &range, more].concat()).stdout
+    };
+    let show = captured(&[]);
+    assert!(!show.is_empty() && show == captured(&["--scene", "show"]));
+    assert!(show != captured(&["--scene", "model"]));
 }
 
 #[test]
@@ -183,25 +208,34 @@ fn a_sheet_shows_frames_spread_evenly() {
         "{said}"
     );
     let (width, sheet) = read_png(&fs::read(&file).unwrap());
-    let (columns, gap) = (3, 8);
+    let (columns, gap, caption) = (3, 8, 18);
     assert_eq!(width, gap + columns * (48 + gap));
-    assert_eq!(sheet.len() / width, gap + 2 * (32 + gap));
+    assert_eq!(sheet.len() / width, gap + 2 * (32 + caption + gap));
+    let mut captions = Vec::new();
     for (i, time) in ["2.5", "3.5", "4.5", "5.5", "6.5", "7.5"]
         .iter()
         .enumerate()
     {
         let (left, top) = (
             gap + i % columns * (48 + gap),
-            gap + i / columns * (32 + gap),
+            gap + i / columns * (32 + caption + gap),
         );
-        let rows = (top..top + 32).map(|y| &sheet[y * width + left..][..48]);
-        assert!(
-            rows.collect::<Vec<_>>().concat() == rendered(&[time], "48x32"),
-            "{i}"
-        );
+        let rows = |rows: Range<usize>| {
+            let rows = rows.map(|y| &sheet[y * width + left..][..48]);
+            rows.collect::<Vec<_>>().concat()
+        };
+        assert!(rows(top..top + 32) == rendered(&[time], "48x32"), "{i}");
+        let caption = rows(top + 32..top + 32 + caption);
+        let bright = caption.iter().filter(|&&pixel| pixel > 0x00a0_a0a0);
+        assert!(bright.count() > 20, "text is under frame {i}");
+        captions.push(caption);
     }
+    // Each tells another time, from the same line on.
+    captions.sort();
+    captions.dedup();
+    assert_eq!(captions.len(), 6);
     // 24 of 320 by 240, unless asked otherwise.
     let output = lab(&["capture", "--sheet", "-"]);
     let (width, sheet) = read_png(&output.stdout);
-    assert_eq!((width, sheet.len() / width), (8 + 6 * 328, 8 + 4 * 248));
+    assert_eq!((width, sheet.len() / width), (8 + 6 * 328, 8 + 4 * 266));
 }

@@ -18,7 +18,7 @@ fn limited(kib: u32, arguments: &str) -> Output {
 #[test]
 fn bad_input_is_named_in_one_line() {
     for (flags, words) in [
-        ("", "--png --y4m --video --sheet"),
+        ("", "--png --y4m --video --sheet --audio"),
         ("--png x --y4m y", "--png --y4m"),
         ("--y4m - --fps 0", "--fps 0 30000/1001"),
         ("--y4m - --fps 60/0", "--fps 60/0 30000/1001"),
@@ -38,6 +38,9 @@ fn bad_input_is_named_in_one_line() {
         ("--y4m - --frames 5", "--frames --y4m"),
         ("--video x.avi", "--video x.avi .mp4 .mkv"),
         ("--video x.mp4 --size 33x32", "--size 33x32 even --video"),
+        ("--y4m - --scene show --from 5760", "--from 5760 0 5759"),
+        ("--audio - --scene model", "--audio show model"),
+        ("--audio - --y4m - --scene show", "--audio - output"),
         ("--sheet - --frames 0", "--frames 1"),
         ("--sheet - --frames 9 --to 5", "--frames 9 5"),
         ("--sheet - --size 3840x2160", "--size 3840x2160 16384"),
@@ -102,6 +105,7 @@ fn what_cannot_be_written_is_named_in_one_line() {
         format!("--y4m {below}"),
         format!("--video {below}.mp4"),
         format!("--sheet {below}"),
+        format!("--audio {below} --scene show"),
         format!("--y4m {}", folder.path().display()),
     ] {
         let output = capture(&format!("{flags} --to 30"));

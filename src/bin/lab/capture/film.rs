@@ -5,7 +5,8 @@ use crate::isa::Isa;
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use crate::studio::Studio;
-use eightfold::show;
+use eightfold::sound::RATE;
+use std::ops::Range;
 
 /// All that a frame depends on, besides its number: the same bits wherever it is drawn.
 pub struct Film {
@@ -31,14 +32,25 @@ pub struct Canvas {
 
 impl Film {
     /// When a frame is, in seconds.
-    fn time(&self, frame: usize) -> f32 {
+    pub fn time(&self, frame: usize) -> f32 {
         (frame as f64 * f64::from(self.rate.den) / f64::from(self.rate.num)) as f32
     }
 
-    /// Frames until the show's end.
+    /// Frames until the scene's end.
     pub fn length(&self) -> usize {
-        let seconds = f64::from(show::LENGTH);
+        let seconds = f64::from(self.scene.length());
         (seconds * f64::from(self.rate.num) / f64::from(self.rate.den)).ceil() as usize
+    }
+
+    /// The samples of the soundtrack that are heard while some frames are seen; none where nothing is played to the scene.
+    pub fn samples(&self, frames: &Range<usize>) -> Option<Range<u32>> {
+        let start = (self.scene.start()? * RATE as f32) as u32;
+        let position = |frame: usize| {
+            let frames = frame as u64 * u64::from(self.rate.den);
+            let samples = (frames * u64::from(RATE)).div_ceil(u64::from(self.rate.num));
+            start + samples as u32
+        };
+        Some(position(frames.start)..position(frames.end))
     }
 
     /// What a frame's picture is, in a line: equal lines say equal pictures.

@@ -1,9 +1,10 @@
-//! `lab capture`: frames of the show as pictures, as a stream, as a video, as a contact sheet.
+//! `lab capture`: frames of the show as pictures, as a stream, as a video, as a contact sheet, and their sound.
 
 mod crew;
 mod files;
 mod film;
 mod sheet;
+mod sound;
 mod stream;
 mod video;
 mod y4m;
@@ -20,13 +21,14 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 
-/// Draws frames of the show: PNG files, a Y4M stream, a video, or a contact sheet
+/// Draws frames of the show: PNG files, a Y4M stream, a video, or a contact sheet; and makes their sound
 ///
 /// A frame's bytes depend on its number and on the flags that say what is drawn, and not on the machine, the number of
 /// threads or the range it is part of. So a long capture can be done in parts, anywhere: see the end of this help.
 #[derive(Args)]
 #[command(
-    group(ArgGroup::new("output").required(true).args(["png", "y4m", "video", "sheet"])),
+    group(ArgGroup::new("pictures").args(["png", "y4m", "video", "sheet"])),
+    group(ArgGroup::new("output").required(true).multiple(true).args(["png", "y4m", "video", "sheet", "audio"])),
     after_long_help = PARTS
 )]
 pub struct Arguments {
@@ -37,19 +39,23 @@ pub struct Arguments {
     /// File for a YUV4MPEG2 stream, or - for standard output: 4:4:4, BT.709, limited range. Kept where it is there, whole
     #[arg(long, value_name = "FILE")]
     y4m: Option<PathBuf>,
-    /// File for a video, .mp4 or .mkv, which ffmpeg makes: H.264, 4:2:0, BT.709; width and height have to be even
+    /// File for a video, .mp4 or .mkv, which ffmpeg makes: H.264, 4:2:0, BT.709, and the soundtrack as AAC; width and height
+    /// have to be even
     #[arg(long, value_name = "FILE", value_parser = video::name)]
     video: Option<PathBuf>,
-    /// File for a contact sheet, or - for standard output: a PNG of frames spread evenly over the range
+    /// File for a contact sheet, or - for standard output: a PNG of frames spread evenly over the range, each with its time
     #[arg(long, value_name = "FILE")]
     sheet: Option<PathBuf>,
+    /// File for the sound of the same frames, or - for standard output: WAV, 48 kHz, 32-bit floating point
+    #[arg(long, value_name = "FILE")]
+    audio: Option<PathBuf>,
     /// Frames on the contact sheet
     #[arg(long, value_name = "N", default_value = "24", value_parser = arguments::frames, conflicts_with_all = ["png", "y4m", "video"])]
     frames: usize,
-    /// The first frame; the show begins with frame 0
+    /// The first frame; the scene begins with frame 0
     #[arg(long, value_name = "FRAME", default_value = "0", value_parser = arguments::frame, allow_negative_numbers = true)]
     from: usize,
-    /// The frame to end before; beyond the show's end it means that end [default: the show's end]
+    /// The frame to end before; beyond the scene's end it means that end [default: the scene's end]
     #[arg(long, value_name = "FRAME", value_parser = arguments::frame, allow_negative_numbers = true)]
     to: Option<usize>,
     /// Frames a second, a whole number or a fraction such as 30000/1001
@@ -64,7 +70,7 @@ pub struct Arguments {
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
     /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Show)]
     scene: SceneName,
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest
     #[arg(long, value_name = "NAME", default_value = "default")]
@@ -85,7 +91,7 @@ const PARTS: &str = "\
 Parts of a capture, on one machine or on many that share a folder:
 
   GNU parallel, 100 frames at a time:
-    seq 0 100 1507 | parallel 'target/lab/lab capture --png frames --from {} --to $(({} + 100))'
+    seq 0 100 5759 | parallel 'target/lab/lab capture --png frames --from {} --to $(({} + 100))'
   Slurm, as a job array of 16 tasks:
     sbatch --array=0-15 --wrap 'target/lab/lab capture --png frames \\
         --from $((SLURM_ARRAY_TASK_ID * 100)) --to $((SLURM_ARRAY_TASK_ID * 100 + 100))'
@@ -101,6 +107,9 @@ What is made of frames, by ffmpeg:
 pub fn run(arguments: &Arguments) -> Result<()> {
     let film = film(arguments)?;
     let frames = range(arguments, &film)?;
+    if let Some(name) = &arguments.audio {
+        sound::write(&film, &frames, name)?;
+    }
     let crew = Crew {
         film: &film,
         threads: arguments
@@ -116,7 +125,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     } else if let Some(name) = &arguments.sheet {
         sheet::write(&crew, frames, arguments.frames, name)
     } else {
-        unreachable!("one of them is required")
+        // The sound alone.
+        Ok(())
     }
 }
 
@@ -137,6 +147,23 @@ fn film(arguments: &Arguments) -> Result<Film> {
         return Err(BadInput::error(format!(
             "--size {size} takes an even width and height for --video"
         )));
+    }
+    if arguments.audio.is_some() && arguments.scene.start().is_none() {
+        let scene = arguments.scene;
+        return Err(BadInput::error(format!(
+            "--audio takes --scene show or one of its scenes: nothing is played to {scene}"
+        )));
+    }
+    let pictures = [&arguments.y4m, &arguments.sheet].into_iter().flatten();
+    if pictures
+        .chain(&arguments.audio)
+        .filter(|name| name.as_os_str() == "-")
+        .count()
+        > 1
+    {
+        return Err(BadInput::error(
+            "--audio - takes standard output for itself".into(),
+        ));
     }
     Ok(Film {
         scene: arguments.scene,
@@ -165,7 +192,8 @@ fn range(arguments: &Arguments, film: &Film) -> Result<Range<usize>> {
     let (from, to) = (arguments.from, arguments.to.unwrap_or(length).min(length));
     if from >= length {
         return Err(BadInput::error(format!(
-            "--from {from} takes a frame of the show: at {} fps, 0 to {}",
+            "--from {from} takes a frame of {}: at {} fps, 0 to {}",
+            film.scene,
             film.rate,
             length - 1
         )));

@@ -3,19 +3,15 @@
 mod map;
 mod name;
 
-use crate::arguments;
-use crate::output;
-use anyhow::{Context, Result, bail};
+use crate::{arguments, intro, output};
+use anyhow::{Context, Result};
 use clap::Args;
 use map::{Map, Part};
 use name::readable;
-use serde_json::Value;
 use std::collections::BTreeMap;
-use std::env;
 use std::fmt::Write;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::path::Path;
 
 /// Builds the intro and prints what its bytes are: sections, crates, and the largest functions, as Markdown tables
 ///
@@ -38,7 +34,7 @@ struct Sum {
 
 /// Builds the intro, and prints the tables.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let intro = build()?;
+    let intro = intro::build()?;
     let file = fs::metadata(&intro).with_context(|| format!("cannot read {}", intro.display()))?;
     let path = intro.with_extension("map");
     let map = fs::read_to_string(&path)
@@ -50,32 +46,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     tell_crates(&mut text, &functions)?;
     tell_functions(&mut text, &functions, arguments.functions)?;
     output::write(Path::new("-"), text.as_bytes())
-}
-
-/// The intro, as `cargo run --release` builds it.
-fn build() -> Result<PathBuf> {
-    let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
-    let mut command = Command::new(cargo);
-    command
-        .args(["build", "--release", "--bin", "eightfold"])
-        .args(["--message-format", "json-render-diagnostics"])
-        .stderr(Stdio::inherit());
-    // Where the lab itself is built, unless it is started by hand.
-    if let Some(folder) = env::var_os("CARGO_MANIFEST_DIR") {
-        command.current_dir(folder);
-    }
-    let output = command.output().context("cannot start cargo")?;
-    if !output.status.success() {
-        bail!("cargo cannot build the intro");
-    }
-    let messages = String::from_utf8_lossy(&output.stdout);
-    let mut paths = messages.lines().filter_map(|line| {
-        let message: Value = serde_json::from_str(line).ok()?;
-        Some(PathBuf::from(message["executable"].as_str()?))
-    });
-    paths
-        .next_back()
-        .context("cargo does not say what it has built")
 }
 
 /// A function's readable name, and its crate.

@@ -11,7 +11,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 use controls::{Controls, KEYS, Look};
 use easel::{Easel, Sight};
-use eightfold::{MAX_HEIGHT, MAX_WIDTH, show};
+use eightfold::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::screen::{Next, Screen};
 use eightfold_window::window::{NoWindow, Window};
 use std::ffi::CString;
@@ -26,7 +26,7 @@ use std::time::{Duration, Instant};
 #[command(after_help = format!("Keys:\n{KEYS}"))]
 pub struct Arguments {
     /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Show)]
     scene: SceneName,
     /// Width and height of the window in pixels
     #[arg(long, value_name = "WxH", default_value = "1024x768")]
@@ -74,7 +74,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
     let rate = arguments.fps.hertz();
     let isa = arguments.isa.unwrap_or_else(isa::best);
-    let length = f64::from(show::LENGTH) * rate;
+    let length = f64::from(arguments.scene.length()) * rate;
     let controls = Controls {
         frame: f64::from(arguments.time) * rate % length,
         length,

@@ -1,0 +1,94 @@
+//! `lab release`: the intro and what is to be read with it, in one file.
+
+use crate::{intro, output};
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use std::fs;
+use std::io::{Cursor, Write};
+use std::path::{Path, PathBuf};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
+
+/// Builds the intro, checks that it is at most 65,536 bytes, and packs it and its nfo into a zip
+///
+/// Prints the sizes. The same program gives the same zip, byte for byte.
+#[derive(Args)]
+pub struct Arguments {
+    /// Program to pack, built before [default: the intro, which is built]
+    #[arg(long, value_name = "FILE")]
+    intro: Option<PathBuf>,
+    /// File to write [default: eightfold.zip in the folder that cargo builds in]
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// The limit of a 64 kB intro, in bytes.
+const LIMIT: usize = 65_536;
+
+/// What is to be read before it is played.
+const NFO: &[u8] = include_bytes!("../../eightfold.nfo");
+
+/// Zopfli with 15 rounds, its own usual number: the smallest that deflate gets, in a second.
+const LEVEL: i64 = 24;
+
+/// May be read by everybody, and the program run.
+const TEXT: u32 = 0o644;
+const PROGRAM: u32 = 0o755;
+
+/// Builds, checks and packs.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let path = match &arguments.intro {
+        Some(path) => path.clone(),
+        None => intro::build()?,
+    };
+    let program = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    let size = program.len();
+    if size > LIMIT {
+        bail!(
+            "{} has {size} bytes, {} more than the {LIMIT} that a release takes",
+            path.display(),
+            size - LIMIT
+        );
+    }
+    let bytes = pack(&[
+        ("eightfold", &program, PROGRAM),
+        ("eightfold.nfo", NFO, TEXT),
+    ])?;
+    let out = arguments.out.clone().unwrap_or_else(|| beside(&path));
+    output::write(&out, &bytes)?;
+    let left = LIMIT - size;
+    let sizes = format!(
+        "eightfold      {size:>6} bytes, {left} below the limit\neightfold.nfo  {:>6} bytes\n{}: {} bytes\n",
+        NFO.len(),
+        out.display(),
+        bytes.len()
+    );
+    if out == Path::new("-") {
+        eprint!("{sizes}");
+        Ok(())
+    } else {
+        output::write(Path::new("-"), sizes.as_bytes())
+    }
+}
+
+/// Where a zip goes: `target` for `target/release/eightfold`.
+fn beside(program: &Path) -> PathBuf {
+    let folder = program.parent().and_then(Path::parent);
+    folder.unwrap_or(Path::new("")).join("eightfold.zip")
+}
+
+/// A zip of files: their names, bytes, and who may read and run them.
+fn pack(files: &[(&str, &[u8], u32)]) -> Result<Vec<u8>> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    for &(name, bytes, permissions) in files {
+        // Of no time but the first that a zip knows.
+        let options = SimpleFileOptions::default()
+            .compression_method(CompressionMethod::Deflated)
+            .compression_level(Some(LEVEL))
+            .last_modified_time(zip::DateTime::DEFAULT)
+            .unix_permissions(permissions);
+        zip.start_file(name, options)?;
+        zip.write_all(bytes)?;
+    }
+    Ok(zip.finish()?.into_inner())
+}
