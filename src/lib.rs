@@ -49,8 +49,7 @@ pub use render::{Job, Memory, render};
 pub use trace::Counts;
 pub use worker::Worker;
 
-/// Whether there is what only some scenes have: boxes and cylinders, patterns, air, lamps that are more than points. It is
-/// 9 kB, for which the intro has no room yet.
+/// Whether there is what only some scenes have: boxes and cylinders, patterns, air, lamps that are more than points: 9 kB.
 const DETAILS: bool = cfg!(feature = "details");
 
 /// The widest picture, in pixels.

@@ -65,7 +65,11 @@ fn run(arguments: Arguments) -> i32 {
     };
     // Not dropped: its threads end with the process.
     let mut intro = ManuallyDrop::new(Intro {
-        level: cpu::level(),
+        level: if cfg!(feature = "avx2") {
+            cpu::level()
+        } else {
+            Level::baseline()
+        },
         pool: Pool::new(
             options
                 .get(THREADS)

@@ -23,7 +23,7 @@ const TEXTS: [&str; 4] = [
     "\
 --size WxH    size of the window, from 1x1 to 3840x2160 (1024x768)
 --threads N   threads that trace, from 1 to 64 (one for each processor)
---seconds S   time until the end, above 0, such as 7.5 (25.13, one orbit)
+--seconds S   time until the end, above 0, such as 7.5 (96, the show)
 --fps N       frames a second to hold, from 1 to 1000 (60)
 --quality Q   one quality and no other: ",
     Quality::NAMES,

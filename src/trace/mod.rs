@@ -69,10 +69,10 @@ pub(crate) fn trace(
     match level {
         #[cfg(feature = "avx512")]
         Level::Avx512(simd) => trace_by(simd, scene, quality, seen, batch),
+        #[cfg(feature = "avx2")]
+        Level::Avx2(simd) => trace_by(simd, scene, quality, seen, batch),
         level => {
-            if let Some(simd) = level.as_avx2() {
-                trace_by(simd, scene, quality, seen, batch);
-            } else if let Some(simd) = level.as_sse2() {
+            if let Some(simd) = level.as_sse2() {
                 trace_by(simd, scene, quality, seen, batch);
             }
         }
