@@ -118,12 +118,11 @@ const INSTEAD: [(&str, &[&str]); 5] = [
 ];
 
 /// The functions of libc that the intro calls, but for `dlsym`. It looks them up itself, see `src/window/program.s`.
-const C_FUNCTIONS: [&str; 19] = [
+const C_FUNCTIONS: [&str; 16] = [
     "__errno_location",
     "__libc_start_main",
     "abort",
     "bcmp",
-    "calloc",
     "clock_gettime",
     "dlopen",
     "free",
@@ -131,8 +130,6 @@ const C_FUNCTIONS: [&str; 19] = [
     "memcpy",
     "memset",
     "pthread_create",
-    "pthread_sigmask",
-    "setlocale",
     "sigaction",
     "strlen",
     "syscall",

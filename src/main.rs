@@ -6,7 +6,7 @@
 mod options;
 mod parts;
 
-use core::mem::ManuallyDrop;
+use core::{mem::ManuallyDrop, num::NonZero};
 
 use eightfold::scene::Scene;
 use eightfold::sound::Synthesizer;
@@ -73,13 +73,13 @@ fn run(arguments: Arguments) -> i32 {
         pool: Pool::new(
             options
                 .get(THREADS)
-                .map_or_else(pool::processors, |count| count as usize)
+                .map_or_else(pool::processors, |count| count.get() as usize)
                 .min(MAX_THREADS),
         ),
         scene: SCENE.take(),
         memory: MEMORY.take(),
         workers: WORKERS.take(),
-        governor: Governor::new(fps(&options)),
+        governor: Governor::new(fps(&options).get()),
         tally: Tally::default(),
     });
     let code = intro.run(&options);
@@ -100,7 +100,7 @@ struct Intro {
 impl Intro {
     /// Plays on the best screen there is. Returns the exit code.
     fn run(&mut self, options: &Options) -> i32 {
-        let size = options.get(SIZE).unwrap_or(1024 << 32 | 768);
+        let size = options.get(SIZE).map_or(1024 << 32 | 768, NonZero::get);
         let (width, height) = ((size >> 32) as usize, size as u32 as usize);
         let why = match Window::open(c"Eightfold", width, height) {
             Ok(mut window) => {
@@ -113,14 +113,15 @@ impl Intro {
             Err(NoWindow::NoDisplay) => "no X display",
         };
         let in_terminal = line::terminal(line::OUTPUT);
-        let mut note = Line::new();
-        note.text("eightfold: ").text(why).text("; playing ");
-        note.text(if in_terminal {
-            "in the terminal\n"
+        let place: &[u8] = if in_terminal {
+            b"in the terminal"
         } else {
-            "unseen\n"
-        });
-        line::write(line::ERROR, note.bytes());
+            b"unseen"
+        };
+        line::complain(
+            "eightfold: \u{3}; playing \u{3}\n",
+            &[why.as_bytes(), place],
+        );
         if in_terminal {
             self.play(&mut Terminal::open(), options)
         } else {
@@ -136,9 +137,11 @@ impl Intro {
         };
         let mut player = Player::start(c"default", music);
         let clock = Clock::start();
-        let length = options
-            .get(SECONDS)
-            .unwrap_or(options.get(LOOP).map_or(LENGTH, |_| u64::MAX));
+        let length = match (options.get(SECONDS), options.get(LOOP)) {
+            (Some(length), _) => length.get(),
+            (None, Some(_)) => u64::MAX,
+            (None, None) => LENGTH,
+        };
         let pause = match options.get(UNCAPPED) {
             Some(_) => 0,
             None => SECOND / fps(options),
@@ -152,10 +155,10 @@ impl Intro {
                 return 0;
             }
             let rung = match options.get(QUALITY) {
-                Some(quality) => quality as usize - 1,
+                Some(quality) => quality.get() as usize - 1,
                 None => self.governor.rung(),
             };
-            let quality = Quality::LADDER.get(rung).unwrap_or(&Quality::EXHAUSTIVE);
+            let quality = &Quality::on(rung);
             self.draw(heard, screen, quality);
             let next = screen.show();
             let shown = clock.time();
@@ -190,7 +193,7 @@ impl Intro {
             width,
             height,
             self.memory,
-            &mut self.workers[..threads],
+            self.workers.get_mut(..threads).unwrap_or_default(),
             screen.canvas(width, height),
             |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
                 self.pool.run(workers, bands, job);
@@ -210,34 +213,35 @@ impl Intro {
         // In tenths, like what is written.
         let mean = frames * 10 * SECOND / time.max(1);
         let worst = worst.map_or(mean, |frames| frames * 10);
-        let mut report = Line::new();
-        report
-            .form(
-                "\0 frames in \u{2} s: \u{1} fps, worst second \u{1} fps, \0x\0, threads \0, ",
-                &[
-                    frames,
-                    time / (SECOND / 100),
-                    mean,
-                    worst,
-                    size.0 as u64,
-                    size.1 as u64,
-                    self.pool.threads() as u64,
-                ],
-            )
-            .text(cpu::name(self.level));
+        let mut report = Line::to(line::OUTPUT);
+        report.form(
+            "\0 frames in \u{2} s: \u{1} fps, worst second \u{1} fps, \0x\0, threads \0, \u{3}",
+            &[
+                frames,
+                time / (SECOND / 100),
+                mean,
+                worst,
+                size.0 as u64,
+                size.1 as u64,
+                self.pool.threads() as u64,
+            ],
+            &[cpu::name(self.level).as_bytes()],
+        );
         for (name, &time) in names().zip(&self.tally.rungs) {
             if time > 0 {
                 let time = time / (SECOND / 100);
-                report.text(", ").quote(name).form(" \u{2} s", &[time]);
+                report.form(", \u{3} \u{2} s", &[time], &[name]);
             }
         }
-        line::print(report.text("\n").bytes())
+        line::printed(report.form("\n", &[], &[]).flush())
     }
 }
 
 /// Frames a second to hold.
-fn fps(options: &Options) -> u64 {
-    options.get(FPS).unwrap_or(60)
+fn fps(options: &Options) -> NonZero<u64> {
+    options
+        .get(FPS)
+        .unwrap_or(const { NonZero::new(60).unwrap() })
 }
 
 /// Counts of a run.

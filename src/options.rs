@@ -1,11 +1,10 @@
 //! The intro's command line.
 
+use core::num::NonZero;
+
 use crate::parts::Parts;
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality};
-use eightfold_window::{
-    arguments::Arguments,
-    line::{self, Line},
-};
+use eightfold_window::{arguments::Arguments, line};
 
 /// The most threads that have a worker's memory waiting for them.
 pub const MAX_THREADS: usize = 64;
@@ -113,8 +112,8 @@ impl Options {
     }
 
     /// The value of an option, if it was given.
-    pub fn get(&self, option: usize) -> Option<u64> {
-        self.0.get(option).copied().filter(|&value| value != 0)
+    pub fn get(&self, option: usize) -> Option<NonZero<u64>> {
+        NonZero::new(*self.0.get(option)?)
     }
 }
 
@@ -153,18 +152,12 @@ fn rung(name: &[u8]) -> u64 {
 
 /// Answers, and returns the exit code.
 fn answer(text: &[u8]) -> i32 {
-    i32::from(!line::print(text))
+    i32::from(!line::printed(line::write(line::OUTPUT, text)))
 }
 
 /// Says in one line on standard error what is wrong, and returns the exit code.
 fn wrong(given: &[u8], expected: &[u8]) -> i32 {
-    let mut why = Line::new();
-    why.text("eightfold: can't use '")
-        .quote(given)
-        .text("': ")
-        .quote(expected)
-        .text("\n");
-    line::write(line::ERROR, why.bytes());
+    line::complain("eightfold: can't use '\u{3}': \u{3}\n", &[given, expected]);
     2
 }
 

@@ -10,94 +10,83 @@ pub const OUTPUT: i32 = libc::STDOUT_FILENO;
 /// Standard error.
 pub const ERROR: i32 = libc::STDERR_FILENO;
 
-/// Text of at most [`Line::CAPACITY`] bytes, put together piece by piece; what is beyond is cut off.
+/// Text for a file, put together piece by piece and written by so many bytes at a time.
 pub struct Line {
-    bytes: [u8; Line::CAPACITY],
+    file: i32,
+    written: bool,
     length: usize,
+    bytes: [u8; 1024],
 }
 
 impl Line {
-    /// Bytes that a line can hold: what the [`terminal`](crate::terminal) writes at a time.
-    pub const CAPACITY: usize = 1 << 13;
-
-    /// An empty line.
+    /// An empty one for a file descriptor.
     #[must_use]
-    pub const fn new() -> Line {
+    pub const fn to(file: i32) -> Line {
         Line {
-            bytes: [0; Line::CAPACITY],
+            file,
+            written: true,
             length: 0,
+            bytes: [0; _],
         }
     }
 
-    /// Adds text.
-    pub fn text(&mut self, text: &str) -> &mut Line {
-        self.add(text.as_bytes())
-    }
-
-    /// Adds what somebody typed: what isn't printable ASCII becomes `?`.
-    pub fn quote(&mut self, typed: &[u8]) -> &mut Line {
-        for &byte in typed {
-            let printable = byte == b' ' || byte.is_ascii_graphic();
-            self.add(&[if printable { byte } else { b'?' }]);
-        }
-        self
-    }
-
-    /// Adds text in which the bytes 0, 1 and 2 stand for the values, in their order, with so many digits after the point.
-    pub fn form(&mut self, text: &str, values: &[u64]) -> &mut Line {
-        let mut values = values.iter();
+    /// Adds text in which the bytes 0, 1 and 2 stand for the numbers, in their order, with so many digits after the point,
+    /// and the bytes 3 for the words, of which somebody may have typed any: what isn't printable ASCII becomes `?`.
+    pub fn form(&mut self, text: &str, numbers: &[u64], words: &[&[u8]]) -> &mut Line {
+        let mut numbers = numbers.iter();
+        let mut words = words.iter();
         for &byte in text.as_bytes() {
-            match values.as_slice().first() {
-                Some(&value) if byte < 3 => {
-                    values.next();
-                    self.decimal(value, byte.into());
+            if byte < 3 {
+                self.decimal(*numbers.next().unwrap_or(&u64::MAX), byte.into());
+            } else if byte == 3 {
+                for &byte in *words.next().unwrap_or(&&[][..]) {
+                    let printable = byte == b' ' || byte.is_ascii_graphic();
+                    self.add(if printable { byte } else { b'?' });
                 }
-                _ => {
-                    self.add(&[byte]);
-                }
+            } else {
+                self.add(byte);
             }
         }
         self
     }
 
     /// Adds a number that counts units of `10^-digits`: `decimal(2513, 2)` adds `25.13`.
-    pub fn decimal(&mut self, number: u64, digits: i32) {
+    #[inline(never)]
+    fn decimal(&mut self, number: u64, digits: i32) {
         if digits > 0 || number >= 10 {
             self.decimal(number / 10, digits - 1);
         }
         if digits == 1 {
-            self.add(b".");
+            self.add(b'.');
         }
-        self.add(&[b'0' + (number % 10) as u8]);
+        self.add(b'0' + (number % 10) as u8);
     }
 
-    /// Takes all of it out.
-    pub(crate) fn clear(&mut self) {
+    /// Adds a byte.
+    #[inline(never)]
+    fn add(&mut self, byte: u8) {
+        if self.length == self.bytes.len() {
+            self.flush();
+        }
+        if let Some(end) = self.bytes.get_mut(self.length) {
+            *end = byte;
+            self.length += 1;
+        }
+    }
+
+    /// Writes what is left. False if that fails, or has failed.
+    #[inline(never)]
+    pub fn flush(&mut self) -> bool {
+        let bytes = self.bytes.get(..self.length).unwrap_or_default();
+        self.written = self.written && write(self.file, bytes);
         self.length = 0;
-    }
-
-    /// The bytes so far.
-    #[must_use]
-    pub fn bytes(&self) -> &[u8] {
-        self.bytes.get(..self.length).unwrap_or_default()
-    }
-
-    /// Adds bytes.
-    pub(crate) fn add(&mut self, bytes: &[u8]) -> &mut Line {
-        for &byte in bytes {
-            if let Some(end) = self.bytes.get_mut(self.length) {
-                *end = byte;
-                self.length += 1;
-            }
-        }
-        self
+        self.written
     }
 }
 
-impl Default for Line {
-    fn default() -> Line {
-        Line::new()
-    }
+/// Writes a [form](Line::form) to standard error.
+pub fn complain(text: &str, words: &[&[u8]]) {
+    Line::to(ERROR).form(text, &[], words).flush();
 }
 
 /// Whether a file descriptor is a terminal.
@@ -106,9 +95,8 @@ pub fn terminal(file: i32) -> bool {
     crate::terminal::mode(file).is_some()
 }
 
-/// Writes everything to standard output. Where that fails, says so on standard error and returns false.
-pub fn print(bytes: &[u8]) -> bool {
-    let written = write(OUTPUT, bytes);
+/// Says on standard error if standard output could not be written to. Returns whether it could.
+pub fn printed(written: bool) -> bool {
     if !written {
         write(ERROR, b"eightfold: can't write to standard output\n");
     }
@@ -138,44 +126,73 @@ pub fn write(file: i32, mut bytes: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::Line;
+    use std::{
+        io::{Read, pipe},
+        os::fd::AsRawFd,
+        string::String,
+    };
+
+    /// What a line writes.
+    fn text(fill: impl FnOnce(&mut Line)) -> String {
+        let (mut read, write) = pipe().unwrap();
+        let mut line = Line::to(write.as_raw_fd());
+        fill(&mut line);
+        assert!(line.flush());
+        drop(write);
+        let mut text = String::new();
+        read.read_to_string(&mut text).unwrap();
+        text
+    }
 
     #[test]
     fn numbers_have_the_digits_asked_for() {
-        let text = |number, digits| {
-            let mut line = Line::new();
-            line.decimal(number, digits);
-            String::from_utf8(line.bytes().to_vec()).unwrap()
-        };
-        assert_eq!(text(0, 0), "0");
-        assert_eq!(text(7, 0), "7");
-        assert_eq!(text(1230, 0), "1230");
-        assert_eq!(text(0, 2), "0.00");
-        assert_eq!(text(7, 2), "0.07");
-        assert_eq!(text(123, 2), "1.23");
-        assert_eq!(text(2513, 2), "25.13");
-        assert_eq!(text(u64::MAX, 1), "1844674407370955161.5");
+        for (number, digits, expected) in [
+            (0, 0, "0"),
+            (7, 0, "7"),
+            (1230, 0, "1230"),
+            (0, 2, "0.00"),
+            (7, 2, "0.07"),
+            (123, 2, "1.23"),
+            (2513, 2, "25.13"),
+            (u64::MAX, 1, "1844674407370955161.5"),
+        ] {
+            assert_eq!(text(|line| line.decimal(number, digits)), expected);
+        }
     }
 
     #[test]
     fn values_are_where_the_form_has_them() {
-        let mut line = Line::new();
-        line.form("\0 in \u{2} s: \u{1} fps\n", &[60, 101, 594]);
-        assert_eq!(line.bytes(), b"60 in 1.01 s: 59.4 fps\n");
+        let said = text(|line| {
+            let form = "\0 \u{3} in \u{2} s: \u{1} fps\n";
+            line.form(form, &[60, 101, 594], &[b"frames"]);
+        });
+        assert_eq!(said, "60 frames in 1.01 s: 59.4 fps\n");
     }
 
     #[test]
-    fn what_does_not_fit_is_cut_off() {
-        let mut line = Line::new();
-        line.text(&"x".repeat(Line::CAPACITY + 1))
-            .text("y")
-            .form("\0", &[1]);
-        assert_eq!(line.bytes(), "x".repeat(Line::CAPACITY).as_bytes());
+    fn nothing_is_cut_off() {
+        let long = "x".repeat(5000);
+        let said = text(|line| {
+            line.form(&long, &[], &[]).form("y\0", &[1], &[]);
+        });
+        assert_eq!(said, long + "y1");
     }
 
     #[test]
     fn what_was_typed_can_not_steer_a_terminal() {
-        let mut line = Line::new();
-        line.quote(b"a b\x1b[2J\xff\n");
-        assert_eq!(line.bytes(), b"a b?[2J??");
+        let said = text(|line| {
+            line.form("\u{3}", &[], &[b"a b\x1b[2J\xff\n"]);
+        });
+        assert_eq!(said, "a b?[2J??");
+    }
+
+    #[test]
+    fn a_closed_file_is_told() {
+        let (read, write) = pipe().unwrap();
+        drop(read);
+        // (Rust's programs ignore the signal for this.)
+        let mut line = Line::to(write.as_raw_fd());
+        line.form("x", &[], &[]);
+        assert!(!line.flush() && !line.flush());
     }
 }

@@ -228,15 +228,27 @@ pub(crate) unsafe fn spawn(
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,
 ) -> bool {
-    // SAFETY: the structures are initialised by the calls before they are read. The caller vouches for the rest.
+    // SAFETY: a set of signals is a bit each. The caller vouches for the rest.
     unsafe {
         // Signals are for the caller's thread.
-        let mut all: libc::sigset_t = zeroed();
-        let mut before = zeroed();
-        (&raw mut all).write_bytes(0xff, 1);
-        libc::pthread_sigmask(libc::SIG_SETMASK, &all, &mut before);
+        let all = u64::MAX;
+        let mut before = 0_u64;
+        let size = size_of::<u64>();
+        call!(
+            SYS_rt_sigprocmask,
+            libc::SIG_SETMASK,
+            &raw const all,
+            &raw mut before,
+            size
+        );
         let failed = libc::pthread_create(thread, null(), main, pointer);
-        libc::pthread_sigmask(libc::SIG_SETMASK, &before, null_mut());
+        call!(
+            SYS_rt_sigprocmask,
+            libc::SIG_SETMASK,
+            &raw const before,
+            0,
+            size
+        );
         failed == 0
     }
 }

@@ -109,6 +109,12 @@ _start:
     mov $main, %edi
     call __libc_start_main
 
+# minifb asks for the environment's locale, for text that the intro does not take.
+.globl setlocale
+.hidden setlocale
+setlocale:
+    ret
+
 .globl dlsym
 .hidden dlsym
 dlsym:

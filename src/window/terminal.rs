@@ -25,10 +25,6 @@ const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
 /// Undoes [`ENTER`], and the colours.
 const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
-/// Bytes that are collected before they are written: there is room for what is added between two looks at how many they
-/// are, a place, two colours and a block.
-const CHUNK: usize = Line::CAPACITY - 64;
-
 /// The terminal on standard output. Esc and Ctrl-C end the show.
 ///
 /// It is given back as it was when this is dropped, when the process aborts, and after the signals
@@ -48,22 +44,11 @@ impl Terminal {
         SAVED.take_over();
         Terminal {
             escape: Escape::default(),
-            text: Line::new(),
+            text: Line::to(line::OUTPUT),
             pixels: pixels(),
             size: (0, 0),
             shown: (0, 0),
         }
-    }
-
-    /// Writes what has been added, once it is as much as that. False if the terminal does not take it.
-    fn flush(&mut self, least: usize) -> bool {
-        let text = self.text.bytes();
-        if text.len() < least {
-            return true;
-        }
-        let written = line::write(line::OUTPUT, text);
-        self.text.clear();
-        written
     }
 
     /// Writes the picture. False if the terminal does not take it.
@@ -72,7 +57,7 @@ impl Terminal {
         for row in 0..height / 2 {
             // A colour that no pixel has: each row sets its own.
             let mut colours = [u32::MAX; 2];
-            self.text.form("\x1b[\0;1H", &[row as u64 + 1]);
+            self.text.form("\x1b[\0;1H", &[row as u64 + 1], &[]);
             for x in 0..width {
                 for (half, ground) in [(0, 38), (1, 48)] {
                     let colour = self.pixels[(2 * row + half) * width + x];
@@ -80,16 +65,13 @@ impl Terminal {
                         colours[half] = colour;
                         let channel = |shift: u32| u64::from(colour >> shift & 0xff);
                         let values = [ground, channel(16), channel(8), channel(0)];
-                        self.text.form("\x1b[\0;2;\0;\0;\0m", &values);
+                        self.text.form("\x1b[\0;2;\0;\0;\0m", &values, &[]);
                     }
                 }
-                self.text.text(UPPER_HALF);
-                if !self.flush(CHUNK) {
-                    return false;
-                }
+                self.text.form(UPPER_HALF, &[], &[]);
             }
         }
-        self.flush(0)
+        self.text.flush()
     }
 }
 
@@ -114,7 +96,7 @@ impl Screen for Terminal {
     fn show(&mut self) -> Next {
         if self.shown != self.size {
             self.shown = self.size;
-            self.text.text("\x1b[0m\x1b[2J");
+            self.text.form("\x1b[0m\x1b[2J", &[], &[]);
         }
         let shown = self.draw();
         match signal() {
