@@ -2,12 +2,14 @@
 
 use super::groups::Groups;
 use crate::DETAILS;
-use crate::scene::{Block, Light, Material, Scene, Sphere};
+use crate::scene::{Block, Light, Material, Method, Scene, Sphere};
 use glam::Vec3A;
 
 /// All of that, for one frame.
 pub(crate) struct Details {
     is_there: bool,
+    /// Whether more than the plain picture is shown.
+    pub shows_method: bool,
     /// The scene as it was given.
     pub scene: Scene,
     /// The side of a pixel at distance 1.
@@ -28,6 +30,7 @@ impl Details {
     /// Nothing, all zeros.
     pub const NONE: Self = Self {
         is_there: false,
+        shows_method: false,
         scene: Scene::NONE,
         pixel: 0.0,
     };
@@ -49,6 +52,13 @@ impl Details {
             || !scene.blocks.is_empty()
             || scene.spheres.iter().any(|s| has_pattern(&s.material))
             || scene.planes.iter().any(|p| has_pattern(&p.material));
+        let Method {
+            points,
+            squares,
+            picture,
+        } = scene.method;
+        // Not where the first two are 0 and the last 1: all are in 0 to 1.
+        self.shows_method = picture - points - squares != 1.0;
         self.scene = *scene;
         self.pixel = pixel;
     }

@@ -102,4 +102,5 @@ fn render_by<S: Simd, O: Observer>(
     refiner.exchange(band.borders, band.are_done, true);
     refiner.squares();
     refiner.exchange(band.borders, band.are_done, false);
+    refiner.show_method();
 }

@@ -1,6 +1,7 @@
 //! Fills squares with colours between those of their corners.
 
 use super::square::{Corners, Square};
+use crate::DETAILS;
 use crate::lanes::*;
 use crate::quality::Quality;
 use crate::trace::{STEP, Sample};
@@ -28,26 +29,36 @@ impl Canvas<'_> {
         }
     }
 
-    /// Interpolates the corners' colours along both sides of a square, as far as it is in the picture.
+    /// Interpolates the corners' colours along both sides of a square, as far as it is in the picture. The pixels of the
+    /// upper and the left side get the bits `side` too.
     #[inline(never)]
-    pub fn fill<S: Simd>(&mut self, simd: S, square: &Square, corners: &Corners) {
+    pub fn fill<S: Simd>(&mut self, simd: S, square: &Square, corners: &Corners, side: u32) {
         let (x, y, w, h) = square.place();
         let (right, below) = ((x + w).min(self.width), (y + h).min(self.height));
         if Quality::HAS_ALL_SIDES && !(w == h && w.is_power_of_two()) {
             for j in 0..below - y {
                 for i in 0..right - x {
-                    self.put(x + i, y + j, between(corners, [i, j], [w, h]));
+                    let side = if i == 0 || j == 0 { side } else { 0 };
+                    self.put(x + i, y + j, between(corners, [i, j], [w, h]) | side);
                 }
             }
             return;
         }
         let mut columns = Columns::between(simd, corners, w);
+        let upper = u32x4::splat(simd, side);
+        let mut left = u32x4::simd_from(simd, [side, 0, 0, 0]);
         for x in steps(x, right, 4) {
+            let mut side = upper;
             let (mut a, a_down) = columns.next();
             let (mut b, b_down) = columns.next();
             for y in y..below {
                 let bytes: u8x16<S> = (a >> 8).narrow(b >> 8);
-                let four: [u32; 4] = bytes.bitcast::<u32x4<S>>().into();
+                let mut four = bytes.bitcast::<u32x4<S>>();
+                if DETAILS {
+                    four |= side;
+                    side = left;
+                }
+                let four: [u32; 4] = four.into();
                 let row = self
                     .pixels
                     .get_mut(y * self.width + x..)
@@ -63,6 +74,7 @@ impl Canvas<'_> {
                 a += a_down;
                 b += b_down;
             }
+            left = u32x4::splat(simd, 0);
         }
     }
 }

@@ -20,6 +20,7 @@
 
 pub(crate) mod band;
 mod fill;
+mod marks;
 mod points;
 pub(crate) mod refiner;
 mod square;

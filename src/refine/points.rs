@@ -1,6 +1,8 @@
 //! The points of a band that have been traced.
 
+use super::square::is_wider;
 use crate::MAX_WIDTH;
+use crate::lanes::*;
 use crate::quality::Quality;
 use crate::trace::Sample;
 
@@ -44,16 +46,32 @@ impl Border {
 }
 
 impl Border {
-    /// Notes that the point at x is going to be traced; false where it was noted before.
+    /// Whether the point at x is traced, or going to be.
     #[inline(always)]
-    pub fn claim(&mut self, x: usize) -> bool {
-        let Some(word) = self.traced.get_mut(x / 64) else {
+    pub fn is_traced(&self, x: usize) -> bool {
+        let word = self.traced.get(x / 64).copied().unwrap_or_default();
+        word >> (x % 64) & 1 != 0
+    }
+
+    /// Whether the point at x has to be traced, which is noted: not where that has been done, nor where it lies between
+    /// samples that are not farther apart than a limit, whose mean it gets.
+    #[inline(always)]
+    pub fn claim<S: Simd>(&mut self, simd: S, x: usize, limit: u64, a: Sample, b: Sample) -> bool {
+        let places = (self.traced.get_mut(x / 64), self.samples.get_mut(x));
+        let (Some(word), Some(sample)) = places else {
             return false;
         };
         let bit = 1 << (x % 64);
-        let new = *word & bit == 0;
-        *word |= bit;
-        new
+        if *word & bit != 0 {
+            return false;
+        }
+        let is_far = is_wider(simd, &[a, b], limit);
+        if is_far {
+            *word |= bit;
+        } else {
+            *sample = a.mean(b);
+        }
+        is_far
     }
 
     /// Keeps what was traced at x.
@@ -82,6 +100,11 @@ impl Points {
         for row in self.0.iter_mut().take(rows) {
             row.traced.fill(0);
         }
+    }
+
+    /// All rows.
+    pub fn rows(&self) -> &[Border] {
+        &self.0
     }
 
     /// Row `y`.

@@ -1,7 +1,7 @@
 //! A band at work: what is traced when.
 
 use super::fill::Canvas;
-use super::square::{ALWAYS_FAR, is_wider};
+use super::square::ALWAYS_FAR;
 use super::{Band, Border, Square};
 use crate::lanes::*;
 use crate::observe::{Observer, tell_points};
@@ -159,17 +159,11 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     }
 
     /// Asks for a point, unless that has been done; it is not traced but averaged where it lies between samples that are
-    /// not farther apart than a limit.
+    /// not farther apart than a limit for all who ask.
     #[inline(never)]
     pub(super) fn request(&mut self, x: usize, y: usize, limit: u64, a: Sample, b: Sample) {
-        let Some(row) = self.worker.points.row(y) else {
-            return;
-        };
-        if !row.claim(x) {
-            return;
-        }
-        if !is_wider(self.simd, &[a, b], limit) {
-            row.put(x, a.mean(b));
+        let row = self.worker.points.row(y);
+        if !row.is_some_and(|row| row.claim(self.simd, x, limit, a, b)) {
             return;
         }
         self.worker.batch.push(x, self.top + y);

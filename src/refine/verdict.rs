@@ -60,7 +60,8 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
         if is_wider(self.simd, &corners, limit.of(w.max(h))) {
             return false;
         }
-        self.canvas.fill(self.simd, square, &corners);
+        let side = self.side();
+        self.canvas.fill(self.simd, square, &corners, side);
         if O::LISTENS {
             let is_flat = corners.iter().all(|c| c.pixel() == corners[0].pixel());
             self.tell(square, if is_flat { Fill::Flat } else { Fill::Bilinear });

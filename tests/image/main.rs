@@ -35,6 +35,8 @@ mod errors;
 mod extremes;
 mod golden;
 #[cfg(feature = "lab")]
+mod method;
+#[cfg(feature = "lab")]
 mod observed;
 mod random;
 mod ranges;

@@ -1,0 +1,111 @@
+//! The method made visible: marks lie where points are traced and squares are filled.
+//!
+//! Of the feature `lab`, as observers are.
+
+use crate::drawn::draw;
+use crate::isa;
+use crate::overlay::Trail;
+use crate::studio::Studio;
+use eightfold::observe::Fill;
+use eightfold::scene::{Method, Scene};
+use eightfold::{Quality, show};
+
+/// Sides that no square divides.
+const SIZE: (usize, usize) = (331, 217);
+
+const WHITE: u32 = 0x00ff_ffff;
+
+/// The model scene with no more than marks, on black.
+fn marked(points: f32, squares: f32) -> Scene {
+    let mut scene = show::scene(1.0);
+    scene.method = Method {
+        points,
+        squares,
+        picture: 0.0,
+    };
+    scene
+}
+
+/// Draws on two threads, and hears how.
+fn draw_heard(scene: &Scene, quality: &Quality) -> (Vec<u32>, Trail) {
+    let (width, height) = SIZE;
+    let trail = Trail::new(width, height);
+    let mut pixels = vec![0; width * height];
+    Studio::new(2).draw_observed(isa::best().level, scene, quality, &trail, &mut pixels);
+    (pixels, trail)
+}
+
+#[test]
+fn marks_lie_exactly_where_points_are_traced() {
+    for quality in Quality::LADDER {
+        let (pixels, trail) = draw_heard(&marked(1.0, 0.0), quality);
+        let mut count = 0;
+        for (i, (&pixel, rays)) in pixels.iter().zip(trail.rays()).enumerate() {
+            // Bands of even number are done before those between them trace more of the row that they share.
+            if (i / SIZE.0).is_multiple_of(32) && pixel == 0 {
+                continue;
+            }
+            let expected = if rays > 0 { WHITE } else { 0 };
+            assert_eq!(pixel, expected, "pixel {i} by {quality:?}");
+            count += usize::from(rays > 0);
+        }
+        assert!(count > 400, "{count} points");
+    }
+}
+
+#[test]
+fn lines_are_the_upper_and_left_sides_of_filled_squares() {
+    let (width, height) = SIZE;
+    let (pixels, trail) = draw_heard(&marked(0.0, 1.0), &Quality::DEFAULT);
+    let mut expected = vec![0; width * height];
+    for square in trail.squares().filter(|square| square.fill != Fill::Points) {
+        for y in square.y..square.y + square.h {
+            for x in square.x..square.x + square.w {
+                if x == square.x || y == square.y {
+                    expected[y * width + x] = WHITE;
+                }
+            }
+        }
+    }
+    assert!(pixels == expected);
+}
+
+#[test]
+fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads() {
+    let (width, height) = SIZE;
+    let plain = draw(
+        isa::best(),
+        2,
+        &show::scene(1.0),
+        &Quality::DEFAULT,
+        width,
+        height,
+    );
+    let mut scene = marked(0.0, 0.0);
+    scene.method.picture = 0.5;
+    let dimmed = draw(isa::best(), 2, &scene, &Quality::DEFAULT, width, height);
+    assert_eq!(plain.counts, dimmed.counts);
+    for (plain, dimmed) in plain.pixels.iter().zip(&dimmed.pixels) {
+        for shift in [0, 8, 16] {
+            let [plain, dimmed] = [plain, dimmed].map(|pixel| (pixel >> shift & 0xff) as i32);
+            assert!((plain - 2 * dimmed).abs() <= 2, "{plain} to {dimmed}");
+        }
+    }
+    scene.method = Method {
+        points: 0.7,
+        squares: 0.3,
+        picture: 0.4,
+    };
+    let drawn = draw(isa::best(), 1, &scene, &Quality::DEFAULT, width, height);
+    for threads in [2, 3, 7] {
+        let again = draw(
+            isa::best(),
+            threads,
+            &scene,
+            &Quality::DEFAULT,
+            width,
+            height,
+        );
+        assert!(drawn.pixels == again.pixels, "{threads} threads");
+    }
+}
