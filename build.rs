@@ -118,7 +118,7 @@ const INSTEAD: [(&str, &[&str]); 5] = [
 ];
 
 /// The functions of libc that the intro calls, but for `dlsym`. It looks them up itself, see `src/window/program.s`.
-const C_FUNCTIONS: [&str; 16] = [
+const C_FUNCTIONS: [&str; 14] = [
     "__errno_location",
     "__libc_start_main",
     "abort",
@@ -133,8 +133,6 @@ const C_FUNCTIONS: [&str; 16] = [
     "sigaction",
     "strlen",
     "syscall",
-    "tcgetattr",
-    "tcsetattr",
 ];
 
 fn main() {

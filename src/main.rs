@@ -24,7 +24,7 @@ use eightfold_window::{
     window::{NoWindow, Window},
 };
 use options::{
-    FPS, FULLSCREEN, LOOP, MAX_THREADS, Options, QUALITY, SECONDS, SILENT, SIZE, THREADS, UNCAPPED,
+    FULLSCREEN, LOOP, MAX_THREADS, Options, QUALITY, SECONDS, SILENT, SIZE, THREADS, UNCAPPED,
     names,
 };
 
@@ -41,10 +41,24 @@ const LENGTH: u64 = {
     (seconds as f64 * SECOND as f64) as u64
 };
 
-static SCENE: Fixed<Scene> = Fixed::new(Scene::NONE);
-static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
-static WORKERS: Fixed<[Worker; MAX_THREADS]> = Fixed::new([const { Worker::new() }; MAX_THREADS]);
+static STATE: Fixed<State> = Fixed::new(State {
+    options: Options::NONE,
+    tally: Tally::NONE,
+    scene: Scene::NONE,
+    memory: Memory::new(),
+    workers: [const { Worker::new() }; _],
+});
 static MUSIC: Fixed<Music> = Fixed::new(Music(Synthesizer::new()));
+
+/// All that is zero to begin with, what is small first.
+#[repr(C)]
+struct State {
+    options: Options,
+    tally: Tally,
+    scene: Scene,
+    memory: Memory,
+    workers: [Worker; MAX_THREADS],
+}
 
 /// The soundtrack.
 struct Music(Synthesizer);
@@ -59,10 +73,11 @@ eightfold_window::main!(run);
 
 /// The whole program. Returns its exit code.
 fn run(arguments: Arguments) -> i32 {
-    let options = match Options::read(arguments) {
-        Ok(options) => options,
-        Err(code) => return code,
-    };
+    let state = STATE.take();
+    if let Some(code) = state.options.read(arguments) {
+        return code;
+    }
+    let options = &state.options;
     // Not dropped: its threads end with the process.
     let mut intro = ManuallyDrop::new(Intro {
         level: if cfg!(feature = "avx2") {
@@ -76,13 +91,10 @@ fn run(arguments: Arguments) -> i32 {
                 .map_or_else(pool::processors, |count| count.get() as usize)
                 .min(MAX_THREADS),
         ),
-        scene: SCENE.take(),
-        memory: MEMORY.take(),
-        workers: WORKERS.take(),
-        governor: Governor::new(fps(&options).get()),
-        tally: Tally::default(),
+        governor: Governor::new(options.fps().get()),
+        state,
     });
-    let code = intro.run(&options);
+    let code = intro.run();
     if intro.report() || code != 0 { code } else { 1 }
 }
 
@@ -90,16 +102,14 @@ fn run(arguments: Arguments) -> i32 {
 struct Intro {
     level: Level,
     pool: Pool,
-    scene: &'static mut Scene,
-    memory: &'static mut Memory,
-    workers: &'static mut [Worker; MAX_THREADS],
     governor: Governor,
-    tally: Tally,
+    state: &'static mut State,
 }
 
 impl Intro {
     /// Plays on the best screen there is. Returns the exit code.
-    fn run(&mut self, options: &Options) -> i32 {
+    fn run(&mut self) -> i32 {
+        let options = &self.state.options;
         let size = options.get(SIZE).map_or(1024 << 32 | 768, NonZero::get);
         let (width, height) = ((size >> 32) as usize, size as u32 as usize);
         let why = match Window::open(c"Eightfold", width, height) {
@@ -107,7 +117,7 @@ impl Intro {
                 if options.get(FULLSCREEN).is_some() {
                     window.set_fullscreen(true);
                 }
-                return self.play(&mut window, options);
+                return self.play(&mut window);
             }
             Err(NoWindow::NoLibrary) => "libX11 is not installed",
             Err(NoWindow::NoDisplay) => "no X display",
@@ -123,14 +133,15 @@ impl Intro {
             &[why.as_bytes(), place],
         );
         if in_terminal {
-            self.play(&mut Terminal::open(), options)
+            self.play(&mut Terminal::open())
         } else {
-            self.play(&mut Unseen::new(width, height), options)
+            self.play(&mut Unseen::new(width, height))
         }
     }
 
     /// Plays until the show or the viewer ends it. Returns the exit code.
-    fn play(&mut self, screen: &mut dyn Screen, options: &Options) -> i32 {
+    fn play(&mut self, screen: &mut dyn Screen) -> i32 {
+        let options = &self.state.options;
         let music: Option<&'static mut dyn Source> = match options.get(SILENT) {
             Some(_) => None,
             None => Some(MUSIC.take()),
@@ -144,17 +155,17 @@ impl Intro {
         };
         let pause = match options.get(UNCAPPED) {
             Some(_) => 0,
-            None => SECOND / fps(options),
+            None => SECOND / options.fps(),
         };
         let mut due = 0;
         loop {
             let time = clock.time();
             let heard = player.time();
             if heard >= length {
-                self.tally.time = time;
+                self.state.tally.time = time;
                 return 0;
             }
-            let rung = match options.get(QUALITY) {
+            let rung = match self.state.options.get(QUALITY) {
                 Some(quality) => quality.get() as usize - 1,
                 None => self.governor.rung(),
             };
@@ -163,7 +174,7 @@ impl Intro {
             let next = screen.show();
             let shown = clock.time();
             self.governor.frame(shown - time);
-            self.tally.count(shown, rung);
+            self.state.tally.count(shown, rung);
             if let Next::End(code) = next {
                 return code;
             }
@@ -178,22 +189,22 @@ impl Intro {
     /// Draws the frame of a time.
     fn draw(&mut self, time: u64, screen: &mut dyn Screen, quality: &Quality) {
         let (width, height) = fit(screen.size());
-        self.tally.size = (width, height);
+        self.state.tally.size = (width, height);
         let seconds = (time % LENGTH) as f32 / SECOND as f32;
         if DETAILS {
-            show::at(seconds, self.scene);
+            show::at(seconds, &mut self.state.scene);
         } else {
-            show::model(seconds, self.scene);
+            show::model(seconds, &mut self.state.scene);
         }
         let threads = self.pool.threads();
         render(
             self.level,
-            self.scene,
+            &self.state.scene,
             quality,
             width,
             height,
-            self.memory,
-            self.workers.get_mut(..threads).unwrap_or_default(),
+            &mut self.state.memory,
+            self.state.workers.get_mut(..threads).unwrap_or_default(),
             screen.canvas(width, height),
             |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
                 self.pool.run(workers, bands, job);
@@ -206,13 +217,13 @@ impl Intro {
         let Tally {
             frames,
             time,
-            worst,
+            slowest,
             size,
             ..
-        } = self.tally;
+        } = self.state.tally;
         // In tenths, like what is written.
         let mean = frames * 10 * SECOND / time.max(1);
-        let worst = worst.map_or(mean, |frames| frames * 10);
+        let worst = if slowest == 0 { mean } else { !slowest * 10 };
         let mut report = Line::to(line::OUTPUT);
         report.form(
             "\0 frames in \u{2} s: \u{1} fps, worst second \u{1} fps, \0x\0, threads \0, \u{3}",
@@ -227,7 +238,7 @@ impl Intro {
             ],
             &[cpu::name(self.level).as_bytes()],
         );
-        for (name, &time) in names().zip(&self.tally.rungs) {
+        for (name, &time) in names().zip(&self.state.tally.rungs) {
             if time > 0 {
                 let time = time / (SECOND / 100);
                 report.form(", \u{3} \u{2} s", &[time], &[name]);
@@ -237,21 +248,13 @@ impl Intro {
     }
 }
 
-/// Frames a second to hold.
-fn fps(options: &Options) -> NonZero<u64> {
-    options
-        .get(FPS)
-        .unwrap_or(const { NonZero::new(60).unwrap() })
-}
-
 /// Counts of a run.
-#[derive(Default)]
 struct Tally {
     frames: u64,
     /// Nanoseconds from the start to the last frame, or to the end.
     time: u64,
-    /// Frames in the slowest second that is over.
-    worst: Option<u64>,
+    /// The bits of the number of frames in the slowest second that is over, turned round; 0 if none is.
+    slowest: u64,
     /// The second that is running, and the frames in it so far.
     second: (u64, u64),
     /// Width and height of the last frame.
@@ -261,6 +264,15 @@ struct Tally {
 }
 
 impl Tally {
+    const NONE: Tally = Tally {
+        frames: 0,
+        time: 0,
+        slowest: 0,
+        second: (0, 0),
+        size: (0, 0),
+        rungs: [0; _],
+    };
+
     /// Counts a frame that was shown at a time, on a rung of the ladder.
     fn count(&mut self, time: u64, rung: usize) {
         self.frames += 1;
@@ -275,7 +287,7 @@ impl Tally {
         } else {
             // A frame that took longer than a second leaves a second without any.
             let frames = if now == second + 1 { frames } else { 0 };
-            self.worst = Some(self.worst.map_or(frames, |worst| worst.min(frames)));
+            self.slowest = self.slowest.max(!frames);
             self.second = (now, 1);
         }
     }

@@ -47,7 +47,7 @@ pub const THREADS: usize = 2;
 /// Nanoseconds until it ends.
 pub const SECONDS: usize = 3;
 /// Frames a second.
-pub const FPS: usize = 4;
+const FPS: usize = 4;
 /// One more than the number of the rung of the ladder of qualities. Beyond the ladder, every pixel is traced.
 pub const QUALITY: usize = 5;
 /// It starts again instead of ending.
@@ -69,20 +69,21 @@ const MOST_FPS: u64 = 1000;
 const LONGEST: u64 = u64::MAX / 10;
 
 impl Options {
+    /// None of them.
+    pub const NONE: Options = Options([0; _]);
+
     /// Reads the command line, and answers what only asks for an answer.
     ///
-    /// # Errors
-    /// The exit code, if there is nothing to play: 0 when a question was answered, 1 when the answer
+    /// Returns the exit code, if there is nothing to play: 0 when a question was answered, 1 when the answer
     /// could not be written, 2 when an argument is wrong, which standard error says.
-    pub fn read(mut arguments: Arguments) -> Result<Options, i32> {
-        let mut options = Options([0; _]);
+    pub fn read(&mut self, mut arguments: Arguments) -> Option<i32> {
         while let Some(flag) = arguments.next() {
-            let mut lines = Parts::of(&TEXT, b'\n').zip(&mut options.0).enumerate();
+            let mut lines = Parts::of(&TEXT, b'\n').zip(&mut self.0).enumerate();
             let found = lines.find(|(_, (line, _))| {
                 line.starts_with(flag) && line.get(flag.len()) == Some(&b' ')
             });
             let Some((option @ SIZE.., (line, place))) = found else {
-                return Err(wrong(flag, b"--help says what there is"));
+                return Some(wrong(flag, b"--help says what there is"));
             };
             let value = if option <= QUALITY {
                 arguments.next().unwrap_or_default()
@@ -94,21 +95,26 @@ impl Options {
                 THREADS => number(value, MAX_THREADS as u64, 0),
                 FPS => number(value, MOST_FPS, 0),
                 QUALITY => rung(value),
-                HELP => return Err(answer(&TEXT)),
-                VERSION => return Err(answer(TEXTS[0].as_bytes())),
+                HELP => return Some(answer(&TEXT)),
+                VERSION => return Some(answer(TEXTS[0].as_bytes())),
                 _ => number(value, LONGEST, 9),
             };
             if *place == 0 {
-                return Err(wrong(value, line));
+                return Some(wrong(value, line));
             }
         }
-        if options.0[UNCAPPED] != 0 && options.0[QUALITY] == 0 {
-            options.0[QUALITY] = rung(b"default");
+        if self.0[UNCAPPED] != 0 && self.0[QUALITY] == 0 {
+            self.0[QUALITY] = rung(b"default");
         }
-        if options.0[EXHAUSTIVE] != 0 {
-            options.0[QUALITY] = u64::MAX;
+        if self.0[EXHAUSTIVE] != 0 {
+            self.0[QUALITY] = u64::MAX;
         }
-        Ok(options)
+        None
+    }
+
+    /// Frames a second to hold.
+    pub fn fps(&self) -> NonZero<u64> {
+        self.get(FPS).unwrap_or(const { NonZero::new(60).unwrap() })
     }
 
     /// The value of an option, if it was given.

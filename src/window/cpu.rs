@@ -9,7 +9,7 @@ pub use fearless_simd::Level;
 #[must_use]
 pub fn level() -> Level {
     #[cfg(target_arch = "x86_64")]
-    if Features::read().have(&AVX2) {
+    if has_avx2() {
         // SAFETY: the processor and the system have every feature that the type stands for.
         return Level::Avx2(unsafe { fearless_simd::x86::Avx2::assume_supported() });
     }
@@ -32,22 +32,6 @@ pub fn name(level: Level) -> &'static str {
     }
 }
 
-/// The words in which `cpuid` and `xgetbv` tell the features that count here: leaf 1 ECX and EDX, leaf 7
-/// EBX, leaf 0x80000001 ECX, and the registers that the system saves (XCR0).
-#[cfg(target_arch = "x86_64")]
-struct Features([u32; 5]);
-
-/// x86-64-v3: avx, avx2, bmi1, bmi2, cmpxchg16b, f16c, fma, fxsr, lzcnt, movbe, popcnt, sse to sse4.2,
-/// xsave; YMM registers saved.
-#[cfg(target_arch = "x86_64")]
-const AVX2: Features = Features([
-    bits(&[0, 9, 12, 13, 19, 20, 22, 23, 26, 27, 28, 29]),
-    bits(&[24, 25, 26]),
-    bits(&[3, 5, 8]),
-    bits(&[5]),
-    bits(&[1, 2]),
-]);
-
 /// A word with these bits set.
 #[cfg(target_arch = "x86_64")]
 const fn bits(mut numbers: &[u32]) -> u32 {
@@ -59,33 +43,36 @@ const fn bits(mut numbers: &[u32]) -> u32 {
     word
 }
 
+/// Whether there is x86-64-v3: avx, avx2, bmi1, bmi2, cmpxchg16b, f16c, fma, lzcnt, movbe, popcnt, sse3 to sse4.2, xsave, and
+/// YMM registers that the system saves.
 #[cfg(target_arch = "x86_64")]
-impl Features {
-    fn read() -> Features {
-        use core::arch::x86_64::{__cpuid, __cpuid_count};
-        let one = __cpuid(1);
-        let mut words = [one.ecx, one.edx, 0, __cpuid(0x8000_0001).ecx, 0];
-        // Beyond the last leaf, some processors answer with that one.
-        if __cpuid(0).eax >= 7 && one.ecx & bits(&[27]) != 0 {
-            words[2] = __cpuid_count(7, 0).ebx;
-            // SAFETY: bit 27 (OSXSAVE) says that the system has allowed `xgetbv`.
-            unsafe {
-                core::arch::asm!(
-                    "xgetbv",
-                    in("ecx") 0,
-                    out("eax") words[4],
-                    out("edx") _,
-                    options(nomem, nostack, preserves_flags),
-                );
-            }
-        }
-        Features(words)
+fn has_avx2() -> bool {
+    use core::arch::x86_64::{__cpuid, __cpuid_count};
+    /// Of leaf 1 ECX. Processors with these have leaf 7.
+    const ONE: u32 = bits(&[0, 9, 12, 13, 19, 20, 22, 23, 26, 27, 28, 29]);
+    /// Of leaf 7 EBX.
+    const SEVEN: u32 = bits(&[3, 5, 8]);
+    /// Of leaf 0x80000001 ECX.
+    const MORE: u32 = bits(&[5]);
+    /// Of the registers that the system saves (XCR0).
+    const SAVED: u32 = bits(&[1, 2]);
+    if __cpuid(1).ecx & ONE != ONE {
+        return false;
     }
-
-    fn have(&self, needed: &Features) -> bool {
-        let mut words = self.0.iter().zip(&needed.0);
-        words.all(|(has, needs)| has & needs == *needs)
+    let saved: u32;
+    // SAFETY: bit 27 (OSXSAVE) says that the system has allowed `xgetbv`.
+    unsafe {
+        core::arch::asm!(
+            "xgetbv",
+            in("ecx") 0,
+            out("eax") saved,
+            out("edx") _,
+            options(nomem, nostack, preserves_flags),
+        );
     }
+    saved & SAVED == SAVED
+        && __cpuid_count(7, 0).ebx & SEVEN == SEVEN
+        && __cpuid(0x8000_0001).ecx & MORE == MORE
 }
 
 #[cfg(all(test, target_arch = "x86_64"))]

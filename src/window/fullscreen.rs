@@ -4,58 +4,29 @@
 //! over the screen.
 
 use core::{
-    ffi::{CStr, c_int, c_long, c_uint},
+    ffi::{c_int, c_long, c_uint},
     mem::zeroed,
 };
 
-use x11_dl::xlib::{self, Functions};
+use x11_dl::xlib;
 
-/// A window's way to the whole screen and back.
-pub(crate) struct Fullscreen {
-    x: Functions,
-    display: *mut xlib::Display,
-    window: xlib::Window,
-    root: xlib::Window,
-    /// A pointer without a picture.
-    no_pointer: xlib::Cursor,
-    /// Where the window was before it was placed over the screen.
-    before: Option<Place>,
-}
+use crate::window::Window;
 
 /// Position on the screen, and size.
 #[derive(Clone, Copy)]
-struct Place {
+pub(crate) struct Place {
     x: c_int,
     y: c_int,
     width: c_int,
     height: c_int,
 }
 
-impl Fullscreen {
-    /// For a window on a display.
-    pub fn new(x: Functions, display: *mut xlib::Display, window: xlib::Window) -> Fullscreen {
-        // SAFETY: display and window are open, zero is a colour, and what is pointed to outlives the
-        // calls.
-        unsafe {
-            let dot = (x.XCreateBitmapFromData)(display, window, c"".as_ptr(), 1, 1);
-            let mut colour: xlib::XColor = zeroed();
-            let colour = &raw mut colour;
-            Fullscreen {
-                x,
-                display,
-                window,
-                root: (*(*display).screen()).root,
-                no_pointer: (x.XCreatePixmapCursor)(display, dot, dot, colour, colour, 0, 0),
-                before: None,
-            }
-        }
-    }
-
+impl Window {
     /// Shows the window for the first time, with a size, in the middle of the screen if no window manager knows better.
-    pub fn show(&self, width: usize, height: usize) {
+    pub(crate) fn place(&self, width: usize, height: usize) {
         let (width, height) = (width as c_int, height as c_int);
         let (screen, _) = self.attributes(self.root);
-        self.put(Place {
+        self.move_to(Place {
             x: c_int::max(screen.width - width, 0) / 2,
             y: c_int::max(screen.height - height, 0) / 2,
             width,
@@ -64,7 +35,7 @@ impl Fullscreen {
     }
 
     /// Goes to the whole screen and hides the pointer, or back to the window where it was and as it was.
-    pub fn set(&mut self, on: bool) {
+    pub fn set_fullscreen(&mut self, on: bool) {
         let pointer = if on { self.no_pointer } else { 0 };
         // SAFETY: the window exists, and the pointer, or 0 for the desktop's own.
         unsafe { (self.x.XDefineCursor)(self.display, self.window, pointer) };
@@ -72,13 +43,13 @@ impl Fullscreen {
         if let Some(place) = self.before {
             if !on {
                 self.before = None;
-                self.put(place);
+                self.move_to(place);
             }
         } else if listening & xlib::SubstructureRedirectMask != 0 {
             self.ask_manager(on);
         } else if on {
             self.before = Some(self.attributes(self.window).0);
-            self.put(screen);
+            self.move_to(screen);
             // SAFETY: the window exists.
             unsafe {
                 let (display, window) = (self.display, self.window);
@@ -107,23 +78,19 @@ impl Fullscreen {
 
     /// Asks the window manager to add or to remove the fullscreen state.
     fn ask_manager(&self, fullscreen: bool) {
-        let atom = |name: &CStr| {
-            // SAFETY: the display is open, and the name outlives the call.
-            unsafe { (self.x.XInternAtom)(self.display, name.as_ptr(), xlib::False) }
-        };
         // SAFETY: zero is a value of every field, and the event outlives the call.
         unsafe {
             let mut event: xlib::XEvent = zeroed();
             event.client_message = xlib::XClientMessageEvent {
                 type_: xlib::ClientMessage,
                 window: self.window,
-                message_type: atom(c"_NET_WM_STATE"),
+                message_type: self.atom(c"_NET_WM_STATE"),
                 format: 32,
                 data: xlib::ClientMessageData {
                     // Add or remove, this state, no second one; from an application.
                     longs: [
                         c_long::from(fullscreen),
-                        atom(c"_NET_WM_STATE_FULLSCREEN") as c_long,
+                        self.atom(c"_NET_WM_STATE_FULLSCREEN") as c_long,
                         0,
                         1,
                         0,
@@ -142,7 +109,7 @@ impl Fullscreen {
     }
 
     /// Puts the window somewhere, above the others.
-    fn put(&self, place: Place) {
+    fn move_to(&self, place: Place) {
         let (width, height) = (place.width as c_uint, place.height as c_uint);
         let (display, window) = (self.display, self.window);
         // SAFETY: the window exists.

@@ -109,7 +109,7 @@ pub fn write(file: i32, mut bytes: &[u8]) -> bool {
     while !bytes.is_empty() {
         let written = system::write(file, bytes);
         if written > 0 {
-            bytes = &bytes[written as usize..];
+            bytes = bytes.get(written as usize..).unwrap_or_default();
             continue;
         }
         // SAFETY: errno is this thread's own.

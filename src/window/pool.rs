@@ -8,7 +8,7 @@ use core::{
     cell::UnsafeCell,
     ffi::c_void,
     hint::spin_loop,
-    mem::{MaybeUninit, transmute, zeroed},
+    mem::{MaybeUninit, transmute},
     ptr::{null, null_mut},
     sync::atomic::{
         AtomicBool, AtomicU32, AtomicUsize,
@@ -309,17 +309,16 @@ impl<T> Each<T> {
 /// The processors that this process may use, at least 1.
 #[must_use]
 pub fn processors() -> usize {
-    const MOST: usize = libc::CPU_SETSIZE as usize;
-    // SAFETY: zero is an empty set, which is as long as it says and has room for `MOST`.
-    unsafe {
-        let mut set: libc::cpu_set_t = zeroed();
-        if call!(SYS_sched_getaffinity, 0, size_of_val(&set), &raw mut set) < 0 {
-            // There are more than the set has room for.
-            return MOST;
+    // A bit for each of 8192.
+    let mut set = [0_u64; 128];
+    let mut count = 0;
+    // SAFETY: the set is as long as it says.
+    unsafe { call!(SYS_sched_getaffinity, 0, size_of_val(&set), &raw mut set) };
+    for word in &mut set {
+        while *word != 0 {
+            *word &= *word - 1;
+            count += 1;
         }
-        let count = (0..MOST)
-            .filter(|&processor| libc::CPU_ISSET(processor, &set))
-            .count();
-        count.max(1)
     }
+    usize::max(count, 1)
 }

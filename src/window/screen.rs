@@ -21,10 +21,7 @@ pub trait Screen {
     fn size(&self) -> (usize, usize);
 
     /// Where to draw the next frame, of `width` by `height` pixels, `0x00RRGGBB`, row after row. What
-    /// is there already is of no use.
-    ///
-    /// # Panics
-    /// If these are more than [`MOST_PIXELS`].
+    /// is there already is of no use. Nothing, if these are more than [`MOST_PIXELS`].
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32];
 
     /// Shows the frame, and looks at what the viewer has done meanwhile.
@@ -63,7 +60,7 @@ impl Screen for Unseen {
     }
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
-        &mut self.pixels[..width * height]
+        self.pixels.get_mut(..width * height).unwrap_or_default()
     }
 
     fn show(&mut self) -> Next {

@@ -59,11 +59,13 @@ impl Terminal {
             let mut colours = [u32::MAX; 2];
             self.text.form("\x1b[\0;1H", &[row as u64 + 1], &[]);
             for x in 0..width {
-                for (half, ground) in [(0, 38), (1, 48)] {
-                    let colour = self.pixels[(2 * row + half) * width + x];
-                    if colours[half] != colour {
-                        colours[half] = colour;
+                for (half, last) in colours.iter_mut().enumerate() {
+                    let pixel = self.pixels.get((2 * row + half) * width + x);
+                    let colour = *pixel.unwrap_or(&0);
+                    if *last != colour {
+                        *last = colour;
                         let channel = |shift: u32| u64::from(colour >> shift & 0xff);
+                        let ground = 38 + 10 * half as u64;
                         let values = [ground, channel(16), channel(8), channel(0)];
                         self.text.form("\x1b[\0;2;\0;\0;\0m", &values, &[]);
                     }
@@ -90,7 +92,7 @@ impl Screen for Terminal {
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
         self.size = (width, height);
-        &mut self.pixels[..width * height]
+        self.pixels.get_mut(..width * height).unwrap_or_default()
     }
 
     fn show(&mut self) -> Next {
@@ -127,7 +129,7 @@ impl Escape {
         let mut typed = [0; 64];
         // SAFETY: it is as long as it says. In this mode, reading doesn't wait.
         let count = unsafe { call!(SYS_read, keyboard, typed.as_mut_ptr(), typed.len()) };
-        self.ends(&typed[..count.max(0) as usize])
+        self.ends(typed.get(..count as usize).unwrap_or_default())
     }
 
     /// Whether what was typed since the last call means the end.
@@ -152,7 +154,7 @@ struct Saved {
     active: AtomicBool,
     /// One more than the number of the terminal that keys are read from, or 0.
     keyboard: AtomicI32,
-    mode: UnsafeCell<MaybeUninit<libc::termios>>,
+    mode: UnsafeCell<MaybeUninit<Mode>>,
 }
 
 // SAFETY: `mode` is written before `active` is set, and only read while it is.
@@ -189,13 +191,31 @@ pub(crate) unsafe fn on_signal(signal: c_int, action: libc::sighandler_t) {
     }
 }
 
+/// A terminal's mode, as the system has it: flags for input, output, control and keys, and characters. Without speeds, it is
+/// shorter than libc's.
+#[derive(Clone, Copy, Default)]
+#[repr(C)]
+pub(crate) struct Mode {
+    input: libc::tcflag_t,
+    output: libc::tcflag_t,
+    control: libc::tcflag_t,
+    keys: libc::tcflag_t,
+    line: libc::cc_t,
+    characters: [libc::cc_t; 19],
+}
+
 /// A terminal's mode, if it is a terminal.
-pub(crate) fn mode(file: c_int) -> Option<libc::termios> {
-    // SAFETY: zero is a value of every field, and the mode outlives the call.
-    unsafe {
-        let mut mode = zeroed();
-        (libc::tcgetattr(file, &mut mode) == 0).then_some(mode)
-    }
+pub(crate) fn mode(file: c_int) -> Option<Mode> {
+    let mut mode = Mode::default();
+    // SAFETY: the mode is as long as the system's, and outlives the call.
+    let known = unsafe { call!(SYS_ioctl, file, libc::TCGETS, &raw mut mode) == 0 };
+    known.then_some(mode)
+}
+
+/// Sets a terminal's mode when all has been written, and drops what has been typed.
+fn set_mode(file: c_int, mode: &Mode) {
+    // SAFETY: the mode is as long as the system's, and outlives the call.
+    unsafe { call!(SYS_ioctl, file, libc::TCSETSF, &raw const *mode) };
 }
 
 impl Saved {
@@ -208,8 +228,8 @@ impl Saved {
         // SAFETY: zero is a value of every field of the structures, which outlive the calls; `note`
         // does only what a signal's function may. `mode` is written while `active` isn't set.
         unsafe {
-            for signal in [libc::SIGHUP, libc::SIGINT, libc::SIGQUIT, libc::SIGTERM] {
-                on_signal(signal, note as extern "C" fn(c_int) as libc::sighandler_t);
+            for signal in &[libc::SIGHUP, libc::SIGINT, libc::SIGQUIT, libc::SIGTERM] {
+                on_signal(*signal, note as extern "C" fn(c_int) as libc::sighandler_t);
             }
             let mut keyboard = libc::STDIN_FILENO;
             if !line::terminal(keyboard) {
@@ -219,11 +239,11 @@ impl Saved {
                 (*self.mode.get()).write(mode);
                 self.keyboard.store(keyboard + 1, Relaxed);
                 // Keys at once and unseen, Ctrl-C among them; reading does not wait.
-                mode.c_lflag &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
-                mode.c_iflag &= !libc::IXON;
-                mode.c_cc[libc::VMIN] = 0;
-                mode.c_cc[libc::VTIME] = 0;
-                libc::tcsetattr(keyboard, libc::TCSAFLUSH, &mode);
+                mode.keys &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
+                mode.input &= !libc::IXON;
+                mode.characters[libc::VMIN] = 0;
+                mode.characters[libc::VTIME] = 0;
+                set_mode(keyboard, &mode);
             }
             self.active.store(true, Release);
             line::write(line::OUTPUT, ENTER);
@@ -238,7 +258,7 @@ pub(crate) fn restore() {
         let keyboard = SAVED.keyboard();
         if keyboard >= 0 {
             // SAFETY: there is a keyboard only once `mode` has been written.
-            unsafe { libc::tcsetattr(keyboard, libc::TCSAFLUSH, (*SAVED.mode.get()).as_ptr()) };
+            set_mode(keyboard, unsafe { (*SAVED.mode.get()).assume_init_ref() });
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use core::{
     ffi::{CStr, c_int, c_uint, c_void},
-    mem::{forget, zeroed},
+    mem::{forget, transmute, zeroed},
     ptr::null_mut,
     sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
@@ -11,14 +11,15 @@ use minifb::{Scale, WindowOptions};
 use x11_dl::{
     keysym,
     xlib::{self, Functions},
+    xshm::PutImage,
 };
 
 #[cfg(feature = "keys")]
 pub use crate::keyboard::Press;
 use crate::{
-    blit::{self, Blit},
+    blit,
     clock::{self, SECOND},
-    fullscreen::Fullscreen,
+    fullscreen::Place,
     line, pool,
     screen::{Next, Screen},
     system::call,
@@ -30,14 +31,26 @@ use crate::{
 /// counts, and the intro is without the 2 KB that know all keys and the mouse. It stays until the process ends, when
 /// the display closes it, at once and for sure.
 pub struct Window {
-    x: Functions,
-    display: *mut xlib::Display,
-    window: xlib::Window,
+    pub(crate) x: Functions,
+    pub(crate) display: *mut xlib::Display,
+    pub(crate) window: xlib::Window,
+    pub(crate) root: xlib::Window,
     /// What a window manager sends instead of closing it.
     delete: xlib::Atom,
-    size: (usize, usize),
-    fullscreen: Fullscreen,
-    blit: Blit,
+    pub(crate) size: (usize, usize),
+    /// A pointer without a picture.
+    pub(crate) no_pointer: xlib::Cursor,
+    /// Where the window was before it was placed over the screen.
+    pub(crate) before: Option<Place>,
+    pub(crate) context: xlib::GC,
+    /// What Xlib knows of a picture; made to fit each one.
+    pub(crate) image: *mut xlib::XImage,
+    /// How pixels come to the window.
+    pub(crate) put_image: PutImage,
+    /// Two frames; the first is the one to be drawn and shown next.
+    pub(crate) frames: [&'static mut [u32]; 2],
+    /// Width and height of that one.
+    pub(crate) drawn: (usize, usize),
     /// Other keys that were pressed.
     #[cfg(feature = "keys")]
     presses: Vec<Press>,
@@ -78,39 +91,57 @@ impl Window {
             }
             clock::sleep(SECOND / 1000);
         };
-        let blit = Blit::new(x, display, window).ok_or(NoWindow::NoDisplay)?;
-        let fullscreen = Fullscreen::new(x, display, window);
-        let atom = |name: &CStr| {
-            // SAFETY: the display is open, and the name outlives the call.
-            unsafe { (x.XInternAtom)(display, name.as_ptr(), xlib::False) }
+        // SAFETY: display and window are open, zero is a colour, and what is pointed to outlives the calls. Xlib's picture
+        // without pixels belongs to nobody else.
+        let mut window = unsafe {
+            let screen = &*(*display).screen();
+            let (visual, depth) = (screen.root_visual, screen.root_depth as c_uint);
+            let format = xlib::ZPixmap;
+            let image =
+                (x.XCreateImage)(display, visual, depth, format, 0, null_mut(), 1, 1, 32, 0);
+            if (*image).bits_per_pixel != 32 {
+                return Err(NoWindow::NoDisplay);
+            }
+            let dot = (x.XCreateBitmapFromData)(display, window, c"".as_ptr(), 1, 1);
+            let mut colour: xlib::XColor = zeroed();
+            let colour = &raw mut colour;
+            Window {
+                x,
+                display,
+                window,
+                root: screen.root,
+                delete: 0,
+                size: (width, height),
+                no_pointer: (x.XCreatePixmapCursor)(display, dot, dot, colour, colour, 0, 0),
+                before: None,
+                context: screen.default_gc,
+                image,
+                // (It takes one less, and does not look at the last.)
+                put_image: transmute::<*const (), PutImage>(x.XPutImage as *const ()),
+                frames: [&mut [], &mut []],
+                drawn: (0, 0),
+                #[cfg(feature = "keys")]
+                presses: Vec::new(),
+            }
         };
-        let mut window = Window {
-            x,
-            display,
-            window,
-            delete: atom(c"WM_DELETE_WINDOW"),
-            size: (width, height),
-            fullscreen,
-            blit,
-            #[cfg(feature = "keys")]
-            presses: Vec::new(),
-        };
+        window.find_memory();
         window.set_title(title);
+        window.delete = window.atom(c"WM_DELETE_WINDOW");
         // SAFETY: the window exists, and what is pointed to outlives the call.
         unsafe {
             let events = xlib::StructureNotifyMask | xlib::KeyPressMask;
             (x.XSelectInput)(display, window.window, events);
             (x.XSetWMProtocols)(display, window.window, &mut window.delete, 1);
         }
-        window.fullscreen.show(width, height);
+        window.place(width, height);
         // SAFETY: the display is open.
         unsafe { (x.XSync)(display, xlib::False) };
         Ok(window)
     }
 
-    /// Goes to the whole screen, or back to the window where it was and as it was.
-    pub fn set_fullscreen(&mut self, on: bool) {
-        self.fullscreen.set(on);
+    pub(crate) fn atom(&self, name: &CStr) -> xlib::Atom {
+        // SAFETY: the display is open, and the name outlives the call.
+        unsafe { (self.x.XInternAtom)(self.display, name.as_ptr(), xlib::False) }
     }
 
     /// Names the window anew.
@@ -118,18 +149,14 @@ impl Window {
         let Window {
             x, display, window, ..
         } = *self;
-        let atom = |name: &CStr| {
-            // SAFETY: the display is open, and the name outlives the call.
-            unsafe { (x.XInternAtom)(display, name.as_ptr(), xlib::False) }
-        };
         // SAFETY: the window exists, and what is pointed to outlives the calls and is as long as it says.
         unsafe {
             (x.XStoreName)(display, window, title.as_ptr());
             (x.XChangeProperty)(
                 display,
                 window,
-                atom(c"_NET_WM_NAME"),
-                atom(c"UTF8_STRING"),
+                self.atom(c"_NET_WM_NAME"),
+                self.atom(c"UTF8_STRING"),
                 8,
                 xlib::PropModeReplace,
                 title.as_ptr().cast(),
@@ -154,11 +181,12 @@ impl Screen for Window {
     }
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
-        self.blit.canvas(width, height)
+        self.drawn = (width, height);
+        self.frames[0].get_mut(..width * height).unwrap_or_default()
     }
 
     fn show(&mut self) -> Next {
-        self.blit.show(self.size);
+        self.blit();
         let mut fullscreen = None;
         // SAFETY: zero is a value of every field of an event, and which of its parts is there is told by its type.
         unsafe {

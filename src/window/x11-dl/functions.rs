@@ -58,6 +58,21 @@ loaded! {
     fn XSync(*mut Display, Bool) -> c_int;
 }
 
+/// `XShmPutImage`, and `XPutImage` with one argument more.
+pub type PutImage = unsafe extern "C" fn(
+    *mut Display,
+    Drawable,
+    GC,
+    *mut XImage,
+    c_int,
+    c_int,
+    c_int,
+    c_int,
+    c_uint,
+    c_uint,
+    Bool,
+) -> Status;
+
 loaded! {
     /// The functions that are looked up in libXext: pictures in memory that the server shares.
     Xext, XEXT_NAMES:
@@ -166,25 +181,30 @@ impl<T> Table<T> {
     /// `names` has one for each.
     #[inline]
     pub fn open(&'static self, library: &CStr, names: &str) -> Option<&'static T> {
-        if !self.ready.load(Acquire) {
-            // SAFETY: nothing reads the table before `ready` is set; it is made of pointers, and
-            // `loaded!` gives it as many as names.
-            if !unsafe { load(library, names, self.functions.get().cast()) } {
-                return None;
-            }
-            self.ready.store(true, Release);
+        // SAFETY: nothing reads the table before `ready` is set; it is made of pointers, and `loaded!` gives it as many as
+        // names.
+        if !unsafe { load(&self.ready, library, names, self.functions.get().cast()) } {
+            return None;
         }
         // SAFETY: it has been filled.
         Some(unsafe { (*self.functions.get()).assume_init_ref() })
     }
 }
 
-/// Looks functions up in a library. False if the library or one of the functions is not there.
+/// Looks functions up in a library, unless they are ready. False if the library or one of the functions is not there.
 ///
 /// # Safety
 /// There has to be room for as many pointers as `names` has NULs.
 #[cold]
-unsafe fn load(library: &CStr, names: &str, mut slot: *mut *mut c_void) -> bool {
+unsafe fn load(
+    ready: &AtomicBool,
+    library: &CStr,
+    names: &str,
+    mut slot: *mut *mut c_void,
+) -> bool {
+    if ready.load(Acquire) {
+        return true;
+    }
     let mut start = 0;
     // SAFETY: each name has its NUL, and the caller vouches for the room.
     unsafe {
@@ -204,5 +224,6 @@ unsafe fn load(library: &CStr, names: &str, mut slot: *mut *mut c_void) -> bool 
             }
         }
     }
+    ready.store(true, Release);
     true
 }
