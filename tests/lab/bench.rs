@@ -220,6 +220,21 @@ fn a_scene_of_the_show_is_its_part_of_the_show() {
 }
 
 #[test]
+fn marks_of_the_method_are_no_errors() {
+    let rows = bench(&[
+        "--scene",
+        "show:method",
+        "--size",
+        "320x180",
+        "--quality",
+        "default",
+    ])
+    .1;
+    let psnr = number(&rows[1], "psnr_worst_db");
+    assert!(psnr > 32.0, "{psnr}");
+}
+
+#[test]
 fn errors_are_those_of_the_pictures_that_render_draws() {
     let picture = |quality| {
         let output = render(Path::new("-"), &["--time", "2.5", "--quality", quality]);

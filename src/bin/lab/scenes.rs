@@ -1,6 +1,6 @@
 //! Scenes by name: the show, the scenes that it is made of, and those that stand alone.
 
-use eightfold::scene::{MAX_SPHERES, Scene};
+use eightfold::scene::{MAX_SPHERES, Method, Scene};
 use eightfold::show::{self, grid};
 use std::fmt;
 use std::str::FromStr;
@@ -43,6 +43,13 @@ impl SceneName {
                 scene
             }
         }
+    }
+
+    /// As [`Self::at`], without the marks of how it is drawn: those of one quality are no errors of another.
+    pub fn unmarked(self, time: f32) -> Scene {
+        let mut scene = self.at(time);
+        scene.method = Method::default();
+        scene
     }
 
     /// When it starts in the show, in seconds, if it is played to the soundtrack.

@@ -205,7 +205,13 @@ impl Setting {
         for (run, picture) in self.runs.iter_mut().zip(&mut canvas.pictures) {
             let start = Instant::now();
             let quality = &run.quality.quality;
-            let counts = studio.draw(plan.isa.level, &scene.at(time), quality, width, picture);
+            let counts = studio.draw(
+                plan.isa.level,
+                &scene.unmarked(time),
+                quality,
+                width,
+                picture,
+            );
             run.times.push(milliseconds(start));
             run.counts += counts;
         }
@@ -227,7 +233,7 @@ impl Setting {
 
     /// Draws a frame of each quality and compares it to the one before.
     fn look_for_flicker(&mut self, plan: &Plan, studio: &mut Studio, canvas: &mut Canvas, t: f32) {
-        let scene = plan.shots[self.shot].scene.at(t);
+        let scene = plan.shots[self.shot].scene.unmarked(t);
         let (level, width) = (plan.isa.level, canvas.size.width);
         for (run, picture) in self.runs.iter().zip(&mut canvas.pictures) {
             studio.draw(level, &scene, &run.quality.quality, width, picture);

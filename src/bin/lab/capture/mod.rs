@@ -92,8 +92,8 @@ Parts of a capture, on one machine or on many that share a folder:
 
   GNU parallel, 100 frames at a time:
     seq 0 100 5759 | parallel 'target/lab/lab capture --png frames --from {} --to $(({} + 100))'
-  Slurm, as a job array of 16 tasks:
-    sbatch --array=0-15 --wrap 'target/lab/lab capture --png frames \\
+  Slurm, as a job array of 58 tasks:
+    sbatch --array=0-57 --wrap 'target/lab/lab capture --png frames \\
         --from $((SLURM_ARRAY_TASK_ID * 100)) --to $((SLURM_ARRAY_TASK_ID * 100 + 100))'
 
 Started again, it draws what is missing. Streams are joined by leaving out all headers but the first:

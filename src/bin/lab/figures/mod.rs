@@ -66,7 +66,7 @@ struct Frames {
 fn draw(arguments: &Arguments) -> Vec<Figure> {
     let Size { width, height } = arguments.size;
     let mut studio = Studio::new(available_parallelism().map_or(1, usize::from));
-    let scene = arguments.scene.at(arguments.time);
+    let scene = arguments.scene.unmarked(arguments.time);
     let mut draw = |quality: &Quality| {
         let trail = Trail::new(width, height);
         let mut pixels = vec![0; width * height];
