@@ -298,8 +298,14 @@ fn fit((width, height): (usize, usize)) -> (usize, usize) {
     if width <= MAX_WIDTH && height <= MAX_HEIGHT {
         (width, height)
     } else if width * MAX_HEIGHT > height * MAX_WIDTH {
-        (MAX_WIDTH, (height * MAX_WIDTH / width).max(1))
+        (MAX_WIDTH, part(height * MAX_WIDTH, width))
     } else {
-        ((width * MAX_HEIGHT / height).max(1), MAX_HEIGHT)
+        (part(width * MAX_HEIGHT, height), MAX_HEIGHT)
     }
+}
+
+/// A quotient, at least 1.
+#[inline(never)]
+fn part(whole: usize, parts: usize) -> usize {
+    whole.checked_div(parts).unwrap_or(1).max(1)
 }

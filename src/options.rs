@@ -20,20 +20,20 @@ static TEXT: [u8; joined_length(TEXTS)] = joined(TEXTS);
 const TEXTS: [&str; 4] = [
     concat!("eightfold ", env!("CARGO_PKG_VERSION"), "\n"),
     "\
---size WxH    size of the window, from 1x1 to 3840x2160 (1024x768)
---threads N   threads that trace, from 1 to 64 (one for each processor)
---seconds S   time until the end, above 0, such as 7.5 (96, the show)
---fps N       frames a second to hold, from 1 to 1000 (60)
---quality Q   one quality and no other: ",
+--size WxH  of the window, 1x1 to 3840x2160 (1024x768)
+--threads N  that trace, 1 to 64 (one for each processor)
+--seconds S  until the end, above 0, such as 7.5 (96, the show)
+--fps N  frames a second to hold, 1 to 1000 (60)
+--quality Q  this one and no other: ",
     Quality::NAMES,
     "
---loop        start again instead of ending
+--loop  start again instead of ending
 --fullscreen  start over the whole screen
---uncapped    as many frames as can be, by default at default quality
+--uncapped  as many frames as can be, at default quality
 --exhaustive  trace every pixel
---silent      play no sound
---help        say this
---version     say which version this is
+--silent  play no sound
+--help  say this
+--version  say which this is
 keys: F whole screen, W window, Esc end
 ",
 ];
@@ -61,6 +61,9 @@ const EXHAUSTIVE: usize = 9;
 pub const SILENT: usize = 10;
 const HELP: usize = 11;
 const VERSION: usize = 12;
+
+/// What `--quality default` says.
+const DEFAULT: u64 = 4;
 
 /// The most frames a second that can be asked for.
 const MOST_FPS: u64 = 1000;
@@ -96,7 +99,7 @@ impl Options {
                 FPS => number(value, MOST_FPS, 0),
                 QUALITY => rung(value),
                 HELP => return Some(answer(&TEXT)),
-                VERSION => return Some(answer(TEXTS[0].as_bytes())),
+                VERSION => return Some(answer(const { TEXT.split_at(TEXTS[0].len()).0 })),
                 _ => number(value, LONGEST, 9),
             };
             if *place == 0 {
@@ -104,7 +107,7 @@ impl Options {
             }
         }
         if self.0[UNCAPPED] != 0 && self.0[QUALITY] == 0 {
-            self.0[QUALITY] = rung(b"default");
+            self.0[QUALITY] = DEFAULT;
         }
         if self.0[EXHAUSTIVE] != 0 {
             self.0[QUALITY] = u64::MAX;

@@ -68,8 +68,16 @@ impl Default for Memory {
 /// A job on a band, to be run by a worker.
 pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 
-/// What has a job done on bands.
-type Run<'a> = &'a mut dyn FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>);
+/// What has a job done on bands. (`dyn FnMut` has the same as `FnOnce` too, 140 bytes.)
+trait Run {
+    fn run(&mut self, workers: &mut [Worker], bands: &mut [Band<'_>], job: Job<'_>);
+}
+
+impl<F: FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>)> Run for F {
+    fn run(&mut self, workers: &mut [Worker], bands: &mut [Band<'_>], job: Job<'_>) {
+        self(workers, bands, job);
+    }
+}
 
 /// Renders one frame of `width` by `height` pixels: `0x00RRGGBB`, row after row.
 ///
@@ -143,7 +151,7 @@ fn frame(
     workers: &mut [Worker],
     pixels: &mut [u32],
     job: Job<'_>,
-    run: Run<'_>,
+    run: &mut dyn Run,
 ) -> Counts {
     let height = pixels.len() / width;
     let rows = Band::rows(quality.square);
@@ -171,7 +179,7 @@ fn frame(
             };
             len += 1;
         }
-        run(workers, &mut bands[..len], job);
+        run.run(workers, &mut bands[..len], job);
     }
     let mut counts = Counts::default();
     for worker in workers {

@@ -16,15 +16,15 @@ pub fn level() -> Level {
     Level::baseline()
 }
 
-/// The name of a level, as people write it.
+/// The name of a [level], as people write it.
 #[must_use]
 pub fn name(level: Level) -> &'static str {
     #[cfg(target_arch = "x86_64")]
-    match level {
-        Level::Avx2(_) => return "AVX2",
-        Level::Sse2(_) => return "SSE2",
-        _ => {}
-    }
+    return match level {
+        Level::Avx2(_) => "AVX2",
+        _ => "SSE2",
+    };
+    #[cfg(not(target_arch = "x86_64"))]
     if level.is_fallback() {
         "scalar"
     } else {

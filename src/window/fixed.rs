@@ -5,6 +5,8 @@ use core::{
     sync::atomic::{AtomicBool, Ordering::AcqRel},
 };
 
+use crate::abort::eightfold_abort;
+
 /// A value that lives as long as the program and is lent out once.
 ///
 /// In a `static` whose bits are all zero it takes no room in the program's file, and memory only
@@ -41,6 +43,6 @@ impl<T> Fixed<T> {
 #[inline(never)]
 fn take_once(taken: &AtomicBool) {
     if taken.swap(true, AcqRel) {
-        std::process::abort();
+        eightfold_abort();
     }
 }

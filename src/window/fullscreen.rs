@@ -81,23 +81,16 @@ impl Window {
         // SAFETY: zero is a value of every field, and the event outlives the call.
         unsafe {
             let mut event: xlib::XEvent = zeroed();
-            event.client_message = xlib::XClientMessageEvent {
-                type_: xlib::ClientMessage,
-                window: self.window,
-                message_type: self.atom(c"_NET_WM_STATE"),
-                format: 32,
-                data: xlib::ClientMessageData {
-                    // Add or remove, this state, no second one; from an application.
-                    longs: [
-                        c_long::from(fullscreen),
-                        self.atom(c"_NET_WM_STATE_FULLSCREEN") as c_long,
-                        0,
-                        1,
-                        0,
-                    ],
-                },
-                ..event.client_message
-            };
+            let message = &mut event.client_message;
+            message.type_ = xlib::ClientMessage;
+            message.window = self.window;
+            message.message_type = self.atom(c"_NET_WM_STATE");
+            message.format = 32;
+            // Add or remove, this state, no second one; from an application.
+            let [change, state, _, source, _] = &mut message.data.longs;
+            *change = c_long::from(fullscreen);
+            *state = self.atom(c"_NET_WM_STATE_FULLSCREEN") as c_long;
+            *source = 1;
             (self.x.XSendEvent)(
                 self.display,
                 self.root,

@@ -26,7 +26,7 @@ const SPINS: u32 = 1000;
 pub struct Pool {
     shared: Box<Shared>,
     /// The others; as many as `count` says.
-    threads: [libc::pthread_t; Pool::MOST - 1],
+    threads: [MaybeUninit<libc::pthread_t>; Pool::MOST - 1],
     count: usize,
 }
 
@@ -70,12 +70,12 @@ impl Pool {
             next: AtomicUsize::new(1),
             over: AtomicBool::new(false),
         });
-        let mut threads = [0; Pool::MOST - 1];
+        let mut threads = [MaybeUninit::uninit(); Pool::MOST - 1];
         let mut started = 0;
         let pointer = (&raw const *shared).cast_mut().cast();
         for thread in threads.iter_mut().take(count.saturating_sub(1)) {
             // SAFETY: `shared` has a place of its own that lasts until every thread has been joined.
-            if !unsafe { spawn(thread, thread_main, pointer) } {
+            if !unsafe { spawn(thread.as_mut_ptr(), thread_main, pointer) } {
                 break;
             }
             started += 1;
@@ -96,18 +96,16 @@ impl Pool {
     /// Does a job on every item, each with one of the workers, and returns when all are done.
     ///
     /// A worker belongs to one thread during the run, so no more threads take part than there are
-    /// workers. Items are taken in order by whoever is free.
+    /// workers; without any, nothing is done. Items are taken in order by whoever is free.
     ///
     /// # Panics
-    /// If there are items and no worker, or if the job panics on the caller's thread. A panic on
-    /// another thread aborts the process.
+    /// If the job panics on the caller's thread. A panic on another thread aborts the process.
     pub fn run<W: Send, T: Send>(
         &mut self,
         workers: &mut [W],
         items: &mut [T],
         job: &(dyn Fn(&mut W, &mut T) + Sync),
     ) {
-        assert!(items.is_empty() || !workers.is_empty(), "no worker");
         let next = AtomicUsize::new(0);
         let workers = Each::new(workers);
         let items = Each::new(items);
@@ -142,8 +140,8 @@ impl Drop for Pool {
         self.shared.over.store(true, Relaxed);
         self.shared.wake();
         for &thread in &self.threads[..self.count] {
-            // SAFETY: each thread is joined once, and none is detached.
-            unsafe { libc::pthread_join(thread, null_mut()) };
+            // SAFETY: it has been started; each thread is joined once, and none is detached.
+            unsafe { libc::pthread_join(thread.assume_init(), null_mut()) };
         }
     }
 }
@@ -222,9 +220,9 @@ impl Shared {
 /// Starts a thread. False if the system has no more.
 ///
 /// # Safety
-/// What the thread does with the pointer has to be right for as long as it runs.
+/// There has to be room for the thread's name. What the thread does with the pointer has to be right for as long as it runs.
 pub(crate) unsafe fn spawn(
-    thread: &mut libc::pthread_t,
+    thread: *mut libc::pthread_t,
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,
 ) -> bool {
