@@ -10,6 +10,7 @@
 //! | which points to trace, fill or split | `refine` |
 //! | points to colours and keys | `trace` |
 //! | rays side by side, by instruction set | `lanes` |
+//! | captions over a finished band | `text` |
 //! | how a frame came about, for the lab | [`observe`] |
 //!
 //! What trades accuracy for speed is one struct, [`Quality`]; [`Governor`] chooses one by how long frames take. How far
@@ -35,6 +36,7 @@ mod render;
 pub mod scene;
 pub mod show;
 pub mod sound;
+mod text;
 mod trace;
 mod trigonometry;
 mod worker;

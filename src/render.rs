@@ -6,6 +6,7 @@ use crate::prepare::Prepared;
 use crate::quality::Quality;
 use crate::refine::{self, Band, Border};
 use crate::scene::Scene;
+use crate::text;
 use crate::trace::Counts;
 use crate::worker::Worker;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
@@ -107,6 +108,7 @@ pub fn render(
     let (prepared, borders) = (&memory.prepared, &mut memory.borders);
     let job = |worker: &mut Worker, band: &mut Band<'_>| {
         refine::render(level, prepared, quality, worker, band);
+        text::draw(&scene.captions, height, band);
     };
     frame(quality, width, borders, workers, pixels, &job, &mut run)
 }
@@ -138,6 +140,7 @@ pub fn render_observed<O: Observer>(
     let (prepared, borders) = (&memory.prepared, &mut memory.borders);
     let job = |worker: &mut Worker, band: &mut Band<'_>| {
         refine::render_observed(level, prepared, quality, observer, worker, band);
+        text::draw(&scene.captions, height, band);
     };
     frame(quality, width, borders, workers, pixels, &job, &mut run)
 }

@@ -4,12 +4,14 @@ use core::f64::consts::TAU;
 
 /// The sine of an angle in radians, to within 1e-6 for angles to 1e6; not a number for what is none.
 #[must_use]
+#[inline(never)]
 pub fn sin(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU)
 }
 
 /// The cosine of an angle in radians, as good as [`sin`].
 #[must_use]
+#[inline(never)]
 pub fn cos(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU + 0.25)
 }

@@ -5,6 +5,7 @@
 
 mod block;
 pub(crate) mod camera;
+mod caption;
 mod list;
 mod method;
 mod pattern;
@@ -13,6 +14,7 @@ mod validate;
 use crate::DETAILS;
 pub use block::Block;
 pub use camera::Camera;
+pub use caption::{Caption, MAX_LETTERS};
 use glam::{Mat3A, Vec3A};
 pub use list::List;
 pub use method::Method;
@@ -29,6 +31,9 @@ pub const MAX_BLOCKS: usize = 64;
 pub(crate) const MAX_SOLIDS: usize = MAX_SPHERES + MAX_BLOCKS;
 /// Lights a scene can hold.
 pub const MAX_LIGHTS: usize = 4;
+
+/// Captions a scene can hold: as many as the show has.
+pub const MAX_CAPTIONS: usize = 10;
 
 /// Everything one frame shows.
 #[derive(Clone, Copy, Debug, Default)]
@@ -56,6 +61,8 @@ pub struct Scene {
     pub blocks: List<Block, MAX_BLOCKS>,
     /// Lights.
     pub lights: List<Light, MAX_LIGHTS>,
+    /// What is written over the picture.
+    pub captions: List<Caption, MAX_CAPTIONS>,
 }
 
 impl Scene {
@@ -102,6 +109,7 @@ impl Scene {
                 material,
             }),
             lights: List::over(Light::DARK),
+            captions: List::over(Caption::NONE),
         }
     };
 

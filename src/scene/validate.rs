@@ -77,6 +77,13 @@ impl Scene {
             .iter()
             .all(|x| (0.0..=1.0).contains(x));
         scene.hold("method", SHARE, is_method)?;
+        for (i, caption) in self.captions.iter().enumerate() {
+            let part = Part("caption", i);
+            let is_share = |x: f32| (0.0..=1.0).contains(&x);
+            part.hold("middle", SHARE, is_share(caption.middle))?;
+            part.hold("size", SHARE, is_share(caption.size))?;
+            part.hold("brightness", SHARE, is_share(caption.brightness))?;
+        }
         for (i, sphere) in self.spheres.iter().enumerate() {
             let part = Part("sphere", i);
             part.hold("centre", PLACE, is_place(sphere.centre))?;

@@ -42,7 +42,7 @@ static STROKES: [u32; 36] = [
     0xfcdb_4302, // 5
     0xf68b_d931, // 6
     0xffff_fd20, // 7
-    0x13bd_3951, // 8
+    0xf13b_d951, // 8
     0xf683_15bd, // 9
 ];
 

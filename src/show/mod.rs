@@ -1,8 +1,9 @@
 //! What is played, as a function of time.
 
+mod captions;
 mod field;
 pub mod grid;
-mod letters;
+pub(crate) mod letters;
 mod material;
 mod model;
 mod path;

@@ -5,7 +5,7 @@
 use super::grid::BEAT;
 use super::path::orbit;
 use super::{Set, settings, things};
-use crate::scene::Scene;
+use crate::scene::{Method, Scene};
 use glam::vec3a;
 
 /// Seconds of one orbit: a full turn at [`ORBIT_SPEED`].
@@ -22,6 +22,8 @@ pub fn model(time: f32, scene: &mut Scene) {
     things::add(Set::Model, time / BEAT, scene);
     scene.camera = orbit(vec3a(0.0, 0.9, 0.0), ORBIT_SPEED * time, 7.5, 1.3);
     scene.fade = 0.0;
+    scene.method = Method::default();
+    scene.captions.clear();
 }
 
 /// [`model`] by value.

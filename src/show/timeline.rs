@@ -1,8 +1,8 @@
 //! When what is seen, and from where: shots on the grid of bars.
 
-use super::grid::{BAR, BEATS_PER_BAR, LENGTH};
-use super::path::{Key, between, smooth};
-use super::{Set, settings, swarm, things, title};
+use super::grid::{BAR, BEAT, BEATS_PER_BAR, LENGTH};
+use super::path::{Key, go, key, marked, smooth};
+use super::{Set, captions, settings, swarm, things, title};
 use crate::scene::Scene;
 
 /// A way of the camera through a scene.
@@ -16,15 +16,23 @@ struct Shot {
 }
 
 #[rustfmt::skip]
-static SHOTS: [Shot; 7] = [
-    //                       bars before    looks at           angle distance height
-    shot(Set::Title,     6, 0, Key::new([4.0, 1.0, 0.0],   0.9,  9.0, 0.4), Key::new([0.0, 1.2, 0.0], -0.2, 14.6, 1.8)),
-    shot(Set::Model,     8, 0, Key::new([0.0, 0.9, 0.0],   0.0,  7.4, 1.3), Key::new([0.0, 0.9, 0.0],  4.0,  7.4, 1.3)),
-    shot(Set::Model,     8, 8, Key::new([0.0, 0.9, 0.0],   0.0,  7.4, 1.3), Key::new([0.0, 0.9, 0.0],  4.0,  7.4, 1.3)),
-    shot(Set::Colonnade, 8, 0, Key::new([-0.4, 1.6, -3.0], -0.4, 9.0, 0.1), Key::new([0.3, 1.9, 5.0],  0.3,  7.0, 1.4)),
-    shot(Set::Machine,   6, 0, Key::new([-1.0, 1.6, 0.0],  -0.9, 7.0, 0.8), Key::new([0.0, 1.7, 0.0],  0.8,  9.4, 2.6)),
-    shot(Set::Swarm,     6, 0, Key::new([0.0, 0.8, 0.0],   0.6, 12.0, 5.5), Key::new([0.0, 2.4, 0.0], -3.0,  9.4, 2.6)),
-    shot(Set::Finale,    6, 0, Key::new([0.0, 1.9, 0.0],  -0.3,  9.0, 0.2), Key::new([0.0, 2.6, 0.0],  0.3, 15.0, 1.6)),
+static SHOTS: [Shot; 14] = [
+    //             bars before  looks at           angle distance height
+    shot(Set::Title,     6, 0, key([4.0, 1.0, 0.0],   0.9,  9.0, 0.4), key([0.0, 1.2, 0.0], -0.2, 14.6, 1.8)),
+    shot(Set::Model,     4, 0, key([0.0, 0.9, 0.0],  -1.2,  8.0, 1.3), key([0.0, 0.9, 0.0],  0.9,  7.0, 1.3)),
+    shot(Set::Model,     4, 4, key([0.4, 0.8, -0.6],  0.5,  4.0, 0.3), key([0.2, 0.9, 0.2], -0.9,  6.0, 2.6)),
+    // The method: traced points, filled squares, then both with the picture, then the picture.
+    shot(Set::Model,     2, 8, marked(key([0.0, 0.9, 0.0], -1.0, 7.0, 1.8), 0.0, 0.0, 0.0), marked(key([0.0, 0.9, 0.0], -0.5, 7.0, 1.6), 1.0, 0.0, 0.0)),
+    shot(Set::Model,     2, 10, marked(key([0.0, 0.9, 0.0], -0.5, 7.0, 1.6), 0.6, 0.3, 0.0), marked(key([0.0, 0.9, 0.0], 0.0, 7.0, 1.3), 0.4, 1.0, 0.0)),
+    shot(Set::Model,     2, 12, marked(key([0.0, 0.9, 0.0], 0.0, 7.0, 1.3), 0.4, 0.8, 0.2), marked(key([0.0, 0.9, 0.0], 0.5, 7.0, 1.0), 0.4, 0.6, 0.5)),
+    shot(Set::Model,     2, 14, marked(key([0.0, 0.9, 0.0], 0.5, 7.0, 1.0), 0.3, 0.4, 0.7), marked(key([0.0, 0.9, 0.0], 1.0, 7.0, 0.7), 0.0, 0.0, 1.0)),
+    shot(Set::Colonnade, 5, 0, key([-0.4, 1.6, -3.0], -0.4, 9.0, 0.1), key([0.1, 1.8, 2.0],   0.0,  7.8, 0.9)),
+    shot(Set::Colonnade, 3, 5, key([0.0, 1.9, 5.0],    0.4, 6.0, 1.4), key([0.0, 1.9, 6.0],  -0.3,  5.0, 0.4)),
+    shot(Set::Machine,   3, 0, key([-1.0, 1.6, 0.0],  -0.9, 7.0, 0.8), key([0.0, 1.7, 0.0],   0.0,  9.0, 2.0)),
+    shot(Set::Machine,   3, 3, key([-0.4, 1.2, -1.0],  0.9, 5.0, 0.4), key([0.0, 1.7, 0.0],   0.5,  9.0, 2.6)),
+    shot(Set::Swarm,     3, 0, key([0.0, 0.8, 0.0],    0.6, 12.0, 5.5), key([0.0, 2.0, 0.0], -1.2, 10.0, 3.4)),
+    shot(Set::Swarm,     3, 3, key([0.0, 2.6, 0.0],   -1.2, 8.0, 0.4), key([0.0, 2.6, 0.0],  -3.2, 10.0, 2.6)),
+    shot(Set::Finale,    6, 0, key([0.0, 1.9, 0.0],   -0.3, 9.0, 0.2), key([0.0, 2.6, 0.0],   0.3, 15.0, 1.6)),
 ];
 
 const fn shot(set: Set, bars: u8, before: u8, from: Key, to: Key) -> Shot {
@@ -54,8 +62,9 @@ pub fn at(time: f32, scene: &mut Scene) {
     }
     let beat = (bar + f32::from(shot.before)) * BEATS_PER_BAR as f32;
     settings::set(shot.set, scene);
-    scene.camera = between(&shot.way, bar / f32::from(shot.bars));
+    go(&shot.way, bar / f32::from(shot.bars), scene);
     scene.fade = 1.0 - smooth(time / DAWN) + smooth((time - LENGTH) / DUSK + 1.0);
+    captions::set(time / BEAT, scene);
     scene.spheres.clear();
     scene.blocks.clear();
     things::add(shot.set, beat, scene);

@@ -6,7 +6,8 @@ use super::path::smooth;
 use super::random::Random;
 use super::things::sphere;
 use crate::scene::Scene;
-use glam::Vec3A;
+use crate::text::nearest;
+use glam::{Vec3A, vec3a};
 
 const WORD: &[u8; 9] = b"EIGHTFOLD";
 
@@ -22,26 +23,36 @@ const RADIUS: f32 = 0.125;
 const WAY: f32 = 6.0;
 const LAST: f32 = 6.0;
 
+/// Where spheres come from: the least corner of a box, and its sides.
+const FIRST: Vec3A = vec3a(-15.0, 4.0, -12.0);
+const AWAY: Vec3A = vec3a(30.0, 10.0, 24.0);
+
 /// Adds the spheres as they are so many beats after the scene's begin.
+#[inline(never)]
 pub(super) fn add(beat: f32, scene: &mut Scene) {
     let mut random = Random(8);
-    for (place, &letter) in WORD.iter().enumerate() {
+    let mut left = 0.0;
+    for &letter in WORD {
         for (from, to) in strokes(letter) {
-            let count = (from.distance(to) * SPHERES + 0.5) as i32;
-            for i in 0..=count {
-                let at = from + (to - from) * (i as f32 / count as f32);
-                let right = at.x + place as i32 as f32 * ADVANCE;
-                let home = Vec3A::new(
-                    (0.5 * (WIDTH - 1.0) - right) * STEP,
-                    (4.0 - at.y) * STEP + RADIUS,
-                    0.0,
-                );
-                let mut chance = || random.share() - 0.5;
-                let away = Vec3A::new(30.0 * chance(), 9.0 + 10.0 * chance(), 24.0 * chance());
-                // One after the other from the left.
-                let way = smooth((beat - LAST / WIDTH * right) / WAY);
-                sphere(scene, away + (home - away) * way, RADIUS, Stuff::Gold);
+            let way = to - from;
+            // Evenly, with one at each end.
+            let count = nearest(way.length() * SPHERES) as i32;
+            for i in 0..count + 1 {
+                let at = from + way * (i as f32 / count as f32);
+                place(left + at.x, at.y, beat, &mut random, scene);
             }
         }
+        left += ADVANCE;
     }
+}
+
+/// Adds the sphere of a place in the word, grid units from its upper left.
+#[inline(never)]
+fn place(right: f32, down: f32, beat: f32, random: &mut Random, scene: &mut Scene) {
+    let home = vec3a(0.5 * (WIDTH - 1.0) - right, 4.0 - down, 0.0) * STEP;
+    let away = vec3a(random.share(), random.share(), random.share()) * AWAY + FIRST;
+    // One after the other from the left.
+    let way = smooth((beat - LAST / WIDTH * right) / WAY);
+    let centre = away + (home + Vec3A::Y * RADIUS - away) * way;
+    sphere(scene, centre, RADIUS, Stuff::Gold);
 }

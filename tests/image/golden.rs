@@ -7,8 +7,9 @@ use crate::error::Difference;
 use crate::picture::png;
 use crate::reader::read_png;
 use crate::unseen::between_corners;
-use eightfold::scene::Scene;
-use eightfold::{Quality, show};
+use eightfold::Quality;
+use eightfold::scene::{Method, Scene};
+use eightfold::show::{self, grid};
 use std::fs;
 use std::path::Path;
 
@@ -73,4 +74,33 @@ fn golden_field() {
 fn golden_spheres_between_corners() {
     let scene = between_corners();
     hold("between", &scene, &Quality::DEFAULT, 320, 240);
+}
+
+#[test]
+fn golden_show() {
+    // Bars that show each scene, and each caption's place.
+    for (name, bar) in [
+        ("title", 4.5),
+        ("model-close", 11.5),
+        ("method", 19.0),
+        ("colonnade", 25.5),
+        ("colonnade-close", 29.0),
+        ("machine", 32.3),
+        ("machine-close", 33.6),
+        ("waves", 37.0),
+        ("ball", 39.2),
+        ("eight", 41.3),
+        ("finale", 45.3),
+    ] {
+        let mut scene = Scene::default();
+        show::at(bar * grid::BAR, &mut scene);
+        scene.method = Method::default();
+        hold(
+            &format!("show-{name}"),
+            &scene,
+            &Quality::EXHAUSTIVE,
+            320,
+            180,
+        );
+    }
 }

@@ -42,6 +42,7 @@ mod random;
 mod ranges;
 mod refinement;
 mod sameness;
+mod show;
 mod sizes;
 mod soak;
 mod unseen;

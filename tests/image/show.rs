@@ -1,0 +1,101 @@
+//! The show: valid, on the grid, and its captions inside the picture.
+
+use crate::drawn::draw;
+use crate::isa;
+use eightfold::Quality;
+use eightfold::scene::Scene;
+use eightfold::show::{self, grid};
+
+/// The scene of the show at a time.
+fn at(time: f32) -> Scene {
+    let mut scene = Scene::default();
+    show::at(time, &mut scene);
+    scene
+}
+
+#[test]
+fn the_show_is_valid_all_along() {
+    for i in 0..=(grid::LENGTH * 10.0) as usize {
+        let time = i as f32 / 10.0;
+        assert_eq!(at(time).validate(), Ok(()), "{time} s");
+    }
+}
+
+#[test]
+fn a_scene_does_not_depend_on_the_one_that_it_replaces() {
+    for cut in grid::CUTS {
+        let time = (cut as f32 + 0.7) * grid::BAR;
+        let mut scene = at(grid::LENGTH - time);
+        show::at(time, &mut scene);
+        assert_eq!(
+            format!("{:?}", scene.spheres.to_vec()),
+            format!("{:?}", at(time).spheres.to_vec())
+        );
+        assert_eq!(
+            format!("{:?}", scene.blocks.to_vec()),
+            format!("{:?}", at(time).blocks.to_vec())
+        );
+        assert_eq!(scene.lights.to_vec(), at(time).lights.to_vec());
+    }
+}
+
+#[test]
+fn the_camera_jumps_on_bars_alone_and_at_every_cut() {
+    let mut jumps = Vec::new();
+    let frames = (grid::LENGTH * 60.0) as usize;
+    for i in 1..frames {
+        let eye = |i: usize| at(i as f32 / 60.0).camera.eye;
+        if (eye(i) - eye(i - 1)).length() > 0.4 {
+            // At 60 frames a second a bar is 120.
+            assert_eq!(i % 120, 0, "frame {i}");
+            jumps.push((i / 120) as u32);
+        }
+    }
+    for cut in &grid::CUTS[1..] {
+        assert!(jumps.contains(cut), "bar {cut} of {jumps:?}");
+    }
+}
+
+#[test]
+fn captions_are_inside_the_picture_and_bright() {
+    for (width, height) in [(640, 360), (3840, 2160), (360, 640)] {
+        let mut seen = 0;
+        for beat in 0..grid::BARS * grid::BEATS_PER_BAR {
+            let mut scene = Scene {
+                captions: at((beat as f32 + 0.5) * grid::BEAT).captions,
+                ..Scene::default()
+            };
+            scene
+                .captions
+                .iter_mut()
+                .for_each(|caption| caption.brightness = caption.brightness.ceil());
+            let letters: usize = scene
+                .captions
+                .iter()
+                .filter(|caption| caption.brightness > 0.0)
+                .map(|caption| caption.letters.len())
+                .sum();
+            // The same captions as half a second ago are in the same places.
+            if letters == seen {
+                continue;
+            }
+            seen = letters;
+            let drawn = draw(isa::best(), 2, &scene, &Quality::DEFAULT, width, height);
+            // A letter has some two heights of strokes.
+            let bright = drawn.pixels.iter().filter(|&&pixel| pixel & 0xff > 0xb0);
+            let bright = bright.count();
+            let is_wide = width > height;
+            assert!(!is_wide || bright >= letters * 3, "beat {beat}: {bright}");
+            let margin = height.min(width) / 40;
+            for (i, pixel) in drawn.pixels.iter().enumerate() {
+                let (x, y) = (i % width, i / width);
+                let is_inside =
+                    (margin..width - margin).contains(&x) && (margin..height - margin).contains(&y);
+                assert!(
+                    is_inside || *pixel == 0,
+                    "beat {beat}, {width}x{height}: {x}, {y}"
+                );
+            }
+        }
+    }
+}
