@@ -30,6 +30,9 @@
 //! | one codegen unit | `Cargo.toml` | 1,280 |
 //! | panics abort * | `Cargo.toml` | 1,032 |
 //! | no start files but our own * | `src/window/program.s` | 880 |
+//! | messages, report and terminal as forms, options and qualities as rows of bytes | `src/window/line.rs`, `src/options.rs` | 1,700 |
+//! | no panics in the window's crate, and errors of `minifb` left out | `src/window/program.ld` | 800 |
+//! | one window, one memory that is zero | `src/window/window.rs`, `src/main.rs` | 500 |
 //! | system calls by number, not by name * | `src/window/system.rs` | 620 |
 //! | memory by `malloc` and no more * | `src/window/allocator.rs` | 504 |
 //! | constants loaded where they are used (`-disable-machine-licm`) | `.cargo/config.toml` | 960 |
@@ -44,6 +47,7 @@
 //! | --- | --- | ---: |
 //! | squares refined in SSE2 lanes, not once per instruction set | `src/refine` | 26,256 |
 //! | AVX-512 left to the lab; rays packed by bits, not by a table | `src/lanes` | 15,896 |
+//! | AVX2 left to the lab | `src/trace` | 7,440 |
 //! | sines and roots of our own | `src/trigonometry.rs` | 8,096 |
 //! | a loop where it was unrolled, one place where there were two | `src/trace` | 3,664 |
 //! | no list of who can shadow whom (3 % of the time) | `src/prepare` | 1,904 |
