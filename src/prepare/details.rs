@@ -1,8 +1,9 @@
 //! What only some scenes have: boxes and cylinders, patterns, air, lamps that are more than points.
 
-use super::groups::Groups;
+use super::Tree;
+use super::object::{self, Object};
 use crate::DETAILS;
-use crate::scene::{Block, Light, Material, Method, Scene, Sphere};
+use crate::scene::{Light, Material, Method, Scene};
 use glam::Vec3A;
 
 /// All of that, for one frame.
@@ -10,20 +11,10 @@ pub(crate) struct Details {
     is_there: bool,
     /// Whether more than the plain picture is shown.
     pub shows_method: bool,
-    /// The scene as it was given.
+    /// The scene as it was given, if any of it is there.
     pub scene: Scene,
     /// The side of a pixel at distance 1.
     pub pixel: f32,
-}
-
-/// What a ray hits.
-pub(crate) enum Object<'a> {
-    Sphere(&'a Sphere),
-    Block(&'a Block),
-    /// A horizontal plane around a centre.
-    Plane(Vec3A),
-    Lamp,
-    Nothing,
 }
 
 impl Details {
@@ -41,17 +32,12 @@ impl Details {
         DETAILS && self.is_there
     }
 
-    /// Takes a scene in.
-    pub fn set(&mut self, scene: &Scene, pixel: f32) {
-        if !DETAILS {
-            return;
-        }
-        let has_pattern = |material: &Material| material.pattern.depth != 0.0;
-        self.is_there = scene.haze != 0.0
+    /// Takes a scene in, which may have patterns, and lamps that are no points.
+    pub fn set(&mut self, scene: &Scene, has_patterns: bool, has_lamps: bool) {
+        self.is_there = has_patterns
+            || scene.haze != 0.0
             || scene.sky != Vec3A::ZERO
-            || !scene.blocks.is_empty()
-            || scene.spheres.iter().any(|s| has_pattern(&s.material))
-            || scene.planes.iter().any(|p| has_pattern(&p.material));
+            || !scene.blocks.is_empty();
         let Method {
             points,
             squares,
@@ -59,31 +45,14 @@ impl Details {
         } = scene.method;
         // Not where the first two are 0 and the last 1: all are in 0 to 1.
         self.shows_method = picture - points - squares != 1.0;
-        self.scene = *scene;
-        self.pixel = pixel;
+        if self.is_there || has_lamps || self.shows_method {
+            self.scene = *scene;
+        }
     }
 
     /// The object number `i`, and its material.
-    pub fn object(&self, groups: &Groups, i: usize) -> (Object<'_>, &Material) {
-        let scene = &self.scene;
-        let order = groups.order();
-        if let Some(&number) = order.get(i) {
-            let number = number as usize;
-            if let Some(sphere) = scene.spheres.get(number) {
-                return (Object::Sphere(sphere), &sphere.material);
-            }
-            if let Some(block) = scene.blocks.get(number - scene.spheres.len()) {
-                return (Object::Block(block), &block.material);
-            }
-        }
-        let i = i.wrapping_sub(order.len());
-        if i < scene.lights.len() {
-            return (Object::Lamp, &Material::BLACK);
-        }
-        match scene.planes.get(i.wrapping_sub(scene.lights.len())) {
-            Some(plane) => (Object::Plane(plane.centre), &plane.material),
-            None => (Object::Nothing, &Material::BLACK),
-        }
+    pub fn object(&self, tree: &Tree, i: usize) -> (Object<'_>, &Material) {
+        object::of(&self.scene, tree.number(i))
     }
 
     /// The lamp number `i`.

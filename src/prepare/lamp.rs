@@ -15,8 +15,8 @@ pub(crate) struct Lamp {
     pub casters: [Caster; MAX_NODES],
 }
 
-/// A sphere as shadow rays want it: what it shades of points without is in the cone around it and farther away than where
-/// the cone touches it.
+/// A sphere as shadow rays want it: what it shades of points without is in a cone around it, a little wider than it needs
+/// be, and not nearer to the lamp than it.
 #[derive(Clone, Copy)]
 pub(crate) struct Caster {
     /// The lamp's direction, seen from the centre.
@@ -25,8 +25,6 @@ pub(crate) struct Caster {
     pub chord2: f32,
     /// Nothing nearer to the lamp than this is shaded.
     pub from: f32,
-    /// Whether the cone is all that there is to know: whatever is within the cone and far enough is shaded.
-    pub is_cone: bool,
     pub is_bound: bool,
     /// How many nodes to go on by where it is missed.
     pub skip: u16,
@@ -59,19 +57,13 @@ impl Lamp {
     }
 
     /// Takes a light in, and the nodes that can shade it.
-    pub fn set(&mut self, light: &Light, colour: Vec3A, has_blocks: bool, nodes: &[Node]) {
+    pub fn set(&mut self, light: &Light, has_blocks: bool, nodes: &[Node]) {
         self.position = light.place();
-        self.colour = colour;
         self.is_plain = light.is_plain() && !has_blocks;
-        let is_plain = self.is_plain();
         for (caster, node) in self.casters.iter_mut().zip(nodes) {
-            let mut node = *node;
-            if !is_plain {
-                // What may be in the way, and no more.
-                node.is_apart = false;
-                node.radius += 0.5 * light.size;
-            }
-            *caster = Caster::new(self.position, &node);
+            // A penumbra is wider, and a bound shades from its nearest point on.
+            let radius = node.radius + if DETAILS { 0.5 * light.size } else { 0.0 };
+            caster.set(self.position - node.centre, radius, node);
         }
     }
 }
@@ -81,7 +73,6 @@ impl Caster {
         axis: Vec3A::ZERO,
         chord2: 0.0,
         from: 0.0,
-        is_cone: false,
         is_bound: false,
         skip: 0,
         number: 0,
@@ -90,38 +81,27 @@ impl Caster {
         r2: 0.0,
     };
 
-    fn new(position: Vec3A, node: &Node) -> Self {
-        let from_lamp = position - node.centre;
+    fn set(&mut self, from_lamp: Vec3A, radius: f32, node: &Node) {
         let far2 = from_lamp.length_squared();
-        let around_lamp = far2 < node.r2;
         // The roundings of the sphere's place and of the way from the lamp.
-        let slack2 = node.slack2 / node.slack * (node.slack + slack(from_lamp, 0.0));
-        let is_cone = node.is_apart && !around_lamp;
-        // A bound is wider, and shades from its nearest point on.
-        let (r2, from) = if is_cone {
-            (node.r2, libm::sqrtf(far2 - node.r2))
-        } else {
-            let wide = node.radius * (1.0 + MARGIN) + slack(from_lamp, 0.0);
-            (wide * wide, libm::sqrtf(far2) * (1.0 - MARGIN) - wide)
-        };
+        let way = slack(from_lamp, 0.0);
+        let slack2 = 2.0 * node.radius * (node.slack + way);
+        let wide = radius * (1.0 + MARGIN) + way;
         // 2 - 2 cos, by the sine of the angle, which loses no digits.
-        let sine2 = r2 / far2;
-        let chord2 = if sine2 < 1.0 {
-            2.0 * sine2 / (1.0 + libm::sqrtf(1.0 - sine2))
-        } else {
-            ALL_AROUND
-        };
-        Self {
+        let sine2 = wide * wide / far2;
+        let chord2 = 2.0 * sine2 / (1.0 + libm::sqrtf(1.0 - sine2));
+        self.around_lamp = far2 < node.r2;
+        *self = Self {
             axis: from_lamp.normalize_or(Vec3A::Y),
-            chord2,
-            from,
-            is_cone,
+            // Not a number where there is no angle.
+            chord2: chord2.min(ALL_AROUND),
+            from: libm::sqrtf(far2) * (1.0 - MARGIN) - wide,
             is_bound: node.is_bound,
             skip: node.skip,
             number: node.number,
-            around_lamp,
+            around_lamp: self.around_lamp,
             from_lamp,
-            r2: node.r2 + if around_lamp { slack2 } else { -slack2 },
+            r2: node.r2 + if self.around_lamp { slack2 } else { -slack2 },
         }
     }
 }

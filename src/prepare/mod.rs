@@ -1,20 +1,22 @@
 //! What every ray of a frame uses, computed once a frame.
 
 mod details;
-mod groups;
 mod lamp;
+mod object;
 mod outline;
 mod screen;
 mod surface;
 mod tree;
 
-pub(crate) use details::{Details, Object};
-pub(crate) use groups::{GroupSet, Groups, MAX_GROUPS};
+pub(crate) use details::Details;
 pub(crate) use lamp::{Caster, Lamp};
-use outline::{Axes, Outline};
-pub(crate) use screen::Window;
+pub(crate) use object::Object;
+use outline::Outline;
+use screen::Window;
+pub(crate) use screen::{Axes, Rect};
 pub(crate) use surface::{FIELDS, Spread};
-pub(crate) use tree::{Node, Tree};
+use tree::MAX_GROUPS;
+pub(crate) use tree::{GroupSet, Node, Tree};
 
 use crate::DETAILS;
 use crate::lanes::MAX_LANES;
@@ -37,21 +39,20 @@ pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 
 /// One frame's scene in the order the kernels want it.
 ///
-/// Objects are numbered: spheres (as [`Groups`] order them), lights, planes, background.
+/// Objects are numbered: solids (as the [`Tree`] orders them), lights, planes, background.
 pub(crate) struct Prepared {
     pub eye: Vec3A,
     pub raster: Raster,
     /// Rows of the picture.
     pub height: usize,
-    pub groups: Groups,
     pub tree: Tree,
     /// What each group covers of the picture.
-    pub windows: [Window; MAX_GROUPS],
+    windows: [Window; MAX_GROUPS],
     /// The same of its mirror image in the first plane.
-    pub mirrored: [Window; MAX_GROUPS],
+    mirrored: [Window; MAX_GROUPS],
     pub axes: Axes,
     /// What each object covers of the picture.
-    pub outlines: [Outline; MAX_OBJECTS],
+    outlines: [Outline; MAX_OBJECTS],
     pub solids: usize,
     pub lamps: [Lamp; MAX_LIGHTS],
     pub lamp_count: usize,
@@ -90,7 +91,6 @@ impl Prepared {
             eye: Vec3A::ZERO,
             raster: Raster::NONE,
             height: 0,
-            groups: Groups::NONE,
             tree: Tree::NONE,
             windows: [Window::ZERO; MAX_GROUPS],
             mirrored: [Window::ZERO; MAX_GROUPS],
@@ -122,112 +122,89 @@ impl Prepared {
     /// The groups that rays through the points of a rectangle of the picture can meet.
     #[inline(never)]
     pub fn seen(&self, left: usize, top: usize, right: usize, bottom: usize) -> Seen {
-        let rectangle = [left, top, right, bottom].map(pixels);
-        let set = |windows: &[Window]| {
-            let mut set = 0;
-            for (i, (_, window)) in self.groups.iter().zip(windows).enumerate() {
-                set |= GroupSet::from(window.meets(rectangle)) << i;
-            }
-            set
-        };
-        Seen {
-            directly: set(&self.windows),
-            mirrored: set(&self.mirrored),
+        let rect = self.axes.rect([left, top, right, bottom].map(pixels));
+        let mut seen = Seen::default();
+        for (i, (window, mirrored)) in self.windows.iter().zip(&self.mirrored).enumerate() {
+            seen.directly |= GroupSet::from(window.meets(rect)) << i;
+            seen.mirrored |= GroupSet::from(mirrored.meets(rect)) << i;
         }
+        seen
     }
 
     /// Takes a scene in, for pictures of `width` by `height` pixels.
     pub fn set(&mut self, scene: &Scene, width: usize, height: usize) {
         self.eye = scene.camera.eye;
         self.raster = scene.camera.raster(width, height);
+        self.axes.set(&self.raster, width, height);
+        self.details.pixel = self.axes.pixel;
+        #[cfg(feature = "lab")]
+        self.move_samples();
         self.height = height;
         self.solids = scene.solids();
         self.weight = if DETAILS { 1.0 - scene.fade } else { 1.0 };
-        self.details.set(scene, self.raster.dx.length());
         self.lamp_count = scene.lights.len();
         self.plane_count = scene.planes.len();
-        self.groups.set(scene);
-        self.tree.set(scene, &self.groups);
-        for (i, &number) in self.groups.order().iter().enumerate() {
-            let number = number as usize;
-            let (centre, radius, material) = scene.around(number);
-            // Of boxes and cylinders the details know more.
-            let inverse_radius = if number < scene.spheres.len() {
-                1.0 / radius
-            } else {
-                0.0
-            };
-            let surface = surface::solid(centre, inverse_radius, material, scene.ambient);
-            surface::spread(&surface, &mut self.surfaces[i]);
+        self.tree.set(scene);
+        let mut has_patterns = false;
+        for (i, surface) in self.surfaces.iter_mut().enumerate() {
+            let (object, material) = object::of(scene, self.tree.number(i));
+            has_patterns |= material.pattern.depth != 0.0;
+            let is_last = matches!(object, Object::Nothing);
+            surface::spread(object, material, scene.ambient, scene.background, surface);
+            if is_last {
+                break;
+            }
         }
-        for (i, light) in scene.lights.iter().enumerate() {
-            let i = self.solids + i;
-            surface::spread(&surface::emitting(light.colour), &mut self.surfaces[i]);
+        let has_blocks = !scene.blocks.is_empty();
+        let mut has_lamps = false;
+        for (i, (lamp, light)) in self.lamps.iter_mut().zip(scene.lights.iter()).enumerate() {
+            let [_, _, _, _, red, green, blue, ..] = self.surfaces[self.solids + i];
+            lamp.colour = Vec3A::new(red[0], green[0], blue[0]);
+            lamp.set(light, has_blocks, self.tree.solid());
+            has_lamps |= !lamp.is_plain();
         }
-        let first_plane = self.first_plane();
-        for (i, plane) in scene.planes.iter().enumerate() {
-            self.planes[i] = Rectangle {
+        self.details.set(scene, has_patterns, has_lamps);
+        for (rectangle, plane) in self.planes.iter_mut().zip(scene.planes.iter()) {
+            *rectangle = Rectangle {
                 centre: plane.centre,
                 half_x: plane.half_x,
                 half_z: plane.half_z,
             };
-            let surface = surface::solid(plane.centre, 0.0, &plane.material, scene.ambient);
-            surface::spread(&surface, &mut self.surfaces[first_plane + i]);
         }
-        let nothing = self.nothing();
-        let background = surface::emitting(scene.background);
-        surface::spread(&background, &mut self.surfaces[nothing]);
-        self.set_outlines(width, height);
-        #[cfg(feature = "lab")]
-        self.move_samples();
-        for (i, light) in scene.lights.iter().enumerate() {
-            let [_, _, _, red, green, blue, ..] = self.surfaces[self.solids + i];
-            let colour = Vec3A::new(red[0], green[0], blue[0]);
-            let has_blocks = !scene.blocks.is_empty();
-            self.lamps[i].set(light, colour, has_blocks, self.tree.solid());
-        }
+        self.set_outlines();
     }
 
-    /// Takes in what each object covers of the picture; the objects and groups are in already.
+    /// Takes in what each object covers of the picture; the objects are in already.
     #[inline(never)]
-    fn set_outlines(&mut self, width: usize, height: usize) {
-        self.axes = Axes::of(&self.raster, width, height);
-        let (first_plane, nothing) = (self.first_plane(), self.nothing());
-        let window = |centre: Vec3A, radius: f32| {
-            Window::of(centre, radius, self.eye, &self.raster, width, height)
-        };
+    fn set_outlines(&mut self) {
+        self.windows = [Window::NONE; MAX_GROUPS];
+        self.mirrored = [Window::NONE; MAX_GROUPS];
         let floor = self.planes[0].centre.y;
-        for (i, group) in self.groups.iter().enumerate() {
-            let mut centre = group.centre;
-            self.windows[i] = window(centre, group.radius);
-            centre.y = 2.0 * floor - centre.y;
-            self.mirrored[i] = window(centre, group.radius);
+        for node in self.tree.nodes() {
+            if node.is_bound {
+                continue;
+            }
+            let mut to = node.centre - self.eye;
+            let outline = &mut self.outlines[node.number as usize];
+            outline.set_sphere(&self.axes, to, node);
+            let group = node.groups.trailing_zeros() as usize % MAX_GROUPS;
+            self.windows[group].join(outline.window);
+            to.y = 2.0 * floor - node.centre.y - self.eye.y;
+            self.mirrored[group].join(self.axes.window(to, node.radius));
         }
-        for node in self.tree.nodes().iter().filter(|node| !node.is_bound) {
-            let window = window(node.centre, node.radius);
-            let outline = Outline::sphere(&self.axes, self.eye, node, window);
-            self.outlines[node.number as usize] = outline;
-        }
-        for i in first_plane..nothing {
-            let plane = &self.planes[i - first_plane];
-            self.outlines[i] = Outline::rectangle(&self.axes, self.eye, plane);
+        let first_plane = self.first_plane();
+        let planes = &self.planes[..self.plane_count];
+        for (outline, plane) in self.outlines[first_plane..].iter_mut().zip(planes) {
+            outline.set_rectangle(&self.axes, self.eye, plane);
         }
     }
 
-    /// Moves the samples to their offset, and what each group covers of them the other way.
+    /// Moves the samples to their offset.
     #[cfg(feature = "lab")]
     fn move_samples(&mut self) {
         let Raster { corner, dx, dy } = &mut self.raster;
         *corner += *dx * self.offset.x + *dy * self.offset.y;
         self.axes.move_middle(-self.offset);
-        let outlines = self.outlines.iter_mut().map(|outline| &mut outline.window);
-        let windows = self.windows.iter_mut().chain(&mut self.mirrored);
-        for window in windows.chain(outlines) {
-            window.left -= self.offset.x;
-            window.right -= self.offset.x;
-            window.top -= self.offset.y;
-            window.bottom -= self.offset.y;
-        }
     }
 }
 

@@ -1,108 +1,115 @@
-//! What a sphere covers of the picture.
+//! The picture as the eye sees it, and rectangles of it.
+//!
+//! In the camera's own axes a ray is (u, v, 1): u to the right, v down.
 
 use crate::scene::camera::{Raster, pixels};
-use glam::Vec3A;
+use glam::{Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
-/// A rectangle of the picture, in pixels; both ends included.
-#[derive(Clone, Copy)]
-pub(crate) struct Window {
-    pub left: f32,
-    pub right: f32,
-    pub top: f32,
-    pub bottom: f32,
+/// The camera's axes, and where its pixels are in the plane at distance 1.
+pub(crate) struct Axes {
+    /// To the right, down, and forward.
+    pub rows: [Vec3A; 3],
+    pub pixel: f32,
+    /// The middle of the picture in pixels, x and y, twice.
+    middle: Vec4,
 }
+
+/// A rectangle of the picture: the least u and v, and the greatest.
+pub(crate) type Rect = Vec4;
+
+/// A rectangle around something in the picture: the least u and v, and the greatest, these two negative.
+#[derive(Clone, Copy)]
+pub(crate) struct Window(Vec4);
 
 /// Pixels around a bound, far more than its rounding.
 const MARGIN: f32 = 0.5;
 
-impl Window {
-    /// No window, all zeros.
-    pub const ZERO: Self = Self {
-        left: 0.0,
-        right: 0.0,
-        top: 0.0,
-        bottom: 0.0,
+impl Axes {
+    pub const NONE: Self = Self {
+        rows: [Vec3A::ZERO; 3],
+        pixel: 0.0,
+        middle: Vec4::ZERO,
     };
 
-    /// Nothing of the picture.
-    const NONE: Self = Self {
-        left: f32::INFINITY,
-        right: f32::NEG_INFINITY,
-        top: f32::INFINITY,
-        bottom: f32::NEG_INFINITY,
-    };
-
-    /// All of the picture, and beyond.
-    pub const ALL: Self = Self {
-        left: f32::NEG_INFINITY,
-        right: f32::INFINITY,
-        top: f32::NEG_INFINITY,
-        bottom: f32::INFINITY,
-    };
-
-    /// Where a sphere can be seen.
-    #[inline(never)]
-    pub fn of(
-        centre: Vec3A,
-        radius: f32,
-        eye: Vec3A,
-        raster: &Raster,
-        width: usize,
-        height: usize,
-    ) -> Self {
-        let to = centre - eye;
-        let middle = |size: usize| 0.5 * (pixels(size) - 1.0);
-        let Raster { corner, dx, dy } = *raster;
-        let forward = corner + dx * middle(width) + dy * middle(height);
-        let pixel = dx.length();
-        let ahead = to.dot(forward);
-        // A little larger than it is, so that what rounding adds is covered.
-        let radius = radius * (1.0 + 1e-4);
-        if ahead < -radius {
-            return Self::NONE;
-        }
-        let (left, right) = slopes(to.dot(dx) / pixel, ahead, radius);
-        let (top, bottom) = slopes(to.dot(dy) / pixel, ahead, radius);
-        let window = Self {
-            left: middle(width) + left / pixel - MARGIN,
-            right: middle(width) + right / pixel + MARGIN,
-            top: middle(height) + top / pixel - MARGIN,
-            bottom: middle(height) + bottom / pixel + MARGIN,
-        };
-        // A scene with numbers that are none is looked at everywhere.
-        let sum = (left + top) - (right + bottom);
-        if sum.is_nan() { Self::ALL } else { window }
+    /// Takes in a picture of `width` by `height` pixels.
+    pub fn set(&mut self, raster: &Raster, width: usize, height: usize) {
+        let pixel = raster.dx.length();
+        let [x, y] = [width, height].map(|side| 0.5 * (pixels(side) - 1.0));
+        self.rows = [
+            raster.dx / pixel,
+            raster.dy / pixel,
+            raster.corner + raster.dx * x + raster.dy * y,
+        ];
+        self.pixel = pixel;
+        self.middle = Vec4::new(x, y, x, y);
     }
 
-    /// Whether it shares a point with the rectangle of these corners.
-    #[inline(always)]
-    pub fn meets(&self, [left, top, right, bottom]: [f32; 4]) -> bool {
-        self.left <= right && self.right >= left && self.top <= bottom && self.bottom >= top
+    /// Has the pixels' samples that much to the left and above.
+    #[cfg(feature = "lab")]
+    pub fn move_middle(&mut self, by: glam::Vec2) {
+        self.middle += Vec4::new(by.x, by.y, by.x, by.y);
+    }
+
+    /// The rectangle with these corners, in pixels.
+    pub fn rect(&self, pixels: [f32; 4]) -> Rect {
+        (Vec4::from(pixels) - self.middle) * self.pixel
+    }
+
+    /// A vector along the axes.
+    #[inline(never)]
+    pub fn seen(&self, d: Vec3A) -> Vec3A {
+        let [right, down, forward] = self.rows;
+        Vec3A::new(d.dot(right), d.dot(down), d.dot(forward))
+    }
+
+    /// Where a sphere can be seen whose centre is at `to`, seen from the eye.
+    ///
+    /// On each side it is bounded by the slope of a tangent through the eye (Mara and McGuire: 2D Polyhedral Bounds of a
+    /// Clipped, Perspective-Projected 3D Sphere, JCGT 2013).
+    #[inline(never)]
+    pub fn window(&self, to: Vec3A, radius: f32) -> Window {
+        let to = self.seen(to);
+        // A little larger than it is, so that what rounding adds is covered.
+        let radius = radius * (1.0 + 1e-4);
+        let z = to.z;
+        if z < -radius {
+            return Window::NONE;
+        }
+        let tangent = |c: f32| libm::sqrtf(c * c + (z * z - radius * radius));
+        let (across, down) = (tangent(to.x), tangent(to.y));
+        let tangent = Vec4::new(across, down, across, down);
+        // Greatest slopes are least ones the other way round.
+        let c = to.xyxy() * Vec4::new(1.0, 1.0, -1.0, -1.0);
+        let ahead = z * tangent + c * radius;
+        let slope = (c * tangent - z * radius) / ahead - MARGIN * self.pixel;
+        // A tangent that points backwards leaves the picture on its side; an eye within has none.
+        Window(Vec4::select(
+            ahead.cmpgt(Vec4::ZERO),
+            slope,
+            Vec4::NEG_INFINITY,
+        ))
     }
 }
 
-/// The least and the greatest `x / z` of the points with z > 0 of a disc around (`x`, `z`): the slopes of its tangents
-/// through the origin (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013).
-#[inline(never)]
-fn slopes(x: f32, z: f32, radius: f32) -> (f32, f32) {
-    let tangent2 = x * x + z * z - radius * radius;
-    if tangent2 <= 0.0 {
-        return (f32::NEG_INFINITY, f32::INFINITY);
+impl Window {
+    /// Nothing of the picture.
+    pub const NONE: Self = Self(Vec4::INFINITY);
+
+    /// All of the picture, and beyond.
+    pub const ALL: Self = Self(Vec4::NEG_INFINITY);
+
+    /// No window, all zeros.
+    pub const ZERO: Self = Self(Vec4::ZERO);
+
+    /// Around both.
+    pub fn join(&mut self, other: Self) {
+        self.0 = self.0.min(other.0);
     }
-    let t = libm::sqrtf(tangent2);
-    let low = (x * t - z * radius, z * t + x * radius);
-    let high = (x * t + z * radius, z * t - x * radius);
-    // A tangent that points backwards leaves the picture on its side.
-    (
-        if low.1 > 0.0 {
-            low.0 / low.1
-        } else {
-            f32::NEG_INFINITY
-        },
-        if high.1 > 0.0 {
-            high.0 / high.1
-        } else {
-            f32::INFINITY
-        },
-    )
+
+    /// Whether it shares a point with a rectangle.
+    #[inline(always)]
+    pub fn meets(&self, rect: Rect) -> bool {
+        let far = rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0);
+        self.0.cmple(far).all()
+    }
 }

@@ -1,8 +1,9 @@
 //! What shading needs of an object.
 
+use super::object::Object;
 use crate::lanes::MAX_LANES;
 use crate::scene::Material;
-use glam::Vec3A;
+use glam::{Vec3A, Vec4};
 
 /// A highlight below this is not computed: 1/40 of what 8 bits can show.
 const FAINT: f32 = 1e-4;
@@ -10,80 +11,59 @@ const FAINT: f32 = 1e-4;
 /// More than any r.v.
 const NO_HIGHLIGHT: f32 = 2.0;
 
-/// Numbers of a [`Surface`].
-pub(crate) const FIELDS: usize = 18;
-
-/// What kernels spread over lanes: the centre, the light that needs no lamp (ambient light reflected, or what a lamp or the
-/// background emits), the colour times the diffuse coefficient, three numbers each; then
+/// Numbers of an object's surface that kernels spread over lanes:
 ///
-/// - 1 / radius of a sphere, 0 of a plane;
-/// - upright: 1 for a plane, 0 for a sphere, so that the normal at p is `(p - centre) / radius + (0, upright, 0)`;
-/// - specular coefficient and exponent, and the r.v below which there is no highlight;
-/// - the shares of the reflected and of the transmitted ray, and the refractive index;
-/// - solid: 1 where lamps shine on it, 0 for lamps and the background.
-pub(crate) type Surface = [f32; FIELDS];
+/// - the centre, and 1 / radius of a sphere or 0 of what is none;
+/// - the light that needs no lamp (ambient light reflected, or what a lamp or the background emits), and upright: 1 for a
+///   plane, 0 for a sphere, so that the normal at p is `(p - centre) / radius + (0, upright, 0)`;
+/// - the colour times the diffuse coefficient, and solid: 1 where lamps shine on it, 0 for lamps and the background;
+/// - specular coefficient and exponent, the r.v below which there is no highlight, and the share of the reflected ray;
+/// - the share of the transmitted ray, and the refractive index.
+pub(crate) const FIELDS: usize = 20;
 
 /// A surface's numbers, each in as many lanes as there can be: a packet that hits one object needs no more than its address.
 pub(crate) type Spread = [[f32; MAX_LANES]; FIELDS];
 
 /// The largest number of a surface of a valid scene, and what is above: no product of a few overflows.
-const LARGEST: f32 = 2e9;
+const LARGEST: Vec4 = Vec4::splat(2e9);
 
-/// Spreads a surface over lanes. What is no number, or out of all measure, counts as 0: it would spoil the sum of a point
-/// even where it is multiplied by 0.
-#[inline(never)]
-pub(super) fn spread(surface: &Surface, lanes: &mut Spread) {
-    for (lanes, &field) in lanes.iter_mut().zip(surface) {
-        let field = if field.abs() <= LARGEST { field } else { 0.0 };
-        *lanes = [field; MAX_LANES];
-    }
-}
-
-/// The surface of an object of a material; `inverse_radius` is 0 for a plane.
-#[inline(never)]
-pub(super) fn solid(
-    centre: Vec3A,
-    inverse_radius: f32,
-    material: &Material,
+/// Spreads the surface of an object of a material over lanes. What is no number, or out of all measure, counts as 0: it
+/// would spoil the sum of a point even where it is multiplied by 0.
+pub(super) fn spread(
+    object: Object<'_>,
+    m: &Material,
     ambient: Vec3A,
-) -> Surface {
-    let m = material;
-    let (base, diffuse) = (m.colour * ambient, m.colour * m.kd);
-    let upright = if inverse_radius == 0.0 { 1.0 } else { 0.0 };
+    background: Vec3A,
+    lanes: &mut Spread,
+) {
+    let mut base = m.colour * ambient;
+    let (mut centre, mut inverse_radius, mut solid, mut upright) = (Vec3A::ZERO, 0.0, 1.0, 0.0);
+    match object {
+        Object::Sphere(sphere) => (centre, inverse_radius) = (sphere.centre, 1.0 / sphere.radius),
+        // The details know more.
+        Object::Block(_) => upright = 1.0,
+        Object::Plane(plane) => (centre, upright) = (plane.centre, 1.0),
+        Object::Lamp(light) => (base, solid) = (light.colour, 0.0),
+        Object::Nothing => (base, solid) = (background, 0.0),
+    }
     let faint = if m.ks > FAINT {
         root_below(FAINT / m.ks, m.exponent)
     } else {
         NO_HIGHLIGHT
     };
-    [
-        centre.x,
-        centre.y,
-        centre.z,
-        base.x,
-        base.y,
-        base.z,
-        diffuse.x,
-        diffuse.y,
-        diffuse.z,
-        inverse_radius,
-        upright,
-        m.ks,
-        m.exponent,
-        faint,
-        m.kr,
-        m.kt,
-        m.index,
-        1.0,
-    ]
-}
-
-/// The surface of what shines by itself.
-#[inline(never)]
-pub(super) fn emitting(colour: Vec3A) -> Surface {
-    let mut surface = [0.0; FIELDS];
-    surface[3..6].copy_from_slice(&colour.to_array());
-    surface[13] = NO_HIGHLIGHT;
-    surface
+    let rows = [
+        centre.extend(inverse_radius),
+        base.extend(upright),
+        (m.colour * m.kd).extend(solid),
+        Vec4::new(m.ks, m.exponent, faint, m.kr),
+        Vec4::new(m.kt, m.index, 0.0, 0.0),
+    ];
+    for (lanes, row) in lanes.as_chunks_mut::<4>().0.iter_mut().zip(rows) {
+        let row = Vec4::select(row.abs().cmple(LARGEST), row, Vec4::ZERO);
+        for (lanes, field) in lanes.iter_mut().zip(row.to_array()) {
+            *lanes = [field; MAX_LANES];
+        }
+    }
 }
 
 /// At most the root of degree `h`, 1 to 1000, of a number from [`FAINT`] to 1, and at least 0.8 times that.

@@ -1,19 +1,32 @@
-//! Spheres within bounds within bounds: a row of nodes that rays go along, past the spheres of the bounds that they miss.
+//! Solids within bounds within bounds: a row of nodes that rays go along, past the solids of the bounds that they miss.
+//! Boxes and cylinders count as spheres around them.
 
-use super::groups::{Group, GroupSet, Groups};
+use super::object::{self, Object};
 use super::slack;
 use crate::DETAILS;
-use crate::scene::{Light, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
+use crate::scene::{MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use glam::Vec3A;
 
-/// Bounds of the largest tree, and its spheres and lights.
+/// Groups of solids, of which a part of the picture shows some: up to that many each are a group of their own.
+const SOLID_GROUPS: usize = 32;
+
+/// Groups of a frame: those of solids, which lie together, then one for each light.
+pub(crate) const MAX_GROUPS: usize = SOLID_GROUPS + MAX_LIGHTS;
+
+/// Some of the groups, a bit each.
+pub(crate) type GroupSet = u64;
+
+/// The most spheres of a leaf: a bound costs a ray as much as a sphere does.
+const LEAF: usize = 4;
+
+/// Bounds of the largest tree, whose leaves are of two at least, and its solids and lights.
 pub(crate) const MAX_NODES: usize = 255 + MAX_SOLIDS + MAX_LIGHTS;
 
 /// A sphere of the scene or one around some of them, as its intersection wants it.
 #[derive(Clone, Copy)]
 pub(crate) struct Node {
     pub centre: Vec3A,
-    /// The radius squared.
+    /// The radius squared; below 0 of a light that is not drawn.
     pub r2: f32,
     /// How far rounding takes a point on it from it, see [`super::SLACK`].
     pub slack: f32,
@@ -24,19 +37,29 @@ pub(crate) struct Node {
     pub radius: f32,
     /// Groups that it holds a part of.
     pub groups: GroupSet,
-    /// The sphere's number.
+    /// The object's number.
     pub number: u16,
     /// How many nodes to go on by where it is missed.
     pub skip: u16,
     pub is_bound: bool,
     /// Whether it is around a box or a cylinder.
     pub is_block: bool,
-    /// Whether no other object's points are within the sphere.
-    pub is_apart: bool,
 }
 
-/// The nodes: a bound around all solid spheres, its parts after it, and so on down to the spheres; then the lights.
+/// A solid, or a sphere around it.
+#[derive(Clone, Copy)]
+struct Ball {
+    centre: Vec3A,
+    radius: f32,
+    /// The number in the scene.
+    number: u16,
+}
+
+/// The nodes: a bound around all solids, its parts after it, and so on down to the solids; then the lights.
 pub(crate) struct Tree {
+    /// The solids, those that lie together one after the other.
+    balls: [Ball; MAX_SOLIDS],
+    solids: usize,
     nodes: [Node; MAX_NODES],
     len: usize,
     solid: usize,
@@ -49,11 +72,14 @@ pub(super) const MARGIN: f32 = 1e-3;
 /// A radius far beyond [`MAX_LENGTH`], whose square is finite.
 const EVERYTHING: f32 = 1e18;
 
-/// What two spheres or a sphere and a plane that touch may have in common of the radius, by rounding.
-const TOUCH: f32 = 1.0 - 1e-4;
-
 impl Tree {
     pub const NONE: Self = Self {
+        balls: [Ball {
+            centre: Vec3A::ZERO,
+            radius: 0.0,
+            number: 0,
+        }; MAX_SOLIDS],
+        solids: 0,
         nodes: [Node::NONE; MAX_NODES],
         len: 0,
         solid: 0,
@@ -75,82 +101,150 @@ impl Tree {
         }
     }
 
-    /// Those of solid spheres.
+    /// Those of solids.
     #[inline(always)]
     pub fn solid(&self) -> &[Node] {
         &self.nodes[..self.solid.min(MAX_NODES)]
     }
 
+    /// The number in the scene of the object number `i`.
+    pub fn number(&self, i: usize) -> usize {
+        let balls = &self.balls[..self.solids.min(MAX_SOLIDS)];
+        balls.get(i).map_or(i, |ball| ball.number as usize)
+    }
+
     /// Takes a scene in.
-    pub fn set(&mut self, scene: &Scene, groups: &Groups) {
+    pub fn set(&mut self, scene: &Scene) {
+        self.solids = scene.solids();
+        for (number, ball) in self.balls.iter_mut().enumerate().take(self.solids) {
+            let (centre, radius) = match object::of(scene, number).0 {
+                Object::Sphere(sphere) => (sphere.centre, sphere.radius),
+                // A little larger, so that what rounding adds is covered.
+                Object::Block(block) => (block.centre, block.half.length() * (1.0 + 1e-4)),
+                _ => (Vec3A::ZERO, 0.0),
+            };
+            *ball = Ball {
+                centre,
+                radius: length(radius),
+                number: number as u16,
+            };
+        }
         self.len = 0;
-        let levels = groups.levels();
-        let leaves = 1 << levels;
-        for leaf in 0..leaves {
-            // The bounds that begin here, the widest first.
-            for level in 0..=levels {
-                let width = leaves >> level;
-                if leaf % width == 0 {
-                    let places = groups.part(leaf / width, 1 << level);
-                    let bound = groups.bound(scene, places.clone());
-                    self.push(Node {
-                        skip: (2 * width - 1 + places.len()) as u16,
-                        is_bound: true,
-                        least: 0.0,
-                        groups: groups.holding(places),
-                        ..Node::bound(bound)
-                    });
-                }
-            }
-            for place in groups.part(leaf, leaves) {
-                let number = groups.order()[place] as usize;
-                let (centre, radius, _) = scene.around(number);
-                self.push(Node {
-                    number: place as u16,
-                    groups: groups.holding(place..place + 1),
-                    is_block: DETAILS && number >= scene.spheres.len(),
-                    ..Node::of_sphere(centre, radius)
-                });
-            }
-        }
+        self.divide(0, self.solids, scene.spheres.len());
         self.solid = self.len;
-        for i in 0..self.solid {
-            let Node {
-                is_bound, is_block, ..
-            } = self.nodes[i];
-            self.nodes[i].is_apart = !is_bound && !is_block && self.is_apart(scene, i);
-        }
         for (i, light) in scene.lights.iter().enumerate() {
-            self.push(Node {
-                number: (scene.solids() + i) as u16,
-                groups: groups.of_light(i),
-                ..Node::lamp(light)
-            });
-        }
-    }
-
-    fn push(&mut self, node: Node) {
-        self.nodes[self.len] = node;
-        self.len += 1;
-    }
-
-    /// Whether nothing reaches into the sphere of a node.
-    fn is_apart(&self, scene: &Scene, i: usize) -> bool {
-        let node = &self.nodes[i];
-        let mut planes = scene.planes.iter();
-        if planes.any(|plane| (plane.centre.y - node.centre.y).abs() < TOUCH * node.radius) {
-            return false;
-        }
-        let mut other = 0;
-        while let Some(o) = self.solid().get(other) {
-            let reach = TOUCH * (node.radius + o.radius);
-            let meets = node.centre.distance_squared(o.centre) < reach * reach;
-            if meets && !o.is_bound && other != i {
-                return false;
+            let groups = 1 << (SOLID_GROUPS + i);
+            let node = self.push(light.position, length(light.radius), groups);
+            node.number = (scene.solids() + i) as u16;
+            // What is not drawn no ray comes near to.
+            if DETAILS && (light.parallel || light.radius == 0.0) {
+                node.r2 = -1.0;
             }
-            other += o.step(meets);
         }
-        true
+    }
+
+    /// Adds the bound around the solids from number `first` to below `end`, and what is in it; the first `spheres` numbers
+    /// of the scene are spheres'.
+    fn divide(&mut self, first: usize, end: usize, spheres: usize) {
+        let at = self.len;
+        let balls = &mut self.balls[first..end];
+        let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
+        for ball in balls.iter() {
+            low = low.min(ball.centre);
+            high = high.max(ball.centre);
+        }
+        let mut centre = (low + high) * 0.5;
+        let mut radius = 0.0f32;
+        for ball in balls.iter() {
+            radius = radius.max(centre.distance(ball.centre) + ball.radius);
+        }
+        radius *= 1.0 + MARGIN;
+        // A bound that is no number is around everything: whatever it holds that is one is found.
+        if !(centre.abs().element_sum() + radius).is_finite() {
+            (centre, radius) = (Vec3A::ZERO, EVERYTHING);
+        }
+        let middle = balls.len() / 2;
+        let is_leaf = balls.len() <= LEAF;
+        if !is_leaf {
+            halve(balls, middle, (high - low).max_position());
+        }
+        // Bits of the groups of the first and the last solid, and all between.
+        let group = |i: usize| i * SOLID_GROUPS / self.solids.max(SOLID_GROUPS);
+        let groups = (2 << group(end.max(1) - 1)) - (1 << group(first));
+        let bound = self.push(centre, radius, groups);
+        bound.is_bound = true;
+        bound.least = 0.0;
+        if is_leaf {
+            for number in first..end {
+                let ball = self.balls[number];
+                let group = 1 << (number * SOLID_GROUPS / self.solids.max(SOLID_GROUPS));
+                let node = self.push(ball.centre, ball.radius, group);
+                node.number = number as u16;
+                node.is_block = DETAILS && ball.number as usize >= spheres;
+            }
+        } else {
+            self.divide(first, first + middle, spheres);
+            self.divide(first + middle, end, spheres);
+        }
+        self.nodes[at].skip = (self.len - at) as u16;
+    }
+
+    /// Adds a sphere.
+    #[inline(never)]
+    fn push(&mut self, centre: Vec3A, radius: f32, groups: GroupSet) -> &mut Node {
+        let node = &mut self.nodes[self.len];
+        self.len += 1;
+        let slack = slack(centre, radius);
+        *node = Node {
+            centre,
+            r2: radius * radius,
+            slack,
+            slack2: 2.0 * radius * slack,
+            least: 0.5 * slack,
+            radius,
+            groups,
+            skip: 1,
+            ..Node::NONE
+        };
+        node
+    }
+}
+
+/// A radius; one out of its range, or that is no number, counts as 0.
+fn length(radius: f32) -> f32 {
+    if (0.0..=MAX_LENGTH).contains(&radius) {
+        radius
+    } else {
+        0.0
+    }
+}
+
+/// Puts the balls that come first along an axis among the first `middle` (Hoare: Find, Communications of the ACM, 1961).
+fn halve(balls: &mut [Ball], middle: usize, axis: usize) {
+    let place = |ball: &Ball| ball.centre.as_ref()[axis];
+    let (mut first, mut end) = (0, balls.len());
+    while first + 1 < end {
+        let pivot = place(&balls[middle]);
+        let (mut i, mut j) = (first, end);
+        while i < j {
+            while place(&balls[i]) < pivot {
+                i += 1;
+            }
+            while pivot < place(&balls[j - 1]) {
+                j -= 1;
+            }
+            if i < j {
+                j -= 1;
+                balls.swap(i, j);
+                i += 1;
+            }
+        }
+        if j <= middle {
+            first = i;
+        }
+        if middle < i {
+            end = j;
+        }
     }
 }
 
@@ -167,46 +261,7 @@ impl Node {
         skip: 0,
         is_bound: false,
         is_block: false,
-        is_apart: false,
     };
-
-    /// A bound that is no number is around everything: whatever it holds that is one is found.
-    fn bound(Group { centre, radius }: Group) -> Self {
-        if centre.is_finite() && radius.is_finite() {
-            Self::new(centre, radius * (1.0 + MARGIN))
-        } else {
-            Self::new(Vec3A::ZERO, EVERYTHING)
-        }
-    }
-
-    /// A radius out of its range, or that is no number, counts as 0.
-    fn of_sphere(centre: Vec3A, radius: f32) -> Self {
-        let is_length = (0.0..=MAX_LENGTH).contains(&radius);
-        Self::new(centre, if is_length { radius } else { 0.0 })
-    }
-
-    fn new(centre: Vec3A, radius: f32) -> Self {
-        let slack = slack(centre, radius);
-        Self {
-            centre,
-            r2: radius * radius,
-            slack,
-            slack2: 2.0 * radius * slack,
-            least: 0.5 * slack,
-            radius,
-            skip: 1,
-            ..Self::NONE
-        }
-    }
-
-    /// What a light is drawn as: where it is not drawn, what no ray comes near to.
-    fn lamp(light: &Light) -> Self {
-        let mut node = Self::of_sphere(light.position, light.radius);
-        if DETAILS && (light.parallel || light.radius == 0.0) {
-            node.r2 = -1.0;
-        }
-        node
-    }
 
     /// How many nodes to go on by.
     #[inline(always)]

@@ -113,7 +113,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
             let rectangle = self.rectangle(start, 0, end - start, rows);
             self.worker
                 .unseen
-                .set(self.simd, self.scene, self.seen.directly, rectangle);
+                .set(self.scene, self.seen.directly, rectangle);
         }
         self.first_squares(start, end, rows);
         while self.next != self.end {

@@ -84,7 +84,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
         // Points beyond the picture show nothing.
         let is_inside = x + w < self.canvas.width && self.top + y + h < self.scene.height;
         let unseen = &self.worker.unseen;
-        unseen.may_show(self.simd, self.scene, rectangle, samples, is_inside)
+        unseen.may_show(self.scene, rectangle, samples, is_inside)
     }
 
     /// Sets the pixels of a square whose points are all known.

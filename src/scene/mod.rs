@@ -117,19 +117,6 @@ impl Scene {
     pub(crate) fn solids(&self) -> usize {
         self.spheres.len() + if DETAILS { self.blocks.len() } else { 0 }
     }
-
-    /// A sphere around the solid number `i`, spheres before boxes and cylinders, with its material.
-    #[inline(never)]
-    pub(crate) fn around(&self, i: usize) -> (Vec3A, f32, &Material) {
-        if !DETAILS || i < self.spheres.len() {
-            let sphere = &self.spheres[i];
-            return (sphere.centre, sphere.radius, &sphere.material);
-        }
-        let block = &self.blocks[i - self.spheres.len()];
-        // A little larger, so that what rounding adds is covered.
-        let radius = block.half.length() * (1.0 + 1e-4);
-        (block.centre, radius, &block.material)
-    }
 }
 
 /// How a surface answers light, by Phong's model.

@@ -183,11 +183,6 @@ pub(crate) fn blocked<S: Isa>(
     let mut i = 0;
     while let Some(caster) = casters.get(i) {
         let shaded = caster_shades(simd, caster, l, distance);
-        if caster.is_cone {
-            blocked |= shaded;
-            i += 1;
-            continue;
-        }
         let is_met = shaded.any_true();
         if is_met && !caster.is_bound && !lamp.is_plain() {
             packet.push(caster.number);

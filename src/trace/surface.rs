@@ -6,7 +6,7 @@ use crate::prepare::{Prepared, Spread};
 /// What shading needs of an object, per lane.
 pub(super) struct SurfaceLanes<'a, S: Isa> {
     simd: S,
-    /// The numbers in the order of [`crate::prepare::Surface`].
+    /// The numbers in the order of [`FIELDS`](crate::prepare::FIELDS).
     fields: &'a Spread,
 }
 
@@ -70,57 +70,57 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
 
     #[inline(always)]
     pub fn base(&self) -> Vec3x<S> {
-        self.vector(3)
+        self.vector(4)
     }
 
     #[inline(always)]
     pub fn diffuse(&self) -> Vec3x<S> {
-        self.vector(6)
+        self.vector(8)
     }
 
     #[inline(always)]
     pub fn inverse_radius(&self) -> F<S> {
-        self.number(9)
+        self.number(3)
     }
 
     #[inline(always)]
     pub fn upright(&self) -> F<S> {
-        self.number(10)
+        self.number(7)
     }
 
     #[inline(always)]
     pub fn ks(&self) -> F<S> {
-        self.number(11)
-    }
-
-    #[inline(always)]
-    pub fn exponent(&self) -> F<S> {
         self.number(12)
     }
 
     #[inline(always)]
-    pub fn faint(&self) -> F<S> {
+    pub fn exponent(&self) -> F<S> {
         self.number(13)
     }
 
     #[inline(always)]
-    pub fn kr(&self) -> F<S> {
+    pub fn faint(&self) -> F<S> {
         self.number(14)
     }
 
     #[inline(always)]
-    pub fn kt(&self) -> F<S> {
+    pub fn kr(&self) -> F<S> {
         self.number(15)
     }
 
     #[inline(always)]
-    pub fn index(&self) -> F<S> {
+    pub fn kt(&self) -> F<S> {
         self.number(16)
     }
 
     #[inline(always)]
-    pub fn solid(&self) -> F<S> {
+    pub fn index(&self) -> F<S> {
         self.number(17)
+    }
+
+    #[inline(always)]
+    pub fn solid(&self) -> F<S> {
+        self.number(11)
     }
 }
 

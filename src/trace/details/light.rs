@@ -23,7 +23,7 @@ pub(in crate::trace) fn reach(scene: &Prepared, lamp: usize, lanes: u64, packet:
             passing *= step((-d.dot(aim) - dark) / (bright - dark));
         }
         for &i in packet.candidates() {
-            let (object, material) = scene.details.object(&scene.groups, i as usize);
+            let (object, material) = scene.details.object(&scene.tree, i as usize);
             let blocked = match object {
                 Object::Block(block) => f32::from(u8::from(first_ahead(block, o, d) < t)),
                 Object::Sphere(sphere) => blocked(size, sphere, o, d, t),

@@ -31,7 +31,7 @@ pub(super) fn look(scene: &Prepared, lanes: u64, packet: &mut Packet) {
         let (o, d) = (packet.o.at(lane), packet.d.at(lane));
         let (mut t, mut number) = (packet.t[lane], packet.object[lane].to_bits() as usize);
         for &i in packet.candidates() {
-            if let (Object::Block(block), _) = details.object(&scene.groups, i as usize) {
+            if let (Object::Block(block), _) = details.object(&scene.tree, i as usize) {
                 let nearer = first_ahead(block, o, d);
                 if nearer < t {
                     (t, number) = (nearer, i as usize);
@@ -40,7 +40,7 @@ pub(super) fn look(scene: &Prepared, lanes: u64, packet: &mut Packet) {
         }
         (packet.t[lane], packet.object[lane]) = (t, f32::from_bits(number as u32));
 
-        let (object, material) = details.object(&scene.groups, number);
+        let (object, material) = details.object(&scene.tree, number);
         let hit = o + d * t;
         let way = air.haze * t;
         let mut through = 1.0 / (1.0 + way * way);
@@ -60,8 +60,8 @@ pub(super) fn look(scene: &Prepared, lanes: u64, packet: &mut Packet) {
                 packet.n.put(lane, spot.n);
                 (spot.own, spot.n)
             }
-            Object::Plane(centre) => ((hit - centre) * LEVEL, Vec3A::Y),
-            Object::Lamp => {
+            Object::Plane(plane) => ((hit - plane.centre) * LEVEL, Vec3A::Y),
+            Object::Lamp(_) => {
                 through = 1.0;
                 (hit, d)
             }
