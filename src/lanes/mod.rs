@@ -16,8 +16,8 @@ pub(crate) use isa::Isa;
 pub(crate) use pow::pow;
 pub(crate) use vec3x::Vec3x;
 
-/// The most rays that travel together: what an AVX-512 register holds.
-pub(crate) const MAX_LANES: usize = 16;
+/// The most rays that travel together: what a register of the widest instruction set holds.
+pub(crate) const MAX_LANES: usize = if cfg!(feature = "avx512") { 16 } else { 8 };
 
 /// A number per lane.
 pub(crate) type F<S> = <S as Simd>::f32s;
@@ -55,7 +55,7 @@ pub(crate) fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
 /// The lanes' numbers, from 0.
 #[inline(always)]
 pub(crate) fn numbers<S: Simd>(simd: S) -> U<S> {
-    const NUMBERS: [u32; MAX_LANES] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
+    const NUMBERS: [u32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
     U::<S>::from_slice(simd, &NUMBERS[..lanes::<S>()])
 }
 

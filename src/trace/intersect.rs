@@ -43,7 +43,7 @@ pub(crate) fn nearest<S: Isa>(
         object: U::<S>::splat(simd, scene.nothing() as u32),
     };
     for (i, plane) in scene.planes[..scene.plane_count].iter().enumerate() {
-        let (m, t) = plane_hit(simd, plane, rays, hit.t);
+        let (m, t) = plane_hit(simd, plane, rays.o, rays.d, hit.t);
         hit.keep_nearer(m, t, scene.first_plane() + i);
     }
     let nodes = scene.tree.nodes();
@@ -121,12 +121,18 @@ impl<S: Isa> Chord<S> {
 
 /// Where rays hit a plane nearer than `limit`.
 #[inline(always)]
-fn plane_hit<S: Isa>(simd: S, plane: &Rectangle, rays: &Rays<S>, limit: F<S>) -> (M<S>, F<S>) {
+fn plane_hit<S: Isa>(
+    simd: S,
+    plane: &Rectangle,
+    o: Vec3x<S>,
+    d: Vec3x<S>,
+    limit: F<S>,
+) -> (M<S>, F<S>) {
     let [x, y, z] = plane.centre.to_array();
     // Where a ray runs along the plane this is infinite or not a number, and no comparison below holds.
-    let t = (splat(simd, y) - rays.o.y) / rays.d.y;
-    let across = t.mul_add(rays.d.x, rays.o.x - x).abs();
-    let along = t.mul_add(rays.d.z, rays.o.z - z).abs();
+    let t = (splat(simd, y) - o.y) / d.y;
+    let across = t.mul_add(d.x, o.x - x).abs();
+    let along = t.mul_add(d.z, o.z - z).abs();
     // A ray that starts on the plane does so exactly, and 0 is not above 0.
     let hit = t.simd_gt(splat(simd, 0.0))
         & t.simd_lt(limit)
@@ -200,23 +206,8 @@ pub(crate) fn blocked<S: Isa>(
             p.y.simd_gt(height)
         };
         if behind.any_true() {
-            blocked |= behind & plane_blocks(simd, plane, p, l, distance);
+            blocked |= plane_hit(simd, plane, p, l, distance).0;
         }
     }
     blocked
-}
-
-/// Whether a plane is between `o` and the point at distance `limit`, without a division.
-#[inline(always)]
-fn plane_blocks<S: Isa>(simd: S, plane: &Rectangle, o: Vec3x<S>, d: Vec3x<S>, limit: F<S>) -> M<S> {
-    let [x, y, z] = plane.centre.to_array();
-    // The distance times |d.y|.
-    let scale = d.y.abs();
-    let rise = splat(simd, y) - o.y;
-    let t: F<S> =
-        (rise.bitcast::<U<S>>() ^ (d.y.bitcast::<U<S>>() & U::<S>::splat(simd, 1 << 31))).bitcast();
-    let ahead = t.simd_gt(splat(simd, 0.0)) & t.simd_lt(scale * limit);
-    let across = t.mul_add(d.x, (o.x - x) * scale).abs();
-    let along = t.mul_add(d.z, (o.z - z) * scale).abs();
-    ahead & across.simd_le(scale * plane.half_x) & along.simd_le(scale * plane.half_z)
 }

@@ -81,15 +81,14 @@ pub(super) fn pixels<S: Simd>(simd: S, &[a, b, c, d]: &[u64; 4]) -> [u32; 4] {
 #[inline(always)]
 pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum], samples: &mut [u64]) {
     let n = lanes::<S>();
-    let sums = &sums.as_flattened()[..4 * n];
-    let (first, second) = samples.split_at_mut(n / 2);
-    let a = cut(simd, &sums[..n]);
-    let b = cut(simd, &sums[n..2 * n]);
-    let c = cut(simd, &sums[2 * n..3 * n]);
-    let d = cut(simd, &sums[3 * n..]);
     let colour = S::u64s::splat(simd, COLOUR);
-    (a.narrow(b).bitcast::<S::u64s>() & colour).store_slice(first);
-    (c.narrow(d).bitcast::<S::u64s>() & colour).store_slice(second);
+    let sums = sums.as_flattened();
+    for i in [0, 1] {
+        let low = cut(simd, &sums[2 * n * i..][..n]);
+        let high = cut(simd, &sums[2 * n * i + n..][..n]);
+        let both = low.narrow(high).bitcast::<S::u64s>() & colour;
+        both.store_slice(&mut samples[n / 2 * i..][..n / 2]);
+    }
 }
 
 /// Sums as a sample's channels, cut to 0 to 255 steps.

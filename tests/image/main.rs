@@ -46,4 +46,5 @@ mod show;
 mod sizes;
 mod soak;
 mod unseen;
+mod unshaded;
 mod wrong;

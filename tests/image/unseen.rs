@@ -8,8 +8,8 @@ use crate::random::config;
 use crate::refinement::bare;
 use crate::studio::Studio;
 use eightfold::Quality;
-use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
-use glam::{Vec3A, vec3a};
+use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
+use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::collections::HashSet;
@@ -31,6 +31,33 @@ fn spot() -> impl Strategy<Value = Spot> {
             y,
             distance,
             radius: 10.0_f32.powf(decades),
+        },
+    )
+}
+
+/// A box or a cylinder in the sphere of a spot: shares of its radius along the axes, how it is turned, whether it is round.
+#[derive(Clone, Copy, Debug)]
+struct Body {
+    spot: Spot,
+    half: Vec3A,
+    turned: Quat,
+    round: bool,
+}
+
+/// Cubes, rods and slabs, upright or not.
+fn body() -> impl Strategy<Value = Body> {
+    let share = || prop_oneof![Just(1.0_f32), 0.02_f32..1.0];
+    let turned = prop_oneof![
+        1 => Just(Quat::IDENTITY),
+        2 => ([-1.0_f32..1.0, -1.0..1.0, -1.0..1.0], 0.1_f32..1.0)
+            .prop_map(|([x, y, z], w)| Quat::from_xyzw(x, y, z, w).normalize()),
+    ];
+    (spot(), (share(), share(), share()), turned, any::<bool>()).prop_map(
+        |(spot, (x, y, z), turned, round)| Body {
+            spot,
+            half: vec3a(x, y, if round { x } else { z }).normalize(),
+            turned,
+            round,
         },
     )
 }
@@ -84,6 +111,7 @@ struct Sketch {
     /// Spheres around the eye, or near to it: how far their surface is from it, as a share of the radius.
     around: Vec<(f32, f32)>,
     planes: Vec<Plane>,
+    bodies: Vec<Body>,
     lights: usize,
     step: usize,
     width: usize,
@@ -91,17 +119,19 @@ struct Sketch {
 }
 
 impl Sketch {
-    fn scene(&self) -> Scene {
+    /// Centre and radius of a spot.
+    fn ball(&self, spot: &Spot) -> (Vec3A, f32) {
         let raster = self.camera.raster(self.width, self.height);
-        let mut balls: Vec<(Vec3A, f32)> = Vec::new();
-        for spot in &self.spots {
-            // On the way through a pixel's centre, so that hardly a small one is missed by all.
-            let pixel = |share: f32, size: usize| (share * size as f32).floor();
-            let (x, y) = (pixel(spot.x, self.width), pixel(spot.y, self.height));
-            let d = raster.corner + raster.dx * x + raster.dy * y;
-            let centre = self.camera.eye + d * spot.distance;
-            balls.push((centre, spot.radius * raster.dx.length() * spot.distance));
-        }
+        // On the way through a pixel's centre, so that hardly a small one is missed by all.
+        let pixel = |share: f32, size: usize| (share * size as f32).floor();
+        let (x, y) = (pixel(spot.x, self.width), pixel(spot.y, self.height));
+        let d = raster.corner + raster.dx * x + raster.dy * y;
+        let centre = self.camera.eye + d * spot.distance;
+        (centre, spot.radius * raster.dx.length() * spot.distance)
+    }
+
+    fn scene(&self) -> Scene {
+        let mut balls: Vec<(Vec3A, f32)> = self.spots.iter().map(|s| self.ball(s)).collect();
         for &(radius, share) in &self.around {
             let centre = self.camera.eye + vec3a(0.6, 0.0, 0.8) * (radius * share);
             balls.push((centre, radius));
@@ -134,12 +164,27 @@ impl Sketch {
                 ..*plane
             })
             .collect();
+        let blocks: Vec<Block> = self
+            .bodies
+            .iter()
+            .map(|body| {
+                let (centre, radius) = self.ball(&body.spot);
+                Block {
+                    centre,
+                    half: body.half * radius,
+                    axes: Mat3A::from_quat(body.turned),
+                    round: body.round,
+                    material: material(next(), self.step),
+                }
+            })
+            .collect();
         Scene {
             camera: self.camera,
             background: colour(0, self.step),
             ambient: Vec3A::ONE,
             spheres: List::of(&spheres),
             planes: List::of(&planes),
+            blocks: List::of(&blocks),
             lights: List::of(&lights),
             ..Scene::default()
         }
@@ -156,16 +201,18 @@ fn sketch() -> impl Strategy<Value = Sketch> {
         vec(spot(), 1..64),
         prop_oneof![3 => Just(vec![]), 1 => vec(around, 1..3)],
         vec(plane(), 0..3),
+        prop_oneof![2 => Just(vec![]), 1 => vec(body(), 1..12)],
         0_usize..3,
         prop_oneof![Just(1_usize), Just(28)],
         (1_usize..160, 1_usize..120),
     )
         .prop_map(
-            |(camera, spots, around, planes, lights, step, (width, height))| Sketch {
+            |(camera, spots, around, planes, bodies, lights, step, (width, height))| Sketch {
                 camera,
                 spots,
                 around,
                 planes,
+                bodies,
                 lights,
                 step,
                 width,
@@ -220,6 +267,7 @@ pub fn between_corners() -> Scene {
         spots: places.map(sphere).collect(),
         around: Vec::new(),
         planes: Vec::new(),
+        bodies: Vec::new(),
         lights: 0,
         step: 28,
         width: 320,

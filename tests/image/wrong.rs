@@ -15,7 +15,7 @@ fn wrong(exhaustive: &[u32], drawn: &[u32]) -> Vec<bool> {
 }
 
 /// Pixels of the largest patch, joined by their sides.
-fn largest_patch(mut wrong: Vec<bool>, width: usize) -> usize {
+pub fn largest_patch(mut wrong: Vec<bool>, width: usize) -> usize {
     let mut largest = 0;
     for start in 0..wrong.len() {
         let mut size = 0;

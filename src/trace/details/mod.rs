@@ -42,8 +42,7 @@ pub(super) fn look(scene: &Prepared, lanes: u64, packet: &mut Packet) {
 
         let (object, material) = details.object(&scene.tree, number);
         let hit = o + d * t;
-        let way = air.haze * t;
-        let mut through = 1.0 / (1.0 + way * way);
+        let mut way = t;
         let mut slack = 0.0;
         let (own, n) = match object {
             Object::Sphere(sphere) => {
@@ -62,16 +61,14 @@ pub(super) fn look(scene: &Prepared, lanes: u64, packet: &mut Packet) {
             }
             Object::Plane(plane) => ((hit - plane.centre) * LEVEL, Vec3A::Y),
             Object::Lamp(_) => {
-                through = 1.0;
+                way = 0.0;
                 (hit, d)
             }
-            Object::Nothing => {
-                through = 0.0;
-                (hit, d)
-            }
+            Object::Nothing => (hit, d),
         };
         packet.slack[lane] = slack;
-        packet.through[lane] = through;
+        way *= air.haze + LEAST_HAZE;
+        packet.through[lane] = 1.0 / (1.0 + way * way);
         // A pixel at distance 1 covers `pixel`, seen from straight above.
         let footprint = details.pixel * t / d.dot(n).abs();
         packet.left[lane] = left_of_colour(&material.pattern, own, footprint);
@@ -81,6 +78,9 @@ pub(super) fn look(scene: &Prepared, lanes: u64, packet: &mut Packet) {
         packet.behind.put(lane, behind);
     }
 }
+
+/// Haze through which nothing is seen from as far away as nothing is, and all from anywhere else.
+const LEAST_HAZE: f32 = 1e-20;
 
 /// Without the y of a plane, which is exact.
 const LEVEL: Vec3A = Vec3A::new(1.0, 0.0, 1.0);
