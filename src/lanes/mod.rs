@@ -17,7 +17,13 @@ pub(crate) use pow::pow;
 pub(crate) use vec3x::Vec3x;
 
 /// The most rays that travel together: what a register of the widest instruction set holds.
-pub(crate) const MAX_LANES: usize = if cfg!(feature = "avx512") { 16 } else { 8 };
+pub(crate) const MAX_LANES: usize = if cfg!(feature = "avx512") {
+    16
+} else if cfg!(feature = "avx2") {
+    8
+} else {
+    4
+};
 
 /// A number per lane.
 pub(crate) type F<S> = <S as Simd>::f32s;
