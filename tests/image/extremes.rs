@@ -6,9 +6,9 @@ use crate::error::Difference;
 use crate::isa;
 use crate::oracle::frame::Frame;
 use crate::studio::Studio;
-use eightfold::scene::{Camera, List, Material, Scene};
+use eightfold::scene::{Block, Camera, List, Material, Scene, Spot};
 use eightfold::{Counts, Quality, show};
-use glam::{Vec3A, vec3a};
+use glam::{Mat3A, Vec3A, vec3a};
 
 const QUALITIES: [Quality; 3] = [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT];
 
@@ -163,7 +163,19 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
         lengths.push(("half_z", &mut plane.half_z));
         materials.push(&mut plane.material);
     }
+    for block in scene.blocks.iter_mut() {
+        add(&mut all, "block", &mut block.centre);
+        add(&mut all, "half", &mut block.half);
+        add(&mut all, "axis x", &mut block.axes.x_axis);
+        add(&mut all, "axis y", &mut block.axes.y_axis);
+        add(&mut all, "axis z", &mut block.axes.z_axis);
+        materials.push(&mut block.material);
+    }
     for light in scene.lights.iter_mut() {
+        if let Some(spot) = &mut light.spot {
+            add(&mut all, "aim", &mut spot.aim);
+            lengths.extend([("dark", &mut spot.dark), ("bright", &mut spot.bright)]);
+        }
         add(&mut all, "light", &mut light.position);
         add(&mut all, "light's colour", &mut light.colour);
         lengths.push(("light's radius", &mut light.radius));
@@ -193,9 +205,37 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
     all
 }
 
+/// The model scene with a box, a cylinder, and a lamp that is a ball and a cone.
+fn rich() -> Scene {
+    let mut scene = show::scene(1.0);
+    for (round, x) in [(false, -3.5), (true, 3.8)] {
+        scene.blocks.push(Block {
+            centre: vec3a(x, 0.8, -1.0),
+            half: vec3a(0.4, 0.8, 0.4),
+            axes: Mat3A::IDENTITY,
+            round,
+            material: scene.spheres[0].material,
+        });
+    }
+    let lamp = &mut scene.lights[0];
+    lamp.size = 0.5;
+    lamp.spot = Some(Spot {
+        aim: -lamp.position.normalize(),
+        dark: 0.7,
+        bright: 0.9,
+    });
+    scene
+}
+
 #[test]
 fn what_is_no_number_is_refused_and_still_gives_a_picture_for_bounded_work() {
-    let scene = show::scene(1.0);
+    for scene in [show::scene(1.0), rich()] {
+        assert_numbers_are_checked(scene);
+    }
+}
+
+/// Asserts it of each number of a scene.
+fn assert_numbers_are_checked(scene: Scene) {
     assert_eq!(scene.validate(), Ok(()));
     let count = numbers(&mut scene.clone()).len();
     let mut studio = Studio::new(1);
