@@ -1,5 +1,6 @@
 //! Rays against boxes and cylinders.
 
+use crate::lanes::*;
 use crate::scene::Block;
 use glam::Vec3A;
 
@@ -15,36 +16,53 @@ fn inward(block: &Block, v: Vec3A) -> Vec3A {
     block.axes.transpose() * v
 }
 
-/// The distance at which a ray first meets a block ahead; infinite where it passes by.
+/// The distances at which rays first meet a block ahead; infinite where they pass by.
 ///
-/// It is inside where it is between all sides at once.
-pub(super) fn first_ahead(block: &Block, o: Vec3A, d: Vec3A) -> f32 {
-    let o = inward(block, o - block.centre);
-    let d = inward(block, d) + TINY;
-    let mut middle = -o / d;
-    let mut half = (block.half / d).abs();
-    if block.round {
-        let across = d * AROUND;
-        let a = across.dot(across);
-        let to_middle = -across.dot(o) / a;
-        // The square of half the chord from the perpendicular to the axis, which loses no digits far away.
-        let off = (o + d * to_middle) * AROUND;
-        let c = block.half.x * block.half.x - off.dot(off);
-        if c < 0.0 {
-            return f32::INFINITY;
+/// A ray is inside where it is between all sides at once.
+/// Not inlined, for it is called in two places and is none of a kernel.
+#[inline(never)]
+pub(super) fn first_ahead<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
+    let along = |v: Vec3x<S>, least: f32| -> Vec3x<S> {
+        let axis = |axis: Vec3A| -> F<S> { v.dot(Vec3x::splat(simd, axis)) + least };
+        Vec3x {
+            x: axis(block.axes.x_axis),
+            y: axis(block.axes.y_axis),
+            z: axis(block.axes.z_axis),
         }
-        let to_end = libm::sqrtf(c / a);
-        middle = Vec3A::new(to_middle, middle.y, to_middle);
-        half = Vec3A::new(to_end, half.y, to_end);
-    }
-    let near = (middle - half).max_element();
-    let far = (middle + half).min_element();
-    let t = if near > 0.0 { near } else { far };
-    if near <= far && t > 0.0 {
-        t
+    };
+    let o = along(*o - Vec3x::splat(simd, block.centre), 0.0);
+    let d = along(*d, TINY);
+    let between = |o: F<S>, d: F<S>, half: f32| {
+        let middle = -o / d;
+        let half = (splat(simd, half) / d).abs();
+        (middle - half, middle + half)
+    };
+    let zero = splat(simd, 0.0);
+    let (mut near, mut far) = between(o.y, d.y, block.half.y);
+    let mut is_met = M::<S>::splat(simd, true);
+    if block.round {
+        let a: F<S> = d.x * d.x + d.z * d.z;
+        let along: F<S> = d.x * o.x + d.z * o.z;
+        let middle = -along / a;
+        // The square of half the chord from the perpendicular to the axis, which loses no digits far away.
+        let x: F<S> = o.x + d.x * middle;
+        let z: F<S> = o.z + d.z * middle;
+        let off2: F<S> = x * x + z * z;
+        let chord2 = -off2 + block.half.x * block.half.x;
+        is_met = chord2.simd_ge(zero);
+        let half = (chord2.max(zero) / a).sqrt();
+        near = near.max(middle - half);
+        far = far.min(middle + half);
     } else {
-        f32::INFINITY
+        for (o, d, half) in [(o.x, d.x, block.half.x), (o.z, d.z, block.half.z)] {
+            let (enters, leaves) = between(o, d, half);
+            near = near.max(enters);
+            far = far.min(leaves);
+        }
     }
+    let t = near.simd_gt(zero).select(near, far);
+    is_met &= near.simd_le(far) & t.simd_gt(zero);
+    is_met.select(t, splat(simd, f32::INFINITY))
 }
 
 /// A place on a block's surface.

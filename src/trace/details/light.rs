@@ -1,43 +1,63 @@
 //! How much of a lamp reaches places, where it is more than a point or casters more than spheres.
 
-use super::Packet;
 use super::body::first_ahead;
-use crate::lanes::MAX_LANES;
+use super::{Packet, load};
+use crate::lanes::*;
 use crate::prepare::{Object, Prepared};
 use crate::scene::{Sphere, Spot};
-use glam::Vec3A;
 
 /// Finds what reaches some of a packet's places of the lamp number `lamp`, as a colour: the packet's rays lead there, and
 /// meet none but its candidates.
 #[inline(never)]
-pub(in crate::trace) fn reach(scene: &Prepared, lamp: usize, lanes: u64, packet: &mut Packet) {
+pub(in crate::trace) fn reach(scene: &Prepared, lamp: usize, active: u64, packet: &mut Packet) {
+    by_what_every_cpu_has!(simd => reach_by(simd, scene, lamp, active, packet));
+}
+
+#[inline(always)]
+fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: usize, active: u64, packet: &mut Packet) {
     let light = scene.details.light(lamp);
     let size = light.diameter();
-    for lane in 0..MAX_LANES {
-        if lanes >> lane & 1 == 0 {
-            continue;
+    let one = splat(simd, 1.0);
+    for place in steps(0, MAX_LANES, lanes::<S>()) {
+        if active >> place == 0 {
+            break;
         }
-        let (o, d, t) = (packet.o.at(lane), packet.d.at(lane), packet.t[lane]);
-        let mut passing = Vec3A::ONE;
+        let (o, d) = (
+            packet.o.load_from(simd, place),
+            packet.d.load_from(simd, place),
+        );
+        let t = load(simd, &packet.t[place..]);
+        let mut passing = Vec3x {
+            x: one,
+            y: one,
+            z: one,
+        };
         if let Some(Spot { aim, dark, bright }) = light.spot {
-            passing *= step((-d.dot(aim) - dark) / (bright - dark));
+            let inward = (-d.dot(Vec3x::splat(simd, aim)) - dark) / (bright - dark);
+            passing = passing.scaled(step(simd, inward));
         }
         for &i in packet.candidates() {
             let (object, material) = scene.details.object(&scene.tree, i as usize);
             let blocked = match object {
-                Object::Block(block) => f32::from(u8::from(first_ahead(block, o, d) < t)),
-                Object::Sphere(sphere) => blocked(size, sphere, o, d, t),
-                _ => 0.0,
+                Object::Block(block) => {
+                    let is_met = first_ahead(simd, block, &o, &d).simd_lt(t);
+                    is_met.select(one, splat(simd, 0.0))
+                }
+                Object::Sphere(sphere) => blocked(simd, size, sphere, o, d, t),
+                _ => continue,
             };
             // Of what is blocked the tint passes.
-            let tint = if size > 0.0 {
-                material.tint
-            } else {
-                Vec3A::ZERO
+            let mut left = Vec3x {
+                x: one,
+                y: one,
+                z: one,
             };
-            passing *= 1.0 - blocked + tint * blocked;
+            if size > 0.0 {
+                left = left - Vec3x::splat(simd, material.tint);
+            }
+            passing = passing - (passing * left).scaled(blocked);
         }
-        packet.passing.put(lane, passing);
+        packet.passing.store_from(passing, place);
     }
 }
 
@@ -45,22 +65,29 @@ pub(in crate::trace) fn reach(scene: &Prepared, lamp: usize, lanes: u64, packet:
 ///
 /// From the place the light is a cone; where it passes the sphere, `a` away, it is as wide as `b = a size / distance`. The
 /// sphere's edge crosses it from one side to the other as the shadow goes from none to full.
-fn blocked(size: f32, sphere: &Sphere, o: Vec3A, d: Vec3A, distance: f32) -> f32 {
+#[inline(always)]
+fn blocked<S: Isa>(
+    simd: S,
+    size: f32,
+    sphere: &Sphere,
+    o: Vec3x<S>,
+    d: Vec3x<S>,
+    distance: F<S>,
+) -> F<S> {
     let centre = sphere.centre;
-    let to_centre = centre - o;
-    #[allow(clippy::manual_clamp, reason = "a distance is not below 0")]
-    let a = to_centre.dot(d).max(0.0).min(distance);
-    let off = (to_centre - d * a).length();
+    let to_centre = Vec3x::splat(simd, centre) - o;
+    let a = to_centre.dot(d).max(splat(simd, 0.0)).min(distance);
+    let off = to_centre.add_scaled(d, -a);
     // What starts on the sphere by rounding starts on it.
     let slack = 2e-6 * (centre.abs().max_element() + sphere.radius);
     let b = a * size / distance;
-    step((sphere.radius - slack - off) / b.max(f32::MIN_POSITIVE) + 0.5)
+    let covered = -off.dot(off).sqrt() + (sphere.radius - slack);
+    step(simd, covered / b.max(splat(simd, f32::MIN_POSITIVE)) + 0.5)
 }
 
 /// From 0 at 0 to 1 at 1, level at both ends and beyond.
-fn step(v: f32) -> f32 {
-    // Not `clamp`, which says what is wrong with its limits.
-    #[allow(clippy::manual_clamp, reason = "the limits are constants")]
-    let v = v.max(0.0).min(1.0);
-    v * v * (3.0 - 2.0 * v)
+#[inline(always)]
+fn step<S: Isa>(simd: S, v: F<S>) -> F<S> {
+    let v = v.max(splat(simd, 0.0)).min(splat(simd, 1.0));
+    v * v * (v * -2.0 + 3.0)
 }

@@ -106,21 +106,33 @@ impl Columns {
     /// The lanes.
     #[inline(always)]
     pub fn load<S: Isa>(&self, simd: S) -> Vec3x<S> {
+        self.load_from(simd, 0)
+    }
+
+    /// As many lanes as there are, from number `place` on.
+    #[inline(always)]
+    pub fn load_from<S: Isa>(&self, simd: S, place: usize) -> Vec3x<S> {
         let [x, y, z] = &self.0;
         Vec3x {
-            x: load(simd, x),
-            y: load(simd, y),
-            z: load(simd, z),
+            x: load(simd, &x[place..]),
+            y: load(simd, &y[place..]),
+            z: load(simd, &z[place..]),
         }
     }
 
     /// Puts lanes.
     #[inline(always)]
     pub fn store<S: Isa>(&mut self, v: Vec3x<S>) {
+        self.store_from(v, 0);
+    }
+
+    /// Puts lanes from number `place` on.
+    #[inline(always)]
+    pub fn store_from<S: Isa>(&mut self, v: Vec3x<S>, place: usize) {
         let [x, y, z] = &mut self.0;
-        store::<S>(v.x, x);
-        store::<S>(v.y, y);
-        store::<S>(v.z, z);
+        store::<S>(v.x, &mut x[place..]);
+        store::<S>(v.y, &mut y[place..]);
+        store::<S>(v.z, &mut z[place..]);
     }
 
     /// A lane's vector.
@@ -140,12 +152,12 @@ impl Columns {
 
 /// The lanes.
 #[inline(always)]
-pub(crate) fn load<S: Isa>(simd: S, column: &Column) -> F<S> {
+pub(crate) fn load<S: Isa>(simd: S, column: &[f32]) -> F<S> {
     F::<S>::from_slice(simd, &column[..lanes::<S>()])
 }
 
 /// Puts lanes.
 #[inline(always)]
-pub(crate) fn store<S: Isa>(numbers: F<S>, column: &mut Column) {
+pub(crate) fn store<S: Isa>(numbers: F<S>, column: &mut [f32]) {
     numbers.store_slice(&mut column[..lanes::<S>()]);
 }
