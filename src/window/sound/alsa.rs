@@ -44,9 +44,9 @@ unsafe impl Send for Device {}
 extern "C" fn silent(_: *const c_char, _: c_int, _: *const c_char, _: c_int, _: *const c_char) {}
 
 impl Device {
-    /// Opens a device by its name in ALSA's configuration, to wait until it has so many microseconds of sound. Nothing if
-    /// there is no ALSA, no such device, or if it refuses the sound as it is made.
-    pub fn open(name: &CStr, rate: u32, latency: u32) -> Option<Device> {
+    /// Opens a device by its name in ALSA's configuration, to wait until it has so many microseconds of sound. Or says why
+    /// not: there is no ALSA, no such device, or it refuses the sound as it is made.
+    pub fn open(name: &CStr, rate: u32, latency: u32) -> Result<Device, &'static str> {
         const PLAYBACK: c_int = 0;
         const WAITING: c_int = 0;
         const FLOAT: c_int = if cfg!(target_endian = "little") {
@@ -57,25 +57,26 @@ impl Device {
         const INTERLEAVED: c_int = 3;
         const SIDES: c_uint = 2;
         const RESAMPLED: c_int = 1;
-        let alsa = ALSA.open(c"libasound.so.2", ALSA_NAMES)?;
+        let Some(alsa) = ALSA.open(c"libasound.so.2", ALSA_NAMES) else {
+            return Err("libasound is not installed");
+        };
         let mut pcm = null_mut();
         // SAFETY: the functions have the signatures of ALSA's headers, and all that is pointed to
         // outlives the calls. The handler has room for fewer arguments than it is given, which the
         // caller clears away on every system of this crate.
-        let open = unsafe {
+        unsafe {
             (alsa.snd_lib_error_set_handler)(silent);
-            (alsa.snd_pcm_open)(&mut pcm, name.as_ptr(), PLAYBACK, WAITING) >= 0
-                && (alsa.snd_pcm_set_params)(
-                    pcm,
-                    FLOAT,
-                    INTERLEAVED,
-                    SIDES,
-                    rate,
-                    RESAMPLED,
-                    latency,
-                ) >= 0
-        };
-        open.then_some(Device { alsa, pcm })
+            if (alsa.snd_pcm_open)(&mut pcm, name.as_ptr(), PLAYBACK, WAITING) < 0 {
+                return Err("no sound device");
+            }
+
+            if (alsa.snd_pcm_set_params)(pcm, FLOAT, INTERLEAVED, SIDES, rate, RESAMPLED, latency)
+                < 0
+            {
+                return Err("sound device refuses 48 kHz stereo");
+            }
+        }
+        Ok(Device { alsa, pcm })
     }
 
     /// Gives samples to the device, waiting while it has enough of them. False if the device is lost.

@@ -63,25 +63,26 @@ impl Player {
     /// Plays a source on a device of ALSA's, by its name: `default` is what the desktop plays on. The thread that does
     /// ends with the process. Without a source, the time goes by the clock.
     ///
-    /// So it does if there is no such device, or it refuses the sound as it is made, and standard error says so.
+    /// So it does if there is no such device, or it refuses the sound as it is made, and standard error says which.
     pub fn start(device: &CStr, source: Option<&'static mut dyn Source>) -> Player {
         let player = Player {
             clock: Clock::start(),
             heard: Heard::default(),
         };
         if let Some(source) = source {
-            let device = Device::open(device, RATE, LATENCY);
-            let started = device.is_some_and(|device| {
-                let work = Box::leak(Box::new(Work {
-                    clock: player.clock,
-                    device,
-                    source,
-                }));
-                // SAFETY: the work lasts, and there is one thread that does it.
-                unsafe { pool::spawn(&mut 0, play, (&raw mut *work).cast()) }
-            });
-            if !started {
-                say_silent();
+            match Device::open(device, RATE, LATENCY) {
+                Err(why) => say_silent(why),
+                Ok(device) => {
+                    let work = Box::leak(Box::new(Work {
+                        clock: player.clock,
+                        device,
+                        source,
+                    }));
+                    // SAFETY: the work lasts, and there is one thread that does it.
+                    if !unsafe { pool::spawn(&mut 0, play, (&raw mut *work).cast()) } {
+                        say_silent("no thread for sound");
+                    }
+                }
             }
         }
         player
@@ -93,11 +94,11 @@ impl Player {
     }
 }
 
-fn say_silent() {
-    line::write(
-        line::ERROR,
-        b"eightfold: no libasound, or no device for 48 kHz; playing silently\n",
-    );
+/// Says why the show goes on without sound.
+#[inline(never)]
+fn say_silent(why: &'static str) {
+    let words = [why.as_bytes(), b"silently"];
+    line::complain("eightfold: \u{3}; playing \u{3}\n", &words);
 }
 
 /// Plays until the device is lost, or the process ends.
@@ -113,7 +114,7 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
     loop {
         let block = source.block();
         if !device.write(block) {
-            say_silent();
+            say_silent("sound device lost");
             return null_mut();
         }
         let count = block.len() as u64;
