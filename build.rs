@@ -47,7 +47,6 @@
 //! | --- | --- | ---: |
 //! | squares refined in SSE2 lanes, not once per instruction set | `src/refine` | 26,256 |
 //! | AVX-512 left to the lab; rays packed by bits, not by a table | `src/lanes` | 15,896 |
-//! | AVX2 left to the lab | `src/trace` | 7,440 |
 //! | sines and roots of our own | `src/trigonometry.rs` | 8,096 |
 //! | a loop where it was unrolled, one place where there were two | `src/trace` | 3,664 |
 //! | no list of who can shadow whom (3 % of the time) | `src/prepare` | 1,904 |

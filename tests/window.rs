@@ -2,8 +2,8 @@
 
 mod stage;
 
-use eightfold::{Band, Level, Memory, Quality, Worker, render, scene::Scene, show};
-use eightfold_window::fixed::Fixed;
+use eightfold::{Band, Memory, Quality, Worker, render, scene::Scene, show};
+use eightfold_window::{cpu, fixed::Fixed};
 use stage::{Process, Server, run, wait_for};
 use std::{
     process::Command,
@@ -248,7 +248,7 @@ fn difference_to_show(shot: &[u32], width: usize, height: usize, time: Duration)
     for hundredth in 0..=time.as_millis() / 10 {
         show::at(hundredth as f32 / 100.0, &mut scene);
         render(
-            Level::baseline(),
+            cpu::level(),
             &scene,
             &Quality::DEFAULT,
             width,
