@@ -88,16 +88,8 @@ impl Stack {
     }
 
     /// Puts those rays on top whose lane is in `mask`.
-    #[inline(never)]
-    pub fn push<S: Isa>(&mut self, simd: S, rays: &Rays<S>, mask: M<S>) {
-        simd.vectorize(
-            #[inline(always)]
-            || self.push_by(simd, rays, mask),
-        );
-    }
-
     #[inline(always)]
-    fn push_by<S: Isa>(&mut self, simd: S, rays: &Rays<S>, mask: M<S>) {
+    pub fn push<S: Isa>(&mut self, simd: S, rays: &Rays<S>, mask: M<S>) {
         let Rays {
             o,
             d,
