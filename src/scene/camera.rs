@@ -52,7 +52,7 @@ impl Camera {
     #[must_use]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
         let forward = unit(self.look_at - self.eye, Vec3A::NEG_Z);
-        let right = unit(forward.cross(self.up), Vec3A::X);
+        let right = unit(forward.cross(self.up), forward.any_orthonormal_vector());
         let up = right.cross(forward);
         let half_angle = self.field_of_view * 0.5;
         let pixel = 2.0 * sin(half_angle) / cos(half_angle) / pixels(height);
