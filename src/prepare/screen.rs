@@ -82,12 +82,9 @@ impl Axes {
         let c = to.xyxy() * Vec4::new(1.0, 1.0, -1.0, -1.0);
         let ahead = z * tangent + c * radius;
         let slope = (c * tangent - z * radius) / ahead - MARGIN * self.pixel;
-        // A tangent that points backwards leaves the picture on its side; an eye within has none.
-        Window(Vec4::select(
-            ahead.cmpgt(Vec4::ZERO),
-            slope,
-            Vec4::NEG_INFINITY,
-        ))
+        // A tangent that points backwards leaves the picture on its side; an eye within has none, nor what is no number.
+        let is_slope = ahead.cmpgt(Vec4::ZERO) & slope.cmpeq(slope);
+        Window(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))
     }
 }
 
