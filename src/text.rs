@@ -12,6 +12,9 @@ use glam::{Vec2, vec2};
 /// Half the width of a stroke, in grid units: at 640x360 it is a pixel.
 const HALF: f32 = 0.22;
 
+/// How far the dark edge about a stroke reaches, in grid units: it is read on white, and ends where the next letter begins.
+const EDGE: f32 = 0.28;
+
 /// Draws captions over a band of a picture of some height.
 #[inline(never)]
 pub(crate) fn draw(captions: &[Caption], height: usize, band: &mut Band<'_>) {
@@ -37,8 +40,11 @@ pub(crate) fn draw(captions: &[Caption], height: usize, band: &mut Band<'_>) {
                 if let Some(&letter) = caption.letters.get(number) {
                     let at = vec2(x - pixels(number) * ADVANCE + 1.0, y + 2.0);
                     let inside = (HALF - distance(at, letter)) * unit + 0.5;
-                    let share = least(inside.max(0.0), 1.0) * caption.brightness;
-                    *pixel = whiter(*pixel, nearest(256.0 * share) as u32);
+                    let share = |inside: f32| {
+                        let share = least(inside.max(0.0), 1.0) * caption.brightness;
+                        nearest(256.0 * share) as u32
+                    };
+                    *pixel = write(*pixel, share(inside + EDGE * unit), share(inside));
                 }
             }
         }
@@ -71,13 +77,13 @@ pub(crate) fn nearest(x: f32) -> usize {
     (x + ROUND).to_bits().wrapping_sub(ROUND.to_bits()) as usize
 }
 
-/// A pixel with some 256ths of the way to white added.
+/// A pixel with some 256ths of it covered, and some of these, no more, with white.
 #[inline(always)]
-fn whiter(pixel: u32, share: u32) -> u32 {
+fn write(pixel: u32, covered: u32, white: u32) -> u32 {
     const EVERY_OTHER: u32 = 0x00ff_00ff;
     let mix = |channels: u32| {
-        let (channels, white) = (channels & EVERY_OTHER, EVERY_OTHER);
-        (channels * (256 - share) + white * share) >> 8 & EVERY_OTHER
+        let channels = channels & EVERY_OTHER;
+        (channels * (256 - covered) + EVERY_OTHER * white) >> 8 & EVERY_OTHER
     };
     mix(pixel) | mix(pixel >> 8) << 8 & 0x0000_ff00
 }

@@ -4,6 +4,7 @@ use super::grid::{BAR, BEAT, BEATS_PER_BAR, LENGTH};
 use super::path::{Key, go, key, marked, smooth};
 use super::{Set, captions, settings, swarm, things, title};
 use crate::scene::Scene;
+use crate::sound::pulse;
 
 /// A way of the camera through a scene.
 struct Shot {
@@ -27,7 +28,7 @@ static SHOTS: [Shot; 14] = [
     shot(Set::Model,     2, 12, marked(key([0.0, 0.9, 0.0], 0.0, 7.0, 1.3), 0.4, 0.8, 0.2), marked(key([0.0, 0.9, 0.0], 0.5, 7.0, 1.0), 0.4, 0.6, 0.5)),
     shot(Set::Model,     2, 14, marked(key([0.0, 0.9, 0.0], 0.5, 7.0, 1.0), 0.3, 0.4, 0.7), marked(key([0.0, 0.9, 0.0], 1.0, 7.0, 0.7), 0.0, 0.0, 1.0)),
     shot(Set::Colonnade, 5, 0, key([-0.4, 1.6, -3.0], -0.4, 9.0, 0.1), key([0.1, 1.8, 2.0],   0.0,  7.8, 0.9)),
-    shot(Set::Colonnade, 3, 5, key([0.0, 1.9, 5.0],    0.4, 6.0, 1.4), key([0.0, 1.9, 6.0],  -0.3,  5.0, 0.4)),
+    shot(Set::Colonnade, 3, 5, key([0.0, 1.9, 5.0],    0.2, 6.0, 1.4), key([0.0, 1.9, 6.0],  -0.3,  5.0, 0.4)),
     shot(Set::Machine,   3, 0, key([-1.0, 1.6, 0.0],  -0.9, 7.0, 0.8), key([0.0, 1.7, 0.0],   0.0,  9.0, 2.0)),
     shot(Set::Machine,   3, 3, key([-0.4, 1.2, -1.0],  0.9, 5.0, 0.4), key([0.0, 1.7, 0.0],   0.5,  9.0, 2.6)),
     shot(Set::Swarm,     3, 0, key([0.0, 0.8, 0.0],    0.6, 12.0, 5.5), key([0.0, 2.0, 0.0], -1.2, 10.0, 3.4)),
@@ -48,6 +49,9 @@ const fn shot(set: Set, bars: u8, before: u8, from: Key, to: Key) -> Shot {
 const DAWN: f32 = 1.0;
 const DUSK: f32 = 2.0;
 
+/// By what share the lamps of the machine and the field get brighter on a kick: seen, and not dazzling.
+const FLASH: f32 = 0.5;
+
 /// Makes a scene that of the show at `time` seconds, 0 to [`LENGTH`].
 pub fn at(time: f32, scene: &mut Scene) {
     let mut bar = time / BAR;
@@ -62,6 +66,12 @@ pub fn at(time: f32, scene: &mut Scene) {
     }
     let beat = (bar + f32::from(shot.before)) * BEATS_PER_BAR as f32;
     settings::set(shot.set, scene);
+    if matches!(shot.set, Set::Machine | Set::Swarm) {
+        let brighter = 1.0 + FLASH * pulse(time).kick;
+        for light in scene.lights.iter_mut() {
+            light.colour *= brighter;
+        }
+    }
     go(&shot.way, bar / f32::from(shot.bars), scene);
     scene.fade = 1.0 - smooth(time / DAWN) + smooth((time - LENGTH) / DUSK + 1.0);
     captions::set(time / BEAT, scene);

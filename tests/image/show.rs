@@ -5,6 +5,7 @@ use crate::isa;
 use eightfold::Quality;
 use eightfold::scene::Scene;
 use eightfold::show::{self, grid};
+use eightfold::sound::pulse;
 
 /// The scene of the show at a time.
 fn at(time: f32) -> Scene {
@@ -18,6 +19,31 @@ fn the_show_is_valid_all_along() {
     for i in 0..=(grid::LENGTH * 10.0) as usize {
         let time = i as f32 / 10.0;
         assert_eq!(at(time).validate(), Ok(()), "{time} s");
+    }
+}
+
+/// The sum of a small picture's channels, so many 60ths of a second from a time.
+fn brightness(time: f32, frames: f32) -> f64 {
+    let drawn = draw(
+        isa::best(),
+        1,
+        &at(time + frames / 60.0),
+        &Quality::DEFAULT,
+        64,
+        36,
+    );
+    let sums = drawn.pixels.iter().flat_map(|pixel| pixel.to_le_bytes());
+    sums.map(f64::from).sum()
+}
+
+#[test]
+fn a_kick_is_a_flash_in_its_own_frame() {
+    for bar in [grid::MACHINE + 1, grid::FIELD + 1] {
+        let time = bar as f32 * grid::BAR;
+        assert_eq!(pulse(time).kick, 1.0, "a kick, and no cut");
+        let [calm, before, flash] = [-2.0, -1.0, 0.0].map(|frames| brightness(time, frames));
+        assert!((before / calm - 1.0).abs() < 0.03, "{calm}, {before}");
+        assert!(flash > before * 1.1, "{before}, {flash}");
     }
 }
 
