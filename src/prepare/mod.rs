@@ -189,6 +189,12 @@ impl Prepared {
             outline.set_sphere(&self.axes, to, node);
             let group = node.groups.trailing_zeros() as usize % MAX_GROUPS;
             self.windows[group].join(outline.window);
+            if DETAILS && node.is_block {
+                let object = self.details.object(&self.tree, node.number as usize).0;
+                if let Object::Block(block) = object {
+                    self.axes.narrow(&mut outline.window, to, block);
+                }
+            }
             to.y = 2.0 * floor - node.centre.y - self.eye.y;
             self.mirrored[group].join(self.axes.window(to, node.radius));
         }

@@ -62,6 +62,21 @@ fn body() -> impl Strategy<Value = Body> {
     )
 }
 
+/// Bodies of half a pixel to far more than the picture, near the eye and around it too: some are as thin as a hair.
+fn bold_body() -> impl Strategy<Value = Body> {
+    let thin = prop_oneof![2 => Just(1.0_f32), 1 => 1e-3_f32..0.1];
+    (body(), -0.3_f32..3.5, -1.5_f32..1.5, thin).prop_map(|(mut body, pixels, distance, thin)| {
+        body.spot.radius = 10.0_f32.powf(pixels);
+        body.spot.distance = 10.0_f32.powf(distance);
+        body.half *= if body.round {
+            vec3a(thin, 1.0, thin)
+        } else {
+            vec3a(1.0, thin, 1.0)
+        };
+        body
+    })
+}
+
 /// Rectangles below and above, as large as a hand or a field.
 fn plane() -> impl Strategy<Value = Plane> {
     let place = (-6.0_f32..6.0, -3.0_f32..3.0, -6.0_f32..6.0);
@@ -221,6 +236,16 @@ fn sketch() -> impl Strategy<Value = Sketch> {
         )
 }
 
+/// Boxes and cylinders of any size, with few or no spheres.
+fn bold_sketch() -> impl Strategy<Value = Sketch> {
+    let spots = prop_oneof![Just(vec![]), vec(spot(), 1..8)];
+    (sketch(), spots, vec(bold_body(), 1..32)).prop_map(|(sketch, spots, bodies)| Sketch {
+        spots,
+        bodies,
+        ..sketch
+    })
+}
+
 /// All named qualities that do not trace every pixel.
 fn qualities() -> impl Iterator<Item = Quality> {
     Quality::LADDER.iter().copied().chain([Quality::THESIS])
@@ -301,6 +326,11 @@ proptest! {
 
     #[test]
     fn every_object_that_a_pixel_can_show_is_shown(sketch in sketch()) {
+        assert_nothing_is_missed(&sketch.scene(), sketch.width, sketch.height);
+    }
+
+    #[test]
+    fn boxes_and_cylinders_of_any_size_are_shown(sketch in bold_sketch()) {
         assert_nothing_is_missed(&sketch.scene(), sketch.width, sketch.height);
     }
 }
