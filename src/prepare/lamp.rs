@@ -62,7 +62,7 @@ impl Lamp {
         self.is_plain = light.is_plain() && !has_blocks;
         for (caster, node) in self.casters.iter_mut().zip(nodes) {
             // A penumbra is wider, and a bound shades from its nearest point on.
-            let radius = node.radius + if DETAILS { 0.5 * light.size } else { 0.0 };
+            let radius = node.radius + if DETAILS { 0.5 * light.widest() } else { 0.0 };
             caster.set(self.position - node.centre, radius, node);
         }
     }

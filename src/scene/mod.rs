@@ -233,6 +233,16 @@ impl Light {
         }
     }
 
+    /// The widest that a penumbra is taken to be at what throws it: for parallel rays that is reached four times as far
+    /// away as `position` says.
+    pub(crate) fn widest(&self) -> f32 {
+        if self.parallel {
+            4.0 * self.size
+        } else {
+            self.size
+        }
+    }
+
     /// Whether it is no more than a point.
     pub(crate) fn is_plain(&self) -> bool {
         self.size == 0.0 && !self.parallel && self.spot.is_none()

@@ -5,6 +5,7 @@ use super::{Packet, load};
 use crate::lanes::*;
 use crate::prepare::{Object, Prepared};
 use crate::scene::{Sphere, Spot};
+use glam::Vec3A;
 
 /// Finds what reaches some of a packet's places of the lamp number `lamp`, as a colour: the packet's rays lead there, and
 /// meet none but its candidates.
@@ -17,6 +18,7 @@ pub(in crate::trace) fn reach(scene: &Prepared, lamp: usize, active: u64, packet
 fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: usize, active: u64, packet: &mut Packet) {
     let light = scene.details.light(lamp);
     let size = light.diameter();
+    let widest = light.widest();
     let one = splat(simd, 1.0);
     for place in steps(0, MAX_LANES, lanes::<S>()) {
         if active >> place == 0 {
@@ -43,7 +45,7 @@ fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: usize, active: u64, packet:
                     let is_met = first_ahead(simd, block, &o, &d).simd_lt(t);
                     is_met.select(one, splat(simd, 0.0))
                 }
-                Object::Sphere(sphere) => blocked(simd, size, sphere, o, d, t),
+                Object::Sphere(sphere) => blocked(simd, [size, widest], sphere, o, d, t),
                 _ => continue,
             };
             // Of what is blocked the tint passes.
@@ -53,7 +55,9 @@ fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: usize, active: u64, packet:
                 z: one,
             };
             if size > 0.0 {
-                left = left - Vec3x::splat(simd, material.tint);
+                // What is no number is none: it would spoil what is not blocked, too.
+                let tint = material.tint.max(Vec3A::ZERO).min(Vec3A::ONE);
+                left = left - Vec3x::splat(simd, tint);
             }
             passing = passing - (passing * left).scaled(blocked);
         }
@@ -68,7 +72,7 @@ fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: usize, active: u64, packet:
 #[inline(always)]
 fn blocked<S: Isa>(
     simd: S,
-    size: f32,
+    [size, widest]: [f32; 2],
     sphere: &Sphere,
     o: Vec3x<S>,
     d: Vec3x<S>,
@@ -80,7 +84,7 @@ fn blocked<S: Isa>(
     let off = to_centre.add_scaled(d, -a);
     // What starts on the sphere by rounding starts on it.
     let slack = 2e-6 * (centre.abs().max_element() + sphere.radius);
-    let b = a * size / distance;
+    let b = (a * size / distance).min(splat(simd, widest));
     let covered = -off.dot(off).sqrt() + (sphere.radius - slack);
     step(simd, covered / b.max(splat(simd, f32::MIN_POSITIVE)) + 0.5)
 }
