@@ -31,7 +31,10 @@ impl Canvas<'_> {
 
     /// Interpolates the corners' colours along both sides of a square, as far as it is in the picture. The pixels of the
     /// upper and the left side get the bits `side` too.
-    #[inline(never)]
+    ///
+    /// (Out of line where bytes count for more than time.)
+    #[cfg_attr(feature = "lab", inline(always))]
+    #[cfg_attr(not(feature = "lab"), inline(never))]
     pub fn fill<S: Simd>(&mut self, simd: S, square: &Square, corners: &Corners, side: u32) {
         let (x, y, w, h) = square.place();
         let (right, below) = ((x + w).min(self.width), (y + h).min(self.height));

@@ -159,8 +159,9 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     }
 
     /// Asks for a point, unless that has been done; it is not traced but averaged where it lies between samples that are
-    /// not farther apart than a limit for all who ask.
-    #[inline(never)]
+    /// not farther apart than a limit for all who ask. (Out of line where bytes count for more than time.)
+    #[cfg_attr(feature = "lab", inline(always))]
+    #[cfg_attr(not(feature = "lab"), inline(never))]
     pub(super) fn request(&mut self, x: usize, y: usize, limit: u64, a: Sample, b: Sample) {
         let row = self.worker.points.row(y);
         if !row.is_some_and(|row| row.claim(self.simd, x, limit, a, b)) {

@@ -133,7 +133,7 @@ impl Limit {
     /// For a square of some side, as [`is_wider`] takes it.
     #[inline(always)]
     pub fn of(self, side: usize) -> u64 {
-        let limit = if Quality::HAS_ALL_SIDES {
+        let limit = if Quality::HAS_ALL_SIDES && !side.is_power_of_two() {
             self.0 / side as i32
         } else {
             self.0 >> side.trailing_zeros()
@@ -153,7 +153,9 @@ const fn channels(limit: u16) -> u64 {
 /// Whether two of some samples are farther apart than a limit in a channel.
 ///
 /// Channels are below 2^15: SSE2 compares no unsigned words.
-#[inline(never)]
+/// (Out of line where bytes count for more than time.)
+#[cfg_attr(feature = "lab", inline(always))]
+#[cfg_attr(not(feature = "lab"), inline(never))]
 pub(super) fn is_wider<S: Simd>(simd: S, samples: &[Sample], limit: u64) -> bool {
     let (mut least, mut most) = (i16x8::splat(simd, i16::MAX), i16x8::splat(simd, 0));
     for sample in samples {
