@@ -27,6 +27,8 @@
 mod answers;
 mod functions;
 pub mod keysym;
+#[cfg(target_pointer_width = "64")]
+mod layout;
 mod types;
 pub mod xcursor;
 

@@ -38,7 +38,7 @@ pub struct Display {
     private: [c_long; 28],
     default_screen: c_int,
     nscreens: c_int,
-    screens: *mut Screen,
+    pub(crate) screens: *mut Screen,
 }
 
 impl Display {
@@ -392,17 +392,3 @@ pub struct XSizeHints {
     pub base_height: c_int,
     pub win_gravity: c_int,
 }
-
-const _: () = {
-    // The sizes that Xlib's headers give on every 64-bit system.
-    assert!(
-        cfg!(not(target_pointer_width = "64")) || core::mem::offset_of!(Display, screens) == 232
-    );
-    assert!(cfg!(not(target_pointer_width = "64")) || size_of::<Screen>() == 128);
-    assert!(cfg!(not(target_pointer_width = "64")) || size_of::<XEvent>() == 192);
-    assert!(cfg!(not(target_pointer_width = "64")) || size_of::<XClientMessageEvent>() == 96);
-    assert!(cfg!(not(target_pointer_width = "64")) || size_of::<XImage>() == 136);
-    assert!(cfg!(not(target_pointer_width = "64")) || size_of::<XWindowAttributes>() == 136);
-    assert!(cfg!(not(target_pointer_width = "64")) || size_of::<XSetWindowAttributes>() == 112);
-    assert!(cfg!(not(target_pointer_width = "64")) || size_of::<XSizeHints>() == 80);
-};

@@ -1,0 +1,298 @@
+//! The intro where there is neither a display nor a terminal: what it says, how it ends, and what it can't use.
+
+mod stage;
+
+use eightfold::{Quality, sound::Synthesizer};
+use stage::{Process, intro, run, tool};
+use std::{
+    env, fs,
+    path::Path,
+    process::{Command, Output},
+    thread::sleep,
+    time::{Duration, Instant},
+};
+
+/// The intro, to be started without a display and without sound.
+fn unseen() -> Command {
+    let mut command = Command::new(intro());
+    command.env_remove("DISPLAY").arg("--silent");
+    command
+}
+
+fn texts(output: &Output) -> (String, String) {
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (text(&output.stdout), text(&output.stderr))
+}
+
+#[test]
+fn without_display_and_terminal_it_runs_unseen() {
+    let start = Instant::now();
+    let (output, _) =
+        run(unseen().args(["--seconds", "0.5", "--size", "320x200", "--threads", "3"]));
+    let (said, errors) = texts(&output);
+    assert_eq!(output.status.code(), Some(0), "{errors}");
+    assert!(start.elapsed() >= Duration::from_millis(500));
+    assert_eq!(errors, "eightfold: no X display; playing unseen\n");
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert!(said.contains("320x200, threads 3"), "{said}");
+}
+
+#[test]
+fn the_soundtrack_is_played() {
+    let folder = tempfile::tempdir().unwrap();
+    let (configuration, out) = (
+        folder.path().join("asound.conf"),
+        folder.path().join("out.raw"),
+    );
+    let device = format!(
+        "pcm.default {{ type file, slave.pcm {{ type null }}, file \"{}\", format raw }}",
+        out.display()
+    );
+    fs::write(&configuration, device).unwrap();
+    let mut command = Command::new(intro());
+    let command = command.args(["--seconds", "2", "--size", "64x48"]);
+    let (output, _) = run(command
+        .env_remove("DISPLAY")
+        .env("ALSA_CONFIG_PATH", &configuration));
+    assert_eq!(
+        texts(&output).1,
+        "eightfold: no X display; playing unseen\n"
+    );
+    let heard = fs::read(out).unwrap();
+    let mut samples = vec![[0.0; 2]; heard.len() / 8];
+    assert!(
+        (85_000..120_000).contains(&samples.len()),
+        "{} samples",
+        samples.len()
+    );
+    Box::<Synthesizer>::default().play(&mut samples);
+    let bytes: Vec<u8> = samples
+        .as_flattened()
+        .iter()
+        .flat_map(|side| side.to_le_bytes())
+        .collect();
+    assert!(
+        heard[..bytes.len()] == bytes,
+        "the song's samples, to the bit"
+    );
+}
+
+#[test]
+fn without_a_sound_device_it_says_so_in_one_line() {
+    let mut command = Command::new(intro());
+    let command = command.args(["--seconds", "0.2", "--size", "64x48"]);
+    let (output, _) = run(command
+        .env_remove("DISPLAY")
+        .env("ALSA_CONFIG_PATH", "/dev/null"));
+    assert_eq!(output.status.code(), Some(0));
+    let (_, errors) = texts(&output);
+    assert_eq!(errors.lines().count(), 2, "{errors}");
+    let silent = "eightfold: no sound device; playing silently\n";
+    assert!(errors.ends_with(silent), "{errors}");
+}
+
+#[test]
+fn displays_that_are_not_there_are_no_display() {
+    for display in ["", ":54321", "nonsense", "localhost:54321"] {
+        let (output, _) = run(unseen().args(["--seconds", "0.1"]).env("DISPLAY", display));
+        let (_, errors) = texts(&output);
+        assert_eq!(output.status.code(), Some(0), "{display}: {errors}");
+        assert!(
+            errors.contains("no X display; playing unseen"),
+            "{display}: {errors}"
+        );
+    }
+}
+
+#[test]
+fn a_standard_output_that_takes_nothing_is_an_error() {
+    let shell = |script: &str| {
+        let script = script.replace("INTRO", &intro().display().to_string());
+        let (output, _) = run(tool("bash", "bash")
+            .env_remove("DISPLAY")
+            .args(["-c", &script]));
+        (output.status.code(), texts(&output).1)
+    };
+    for options in ["--seconds 0.1", "--help", "--version"] {
+        for output in [">&-", "> /dev/full"] {
+            let (code, errors) = shell(&format!("INTRO {options} {output}"));
+            assert_eq!(code, Some(1), "{options} {output}: {errors}");
+            assert_eq!(
+                errors.matches("can't write").count(),
+                1,
+                "{options} {output}: {errors}"
+            );
+        }
+        // A pipe that nobody reads from.
+        let (code, errors) = shell(&format!("INTRO {options} | true; exit ${{PIPESTATUS[0]}}"));
+        let written_before = options != "--seconds 0.1" && code == Some(0);
+        assert!(
+            code == Some(1) || written_before,
+            "{options}: {code:?} {errors}"
+        );
+    }
+    // All three closed: what opens the display must not take their numbers.
+    let server = stage::Server::start(320, 240);
+    let (code, _) = shell(&format!(
+        "DISPLAY={} INTRO --seconds 0.2 <&- >&- 2>&-",
+        server.display
+    ));
+    assert_eq!(code, Some(1));
+}
+
+#[test]
+fn bad_arguments_are_named_in_one_line() {
+    let bad: &[(&[&str], &str)] = &[
+        (&["--bogus"], "--bogus"),
+        (&["bogus"], "bogus"),
+        (&[""], "--help"),
+        (&["-h"], "-h"),
+        (&["--sizes", "10x10"], "--sizes"),
+        (&["--loop\x1b[31m"], "--loop?[31m"),
+        (&["--size"], "--size WxH"),
+        (&["--size", "1024"], "--size WxH"),
+        (&["--size", "0x10"], "--size WxH"),
+        (&["--size", "10x0"], "--size WxH"),
+        (&["--size", "3841x10"], "--size WxH"),
+        (&["--size", "10x2161"], "--size WxH"),
+        (&["--size", "-5x10"], "--size WxH"),
+        (&["--size", "10x10x10"], "--size WxH"),
+        (&["--size", "99999999999999999999999x1"], "--size WxH"),
+        (&["--threads", "0"], "--threads N"),
+        (&["--threads", "65"], "--threads N"),
+        (&["--threads", "two"], "--threads N"),
+        (&["--threads", "184467440737095516170"], "--threads N"),
+        (&["--threads"], "--threads N"),
+        (&["--seconds", "0"], "--seconds S"),
+        (&["--seconds", "0.0"], "--seconds S"),
+        (&["--seconds", "."], "--seconds S"),
+        (&["--seconds", ""], "--seconds S"),
+        (&["--seconds", "-1"], "--seconds S"),
+        (&["--seconds", "1.2.3"], "--seconds S"),
+        (&["--seconds", "nan"], "--seconds S"),
+        (&["--seconds", "inf"], "--seconds S"),
+        (&["--seconds", "1e3"], "--seconds S"),
+        (
+            &["--seconds", "99999999999999999999999999999"],
+            "--seconds S",
+        ),
+        (&["--fps", "0"], "--fps N"),
+        (&["--fps", "1001"], "--fps N"),
+        (&["--fps", "59.9"], "--fps N"),
+        (&["--quality", "best"], "--quality Q"),
+        (&["--quality", ""], Quality::NAMES),
+        (&["--quality"], Quality::NAMES),
+        (&["--quality", "fast faster"], Quality::NAMES),
+        (&["--loop", "--seconds", "1", "--size", "1x"], "--size WxH"),
+    ];
+    for (arguments, named) in bad {
+        let (output, _) = run(unseen().args(*arguments));
+        let (said, errors) = texts(&output);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {errors}");
+        assert_eq!(said, "", "{arguments:?}");
+        assert_eq!(errors.lines().count(), 1, "{arguments:?}: {errors}");
+        assert!(errors.starts_with("eightfold: "), "{arguments:?}: {errors}");
+        assert!(errors.contains(named), "{arguments:?}: {errors}");
+    }
+}
+
+#[test]
+fn questions_are_answered() {
+    let (output, help) = run(unseen().arg("--help"));
+    assert_eq!(output.status.code(), Some(0));
+    for option in [
+        "--size",
+        "--fullscreen",
+        "--threads",
+        "--seconds",
+        "--fps",
+        "--quality",
+        Quality::NAMES,
+        "--loop",
+        "--uncapped",
+        "--exhaustive",
+        "--silent",
+        "--help",
+        "--version",
+    ] {
+        assert!(help.contains(option), "{option}: {help}");
+    }
+    let (output, version) = run(unseen().arg("--version"));
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(
+        version,
+        format!("eightfold {}\n", env!("CARGO_PKG_VERSION"))
+    );
+}
+
+#[test]
+fn every_option_does_its_part() {
+    let said = |options: &str| run(unseen().args(options.split(' '))).1;
+    assert!(said("--seconds 0.3 --threads 1").contains("threads 1"));
+    assert!(said("--seconds .3 --size 1x1").contains(", 1x1,"));
+    assert!(said("--seconds 0.3 --size 64x48 --exhaustive --loop").contains("64x48"));
+    let frames = |options: &str| {
+        let said = said(options);
+        let (frames, _) = said.split_once(' ').expect("a number and more");
+        frames.parse::<u32>().expect("a number")
+    };
+    assert!(frames("--seconds 1 --size 64x48") <= 61);
+    assert!(frames("--seconds 1 --size 64x48 --uncapped") > 120);
+    assert!(frames("--seconds 1 --size 64x48 --fps 24") <= 25);
+}
+
+#[test]
+fn the_report_says_how_long_each_rung_was_used() {
+    // Rungs in the report, and how long each was used.
+    let used = |options: &str| {
+        let (_, said) = run(unseen().args(options.split(' ')));
+        let names = Quality::NAMES.split(' ');
+        let rungs = names.filter_map(|name| {
+            let (_, rest) = said.split_once(&format!(", {name} "))?;
+            let (time, _) = rest.split_once(" s").expect("a unit");
+            Some((name, time.parse::<f64>().expect("a time")))
+        });
+        rungs.collect::<Vec<_>>()
+    };
+    let small = used("--seconds 1 --size 16x12 --fps 30");
+    assert_eq!(small[0].0, "finest", "it begins with the best");
+    for (options, expected) in [
+        ("--quality faster", "faster"),
+        ("--uncapped", "default"),
+        ("--uncapped --quality fine", "fine"),
+    ] {
+        let rungs = used(&format!("--seconds 0.5 --size 64x48 {options}"));
+        let [(name, time)] = rungs[..] else {
+            panic!("{options}: {rungs:?}");
+        };
+        assert_eq!(name, expected, "{options}");
+        assert!((0.3..=0.7).contains(&time), "{options}: {time}");
+    }
+    assert_eq!(used("--seconds 0.3 --size 16x12 --exhaustive"), []);
+    // No machine draws so many, and none need more than the least.
+    let hurried = used("--seconds 3 --size 1920x1080 --threads 1 --fps 1000");
+    let sum: f64 = hurried.iter().map(|(_, time)| time).sum();
+    let (last, time) = hurried[hurried.len() - 1];
+    assert_eq!(last, "fastest");
+    assert!(time > 0.5 * sum, "{hurried:?}");
+}
+
+#[test]
+fn it_uses_no_time_while_it_waits_for_the_next_frame() {
+    let intro = Process::start(unseen().args(["--seconds", "2", "--size", "16x16"]));
+    sleep(Duration::from_millis(1500));
+    let stat = fs::read_to_string(
+        Path::new("/proc")
+            .join(intro.0.id().to_string())
+            .join("stat"),
+    )
+    .expect("it runs");
+    let (_, fields) = stat.rsplit_once(") ").expect("a name and fields");
+    let fields: Vec<&str> = fields.split(' ').collect();
+    // User and system time, in hundredths of a second.
+    let ticks: u32 = fields[11..13]
+        .iter()
+        .map(|field| field.parse::<u32>().expect("a number"))
+        .sum();
+    assert!(ticks < 50, "{ticks} hundredths of a second of 150");
+}
