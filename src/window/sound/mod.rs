@@ -30,7 +30,8 @@ const LATENCY: u32 = 40_000;
 /// be fast; one that plays nothing would take samples as fast as they come.
 const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 
-/// Nanoseconds that blocks may come ahead of their pace: what the device wants, and twice that to catch up.
+/// Nanoseconds that blocks may come ahead of their pace: what the device wants, and twice that to catch up. Then it is time
+/// to sleep until half of them are left: to wake up for each block alone takes four times as long as to make them.
 const SLACK: u64 = 3 * LATENCY as u64 * 1000;
 
 /// By what share of the time a device can be ahead of the clock: 0.1 %, more than any quartz. One that plays nothing has
@@ -125,6 +126,8 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
             AHEAD.store((heard - now as i64).min(now as i64 / FASTEST), Relaxed);
         }
         due = u64::max(due + count * PACE, now);
-        clock.sleep_until(due - due.min(SLACK));
+        if due > now + SLACK {
+            clock.sleep_until(due - SLACK / 2);
+        }
     }
 }
