@@ -13,7 +13,7 @@ use core::{
 };
 
 use alsa::Device;
-pub use heard::Heard;
+use heard::Heard;
 
 use crate::{
     clock::{Clock, SECOND},

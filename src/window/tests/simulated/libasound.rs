@@ -1,0 +1,283 @@
+//! ALSA's library with one device that is simulated, and the time by which it plays.
+//!
+//! Preloaded to a program, it has its clock, too: time stands still while any of the program's threads works, and when all
+//! of them sleep it goes to where the first one wakes up. So a minute and a half takes seconds, and all is the same on
+//! any machine. Standard output is taken for a terminal.
+//!
+//! The environment says how many threads there are that sleep (`SIMULATED_THREADS`), how many parts per million the device
+//! is fast (`SIMULATED_FAST`), when it is written to so late that it has run out of samples (`SIMULATED_LATE`, in
+//! nanoseconds), and where to write what it plays (`SIMULATED_FILE`): blocks, each after the nanosecond it is heard from.
+
+use std::{
+    env,
+    ffi::{c_char, c_int, c_long, c_uint, c_ulong, c_void},
+    fs::File,
+    io::{BufWriter, Write},
+    mem::transmute,
+    ptr::null_mut,
+    slice,
+    sync::{Condvar, LazyLock, Mutex, MutexGuard},
+};
+
+/// Samples that the device has room for, 40 ms, and those it takes at once.
+const ROOM: u64 = 1920;
+const PERIOD: u64 = 480;
+
+/// Samples in the steps in which the device says how far it is: 5 ms.
+const STEP: u64 = 240;
+
+/// How late a writer comes that is late: 300 ms.
+const LATE: u64 = 300_000_000;
+
+/// The errors of a device that has run out, and of one that isn't there.
+const OUT_OF_SAMPLES: c_int = -32;
+const NO_DEVICE: c_int = -19;
+
+struct World {
+    /// Nanoseconds from the start.
+    now: u64,
+    /// When each thread that sleeps wakes up.
+    sleepers: Vec<u64>,
+    threads: usize,
+    /// Samples that the device plays in a million seconds.
+    rate: u64,
+    /// When a writer is late next.
+    late: u64,
+    /// Where the device has begun to play, if it does.
+    start: Option<u64>,
+    /// Samples that were written since it was ready.
+    written: u64,
+    /// Blocks that wait for the start.
+    waiting: Vec<(u64, Vec<u8>)>,
+    file: BufWriter<File>,
+}
+
+static WORLD: LazyLock<Mutex<World>> = LazyLock::new(|| {
+    let number = |name| env::var(name).map_or(0, |text| text.parse::<i64>().expect("a number"));
+    let path = env::var_os("SIMULATED_FILE").expect("a file");
+    Mutex::new(World {
+        now: 0,
+        sleepers: Vec::new(),
+        threads: number("SIMULATED_THREADS") as usize,
+        rate: 48_000 * (1_000_000 + number("SIMULATED_FAST")) as u64,
+        late: match number("SIMULATED_LATE") {
+            0 => u64::MAX,
+            late => late as u64,
+        },
+        start: None,
+        written: 0,
+        waiting: Vec::new(),
+        file: BufWriter::new(File::create(path).expect("a file that can be made")),
+    })
+});
+static WOKEN: Condvar = Condvar::new();
+
+fn world() -> MutexGuard<'static, World> {
+    WORLD.lock().expect("no thread panics")
+}
+
+/// Sleeps until a time.
+fn sleep(mut world: MutexGuard<'static, World>, time: u64) -> MutexGuard<'static, World> {
+    if time <= world.now {
+        return world;
+    }
+    world.sleepers.push(time);
+    while world.now < time {
+        let asleep = world.sleepers.iter().filter(|&&time| time > world.now);
+        if asleep.clone().count() < world.threads {
+            world = WOKEN.wait(world).expect("no thread panics");
+        } else {
+            world.now = *asleep.min().expect("this one");
+            WOKEN.notify_all();
+        }
+    }
+    let this = world.sleepers.iter().position(|&other| other == time);
+    world.sleepers.swap_remove(this.expect("it slept"));
+    world
+}
+
+impl World {
+    /// When a sample is heard, counted from where the device was ready.
+    fn time_of(&self, sample: u64) -> Option<u64> {
+        let after = u128::from(sample) * 1_000_000_000_000_000;
+        Some(self.start? + after.div_ceil(self.rate.into()) as u64)
+    }
+
+    /// Samples that could have been heard until now.
+    fn due(&self) -> u64 {
+        self.start.map_or(0, |start| {
+            (u128::from(self.now - start) * u128::from(self.rate) / 1_000_000_000_000_000) as u64
+        })
+    }
+
+    /// Notes what is heard when.
+    fn note(&mut self) {
+        for (sample, block) in std::mem::take(&mut self.waiting) {
+            let time = self.time_of(sample).expect("it plays");
+            self.file.write_all(&time.to_le_bytes()).expect("room");
+            self.file.write_all(&block).expect("room");
+        }
+        self.file.flush().expect("room");
+    }
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn snd_lib_error_set_handler(_: *const c_void) -> c_int {
+    0
+}
+
+#[unsafe(no_mangle)]
+unsafe extern "C" fn snd_pcm_open(
+    pcm: *mut *mut c_void,
+    _: *const c_char,
+    _: c_int,
+    _: c_int,
+) -> c_int {
+    // SAFETY: the caller has room for it.
+    unsafe { *pcm = null_mut() };
+    0
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn snd_pcm_set_params(
+    _: *mut c_void,
+    _: c_int,
+    _: c_int,
+    sides: c_uint,
+    rate: c_uint,
+    _: c_int,
+    latency: c_uint,
+) -> c_int {
+    let known = (sides, rate, latency) == (2, 48_000, 40_000);
+    if known { 0 } else { NO_DEVICE }
+}
+
+#[unsafe(no_mangle)]
+unsafe extern "C" fn snd_pcm_writei(
+    _: *mut c_void,
+    samples: *const [f32; 2],
+    count: c_ulong,
+) -> c_long {
+    let mut world = world();
+    if world.now >= world.late {
+        world.late = u64::MAX;
+        let end = world.now + LATE;
+        world = sleep(world, end);
+    }
+    if world.due() > world.written {
+        return OUT_OF_SAMPLES.into();
+    }
+    if world.start.is_some() && world.written + count > world.due() + ROOM {
+        let end = world.time_of(world.written + PERIOD - ROOM);
+        // Some wake up later than others, as on a machine that has more to do: by up to 4 ms.
+        let end = end.expect("it plays") + world.written * 7919 % 4_000_000;
+        world = sleep(world, end);
+    }
+    // SAFETY: the caller has so many.
+    let samples = unsafe { slice::from_raw_parts(samples, count as usize) };
+    let bytes = samples
+        .as_flattened()
+        .iter()
+        .flat_map(|side| side.to_le_bytes());
+    let first = world.written;
+    world.waiting.push((first, bytes.collect()));
+    world.written += count;
+    if world.written >= ROOM && world.start.is_none() {
+        world.start = Some(world.now);
+    }
+    if world.start.is_some() {
+        world.note();
+    }
+    count as c_long
+}
+
+#[unsafe(no_mangle)]
+unsafe extern "C" fn snd_pcm_delay(_: *mut c_void, delay: *mut c_long) -> c_int {
+    let world = world();
+    if world.due() > world.written {
+        return OUT_OF_SAMPLES;
+    }
+    let played = world.due() / STEP * STEP;
+    // SAFETY: the caller has room for it.
+    unsafe { *delay = (world.written - played) as c_long };
+    0
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn snd_pcm_recover(_: *mut c_void, error: c_int, _: c_int) -> c_int {
+    if error != OUT_OF_SAMPLES {
+        return error;
+    }
+    let mut world = world();
+    world.start = None;
+    world.written = 0;
+    0
+}
+
+unsafe extern "C" {
+    fn dlsym(library: *mut c_void, name: *const c_char) -> *mut c_void;
+}
+
+/// The next library's function of a name: libc's.
+macro_rules! libc {
+    ($name:literal as $type:ty) => {{
+        const NEXT: *mut c_void = usize::MAX as *mut c_void;
+        // SAFETY: libc has it, with this signature.
+        unsafe { transmute::<*mut c_void, $type>(dlsym(NEXT, $name.as_ptr())) }
+    }};
+}
+
+/// libc's clock, but for the one that goes forward only.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn clock_gettime(clock: c_int, time: *mut [i64; 2]) -> c_int {
+    const MONOTONIC: c_int = 1;
+    if clock == MONOTONIC {
+        let now = world().now as i64;
+        // SAFETY: the caller has room for it.
+        unsafe { *time = [now / 1_000_000_000, now % 1_000_000_000] };
+        return 0;
+    }
+    libc!(c"clock_gettime" as extern "C" fn(c_int, *mut [i64; 2]) -> c_int)(clock, time)
+}
+
+/// Calls of the system by number: those that sleep, or ask for a terminal's mode and size, and all others.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn syscall(
+    number: c_long,
+    a: c_long,
+    b: c_long,
+    c: c_long,
+    d: c_long,
+    e: c_long,
+    f: c_long,
+) -> c_long {
+    const IOCTL: c_long = 16;
+    const CLOCK_NANOSLEEP: c_long = 230;
+    const OUTPUT: c_long = 1;
+    const GET_MODE: c_long = 0x5401;
+    const GET_SIZE: c_long = 0x5413;
+    /// Rows, columns, and nothing about pixels.
+    const SIZE: [u16; 4] = [12, 40, 0, 0];
+    match (number, a, b) {
+        (CLOCK_NANOSLEEP, _, _) => {
+            // SAFETY: the caller passes a time.
+            let [seconds, nanoseconds] = unsafe { *(c as *const [i64; 2]) };
+            drop(sleep(
+                world(),
+                (seconds * 1_000_000_000 + nanoseconds) as u64,
+            ));
+            0
+        }
+        (IOCTL, OUTPUT, GET_MODE) => 0,
+        (IOCTL, OUTPUT, GET_SIZE) => {
+            // SAFETY: the caller has room for it.
+            unsafe { *(c as *mut [u16; 4]) = SIZE };
+            0
+        }
+        _ => {
+            type Call =
+                extern "C" fn(c_long, c_long, c_long, c_long, c_long, c_long, c_long) -> c_long;
+            libc!(c"syscall" as Call)(number, a, b, c, d, e, f)
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! A device and a time that are simulated, for programs that play sound: see `libasound.rs`, which is built here.
+
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+    process::{Command, Output},
+};
+
+/// What the device has played: blocks of samples, and the nanosecond from which each is heard.
+pub type Played = Vec<(u64, Vec<[f32; 2]>)>;
+
+/// Builds ALSA's library into a folder.
+pub fn build(folder: &Path) -> PathBuf {
+    let library = folder.join("libasound.so.2");
+    let source = folder.join("libasound.rs");
+    fs::write(&source, include_str!("libasound.rs")).expect("a file");
+    let status = Command::new(env::var_os("RUSTC").unwrap_or("rustc".into()))
+        .args(["--edition", "2024", "--crate-type", "cdylib", "-O", "-o"])
+        .arg(&library)
+        .arg(source)
+        .status()
+        .expect("rustc starts");
+    assert!(status.success(), "the simulated library can be built");
+    library
+}
+
+/// Runs a program with the library to its end, with two threads that sleep. Says what it wrote and what was played.
+pub fn run(library: &Path, program: &mut Command) -> (Output, Played) {
+    let file = library.with_extension("played");
+    let output = program
+        .env("LD_PRELOAD", library)
+        .env("LD_LIBRARY_PATH", library.parent().expect("a folder"))
+        .env("SIMULATED_FILE", &file)
+        .env("SIMULATED_THREADS", "2")
+        .output()
+        .expect("the program starts");
+    let bytes = fs::read(&file).expect("what was played");
+    /// Bytes of a time, and of a block of 48 samples.
+    const TIME: usize = 8;
+    const BLOCK: usize = 48 * 8;
+    let sides = |bytes: &[u8]| {
+        [0, 4].map(|at| f32::from_le_bytes(bytes[at..at + 4].try_into().expect("four bytes")))
+    };
+    let blocks = bytes.chunks_exact(TIME + BLOCK).map(|bytes| {
+        let (time, block) = bytes.split_at(TIME);
+        let time = u64::from_le_bytes(time.try_into().expect("eight bytes"));
+        (time, block.chunks_exact(8).map(sides).collect())
+    });
+    (output, blocks.collect())
+}

@@ -1,0 +1,92 @@
+//! The show a second time: its pictures and its sound, by a device and a time that are simulated.
+
+mod stage;
+
+#[path = "../src/window/tests/simulated/mod.rs"]
+mod simulated;
+
+use eightfold::show::grid;
+use eightfold::sound::{LENGTH, RATE, Synthesizer};
+use std::process::{Command, Stdio};
+
+/// Frames a second, and of the show. Of a fiftieth, all is whole nanoseconds.
+const FPS: usize = 50;
+const SHOW: usize = 96 * FPS;
+
+/// Seconds of the show's second time that are played.
+const SECONDS: usize = 14;
+
+/// Nanoseconds of a second.
+const SECOND: u64 = 1_000_000_000;
+
+/// The colours of a frame as it is written to a terminal: of each cell, above and below.
+fn colours(frame: &str) -> Vec<[u8; 6]> {
+    let mut both = [0; 6];
+    let mut cells = Vec::new();
+    for code in frame.split("\x1b[") {
+        let Some((colour, cell)) = code.split_once('m') else {
+            continue;
+        };
+        let numbers: Vec<u8> = colour.split(';').map(|n| n.parse().unwrap_or(0)).collect();
+        match numbers[..] {
+            [38, 2, r, g, b] => both[..3].copy_from_slice(&[r, g, b]),
+            [48, 2, r, g, b] => both[3..].copy_from_slice(&[r, g, b]),
+            _ => {}
+        }
+        cells.extend(cell.matches('\u{2580}').map(|_| both));
+    }
+    cells
+}
+
+/// How far two frames are from each other, the mean of all channels.
+fn difference(a: &[[u8; 6]], b: &[[u8; 6]]) -> f64 {
+    assert_eq!((a.len(), b.len()), (40 * 12, 40 * 12));
+    let both = a.as_flattened().iter().zip(b.as_flattened());
+    let sum: u32 = both.map(|(a, b)| u32::from(a.abs_diff(*b))).sum();
+    f64::from(sum) / (40 * 12 * 6) as f64
+}
+
+#[test]
+fn the_second_time_is_as_the_first_in_sound_and_picture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let library = simulated::build(folder.path());
+    let length = (SHOW / FPS + SECONDS).to_string();
+    let mut intro = Command::new(stage::intro());
+    intro
+        .args(["--loop", "--threads", "1", "--quality", "fastest"])
+        .args(["--seconds", &length, "--fps", &FPS.to_string()])
+        .env_remove("DISPLAY")
+        .stdin(Stdio::null());
+    let (output, played) = simulated::run(&library, &mut intro);
+    let errors = String::from_utf8_lossy(&output.stderr);
+    let line = "eightfold: no X display; playing in the terminal\n";
+    assert!(output.status.success() && errors == line, "{errors}");
+
+    let mut song = vec![[0.0; 2]; LENGTH as usize];
+    Box::<Synthesizer>::default().play(&mut song);
+    let wanted = song.iter().cycle();
+    let heard = played.iter().flat_map(|(_, block)| block);
+    assert!(played.len() * 48 >= (SHOW / FPS + SECONDS) * RATE as usize);
+    for (number, (heard, wanted)) in heard.zip(wanted).enumerate() {
+        assert_eq!(heard, wanted, "sample {number}");
+    }
+    // The second time is heard from where it is seen.
+    let (start, _) = played[LENGTH as usize / 48];
+    let drift = start.abs_diff(96 * SECOND);
+    assert!(drift <= SECOND / FPS as u64, "{start} ns");
+
+    let text = String::from_utf8(output.stdout).expect("text");
+    let frames: Vec<&str> = text.split("\x1b[1;1H").skip(1).collect();
+    assert!(frames.len() >= SHOW + SECONDS * FPS);
+    // The title, and the beginning of the scene after it.
+    assert!(grid::BAR * grid::MODEL as f32 + 1.0 < SECONDS as f32);
+    for at in (FPS..SECONDS * FPS).step_by(7) {
+        let [first, second, before] =
+            [at, SHOW + at, SHOW + at - FPS].map(|frame| colours(frames[frame]));
+        let (same, other) = (difference(&first, &second), difference(&first, &before));
+        assert!(
+            same < 1.0 && same < other / 2.0,
+            "frame {at}: {same}, {other}"
+        );
+    }
+}
