@@ -31,6 +31,9 @@ use options::{
 /// Whether the show has what its scenes need; the model scene is played otherwise.
 const DETAILS: bool = cfg!(feature = "details");
 
+/// Whether the show has its soundtrack.
+const SOUND: bool = cfg!(feature = "sound");
+
 /// Nanoseconds of the show.
 const LENGTH: u64 = {
     let seconds = if DETAILS {
@@ -142,11 +145,10 @@ impl Intro {
     /// Plays until the show or the viewer ends it. Returns the exit code.
     fn play(&mut self, screen: &mut dyn Screen) -> i32 {
         let options = &self.state.options;
-        let music: Option<&'static mut dyn Source> = match options.get(SILENT) {
-            Some(_) => None,
-            None => Some(MUSIC.take()),
+        let mut player = match options.get(SILENT) {
+            None if SOUND => Player::start(c"default", MUSIC.take()),
+            _ => Player::silent(),
         };
-        let mut player = Player::start(c"default", music);
         let clock = Clock::start();
         let length = match (options.get(SECONDS), options.get(LOOP)) {
             (Some(length), _) => length.get(),

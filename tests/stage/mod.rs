@@ -15,25 +15,34 @@ use std::{
 /// The program that `cargo run --release` runs, built anew if anything has changed.
 pub fn intro() -> PathBuf {
     static BUILT: OnceLock<PathBuf> = OnceLock::new();
-    let built = BUILT.get_or_init(|| {
-        let output = Command::new(env!("CARGO"))
-            .args(["build", "--release", "--bin", "eightfold"])
-            .args(["--message-format", "json"])
-            .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .output()
-            .expect("cargo runs");
-        let messages = String::from_utf8_lossy(&output.stdout);
-        assert!(
-            output.status.success(),
-            "cargo build --release: {messages}{}",
-            String::from_utf8_lossy(&output.stderr)
-        );
-        let (_, path) = messages
-            .rsplit_once("\"executable\":\"")
-            .expect("cargo says which program it has built");
-        path.split('"').next().expect("a path").into()
-    });
-    built.clone()
+    BUILT.get_or_init(|| built(&[])).clone()
+}
+
+/// The intro with other features, in a folder of its own.
+pub fn intro_with(features: &[&str]) -> PathBuf {
+    let folder = concat!(env!("CARGO_TARGET_TMPDIR"), "/features");
+    built(&[&["--target-dir", folder], features].concat())
+}
+
+/// Builds the intro, with more arguments. Returns where it is.
+fn built(arguments: &[&str]) -> PathBuf {
+    let output = Command::new(env!("CARGO"))
+        .args(["build", "--release", "--bin", "eightfold"])
+        .args(["--message-format", "json"])
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .expect("cargo runs");
+    let messages = String::from_utf8_lossy(&output.stdout);
+    assert!(
+        output.status.success(),
+        "cargo build --release: {messages}{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let (_, path) = messages
+        .rsplit_once("\"executable\":\"")
+        .expect("cargo says which program it has built");
+    path.split('"').next().expect("a path").into()
 }
 
 /// Starts a tool that a Debian package has, or says which one.

@@ -46,7 +46,7 @@ fn play() {
         block: [[0.0; 2]; BLOCK],
     }));
     let clock = Clock::start();
-    let mut player = Player::start(c"default", Some(numbers));
+    let mut player = Player::start(c"default", numbers);
     for frame in 0..LENGTH * 60 {
         clock.sleep_until(frame * SECOND / 60);
         println!("{} {}", clock.time(), player.time());

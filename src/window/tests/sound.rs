@@ -63,7 +63,7 @@ fn play() {
         next: 0,
         block: [[0.0; 2]; 48],
     }));
-    let mut player = Player::start(c"default", Some(numbers));
+    let mut player = Player::start(c"default", numbers);
     let start = Instant::now();
     let before = COUNT.load(SeqCst);
     let mut last = 0;
