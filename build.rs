@@ -35,6 +35,7 @@
 //! | one window, one memory that is zero | `src/window/window.rs`, `src/main.rs` | 500 |
 //! | system calls by number, not by name * | `src/window/system.rs` | 620 |
 //! | memory by `malloc` and no more * | `src/window/allocator.rs` | 504 |
+//! | functions know what registers others use (`-enable-ipra`) | `.cargo/config.toml` | 1,520 |
 //! | constants loaded where they are used (`-disable-machine-licm`) | `.cargo/config.toml` | 960 |
 //! | functions called by their own addresses (`-Crelro-level=off`) | `.cargo/config.toml` | 896 |
 //! | vectors in registers, by `Vec3A` | | 816 |
@@ -59,8 +60,7 @@
 //! redirected (`lto = "fat"`), or without std's inlines 12,500 bytes more (`-C linker-plugin-lto`). All of the library at
 //! `opt-level = "z"`: the kernels get larger (SSE2 by 1,300, AVX2 by 1,600) and the rest smaller by 300.
 //! `-C relocation-model=static` saves 110 more, but goes to procedural macros too, which it breaks. Of LLVM's own
-//! options `-sink-insts-to-avoid-spills` saves 100 to 290, `-enable-ipra` 110 to 180, the machine outliner 60 to 140;
-//! others less, or cost. Structures with their small fields first: 50.
+//! options the machine outliner saves 30 more, and others less, or they cost. Structures with their small fields first: 50.
 
 use std::{
     collections::HashSet,
