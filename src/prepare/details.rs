@@ -51,6 +51,7 @@ impl Details {
     }
 
     /// The object number `i`, and its material.
+    #[inline(never)]
     pub fn object(&self, tree: &Tree, i: usize) -> (Object<'_>, &Material) {
         object::of(&self.scene, tree.number(i))
     }

@@ -132,13 +132,9 @@ impl Batch {
         let places = U::<S>::from_slice(simd, &self.places[start..start + lanes::<S>()]);
         let x: I<S> = (places & 0xffff).bitcast();
         let y: I<S> = (places >> 16).bitcast();
-        let raster = &scene.raster;
-        let d = Vec3x::splat(simd, raster.corner)
-            .add_scaled(Vec3x::splat(simd, raster.dx), x.to_float())
-            .add_scaled(Vec3x::splat(simd, raster.dy), y.to_float());
         Rays {
             o: Vec3x::splat(simd, scene.eye),
-            d: d.scaled(splat(simd, 1.0) / d.dot(d).sqrt()),
+            d: seen_at(simd, scene, x.to_float(), y.to_float()),
             weight: splat(simd, if DETAILS { scene.weight } else { 1.0 }),
             place: Rays::places(simd, start),
         }
@@ -191,4 +187,14 @@ impl Batch {
             new.store_array(sum);
         }
     }
+}
+
+/// The directions in which the eye sees points of the picture, of length 1.
+#[inline(always)]
+pub(super) fn seen_at<S: Isa>(simd: S, scene: &Prepared, x: F<S>, y: F<S>) -> Vec3x<S> {
+    let raster = &scene.raster;
+    let d = Vec3x::splat(simd, raster.corner)
+        .add_scaled(Vec3x::splat(simd, raster.dx), x)
+        .add_scaled(Vec3x::splat(simd, raster.dy), y);
+    d.scaled(splat(simd, 1.0) / d.dot(d).sqrt())
 }

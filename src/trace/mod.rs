@@ -17,6 +17,8 @@ mod surface;
 mod tests;
 
 pub(crate) use batch::{BATCH, Batch};
+#[allow(unused_imports, reason = "for pixels between samples")]
+pub(crate) use details::{has_pattern, left_seen};
 pub(crate) use sample::{STEP, Sample};
 
 use crate::lanes::*;
@@ -126,7 +128,7 @@ fn trace_packets<S: Isa>(
         let mut hit = intersect::nearest(simd, scene, &rays, groups, from, packet);
         if scene.details.is_there() {
             packet.set_hits(&rays, &hit);
-            details::look(scene, active.to_bitmask(), packet);
+            details::look::<S>(scene, active, packet);
             hit = packet.hits(simd);
         }
         if is_primary {

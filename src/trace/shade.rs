@@ -2,7 +2,7 @@
 
 use super::Counts;
 use super::batch::{Batch, FIXED_POINT};
-use super::details::{self, Packet, load};
+use super::details::{self, Packet};
 use super::intersect::{Hit, blocked};
 use super::key::{self, States};
 use super::stack::{Rays, Stack};
@@ -98,7 +98,7 @@ pub(super) fn shade<S: Isa>(
     let mut states = States::new(simd);
     let mut weight = rays.weight;
     if scene.details.is_there() {
-        weight *= load(simd, &packet.through);
+        weight *= packet.through(simd);
     }
     if solid.any_true() {
         let closer = scene.details.is_there().then_some(&*packet);
@@ -118,7 +118,7 @@ pub(super) fn shade<S: Isa>(
     }
     if scene.details.is_there() {
         let behind = packet.behind.load(simd);
-        let through = load(simd, &packet.through);
+        let through = packet.through(simd);
         colour = behind.add_scaled(colour - behind, through);
     }
     let paths = rays.paths();
@@ -191,10 +191,10 @@ impl<S: Isa> Place<S> {
     /// Boxes and cylinders as they are, and what patterns leave.
     #[inline(always)]
     fn look_closer(&mut self, simd: S, packet: &Packet) {
-        self.slack = load(simd, &packet.slack);
-        self.left = load(simd, &packet.left);
+        self.slack = packet.slack(simd);
+        self.left = packet.left(simd);
         let is_block = self.slack.simd_gt(splat(simd, 0.0));
-        let (p, n) = (packet.p.load(simd), packet.n.load(simd));
+        let (p, n) = (packet.p(simd), packet.n(simd));
         self.p = select(is_block, p, self.p);
         self.n = select(is_block, n, self.n);
     }
@@ -263,7 +263,7 @@ fn gather<S: Isa>(
             let mut colour = Vec3x::splat(simd, lamp.colour);
             if !lamp.is_plain() {
                 packet.set(place.p, l, distance);
-                details::reach(scene, number, facing.to_bitmask(), packet);
+                details::reach::<S>(scene, number, facing, packet);
                 let passing = packet.passing.load(simd);
                 lit &= passing.x.max(passing.y).max(passing.z).simd_gt(zero);
                 colour = colour * passing;

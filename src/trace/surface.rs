@@ -126,7 +126,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
 
 /// The object of the first lane in `rest`, and the lanes that hit it, which are taken out.
 #[inline(always)]
-fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (usize, M<S>) {
+pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (usize, M<S>) {
     let lane = rest.trailing_zeros() as usize % lanes::<S>();
     let number = objects.as_slice()[lane];
     let same = objects.simd_eq(U::<S>::splat(simd, number));

@@ -2,18 +2,20 @@
 
 use crate::lanes::*;
 use crate::scene::Block;
-use glam::Vec3A;
+use glam::{Mat3A, Vec3A};
 
 /// Added to directions, so that none along a side is divided by.
 const TINY: f32 = 1e-12;
 
-/// 1 where a cylinder is round.
-const AROUND: Vec3A = Vec3A::new(1.0, 0.0, 1.0);
-
-/// A vector along a block's own axes.
+/// Vectors along three axes, and `least` along each.
 #[inline(never)]
-fn inward(block: &Block, v: Vec3A) -> Vec3A {
-    block.axes.transpose() * v
+fn along<S: Isa>(simd: S, axes: &Mat3A, v: &Vec3x<S>, least: f32) -> Vec3x<S> {
+    let along = |axis: Vec3A| -> F<S> { v.dot(Vec3x::splat(simd, axis)) + least };
+    Vec3x {
+        x: along(axes.x_axis),
+        y: along(axes.y_axis),
+        z: along(axes.z_axis),
+    }
 }
 
 /// The distances at which rays first meet a block ahead; infinite where they pass by.
@@ -22,16 +24,13 @@ fn inward(block: &Block, v: Vec3A) -> Vec3A {
 /// Not inlined, for it is called in two places and is none of a kernel.
 #[inline(never)]
 pub(super) fn first_ahead<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
-    let along = |v: Vec3x<S>, least: f32| -> Vec3x<S> {
-        let axis = |axis: Vec3A| -> F<S> { v.dot(Vec3x::splat(simd, axis)) + least };
-        Vec3x {
-            x: axis(block.axes.x_axis),
-            y: axis(block.axes.y_axis),
-            z: axis(block.axes.z_axis),
-        }
-    };
-    let o = along(*o - Vec3x::splat(simd, block.centre), 0.0);
-    let d = along(*d, TINY);
+    let o = along(
+        simd,
+        &block.axes,
+        &(*o - Vec3x::splat(simd, block.centre)),
+        0.0,
+    );
+    let d = along(simd, &block.axes, d, TINY);
     let between = |o: F<S>, d: F<S>, half: f32| {
         let middle = -o / d;
         let half = (splat(simd, half) / d).abs();
@@ -65,31 +64,40 @@ pub(super) fn first_ahead<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3
     is_met.select(t, splat(simd, f32::INFINITY))
 }
 
-/// A place on a block's surface.
-pub(super) struct Spot {
+/// Places on a block's surface, a ray's each.
+pub(super) struct Spot<S: Isa> {
     /// From the centre.
-    pub out: Vec3A,
+    pub out: Vec3x<S>,
     /// The normal there, outward.
-    pub n: Vec3A,
+    pub n: Vec3x<S>,
     /// From the centre along the block's own axes.
-    pub own: Vec3A,
+    pub own: Vec3x<S>,
 }
 
-impl Spot {
-    /// The place on the surface by one that is off by rounding: on the side that it is least within of.
-    pub fn near(block: &Block, out: Vec3A) -> Self {
-        let own = inward(block, out);
+impl<S: Isa> Spot<S> {
+    /// The places on the surface by those that are off by rounding: on the side that each is least within of.
+    #[inline(always)]
+    pub fn near(simd: S, block: &Block, out: Vec3x<S>) -> Self {
+        let own = along(simd, &block.axes, &out, 0.0);
         // How far out it is, the sides being at 1.
-        let mut sides = (own / block.half).abs();
+        let sides = own * Vec3x::splat(simd, block.half.recip());
+        let (mut x, y, mut z) = (sides.x.abs(), sides.y.abs(), sides.z.abs());
         if block.round {
-            sides = AROUND * (sides * AROUND).length() + sides * Vec3A::Y;
+            x = (x * x + z * z).sqrt();
+            z = x;
         }
-        let most = sides.max_element();
-        let side = Vec3A::select(sides.cmpge(Vec3A::splat(most)), own, Vec3A::ZERO);
-        let length = side.length();
-        let n = block.axes * side / length;
+        let most = x.max(y).max(z);
+        let side = |far: F<S>, own: F<S>| far.simd_ge(most).select(own, splat(simd, 0.0));
+        let side: Vec3x<S> = Vec3x {
+            x: side(x, own.x),
+            y: side(y, own.y),
+            z: side(z, own.z),
+        };
+        let length = side.dot(side).sqrt();
+        let inverse = splat::<S>(simd, 1.0) / length;
+        let n = along(simd, &block.axes.transpose(), &side.scaled(inverse), 0.0);
         // Along the normal to where `most` is 1.
-        let out = out + n * (length / most - length);
+        let out = out.add_scaled(n, length / most - length);
         Self { out, n, own }
     }
 }

@@ -1,7 +1,7 @@
 //! How much of a lamp reaches places, where it is more than a point or casters more than spheres.
 
 use super::body::first_ahead;
-use super::{Packet, load};
+use super::{LANES, Packet, load};
 use crate::lanes::*;
 use crate::prepare::{Object, Prepared};
 use crate::scene::{Sphere, Spot};
@@ -9,60 +9,64 @@ use glam::Vec3A;
 
 /// Finds what reaches some of a packet's places of the lamp number `lamp`, as a colour: the packet's rays lead there, and
 /// meet none but its candidates.
+#[inline(always)]
+pub(in crate::trace) fn reach<S: Isa>(
+    scene: &Prepared,
+    lamp: usize,
+    active: M<S>,
+    packet: &mut Packet,
+) {
+    let active = active.to_bitmask();
+    for place in steps(0, lanes::<S>(), LANES) {
+        if active >> place & ((1 << LANES) - 1) != 0 {
+            reach_from(scene, lamp, place, packet);
+        }
+    }
+}
+
+/// The same of those from number `place` on that every CPU has lanes for.
 #[inline(never)]
-pub(in crate::trace) fn reach(scene: &Prepared, lamp: usize, active: u64, packet: &mut Packet) {
-    by_what_every_cpu_has!(simd => reach_by(simd, scene, lamp, active, packet));
+fn reach_from(scene: &Prepared, lamp: usize, place: usize, packet: &mut Packet) {
+    by_what_every_cpu_has!(simd => reach_by(simd, scene, lamp, place, packet));
 }
 
 #[inline(always)]
-fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: usize, active: u64, packet: &mut Packet) {
+fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: usize, place: usize, packet: &mut Packet) {
     let light = scene.details.light(lamp);
     let size = light.diameter();
     let widest = light.widest();
     let one = splat(simd, 1.0);
-    for place in steps(0, MAX_LANES, lanes::<S>()) {
-        if active >> place == 0 {
-            break;
-        }
-        let (o, d) = (
-            packet.o.load_from(simd, place),
-            packet.d.load_from(simd, place),
-        );
-        let t = load(simd, &packet.t[place..]);
-        let mut passing = Vec3x {
-            x: one,
-            y: one,
-            z: one,
-        };
-        if let Some(Spot { aim, dark, bright }) = light.spot {
-            let inward = (-d.dot(Vec3x::splat(simd, aim)) - dark) / (bright - dark);
-            passing = passing.scaled(step(simd, inward));
-        }
-        for &i in packet.candidates() {
-            let (object, material) = scene.details.object(&scene.tree, i as usize);
-            let blocked = match object {
-                Object::Block(block) => {
-                    let is_met = first_ahead(simd, block, &o, &d).simd_lt(t);
-                    is_met.select(one, splat(simd, 0.0))
-                }
-                Object::Sphere(sphere) => blocked(simd, [size, widest], sphere, o, d, t),
-                _ => continue,
-            };
-            // Of what is blocked the tint passes.
-            let mut left = Vec3x {
-                x: one,
-                y: one,
-                z: one,
-            };
-            if size > 0.0 {
-                // What is no number is none: it would spoil what is not blocked, too.
-                let tint = material.tint.max(Vec3A::ZERO).min(Vec3A::ONE);
-                left = left - Vec3x::splat(simd, tint);
-            }
-            passing = passing - (passing * left).scaled(blocked);
-        }
-        packet.passing.store_from(passing, place);
+    let place = place % MAX_LANES / lanes::<S>() * lanes::<S>();
+    let o = packet.o.load_from(simd, place);
+    let d = packet.d.load_from(simd, place);
+    let t = load(simd, &packet.t[place..]);
+    let mut passing = Vec3x {
+        x: one,
+        y: one,
+        z: one,
+    };
+    if let Some(Spot { aim, dark, bright }) = light.spot {
+        let inward = (-d.dot(Vec3x::splat(simd, aim)) - dark) / (bright - dark);
+        passing = passing.scaled(step(simd, inward));
     }
+    for &i in packet.candidates() {
+        let (object, material) = scene.details.object(&scene.tree, i as usize);
+        let blocked = match object {
+            Object::Block(block) => {
+                let is_met = first_ahead(simd, block, &o, &d).simd_lt(t);
+                is_met.select(one, splat(simd, 0.0))
+            }
+            Object::Sphere(sphere) => blocked(simd, [size, widest], sphere, o, d, t),
+            _ => continue,
+        };
+        // Of what is blocked the tint passes. What is no number is none: it would spoil what is not blocked, too.
+        let mut left = Vec3A::ONE;
+        if size > 0.0 {
+            left -= material.tint.max(Vec3A::ZERO).min(Vec3A::ONE);
+        }
+        passing = passing - (passing * Vec3x::splat(simd, left)).scaled(blocked);
+    }
+    packet.passing.store_from(passing, place);
 }
 
 /// The share of a light that a sphere blocks (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).

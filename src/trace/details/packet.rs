@@ -4,13 +4,23 @@ use crate::lanes::*;
 use crate::scene::MAX_SOLIDS;
 use crate::trace::intersect::Hit;
 use crate::trace::stack::Rays;
-use glam::Vec3A;
 
 /// A number per lane, for the most lanes there are.
 pub(crate) type Column = [f32; MAX_LANES];
 
 /// A vector per lane.
 pub(crate) struct Columns([Column; 3]);
+
+/// What a closer look finds:
+///
+/// - where a box or a cylinder is hit, a slack away from it on the ray's side, and its normal, outward;
+/// - how far from the surface rays start; 0 where it is no box and no cylinder;
+/// - the share of the light that comes through the air;
+/// - what a pattern leaves of the colour.
+pub(crate) type Closer<T> = [T; 9];
+const SLACK: usize = 6;
+const THROUGH: usize = 7;
+pub(super) const LEFT: usize = 8;
 
 /// Room for all solids, a power of two.
 const CANDIDATES: usize = (MAX_SOLIDS + 1).next_power_of_two();
@@ -26,15 +36,8 @@ pub(crate) struct Packet {
     /// How far they go, and the object they hit, the bits of its number.
     pub t: Column,
     pub object: Column,
-    /// Where a box or a cylinder is hit, a slack away from it on the ray's side, and its normal, outward.
-    pub p: Columns,
-    pub n: Columns,
-    /// How far from the surface rays start; 0 where it is no box and no cylinder.
-    pub slack: Column,
-    /// What a pattern leaves of the colour.
-    pub left: Column,
-    /// The share of the light that comes through the air, and what lies behind.
-    pub through: Column,
+    /// What that looks like, and what lies behind.
+    pub closer: Closer<Column>,
     pub behind: Columns,
     /// What passes of a lamp, as a colour.
     pub passing: Columns,
@@ -48,11 +51,7 @@ impl Packet {
         d: Columns::NONE,
         t: [0.0; MAX_LANES],
         object: [0.0; MAX_LANES],
-        p: Columns::NONE,
-        n: Columns::NONE,
-        slack: [0.0; MAX_LANES],
-        left: [0.0; MAX_LANES],
-        through: [0.0; MAX_LANES],
+        closer: [[0.0; MAX_LANES]; 9],
         behind: Columns::NONE,
         passing: Columns::NONE,
     };
@@ -88,6 +87,46 @@ impl Packet {
     pub fn set_hits<S: Isa>(&mut self, rays: &Rays<S>, hit: &Hit<S>) {
         self.set(rays.o, rays.d, hit.t);
         store::<S>(hit.object.bitcast(), &mut self.object);
+    }
+
+    /// See [`Closer`].
+    #[inline(always)]
+    fn number<S: Isa>(&self, simd: S, i: usize) -> F<S> {
+        load(simd, &self.closer[i])
+    }
+
+    #[inline(always)]
+    fn vector<S: Isa>(&self, simd: S, i: usize) -> Vec3x<S> {
+        Vec3x {
+            x: self.number(simd, i),
+            y: self.number(simd, i + 1),
+            z: self.number(simd, i + 2),
+        }
+    }
+
+    #[inline(always)]
+    pub fn p<S: Isa>(&self, simd: S) -> Vec3x<S> {
+        self.vector(simd, 0)
+    }
+
+    #[inline(always)]
+    pub fn n<S: Isa>(&self, simd: S) -> Vec3x<S> {
+        self.vector(simd, 3)
+    }
+
+    #[inline(always)]
+    pub fn slack<S: Isa>(&self, simd: S) -> F<S> {
+        self.number(simd, SLACK)
+    }
+
+    #[inline(always)]
+    pub fn left<S: Isa>(&self, simd: S) -> F<S> {
+        self.number(simd, LEFT)
+    }
+
+    #[inline(always)]
+    pub fn through<S: Isa>(&self, simd: S) -> F<S> {
+        self.number(simd, THROUGH)
     }
 
     /// The hits.
@@ -134,30 +173,16 @@ impl Columns {
         store::<S>(v.y, &mut y[place..]);
         store::<S>(v.z, &mut z[place..]);
     }
-
-    /// A lane's vector.
-    #[inline(never)]
-    pub fn at(&self, lane: usize) -> Vec3A {
-        let [x, y, z] = &self.0;
-        Vec3A::new(x[lane], y[lane], z[lane])
-    }
-
-    /// Puts a lane's vector.
-    #[inline(never)]
-    pub fn put(&mut self, lane: usize, v: Vec3A) {
-        let [x, y, z] = &mut self.0;
-        (x[lane], y[lane], z[lane]) = v.into();
-    }
 }
 
 /// The lanes.
 #[inline(always)]
-pub(crate) fn load<S: Isa>(simd: S, column: &[f32]) -> F<S> {
+pub(super) fn load<S: Isa>(simd: S, column: &[f32]) -> F<S> {
     F::<S>::from_slice(simd, &column[..lanes::<S>()])
 }
 
 /// Puts lanes.
 #[inline(always)]
-pub(crate) fn store<S: Isa>(numbers: F<S>, column: &mut [f32]) {
+pub(super) fn store<S: Isa>(numbers: F<S>, column: &mut [f32]) {
     numbers.store_slice(&mut column[..lanes::<S>()]);
 }

@@ -1,42 +1,55 @@
 //! Procedural textures: what is left of a colour. See [`crate::scene::Pattern`].
 
+use crate::lanes::*;
 use crate::scene::Pattern;
-use glam::Vec3A;
 
-/// What a pattern leaves of a colour at `own`, from where its coordinates begin; a pixel covers `footprint` there.
+/// What a pattern leaves of a colour at places `own`, from where its coordinates begin; a unit of length is `pixels` pixels
+/// there. From 0 to 1, whatever the places.
 #[inline(never)]
-pub(super) fn left_of_colour(pattern: &Pattern, own: Vec3A, footprint: f32) -> f32 {
+pub(super) fn left_of_colour<S: Isa>(
+    simd: S,
+    pattern: &Pattern,
+    own: &Vec3x<S>,
+    pixels: F<S>,
+) -> F<S> {
+    let mut height = splat(simd, 1.0);
     if pattern.depth == 0.0 {
-        return 1.0;
+        return height;
     }
-    let mut waves = own * pattern.waves;
-    waves.x += turbulence(pattern, own);
-    let (mut height, mut sign) = (1.0f32, 1.0f32);
-    for v in waves.to_array() {
+    let mut sign = U::<S>::splat(simd, 0);
+    let [along_x, along_y, along_z] = pattern.waves.to_array();
+    for v in [
+        own.x * along_x + turbulence(simd, pattern, *own),
+        own.y * along_y,
+        own.z * along_z,
+    ] {
         // A triangle wave of length 1, between -1 and 1, highest at 0.
-        let wave = 1.0 - 4.0 * (v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)).abs();
-        height = height.min(wave.abs());
-        sign *= wave;
+        let wave = (v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)).abs() * -4.0 + 1.0;
+        // Of what is no number the other stays, here and below.
+        height = wave.abs().min(height);
+        sign ^= wave.bitcast::<U<S>>();
     }
     // A wave falls from 1 to -1 in half its length: no edge is narrower than a pixel.
-    let steepest = 0.5 / (footprint * pattern.waves.max_element());
-    let edge = pattern.edge.min(steepest);
-    let height = (height * edge).min(1.0).copysign(sign);
-    1.0 + 0.5 * pattern.depth * (height - 1.0)
+    let steepest = pixels * (0.5 / pattern.waves.max_element());
+    let edge = steepest.min(splat(simd, pattern.edge));
+    let height = (height * edge).min(splat(simd, 1.0));
+    let height = flipped::<S>(height, sign & (1 << 31));
+    (height - 1.0) * (0.5 * pattern.depth) + 1.0
 }
 
 /// Added to a number it leaves the nearest whole one in the low bits, for numbers to 2^22.
 const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// Noise by which the pattern is shifted, in waves: it is the same along a slope through the three axes.
-fn turbulence(pattern: &Pattern, p: Vec3A) -> f32 {
-    let mut u = (p.x + 0.6 * p.z) * pattern.grain;
-    let mut v = (p.y + 0.8 * p.z) * pattern.grain;
-    let mut sum = 0.0;
+#[inline(always)]
+fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> F<S> {
+    let mut u: F<S> = (p.z * 0.6 + p.x) * pattern.grain;
+    let mut v: F<S> = (p.z * 0.8 + p.y) * pattern.grain;
+    let mut sum = splat(simd, 0.0);
     // Whatever it is, it gets small soon.
     let mut strength = pattern.warp.min(64.0);
     while strength > Pattern::LEAST_WARP {
-        sum += strength * noise(u, v);
+        sum += noise::<S>(u, v) * strength;
         strength *= 0.5;
         u += u;
         v += v;
@@ -45,31 +58,44 @@ fn turbulence(pattern: &Pattern, p: Vec3A) -> f32 {
 }
 
 /// Numbers by chance at whole coordinates, -1 to 1, and smooth between them.
-#[inline(never)]
-fn noise(u: f32, v: f32) -> f32 {
-    // The cell's lower corner, with the bits that rounding leaves it in.
-    let (cell_u, cell_v) = (u - 0.5 + ROUND_TO_INTEGER, v - 0.5 + ROUND_TO_INTEGER);
-    let s = smooth(u - (cell_u - ROUND_TO_INTEGER));
-    let t = smooth(v - (cell_v - ROUND_TO_INTEGER));
-    let row = |v: u32| {
-        let [a, b] = [0, 1].map(|i| chance(cell_u.to_bits() + i, v));
-        a + (b - a) * s
-    };
-    let (upper, lower) = (row(cell_v.to_bits()), row(cell_v.to_bits() + 1));
+#[inline(always)]
+fn noise<S: Isa>(u: F<S>, v: F<S>) -> F<S> {
+    let (cell_u, s) = cell::<S>(u);
+    let (cell_v, t) = cell::<S>(v);
+    let lower = product::<S>(cell_u, ACROSS) + product::<S>(cell_v, ALONG);
+    let mut corners = [s; 4];
+    for (corner, step) in corners.iter_mut().zip(STEPS) {
+        *corner = chance::<S>(lower + step);
+    }
+    let [a, b, c, d] = corners;
+    let (upper, lower) = (a + (b - a) * s, c + (d - c) * s);
     upper + (lower - upper) * t
 }
 
-/// A number from -1 to 1 by whole coordinates.
-#[inline(never)]
-fn chance(u: u32, v: u32) -> f32 {
-    let h = u
-        .wrapping_mul(0x9e37_79b9)
-        .wrapping_add(v.wrapping_mul(0x85eb_ca6b));
-    let h = (h ^ (h >> 15)).wrapping_mul(0x846c_a68b);
-    h as i32 as f32 * (1.0 / (1u32 << 31) as f32)
+/// What a step along each coordinate adds to the number that [`chance`] takes.
+const ACROSS: u32 = 0x9e37_79b9;
+const ALONG: u32 = 0x85eb_ca6b;
+/// To each corner of a cell.
+static STEPS: [u32; 4] = [0, ACROSS, ALONG, ACROSS.wrapping_add(ALONG)];
+
+/// The bits of the cell's lower corner, as rounding leaves them, and the way on from there, level at both ends.
+#[inline(always)]
+fn cell<S: Isa>(u: F<S>) -> (U<S>, F<S>) {
+    let cell = u - 0.5 + ROUND_TO_INTEGER;
+    let way: F<S> = u - (cell - ROUND_TO_INTEGER);
+    (cell.bitcast(), way * way * (way * -2.0 + 3.0))
 }
 
-/// From 0 at 0 to 1 at 1, level at both ends.
-fn smooth(v: f32) -> f32 {
-    v * v * (3.0 - 2.0 * v)
+/// A number from -1 to 1 by whole coordinates.
+#[inline(always)]
+fn chance<S: Isa>(h: U<S>) -> F<S> {
+    let h = product::<S>(h ^ (h >> 15), 0x846c_a68b).bitcast::<I<S>>();
+    h.to_float::<F<S>>() * (1.0 / (1u32 << 31) as f32)
+}
+
+/// The lower halves of products: those of whole registers the plainest processors have to take apart.
+#[inline(always)]
+fn product<S: Isa>(a: U<S>, b: u32) -> U<S> {
+    let (first, last) = a.widening_mul(b);
+    first.narrow(last)
 }

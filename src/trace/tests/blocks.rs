@@ -16,7 +16,7 @@ fn looked<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Packet {
     let mut packet = Packet::NONE;
     let hit = nearest(simd, scene, rays, GroupSet::MAX, 0, &mut packet);
     packet.set_hits(rays, &hit);
-    look(scene, (1 << lanes::<S>()) - 1, &mut packet);
+    look::<S>(scene, first(simd, lanes::<S>()), &mut packet);
     packet
 }
 
@@ -80,8 +80,10 @@ impl Property for Blocks {
             }
             hits += 1;
             let what = std::format!("{isa}: {block:?} from {o} along {d}");
-            let (p, n) = (packet.p.at(0), packet.n.at(0));
-            let slack = f64::from(packet.slack[0]);
+            let (p, n) = (lane(packet.p(simd), 0), lane(packet.n(simd), 0));
+            let slack = packet.slack(simd).as_slice()[0];
+            let from_surface = slack;
+            let slack = f64::from(slack);
             let off = outside(&block, p) - slack;
             assert!(
                 off.abs() < 0.5 * slack,
@@ -93,7 +95,7 @@ impl Property for Blocks {
                 let from = if is_leaving {
                     p
                 } else {
-                    p - 2.0 * packet.slack[0] * n
+                    p - 2.0 * from_surface * n
                 };
                 for _ in 0..RAYS / lanes::<S>() {
                     let mut ways = [Vec3A::ZERO; MAX_LANES];

@@ -3,6 +3,8 @@
 #[cfg(feature = "details")]
 mod blocks;
 mod neighbours;
+#[cfg(feature = "details")]
+mod patterns;
 mod precision;
 mod refraction;
 mod reintersection;
@@ -10,6 +12,8 @@ mod shadows;
 
 extern crate std;
 
+#[cfg(feature = "details")]
+use super::batch::seen_at;
 use super::details::Packet;
 use super::intersect::{Hit, nearest};
 use super::stack::Rays;

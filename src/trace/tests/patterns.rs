@@ -1,0 +1,64 @@
+//! What patterns leave of colours is the same for pixels whose object is known as for points that are traced.
+
+use super::*;
+use crate::show::{self, grid};
+use crate::trace::details::{has_pattern, left_seen, look};
+
+/// The picture's size.
+const SIZE: [usize; 2] = [320, 180];
+
+struct Patterns;
+
+impl Property for Patterns {
+    #[inline(always)]
+    fn hold<S: Isa>(&self, simd: S, isa: &str) {
+        let mut scene = Box::new(Scene::default());
+        let mut prepared = prepared(&scene);
+        let mut packet = Packet::NONE;
+        let (mut seen, mut far) = (0, 0);
+        for bar in (0..grid::BARS).step_by(3) {
+            show::at((bar as f32 + 0.3) * grid::BAR, &mut scene);
+            prepared.set(&scene, SIZE[0], SIZE[1]);
+            for y in 0..SIZE[1] {
+                for x in steps(0, SIZE[0], lanes::<S>()) {
+                    let columns: I<S> = numbers(simd).bitcast();
+                    let columns = columns.to_float::<F<S>>() + x as f32;
+                    let rays = Rays {
+                        o: Vec3x::splat(simd, prepared.eye),
+                        d: seen_at(simd, &prepared, columns, splat(simd, y as f32)),
+                        weight: splat(simd, 1.0),
+                        place: Rays::places(simd, 0),
+                    };
+                    let hit = nearest(simd, &prepared, &rays, GroupSet::MAX, 0, &mut packet);
+                    packet.set_hits(&rays, &hit);
+                    look::<S>(&prepared, first(simd, lanes::<S>()), &mut packet);
+                    let hit = packet.hits(simd);
+                    for (lane, &object) in hit.object.as_slice().iter().enumerate() {
+                        let object = object as usize;
+                        if !has_pattern(&prepared, object) {
+                            continue;
+                        }
+                        let left = packet.left(simd).as_slice()[lane];
+                        // Wherever it stands among the four.
+                        let start = (x + lane).saturating_sub((x + y) % 4);
+                        let four = left_seen(&prepared, object, start, y);
+                        let is_share = |left| (0.0..=1.0).contains(left);
+                        assert!(four.iter().all(is_share), "{isa}: {four:?}");
+                        seen += 1;
+                        far += usize::from((four[x + lane - start] - left).abs() > 1e-3);
+                    }
+                }
+            }
+        }
+        std::println!("{isa}: {far} of {seen} farther apart than a thousandth");
+        assert!(
+            seen > 100_000 && far * 1000 < seen,
+            "{isa}: {far} of {seen}"
+        );
+    }
+}
+
+#[test]
+fn patterns_are_the_same_for_pixels_as_for_points() {
+    on_every_instruction_set(&Patterns);
+}
