@@ -98,6 +98,49 @@ fn onset(video: &Path, around: f64) -> f64 {
     steepest.expect("a time") as f64 / 1e3
 }
 
+/// The seconds from a video's start to the moment when its picture gets brighter most, within 60 ms and two frames of a
+/// time.
+fn flash(brightness: &[f64], around: f64) -> f64 {
+    let rise = |frame: usize| brightness[frame] - brightness[frame - 1];
+    let middle = (around * FPS as f64).round() as usize;
+    let steepest = (middle - 6..=middle + 6).max_by(|&a, &b| rise(a).total_cmp(&rise(b)));
+    steepest.expect("a frame") as f64 / FPS as f64
+}
+
+/// The lamps of the machine flash on the kick, and nothing else is cut there.
+#[test]
+fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
+    let folder = tempfile::tempdir().unwrap();
+    let video = folder.path().join("machine.mp4");
+    // From the machine's second bar on, two bars; their beats are counted from a quarter of a second before.
+    let start = BAR * (grid::MACHINE + 1) as f32 - 0.25;
+    let from = (start * FPS as f32) as usize;
+    let more = format!(
+        "--scene show --size 64x36 --from {from} --to {}",
+        from + 4 * FPS
+    );
+    captured("--video", &video, &more);
+    let grey = decoded(&video, "-vsync cfr -r 60 -f rawvideo -pix_fmt gray -");
+    let mean = |frame: &[u8]| frame.iter().map(|&grey| f64::from(grey)).sum::<f64>() / 2304.0;
+    let brightness: Vec<f64> = grey.chunks_exact(64 * 36).map(mean).collect();
+    let mut kicks = 0;
+    for beat in 0..7 {
+        let time = 0.25 + grid::BEAT * beat as f32;
+        if eightfold::sound::pulse(start + time).kick < 0.9 {
+            continue;
+        }
+        kicks += 1;
+        let flash = flash(&brightness, time.into());
+        let onset = onset(&video, time.into());
+        println!("beat {beat}: flash at {flash} s, kick at {onset} s");
+        assert!(
+            (flash - onset).abs() <= 1.0 / FPS as f64,
+            "beat {beat}: flash at {flash} s, kick at {onset} s"
+        );
+    }
+    assert!(kicks >= 4, "{kicks} kicks");
+}
+
 /// Two scenes begin on a kick, with a picture that is another one from a frame to the next.
 #[test]
 fn picture_and_sound_of_a_video_are_in_step() {
