@@ -74,11 +74,18 @@ use std::{
 
 use object::{Object, ObjectSymbol, SymbolKind, read::archive::ArchiveFile};
 
-/// The crates of the sysroot that functions are redirected in. (The last two have functions of `alloc` compiled in.)
-const CRATES: [&str; 5] = ["core", "alloc", "std", "gimli", "addr2line"];
+/// The crates of the sysroot that functions are redirected in. (The last three have functions of the others compiled in.)
+const CRATES: [&str; 6] = [
+    "core",
+    "alloc",
+    "std",
+    "gimli",
+    "addr2line",
+    "rustc_demangle",
+];
 
 /// What is called instead of functions of std, and those functions: parts of paths, each of which has
-/// to be there.
+/// to be there. (`*` is any text.)
 const INSTEAD: [(&str, &[&str]); 5] = [
     // All ways to a panic, and vectors: nobody makes one.
     (
@@ -112,6 +119,8 @@ const INSTEAD: [(&str, &[&str]); 5] = [
             "Display::fmt",
             "std::io::stdio::_print",
             "11RawVecInner10deallocate",
+            // (`h` is `u8`.)
+            "6RawVechE*4Drop4drop",
         ],
     ),
     ("eightfold_format", &["alloc::fmt::format::format_inner"]),
@@ -220,7 +229,8 @@ fn redirections(symbols: &[String]) -> Result<String, Box<dyn Error>> {
             let mut found = false;
             for symbol in symbols {
                 let named = *symbol == part
-                    || part.starts_with(|c: char| c.is_ascii_digit()) && symbol.contains(&part);
+                    || part.starts_with(|c: char| c.is_ascii_digit())
+                        && part.split('*').all(|part| symbol.contains(part));
                 found |= named;
                 if named && done.insert(symbol) {
                     writeln!(assembly, ".globl {symbol}\n.hidden {symbol}\n{symbol}:")?;

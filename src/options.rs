@@ -83,7 +83,7 @@ impl Options {
         while let Some(flag) = arguments.next() {
             let mut lines = Parts::of(&TEXT, b'\n').zip(&mut self.0).enumerate();
             let found = lines.find(|(_, (line, _))| {
-                line.starts_with(flag) && line.get(flag.len()) == Some(&b' ')
+                line.strip_prefix(flag).and_then(<[u8]>::first) == Some(&b' ')
             });
             let Some((option @ SIZE.., (line, place))) = found else {
                 return Some(wrong(flag, b"--help says what there is"));

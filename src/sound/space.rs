@@ -16,7 +16,7 @@ const FEEDBACK: f32 = 0.5;
 const ROOM: usize = 1 << 12;
 
 /// Samples of the room's delays, 30 to 83 ms: primes, so that their echoes hardly ever meet.
-static LENGTHS: [u16; 6] = [1433, 1801, 2269, 2749, 3323, 4001];
+const LENGTHS: [u16; 6] = [1433, 1801, 2269, 2749, 3323, 4001];
 
 /// What goes round in the room once more: at 54 ms a round, 2.5 s to -60 dB.
 const DECAY: f32 = 0.86;

@@ -10,6 +10,7 @@
 use std::{
     ffi::{CString, NulError},
     fmt::Arguments,
+    ptr,
     time::Instant,
 };
 
@@ -42,8 +43,10 @@ pub fn eightfold_format(_: Arguments<'_>) -> String {
 /// Instead of `CString::new`: an empty one. What asks for one in the intro is `minifb`, for a title that it never comes to.
 #[unsafe(no_mangle)]
 pub fn eightfold_c_string(_: &str) -> Result<CString, NulError> {
-    // SAFETY: it ends with its NUL, and nobody gives it back.
-    Ok(unsafe { CString::from_raw(c"".as_ptr().cast_mut()) })
+    // SAFETY: nobody writes to it or gives it back.
+    Ok(CString::from(unsafe {
+        Box::from_raw(ptr::from_ref(c"").cast_mut())
+    }))
 }
 
 /// Instead of `Instant::now`: the time zero. `minifb` measures how long keys are held and frames take;

@@ -13,7 +13,7 @@
     .long 1
     .quad _start, program_headers - file_start, 0
     .long 0
-    .short 64, 56, (dynamic - program_headers) / 56, 64, 0, 0
+    .short 64, 56, 5, 64, 0, 0
 
 # Type and flags (1 execute, 2 write, 4 read); place in the file, in memory, and again; bytes in the file
 # and in memory; alignment.
@@ -24,30 +24,14 @@
 
 .set file_start, 0x400000
 .set interpreter_size, dynamic_names - interpreter
-.set dynamic_size, symbols - dynamic
+.set dynamic_size, symbols + 16 - dynamic
 program_headers:
     program_header 3, 4, interpreter - file_start, interpreter, interpreter_size, interpreter_size, 1
     program_header 1, 5, 0, file_start, file_size, file_size, 4096
     program_header 1, 6, 0, memory, 0, memory_size, 4096
     program_header 2, 4, dynamic - file_start, dynamic, dynamic_size, dynamic_size, 8
-    program_header 0x6474e551, 6, 0, 0, 0, 0, 0 # a stack that is not executable
-
-# What the dynamic linker has to do: load libc and look up `dlsym`.
-dynamic:
-    .quad 1, libc_name - dynamic_names      # DT_NEEDED
-    .quad 5, dynamic_names                  # DT_STRTAB
-    .quad 6, symbols                        # DT_SYMTAB
-    .quad 7, relocation                     # DT_RELA
-    .quad 8, 24                             # DT_RELASZ
-    .quad 9, 24                             # DT_RELAENT
-    .quad 0, 0
-symbols:
-    .quad 0, 0, 0
-    .long dlsym_name - dynamic_names
-    .short 0x12, 0                          # a global function, undefined
-    .quad 0, 0
-relocation:
-    .quad dlsym_slot, 1 << 32 | 6, 0        # R_X86_64_GLOB_DAT of symbol 1
+    # A stack that is not executable. Of this one only the flags count: the rest is room for names.
+    .long 0x6474e551, 6
 interpreter:
     .asciz "/lib64/ld-linux-x86-64.so.2"
 dynamic_names:
@@ -55,6 +39,23 @@ libc_name:
     .asciz "libc.so.6"
 dlsym_name:
     .asciz "dlsym"
+    .space 4
+
+# What the dynamic linker has to do: load libc and look up `dlsym`. Its end is the first symbol, which is as empty; and of
+# a symbol that is looked up, the place and size are not read: there the relocation begins.
+dynamic:
+    .quad 1, libc_name - dynamic_names      # DT_NEEDED
+    .quad 5, dynamic_names                  # DT_STRTAB
+    .quad 6, symbols                        # DT_SYMTAB
+    .quad 7, relocation                     # DT_RELA
+    .quad 8, 24                             # DT_RELASZ
+    .quad 9, 24                             # DT_RELAENT
+symbols:
+    .quad 0, 0, 0
+    .long dlsym_name - dynamic_names
+    .short 0x12, 0                          # a global function, undefined
+relocation:
+    .quad dlsym_slot, 1 << 32 | 6, 0        # R_X86_64_GLOB_DAT of symbol 1
 
 .section .bss.c_slots, "aw", @nobits
 dlsym_slot:
