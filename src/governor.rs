@@ -52,7 +52,7 @@ impl Governor {
     #[must_use]
     pub fn new(frames_a_second: u64) -> Self {
         Self {
-            budget: SECOND / frames_a_second.max(1),
+            budget: (SECOND / frames_a_second.max(1)).max(1),
             rung: 0,
             late: 0,
             calm: 0,

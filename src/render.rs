@@ -156,17 +156,16 @@ fn frame(
     job: Job<'_>,
     run: &mut dyn Run,
 ) -> Counts {
-    let height = pixels.len() / width;
+    let height = pixels.len() / width.max(1);
     let rows = Band::rows(quality.square);
     let count = height.div_ceil(rows);
 
     // Bands of even number trace the borders around them; those between find them traced.
     for odd in [0, 1] {
-        let mut bands: [Band<'_>; MAX_BANDS.div_ceil(2)] =
-            core::array::from_fn(|_| Band::default());
+        let mut bands = [const { Band::none() }; MAX_BANDS.div_ceil(2)];
         let mut len = 0;
-        let mut borders = all_borders[odd..].chunks_mut(2);
-        for (i, pixels) in pixels.chunks_mut(rows * width).enumerate() {
+        let mut borders = all_borders.get_mut(odd..).unwrap_or_default().chunks_mut(2);
+        for (i, pixels) in pixels.chunks_mut((rows * width).max(1)).enumerate() {
             if i % 2 != odd {
                 continue;
             }
@@ -182,11 +181,13 @@ fn frame(
             };
             len += 1;
         }
-        run.run(workers, &mut bands[..len], job);
+        run.run(workers, bands.get_mut(..len).unwrap_or_default(), job);
     }
-    let mut counts = Counts::default();
-    for worker in workers {
-        counts += worker.take_counts();
+    let mut counts = Counts::NONE;
+    if Counts::ARE_KEPT {
+        for worker in workers {
+            counts += worker.take_counts();
+        }
     }
     counts
 }

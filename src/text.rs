@@ -26,7 +26,7 @@ pub(crate) fn draw(captions: &[Caption], height: usize, band: &mut Band<'_>) {
         // Pixels of a unit of the letters' grid; a letter is four high and two wide.
         let unit = 0.25 * caption.size * least(h, w * (9.0 / 16.0));
         let middle = caption.middle * h - pixels(band.top);
-        for (y, row) in band.pixels.chunks_exact_mut(band.width).enumerate() {
+        for (y, row) in band.pixels.chunks_exact_mut(band.width.max(1)).enumerate() {
             let y = (pixels(y) + 0.5 - middle) / unit;
             // A letter, and room for the strokes' width.
             if y.abs() > 2.5 {

@@ -58,6 +58,6 @@ impl Details {
 
     /// The lamp number `i`.
     pub fn light(&self, i: usize) -> &Light {
-        &self.scene.lights[i]
+        self.scene.lights.item(i)
     }
 }

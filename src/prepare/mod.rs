@@ -37,6 +37,9 @@ const SLACK: f32 = 10.0 / (1 << 24) as f32;
 /// Objects a ray can hit: spheres, lights (drawn as spheres), planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 
+/// Room for them: a power of two, so that a number is masked and not checked.
+const ROOM: usize = MAX_OBJECTS.next_power_of_two();
+
 /// One frame's scene in the order the kernels want it.
 ///
 /// Objects are numbered: solids (as the [`Tree`] orders them), lights, planes, background.
@@ -52,13 +55,13 @@ pub(crate) struct Prepared {
     mirrored: [Window; MAX_GROUPS],
     pub axes: Axes,
     /// What each object covers of the picture.
-    outlines: [Outline; MAX_OBJECTS],
+    outlines: [Outline; ROOM],
     pub solids: usize,
-    pub lamps: [Lamp; MAX_LIGHTS],
+    lamps: [Lamp; MAX_LIGHTS],
     pub lamp_count: usize,
-    pub planes: [Rectangle; MAX_PLANES],
+    planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
-    pub surfaces: [Spread; MAX_OBJECTS],
+    surfaces: [Spread; ROOM],
     pub details: Details,
     /// What primary rays weigh.
     pub weight: f32,
@@ -95,18 +98,36 @@ impl Prepared {
             windows: [Window::ZERO; MAX_GROUPS],
             mirrored: [Window::ZERO; MAX_GROUPS],
             axes: Axes::NONE,
-            outlines: [Outline::NONE; MAX_OBJECTS],
+            outlines: [Outline::NONE; ROOM],
             solids: 0,
             lamps: [const { Lamp::NONE }; MAX_LIGHTS],
             lamp_count: 0,
             planes: [Rectangle::NONE; MAX_PLANES],
             plane_count: 0,
-            surfaces: [[[0.0; MAX_LANES]; FIELDS]; MAX_OBJECTS],
+            surfaces: [[[0.0; MAX_LANES]; FIELDS]; ROOM],
             details: Details::NONE,
             weight: 0.0,
             #[cfg(feature = "lab")]
             offset: glam::Vec2::ZERO,
         }
+    }
+
+    /// The lamps.
+    #[inline(always)]
+    pub fn lamps(&self) -> &[Lamp] {
+        &self.lamps[..self.lamp_count.min(MAX_LIGHTS)]
+    }
+
+    /// The planes.
+    #[inline(always)]
+    pub fn planes(&self) -> &[Rectangle] {
+        &self.planes[..self.plane_count.min(MAX_PLANES)]
+    }
+
+    /// The surface of the object number `i`.
+    #[inline(always)]
+    pub fn surface(&self, i: usize) -> &Spread {
+        &self.surfaces[i % ROOM]
     }
 
     /// The number of the first plane.
@@ -158,7 +179,7 @@ impl Prepared {
         let has_blocks = !scene.blocks.is_empty();
         let mut has_lamps = false;
         for (i, (lamp, light)) in self.lamps.iter_mut().zip(scene.lights.iter()).enumerate() {
-            let [_, _, _, _, red, green, blue, ..] = self.surfaces[self.solids + i];
+            let [_, _, _, _, red, green, blue, ..] = self.surfaces[(self.solids + i) % ROOM];
             lamp.colour = Vec3A::new(red[0], green[0], blue[0]);
             lamp.set(light, has_blocks, self.tree.solid());
             has_lamps |= !lamp.is_plain();
@@ -185,7 +206,7 @@ impl Prepared {
                 continue;
             }
             let mut to = node.centre - self.eye;
-            let outline = &mut self.outlines[node.number as usize];
+            let outline = &mut self.outlines[node.number as usize % ROOM];
             outline.set_sphere(&self.axes, to, node);
             let group = node.groups.trailing_zeros() as usize % MAX_GROUPS;
             self.windows[group].join(outline.window);
@@ -199,8 +220,8 @@ impl Prepared {
             self.mirrored[group].join(self.axes.window(to, node.radius));
         }
         let first_plane = self.first_plane();
-        let planes = &self.planes[..self.plane_count];
-        for (outline, plane) in self.outlines[first_plane..].iter_mut().zip(planes) {
+        let planes = &self.planes[..self.plane_count.min(MAX_PLANES)];
+        for (outline, plane) in self.outlines[first_plane % ROOM..].iter_mut().zip(planes) {
             outline.set_rectangle(&self.axes, self.eye, plane);
         }
     }

@@ -7,7 +7,8 @@
 //! all corners is outside.
 
 use super::screen::{Axes, Rect, Window};
-use super::{Node, Prepared, Rectangle};
+use super::{Node, Prepared, ROOM, Rectangle};
+use crate::scene::MAX_PLANES;
 use glam::{Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 /// An object's outline.
@@ -126,7 +127,7 @@ impl Prepared {
     /// Whether a rectangle of the picture may show an object.
     #[inline(never)]
     pub fn may_show(&self, object: usize, rect: Rect) -> bool {
-        let outline = &self.outlines[object];
+        let outline = &self.outlines[object % ROOM];
         outline.window.meets(rect) && outline.meets(rect)
     }
 
@@ -136,7 +137,7 @@ impl Prepared {
     /// patch.
     #[inline(never)]
     pub fn hides(&self, front: usize, back: usize) -> bool {
-        let (f, b) = (&self.outlines[front], &self.outlines[back]);
+        let (f, b) = (&self.outlines[front % ROOM], &self.outlines[back % ROOM]);
         let first_plane = self.first_plane();
         // How far above a plane an object is, taken from the eye's side of the plane.
         let over = |object: &Outline, plane: &Outline| {
@@ -151,7 +152,7 @@ impl Prepared {
             false
         } else if back >= first_plane {
             let is_over = || {
-                let plane = &self.planes[back - first_plane];
+                let plane = &self.planes[(back - first_plane) % MAX_PLANES];
                 let (inner, most) = plane.sides(self.eye, f.centre - self.eye);
                 inner.cmpgt(most * f.radius).all()
             };

@@ -14,7 +14,6 @@ use fearless_simd::Level;
 const ROWS: usize = 16;
 
 /// Some rows of the picture.
-#[derive(Default)]
 pub struct Band<'a> {
     /// The picture's rows from here.
     pub(crate) top: usize,
@@ -27,6 +26,17 @@ pub struct Band<'a> {
 }
 
 impl Band<'_> {
+    /// No rows.
+    pub(crate) const fn none() -> Self {
+        Self {
+            top: 0,
+            width: 0,
+            pixels: &mut [],
+            borders: &mut [],
+            are_done: [false; 2],
+        }
+    }
+
     /// Rows of a band for squares of a size.
     pub(crate) const fn rows(square: usize) -> usize {
         if square > ROWS {

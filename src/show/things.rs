@@ -110,8 +110,10 @@ pub(super) fn add(set: Set, beat: f32, scene: &mut Scene) {
         if row.set != set {
             continue;
         }
-        for i in 0..row.columns * row.rows {
-            row.add(i % row.columns, i / row.columns, beat, scene);
+        for line in 0..row.rows {
+            for column in 0..row.columns {
+                row.add(column, line, beat, scene);
+            }
         }
     }
 }

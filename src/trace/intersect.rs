@@ -42,7 +42,7 @@ pub(crate) fn nearest<S: Isa>(
         t: splat(simd, FARTHEST),
         object: U::<S>::splat(simd, scene.nothing() as u32),
     };
-    for (i, plane) in scene.planes[..scene.plane_count].iter().enumerate() {
+    for (i, plane) in scene.planes().iter().enumerate() {
         let (m, t) = plane_hit(simd, plane, rays.o, rays.d, hit.t);
         hit.keep_nearer(m, t, scene.first_plane() + i);
     }
@@ -197,7 +197,7 @@ pub(crate) fn blocked<S: Isa>(
         }
         i += if is_met { 1 } else { caster.skip as usize };
     }
-    for plane in &scene.planes[..scene.plane_count] {
+    for plane in scene.planes() {
         let below = lamp.position.y > plane.centre.y;
         let height = splat(simd, plane.centre.y);
         let behind = if below {

@@ -5,6 +5,18 @@
 //! few lanes idle. Colours are summed in fixed point: integer sums do not depend on the order in which rays come back,
 //! so a point has the same bits whatever points it is traced with.
 
+/// Evaluates an expression by the instruction set that every CPU has.
+macro_rules! by_what_every_cpu_has {
+    ($simd:ident => $expression:expr) => {{
+        #[cfg(target_arch = "x86_64")]
+        if let Some($simd) = fearless_simd::Level::baseline().as_sse2() {
+            $expression;
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        fearless_simd::dispatch!(fearless_simd::Level::baseline(), $simd => $expression);
+    }};
+}
+
 mod batch;
 mod details;
 mod intersect;
@@ -26,7 +38,7 @@ use crate::prepare::{GroupSet, Prepared, Seen};
 use crate::quality::Quality;
 use fearless_simd::Level;
 
-/// How much work was done.
+/// How much work was done. Without the feature `lab` it is not counted: all are 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Points traced.
@@ -40,6 +52,9 @@ pub struct Counts {
 }
 
 impl Counts {
+    /// Whether there is anybody to look at them.
+    pub(crate) const ARE_KEPT: bool = cfg!(feature = "lab");
+
     /// Nothing done.
     pub const NONE: Self = Self {
         points: 0,
@@ -81,6 +96,8 @@ pub(crate) fn trace(
     }
     #[cfg(not(target_arch = "x86_64"))]
     fearless_simd::dispatch!(level, simd => trace_by(simd, scene, quality, seen, batch));
+    // A thousandth of the time, so once for all instruction sets.
+    by_what_every_cpu_has!(simd => batch.finish(simd));
 }
 
 #[inline(always)]
@@ -89,7 +106,6 @@ fn trace_by<S: Isa>(simd: S, scene: &Prepared, quality: &Quality, seen: Seen, ba
         #[inline(always)]
         || {
             trace_packets(simd, scene, quality, seen, batch);
-            batch.finish(simd);
         },
     );
 }
@@ -122,8 +138,10 @@ fn trace_packets<S: Isa>(
         } else {
             (GroupSet::MAX, 0)
         };
-        batch.counts.rays += count as u64;
-        batch.counts.lanes += lanes::<S>() as u64;
+        if Counts::ARE_KEPT {
+            batch.counts.rays += count as u64;
+            batch.counts.lanes += lanes::<S>() as u64;
+        }
         let packet = &mut batch.packet;
         let mut hit = intersect::nearest(simd, scene, &rays, groups, from, packet);
         if scene.details.is_there() {
@@ -138,5 +156,7 @@ fn trace_packets<S: Isa>(
         batch.add(simd, &rays, is_primary.then_some(next), &node);
         next += lanes::<S>() * usize::from(is_primary);
     }
-    batch.counts.points += batch.len() as u64;
+    if Counts::ARE_KEPT {
+        batch.counts.points += batch.len() as u64;
+    }
 }

@@ -249,7 +249,7 @@ fn gather<S: Isa>(
     // A sphere shades itself from within: no light comes from beyond the chord towards the lamp, which is as long as
     // twice the cosine and the radius.
     let least = place.inside.select(surface.inverse_radius() * 0.5, zero);
-    for (number, lamp) in scene.lamps[..scene.lamp_count].iter().enumerate() {
+    for (number, lamp) in scene.lamps().iter().enumerate() {
         let to_light = Vec3x::splat(simd, lamp.position) - place.p;
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light.scaled(one / distance);
@@ -258,7 +258,9 @@ fn gather<S: Isa>(
         let mut lit = facing;
         let mut highlight = M::<S>::splat(simd, false);
         if facing.any_true() {
-            counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
+            if Counts::ARE_KEPT {
+                counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
+            }
             lit &= !blocked(simd, scene, lamp, place.p, l, distance, packet);
             let mut colour = Vec3x::splat(simd, lamp.colour);
             if !lamp.is_plain() {

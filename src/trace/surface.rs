@@ -22,7 +22,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         mixed: &'a mut Spread,
     ) -> Self {
         let mut rest = active.to_bitmask();
-        let first = &scene.surfaces[object_at(simd, objects, &mut rest).0];
+        let first = scene.surface(object_at(simd, objects, &mut rest).0);
         if rest == 0 {
             return Self {
                 simd,
@@ -33,7 +33,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         while rest != 0 {
             let (number, same) = object_at(simd, objects, &mut rest);
             let mask: U<S> = same.to_vector().bitcast();
-            let new = &scene.surfaces[number];
+            let new = scene.surface(number);
             for ((field, first), new) in mixed.iter_mut().zip(first).zip(new) {
                 // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
                 let old: U<S> = load(simd, if is_first { first } else { field }).bitcast();

@@ -3,18 +3,6 @@
 //! It is much, and the intro has no room to have it once for every instruction set: it works on packets in memory, in the
 //! lanes that every CPU has.
 
-/// Evaluates an expression by the instruction set that every CPU has.
-macro_rules! by_what_every_cpu_has {
-    ($simd:ident => $expression:expr) => {{
-        #[cfg(target_arch = "x86_64")]
-        if let Some($simd) = fearless_simd::Level::baseline().as_sse2() {
-            $expression;
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        fearless_simd::dispatch!(fearless_simd::Level::baseline(), $simd => $expression);
-    }};
-}
-
 /// So many lanes every CPU has.
 const LANES: usize = 4;
 
