@@ -3,7 +3,7 @@
 use super::Tree;
 use super::object::{self, Object};
 use crate::DETAILS;
-use crate::scene::{Light, Material, Method, Scene};
+use crate::scene::{Material, Method, Scene};
 use glam::Vec3A;
 
 /// All of that, for one frame.
@@ -54,10 +54,5 @@ impl Details {
     #[inline(never)]
     pub fn object(&self, tree: &Tree, i: usize) -> (Object<'_>, &Material) {
         object::of(&self.scene, tree.number(i))
-    }
-
-    /// The lamp number `i`.
-    pub fn light(&self, i: usize) -> &Light {
-        self.scene.lights.item(i)
     }
 }

@@ -3,7 +3,7 @@
 use super::slack;
 use super::tree::{MARGIN, MAX_NODES, Node};
 use crate::DETAILS;
-use crate::scene::Light;
+use crate::scene::{Light, Spot};
 use glam::Vec3A;
 
 /// A point light.
@@ -11,6 +11,11 @@ pub(crate) struct Lamp {
     pub position: Vec3A,
     pub colour: Vec3A,
     is_plain: bool,
+    /// Its cone, or one that is bright all around.
+    pub cone: Spot,
+    /// Its diameter, and the widest that a penumbra is taken to be at what throws it.
+    pub diameter: f32,
+    pub widest: f32,
     /// The solid nodes of the [`super::Tree`].
     pub casters: [Caster; MAX_NODES],
 }
@@ -37,7 +42,22 @@ pub(crate) struct Caster {
     /// The radius squared, less what rounding can add to the discriminant of a ray that leaves the sphere; where the
     /// lamp is inside, more by as much.
     pub r2: f32,
+    /// What a box or a cylinder shades lies between two planes through the lamp: the normal of that which holds its longer
+    /// axis, of any length, and the square of the sine of the angle from there to both, as many times as large as the
+    /// normal's. 0 of what is none.
+    pub side: Vec3A,
+    pub sine2: f32,
 }
+
+/// More than rounding makes of a scalar product of directions.
+const ROUNDING: f32 = 1e-6;
+
+/// A cone that everything is well within.
+const ALL_BRIGHT: Spot = Spot {
+    aim: Vec3A::ZERO,
+    dark: -2.0,
+    bright: -1.0,
+};
 
 /// More than the square of any chord of the sphere of radius 1.
 const ALL_AROUND: f32 = 5.0;
@@ -47,6 +67,13 @@ impl Lamp {
         position: Vec3A::ZERO,
         colour: Vec3A::ZERO,
         is_plain: false,
+        cone: Spot {
+            aim: Vec3A::ZERO,
+            dark: 0.0,
+            bright: 0.0,
+        },
+        diameter: 0.0,
+        widest: 0.0,
         casters: [Caster::NONE; MAX_NODES],
     };
 
@@ -56,13 +83,22 @@ impl Lamp {
         !DETAILS || self.is_plain
     }
 
+    /// Whether it is a cone.
+    #[inline(always)]
+    pub fn is_cone(&self) -> bool {
+        self.cone.bright > -1.0
+    }
+
     /// Takes a light in, and the nodes that can shade it.
     pub fn set(&mut self, light: &Light, has_blocks: bool, nodes: &[Node]) {
         self.position = light.place();
         self.is_plain = light.is_plain() && !has_blocks;
+        self.cone = light.spot.unwrap_or(ALL_BRIGHT);
+        self.diameter = light.diameter();
+        self.widest = light.widest();
         for (caster, node) in self.casters.iter_mut().zip(nodes) {
             // A penumbra is wider, and a bound shades from its nearest point on.
-            let radius = node.radius + if DETAILS { 0.5 * light.widest() } else { 0.0 };
+            let radius = node.radius + if DETAILS { 0.5 * self.widest } else { 0.0 };
             caster.set(self.position - node.centre, radius, node);
         }
     }
@@ -79,6 +115,8 @@ impl Caster {
         around_lamp: false,
         from_lamp: Vec3A::ZERO,
         r2: 0.0,
+        side: Vec3A::ZERO,
+        sine2: 0.0,
     };
 
     fn set(&mut self, from_lamp: Vec3A, radius: f32, node: &Node) {
@@ -91,16 +129,22 @@ impl Caster {
         let sine2 = wide * wide / far2;
         let chord2 = 2.0 * sine2 / (1.0 + libm::sqrtf(1.0 - sine2));
         self.around_lamp = far2 < node.r2;
+        // Nearer to the lamp than `from` there is none of it.
+        let from = libm::sqrtf(far2) * (1.0 - MARGIN) - wide;
+        let sine = libm::sqrtf(node.thin2) / from.max(0.0) + ROUNDING;
+        let side = node.axis.cross(from_lamp);
         *self = Self {
             axis: from_lamp.normalize_or(Vec3A::Y),
             // Not a number where there is no angle.
             chord2: chord2.min(ALL_AROUND),
-            from: libm::sqrtf(far2) * (1.0 - MARGIN) - wide,
+            from,
             is_bound: node.is_bound,
             skip: node.skip,
             number: node.number,
             around_lamp: self.around_lamp,
             from_lamp,
+            side,
+            sine2: side.length_squared() * sine * sine,
             r2: node.r2 + if self.around_lamp { slack2 } else { -slack2 },
         }
     }

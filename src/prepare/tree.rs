@@ -4,7 +4,7 @@
 use super::object::{self, Object};
 use super::slack;
 use crate::DETAILS;
-use crate::scene::{MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
+use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use glam::Vec3A;
 
 /// Groups of solids, of which a part of the picture shows some: up to that many each are a group of their own.
@@ -44,6 +44,9 @@ pub(crate) struct Node {
     pub is_bound: bool,
     /// Whether it is around a box or a cylinder.
     pub is_block: bool,
+    /// The longer of that one's own y and z axes, of length 1, and the square of how far from there it reaches.
+    pub axis: Vec3A,
+    pub thin2: f32,
 }
 
 /// A solid, or a sphere around it.
@@ -130,7 +133,7 @@ impl Tree {
             };
         }
         self.len = 0;
-        self.divide(0, self.solids, scene.spheres.len());
+        self.divide(0, self.solids, scene);
         self.solid = self.len;
         for (i, light) in scene.lights.iter().enumerate() {
             let groups = 1 << (SOLID_GROUPS + i);
@@ -143,9 +146,8 @@ impl Tree {
         }
     }
 
-    /// Adds the bound around the solids from number `first` to below `end`, and what is in it; the first `spheres` numbers
-    /// of the scene are spheres'.
-    fn divide(&mut self, first: usize, end: usize, spheres: usize) {
+    /// Adds the bound around the solids from number `first` to below `end` of a scene, and what is in it.
+    fn divide(&mut self, first: usize, end: usize, scene: &Scene) {
         let at = self.len;
         let balls = &mut self.balls[first..end];
         let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
@@ -180,11 +182,15 @@ impl Tree {
                 let group = 1 << (number * SOLID_GROUPS / self.solids.max(SOLID_GROUPS));
                 let node = self.push(ball.centre, ball.radius, group);
                 node.number = number as u16;
-                node.is_block = DETAILS && ball.number as usize >= spheres;
+                if let (true, Object::Block(block)) =
+                    (DETAILS, object::of(scene, ball.number as usize).0)
+                {
+                    node.set_block(block);
+                }
             }
         } else {
-            self.divide(first, first + middle, spheres);
-            self.divide(first + middle, end, spheres);
+            self.divide(first, first + middle, scene);
+            self.divide(first + middle, end, scene);
         }
         self.nodes[at].skip = (self.len - at) as u16;
     }
@@ -261,7 +267,25 @@ impl Node {
         skip: 0,
         is_bound: false,
         is_block: false,
+        axis: Vec3A::ZERO,
+        thin2: 0.0,
     };
+
+    /// Takes in what it is around: what is long stands or lies.
+    #[inline(always)]
+    fn set_block(&mut self, block: &Block) {
+        self.is_block = true;
+        let half2 = block.half * block.half;
+        let mut thin2 = half2.x;
+        if half2.y < half2.z {
+            self.axis = block.axes.z_axis;
+            thin2 += half2.y;
+        } else {
+            self.axis = block.axes.y_axis;
+            thin2 += if block.round { 0.0 } else { half2.z };
+        }
+        self.thin2 = thin2 * (1.0 + 2.0 * MARGIN);
+    }
 
     /// How many nodes to go on by.
     #[inline(always)]

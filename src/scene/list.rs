@@ -33,12 +33,6 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         self.len = 0;
     }
 
-    /// The item number `i`, which has to be there; else the last that there could be.
-    #[inline(always)]
-    pub(crate) fn item(&self, i: usize) -> &T {
-        &self.items[i.min(N - 1)]
-    }
-
     /// Appends an item for the caller to write, whose fields are what they have been; the last one again where there is
     /// no room for another.
     #[inline(always)]

@@ -249,12 +249,16 @@ fn gather<S: Isa>(
     // A sphere shades itself from within: no light comes from beyond the chord towards the lamp, which is as long as
     // twice the cosine and the radius.
     let least = place.inside.select(surface.inverse_radius() * 0.5, zero);
-    for (number, lamp) in scene.lamps().iter().enumerate() {
+    for lamp in scene.lamps() {
         let to_light = Vec3x::splat(simd, lamp.position) - place.p;
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light.scaled(one / distance);
         let nl = place.n.dot(l);
-        let facing = place.solid & nl.simd_gt(distance * least);
+        let mut facing = place.solid & nl.simd_gt(distance * least);
+        if !lamp.is_plain() {
+            let inward: F<S> = -l.dot(Vec3x::splat(simd, lamp.cone.aim));
+            facing &= inward.simd_gt(splat(simd, lamp.cone.dark));
+        }
         let mut lit = facing;
         let mut highlight = M::<S>::splat(simd, false);
         if facing.any_true() {
@@ -263,9 +267,9 @@ fn gather<S: Isa>(
             }
             lit &= !blocked(simd, scene, lamp, place.p, l, distance, packet);
             let mut colour = Vec3x::splat(simd, lamp.colour);
-            if !lamp.is_plain() {
-                packet.set(place.p, l, distance);
-                details::reach::<S>(scene, number, facing, packet);
+            if !lamp.is_plain() && (lamp.is_cone() || !packet.is_empty()) {
+                packet.set(place.p, l, lit.select(distance, zero));
+                details::reach::<S>(scene, lamp, lit, packet);
                 let passing = packet.passing.load(simd);
                 lit &= passing.x.max(passing.y).max(passing.z).simd_gt(zero);
                 colour = colour * passing;

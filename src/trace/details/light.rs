@@ -3,16 +3,16 @@
 use super::body::first_ahead;
 use super::{LANES, Packet, load};
 use crate::lanes::*;
-use crate::prepare::{Object, Prepared};
+use crate::prepare::{Lamp, Object, Prepared};
 use crate::scene::{Sphere, Spot};
 use glam::Vec3A;
 
-/// Finds what reaches some of a packet's places of the lamp number `lamp`, as a colour: the packet's rays lead there, and
+/// Finds what reaches some of a packet's places of a lamp, as a colour: the packet's rays lead there, and
 /// meet none but its candidates.
 #[inline(always)]
 pub(in crate::trace) fn reach<S: Isa>(
     scene: &Prepared,
-    lamp: usize,
+    lamp: &Lamp,
     active: M<S>,
     packet: &mut Packet,
 ) {
@@ -26,29 +26,27 @@ pub(in crate::trace) fn reach<S: Isa>(
 
 /// The same of those from number `place` on that every CPU has lanes for.
 #[inline(never)]
-fn reach_from(scene: &Prepared, lamp: usize, place: usize, packet: &mut Packet) {
+fn reach_from(scene: &Prepared, lamp: &Lamp, place: usize, packet: &mut Packet) {
     by_what_every_cpu_has!(simd => reach_by(simd, scene, lamp, place, packet));
 }
 
 #[inline(always)]
-fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: usize, place: usize, packet: &mut Packet) {
-    let light = scene.details.light(lamp);
-    let size = light.diameter();
-    let widest = light.widest();
+fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: &Lamp, place: usize, packet: &mut Packet) {
     let one = splat(simd, 1.0);
     let place = place % MAX_LANES / lanes::<S>() * lanes::<S>();
     let o = packet.o.load_from(simd, place);
     let d = packet.d.load_from(simd, place);
     let t = load(simd, &packet.t[place..]);
+    let zero = splat(simd, 0.0);
+    let Spot { aim, dark, bright } = lamp.cone;
+    let inward = (-d.dot(Vec3x::splat(simd, aim)) - dark) / (bright - dark);
+    // Nothing where none is asked for.
+    let asked = t.simd_gt(zero).select(step(simd, inward), zero);
     let mut passing = Vec3x {
-        x: one,
-        y: one,
-        z: one,
+        x: asked,
+        y: asked,
+        z: asked,
     };
-    if let Some(Spot { aim, dark, bright }) = light.spot {
-        let inward = (-d.dot(Vec3x::splat(simd, aim)) - dark) / (bright - dark);
-        passing = passing.scaled(step(simd, inward));
-    }
     for &i in packet.candidates() {
         let (object, material) = scene.details.object(&scene.tree, i as usize);
         let blocked = match object {
@@ -56,15 +54,19 @@ fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: usize, place: usize, packet
                 let is_met = first_ahead(simd, block, &o, &d).simd_lt(t);
                 is_met.select(one, splat(simd, 0.0))
             }
-            Object::Sphere(sphere) => blocked(simd, [size, widest], sphere, o, d, t),
+            Object::Sphere(sphere) => blocked(simd, lamp, sphere, o, d, t),
             _ => continue,
         };
         // Of what is blocked the tint passes. What is no number is none: it would spoil what is not blocked, too.
         let mut left = Vec3A::ONE;
-        if size > 0.0 {
+        if lamp.diameter > 0.0 {
             left -= material.tint.max(Vec3A::ZERO).min(Vec3A::ONE);
         }
         passing = passing - (passing * Vec3x::splat(simd, left)).scaled(blocked);
+        let most = passing.x.max(passing.y).max(passing.z);
+        if most.simd_le(zero).all_true() {
+            break;
+        }
     }
     packet.passing.store_from(passing, place);
 }
@@ -76,7 +78,7 @@ fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: usize, place: usize, packet
 #[inline(always)]
 fn blocked<S: Isa>(
     simd: S,
-    [size, widest]: [f32; 2],
+    lamp: &Lamp,
     sphere: &Sphere,
     o: Vec3x<S>,
     d: Vec3x<S>,
@@ -88,7 +90,7 @@ fn blocked<S: Isa>(
     let off = to_centre.add_scaled(d, -a);
     // What starts on the sphere by rounding starts on it.
     let slack = 2e-6 * (centre.abs().max_element() + sphere.radius);
-    let b = (a * size / distance).min(splat(simd, widest));
+    let b = (a * lamp.diameter / distance).min(splat(simd, lamp.widest));
     let covered = -off.dot(off).sqrt() + (sphere.radius - slack);
     step(simd, covered / b.max(splat(simd, f32::MIN_POSITIVE)) + 0.5)
 }

@@ -4,7 +4,7 @@
 //! lanes that every CPU has.
 
 /// So many lanes every CPU has.
-const LANES: usize = 4;
+pub(super) const LANES: usize = 4;
 
 mod body;
 mod light;

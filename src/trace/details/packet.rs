@@ -69,6 +69,12 @@ impl Packet {
         self.count += 1;
     }
 
+    /// Whether there are no candidates.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
     /// The candidates.
     pub fn candidates(&self) -> &[u16] {
         &self.candidates[..self.count % CANDIDATES]
