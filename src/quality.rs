@@ -35,6 +35,10 @@ pub struct Quality {
     pub depth: u32,
     /// A secondary ray is followed while the product of the coefficients along its path is at least this.
     pub least_contribution: f32,
+    /// A pixel that differs from a neighbour gets the mean of so many samples a side, on a regular grid: 2 for four of them;
+    /// 0 or 1: none does. Up to [`Quality::MAX_ANTIALIAS`]. All named qualities have 0, and the intro has no code for more.
+    #[cfg(feature = "lab")]
+    pub antialias: usize,
 }
 
 impl Quality {
@@ -42,6 +46,10 @@ impl Quality {
     pub const MAX_SQUARE: usize = 32;
     /// The largest [`Quality::depth`]: a ray's place in its tree is a number of 8 bits.
     pub const MAX_DEPTH: u32 = 7;
+
+    /// The largest [`Quality::antialias`]: 64 samples of a pixel. (The widest picture's are fewer than 2^16 side by side.)
+    #[cfg(feature = "lab")]
+    pub const MAX_ANTIALIAS: usize = 8;
 
     /// Every pixel is traced: the oracle that the other qualities are measured against.
     pub const EXHAUSTIVE: Self = Self {
@@ -55,6 +63,8 @@ impl Quality {
         highlight: 1.0 / 256.0,
         depth: 5,
         least_contribution: 0.01,
+        #[cfg(feature = "lab")]
+        antialias: 0,
     };
 
     /// The rules of 2008: squares of 8 pixels, filled where the objects of the whole ray tree and the lights' states at
@@ -159,8 +169,24 @@ impl Quality {
     /// without.
     pub(crate) const HAS_ALL_SIDES: bool = cfg!(feature = "lab");
 
+    /// Whether edges get more samples once a frame is drawn.
+    #[cfg(feature = "lab")]
+    pub(crate) fn is_antialiased(&self) -> bool {
+        self.antialias > 1
+    }
+
+    /// Whether edges get more samples: not in the intro.
+    #[cfg(not(feature = "lab"))]
+    pub(crate) const fn is_antialiased(&self) -> bool {
+        false
+    }
+
     /// Whether it can be drawn by.
     pub(crate) fn is_valid(&self) -> bool {
+        #[cfg(feature = "lab")]
+        if self.antialias > Self::MAX_ANTIALIAS {
+            return false;
+        }
         (1..=Self::MAX_SQUARE).contains(&self.square)
             && (Self::HAS_ALL_SIDES || self.square.is_power_of_two())
             && self.depth <= Self::MAX_DEPTH

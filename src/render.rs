@@ -4,6 +4,8 @@
 use crate::observe::Observer;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
+#[cfg(feature = "lab")]
+use crate::refine::antialias::Smoothing;
 use crate::refine::{self, Band, Border};
 use crate::scene::Scene;
 use crate::text;
@@ -13,12 +15,14 @@ use crate::{MAX_HEIGHT, MAX_WIDTH};
 use fearless_simd::Level;
 
 /// Bands of the tallest picture: the smallest band has 9 rows (squares of 9).
-const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(9);
+pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(9);
 
 /// What the threads share while they render a frame: some MB of fixed size, owned by the caller.
 pub struct Memory {
     prepared: Prepared,
     borders: [Border; MAX_BANDS + 1],
+    #[cfg(feature = "lab")]
+    smoothing: Smoothing,
 }
 
 impl Memory {
@@ -28,6 +32,8 @@ impl Memory {
         Self {
             prepared: Prepared::new(),
             borders: [Border::NONE; MAX_BANDS + 1],
+            #[cfg(feature = "lab")]
+            smoothing: Smoothing::new(),
         }
     }
 }
@@ -57,6 +63,32 @@ impl Memory {
     /// -0.5 to 0.5. The mean of frames that cover a pixel evenly is a supersampled one.
     pub fn set_offset(&mut self, x: f32, y: f32) {
         self.prepared.offset = glam::vec2(x, y);
+    }
+
+    /// Gives the edges of a frame their samples, if the quality has more than one for them, and then its captions.
+    #[allow(clippy::too_many_arguments, reason = "as for the frame itself")]
+    fn smooth(
+        &mut self,
+        level: Level,
+        scene: &Scene,
+        quality: &Quality,
+        width: usize,
+        workers: &mut [Worker],
+        pixels: &mut [u32],
+        run: &mut dyn Run,
+    ) -> Counts {
+        if !quality.is_antialiased() {
+            return Counts::NONE;
+        }
+        let (prepared, smoothing) = (&self.prepared, &mut self.smoothing);
+        smoothing.set(scene, prepared, quality, width, pixels);
+        let height = prepared.height;
+        let job = |worker: &mut Worker, band: &mut Band<'_>| {
+            smoothing.smooth(level, quality, worker, band);
+            text::draw(&scene.captions, height, band);
+        };
+        let borders = &mut self.borders;
+        frame(quality, width, borders, workers, pixels, &job, run)
     }
 }
 
@@ -108,12 +140,18 @@ pub fn render(
     let (prepared, borders) = (&memory.prepared, &mut memory.borders);
     let job = |worker: &mut Worker, band: &mut Band<'_>| {
         refine::render(level, prepared, quality, worker, band);
-        text::draw(&scene.captions, height, band);
+        if !quality.is_antialiased() {
+            text::draw(&scene.captions, height, band);
+        }
     };
-    frame(quality, width, borders, workers, pixels, &job, &mut run)
+    let counts = frame(quality, width, borders, workers, pixels, &job, &mut run);
+    #[cfg(feature = "lab")]
+    let counts = counts + memory.smooth(level, scene, quality, width, workers, pixels, &mut run);
+    counts
 }
 
-/// Like [`render`], and the observer hears how the frame comes about: the same frame, the same counts, more time.
+/// Like [`render`], and the observer hears how the frame comes about: the same frame, the same counts, more time. Of the
+/// samples that edges get in the end it does not hear.
 ///
 /// Of the feature `lab` alone: 400 bytes of functions would stay in the intro for whoever else might call it.
 ///
@@ -140,9 +178,12 @@ pub fn render_observed<O: Observer>(
     let (prepared, borders) = (&memory.prepared, &mut memory.borders);
     let job = |worker: &mut Worker, band: &mut Band<'_>| {
         refine::render_observed(level, prepared, quality, observer, worker, band);
-        text::draw(&scene.captions, height, band);
+        if !quality.is_antialiased() {
+            text::draw(&scene.captions, height, band);
+        }
     };
-    frame(quality, width, borders, workers, pixels, &job, &mut run)
+    let counts = frame(quality, width, borders, workers, pixels, &job, &mut run);
+    counts + memory.smooth(level, scene, quality, width, workers, pixels, &mut run)
 }
 
 /// The bands of a frame, each drawn by the job. (A function of its own, and what is generic only around it: what is compiled

@@ -19,6 +19,8 @@
 //! by the finest quality, 8 % by the default one (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). The
 //! lab's bench measures how much of the picture that is, and how it flickers.
 
+#[cfg(feature = "lab")]
+pub(crate) mod antialias;
 pub(crate) mod band;
 mod fill;
 mod marks;

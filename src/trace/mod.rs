@@ -64,6 +64,15 @@ impl Counts {
     };
 }
 
+impl core::ops::Add for Counts {
+    type Output = Self;
+
+    fn add(mut self, other: Self) -> Self {
+        self += other;
+        self
+    }
+}
+
 impl core::ops::AddAssign for Counts {
     fn add_assign(&mut self, other: Self) {
         self.points += other.points;

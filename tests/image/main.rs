@@ -28,6 +28,8 @@ mod reader;
 mod studio;
 
 mod accuracy;
+#[cfg(feature = "lab")]
+mod antialias;
 mod details;
 mod drawn;
 #[cfg(feature = "lab")]

@@ -30,7 +30,11 @@ fn a_frame_is_the_same_whoever_listens() {
     let scene = show::field(40, 2.0);
     let mut studio = Studio::new(2);
     for isa in isa::all() {
-        for quality in qualities() {
+        let smooth = Quality {
+            antialias: 2,
+            ..Quality::DEFAULT
+        };
+        for quality in qualities().chain([smooth]) {
             // Counts too: no point depends on what was traced in a frame before.
             let (mut heard, mut unheard) = (vec![0; width * height], vec![1; width * height]);
             let trail = Trail::new(width, height);

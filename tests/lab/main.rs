@@ -80,6 +80,7 @@ fn every_choice_changes_the_picture() {
         ["--scene", "field:20"],
         ["--scene", "show:finale"],
         ["--size", "41x30"],
+        ["--antialias", "2"],
     ] {
         // The last of two equal flags would be refused, so the size comes by itself.
         let changed = if more[0] == "--size" {
@@ -105,6 +106,7 @@ fn bad_input_is_named_in_one_line() {
             "best",
             "exhaustive, thesis, finest, finer, fine, default, fast, faster, fastest",
         ),
+        ("--antialias", "9", "from 1 to 8"),
         ("--threads", "0", "from 1"),
         ("--threads", "many", "from 1"),
         ("--scene", "field:0", "field:N"),

@@ -235,10 +235,32 @@ fn what_is_done_before_ctrl_c_is_written_whole() {
 }
 
 #[test]
+fn all_rows_have_the_samples_at_edges_that_were_asked_for() {
+    let more = ["--size", "48x36", "--frames", "2", "--antialias", "2"];
+    let output = lab(&[&["trade", "--ladder"], &more[..]].concat());
+    assert!(output.status.success());
+    let table = String::from_utf8(output.stdout).expect("text");
+    let rows: Vec<&str> = table
+        .lines()
+        .filter(|line| line.contains(" a2 |"))
+        .collect();
+    assert_eq!(rows.len(), 9, "{table}");
+    // The exhaustive frames, which the others are held to, as well.
+    let exhaustive = rows[0];
+    assert!(exhaustive.starts_with("| exhaustive | s1 a2 |"), "{table}");
+    assert!(exhaustive.contains("| - | - | 0 | 0 |"), "{table}");
+    assert!(
+        !exhaustive.contains("100.0 %"),
+        "more than a point a pixel: {table}"
+    );
+}
+
+#[test]
 fn bad_input_is_named_in_one_line() {
     for (flag, value, takes) in [
         ("--size", "0x5", "WIDTHxHEIGHT"),
         ("--frames", "0", "from 1 to"),
+        ("--antialias", "0", "from 1 to 8"),
         ("--time-from", "inf", "seconds"),
         ("--time-to", "late", "seconds"),
         ("--scene", "field:0", "field:N"),

@@ -82,6 +82,13 @@ impl NamedQuality {
         quality: Quality::THESIS,
     };
 
+    /// The quality with so many samples a side of the pixels at edges, under its name.
+    pub fn antialiased(mut self, samples: usize) -> Self {
+        // One is what all have.
+        self.quality.antialias = if samples > 1 { samples } else { 0 };
+        self
+    }
+
     /// All that have a name: the two to compare with, then the ladder from the finest to the fastest.
     pub fn all() -> impl Iterator<Item = Self> {
         let ladder = Quality::NAMES.split(' ').zip(Quality::LADDER);
@@ -134,6 +141,11 @@ pub fn frame(text: &str) -> Result<usize, String> {
     number
         .filter(|&n| n <= MAX_FRAMES)
         .ok_or_else(|| format!("takes the number of a frame, 0 to {MAX_FRAMES}"))
+}
+
+/// Samples a side for antialiasing.
+pub fn antialias(text: &str) -> Result<usize, String> {
+    number(text, Quality::MAX_ANTIALIAS)
 }
 
 /// A number from 1 to `most`.

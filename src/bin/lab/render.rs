@@ -25,6 +25,9 @@ pub struct Arguments {
     /// How it is refined: exhaustive, thesis, or one of the ladder, from finest to fastest
     #[arg(long, value_name = "NAME", default_value = "default")]
     quality: NamedQuality,
+    /// Samples a side of the pixels at edges, 1 to 8: 4 for sixteen samples, 1 for the one that all have
+    #[arg(long, value_name = "N", default_value = "1", value_parser = arguments::antialias)]
+    antialias: usize,
     /// Threads that share the work [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = arguments::threads)]
     threads: Option<usize>,
@@ -48,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Studio::new(threads).draw(
         arguments.isa.unwrap_or_else(isa::best).level,
         &scene,
-        &arguments.quality.quality,
+        &arguments.quality.antialiased(arguments.antialias).quality,
         size.width,
         &mut pixels,
     );

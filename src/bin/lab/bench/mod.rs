@@ -37,6 +37,10 @@ pub struct Arguments {
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest; may be given several times
     #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"])]
     quality: Vec<NamedQuality>,
+    /// Samples a side of the pixels at edges, 1 to 8: 4 for sixteen samples, 1 for the one that all have; of the
+    /// exhaustive frames too
+    #[arg(long, value_name = "N", default_value = "1", value_parser = arguments::antialias)]
+    antialias: usize,
     /// Frames to draw of each quality and scene, at times spread evenly
     #[arg(long, value_name = "N", default_value = "101", value_parser = arguments::frames)]
     frames: usize,
@@ -105,6 +109,7 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
     }
     let others = arguments.quality.iter().copied();
     let qualities = [NamedQuality::EXHAUSTIVE].into_iter().chain(others);
+    let qualities = qualities.map(|quality| quality.antialiased(arguments.antialias));
     let parts = arguments.scene.parts().into_iter();
     let shots: Vec<Shot> = parts.filter_map(|part| shot(arguments, part)).collect();
     if shots.is_empty() {

@@ -7,9 +7,9 @@ mod waveform;
 use crate::{output, picture, wav};
 use anyhow::Result;
 use clap::Args;
+use cpu_time::ThreadTime;
 use eightfold::sound::{LENGTH, RATE};
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 /// Makes the soundtrack, and prints its levels bar by bar
 ///
@@ -36,7 +36,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     for file in files.into_iter().flatten() {
         output::check(file)?;
     }
-    let start = Instant::now();
+    let start = ThreadTime::now();
     let samples = wav::record(0..LENGTH);
     let time = start.elapsed().as_secs_f64();
     let table = format!(

@@ -5,7 +5,7 @@ use super::row::Row;
 /// A column's title, and what a row has in it.
 type Column = (&'static str, fn(&Row) -> String);
 
-const COLUMNS: [Column; 26] = [
+const COLUMNS: [Column; 27] = [
     ("name", |row| row.name.clone()),
     ("dials", |row| row.dials.clone()),
     ("sweep", |row| format!("\"{}\"", row.sweep)),
@@ -21,6 +21,7 @@ const COLUMNS: [Column; 26] = [
     ("least_contribution", |row| {
         row.least_contribution.to_string()
     }),
+    ("antialias", |row| row.antialias.to_string()),
     ("keys", |row| row.keys.to_string()),
     ("frames", |row| row.frames.to_string()),
     ("speedup", |row| format!("{:.4}", row.speedup)),

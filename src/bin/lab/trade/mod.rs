@@ -9,7 +9,7 @@ mod sweep;
 mod table;
 mod tally;
 
-use crate::arguments::{self, Size};
+use crate::arguments::{self, NamedQuality, Size};
 use crate::interrupt::Stopped;
 use crate::isa::{self, Isa};
 use crate::machine::machine;
@@ -36,7 +36,8 @@ use tally::Tally;
 ///
 /// Dials in names: s side of the squares in pixels, c spread of colours within which a square is filled, in 255ths (k
 /// depth of the objects / of the lights' states compared, then c spread where they agree / differ), e spread of a side
-/// whose middle is averaged, u not guarded against missed objects, h least highlight, d depth of rays, w least contribution of a ray.
+/// whose middle is averaged, u not guarded against missed objects, h least highlight, d depth of rays, w least contribution of a ray,
+/// a samples a side of the pixels at edges.
 #[derive(Args)]
 pub struct Arguments {
     /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
@@ -45,6 +46,10 @@ pub struct Arguments {
     /// Width and height in pixels [default: 1024x768, with --quick 512x384]
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
+    /// Samples a side of the pixels at edges, 1 to 8: 4 for sixteen samples, 1 for the one that all have; of the
+    /// exhaustive frames too
+    #[arg(long, value_name = "N", default_value = "1", value_parser = arguments::antialias)]
+    antialias: usize,
     /// Frames of each point against the clock, at times spread evenly [default: 51, with --quick 9]
     #[arg(long, value_name = "N", value_parser = arguments::frames)]
     frames: Option<usize>,
@@ -100,11 +105,14 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         output::check(&folder.join("trade.csv"))?;
     }
     let plan = plan(arguments);
-    let points = if arguments.ladder {
+    let mut points = if arguments.ladder {
         sweep::named()
     } else {
         sweep::points(arguments.quick)
     };
+    for point in &mut points {
+        point.antialias(arguments.antialias);
+    }
     let trade = measure(arguments, &plan, points);
     let table = if arguments.ladder {
         table::ladder(&trade)
@@ -132,6 +140,9 @@ fn plan(arguments: &Arguments) -> Plan {
     Plan {
         scene: arguments.scene,
         isa: arguments.isa.unwrap_or_else(isa::best),
+        reference: NamedQuality::EXHAUSTIVE
+            .antialiased(arguments.antialias)
+            .quality,
         size: arguments.size.unwrap_or(Size { width, height }),
         frames: arguments.frames.unwrap_or(frames),
         time_from: arguments.time_from,

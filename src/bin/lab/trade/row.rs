@@ -23,6 +23,7 @@ pub struct Row {
     pub highlight: f32,
     pub depth: u32,
     pub least_contribution: f32,
+    pub antialias: usize,
     /// Whether it compares keys.
     pub keys: bool,
     /// Frames against the clock.
@@ -83,6 +84,7 @@ impl Row {
             highlight: quality.highlight,
             depth: quality.depth,
             least_contribution: quality.least_contribution,
+            antialias: quality.antialias,
             keys: tally.point.has_keys(),
             frames,
             speedup: quartile(&tally.exhaustive_times) / quartile(&tally.times),

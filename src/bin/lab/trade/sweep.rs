@@ -183,6 +183,14 @@ impl Point {
         }
     }
 
+    /// Gives its edges so many samples a side.
+    pub fn antialias(&mut self, samples: usize) {
+        if samples > 1 {
+            self.quality.antialias = samples;
+            self.dials += &format!(" a{samples}");
+        }
+    }
+
     /// Whether it compares keys.
     pub fn has_keys(&self) -> bool {
         has_keys(&self.quality)

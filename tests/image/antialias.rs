@@ -1,0 +1,134 @@
+//! Edges with more samples than one.
+
+use crate::drawn::draw;
+use crate::error::{Difference, worst_channel};
+use crate::isa;
+use eightfold::scene::Scene;
+use eightfold::{Quality, show};
+
+/// Samples a side of a pixel in the pictures that others are held to.
+const FINE: usize = 8;
+
+const SIZE: (usize, usize) = (200, 150);
+
+/// A picture by the best instruction set.
+fn picture(scene: &Scene, quality: &Quality, threads: usize, n: usize) -> Vec<u32> {
+    let (width, height) = SIZE;
+    draw(isa::best(), threads, scene, quality, n * width, n * height).pixels
+}
+
+/// A picture whose pixels are the means of 64 in one that is eight times as large.
+fn reference(scene: &Scene) -> Vec<u32> {
+    let (width, height) = SIZE;
+    let large = picture(scene, &Quality::EXHAUSTIVE, 2, FINE);
+    let mean = |place: usize, shift: u32| {
+        let (left, top) = (place % width * FINE, place / width * FINE);
+        let rows = large.chunks_exact(width * FINE).skip(top).take(FINE);
+        let parts = rows.flat_map(|row| &row[left..left + FINE]);
+        let sum: u32 = parts.map(|pixel| pixel >> shift & 0xff).sum();
+        ((sum + 32) / 64) << shift
+    };
+    let pixel = |place| [16, 8, 0].map(|shift| mean(place, shift)).iter().sum();
+    (0..width * height).map(pixel).collect()
+}
+
+fn with(antialias: usize, quality: Quality) -> Quality {
+    Quality {
+        antialias,
+        ..quality
+    }
+}
+
+#[test]
+fn more_samples_at_edges_are_nearer_to_many_everywhere() {
+    for (name, scene) in [("model", show::scene(2.0)), ("field", show::field(64, 2.0))] {
+        let reference = reference(&scene);
+        let psnr = |quality: &Quality| {
+            Difference::between(&reference, &picture(&scene, quality, 2, 1)).psnr
+        };
+        // In squares, what is filled between edges is off as before.
+        for (quality, by_four, by_sixteen) in [
+            (Quality::EXHAUSTIVE, 7.0, 13.0),
+            (Quality::DEFAULT, 4.0, 5.0),
+        ] {
+            let [one, four, sixteen] = [0, 2, 4].map(|samples| psnr(&with(samples, quality)));
+            println!(
+                "{name}, squares of {}: {one:.1} dB, by 4 samples {four:.1} dB, by 16 {sixteen:.1} dB",
+                quality.square
+            );
+            assert!(four > one + by_four, "{name}: {one} dB, {four} dB");
+            assert!(sixteen > one + by_sixteen, "{name}: {one} dB, {sixteen} dB");
+        }
+    }
+}
+
+#[test]
+fn what_differs_from_no_neighbour_keeps_its_bits() {
+    let (width, height) = SIZE;
+    for quality in [Quality::EXHAUSTIVE, Quality::DEFAULT] {
+        let scene = show::scene(2.0);
+        let plain = picture(&scene, &quality, 2, 1);
+        let smooth = picture(&scene, &with(3, quality), 2, 1);
+        let is_edge = |place: usize| {
+            let (x, y) = (place % width, place / width);
+            let beside = [
+                (x > 0).then(|| place - 1),
+                (x + 1 < width).then(|| place + 1),
+                (y > 0).then(|| place - width),
+                (y + 1 < height).then(|| place + width),
+            ];
+            let mut beside = beside.into_iter().flatten();
+            beside.any(|other| worst_channel(plain[place], plain[other]) >= 16)
+        };
+        let (mut edges, mut changed) = (0, 0);
+        for (place, (plain, smooth)) in plain.iter().zip(&smooth).enumerate() {
+            edges += usize::from(is_edge(place));
+            changed += usize::from(plain != smooth);
+            assert!(plain == smooth || is_edge(place), "pixel {place}");
+        }
+        assert!(edges < width * height / 4, "{edges} pixels at edges");
+        assert!(changed > edges / 2, "{changed} of {edges} changed");
+    }
+}
+
+#[test]
+fn edges_have_the_same_bits_on_any_number_of_threads() {
+    for scene in [show::scene(3.0), show::field(100, 3.0)] {
+        for quality in [Quality::EXHAUSTIVE, Quality::THESIS, Quality::LADDER[6]] {
+            let quality = with(2, quality);
+            let one = picture(&scene, &quality, 1, 1);
+            for threads in [2, 3, 7] {
+                let more = picture(&scene, &quality, threads, 1);
+                assert!(
+                    more == one,
+                    "{threads} threads, squares of {}",
+                    quality.square
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn captions_and_marks_of_the_method_are_no_edges() {
+    let mut scene = Scene::NONE;
+    let is_white = |pixels: &[u32]| -> Vec<bool> {
+        pixels.iter().map(|&pixel| pixel == 0x00ff_ffff).collect()
+    };
+    // The greetings, over a picture that has edges of its own.
+    show::at(90.0, &mut scene);
+    assert!(
+        scene
+            .captions
+            .iter()
+            .any(|caption| caption.brightness == 1.0)
+    );
+    let [plain, smooth] =
+        [0, 4].map(|samples| picture(&scene, &with(samples, Quality::DEFAULT), 2, 1));
+    assert!(plain != smooth);
+    assert!(is_white(&plain) == is_white(&smooth));
+    show::at(36.0, &mut scene);
+    let [plain, smooth] =
+        [0, 4].map(|samples| picture(&scene, &with(samples, Quality::DEFAULT), 2, 1));
+    assert!(plain == smooth);
+}
