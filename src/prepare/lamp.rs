@@ -47,6 +47,8 @@ pub(crate) struct Caster {
     /// normal's. 0 of what is none.
     pub side: Vec3A,
     pub sine2: f32,
+    /// The radius, and what rounding adds to it.
+    pub radius: f32,
 }
 
 /// More than rounding makes of a scalar product of directions.
@@ -97,8 +99,12 @@ impl Lamp {
         self.diameter = light.diameter();
         self.widest = light.widest();
         for (caster, node) in self.casters.iter_mut().zip(nodes) {
-            // A penumbra is wider, and a bound shades from its nearest point on.
-            let radius = node.radius + if DETAILS { 0.5 * self.widest } else { 0.0 };
+            // A sphere's penumbra is wider, and a bound shades from its nearest point on.
+            let radius = if DETAILS && !node.is_block {
+                node.radius + 0.5 * self.widest
+            } else {
+                node.radius
+            };
             caster.set(self.position - node.centre, radius, node);
         }
     }
@@ -117,6 +123,7 @@ impl Caster {
         r2: 0.0,
         side: Vec3A::ZERO,
         sine2: 0.0,
+        radius: 0.0,
     };
 
     fn set(&mut self, from_lamp: Vec3A, radius: f32, node: &Node) {
@@ -145,6 +152,7 @@ impl Caster {
             from_lamp,
             side,
             sine2: side.length_squared() * sine * sine,
+            radius: node.radius * (1.0 + MARGIN) + way,
             r2: node.r2 + if self.around_lamp { slack2 } else { -slack2 },
         }
     }

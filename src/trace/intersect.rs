@@ -179,6 +179,28 @@ fn caster_shades<S: Isa>(simd: S, caster: &Caster, l: Vec3x<S>, distance: F<S>) 
         & distance.simd_gt(splat(simd, caster.from))
 }
 
+/// Which rays towards a lamp, so wide and `distance` away in direction `l`, surely pass by a box or a cylinder in a
+/// sphere, or a sphere and its penumbra.
+#[inline(always)]
+fn caster_is_off<S: Isa>(
+    simd: S,
+    caster: &Caster,
+    l: Vec3x<S>,
+    distance: F<S>,
+    diameter: f32,
+) -> M<S> {
+    let off = l.dot(Vec3x::splat(simd, caster.side));
+    let f = Vec3x::splat(simd, caster.from_lamp);
+    let way = f.dot(l);
+    let across = f.add_scaled(l, -way);
+    // Half the penumbra is without the sphere: as much of the lamp's radius as the way there is of that to the lamp. All
+    // times the distance, which saves a division.
+    let share = (distance - way).max(splat(simd, 0.0));
+    let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * caster.radius);
+    let past = across.dot(across) * distance * distance;
+    (off * off).simd_gt(splat(simd, caster.sine2)) | past.simd_gt(reach * reach)
+}
+
 /// Which rays towards a lamp, `distance` away in direction `l`, a sphere blocks, wherever they start.
 ///
 /// It does not block those that start on it and leave it: see [`Caster::r2`].
@@ -220,9 +242,8 @@ pub(crate) fn blocked<S: Isa>(
         let shaded = caster_shades(simd, caster, l, distance);
         let is_met = shaded.any_true();
         if is_met && !caster.is_bound && !lamp.is_plain() {
-            let off = l.dot(Vec3x::splat(simd, caster.side));
-            let is_off = (off * off).simd_gt(splat(simd, caster.sine2));
-            if is_plain::<S>() || (shaded & !is_off).any_true() {
+            let near = shaded & !caster_is_off(simd, caster, l, distance, lamp.diameter);
+            if is_plain::<S>() || near.any_true() {
                 packet.push(caster.number);
             }
         } else if is_met && !caster.is_bound {
