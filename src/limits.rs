@@ -66,8 +66,10 @@
 //! - Surfaces that lie in each other, two planes of one height, or two spheres that are the same: which one is hit is decided
 //!   by rounding.
 //! - Chords of a sphere so short that rounding hides them, see above: a ray passes by.
-//! - Shadows between the corners of squares: the default quality misses up to 8 % of the pixels of small spheres' shadows,
-//!   in patches of up to 110 (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). Every object that the eye sees
-//!   directly is shown (`every_object_that_a_pixel_can_show_is_shown`).
+//! - Shadows between the corners of squares, but for those of spheres on planes by lamps that are points: each of these is
+//!   shown in a pixel at least (`every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some`), and of all their
+//!   pixels 0.4 % are lit at most, in patches of up to 20
+//!   (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). Every object that the eye sees directly is shown
+//!   (`every_object_that_a_pixel_can_show_is_shown`, `boxes_and_cylinders_of_any_size_are_shown`).
 //! - A sphere smaller than the rounding of its own coordinates, less than 1e-6 of the largest: where it is hit is up to
 //!   rounding, but no ray that leaves it hits it again.

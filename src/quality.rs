@@ -21,9 +21,10 @@ pub struct Quality {
     /// The middle of a split square's side is not traced but averaged where the side's ends are at most this far apart,
     /// counted as for squares. 0: always traced, as it is where keys are needed.
     pub spread_side: f32,
-    /// Whether a square is split also where an object may be seen in it that none of its corners shows: then every object
-    /// is shown that tracing every pixel shows. On in all named qualities, [`Quality::THESIS`] too; the rules of 2008 as
-    /// they were, which miss what lies between corners, are `Quality { guarded: false, ..Quality::THESIS }`.
+    /// Whether a square is split also where an object may be seen in it that none of its corners shows, or the shadow of a
+    /// sphere on a plane: then all of these are shown that tracing every pixel shows. On in all named qualities,
+    /// [`Quality::THESIS`] too; the rules of 2008 as they were, which miss what lies between corners, are
+    /// `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
     /// A key holds the objects hit by rays of at most this depth (the primary ray has depth 0).
     pub key_depth: u32,

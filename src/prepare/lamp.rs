@@ -16,6 +16,8 @@ pub(crate) struct Lamp {
     /// Its diameter, and the widest that a penumbra is taken to be at what throws it.
     pub diameter: f32,
     pub widest: f32,
+    /// Whether it is no more than a point.
+    pub is_point: bool,
     /// The solid nodes of the [`super::Tree`].
     pub casters: [Caster; MAX_NODES],
 }
@@ -76,6 +78,7 @@ impl Lamp {
         },
         diameter: 0.0,
         widest: 0.0,
+        is_point: false,
         casters: [Caster::NONE; MAX_NODES],
     };
 
@@ -94,7 +97,8 @@ impl Lamp {
     /// Takes a light in, and the nodes that can shade it.
     pub fn set(&mut self, light: &Light, has_blocks: bool, nodes: &[Node]) {
         self.position = light.place();
-        self.is_plain = light.is_plain() && !has_blocks;
+        self.is_point = light.is_plain();
+        self.is_plain = self.is_point && !has_blocks;
         self.cone = light.spot.unwrap_or(ALL_BRIGHT);
         self.diameter = light.diameter();
         self.widest = light.widest();

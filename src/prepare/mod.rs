@@ -1,5 +1,6 @@
 //! What every ray of a frame uses, computed once a frame.
 
+mod cone;
 mod details;
 mod lamp;
 mod object;
@@ -8,10 +9,11 @@ mod screen;
 mod surface;
 mod tree;
 
+pub(crate) use cone::ROUNDING;
 pub(crate) use details::Details;
 pub(crate) use lamp::{Caster, Lamp};
 pub(crate) use object::Object;
-use outline::Outline;
+pub(crate) use outline::Outline;
 use screen::Window;
 pub(crate) use screen::{Axes, Rect};
 pub(crate) use surface::{FIELDS, Spread};
@@ -40,6 +42,10 @@ pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 /// Room for them: a power of two, so that a number is masked and not checked.
 const ROOM: usize = MAX_OBJECTS.next_power_of_two();
 
+/// Room for what can be seen for itself: objects, and the shadows that spheres throw on planes.
+pub(crate) const OUTLINES: usize =
+    (MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS).next_power_of_two();
+
 /// One frame's scene in the order the kernels want it.
 ///
 /// Objects are numbered: solids (as the [`Tree`] orders them), lights, planes, background.
@@ -54,8 +60,9 @@ pub(crate) struct Prepared {
     /// The same of its mirror image in the first plane.
     mirrored: [Window; MAX_GROUPS],
     pub axes: Axes,
-    /// What each object covers of the picture.
-    outlines: [Outline; ROOM],
+    /// What each object covers of the picture, and from number [`Prepared::nothing`] on what each shadow does.
+    pub outlines: [Outline; OUTLINES],
+    pub outlined: usize,
     pub solids: usize,
     lamps: [Lamp; MAX_LIGHTS],
     pub lamp_count: usize,
@@ -98,7 +105,8 @@ impl Prepared {
             windows: [Window::ZERO; MAX_GROUPS],
             mirrored: [Window::ZERO; MAX_GROUPS],
             axes: Axes::NONE,
-            outlines: [Outline::NONE; ROOM],
+            outlines: [Outline::NONE; OUTLINES],
+            outlined: 0,
             solids: 0,
             lamps: [const { Lamp::NONE }; MAX_LIGHTS],
             lamp_count: 0,
@@ -206,7 +214,7 @@ impl Prepared {
                 continue;
             }
             let mut to = node.centre - self.eye;
-            let outline = &mut self.outlines[node.number as usize % ROOM];
+            let outline = &mut self.outlines[node.number as usize];
             outline.set_sphere(&self.axes, to, node);
             let group = node.groups.trailing_zeros() as usize % MAX_GROUPS;
             self.windows[group].join(outline.window);
@@ -220,9 +228,13 @@ impl Prepared {
             self.mirrored[group].join(self.axes.window(to, node.radius));
         }
         let first_plane = self.first_plane();
-        let planes = &self.planes[..self.plane_count.min(MAX_PLANES)];
-        for (outline, plane) in self.outlines[first_plane % ROOM..].iter_mut().zip(planes) {
-            outline.set_rectangle(&self.axes, self.eye, plane);
+        self.outlined = self.nothing();
+        for i in 0..self.plane_count.min(MAX_PLANES) {
+            let (plane, number) = (self.planes[i], first_plane + i);
+            self.outlines[number % OUTLINES].set_rectangle(&self.axes, self.eye, &plane, number);
+            for lamp in 0..self.lamp_count {
+                self.add_shadows(&plane, number, lamp);
+            }
         }
     }
 

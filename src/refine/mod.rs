@@ -14,10 +14,16 @@
 //! that are pixels shows the object, or where all corners show one that covers the square and is in front. Averaged
 //! points count as showing what both their ends show. What a square is cleared of, its parts are, too.
 //!
-//! Only what the eye sees directly is guaranteed. Gaps between objects, shadows, highlights and what is seen by
-//! reflection or through glass can be missed where they fall between corners: of the pixels of small spheres' shadows 3 %
-//! by the finest quality, 8 % by the default one (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). The
-//! lab's bench measures how much of the picture that is, and how it flickers.
+//! The same holds for the shadows that spheres throw on planes by the light of lamps that are points: a shadow on a plane is
+//! a cone as seen from the lamp, and has an outline like an object's. A square that shows the plane at a corner, and may
+//! show a shadow, is filled only where one of its corners lies in the shadow on the plane.
+//!
+//! That is all that is guaranteed. Gaps between objects and between shadows, shadows on and of other objects, and by lamps
+//! that are more than points or that touch a sphere to within 0.1 % of its radius, highlights, and what is seen by
+//! reflection or through glass can be missed where they fall between corners. A guaranteed shadow may be smaller than it
+//! is, too: of the pixels of small spheres' shadows on a plane up to 0.4 % are lit
+//! (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). The lab's bench measures how much of the picture is
+//! wrong, and how it flickers.
 
 #[cfg(feature = "lab")]
 pub(crate) mod antialias;

@@ -1,24 +1,25 @@
-//! Objects that may be seen between the corners of squares.
+//! Objects, and shadows on planes, that may be seen between the corners of squares.
 
-use crate::prepare::{GroupSet, MAX_OBJECTS, Prepared, Rect};
+use crate::prepare::{GroupSet, OUTLINES, Outline, Prepared, ROUNDING, Rect};
 use crate::trace::Sample;
 use core::ops::Range;
+use glam::{Vec2Swizzles, vec2};
 
-/// The objects that a part of the picture may show.
+/// The objects and shadows that a part of the picture may show, by the numbers of their outlines.
 pub(crate) struct Unseen {
-    objects: [u16; MAX_OBJECTS],
+    outlines: [u16; OUTLINES],
     count: usize,
 }
 
 impl Unseen {
     pub const fn new() -> Self {
         Self {
-            objects: [0; MAX_OBJECTS],
+            outlines: [0; OUTLINES],
             count: 0,
         }
     }
 
-    /// Lists the objects that the rectangle with these corners may show, in pixels; the spheres are in `groups`.
+    /// Lists what the rectangle with these corners may show, in pixels; the spheres are in `groups`.
     #[inline(never)]
     pub fn set(&mut self, scene: &Prepared, groups: GroupSet, rectangle: [f32; 4]) {
         let rect = scene.axes.rect(rectangle);
@@ -28,27 +29,27 @@ impl Unseen {
             let is_met = node.groups & groups != 0;
             if is_met && !node.is_bound {
                 let number = node.number as usize;
-                self.add(scene, number..number + 1, rect);
+                self.add(scene, number..number + 1, &rect);
             }
             i += node.step(is_met);
         }
-        let planes = scene.first_plane()..scene.nothing();
-        self.add(scene, planes, rect);
+        self.add(scene, scene.first_plane()..scene.outlined, &rect);
     }
 
-    /// Lists those of some objects that a rectangle may show.
+    /// Lists those of some outlines that a rectangle may show.
     #[inline(never)]
-    fn add(&mut self, scene: &Prepared, objects: Range<usize>, rect: Rect) {
-        for object in objects {
-            if scene.may_show(object, rect) {
-                self.objects[self.count] = object as u16;
+    fn add(&mut self, scene: &Prepared, outlines: Range<usize>, rect: &Rect) {
+        for outline in outlines {
+            if scene.may_show(outline, rect) {
+                self.outlines[self.count % OUTLINES] = outline as u16;
                 self.count += 1;
             }
         }
     }
 
-    /// Whether a square, its sides included, may show an object that none of some samples shows. They are on its sides
-    /// and inside, the outermost at its corners; the first one is a pixel of the picture, and all where `is_inside`.
+    /// Whether a square, its sides included, may show an object or a shadow that none of some samples shows. They are in two
+    /// rows of two or three of three from corner to corner; the first one is a pixel of the picture, and all where
+    /// `is_inside`.
     #[inline(never)]
     pub fn may_show(
         &self,
@@ -60,13 +61,43 @@ impl Unseen {
         let rect = scene.axes.rect(rectangle);
         let first = samples[0].object();
         let pixels = if is_inside { samples } else { &samples[..1] };
-        let all_show = first > 0 && samples.iter().all(|sample| sample.object() == first);
-        self.objects[..self.count].iter().any(|&object| {
-            let object = object as usize;
-            let is_shown = pixels.iter().any(|sample| sample.object() == object + 1);
-            !is_shown
-                && scene.may_show(object, rect)
-                && !(all_show && scene.hides(first - 1, object))
+        let outlines = &self.outlines[..self.count.min(OUTLINES)];
+        outlines.iter().any(|&number| {
+            let number = number as usize;
+            let outline = &scene.outlines[number % OUTLINES];
+            let object = outline.object as usize;
+            let is_object = number == object;
+            let is_shown = |sample: &Sample| sample.object() == object + 1;
+            // Where no sample shows the plane of a shadow it cannot be seen, or is unseen itself.
+            if pixels.iter().any(is_shown) == is_object || !scene.may_show(number, &rect) {
+                return false;
+            }
+            if is_object {
+                let all_show = || samples.iter().all(|sample| sample.object() == first);
+                !(first > 0 && all_show() && scene.hides(first - 1, object))
+            } else {
+                !is_shaded(outline, &rect, samples.len(), pixels)
+            }
         })
     }
+}
+
+/// Whether one of the first of `count` samples, one at a corner of the rectangle, shows the shadow that an outline is of; all
+/// four, where there are more, which are of a square that is about to be split: where it is all in the shadow, so are its
+/// parts.
+#[inline(never)]
+fn is_shaded(outline: &Outline, rect: &Rect, count: usize, samples: &[Sample]) -> bool {
+    let sides = rect.to_array();
+    let is_one_enough = count == 4;
+    // Samples from one corner to the next.
+    let step = if is_one_enough { 1 } else { 2 };
+    let is_decided = (0..4).any(|i| {
+        let (column, row) = (i & 1, i & 2);
+        let corner = vec2(sides[2 * column], sides[row + 1]);
+        let sample = samples.get(step * column + step * (step + 1) / 2 * row);
+        let shows = |sample: &Sample| sample.object() == outline.object as usize + 1;
+        let is_in = sample.is_some_and(shows) && outline.cone.meets(&corner.xyxy(), ROUNDING);
+        is_in == is_one_enough
+    });
+    is_decided == is_one_enough
 }

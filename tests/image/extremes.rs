@@ -18,8 +18,9 @@ fn work(counts: &Counts) -> u64 {
 }
 
 /// A scene `factor` times as large.
-fn scaled(scene: &Scene, factor: f32) -> Scene {
+pub fn scaled(scene: &Scene, factor: f32) -> Scene {
     let mut scene = *scene;
+    scene.haze /= factor;
     scene.camera.eye *= factor;
     scene.camera.look_at *= factor;
     for sphere in scene.spheres.iter_mut() {
@@ -34,13 +35,18 @@ fn scaled(scene: &Scene, factor: f32) -> Scene {
     for light in scene.lights.iter_mut() {
         light.position *= factor;
         light.radius *= factor;
+        light.size *= factor;
+    }
+    for block in scene.blocks.iter_mut() {
+        block.centre *= factor;
+        block.half *= factor;
     }
     scene
 }
 
 #[test]
 fn a_scene_of_any_scale_gives_the_same_picture() {
-    for scene in [show::scene(2.0), show::field(60, 2.0)] {
+    for scene in [show::scene(2.0), show::field(60, 2.0), rich()] {
         for quality in [Quality::EXHAUSTIVE, Quality::DEFAULT] {
             for isa in isa::all() {
                 let picture = |scene: &Scene| draw(isa, 2, scene, &quality, 320, 240).pixels;

@@ -3,6 +3,7 @@
 //! Objects shine by ambient light alone, each in a colour of its own, so that a pixel tells what it shows.
 
 use crate::drawn::draw;
+use crate::extremes::scaled;
 use crate::isa::{self, Isa};
 use crate::random::config;
 use crate::refinement::bare;
@@ -128,6 +129,8 @@ struct Sketch {
     planes: Vec<Plane>,
     bodies: Vec<Body>,
     lights: usize,
+    /// How many times as large all is.
+    scale: f32,
     step: usize,
     width: usize,
     height: usize,
@@ -193,7 +196,7 @@ impl Sketch {
                 }
             })
             .collect();
-        Scene {
+        let scene = Scene {
             camera: self.camera,
             background: colour(0, self.step),
             ambient: Vec3A::ONE,
@@ -202,7 +205,8 @@ impl Sketch {
             blocks: List::of(&blocks),
             lights: List::of(&lights),
             ..Scene::default()
-        }
+        };
+        scaled(&scene, self.scale)
     }
 }
 
@@ -218,20 +222,26 @@ fn sketch() -> impl Strategy<Value = Sketch> {
         vec(plane(), 0..3),
         prop_oneof![2 => Just(vec![]), 1 => vec(body(), 1..12)],
         0_usize..3,
-        prop_oneof![Just(1_usize), Just(28)],
+        (
+            prop_oneof![Just(1_usize), Just(28)],
+            prop_oneof![Just(0.0_f32), -4.0_f32..4.0],
+        ),
         (1_usize..160, 1_usize..120),
     )
         .prop_map(
-            |(camera, spots, around, planes, bodies, lights, step, (width, height))| Sketch {
-                camera,
-                spots,
-                around,
-                planes,
-                bodies,
-                lights,
-                step,
-                width,
-                height,
+            |(camera, spots, around, planes, bodies, lights, (step, decades), (width, height))| {
+                Sketch {
+                    scale: 10.0_f32.powf(decades),
+                    camera,
+                    spots,
+                    around,
+                    planes,
+                    bodies,
+                    lights,
+                    step,
+                    width,
+                    height,
+                }
             },
         )
 }
@@ -294,6 +304,7 @@ pub fn between_corners() -> Scene {
         planes: Vec::new(),
         bodies: Vec::new(),
         lights: 0,
+        scale: 1.0,
         step: 28,
         width: 320,
         height: 240,

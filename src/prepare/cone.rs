@@ -1,0 +1,100 @@
+//! Cones as parts of the picture see them: around a sphere, a rectangle, or the shadow of a sphere on a plane.
+//!
+//! A round cone are the rays w with `sin (a . w) >= cos |a x w|`, a its axis. Seen from the eye, w is the picture's own ray
+//! (u, v, 1). A lamp's ray to where the eye's ray d meets a plane, which is H below the eye, is a linear image of that but
+//! for its length, `w = H d - (eye - lamp) d.y`: so a shadow is a cone as well. One with flat sides, through the eye, are
+//! the rays on the inner side of all.
+//!
+//! The difference of both sides of the inequality is a concave function of u and v, nowhere above its tangent plane, which
+//! is greatest at a corner of a square of the picture. So a square that has a side's tangent plane in its middle below 0 at
+//! all corners is outside.
+
+use super::Rectangle;
+use super::screen::{Axes, Rect};
+use glam::{Vec3A, Vec4, Vec4Swizzles};
+
+/// A cone.
+#[derive(Clone, Copy)]
+pub(crate) struct Cone {
+    /// For a step along u, for one along v, and for (0, 0): `cos (a x w)` and, in the last lane, `sin (a . w)`; or how far
+    /// inside of four flat sides w is.
+    terms: [Vec4; 3],
+    is_flat: bool,
+}
+
+/// What rounding may add to a side's inequality, whose terms are below 2.
+pub(crate) const ROUNDING: f32 = 1e-5;
+
+/// What a sphere is taken to be larger by: the cosine of a cone is wider by more than its rounding, however flat.
+const WIDE: f32 = 1.0 + 1e-6;
+
+/// More than both sides of a round cone's inequality change by for a step along u or v, which is up to the root of 2.
+const STEEPEST: f32 = 1.5;
+
+impl Cone {
+    /// Nothing, all zeros.
+    pub const NONE: Self = Self {
+        terms: [Vec4::ZERO; 3],
+        is_flat: false,
+    };
+
+    /// Takes in the cone around a sphere whose centre is at `to`. The rays are those of the picture times the last of `by`,
+    /// and the rest of it times how far they lead up; `by` is of length 1. Returns the square of the cosine; all rays are inside where there is
+    /// none.
+    #[inline(never)]
+    pub fn set_round(&mut self, axes: &Axes, by: &Vec4, to: Vec3A, radius: f32) -> f32 {
+        let distance2 = to.length_squared();
+        let radius = radius * WIDE;
+        let cosine2 = (distance2 - radius * radius) / distance2;
+        // `to` is as long as the distance, which the sine has once more.
+        let cosine = libm::sqrtf(cosine2 / distance2);
+        let sine = radius / distance2;
+        for (terms, &ray) in self.terms.iter_mut().zip(&axes.rows) {
+            let ray = ray * by.w + Vec3A::from_vec4(*by) * ray.y;
+            *terms = (to.cross(ray) * cosine).extend(to.dot(ray) * sine);
+        }
+        self.is_flat = false;
+        cosine2
+    }
+
+    /// Takes in the cone between the eye and a horizontal rectangle.
+    pub fn set_flat(&mut self, axes: &Axes, eye: Vec3A, plane: &Rectangle) {
+        for (terms, &ray) in self.terms.iter_mut().zip(&axes.rows) {
+            *terms = plane.sides(eye, ray).0;
+        }
+        self.is_flat = true;
+    }
+
+    /// Whether a ray through a rectangle of the picture may be inside, or through a point is, by a margin.
+    #[inline(never)]
+    pub fn meets(&self, rect: &Rect, margin: f32) -> bool {
+        let half = (rect.zwzw() - *rect) * 0.5;
+        let middle = *rect + half;
+        let [mut right, mut down, terms] = self.terms;
+        let mut most = right * middle.x + down * middle.y + terms;
+        if !self.is_flat {
+            let across = Vec3A::from_vec4(most);
+            // Most are far outside: there is no need for roots.
+            let near = most.w + STEEPEST * (half.x + half.y) - margin;
+            if across.length_squared() > near.max(0.0) * near {
+                return false;
+            }
+            // On the axis any direction across will do, such as none.
+            let side = across / -across.length().max(f32::MIN_POSITIVE);
+            let side = side.extend(1.0);
+            most = total(side * most);
+            right = total(side * right);
+            down = total(side * down);
+        }
+        most += right.abs() * half.x + down.abs() * half.y;
+        // Turned round, so that what is not a number meets.
+        !most.cmplt(Vec4::splat(margin)).any()
+    }
+}
+
+/// The sum of all lanes, in each.
+#[inline(always)]
+fn total(v: Vec4) -> Vec4 {
+    let pairs = v + v.zwxy();
+    pairs + pairs.yxwz()
+}
