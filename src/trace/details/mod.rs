@@ -96,26 +96,25 @@ fn closer<S: Isa>(
     };
     let centre = Vec3x::splat(simd, centre);
     let out = (*o - centre).add_scaled(*d, t);
+    // As on a plane, whose y is exact; without a pattern it is all the same.
     let mut spot = Spot {
         out,
-        n: *d,
-        own: out,
+        n: Vec3x::splat(simd, Vec3A::Y),
+        own: out * Vec3x::splat(simd, LEVEL),
     };
     let mut slack = 0.0;
     let mut haze = details.scene.haze + LEAST_HAZE;
     match object {
-        Object::Sphere(sphere) => spot.n = out.scaled(splat(simd, 1.0 / sphere.radius)),
+        Object::Sphere(sphere) => {
+            spot.n = out.scaled(splat(simd, 1.0 / sphere.radius));
+            spot.own = out;
+        }
         Object::Block(block) => {
             slack = body::slack(block);
             spot = Spot::near(simd, block, out);
         }
-        Object::Plane(_) => {
-            spot.n = Vec3x::splat(simd, Vec3A::Y);
-            // Exact.
-            spot.own.y = splat(simd, 0.0);
-        }
         Object::Lamp(_) => haze = 0.0,
-        Object::Nothing => {}
+        _ => {}
     }
     let Spot { out, n, own } = spot;
     let dn = d.dot(n);
@@ -141,6 +140,9 @@ fn closer<S: Isa>(
     closer[LEFT] = left_of_colour(simd, &material.pattern, &own, pixels);
     closer
 }
+
+/// Without the y.
+const LEVEL: Vec3A = Vec3A::new(1.0, 0.0, 1.0);
 
 /// Haze through which nothing is seen from as far away as nothing is, and all from anywhere else.
 const LEAST_HAZE: f32 = 1e-20;
