@@ -36,9 +36,14 @@
 //! | system calls by number, not by name * | `src/window/system.rs` | 620 |
 //! | memory by `malloc` and no more * | `src/window/allocator.rs` | 504 |
 //! | functions know what registers others use (`-enable-ipra`) | `.cargo/config.toml` | 1,520 |
+//! | numbers masked, lists cut to length, where a check would end in a panic | `src/prepare`, `src/show` | 860 |
+//! | square roots in place, not by a call into `libm` | `src/trigonometry.rs` | 520 |
+//! | every pixel's rows without chunks that are divided for | `src/refine/refiner.rs` | 500 |
 //! | constants loaded where they are used (`-disable-machine-licm`) | `.cargo/config.toml` | 960 |
 //! | functions called by their own addresses (`-Crelro-level=off`) | `.cargo/config.toml` | 896 |
 //! | vectors in registers, by `Vec3A` | | 816 |
+//! | names in an unused program header, constants by alignment | `src/window/program.s`, `program.ld` | 276 |
+//! | work counted for the lab alone, bands made in their place | `src/trace`, `src/render.rs` | 214 |
 //! | numbers of pixels by way of `i32` | `src/scene/camera.rs` | 448 |
 //! | identical functions folded (`--icf=all`) | | 176 |
 //!
@@ -52,15 +57,18 @@
 //! | a loop where it was unrolled, one place where there were two | `src/trace` | 3,664 |
 //! | no list of who can shadow whom (3 % of the time) | `src/prepare` | 1,904 |
 //! | surfaces made as rows of numbers | `src/prepare` | 800 |
+//! | sums made samples in SSE2 lanes, not once per instruction set (0.3 % of the time) | `src/trace` | 331 |
 //!
 //! What std's parts cost, which the intro has by libc instead (measured in that 30-line program): starting
 //! a thread 32,000, counting processors 24,000, parking a thread 6,700, Rust's own `main` 19,000.
 //!
 //! Tried, and not kept: link-time optimisation makes std's functions one with the rest, so they can't be
 //! redirected (`lto = "fat"`), or without std's inlines 12,500 bytes more (`-C linker-plugin-lto`). All of the library at
-//! `opt-level = "z"`: the kernels get larger (SSE2 by 1,300, AVX2 by 1,600) and the rest smaller by 300.
-//! `-C relocation-model=static` saves 110 more, but goes to procedural macros too, which it breaks. Of LLVM's own
-//! options the machine outliner saves 30 more, and others less, or they cost. Structures with their small fields first: 50.
+//! `opt-level = "z"`: the kernels get larger (SSE2 by 2,500, AVX2 by 3,300), and little else gets much smaller (`main` by 290).
+//! `-C relocation-model=static` saved 110 once and costs 540 now, and goes to procedural macros too, which it breaks.
+//! Of LLVM's own options `-enable-newgvn` saves 460, but is not finished; `-greedy-reverse-local-assignment` saves 80,
+//! `-split-spill-mode=size` 50, the machine outliner 30; others less, or they cost (`-jump-threading-threshold=0` 5,500).
+//! Structures with their small fields first: 50.
 
 use std::{
     collections::HashSet,

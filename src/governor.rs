@@ -83,7 +83,7 @@ impl Governor {
         let too_late = TOO_LATE.min(hold);
         // The last sixteenth is for what the clock and the system take.
         if time > budget / 16 * 15 {
-            let frames = (time / budget).clamp(1, too_late - 1);
+            let frames = (time / budget).max(1).min(too_late - 1);
             self.late = (self.late + frames).min(too_late);
         } else {
             self.late = self.late.saturating_sub(1);

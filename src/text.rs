@@ -7,6 +7,7 @@ use crate::refine::Band;
 use crate::scene::Caption;
 use crate::scene::camera::pixels;
 use crate::show::letters::{ADVANCE, strokes};
+use crate::trigonometry::root;
 use glam::{Vec2, vec2};
 
 /// Half the width of a stroke, in grid units: at 640x360 it is a pixel.
@@ -61,7 +62,7 @@ fn distance(at: Vec2, letter: u8) -> f32 {
         let off = at - way * least(along.max(0.0), 1.0);
         square = least(off.length_squared(), square);
     }
-    libm::sqrtf(square)
+    root(square)
 }
 
 /// The lesser of two numbers; `f32::min` takes care of those that are none.

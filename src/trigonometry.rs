@@ -1,6 +1,20 @@
-//! Sines, without the 5 kB that a library takes to round every number right.
+//! Sines, without the 5 kB that a library takes to round every number right, and roots.
 
 use core::f64::consts::TAU;
+#[cfg(target_arch = "x86_64")]
+use fearless_simd::{f32x4, prelude::*};
+
+/// The square root.
+#[must_use]
+#[inline(always)]
+pub(crate) fn root(x: f32) -> f32 {
+    // In place, where `libm`'s is a call, which leaves no register as it was.
+    #[cfg(target_arch = "x86_64")]
+    if let Some(simd) = fearless_simd::Level::baseline().as_sse2() {
+        return f32x4::splat(simd, x).sqrt().as_slice()[0];
+    }
+    libm::sqrtf(x)
+}
 
 /// The sine of an angle in radians, to within 1e-6 for angles to 1e6; not a number for what is none.
 #[must_use]
@@ -32,8 +46,8 @@ fn sin_turns(turns: f64) -> f32 {
     let x = t * TAU;
     let x2 = x * x;
     let mut sum = 1.0;
-    for n in [110.0, 72.0, 42.0, 20.0, 6.0] {
-        sum = 1.0 - x2 / n * sum;
+    for n in &[110_u8, 72, 42, 20, 6] {
+        sum = 1.0 - x2 / f64::from(*n) * sum;
     }
     (x * sum) as f32
 }

@@ -11,6 +11,7 @@
 
 use super::Rectangle;
 use super::screen::{Axes, Rect};
+use crate::trigonometry::root;
 use glam::{Vec3A, Vec4, Vec4Swizzles};
 
 /// A cone.
@@ -47,7 +48,7 @@ impl Cone {
         let radius = radius * WIDE;
         let cosine2 = (distance2 - radius * radius) / distance2;
         // `to` is as long as the distance, which the sine has once more.
-        let cosine = libm::sqrtf(cosine2 / distance2);
+        let cosine = root(cosine2 / distance2);
         let sine = radius / distance2;
         for (terms, &ray) in self.terms.iter_mut().zip(&axes.rows) {
             let ray = ray * by.w + Vec3A::from_vec4(*by) * ray.y;

@@ -4,6 +4,7 @@ use super::cone::{Cone, ROUNDING};
 use super::screen::{Axes, Rect, Window};
 use super::{Node, OUTLINES, Prepared, Rectangle};
 use crate::scene::{MAX_LIGHTS, MAX_PLANES};
+use crate::trigonometry::root;
 use glam::{Vec3A, Vec3Swizzles, Vec4};
 
 /// An object's outline.
@@ -47,7 +48,7 @@ impl Outline {
     pub fn set_sphere(&mut self, axes: &Axes, to: Vec3A, ball: &Node) {
         let radius = ball.radius;
         let distance2 = to.length_squared();
-        let distance = libm::sqrtf(distance2);
+        let distance = root(distance2);
         let power = distance2 - radius * radius;
         self.power = if (distance - radius).abs() > TOUCHING * ball.slack {
             if power < 0.0 && !ball.is_block {

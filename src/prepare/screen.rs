@@ -4,6 +4,7 @@
 
 use crate::scene::Block;
 use crate::scene::camera::{Raster, pixels};
+use crate::trigonometry::root;
 use glam::{Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 /// The camera's axes, and where its pixels are in the plane at distance 1.
@@ -83,7 +84,7 @@ impl Axes {
         if z < -radius {
             return Window::NONE;
         }
-        let tangent = |c: f32| libm::sqrtf(c * c + (z * z - radius * radius));
+        let tangent = |c: f32| root(c * c + (z * z - radius * radius));
         let (across, down) = (tangent(to.x), tangent(to.y));
         let tangent = Vec4::new(across, down, across, down);
         // Greatest slopes are least ones the other way round.

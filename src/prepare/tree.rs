@@ -149,7 +149,7 @@ impl Tree {
     /// Adds the bound around the solids from number `first` to below `end` of a scene, and what is in it.
     fn divide(&mut self, first: usize, end: usize, scene: &Scene) {
         let at = self.len;
-        let balls = &mut self.balls[first..end];
+        let balls = self.balls.get_mut(first..end).unwrap_or_default();
         let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
         for ball in balls.iter() {
             low = low.min(ball.centre);
@@ -192,13 +192,15 @@ impl Tree {
             self.divide(first, first + middle, scene);
             self.divide(first + middle, end, scene);
         }
-        self.nodes[at].skip = (self.len - at) as u16;
+        if let Some(bound) = self.nodes.get_mut(at) {
+            bound.skip = (self.len - at) as u16;
+        }
     }
 
     /// Adds a sphere.
     #[inline(never)]
     fn push(&mut self, centre: Vec3A, radius: f32, groups: GroupSet) -> &mut Node {
-        let node = &mut self.nodes[self.len];
+        let node = &mut self.nodes[self.len.min(MAX_NODES - 1)];
         self.len += 1;
         let slack = slack(centre, radius);
         *node = Node {

@@ -86,7 +86,7 @@ fn render_by<S: Simd, O: Observer>(
     worker: &mut Worker,
     band: &mut Band<'_>,
 ) {
-    let height = band.pixels.len() / band.width;
+    let height = band.pixels.len() / band.width.max(1);
     let mut refiner = Refiner {
         simd,
         level,

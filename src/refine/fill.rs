@@ -25,7 +25,8 @@ impl Canvas<'_> {
     #[inline(always)]
     pub fn put(&mut self, x: usize, y: usize, pixel: u32) {
         if x < self.width && y < self.height {
-            self.pixels[y * self.width + x] = pixel;
+            let place = self.pixels.get_mut(y * self.width + x);
+            *place.unwrap_or(&mut 0) = pixel;
         }
     }
 

@@ -56,10 +56,11 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
             }
             self.trace_batch();
             let batch = &mut self.worker.batch;
-            let rows = self.canvas.pixels.chunks_exact_mut(width);
-            let traced = batch.pixels(self.simd).chunks_exact(end - start);
-            for (row, traced) in rows.zip(traced) {
-                for (pixel, &traced) in row.iter_mut().skip(start).zip(traced) {
+            let rows = self.canvas.pixels.chunks_exact_mut(width.max(1));
+            let mut traced = batch.pixels(self.simd).iter();
+            for row in rows {
+                let pixels = row.get_mut(start..end).unwrap_or_default();
+                for (pixel, &traced) in pixels.iter_mut().zip(traced.by_ref()) {
                     *pixel = traced;
                 }
             }

@@ -4,6 +4,7 @@ use super::material::{self, Stuff};
 use super::path::smooth;
 use super::things::{around, sphere};
 use crate::scene::Scene;
+use crate::trigonometry::root;
 use crate::trigonometry::{cos, sin};
 use core::f32::consts::TAU;
 use glam::{Vec3A, vec3a};
@@ -39,7 +40,7 @@ fn one(i: i32, beat: f32, to_ball: f32, to_eight: f32, scene: &mut Scene) {
     // A ball of turns about its axis, by the golden angle.
     let n = (i as f32 + 0.5) / COUNT as f32;
     let y = 1.0 - 2.0 * n;
-    let out = around(0.382 * i as f32 + 0.05 * beat) * libm::sqrtf(1.0 - y * y);
+    let out = around(0.382 * i as f32 + 0.05 * beat) * root(1.0 - y * y);
     let ball = (out + Vec3A::Y * y) * 2.4 + MIDDLE;
     // A cord along an upright eight.
     let along = TAU * n + 0.2 * beat;

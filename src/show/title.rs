@@ -7,6 +7,7 @@ use super::random::Random;
 use super::things::sphere;
 use crate::scene::Scene;
 use crate::text::nearest;
+use crate::trigonometry::root;
 use glam::{Vec3A, vec3a};
 
 const WORD: &[u8; 9] = b"EIGHTFOLD";
@@ -36,7 +37,7 @@ pub(super) fn add(beat: f32, scene: &mut Scene) {
         for (from, to) in strokes(letter) {
             let way = to - from;
             // Evenly, with one at each end.
-            let count = nearest(way.length() * SPHERES) as i32;
+            let count = nearest(root(way.length_squared()) * SPHERES) as i32;
             for i in 0..count + 1 {
                 let at = from + way * (i as f32 / count as f32);
                 place(left + at.x, at.y, beat, &mut random, scene);

@@ -119,6 +119,7 @@ impl Batch {
     pub(super) fn finish<S: Isa>(&mut self, simd: S) {
         let n = lanes::<S>();
         for start in steps(0, self.len.min(BATCH), n) {
+            let start = start % BATCH / n * n;
             let sums = &self.sums[start..start + n];
             sample::from_sums(simd, sums, &mut self.samples[start..start + n]);
         }
