@@ -28,6 +28,8 @@ pub enum Fill {
     Flat,
     /// Colours between those of its corners.
     Bilinear,
+    /// Light between that of its corners, and a pattern at each pixel.
+    Patterned,
     /// Each pixel has a point of its own.
     Points,
 }

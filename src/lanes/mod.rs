@@ -40,6 +40,12 @@ pub(crate) const fn lanes<S: Simd>() -> usize {
     F::<S>::LEN
 }
 
+/// Whether an instruction set is the one that every CPU has: kernels by it leave out what only saves time, for 600 bytes.
+#[inline(always)]
+pub(crate) const fn is_plainest<S: Simd>() -> bool {
+    lanes::<S>() <= 4
+}
+
 /// The same number in every lane.
 #[inline(always)]
 pub(crate) fn splat<S: Simd>(simd: S, v: f32) -> F<S> {

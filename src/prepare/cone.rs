@@ -19,8 +19,8 @@ use glam::{Vec3A, Vec4, Vec4Swizzles};
 pub(crate) struct Cone {
     /// For a step along u, for one along v, and for (0, 0): `cos (a x w)` and, in the last lane, `sin (a . w)`; or how far
     /// inside of four flat sides w is.
-    terms: [Vec4; 3],
-    is_flat: bool,
+    pub(super) terms: [Vec4; 3],
+    pub(super) is_flat: bool,
 }
 
 /// What rounding may add to a side's inequality, whose terms are below 2.
@@ -61,7 +61,7 @@ impl Cone {
     /// Takes in the cone between the eye and a horizontal rectangle.
     pub fn set_flat(&mut self, axes: &Axes, eye: Vec3A, plane: &Rectangle) {
         for (terms, &ray) in self.terms.iter_mut().zip(&axes.rows) {
-            *terms = plane.sides(eye, ray).0;
+            *terms = plane.sides(eye, ray);
         }
         self.is_flat = true;
     }

@@ -9,6 +9,7 @@ use glam::Vec3A;
 /// All of that, for one frame.
 pub(crate) struct Details {
     is_there: bool,
+    has_patterns: bool,
     /// Whether more than the plain picture is shown.
     pub shows_method: bool,
     /// The scene as it was given, if any of it is there.
@@ -21,6 +22,7 @@ impl Details {
     /// Nothing, all zeros.
     pub const NONE: Self = Self {
         is_there: false,
+        has_patterns: false,
         shows_method: false,
         scene: Scene::NONE,
         pixel: 0.0,
@@ -32,8 +34,15 @@ impl Details {
         DETAILS && self.is_there
     }
 
+    /// Whether any of it is a pattern.
+    #[inline(always)]
+    pub fn has_patterns(&self) -> bool {
+        DETAILS && self.has_patterns
+    }
+
     /// Takes a scene in, which may have patterns, and lamps that are no points.
     pub fn set(&mut self, scene: &Scene, has_patterns: bool, has_lamps: bool) {
+        self.has_patterns = has_patterns;
         self.is_there = has_patterns
             || scene.haze != 0.0
             || scene.sky != Vec3A::ZERO

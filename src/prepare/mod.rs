@@ -16,7 +16,7 @@ pub(crate) use object::Object;
 pub(crate) use outline::Outline;
 use screen::Window;
 pub(crate) use screen::{Axes, Rect};
-pub(crate) use surface::{FIELDS, Spread};
+pub(crate) use surface::{FIELDS, PATTERN, Spread};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{GroupSet, Node, Tree};
 
@@ -221,7 +221,7 @@ impl Prepared {
             if DETAILS && node.is_block {
                 let object = self.details.object(&self.tree, node.number as usize).0;
                 if let Object::Block(block) = object {
-                    self.axes.narrow(&mut outline.window, to, block);
+                    outline.set_block(&self.axes, to, block);
                 }
             }
             to.y = 2.0 * floor - node.centre.y - self.eye.y;

@@ -3,7 +3,7 @@
 use super::cone::{Cone, ROUNDING};
 use super::screen::{Axes, Rect, Window};
 use super::{Node, OUTLINES, Prepared, Rectangle};
-use crate::scene::{MAX_LIGHTS, MAX_PLANES};
+use crate::scene::{Block, MAX_LIGHTS};
 use crate::trigonometry::root;
 use glam::{Vec3A, Vec3Swizzles, Vec4};
 
@@ -14,17 +14,25 @@ pub(crate) struct Outline {
     pub object: u16,
     /// The rays that meet it, all of them where the eye is inside, or nearly.
     pub cone: Cone,
+    /// Of a box or a cylinder, more of them.
+    ends: Cone,
     /// Around all of it.
     pub window: Window,
-    centre: Vec3A,
-    radius: f32,
     /// Whether it is a sphere around a box or a cylinder.
     is_block: bool,
     /// A sphere's power of the eye, distance squared minus radius squared: of two spheres the one with the smaller power
     /// is in front wherever both are, since the plane of equal powers parts what can be seen of them (Aurenhammer: Power
-    /// Diagrams, SIAM Journal on Computing, 1987). Infinite around the eye, and not a number where that is not sure.
+    /// Diagrams, SIAM Journal on Computing, 1987). Infinite around the eye, and not a number where that is not sure, and of
+    /// what is no sphere.
     power: f32,
+    /// Where it begins and ends along the scene's axes and forward, from the eye.
+    least: Vec4,
+    most: Vec4,
 }
+
+/// How far a block's corner may be from where it is computed, as a share of its distance and size: what axes may be off, by
+/// [`Scene::validate`](crate::scene::Scene::validate), which is far more than rounding, and a tenth of a pixel.
+const CORNER: f32 = 2e-4;
 
 /// An eye as near to a sphere as so many times its slack, below which hits are none, is neither outside nor inside for
 /// sure.
@@ -37,11 +45,12 @@ impl Outline {
     pub const NONE: Self = Self {
         object: 0,
         cone: Cone::NONE,
+        ends: Cone::NONE,
         window: Window::ZERO,
-        centre: Vec3A::ZERO,
-        radius: 0.0,
         is_block: false,
         power: 0.0,
+        least: Vec4::ZERO,
+        most: Vec4::ZERO,
     };
 
     /// Takes in a sphere, `to` from the eye.
@@ -50,43 +59,102 @@ impl Outline {
         let distance2 = to.length_squared();
         let distance = root(distance2);
         let power = distance2 - radius * radius;
-        self.power = if (distance - radius).abs() > TOUCHING * ball.slack {
-            if power < 0.0 && !ball.is_block {
-                f32::INFINITY
-            } else {
-                power
-            }
-        } else {
+        let is_sure = (distance - radius).abs() > TOUCHING * ball.slack;
+        self.power = if ball.is_block || !is_sure {
             f32::NAN
+        } else if power < 0.0 {
+            f32::INFINITY
+        } else {
+            power
         };
         self.cone.set_round(axes, &Vec4::W, to, radius);
         self.window = axes.window(to, radius);
-        self.centre = ball.centre;
-        self.radius = radius;
         self.is_block = ball.is_block;
         self.object = ball.number;
+        self.set_extent(axes, to, Vec4::splat(radius));
+    }
+
+    /// Takes in the block that the sphere is around, `to` from the eye.
+    ///
+    /// Its sides are the planes through the eye and an edge that have all of it on one side: two for each of its axes, at
+    /// most. Across its axis a cylinder counts as the box around it.
+    #[inline(never)]
+    pub fn set_block(&mut self, axes: &Axes, to: Vec3A, block: &Block) {
+        let inward = block.axes.transpose();
+        let slack = CORNER * (to.abs() + block.half).element_sum();
+        // Along each axis, in a lane, it is a rectangle across the other two.
+        let (centre, half) = (inward * to, block.half + slack);
+        let (a, b) = (centre.yzx(), centre.zxy());
+        let (half_a, half_b) = (half.yzx(), half.zxy());
+        let is_beside = a.abs().cmpgt(half_a);
+        // The eye is between its sides.
+        let has_none = !(is_beside | b.abs().cmpgt(half_b));
+        // Along a cylinder, the points where lines touch a circle, as shares of the way to its middle and across.
+        let touched = 1.0 - half.x * half.x / (a.y * a.y + b.y * b.y);
+        let apart = root(touched - touched * touched);
+        for (cone, way) in [(&mut self.cone, 1.0), (&mut self.ends, -1.0)] {
+            // The corner where the rectangle ends, one way round or the other.
+            let is_below = Vec3A::select(is_beside, a * way, b).cmplt(Vec3A::ZERO);
+            let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
+            let is_left = (y * way).cmplt(Vec3A::ZERO);
+            let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
+            if block.round {
+                x.y = a.y * touched + b.y * apart * way;
+                y.y = b.y * touched - a.y * apart * way;
+            }
+            let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
+            cone.is_flat = true;
+            for (n, axis) in cone.terms.iter_mut().zip(axes.rows) {
+                let axis = inward * axis;
+                *n = ((axis.zxy() * x - axis.yzx() * y) * scale).extend(0.0);
+            }
+        }
+        let forward = inward * axes.rows[2];
+        let own = [inward.x_axis, inward.y_axis, inward.z_axis, forward];
+        let extent = own.map(|axis| axis.abs().dot(block.half));
+        self.set_extent(axes, to, Vec4::from(extent));
+    }
+
+    /// Takes in how far it reaches from its centre, `to` from the eye, along the scene's axes and forward.
+    fn set_extent(&mut self, axes: &Axes, to: Vec3A, extent: Vec4) {
+        let to = to.extend(to.dot(axes.rows[2]));
+        self.least = to - extent;
+        self.most = to + extent;
+        // What is nowhere is not looked for everywhere.
+        if !self.most.is_finite() {
+            self.window = Window::NONE;
+        }
+    }
+
+    /// Whether a plane across an axis has the eye and this object on one side, but for rounding, and another one on the
+    /// other: then this one is in front wherever both are.
+    fn is_before(&self, other: &Self) -> bool {
+        let slack = (other.least.abs() + other.most.abs()) * CONTACT;
+        let (least, most) = (other.least + slack, other.most - slack);
+        let below = self.most.max(Vec4::ZERO).cmple(least);
+        let above = self.least.min(Vec4::ZERO).cmpge(most);
+        (below | above).any()
     }
 
     /// Takes in a horizontal rectangle, the object of that number.
     pub fn set_rectangle(&mut self, axes: &Axes, eye: Vec3A, plane: &Rectangle, number: usize) {
         self.cone.set_flat(axes, eye, plane);
         self.window = Window::ALL;
-        self.centre = plane.centre;
-        self.radius = 0.0;
         self.is_block = false;
-        self.power = f32::INFINITY;
+        self.power = f32::NAN;
         self.object = number as u16;
+        // Forward it is nowhere before or behind anything.
+        let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
+        self.set_extent(axes, plane.centre - eye, extent);
     }
 }
 
 impl Rectangle {
-    /// How far on the inner side of the four planes through the eye and an edge a direction leads, and how far at most for
-    /// its length.
+    /// How far on the inner side of the four planes through the eye and an edge a direction leads.
     ///
     /// A ray d meets the plane at `eye + d h / q`, with q = -d.y or d.y the speed at which it comes nearer, and lies on
     /// the inner side of an edge `reach` away along x where `reach q - h d.x >= 0`. Numbers below 1 are as good.
-    #[inline(never)]
-    pub(super) fn sides(&self, eye: Vec3A, d: Vec3A) -> (Vec4, Vec4) {
+    pub(super) fn sides(&self, eye: Vec3A, d: Vec3A) -> Vec4 {
         let from = eye - self.centre;
         let reach = Vec4::new(self.half_x, self.half_x, self.half_z, self.half_z)
             + from.xxzz() * Vec4::new(-1.0, 1.0, -1.0, 1.0);
@@ -94,7 +162,7 @@ impl Rectangle {
         let scale = 1.0 / (reach.element_sum() + from.abs().element_sum());
         let across = d.xxzz() * Vec4::new(-h, h, -h, h);
         let q = if from.y < 0.0 { d.y } else { -d.y };
-        ((reach * q + across) * scale, (reach.abs() + h) * scale)
+        (reach * q + across) * scale
     }
 }
 
@@ -103,7 +171,9 @@ impl Prepared {
     #[inline(never)]
     pub fn may_show(&self, outline: usize, rect: &Rect) -> bool {
         let outline = &self.outlines[outline % OUTLINES];
-        outline.window.meets(*rect) && outline.cone.meets(rect, -ROUNDING)
+        outline.window.meets(*rect)
+            && outline.cone.meets(rect, -ROUNDING)
+            && (!outline.is_block || outline.ends.meets(rect, -ROUNDING))
     }
 
     /// Takes in the shadows of spheres on a plane, an object's number and all; of a lamp that is more than a point, or that is
@@ -133,45 +203,16 @@ impl Prepared {
 
     /// Whether a patch whose corners all see the object `front` cannot see the object `back` anywhere.
     ///
-    /// What can be seen of an object is convex where one other is between, as long as the eye is outside: so it covers the
-    /// patch.
+    /// Objects are convex: between what the corners see of it, it is nowhere farther away than that.
     #[inline(never)]
     pub fn hides(&self, front: usize, back: usize) -> bool {
         let (f, b) = (
             &self.outlines[front % OUTLINES],
             &self.outlines[back % OUTLINES],
         );
-        let first_plane = self.first_plane();
-        if front >= self.nothing() || f.power.is_nan() {
-            false
-        } else if back >= first_plane {
-            let is_over = || {
-                let plane = &self.planes[(back - first_plane) % MAX_PLANES];
-                let (inner, most) = plane.sides(self.eye, f.centre - self.eye);
-                inner.cmpgt(most * f.radius).all()
-            };
-            self.above(f, b) > f.radius * TOUCHES || f.power < f32::INFINITY && is_over()
-        } else if front >= first_plane {
-            self.above(b, f) <= -b.radius
-        } else {
-            let is_apart = f.centre.distance(b.centre) > f.radius + b.radius;
-            // Of boxes and cylinders it is known where they are not: beyond the spheres around them.
-            is_apart && f.power == f32::INFINITY
-                || f.power < b.power && (is_apart || !(f.is_block || b.is_block))
-        }
-    }
-
-    /// How far above a plane an object is, taken from the eye's side of the plane.
-    #[inline(never)]
-    fn above(&self, object: &Outline, plane: &Outline) -> f32 {
-        let above = object.centre.y - plane.centre.y;
-        if self.eye.y < plane.centre.y {
-            -above
-        } else {
-            above
-        }
+        front < self.nothing() && (f.is_before(b) || f.power < b.power)
     }
 }
 
-/// A sphere stands on a plane, and does not pass through it, up to rounding.
-const TOUCHES: f32 = 1.0 - 1e-5;
+/// How far objects that stand on each other may reach into each other by rounding, as a share of where they are.
+const CONTACT: f32 = 1e-6;

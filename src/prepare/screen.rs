@@ -2,7 +2,6 @@
 //!
 //! In the camera's own axes a ray is (u, v, 1): u to the right, v down.
 
-use crate::scene::Block;
 use crate::scene::camera::{Raster, pixels};
 use crate::trigonometry::root;
 use glam::{Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
@@ -25,13 +24,6 @@ pub(crate) struct Window(Vec4);
 
 /// Pixels around a bound, far more than its rounding.
 const MARGIN: f32 = 0.5;
-
-/// How far a box's corner may be from where it is computed, as a share of its distance and size: what axes may be off, by
-/// [`Scene::validate`](crate::scene::Scene::validate), which is far more than rounding, and a tenth of a pixel.
-const CORNER: f32 = 2e-4;
-
-/// The steepest slope of a box's bound that [`CORNER`] is enough for.
-const STEEPEST: f32 = 16.0;
 
 impl Axes {
     pub const NONE: Self = Self {
@@ -94,37 +86,6 @@ impl Axes {
         // A tangent that points backwards leaves the picture on its side; an eye within has none, nor what is no number.
         let is_slope = ahead.cmpgt(Vec4::ZERO) & slope.cmpeq(slope);
         Window(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))
-    }
-
-    /// Takes from a window where a block cannot be seen whose centre is at `to`, seen from the eye: a cylinder counts as
-    /// the box around it.
-    ///
-    /// A box is bounded by the least slope of its corners ahead, if those behind are on the same side of the plane that
-    /// this slope and the eye make.
-    #[inline(never)]
-    pub fn narrow(&self, window: &mut Window, to: Vec3A, block: &Block) {
-        let slack = CORNER * (to.abs() + block.half).element_sum();
-        let mut ahead = Vec4::splat(STEEPEST);
-        let mut behind = -ahead;
-        for i in 0..8 {
-            let sign = |bit: u32| if i & bit == 0 { 1.0 } else { -1.0 };
-            let half = block.half * Vec3A::new(sign(1), sign(2), sign(4));
-            let corner = self.seen(to + block.axes * half);
-            let c = corner.xyxy() * Vec4::new(1.0, 1.0, -1.0, -1.0);
-            let slope = (c - slack) / corner.z;
-            if corner.z.is_sign_positive() {
-                ahead = ahead.min(slope);
-            } else {
-                behind = behind.max(slope);
-            }
-        }
-        // What is not a number bounds nothing.
-        let bound = Vec4::select(
-            ahead.cmpge(behind),
-            ahead - MARGIN * self.pixel,
-            Vec4::NEG_INFINITY,
-        );
-        window.0 = window.0.max(bound);
     }
 }
 

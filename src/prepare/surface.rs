@@ -18,8 +18,11 @@ const NO_HIGHLIGHT: f32 = 2.0;
 ///   plane, 0 for a sphere, so that the normal at p is `(p - centre) / radius + (0, upright, 0)`;
 /// - the colour times the diffuse coefficient, and solid: 1 where lamps shine on it, 0 for lamps and the background;
 /// - specular coefficient and exponent, the r.v below which there is no highlight, and the share of the reflected ray;
-/// - the share of the transmitted ray, and the refractive index.
+/// - the share of the transmitted ray, the refractive index, and the depth of the pattern.
 pub(crate) const FIELDS: usize = 20;
+
+/// Where the depth of the pattern is.
+pub(crate) const PATTERN: usize = 18;
 
 /// A surface's numbers, each in as many lanes as there can be: a packet that hits one object needs no more than its address.
 pub(crate) type Spread = [[f32; MAX_LANES]; FIELDS];
@@ -38,8 +41,11 @@ pub(super) fn spread(
 ) {
     let mut base = m.colour * ambient;
     let (mut centre, mut inverse_radius, mut solid, mut upright) = (Vec3A::ZERO, 0.0, 1.0, 0.0);
+    let mut pattern = m.pattern.depth;
     match object {
-        Object::Sphere(sphere) => (centre, inverse_radius) = (sphere.centre, 1.0 / sphere.radius),
+        Object::Sphere(sphere) => {
+            (centre, inverse_radius, pattern) = (sphere.centre, 1.0 / sphere.radius, 0.0);
+        }
         // The details know more.
         Object::Block(_) => upright = 1.0,
         Object::Plane(plane) => (centre, upright) = (plane.centre, 1.0),
@@ -56,7 +62,7 @@ pub(super) fn spread(
         base.extend(upright),
         (m.colour * m.kd).extend(solid),
         Vec4::new(m.ks, m.exponent, faint, m.kr),
-        Vec4::new(m.kt, m.index, 0.0, 0.0),
+        Vec4::new(m.kt, m.index, pattern, 0.0),
     ];
     for (lanes, row) in lanes.as_chunks_mut::<4>().0.iter_mut().zip(rows) {
         let row = Vec4::select(row.abs().cmple(LARGEST), row, Vec4::ZERO);

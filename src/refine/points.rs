@@ -4,10 +4,10 @@ use super::square::is_wider;
 use crate::MAX_WIDTH;
 use crate::lanes::*;
 use crate::quality::Quality;
-use crate::trace::Sample;
+use crate::trace::{Layers, Sample};
 
 /// Points in a row: the last column of corners lies up to a square beyond the picture.
-const ROW: usize = MAX_WIDTH + Quality::MAX_SQUARE;
+const ROW: usize = (MAX_WIDTH + Quality::MAX_SQUARE).next_power_of_two();
 /// Rows of points in a band.
 const ROWS: usize = Quality::MAX_SQUARE + 1;
 /// Words that hold a bit for each point of a row.
@@ -21,6 +21,7 @@ pub(crate) struct Points([Border; ROWS]);
 #[derive(Clone, Copy)]
 pub(crate) struct Border {
     samples: [Sample; ROW],
+    layers: [Layers; ROW],
     keys: [u32; ROW],
     traced: [u64; WORDS],
 }
@@ -29,15 +30,21 @@ impl Border {
     /// A row without points.
     pub const NONE: Self = Self {
         samples: [Sample(0); ROW],
+        layers: [Layers::NONE; ROW],
         keys: [0; ROW],
         traced: [0; WORDS],
     };
 
     /// Takes the first `width` points over from another row.
-    pub fn copy(&mut self, other: &Self, width: usize, with_keys: bool) {
+    pub fn copy(&mut self, other: &Self, width: usize, with_layers: bool, with_keys: bool) {
         self.traced = other.traced;
         for (to, from) in self.samples.iter_mut().zip(&other.samples).take(width) {
             *to = *from;
+        }
+        if with_layers {
+            for (to, from) in self.layers.iter_mut().zip(&other.layers).take(width) {
+                *to = *from;
+            }
         }
         if with_keys {
             self.keys[..width].copy_from_slice(&other.keys[..width]);
@@ -82,6 +89,14 @@ impl Border {
         }
     }
 
+    /// Keeps the layers at x.
+    #[inline(always)]
+    pub fn put_layers(&mut self, x: usize, layers: Layers) {
+        if let Some(place) = self.layers.get_mut(x) {
+            *place = layers;
+        }
+    }
+
     /// Keeps the key at x.
     #[inline(always)]
     pub fn put_key(&mut self, x: usize, key: u32) {
@@ -116,7 +131,13 @@ impl Points {
     /// The sample at (x, y); some sample where there is none.
     #[inline(always)]
     pub fn sample(&self, x: usize, y: usize) -> Sample {
-        self.0[y.min(ROWS - 1)].samples[x.min(ROW - 1)]
+        self.0[y.min(ROWS - 1)].samples[x % ROW]
+    }
+
+    /// The layers at (x, y); some layers where there are none.
+    #[inline(always)]
+    pub fn layers(&self, x: usize, y: usize) -> Layers {
+        self.0[y.min(ROWS - 1)].layers[x % ROW]
     }
 
     /// The key at (x, y).

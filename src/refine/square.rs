@@ -130,8 +130,15 @@ impl Limit {
     /// Below what any samples are apart.
     pub const NONE: Self = Self(i32::MIN);
 
-    /// For a square of some side, as [`is_wider`] takes it.
+    /// For a square of some side, in output steps.
     #[inline(always)]
+    pub fn steps(self, side: usize) -> f32 {
+        self.0 as f32 / (side as i32 * STEP) as f32
+    }
+
+    /// For a square of some side, as [`is_wider`] takes it.
+    #[cfg_attr(feature = "lab", inline(always))]
+    #[cfg_attr(not(feature = "lab"), inline(never))]
     pub fn of(self, side: usize) -> u64 {
         let limit = if Quality::HAS_ALL_SIDES && !side.is_power_of_two() {
             self.0 / side as i32

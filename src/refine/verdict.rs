@@ -56,6 +56,11 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
                 corners = [corners[0]; 4];
             }
         }
+        if Sample::any_patterned(&corners)
+            && let Some(is_filled) = self.fill_patterned(square, &corners, limit)
+        {
+            return is_filled;
+        }
         let (_, _, w, h) = square.place();
         if is_wider(self.simd, &corners, limit.of(w.max(h))) {
             return false;
@@ -71,7 +76,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
 
     /// Tells the observer of a square that has been drawn.
     #[inline(always)]
-    fn tell(&self, square: &Square, fill: Fill) {
+    pub(super) fn tell(&self, square: &Square, fill: Fill) {
         let (x, y, w, h) = square.place();
         self.observer.square(x, self.top + y, w, h, fill);
     }
@@ -106,7 +111,9 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
         let (x, y, w, h) = square.place();
         let is_last = square.is_last();
         let has_middle = !Quality::HAS_ALL_SIDES || (w | h) % 2 == 0;
-        let side_limit = if square.is_clear && has_middle {
+        // What a pattern leaves at the middle of a side its ends do not tell.
+        let is_patterned = Sample::any_patterned(corners);
+        let side_limit = if square.is_clear && has_middle && !is_patterned {
             self.limits.side.of(w.max(h))
         } else {
             ALWAYS_FAR

@@ -49,18 +49,17 @@ use Motion::*;
 use Shape::{Ball, Box, Round};
 
 #[rustfmt::skip]
-static ROWS: [Row; 24] = [
+static ROWS: [Row; 23] = [
     //                                          columns, rows  centre       extents          to the next
     row(Set::Model, Ball, Still,    Stuff::Red,    1, 1, [-2.2, 1.0, 0.5,   2.0, 0.0, 0.0,   0.0, 0.0]),
     row(Set::Model, Ball, Still,    Stuff::Mirror, 1, 1, [0.0, 1.2, 1.8,    2.4, 0.0, 0.0,   0.0, 0.0]),
     row(Set::Model, Ball, Still,    Stuff::Blue,   1, 1, [2.2, 1.0, 0.3,    2.0, 0.0, 0.0,   0.0, 0.0]),
     row(Set::Model, Ball, Bouncing, Stuff::Glass,  1, 1, [0.6, 0.5, -1.6,   1.0, 0.0, 0.0,   0.0, 0.0]),
     // Columns from the floor up, and the beams on them.
-    row(Set::Colonnade, Box,   Still, Stuff::Marble, 2, 7, [-2.6, 0.1, -6.0,  1.5, 0.4, 1.5,   5.2, 3.2]),
-    row(Set::Colonnade, Round, Still, Stuff::Marble, 2, 7, [-2.6, 0.4, -6.0,  1.2, 0.2, 1.2,   5.2, 3.2]),
-    row(Set::Colonnade, Round, Still, Stuff::Marble, 2, 7, [-2.6, 2.7, -6.0,  0.9, 4.4, 0.9,   5.2, 3.2]),
-    row(Set::Colonnade, Box,   Still, Stuff::Marble, 2, 7, [-2.6, 5.0, -6.0,  1.4, 0.3, 1.4,   5.2, 3.2]),
-    row(Set::Colonnade, Box,   Still, Stuff::Marble, 2, 2, [-2.6, 5.5, -2.6,  1.1, 0.7, 11.2,  5.2, 11.2]),
+    row(Set::Colonnade, Box,   Still, Stuff::Marble, 2, 7, [-2.6, 0.2, -6.0,  1.5, 0.4, 1.5,   5.2, 3.2]),
+    row(Set::Colonnade, Round, Still, Stuff::Marble, 2, 7, [-2.6, 2.7, -6.0,  0.9, 4.6, 0.9,   5.2, 3.2]),
+    row(Set::Colonnade, Box,   Still, Stuff::Marble, 2, 7, [-2.6, 5.2, -6.0,  1.4, 0.4, 1.4,   5.2, 3.2]),
+    row(Set::Colonnade, Box,   Still, Stuff::Marble, 2, 2, [-2.6, 5.7, -2.6,  1.1, 0.6, 11.2,  5.2, 11.2]),
     // What floats between them.
     row(Set::Colonnade, Ball, Bouncing, Stuff::Glass,   1, 1, [0.0, 1.7, 6.0,   1.8, 0.0, 0.0,  0.0, 0.0]),
     row(Set::Colonnade, Ball, Bouncing, Stuff::Gold,    1, 1, [-0.9, 0.7, 1.4,  1.0, 0.0, 0.0,  0.0, 1.0]),
@@ -72,11 +71,11 @@ static ROWS: [Row; 24] = [
     row(Set::Machine, Box,  Turning, Stuff::Steel,   8, 1, [0.0, 2.2, 1.2,  0.2, 1.7, 0.2,  0.0, 1.0]),
     row(Set::Machine, Box,  Turning, Stuff::Scarlet, 8, 1, [0.0, 2.2, 1.2,  1.2, 0.3, 0.6,  0.0, 1.9]),
     // The frame it is in.
-    row(Set::Machine, Box,  Still, Stuff::Striped, 2, 1, [-3.4, 2.0, 1.2,  0.7, 4.2, 1.2,  6.8, 0.0]),
-    row(Set::Machine, Ball, Still, Stuff::Gold,    2, 1, [-3.4, 4.5, 1.2,  1.0, 0.0, 0.0,  6.8, 0.0]),
+    row(Set::Machine, Box,  Still, Stuff::Striped, 2, 1, [-3.4, 2.1, 1.2,  0.7, 4.2, 1.2,  6.8, 0.0]),
+    row(Set::Machine, Ball, Still, Stuff::Gold,    2, 1, [-3.4, 4.6, 1.2,  1.0, 0.0, 0.0,  6.8, 0.0]),
     // Pistons: anvils, heads, rods.
-    row(Set::Machine, Box,   Still,    Stuff::Steel, 4, 1, [-2.2, 0.2, -1.6,  1.1, 0.6, 1.1,  1.5, 0.0]),
-    row(Set::Machine, Round, Striking, Stuff::Gold,  4, 1, [-2.2, 0.9, -1.6,  0.8, 0.7, 0.8,  1.5, 0.0]),
+    row(Set::Machine, Box,   Still,    Stuff::Steel, 4, 1, [-2.2, 0.3, -1.6,  1.1, 0.6, 1.1,  1.5, 0.0]),
+    row(Set::Machine, Round, Striking, Stuff::Gold,  4, 1, [-2.2, 0.9, -1.6,  0.8, 0.6, 0.8,  1.5, 0.0]),
     row(Set::Machine, Round, Striking, Stuff::Steel, 4, 1, [-2.2, 2.2, -1.6,  0.3, 2.0, 0.3,  1.5, 0.0]),
     // A ball of glass, and balls around it.
     row(Set::Finale, Ball, Still,    Stuff::Glass,   1, 1, [0.0, 1.3, 0.0,  2.6, 0.0, 0.0,  0.0, 0.0]),

@@ -3,11 +3,12 @@
 use super::details::Packet;
 use super::shade::Node;
 use super::stack::{Rays, Stack};
-use super::{Counts, Sample, sample};
+use super::{Counts, Layers, Sample, sample};
 use crate::DETAILS;
 use crate::lanes::*;
 use crate::prepare::{FIELDS, Prepared, Spread};
 use fearless_simd::i32x4;
+use glam::{Vec3A, Vec4};
 
 /// Points traced in one go: 16 kB of sums, which stay in the nearest cache.
 pub(crate) const BATCH: usize = 1024;
@@ -35,6 +36,8 @@ pub(crate) struct Batch {
     /// What a packet of secondary rays adds to the sums.
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
+    /// What a pattern leaves a share of, blue, green and red in output steps, and that share.
+    patterned: [Vec4; BATCH],
     /// The objects that the primary rays hit.
     objects: [u32; BATCH],
     pixels: [u32; BATCH],
@@ -56,6 +59,7 @@ impl Batch {
             sums: [[0; 4]; BATCH],
             terms: [[0; 4]; MAX_LANES],
             samples: [0; BATCH],
+            patterned: [Vec4::ZERO; BATCH],
             objects: [0; BATCH],
             pixels: [0; BATCH],
             stack: Stack::new(),
@@ -114,6 +118,20 @@ impl Batch {
         )
     }
 
+    /// The layers of traced point number `i`, if it shows an object with a pattern.
+    #[inline(always)]
+    pub fn layers(&self, i: usize) -> Layers {
+        let i = i % BATCH;
+        let patterned = self.patterned[i];
+        let full = Vec3A::from_vec4(patterned);
+        let [blue, green, red, _] = self.sums[i].map(|sum| sum as f32);
+        let sum = Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32);
+        Layers {
+            rest: sum - full * patterned.w,
+            full,
+        }
+    }
+
     /// Makes samples of the sums.
     #[inline(always)]
     pub(super) fn finish<S: Isa>(&mut self, simd: S) {
@@ -148,6 +166,15 @@ impl Batch {
         objects.store_slice(&mut self.objects[first..first + lanes::<S>()]);
     }
 
+    /// Keeps what patterns do to a packet of primary rays, whose first point is number `first`.
+    #[inline(never)]
+    fn keep_patterned(&mut self, first: usize, weight: f32) {
+        let points = self.patterned.iter_mut().skip(first);
+        for (lane, point) in points.take(MAX_LANES).enumerate() {
+            *point = self.packet.patterned(lane, weight);
+        }
+    }
+
     /// Adds what a packet's nodes give to the points' sums; `first` is the first point of a packet of primary rays, which
     /// starts the sums.
     #[inline(always)]
@@ -157,6 +184,7 @@ impl Batch {
         rays: &Rays<S>,
         first: Option<usize>,
         node: &Node<S>,
+        has_patterns: bool,
     ) {
         let place = first.map(|first| first % BATCH / lanes::<S>() * lanes::<S>());
         let sums = match place {
@@ -164,14 +192,18 @@ impl Batch {
             None => &mut self.terms[..lanes::<S>()],
         };
         node.store(simd, sums.as_flattened_mut());
-        if place.is_some() {
+        if let Some(first) = place {
+            if has_patterns {
+                self.keep_patterned(first, rays.weight.as_slice()[0] * 255.0);
+            }
             return;
         }
         // Lanes beyond the last ray add nothing to what was in them before.
         let slots = rays.slots();
         let first = slots.as_slice()[0];
         let start = first as usize % BATCH;
-        let in_order = slots.simd_eq(numbers(simd) + first).all_true();
+        // A shorter way for most packets, which the intro has no room for.
+        let in_order = cfg!(feature = "lab") && slots.simd_eq(numbers(simd) + first).all_true();
         if let (true, Some(sums)) = (in_order, self.sums.get_mut(start..start + lanes::<S>())) {
             let (sums, terms) = (sums.as_flattened_mut(), self.terms.as_flattened());
             for i in steps(0, 4 * lanes::<S>(), lanes::<S>()) {

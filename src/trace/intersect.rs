@@ -1,6 +1,6 @@
 //! Where rays hit.
 
-use super::details::{LANES, Packet};
+use super::details::Packet;
 use super::stack::Rays;
 use crate::DETAILS;
 use crate::lanes::*;
@@ -59,7 +59,7 @@ pub(crate) fn nearest<S: Isa>(
             is_met = ahead.any_true();
             if DETAILS && is_met && node.is_block {
                 let near = ahead & !chord.is_off(rays.d, node, hit.t);
-                if is_plain::<S>() || near.any_true() {
+                if is_plainest::<S>() || near.any_true() {
                     packet.push(node.number);
                 }
             } else if is_met && !node.is_bound {
@@ -70,12 +70,6 @@ pub(crate) fn nearest<S: Isa>(
         i += node.step(is_met);
     }
     hit
-}
-
-/// Whether an instruction set is the one that every CPU has: it takes candidates that it could tell to be none, for 400
-/// bytes less.
-const fn is_plain<S: Isa>() -> bool {
-    lanes::<S>() <= LANES
 }
 
 /// A ray against a sphere.
@@ -243,7 +237,7 @@ pub(crate) fn blocked<S: Isa>(
         let is_met = shaded.any_true();
         if is_met && !caster.is_bound && !lamp.is_plain() {
             let near = shaded & !caster_is_off(simd, caster, l, distance, lamp.diameter);
-            if is_plain::<S>() || near.any_true() {
+            if is_plainest::<S>() || near.any_true() {
                 packet.push(caster.number);
             }
         } else if is_met && !caster.is_bound {

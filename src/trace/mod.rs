@@ -21,6 +21,7 @@ mod batch;
 mod details;
 mod intersect;
 mod key;
+mod layers;
 mod sample;
 mod shade;
 mod stack;
@@ -29,8 +30,8 @@ mod surface;
 mod tests;
 
 pub(crate) use batch::{BATCH, Batch};
-#[allow(unused_imports, reason = "for pixels between samples")]
 pub(crate) use details::{has_pattern, left_seen};
+pub(crate) use layers::Layers;
 pub(crate) use sample::{STEP, Sample};
 
 use crate::lanes::*;
@@ -142,7 +143,7 @@ fn trace_packets<S: Isa>(
         let active = first(simd, count);
         let (groups, from) = if is_primary {
             (seen.directly, scene.tree.start(seen.directly))
-        } else if (rays.mirrored(simd) | !active).all_true() {
+        } else if !is_plainest::<S>() && (rays.mirrored(simd) | !active).all_true() {
             (seen.mirrored, scene.tree.start(seen.mirrored))
         } else {
             (GroupSet::MAX, 0)
@@ -162,7 +163,8 @@ fn trace_packets<S: Isa>(
             batch.keep_objects::<S>(next, hit.object);
         }
         let node = shade::shade(simd, scene, quality, &rays, &hit, active, batch);
-        batch.add(simd, &rays, is_primary.then_some(next), &node);
+        let first = is_primary.then_some(next);
+        batch.add(simd, &rays, first, &node, scene.details.has_patterns());
         next += lanes::<S>() * usize::from(is_primary);
     }
     if Counts::ARE_KEPT {

@@ -5,7 +5,8 @@ use crate::lanes::*;
 use fearless_simd::{u16x8, u32x4, u64x2};
 
 /// A traced point's colour: blue, green and red from the low bits up, 16 bits each, in 128ths of an output step. Above
-/// them, 16 bits tell the object that the point shows: its number plus one, or 0 where it is not known.
+/// them, 14 bits tell the object that the point shows: its number plus one, or 0 where it is not known; and one bit whether
+/// that has a pattern.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
 
@@ -18,6 +19,9 @@ pub(crate) const STEP: i32 = 1 << SAMPLE_BITS;
 /// Where a sample tells its object.
 const OBJECT: u32 = 48;
 
+/// Where it tells that the object has a pattern.
+const PATTERN: u64 = 1 << 62;
+
 /// The colour of a [`Sample`], without what else its word holds.
 const COLOUR: u64 = (1 << OBJECT) - 1;
 
@@ -28,10 +32,23 @@ impl Sample {
         Self(self.0 | u64::from(object + 1) << OBJECT)
     }
 
+    /// The sample, with word that its object has a pattern.
+    #[inline(always)]
+    pub fn patterned(self) -> Self {
+        Self(self.0 | PATTERN)
+    }
+
+    /// Whether one of some samples shows an object with a pattern.
+    #[inline(always)]
+    pub fn any_patterned(samples: &[Self; 4]) -> bool {
+        let [a, b, c, d] = samples;
+        (a.0 | b.0 | c.0 | d.0) & PATTERN != 0
+    }
+
     /// The number of the object that is shown, plus one; 0 where it is not known.
     #[inline(always)]
     pub fn object(self) -> usize {
-        (self.0 >> OBJECT) as usize
+        ((self.0 & !PATTERN) >> OBJECT) as usize
     }
 
     /// The sample without its object.

@@ -113,7 +113,11 @@ pub(super) fn shade<S: Isa>(
             counts,
             packet,
         );
-        let marks = rays.mirror_marks(simd, hit.object, scene.first_plane());
+        let marks = if is_plainest::<S>() {
+            U::<S>::splat(simd, 0)
+        } else {
+            rays.mirror_marks(simd, hit.object, scene.first_plane())
+        };
         scatter(simd, quality, rays, weight, &surface, &place, marks, stack);
     }
     if scene.details.is_there() {
@@ -255,7 +259,7 @@ fn gather<S: Isa>(
         let l = to_light.scaled(one / distance);
         let nl = place.n.dot(l);
         let mut facing = place.solid & nl.simd_gt(distance * least);
-        if !lamp.is_plain() {
+        if !is_plainest::<S>() && !lamp.is_plain() {
             let inward: F<S> = -l.dot(Vec3x::splat(simd, lamp.cone.aim));
             facing &= inward.simd_gt(splat(simd, lamp.cone.dark));
         }
@@ -267,7 +271,7 @@ fn gather<S: Isa>(
             }
             lit &= !blocked(simd, scene, lamp, place.p, l, distance, packet);
             let mut colour = Vec3x::splat(simd, lamp.colour);
-            if !lamp.is_plain() && (lamp.is_cone() || !packet.is_empty()) {
+            if !lamp.is_plain() && (is_plainest::<S>() || lamp.is_cone() || !packet.is_empty()) {
                 packet.set(place.p, l, lit.select(distance, zero));
                 details::reach::<S>(scene, lamp, lit, packet);
                 let passing = packet.passing.load(simd);
@@ -288,7 +292,9 @@ fn gather<S: Isa>(
             states.push(lit, highlight);
         }
     }
-    specular.add_scaled(surface.base() + surface.diffuse() * diffuse, place.left)
+    let full = surface.base() + surface.diffuse() * diffuse;
+    packet.full.store(full);
+    specular.add_scaled(full, place.left)
 }
 
 /// Puts the transmitted and the reflected rays on the stack.

@@ -40,6 +40,7 @@ mod golden;
 mod method;
 #[cfg(feature = "lab")]
 mod observed;
+mod patterned;
 mod random;
 mod ranges;
 mod refinement;

@@ -31,7 +31,7 @@ pub struct Drawn {
 }
 
 /// The kinds of fill by number, so that 0 is none.
-const FILLS: [Fill; 3] = [Fill::Flat, Fill::Bilinear, Fill::Points];
+const FILLS: [Fill; 4] = [Fill::Flat, Fill::Bilinear, Fill::Patterned, Fill::Points];
 
 impl Trail {
     /// Of a frame of this size, before it is drawn.

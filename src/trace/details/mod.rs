@@ -15,7 +15,6 @@ mod texture;
 pub(super) use light::reach;
 pub(crate) use packet::Packet;
 use packet::{Closer, LEFT, load, store};
-#[allow(unused_imports, reason = "for pixels between samples")]
 pub(crate) use seen::{has_pattern, left_seen};
 
 use super::surface::object_at;

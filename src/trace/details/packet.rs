@@ -4,6 +4,7 @@ use crate::lanes::*;
 use crate::scene::MAX_SOLIDS;
 use crate::trace::intersect::Hit;
 use crate::trace::stack::Rays;
+use glam::{Vec3A, Vec4};
 
 /// A number per lane, for the most lanes there are.
 pub(crate) type Column = [f32; MAX_LANES];
@@ -38,6 +39,8 @@ pub(crate) struct Packet {
     pub object: Column,
     /// What that looks like, and what lies behind.
     pub closer: Closer<Column>,
+    /// The light that the surface's own colour sends back, before a pattern takes of it.
+    pub full: Columns,
     pub behind: Columns,
     /// What passes of a lamp, as a colour.
     pub passing: Columns,
@@ -52,6 +55,7 @@ impl Packet {
         t: [0.0; MAX_LANES],
         object: [0.0; MAX_LANES],
         closer: [[0.0; MAX_LANES]; 9],
+        full: Columns::NONE,
         behind: Columns::NONE,
         passing: Columns::NONE,
     };
@@ -133,6 +137,14 @@ impl Packet {
     #[inline(always)]
     pub fn through<S: Isa>(&self, simd: S) -> F<S> {
         self.number(simd, THROUGH)
+    }
+
+    /// What a pattern leaves a share of in a lane, blue, green and red, of rays of a weight, and that share.
+    pub fn patterned(&self, lane: usize, weight: f32) -> Vec4 {
+        let [red, green, blue] = &self.full.0;
+        let weight = weight * self.closer[THROUGH][lane];
+        let full = Vec3A::new(blue[lane], green[lane], red[lane]) * weight;
+        full.extend(self.closer[LEFT][lane])
     }
 
     /// The hits.

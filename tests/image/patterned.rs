@@ -1,0 +1,78 @@
+//! Patterns in filled squares: seen at every pixel, by few points.
+
+use crate::drawn::{draw, draw_by_all};
+use crate::error::Difference;
+use eightfold::Quality;
+use eightfold::scene::{Block, Camera, Light, List, Material, Pattern, Plane, Scene};
+use glam::{Mat3A, Vec3A, vec3a};
+
+/// A floor, a box and a cylinder, with checkers, stripes and marble far finer than squares allow for.
+fn scene(depth: f32) -> Scene {
+    let material = |waves: Vec3A, edge: f32, warp: f32| Material {
+        colour: vec3a(0.9, 0.8, 0.7),
+        kd: 0.9,
+        pattern: Pattern {
+            waves,
+            depth,
+            edge,
+            warp,
+            grain: 1.0,
+        },
+        ..Material::BLACK
+    };
+    let block = |x: f32, round: bool, material: Material| Block {
+        centre: vec3a(x, 1.0, 0.0),
+        half: vec3a(0.7, 1.0, 0.7),
+        axes: Mat3A::from_rotation_y(0.4),
+        round,
+        material,
+    };
+    Scene {
+        camera: Camera {
+            eye: vec3a(0.0, 2.5, -5.0),
+            look_at: vec3a(0.0, 0.8, 0.0),
+            up: Vec3A::Y,
+            field_of_view: 0.8,
+        },
+        background: Vec3A::splat(0.2),
+        ambient: Vec3A::splat(0.2),
+        planes: List::of(&[Plane {
+            half_x: 5.0,
+            half_z: 5.0,
+            material: material(vec3a(1.5, 0.0, 1.5), 40.0, 0.0),
+            ..Plane::default()
+        }]),
+        blocks: List::of(&[
+            block(-1.2, false, material(vec3a(0.0, 4.0, 0.0), 20.0, 0.0)),
+            block(1.2, true, material(vec3a(1.0, 2.0, 1.0), 2.0, 1.0)),
+        ]),
+        lights: List::of(&[Light {
+            position: vec3a(-3.0, 6.0, -4.0),
+            colour: Vec3A::ONE,
+            ..Light::DARK
+        }]),
+        ..Scene::default()
+    }
+}
+
+#[test]
+fn patterns_are_as_sharp_in_filled_squares_as_traced() {
+    let (patterned, plain) = (scene(0.8), scene(0.0));
+    for (isa, exhaustive) in draw_by_all(&patterned, &Quality::EXHAUSTIVE, 480, 270) {
+        let even = draw(isa, 1, &plain, &Quality::DEFAULT, 480, 270);
+        let drawn = draw(isa, 2, &patterned, &Quality::DEFAULT, 480, 270);
+        let difference = Difference::between(&exhaustive.pixels, &drawn.pixels);
+        let (points, plainly) = (drawn.counts.points, even.counts.points);
+        println!(
+            "{}: {difference:?}, {points} points, {plainly} without",
+            isa.name
+        );
+        assert!(difference.psnr > 42.5, "{}: {difference:?}", isa.name);
+        // Edges of objects and shadows are split for, those of patterns, many times as long, are not.
+        assert!(
+            points < plainly * 7 / 4,
+            "{}: {points}, {plainly}",
+            isa.name
+        );
+    }
+}
