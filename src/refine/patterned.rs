@@ -68,6 +68,11 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
             first = first + first_down;
             step = step + step_down;
         }
+        // The corner as it was traced, to the last bit.
+        let corner = upper * self.canvas.width + left;
+        if let Some(pixel) = self.canvas.pixels.get_mut(corner) {
+            *pixel = corners[0].pixel();
+        }
         self.tell(square, Fill::Patterned);
         Some(true)
     }

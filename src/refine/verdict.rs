@@ -47,19 +47,18 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     #[inline(always)]
     fn fill(&mut self, square: &Square, mut corners: Corners) -> bool {
         let mut limit = self.limits.agreeing;
-        if self.quality.needs_keys() {
-            if !square.agrees(&self.worker.points) {
-                limit = self.limits.differing;
-            }
-            // By the rules of 2008 nothing is between equal colours.
-            if corners.iter().all(|c| c.pixel() == corners[0].pixel()) {
-                corners = [corners[0]; 4];
-            }
+        let needs_keys = self.quality.needs_keys();
+        if needs_keys && !square.agrees(&self.worker.points) {
+            limit = self.limits.differing;
         }
         if Sample::any_patterned(&corners)
             && let Some(is_filled) = self.fill_patterned(square, &corners, limit)
         {
             return is_filled;
+        }
+        // By the rules of 2008 nothing is between equal colours.
+        if needs_keys && corners.iter().all(|c| c.pixel() == corners[0].pixel()) {
+            corners = [corners[0]; 4];
         }
         let (_, _, w, h) = square.place();
         if is_wider(self.simd, &corners, limit.of(w.max(h))) {
