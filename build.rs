@@ -45,6 +45,7 @@
 //! | names in an unused program header, constants by alignment | `src/window/program.s`, `program.ld` | 276 |
 //! | work counted for the lab alone, bands made in their place | `src/trace`, `src/render.rs` | 214 |
 //! | numbers of pixels by way of `i32` | `src/scene/camera.rs` | 448 |
+//! | code that occurs several times is called, shorter spills (`-enable-machine-outliner`, `-split-spill-mode=size`) | `.cargo/config.toml` | 276 |
 //! | identical functions folded (`--icf=all`) | | 176 |
 //!
 //! What the tracer gave up, one step after the other:
@@ -57,6 +58,7 @@
 //! | a loop where it was unrolled, one place where there were two | `src/trace` | 3,664 |
 //! | no list of who can shadow whom (3 % of the time) | `src/prepare` | 1,904 |
 //! | surfaces made as rows of numbers | `src/prepare` | 800 |
+//! | the SSE2 kernel without what only saves time | `src/trace` | 436 |
 //! | sums made samples in SSE2 lanes, not once per instruction set (0.3 % of the time) | `src/trace` | 331 |
 //!
 //! What std's parts cost, which the intro has by libc instead (measured in that 30-line program): starting
@@ -66,8 +68,8 @@
 //! redirected (`lto = "fat"`), or without std's inlines 12,500 bytes more (`-C linker-plugin-lto`). All of the library at
 //! `opt-level = "z"`: the kernels get larger (SSE2 by 2,500, AVX2 by 3,300), and little else gets much smaller (`main` by 290).
 //! `-C relocation-model=static` saved 110 once and costs 540 now, and goes to procedural macros too, which it breaks.
-//! Of LLVM's own options `-enable-newgvn` saves 460, but is not finished; `-greedy-reverse-local-assignment` saves 80,
-//! `-split-spill-mode=size` 50, the machine outliner 30; others less, or they cost (`-jump-threading-threshold=0` 5,500).
+//! Of LLVM's own options `-enable-newgvn` saves 460, but is not finished; others save less
+//! than 100, or they cost (`-jump-threading-threshold=0` 5,500).
 //! Structures with their small fields first: 50.
 
 use std::{
