@@ -224,6 +224,7 @@ impl Prepared {
                     outline.set_block(&self.axes, to, block);
                 }
             }
+            outline.settle();
             to.y = 2.0 * floor - node.centre.y - self.eye.y;
             self.mirrored[group].join(self.axes.window(to, node.radius));
         }

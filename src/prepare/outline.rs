@@ -120,7 +120,11 @@ impl Outline {
         let to = to.extend(to.dot(axes.rows[2]));
         self.least = to - extent;
         self.most = to + extent;
-        // What is nowhere is not looked for everywhere.
+    }
+
+    /// Has what is nowhere not looked for everywhere.
+    #[inline(always)]
+    pub fn settle(&mut self) {
         if !self.most.is_finite() {
             self.window = Window::NONE;
         }
