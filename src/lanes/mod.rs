@@ -40,7 +40,8 @@ pub(crate) const fn lanes<S: Simd>() -> usize {
     F::<S>::LEN
 }
 
-/// Whether an instruction set is the one that every CPU has: kernels by it leave out what only saves time, for 600 bytes.
+/// Whether an instruction set is the one that every CPU has: kernels by it leave out what only saves time, for
+/// 800 bytes.
 #[inline(always)]
 pub(crate) const fn is_plainest<S: Simd>() -> bool {
     lanes::<S>() <= 4

@@ -62,6 +62,7 @@ pub(crate) struct Prepared {
     pub axes: Axes,
     /// What each object covers of the picture, and from number [`Prepared::nothing`] on what each shadow does.
     pub outlines: [Outline; OUTLINES],
+    /// The end of those.
     pub outlined: usize,
     pub solids: usize,
     lamps: [Lamp; MAX_LIGHTS],

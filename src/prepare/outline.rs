@@ -198,6 +198,8 @@ impl Prepared {
             }
             let outline = &mut self.outlines[self.outlined % OUTLINES];
             outline.window = Window::ALL;
+            // The place may have been a block's, in another frame.
+            outline.is_block = false;
             outline.object = number as u16;
             let to = node.centre - lamp.position;
             let cosine2 = outline.cone.set_round(&self.axes, &by, to, node.radius);

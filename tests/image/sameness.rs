@@ -5,9 +5,17 @@ use crate::error::worst_channel;
 use crate::isa;
 use crate::oracle::frame::Frame;
 use crate::studio::{Studio, on_heap};
+use eightfold::scene::Scene;
 use eightfold::{Memory, Quality, Worker, render, show};
 
-const QUALITIES: [Quality; 2] = [Quality::EXHAUSTIVE, Quality::THESIS];
+const QUALITIES: [Quality; 3] = [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT];
+
+/// The show's scene at a time in seconds.
+fn of_the_show(time: f32) -> Scene {
+    let mut scene = Scene::default();
+    show::at(time, &mut scene);
+    scene
+}
 
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
@@ -65,16 +73,26 @@ fn what_was_drawn_before_leaves_no_trace() {
     let mut studio = Studio::new(2);
     let mut others = vec![0; 500 * 400];
     for quality in QUALITIES {
-        let scene = show::scene(6.0);
-        let fresh = draw(isa::best(), 2, &scene, &quality, 301, 203);
-        for before in [show::field(320, 0.0), show::scene(0.0)] {
+        // Spheres alone, then boxes, cylinders and patterns as well: what is a sphere's in one frame may be a box's in another.
+        let many = [
+            show::scene(6.0),
+            show::field(320, 0.0),
+            of_the_show(50.0),
+            of_the_show(65.0),
+            of_the_show(76.0),
+        ];
+        let pairs = many
+            .iter()
+            .flat_map(|scene| many.iter().map(move |before| (scene, before)));
+        for (scene, before) in pairs {
+            let fresh = draw(isa::best(), 2, scene, &quality, 301, 203);
             let larger = Quality {
                 square: 32,
                 ..quality
             };
-            studio.draw(level, &before, &larger, 500, &mut others);
+            studio.draw(level, before, &larger, 500, &mut others);
             let mut pixels = vec![0; 301 * 203];
-            let counts = studio.draw(level, &scene, &quality, 301, &mut pixels);
+            let counts = studio.draw(level, scene, &quality, 301, &mut pixels);
             assert!(pixels == fresh.pixels);
             assert_eq!(counts.points, fresh.counts.points);
         }
