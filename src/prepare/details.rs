@@ -1,6 +1,5 @@
 //! What only some scenes have: boxes and cylinders, patterns, air, lamps that are more than points.
 
-use super::Tree;
 use super::object::{self, Object};
 use crate::DETAILS;
 use crate::scene::{Material, Method, Scene};
@@ -61,7 +60,7 @@ impl Details {
 
     /// The object number `i`, and its material.
     #[inline(never)]
-    pub fn object(&self, tree: &Tree, i: usize) -> (Object<'_>, &Material) {
-        object::of(&self.scene, tree.number(i))
+    pub fn object(&self, i: usize) -> (Object<'_>, &Material) {
+        object::of(&self.scene, i)
     }
 }

@@ -12,6 +12,8 @@ pub(crate) struct Lamp {
     pub position: Vec3A,
     pub colour: Vec3A,
     is_plain: bool,
+    /// Whether it is a cone.
+    pub is_cone: bool,
     /// Its cone, or one that is bright all around.
     pub cone: Spot,
     /// Its diameter, and the widest that a penumbra is taken to be at what throws it.
@@ -72,6 +74,7 @@ impl Lamp {
         position: Vec3A::ZERO,
         colour: Vec3A::ZERO,
         is_plain: false,
+        is_cone: false,
         cone: Spot {
             aim: Vec3A::ZERO,
             dark: 0.0,
@@ -89,20 +92,16 @@ impl Lamp {
         !DETAILS || self.is_plain
     }
 
-    /// Whether it is a cone.
-    #[inline(always)]
-    pub fn is_cone(&self) -> bool {
-        self.cone.bright > -1.0
-    }
-
     /// Takes a light in, and the nodes that can shade it.
     pub fn set(&mut self, light: &Light, has_blocks: bool, nodes: &[Node]) {
         self.position = light.place();
         self.is_point = light.is_plain();
         self.is_plain = self.is_point && !has_blocks;
+        self.is_cone = light.spot.is_some();
         self.cone = light.spot.unwrap_or(ALL_BRIGHT);
         self.diameter = light.diameter();
-        self.widest = light.widest();
+        // Below 0 a sphere would shade what its bound does not.
+        self.widest = light.widest().max(0.0);
         for (caster, node) in self.casters.iter_mut().zip(nodes) {
             // A sphere's penumbra is wider, and a bound shades from its nearest point on.
             let radius = if DETAILS && !node.is_block {

@@ -48,7 +48,7 @@ pub(crate) const OUTLINES: usize =
 
 /// One frame's scene in the order the kernels want it.
 ///
-/// Objects are numbered: solids (as the [`Tree`] orders them), lights, planes, background.
+/// Objects are numbered as they are in the scene: solids, lights, planes, background.
 pub(crate) struct Prepared {
     pub eye: Vec3A,
     pub raster: Raster,
@@ -177,7 +177,7 @@ impl Prepared {
         self.tree.set(scene);
         let mut has_patterns = false;
         for (i, surface) in self.surfaces.iter_mut().enumerate() {
-            let (object, material) = object::of(scene, self.tree.number(i));
+            let (object, material) = object::of(scene, i);
             has_patterns |= material.pattern.depth != 0.0;
             let is_last = matches!(object, Object::Nothing);
             surface::spread(object, material, scene.ambient, scene.background, surface);
@@ -220,7 +220,7 @@ impl Prepared {
             let group = node.groups.trailing_zeros() as usize % MAX_GROUPS;
             self.windows[group].join(outline.window);
             if DETAILS && node.is_block {
-                let object = self.details.object(&self.tree, node.number as usize).0;
+                let object = self.details.object(node.number as usize).0;
                 if let Object::Block(block) = object {
                     outline.set_block(&self.axes, to, block);
                 }

@@ -110,12 +110,6 @@ impl Tree {
         &self.nodes[..self.solid.min(MAX_NODES)]
     }
 
-    /// The number in the scene of the object number `i`.
-    pub fn number(&self, i: usize) -> usize {
-        let balls = &self.balls[..self.solids.min(MAX_SOLIDS)];
-        balls.get(i).map_or(i, |ball| ball.number as usize)
-    }
-
     /// Takes a scene in.
     pub fn set(&mut self, scene: &Scene) {
         self.solids = scene.solids();
@@ -177,11 +171,11 @@ impl Tree {
         bound.is_bound = true;
         bound.least = 0.0;
         if is_leaf {
-            for number in first..end {
-                let ball = self.balls[number];
-                let group = 1 << (number * SOLID_GROUPS / self.solids.max(SOLID_GROUPS));
+            for place in first..end {
+                let ball = self.balls[place];
+                let group = 1 << (place * SOLID_GROUPS / self.solids.max(SOLID_GROUPS));
                 let node = self.push(ball.centre, ball.radius, group);
-                node.number = number as u16;
+                node.number = ball.number;
                 if let (true, Object::Block(block)) =
                     (DETAILS, object::of(scene, ball.number as usize).0)
                 {

@@ -58,9 +58,12 @@ pub(crate) fn nearest<S: Isa>(
             let ahead = chord.is_ahead(node);
             is_met = ahead.any_true();
             if DETAILS && is_met && node.is_block {
-                let near = ahead & !chord.is_off(rays.d, node, hit.t);
+                let mut near = ahead;
+                if !is_plainest::<S>() {
+                    near &= !chord.is_off(rays.d, node, hit.t);
+                }
                 if is_plainest::<S>() || near.any_true() {
-                    packet.push(node.number);
+                    packet.push::<S>(node.number, near);
                 }
             } else if is_met && !node.is_bound {
                 let (m, t) = chord.entry(ahead, node, hit.t);
@@ -236,9 +239,12 @@ pub(crate) fn blocked<S: Isa>(
         let shaded = caster_shades(simd, caster, l, distance);
         let is_met = shaded.any_true();
         if is_met && !caster.is_bound && !lamp.is_plain() {
-            let near = shaded & !caster_is_off(simd, caster, l, distance, lamp.diameter);
+            let mut near = shaded;
+            if !is_plainest::<S>() {
+                near &= !caster_is_off(simd, caster, l, distance, lamp.diameter);
+            }
             if is_plainest::<S>() || near.any_true() {
-                packet.push(caster.number);
+                packet.push::<S>(caster.number, near);
             }
         } else if is_met && !caster.is_bound {
             blocked |= caster_blocks(simd, caster, l, distance);

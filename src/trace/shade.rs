@@ -271,7 +271,7 @@ fn gather<S: Isa>(
             }
             lit &= !blocked(simd, scene, lamp, place.p, l, distance, packet);
             let mut colour = Vec3x::splat(simd, lamp.colour);
-            if !lamp.is_plain() && (is_plainest::<S>() || lamp.is_cone() || !packet.is_empty()) {
+            if !lamp.is_plain() && (is_plainest::<S>() || lamp.is_cone || !packet.is_empty()) {
                 packet.set(place.p, l, lit.select(distance, zero));
                 details::reach::<S>(scene, lamp, lit, packet);
                 let passing = packet.passing.load(simd);

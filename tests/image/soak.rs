@@ -250,8 +250,7 @@ fn hold(room: &mut Room, seed: u64, case: u64) -> Option<Difference> {
     };
     let is_valid = scene.validate().is_ok();
     assert!(is_valid, "{what}: {:?}", scene.validate());
-    // Not where there is air: what packets of boxes, penumbras and cones make of such numbers depends on their lanes.
-    let is_spoilt = random.below(4) == 0 && scene.haze == 0.0;
+    let is_spoilt = random.below(4) == 0;
     if is_spoilt {
         spoil(&mut scene, &mut random);
     }

@@ -125,6 +125,24 @@ fn every_combination_has_its_row_with_every_figure() {
 }
 
 #[test]
+fn the_guard_is_left_out_on_request_and_costs_points() {
+    let (_, rows) = bench(&[
+        "--scene",
+        "field:99",
+        "--size",
+        "160x120",
+        "--quality",
+        "default",
+        "--unguarded",
+    ]);
+    let traced = |name: &str| {
+        let row = rows.iter().find(|row| row["quality"] == name);
+        number(row.expect(name), "traced_fraction")
+    };
+    assert!(traced("unguarded") < traced("default"));
+}
+
+#[test]
 fn figures_fit_each_other() {
     let (_, rows) = bench(&["--size", "96x64", "--threads", "1", "--threads", "2"]);
     for (row, exhaustive) in rows.iter().zip([0, 0, 0, 3, 3, 3].map(|i| &rows[i])) {

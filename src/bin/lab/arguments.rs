@@ -81,6 +81,15 @@ impl NamedQuality {
         name: "thesis",
         quality: Quality::THESIS,
     };
+    /// The default one where squares are filled whatever may be seen between their corners: what the guard costs is measured
+    /// by it, and it can be asked for nowhere else.
+    pub const UNGUARDED: Self = Self {
+        name: "unguarded",
+        quality: Quality {
+            guarded: false,
+            ..Quality::DEFAULT
+        },
+    };
 
     /// The quality with so many samples a side of the pixels at edges, under its name.
     pub fn antialiased(mut self, samples: usize) -> Self {

@@ -47,8 +47,8 @@ fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: &Lamp, place: usize, packet
         y: asked,
         z: asked,
     };
-    for &i in packet.candidates() {
-        let (object, material) = scene.details.object(&scene.tree, i as usize);
+    for &candidate in packet.candidates() {
+        let (object, material) = scene.details.object(candidate.number());
         let blocked = match object {
             Object::Block(block) => {
                 let is_met = first_ahead(simd, block, &o, &d).simd_lt(t);
@@ -62,6 +62,7 @@ fn reach_by<S: Isa>(simd: S, scene: &Prepared, lamp: &Lamp, place: usize, packet
         if lamp.diameter > 0.0 {
             left -= material.tint.max(Vec3A::ZERO).min(Vec3A::ONE);
         }
+        let blocked = candidate.lanes(simd, place).select(blocked, zero);
         passing = passing - (passing * Vec3x::splat(simd, left)).scaled(blocked);
         let most = passing.x.max(passing.y).max(passing.z);
         if most.simd_le(zero).all_true() {

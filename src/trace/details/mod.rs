@@ -48,12 +48,13 @@ fn look_by<S: Isa>(simd: S, scene: &Prepared, active: u64, place: usize, packet:
     let d = packet.d.load_from(simd, place);
     let mut t = load(simd, &packet.t[place..]);
     let mut object = load(simd, &packet.object[place..]);
-    for &i in packet.candidates() {
-        if let (Object::Block(block), _) = scene.details.object(&scene.tree, i as usize) {
+    for &candidate in packet.candidates() {
+        let number = candidate.number();
+        if let (Object::Block(block), _) = scene.details.object(number) {
             let nearer = first_ahead(simd, block, &o, &d);
-            let is_nearer = nearer.simd_lt(t);
+            let is_nearer = nearer.simd_lt(t) & candidate.lanes(simd, place);
             t = is_nearer.select(nearer, t);
-            object = is_nearer.select(splat(simd, f32::from_bits(i.into())), object);
+            object = is_nearer.select(splat(simd, f32::from_bits(number as u32)), object);
         }
     }
     store::<S>(t, &mut packet.t[place..]);
@@ -86,7 +87,7 @@ fn closer<S: Isa>(
     t: F<S>,
 ) -> Closer<F<S>> {
     let details = &scene.details;
-    let (object, material) = details.object(&scene.tree, number);
+    let (object, material) = details.object(number);
     let centre = match object {
         Object::Sphere(sphere) => sphere.centre,
         Object::Block(block) => block.centre,

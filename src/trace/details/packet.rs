@@ -26,10 +26,29 @@ pub(super) const LEFT: usize = 8;
 /// Room for all solids, a power of two.
 const CANDIDATES: usize = (MAX_SOLIDS + 1).next_power_of_two();
 
+/// What may be in the way of rays: a solid's number, and below it 16 bits, one for each lane whose ray may meet it. The
+/// others do not, whatever is found: what a lane meets does not depend on whom it travels with.
+#[derive(Clone, Copy)]
+pub(crate) struct Candidate(u32);
+
+impl Candidate {
+    /// The solid's number.
+    #[inline(always)]
+    pub fn number(self) -> usize {
+        (self.0 >> 16) as usize
+    }
+
+    /// Of as many lanes as there are, from number `place` on, those whose rays may meet it.
+    #[inline(always)]
+    pub fn lanes<S: Isa>(self, simd: S, place: usize) -> M<S> {
+        M::<S>::from_bitmask(simd, u64::from(self.0 >> place))
+    }
+}
+
 /// A packet's rays, and what becomes of them.
 pub(crate) struct Packet {
     /// Boxes, cylinders and what else may be in the way of a ray.
-    candidates: [u16; CANDIDATES],
+    candidates: [Candidate; CANDIDATES],
     count: usize,
     /// Origin and direction of the rays.
     pub o: Columns,
@@ -48,7 +67,7 @@ pub(crate) struct Packet {
 
 impl Packet {
     pub const NONE: Self = Self {
-        candidates: [0; CANDIDATES],
+        candidates: [Candidate(0); CANDIDATES],
         count: 0,
         o: Columns::NONE,
         d: Columns::NONE,
@@ -66,10 +85,11 @@ impl Packet {
         self.count = 0;
     }
 
-    /// Adds the solid number `i` to the candidates.
+    /// Adds the solid number `i` to the candidates of some lanes.
     #[inline(always)]
-    pub fn push(&mut self, i: u16) {
-        self.candidates[self.count % CANDIDATES] = i;
+    pub fn push<S: Isa>(&mut self, i: u16, lanes: M<S>) {
+        self.candidates[self.count % CANDIDATES] =
+            Candidate(u32::from(i) << 16 | lanes.to_bitmask() as u32);
         self.count += 1;
     }
 
@@ -80,7 +100,7 @@ impl Packet {
     }
 
     /// The candidates.
-    pub fn candidates(&self) -> &[u16] {
+    pub fn candidates(&self) -> &[Candidate] {
         &self.candidates[..self.count % CANDIDATES]
     }
 

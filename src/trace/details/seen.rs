@@ -36,7 +36,7 @@ fn left_seen_by<S: Isa>(
     let o = Vec3x::splat(simd, scene.eye);
     let x: F<S> = numbers(simd).bitcast::<I<S>>().to_float::<F<S>>() + x as f32;
     let d = seen_at(simd, scene, x, splat(simd, y as f32));
-    let t = match scene.details.object(&scene.tree, object).0 {
+    let t = match scene.details.object(object).0 {
         Object::Block(block) => first_ahead(simd, block, &o, &d),
         Object::Plane(plane) => (splat(simd, plane.centre.y) - o.y) / d.y,
         _ => zero,

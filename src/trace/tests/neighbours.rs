@@ -2,9 +2,12 @@
 
 use super::*;
 use crate::quality::Quality;
+use crate::scene::{Block, Light, Spot};
 use crate::show;
 use crate::trace::Batch;
+use crate::trace::details::look;
 use crate::trace::shade::shade;
+use glam::Mat3A;
 
 /// Packets.
 const PACKETS: usize = 20_000;
@@ -46,7 +49,12 @@ fn outcomes<S: Isa>(
         weight: F::<S>::from_slice(simd, &weight[..n]),
         place: Rays::places(simd, 0),
     };
-    let hit = hits(simd, scene, &rays);
+    let mut hit = nearest(simd, scene, &rays, GroupSet::MAX, 0, &mut batch.packet);
+    if scene.details.is_there() {
+        batch.packet.set_hits(&rays, &hit);
+        look::<S>(scene, first(simd, n), &mut batch.packet);
+        hit = batch.packet.hits(simd);
+    }
     let quality = &Quality::THESIS;
     let node = shade(simd, scene, quality, &rays, &hit, first(simd, n), batch);
     let mut sums = [[0; 4]; MAX_LANES];
@@ -114,6 +122,7 @@ fn nonsense(random: &mut Random) -> Ray {
 
 struct Neighbours {
     scene: Scene,
+    packets: usize,
 }
 
 impl Property for Neighbours {
@@ -122,7 +131,7 @@ impl Property for Neighbours {
         let mut random = Random(1966);
         let scene = prepared(&self.scene);
         let mut batch = Box::new(Batch::new());
-        for _ in 0..PACKETS / lanes::<S>() {
+        for _ in 0..self.packets / lanes::<S>() {
             let mut rays = [(Vec3A::ZERO, Vec3A::Z, 1.0); MAX_LANES];
             for place in &mut rays {
                 *place = ray(&mut random);
@@ -149,10 +158,35 @@ impl Property for Neighbours {
     }
 }
 
+/// A scene with a box, a cylinder, haze, a pattern, a lamp with a size and one with a cone.
+fn rich() -> Scene {
+    let mut scene = show::scene(1.0);
+    for (x, round) in [(-1.0, false), (1.2, true)] {
+        scene.blocks.push(Block {
+            centre: Vec3A::new(x, 0.7, 2.5),
+            half: Vec3A::new(0.6, 0.7, 0.6),
+            axes: Mat3A::from_rotation_z(0.3),
+            round,
+            material: scene.spheres[0].material,
+        });
+    }
+    scene.planes[0].material.pattern.waves = Vec3A::ONE;
+    scene.planes[0].material.pattern.depth = 0.5;
+    scene.haze = 0.03;
+    scene.lights[0].size = 1.0;
+    scene.lights[1].spot = Some(Spot {
+        aim: -scene.lights[1].position.normalize(),
+        dark: 0.6,
+        bright: 0.9,
+    });
+    scene
+}
+
 #[test]
 fn what_comes_of_a_ray_depends_on_no_neighbour() {
     on_every_instruction_set(&Neighbours {
         scene: show::scene(1.0),
+        packets: PACKETS,
     });
 }
 
@@ -160,5 +194,56 @@ fn what_comes_of_a_ray_depends_on_no_neighbour() {
 fn what_comes_of_a_ray_depends_on_no_neighbour_where_spheres_are_in_groups() {
     on_every_instruction_set(&Neighbours {
         scene: show::field(300, 1.0),
+        packets: PACKETS,
     });
+}
+
+#[test]
+fn what_comes_of_a_ray_depends_on_no_neighbour_where_there_is_more_than_spheres() {
+    on_every_instruction_set(&Neighbours {
+        scene: rich(),
+        packets: PACKETS,
+    });
+}
+
+#[test]
+fn what_comes_of_a_ray_depends_on_no_neighbour_whatever_numbers_make_no_sense() {
+    fn spot(light: &mut Light) -> &mut Spot {
+        light.spot.get_or_insert_default()
+    }
+    let places: [fn(&mut Scene) -> &mut f32; 14] = [
+        |scene| &mut scene.spheres[0].centre.x,
+        |scene| &mut scene.spheres[1].radius,
+        |scene| &mut scene.blocks[0].centre.y,
+        |scene| &mut scene.blocks[0].half.x,
+        |scene| &mut scene.blocks[1].half.x,
+        |scene| &mut scene.blocks[0].axes.x_axis.x,
+        |scene| &mut scene.blocks[1].axes.y_axis.y,
+        |scene| &mut scene.planes[0].material.pattern.waves.x,
+        |scene| &mut scene.lights[0].position.z,
+        |scene| &mut scene.lights[0].size,
+        |scene| &mut spot(&mut scene.lights[1]).aim.y,
+        |scene| &mut spot(&mut scene.lights[1]).dark,
+        |scene| &mut spot(&mut scene.lights[1]).bright,
+        |scene| &mut scene.haze,
+    ];
+    for place in places {
+        for number in [
+            f32::NAN,
+            f32::INFINITY,
+            f32::NEG_INFINITY,
+            f32::MAX,
+            1e20,
+            1e-40,
+            0.0,
+            -1.0,
+        ] {
+            let mut scene = rich();
+            *place(&mut scene) = number;
+            on_every_instruction_set(&Neighbours {
+                scene,
+                packets: PACKETS / 20,
+            });
+        }
+    }
 }

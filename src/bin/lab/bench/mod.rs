@@ -37,6 +37,9 @@ pub struct Arguments {
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest; may be given several times
     #[arg(long, value_name = "NAME", default_values = ["exhaustive", "thesis", "default"])]
     quality: Vec<NamedQuality>,
+    /// Measures `unguarded` as well: the default quality that misses what lies between the corners of squares
+    #[arg(long)]
+    unguarded: bool,
     /// Samples a side of the pixels at edges, 1 to 8: 4 for sixteen samples, 1 for the one that all have; of the
     /// exhaustive frames too
     #[arg(long, value_name = "N", default_value = "1", value_parser = arguments::antialias)]
@@ -108,7 +111,9 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
         threads.push(available_parallelism().map_or(1, usize::from));
     }
     let others = arguments.quality.iter().copied();
+    let unguarded = arguments.unguarded.then_some(NamedQuality::UNGUARDED);
     let qualities = [NamedQuality::EXHAUSTIVE].into_iter().chain(others);
+    let qualities = qualities.chain(unguarded);
     let qualities = qualities.map(|quality| quality.antialiased(arguments.antialias));
     let parts = arguments.scene.parts().into_iter();
     let shots: Vec<Shot> = parts.filter_map(|part| shot(arguments, part)).collect();
