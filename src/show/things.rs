@@ -75,7 +75,7 @@ static ROWS: [Row; 23] = [
     row(Set::Machine, Ball, Still, Stuff::Gold,    2, 1, [-3.4, 4.6, 1.2,  1.0, 0.0, 0.0,  6.8, 0.0]),
     // Pistons: anvils, heads, rods.
     row(Set::Machine, Box,   Still,    Stuff::Steel, 4, 1, [-2.2, 0.3, -1.6,  1.1, 0.6, 1.1,  1.5, 0.0]),
-    row(Set::Machine, Round, Striking, Stuff::Gold,  4, 1, [-2.2, 0.9, -1.6,  0.8, 0.6, 0.8,  1.5, 0.0]),
+    row(Set::Machine, Round, Striking, Stuff::Scarlet, 4, 1, [-2.2, 0.9, -1.6,  0.8, 0.6, 0.8,  1.5, 0.0]),
     row(Set::Machine, Round, Striking, Stuff::Steel, 4, 1, [-2.2, 2.2, -1.6,  0.3, 2.0, 0.3,  1.5, 0.0]),
     // A ball of glass, and balls around it.
     row(Set::Finale, Ball, Still,    Stuff::Glass,   1, 1, [0.0, 1.3, 0.0,  2.6, 0.0, 0.0,  0.0, 0.0]),

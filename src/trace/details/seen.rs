@@ -7,7 +7,7 @@ use crate::lanes::*;
 use crate::prepare::{Object, PATTERN, Prepared};
 use crate::trace::batch::seen_at;
 
-/// Whether a pattern varies the colour of the object number `object`.
+/// Whether a pattern with edges varies the colour of the object number `object`.
 #[inline(always)]
 pub(crate) fn has_pattern(scene: &Prepared, object: usize) -> bool {
     scene.surface(object)[PATTERN][0] != 0.0

@@ -18,6 +18,11 @@ impl Property for Patterns {
         let (mut seen, mut far) = (0, 0);
         for bar in (0..grid::BARS).step_by(3) {
             show::at((bar as f32 + 0.3) * grid::BAR, &mut scene);
+            // Marble, too, is seen by pixels if it has edges.
+            for block in scene.blocks.iter_mut() {
+                let edge = &mut block.material.pattern.edge;
+                *edge = edge.max(2.0);
+            }
             prepared.set(&scene, SIZE[0], SIZE[1]);
             for y in 0..SIZE[1] {
                 for x in steps(0, SIZE[0], lanes::<S>()) {
