@@ -82,9 +82,10 @@ pub(crate) fn nearest(x: f32) -> usize {
 #[inline(always)]
 fn write(pixel: u32, covered: u32, white: u32) -> u32 {
     const EVERY_OTHER: u32 = 0x00ff_00ff;
+    // Shares that make no sense overflow, and give some pixel.
     let mix = |channels: u32| {
-        let channels = channels & EVERY_OTHER;
-        (channels * (256 - covered) + EVERY_OTHER * white) >> 8 & EVERY_OTHER
+        let picture = (channels & EVERY_OTHER).wrapping_mul(256_u32.wrapping_sub(covered));
+        picture.wrapping_add(EVERY_OTHER.wrapping_mul(white)) >> 8 & EVERY_OTHER
     };
     mix(pixel) | mix(pixel >> 8) << 8 & 0x0000_ff00
 }

@@ -67,7 +67,8 @@ impl Cone {
     }
 
     /// Whether a ray through a rectangle of the picture may be inside, or through a point is, by a margin.
-    #[inline(never)]
+    #[cfg_attr(feature = "lab", inline(always))]
+    #[cfg_attr(not(feature = "lab"), inline(never))]
     pub fn meets(&self, rect: &Rect, margin: f32) -> bool {
         let half = (rect.zwzw() - *rect) * 0.5;
         let middle = *rect + half;
@@ -75,9 +76,14 @@ impl Cone {
         let mut most = right * middle.x + down * middle.y + terms;
         if !self.is_flat {
             let across = Vec3A::from_vec4(most);
-            // Most are far outside: there is no need for roots.
-            let near = most.w + STEEPEST * (half.x + half.y) - margin;
-            if across.length_squared() > near.max(0.0) * near {
+            // Most are far outside, or have their middle inside: there is no need for roots.
+            let across2 = across.length_squared();
+            let inside = most.w - margin;
+            if across2 <= inside.max(0.0) * inside {
+                return true;
+            }
+            let near = inside + STEEPEST * (half.x + half.y);
+            if across2 > near.max(0.0) * near {
                 return false;
             }
             // On the axis any direction across will do, such as none.

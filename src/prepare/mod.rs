@@ -15,17 +15,14 @@ pub(crate) use lamp::{Caster, Lamp};
 pub(crate) use object::Object;
 pub(crate) use outline::Outline;
 use screen::Window;
-pub(crate) use screen::{Axes, Rect};
+pub(crate) use screen::{Axes, Rect, rectangle};
 pub(crate) use surface::{FIELDS, PATTERN, Spread};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{GroupSet, Node, Tree};
 
 use crate::DETAILS;
 use crate::lanes::MAX_LANES;
-use crate::scene::{
-    MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Scene,
-    camera::{Raster, pixels},
-};
+use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Scene, camera::Raster};
 use glam::Vec3A;
 
 /// How far rounding takes a point that was computed to be on a sphere from it, as a share of the sphere's largest
@@ -152,7 +149,7 @@ impl Prepared {
     /// The groups that rays through the points of a rectangle of the picture can meet.
     #[inline(never)]
     pub fn seen(&self, left: usize, top: usize, right: usize, bottom: usize) -> Seen {
-        let rect = self.axes.rect([left, top, right, bottom].map(pixels));
+        let rect = self.axes.rect(rectangle(left, top, right, bottom));
         let mut seen = Seen::default();
         for (i, (window, mirrored)) in self.windows.iter().zip(&self.mirrored).enumerate() {
             seen.directly |= GroupSet::from(window.meets(rect)) << i;

@@ -172,7 +172,8 @@ impl Rectangle {
 
 impl Prepared {
     /// Whether a rectangle of the picture may show what has the outline of a number.
-    #[inline(never)]
+    #[cfg_attr(feature = "lab", inline(always))]
+    #[cfg_attr(not(feature = "lab"), inline(never))]
     pub fn may_show(&self, outline: usize, rect: &Rect) -> bool {
         let outline = &self.outlines[outline % OUTLINES];
         outline.window.meets(*rect)

@@ -18,6 +18,12 @@ pub(crate) struct Axes {
 /// A rectangle of the picture: the least u and v, and the greatest.
 pub(crate) type Rect = Vec4;
 
+/// The corners of a rectangle in pixels, made in a register: what is put together in memory takes longer to get back.
+#[inline(always)]
+pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) -> Vec4 {
+    Vec4::new(pixels(left), pixels(top), pixels(right), pixels(bottom))
+}
+
 /// A rectangle around something in the picture: the least u and v, and the greatest, these two negative.
 #[derive(Clone, Copy)]
 pub(crate) struct Window(Vec4);
@@ -52,8 +58,8 @@ impl Axes {
     }
 
     /// The rectangle with these corners, in pixels.
-    pub fn rect(&self, pixels: [f32; 4]) -> Rect {
-        (Vec4::from(pixels) - self.middle) * self.pixel
+    pub fn rect(&self, pixels: Vec4) -> Rect {
+        (pixels - self.middle) * self.pixel
     }
 
     /// A vector along the axes.

@@ -212,9 +212,12 @@ impl Tree {
     }
 }
 
+/// What is longer than the radius around the largest box.
+const LONGEST: f32 = 2.0 * MAX_LENGTH;
+
 /// A radius; one out of its range, or that is no number, counts as 0.
 fn length(radius: f32) -> f32 {
-    if (0.0..=MAX_LENGTH).contains(&radius) {
+    if (0.0..LONGEST).contains(&radius) {
         radius
     } else {
         0.0

@@ -5,12 +5,12 @@ use super::square::ALWAYS_FAR;
 use super::{Band, Border, Square};
 use crate::lanes::*;
 use crate::observe::{Observer, tell_points};
-use crate::prepare::{Prepared, Seen};
+use crate::prepare::{Prepared, Seen, rectangle};
 use crate::quality::{Limits, Quality};
-use crate::scene::camera::pixels;
 use crate::trace::{BATCH, Sample, has_pattern, trace};
 use crate::worker::Worker;
 use fearless_simd::Level;
+use glam::Vec4;
 
 /// Rows of a stretch where every pixel is traced, as [`Band::rows`] has it.
 const ROWS: usize = 16;
@@ -222,8 +222,8 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
 
     /// The corners of a rectangle of points in the picture.
     #[inline(always)]
-    pub(super) fn rectangle(&self, x: usize, y: usize, w: usize, h: usize) -> [f32; 4] {
+    pub(super) fn rectangle(&self, x: usize, y: usize, w: usize, h: usize) -> Vec4 {
         let y = self.top + y;
-        [pixels(x), pixels(y), pixels(x + w), pixels(y + h)]
+        rectangle(x, y, x + w, y + h)
     }
 }

@@ -3,7 +3,7 @@
 use crate::prepare::{GroupSet, OUTLINES, Outline, Prepared, ROUNDING, Rect};
 use crate::trace::Sample;
 use core::ops::Range;
-use glam::{Vec2Swizzles, vec2};
+use glam::{Vec2Swizzles, Vec4, vec2};
 
 /// The objects and shadows that a part of the picture may show, by the numbers of their outlines.
 pub(crate) struct Unseen {
@@ -21,7 +21,7 @@ impl Unseen {
 
     /// Lists what the rectangle with these corners may show, in pixels; the spheres are in `groups`.
     #[inline(never)]
-    pub fn set(&mut self, scene: &Prepared, groups: GroupSet, rectangle: [f32; 4]) {
+    pub fn set(&mut self, scene: &Prepared, groups: GroupSet, rectangle: Vec4) {
         let rect = scene.axes.rect(rectangle);
         self.count = 0;
         let mut i = scene.tree.start(groups);
@@ -54,13 +54,17 @@ impl Unseen {
     pub fn may_show(
         &self,
         scene: &Prepared,
-        rectangle: [f32; 4],
+        rectangle: Vec4,
         samples: &[Sample],
         is_inside: bool,
     ) -> bool {
         let rect = scene.axes.rect(rectangle);
         let first = samples[0].object();
+        let others = |bits, sample: &Sample| bits | (sample.0 ^ samples[0].0);
+        let all_show = Sample(samples.iter().fold(0, others)).object() == 0;
         let pixels = if is_inside { samples } else { &samples[..1] };
+        // What all show one shows.
+        let shown = if all_show { &samples[..1] } else { pixels };
         let outlines = &self.outlines[..self.count.min(OUTLINES)];
         outlines.iter().any(|&number| {
             let number = number as usize;
@@ -69,12 +73,11 @@ impl Unseen {
             let is_object = number == object;
             let is_shown = |sample: &Sample| sample.object() == object + 1;
             // Where no sample shows the plane of a shadow it cannot be seen, or is unseen itself.
-            if pixels.iter().any(is_shown) == is_object || !scene.may_show(number, &rect) {
+            if shown.iter().any(is_shown) == is_object || !scene.may_show(number, &rect) {
                 return false;
             }
             if is_object {
-                let all_show = || samples.iter().all(|sample| sample.object() == first);
-                !(first > 0 && all_show() && scene.hides(first - 1, object))
+                !(first > 0 && all_show && scene.hides(first - 1, object))
             } else {
                 !is_shaded(outline, &rect, samples.len(), pixels)
             }

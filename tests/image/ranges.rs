@@ -1,10 +1,12 @@
-//! Arguments out of their range are refused, those at its ends are not.
+//! Arguments out of their range are refused, those at its ends are not; lengths at its ends draw what they are.
 
 use crate::drawn::draw;
+use crate::error::Difference;
 use crate::isa;
 use crate::studio::Studio;
-use eightfold::scene::Scene;
+use eightfold::scene::{Block, Camera, List, Scene, Sphere};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality, show};
+use glam::{Mat3A, Vec3A};
 use std::panic::catch_unwind;
 
 fn refused(quality: Quality, width: usize, height: usize) -> bool {
@@ -79,6 +81,62 @@ fn an_empty_scene_is_its_background() {
             let drawn = draw(isa, 2, &scene, &quality, 70, 50);
             assert!(drawn.pixels.iter().all(|&pixel| pixel == 0x00ff_8000));
             assert_eq!(drawn.counts.rays, drawn.counts.points);
+        }
+    }
+}
+
+/// A length of about `r` before the camera, and a lamp that shines on it.
+fn of_length(r: f32) -> Scene {
+    let mut scene = show::scene(0.0);
+    scene.spheres = List::default();
+    scene.planes = List::default();
+    scene.camera = Camera::default();
+    scene.camera.eye = Vec3A::Z * r;
+    scene.camera.look_at = Vec3A::ZERO;
+    for light in scene.lights.iter_mut() {
+        light.position *= 0.125 * r;
+        light.radius = 0.0;
+    }
+    scene
+}
+
+#[test]
+fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
+    let material = show::scene(0.0).spheres[0].material;
+    // From a hundred-millionth of a unit, and less, to a thousand million.
+    let sphere = |r: f32| {
+        let mut scene = of_length(r);
+        scene.spheres.push(Sphere {
+            centre: Vec3A::NEG_Z * r,
+            radius: r,
+            material,
+        });
+        scene
+    };
+    let block = |r: f32, round: bool| {
+        let mut scene = of_length(r);
+        scene.blocks.push(Block {
+            centre: Vec3A::NEG_Z * r,
+            half: Vec3A::splat(r),
+            axes: Mat3A::from_rotation_x(0.5),
+            round,
+            material,
+        });
+        scene
+    };
+    let scenes: [&dyn Fn(f32) -> Scene; 3] = [&sphere, &|r| block(r, false), &|r| block(r, true)];
+    for scene in scenes {
+        for isa in isa::all() {
+            let picture = |r| draw(isa, 1, &scene(r), &Quality::EXHAUSTIVE, 96, 72).pixels;
+            let one = picture(1.0);
+            let nothing = draw(isa, 1, &of_length(1.0), &Quality::EXHAUSTIVE, 96, 72).pixels;
+            let seen = Difference::between(&nothing, &one).psnr;
+            assert!(seen < 30.0, "{}: nothing is seen", isa.name);
+            for r in [2e-9, 1e-8, 1e-4, 1e6, 1e8, 1e9] {
+                assert_eq!(scene(r).validate(), Ok(()), "{r}");
+                let psnr = Difference::between(&one, &picture(r)).psnr;
+                assert!(psnr >= 50.0, "{}, length {r}: {psnr} dB", isa.name);
+            }
         }
     }
 }
