@@ -24,6 +24,9 @@ pub(crate) const FIELDS: usize = 20;
 /// Where the depth of the pattern is.
 pub(crate) const PATTERN: usize = 18;
 
+/// Whether spheres' patterns are seen at every pixel, too: 190 bytes that the intro, whose spheres have none, does without.
+pub(crate) const SPHERES: bool = cfg!(feature = "lab");
+
 /// A surface's numbers, each in as many lanes as there can be: a packet that hits one object needs no more than its address.
 pub(crate) type Spread = [[f32; MAX_LANES]; FIELDS];
 
@@ -52,7 +55,10 @@ pub(super) fn spread(
     };
     match object {
         Object::Sphere(sphere) => {
-            (centre, inverse_radius, pattern) = (sphere.centre, 1.0 / sphere.radius, 0.0);
+            (centre, inverse_radius) = (sphere.centre, 1.0 / sphere.radius);
+            if !SPHERES {
+                pattern = 0.0;
+            }
         }
         // The details know more.
         Object::Block(_) => upright = 1.0,

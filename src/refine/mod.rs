@@ -5,8 +5,8 @@
 //! traced, and so on down to single pixels, so that lanes stay full. No point is traced twice: a stretch finds what the
 //! one before it traced at their seam, and bands exchange the rows they share (see [`Border`]).
 //!
-//! A square whose corners all show one plane, box or cylinder with a pattern that has edges is not filled by their colours: what the
-//! pattern is on, and what is added to that, are interpolated apart, and the pattern is seen at every pixel (see [`patterned`]).
+//! A square whose corners all show one object with a pattern that has edges is not filled by their colours: what the pattern
+//! is on, and what is added to that, are interpolated apart, and the pattern is seen at every pixel (see [`patterned`]).
 //!
 //! # What is not missed
 //!

@@ -2,7 +2,7 @@
 //!
 //! A traced point shows `rest + share * full` (see [`Layers`](crate::trace::Layers)). Both layers are interpolated, and the
 //! share is what the pattern leaves where the pixel's own ray meets the object, which is known. So edges of a pattern stay as
-//! sharp as traced, wherever they run between the corners. Spheres are filled by their colours, patterns and all.
+//! sharp as traced, wherever they run between the corners.
 
 use super::refiner::Refiner;
 use super::square::{Corners, Limit, Square};

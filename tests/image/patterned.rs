@@ -3,10 +3,10 @@
 use crate::drawn::{draw, draw_by_all};
 use crate::error::Difference;
 use eightfold::Quality;
-use eightfold::scene::{Block, Camera, Light, List, Material, Pattern, Plane, Scene};
+use eightfold::scene::{Block, Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
 use glam::{Mat3A, Vec3A, vec3a};
 
-/// A floor, a box and a cylinder, with checkers, stripes and marble far finer than squares allow for; the marble's edges are
+/// A floor, a sphere, a box and a cylinder, with checkers, stripes and marble far finer than squares allow for; the marble's edges are
 /// so steep.
 fn scene(depth: f32, marble: f32) -> Scene {
     let material = |waves: Vec3A, edge: f32, warp: f32| Material {
@@ -42,6 +42,11 @@ fn scene(depth: f32, marble: f32) -> Scene {
             half_z: 5.0,
             material: material(vec3a(1.5, 0.0, 1.5), 40.0, 0.0),
             ..Plane::default()
+        }]),
+        spheres: List::of(&[Sphere {
+            centre: vec3a(0.0, 0.6, -1.2),
+            radius: 0.6,
+            material: material(Vec3A::splat(3.0), 20.0, 0.0),
         }]),
         blocks: List::of(&[
             block(-1.2, false, material(vec3a(0.0, 4.0, 0.0), 20.0, 0.0)),

@@ -4,7 +4,7 @@ use super::body::first_ahead;
 use super::closer;
 use super::packet::LEFT;
 use crate::lanes::*;
-use crate::prepare::{Object, PATTERN, Prepared};
+use crate::prepare::{Object, PATTERN, Prepared, SPHERES};
 use crate::trace::batch::seen_at;
 
 /// Whether a pattern with edges varies the colour of the object number `object`.
@@ -39,6 +39,16 @@ fn left_seen_by<S: Isa>(
     let t = match scene.details.object(object).0 {
         Object::Block(block) => first_ahead(simd, block, &o, &d),
         Object::Plane(plane) => (splat(simd, plane.centre.y) - o.y) / d.y,
+        Object::Sphere(sphere) if SPHERES => {
+            let from = o - Vec3x::splat(simd, sphere.centre);
+            let back: F<S> = from.dot(d);
+            let across = from.add_scaled(d, -back);
+            let half2 = -across.dot(across) + sphere.radius * sphere.radius;
+            let half = half2.max(zero).sqrt();
+            // From within the far side.
+            let (near, far) = (-back - half, half - back);
+            near.simd_gt(zero).select(near, far)
+        }
         _ => zero,
     };
     let seen = closer(simd, scene, object, &o, &d, t)[LEFT];

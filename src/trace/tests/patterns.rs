@@ -1,11 +1,20 @@
 //! What patterns leave of colours is the same for pixels whose object is known as for points that are traced.
 
 use super::*;
+use crate::scene::Pattern;
 use crate::show::{self, grid};
 use crate::trace::details::{has_pattern, left_seen, look};
 
 /// The picture's size.
 const SIZE: [usize; 2] = [320, 180];
+
+/// About as fine as the show's.
+const CHECKERS: Pattern = Pattern {
+    waves: Vec3A::splat(2.0),
+    depth: 0.7,
+    edge: 20.0,
+    ..Pattern::NONE
+};
 
 struct Patterns;
 
@@ -18,10 +27,13 @@ impl Property for Patterns {
         let (mut seen, mut far) = (0, 0);
         for bar in (0..grid::BARS).step_by(3) {
             show::at((bar as f32 + 0.3) * grid::BAR, &mut scene);
-            // Marble, too, is seen by pixels if it has edges.
+            // Marble, too, is seen by pixels if it has edges, and so are spheres with a pattern.
             for block in scene.blocks.iter_mut() {
                 let edge = &mut block.material.pattern.edge;
                 *edge = edge.max(2.0);
+            }
+            for sphere in scene.spheres.iter_mut() {
+                sphere.material.pattern = CHECKERS;
             }
             prepared.set(&scene, SIZE[0], SIZE[1]);
             for y in 0..SIZE[1] {
