@@ -75,7 +75,7 @@ fn the_marked_parts_are_rewritten_and_a_second_time_changes_timings_only() {
         "    cargo lab trade --ladder --size 64x48 --frames 2\n",
         "    cargo lab trade --quick --size 64x48 --frames 2\n",
         "    cargo lab figures --size 64x48\n",
-        "    cargo lab bench --scene show --size 64x48 --frames 2\n",
+        "    cargo lab bench --scene show --size 64x48 --quality default",
         "    cargo lab capture --size 64x48 --supersample 2 --frames 2 --sheet pictures/show.png\n",
         "](pictures/show.png)",
         "Worst second of the show at 64x48",

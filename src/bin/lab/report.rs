@@ -3,6 +3,7 @@
 //! Each figure is what a command of the lab prints, and the command stands above it: what is read is what was run.
 
 use crate::arguments::{self, BadInput, Size};
+use crate::isa;
 use crate::output;
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -93,11 +94,15 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     let sizes = arguments.size.iter().map(|size| format!(" --size {size}"));
     let sizes: Vec<String> = sizes.collect();
     let size = sizes.first().cloned().unwrap_or_default();
-    let all_sizes = if sizes.is_empty() {
-        " --size 1024x768 --size 1920x1080 --size 3840x2160".to_owned()
-    } else {
-        sizes.concat()
+    let all = |usual: &str| {
+        if sizes.is_empty() {
+            usual.to_owned()
+        } else {
+            sizes.concat()
+        }
     };
+    let speed_sizes = all(" --size 1024x768 --size 1920x1080 --size 3840x2160");
+    let show_sizes = all(" --size 1280x720 --size 1920x1080");
     let part = |name, command: String, pictures, is_printed| Part {
         name,
         command: command.split(' ').map(str::to_owned).collect(),
@@ -107,7 +112,9 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     };
     // Tiles that stay readable in a column of text.
     let tile = sizes.first().map_or(" --size 240x135", String::as_str);
-    let show_size = sizes.first().map_or(" --size 1280x720", String::as_str);
+    // As the intro plays it, which has no wider lanes.
+    let has_avx2 = isa::all().any(|isa| isa.name == "avx2");
+    let isa = if has_avx2 { " --isa avx2" } else { "" };
     vec![
         Part {
             flag: "--sheet",
@@ -120,13 +127,13 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
         },
         part(
             "show",
-            format!("bench --scene show{show_size}{frames}"),
+            format!("bench --scene show{show_sizes} --quality default{isa}{frames}"),
             &[],
             true,
         ),
         part(
             "speed",
-            format!("bench{threads}{all_sizes}{frames}"),
+            format!("bench{threads}{speed_sizes}{frames}"),
             &[],
             true,
         ),
