@@ -36,6 +36,7 @@ mod drawn;
 mod errors;
 mod extremes;
 mod golden;
+mod limits;
 #[cfg(feature = "lab")]
 mod method;
 #[cfg(feature = "lab")]
@@ -44,6 +45,7 @@ mod patterned;
 mod random;
 mod ranges;
 mod refinement;
+mod reflected;
 mod sameness;
 mod show;
 mod sizes;

@@ -8,8 +8,8 @@ use crate::isa::{self, Isa};
 use crate::random::config;
 use crate::refinement::bare;
 use crate::studio::Studio;
-use eightfold::Quality;
 use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold::{Quality, show};
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -332,8 +332,39 @@ fn spheres_between_corners_are_shown_and_the_bare_rules_miss_them() {
     }
 }
 
+/// A moment of the show, each object in a colour of its own.
+fn moment(time: f32) -> Scene {
+    let mut scene = Scene::default();
+    show::at(time, &mut scene);
+    let mut materials: Vec<&mut Material> = Vec::new();
+    materials.extend(scene.spheres.iter_mut().map(|sphere| &mut sphere.material));
+    materials.extend(scene.planes.iter_mut().map(|plane| &mut plane.material));
+    materials.extend(scene.blocks.iter_mut().map(|block| &mut block.material));
+    for (i, place) in materials.into_iter().enumerate() {
+        *place = material(1 + i, 28);
+    }
+    Scene {
+        camera: scene.camera,
+        background: colour(0, 28),
+        ambient: Vec3A::ONE,
+        spheres: scene.spheres,
+        planes: scene.planes,
+        blocks: scene.blocks,
+        ..Scene::default()
+    }
+}
+
 proptest! {
     #![proptest_config(config(200))]
+
+    #[test]
+    fn every_object_of_the_show_is_shown_at_any_time_and_size(
+        time in 0.0..show::grid::LENGTH,
+        width in 1_usize..160,
+        height in 1_usize..120,
+    ) {
+        assert_nothing_is_missed(&moment(time), width, height);
+    }
 
     #[test]
     fn every_object_that_a_pixel_can_show_is_shown(sketch in sketch()) {

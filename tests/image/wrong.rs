@@ -9,7 +9,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 
 /// Which pixels have a channel more than 8 of 255 off.
-fn wrong(exhaustive: &[u32], drawn: &[u32]) -> Vec<bool> {
+pub fn wrong(exhaustive: &[u32], drawn: &[u32]) -> Vec<bool> {
     let pairs = exhaustive.iter().zip(drawn);
     pairs.map(|(&a, &b)| worst_channel(a, b) > 8).collect()
 }

@@ -131,6 +131,71 @@ fn rays_that_leave_a_block_do_not_hit_it_again_and_those_inside_do_not_leak() {
     on_every_instruction_set(&Blocks);
 }
 
+/// Rays that leave each hit of those from far away.
+const MANY_RAYS: usize = 1000;
+
+/// Boxes along the scene's axes, boxes turned as one likes, and cylinders, in the origin, wherever the rays come from.
+struct FarBlocks;
+
+impl Property for FarBlocks {
+    #[inline(always)]
+    fn hold<S: Isa>(&self, simd: S, isa: &str) {
+        let mut random = Random(2008);
+        let mut left = [0; 3];
+        for i in 0..BLOCKS {
+            let kind = i % 3;
+            let (any, _) = block(&mut random);
+            let mut length = || 10_f64.powf(random.between(-4.0, 4.0)) as f32;
+            let half = Vec3A::new(length(), length(), length());
+            let round = kind == 2;
+            let block = Block {
+                centre: Vec3A::ZERO,
+                half: if round { half.with_z(half.x) } else { half },
+                axes: if kind == 0 { Mat3A::IDENTITY } else { any.axes },
+                round,
+                ..any
+            };
+            let scene = prepared(&Scene {
+                blocks: List::of(&[block]),
+                ..Scene::default()
+            });
+            let mut part = || random.between(-1.0, 1.0);
+            let within = DVec3::new(part(), part(), part()) * block.half.as_dvec3();
+            let aim = glam::Mat3::from(block.axes).as_dmat3() * within;
+            let o = random.vector(-8.0, 8.0).as_vec3a();
+            let d = unit(aim - o.as_dvec3());
+            let packet = looked(simd, &scene, &packet(simd, o, &[d]));
+            let (p, n) = (lane(packet.p(simd), 0), lane(packet.n(simd), 0));
+            if packet.object[0].to_bits() != 0 || d.dot(n) >= 0.0 {
+                continue;
+            }
+            for _ in 0..MANY_RAYS / lanes::<S>() {
+                let mut ways = [Vec3A::ZERO; MAX_LANES];
+                for way in &mut ways {
+                    let any = random.direction().as_vec3a();
+                    *way = if any.dot(n) < 0.0 { -any } else { any };
+                }
+                let next = looked(simd, &scene, &super::packet(simd, p, &ways));
+                for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
+                    let is_hit = next.object[i].to_bits() == 0;
+                    assert!(
+                        !is_hit,
+                        "{isa}: {block:?} from {o} along {d}: {p} is hit again along {way}"
+                    );
+                    left[kind] += 1;
+                }
+            }
+        }
+        let fewest = BLOCKS / 3 * MANY_RAYS / 8;
+        assert!(left.iter().all(|&left| left > fewest), "{isa}: {left:?}");
+    }
+}
+
+#[test]
+fn rays_that_leave_a_block_do_not_hit_it_again_however_far_they_came() {
+    on_every_instruction_set(&FarBlocks);
+}
+
 #[test]
 fn a_cylinder_seen_along_its_axis_is_its_end() {
     let scene = Scene {

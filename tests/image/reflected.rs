@@ -1,0 +1,88 @@
+//! What mirrors and glass show between the corners of squares no guard looks for: how much of it is missed.
+//!
+//! Measured: 34 % of the pixels of small reflections, most of them narrower than a square, by the finest quality, the default
+//! one and the rules of 2008 alike; the largest patches are of 77 pixels.
+
+use crate::drawn::draw;
+use crate::isa;
+use crate::wrong::{largest_patch, wrong};
+use eightfold::Quality;
+use eightfold::scene::{Camera, List, Material, Plane, Scene, Sphere};
+use glam::{Vec3A, vec3a};
+
+const WIDTH: usize = 320;
+const HEIGHT: usize = 240;
+
+/// Spheres of several sizes in rows in the air over a mirror, which shows nothing else; most reflections are some pixels
+/// wide, a few of them less than one.
+fn scene(turn: f32) -> Scene {
+    let sphere = |i: usize| Sphere {
+        centre: vec3a((i % 8) as f32 - 3.5, 1.5, 0.5 - (i / 8) as f32) * 1.3,
+        radius: 0.02 * 1.3_f32.powi((i * 5 % 8) as i32),
+        material: Material {
+            colour: Vec3A::splat(0.8),
+            ..Material::BLACK
+        },
+    };
+    let spheres: Vec<Sphere> = (0..40).map(sphere).collect();
+    Scene {
+        camera: Camera {
+            eye: vec3a(8.0 * turn.sin(), 3.0, 8.0 * turn.cos()),
+            look_at: vec3a(0.0, -1.5, 0.0),
+            up: Vec3A::Y,
+            field_of_view: 0.7,
+        },
+        ambient: Vec3A::ONE,
+        spheres: List::of(&spheres),
+        planes: List::of(&[Plane {
+            centre: Vec3A::ZERO,
+            half_x: 20.0,
+            half_z: 20.0,
+            material: Material {
+                kr: 0.9,
+                ..Material::BLACK
+            },
+        }]),
+        ..Scene::default()
+    }
+}
+
+/// The scene without what is reflected: its spheres are seen, and the mirror is black.
+fn directly(scene: &Scene) -> Scene {
+    let mut scene = *scene;
+    scene.planes[0].material.kr = 0.0;
+    scene
+}
+
+#[test]
+fn reflections_between_corners_are_missed_by_no_more_than_is_stated() {
+    // Of the pixels of reflections, and pixels of a patch.
+    let (most, largest) = (0.35, 90);
+    for quality in [Quality::LADDER[0], Quality::DEFAULT, Quality::THESIS] {
+        let (mut reflected, mut missed, mut patch) = (0, 0, 0);
+        for i in 0..12 {
+            let scene = scene(0.25 * i as f32);
+            let draw = |scene: &Scene, quality| {
+                draw(isa::best(), 2, scene, &quality, WIDTH, HEIGHT).pixels
+            };
+            let exhaustive = draw(&scene, Quality::EXHAUSTIVE);
+            let bare = draw(&directly(&scene), Quality::EXHAUSTIVE);
+            let wrong = wrong(&exhaustive, &draw(&scene, quality));
+            let pixels = exhaustive.iter().zip(&bare).zip(&wrong);
+            // In the mirror, and not in the pixels of what is seen directly.
+            let missing: Vec<bool> = pixels
+                .map(|((a, b), &wrong)| {
+                    reflected += usize::from(a != b);
+                    wrong && a != b
+                })
+                .collect();
+            missed += missing.iter().filter(|&&missing| missing).count();
+            patch = patch.max(largest_patch(missing, WIDTH));
+        }
+        let share = missed as f64 / reflected as f64;
+        println!("{share:.4} of {reflected} pixels, a patch of {patch} by {quality:?}");
+        assert!(reflected > 5000, "{reflected}");
+        assert!(share <= most, "{share} of {reflected} by {quality:?}");
+        assert!(patch <= largest, "a patch of {patch} by {quality:?}");
+    }
+}
