@@ -42,7 +42,7 @@ struct Lamp {
 
 /// Lamps in percent, but for places, which are ten times as far away.
 #[rustfmt::skip]
-static LAMPS: [Lamp; 14] = [
+static LAMPS: [Lamp; 13] = [
     //                    place              colour            seen as  throws shadows as  cone: aim, dark, bright
     lamp(Set::Title,     [0.7, 0.8, -0.9,   1.25, 0.95, 0.62,  0.0,  0.0,  0.0, 0.0, 0.0,  0.0, 0.0]),
     lamp(Set::Title,     [-0.9, 0.4, -0.5,  0.30, 0.48, 0.95,  0.0,  0.0,  0.0, 0.0, 0.0,  0.0, 0.0]),
@@ -53,7 +53,6 @@ static LAMPS: [Lamp; 14] = [
     lamp(Set::Colonnade, [0.0, 0.9, 0.6,    0.45, 0.50, 0.65,  0.0,  1.2,  0.0, -1.0, 0.0, 0.96, 0.98]),
     lamp(Set::Machine,   [-0.5, 0.9, -0.6,  1.25, 1.05, 0.82,  0.0,  0.8,  0.5, -0.9, 0.6, 0.70, 0.95]),
     lamp(Set::Machine,   [0.7, 0.5, 0.2,    0.35, 0.50, 0.95,  0.2,  0.0,  0.0, 0.0, 0.0,  0.0, 0.0]),
-    lamp(Set::Machine,   [0.0, 0.22, 0.7,   0.60, 0.16, 0.08,  0.0,  0.0,  0.0, 0.0, 0.0,  0.0, 0.0]),
     lamp(Set::Swarm,     [-0.8, 1.2, -0.6,  1.00, 0.86, 0.70,  0.0,  1.25, 0.0, 0.0, 0.0,  0.0, 0.0]),
     lamp(Set::Swarm,     [1.0, 0.6, 0.4,    0.16, 0.26, 0.55,  0.0,  0.0,  0.0, 0.0, 0.0,  0.0, 0.0]),
     sun(Set::Finale,     [0.4, 0.22, 0.6,   0.85, 0.50, 0.28,  0.0,  0.3,  0.0, 0.0, 0.0,  0.0, 0.0]),

@@ -50,7 +50,7 @@ const DAWN: f32 = 1.0;
 const DUSK: f32 = 2.0;
 
 /// By what share the lamps of the machine and the field get brighter on a kick: seen, and not dazzling.
-const FLASH: f32 = 0.5;
+const FLASH: f32 = 0.4;
 
 /// Makes a scene that of the show at `time` seconds, 0 to [`LENGTH`].
 pub fn at(time: f32, scene: &mut Scene) {
