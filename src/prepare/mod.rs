@@ -16,7 +16,7 @@ pub(crate) use object::Object;
 pub(crate) use outline::Outline;
 use screen::Window;
 pub(crate) use screen::{Axes, Rect, rectangle};
-pub(crate) use surface::{FIELDS, PATTERN, SPHERES, Spread};
+pub(crate) use surface::{FIELDS, HAS_PATTERNED_SPHERES, PATTERN, Spread};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{GroupSet, Node, Tree};
 

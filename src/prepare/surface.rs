@@ -25,13 +25,13 @@ pub(crate) const FIELDS: usize = 20;
 pub(crate) const PATTERN: usize = 18;
 
 /// Whether spheres' patterns are seen at every pixel, too: 190 bytes that the intro, whose spheres have none, does without.
-pub(crate) const SPHERES: bool = cfg!(feature = "lab");
+pub(crate) const HAS_PATTERNED_SPHERES: bool = cfg!(feature = "lab");
 
 /// A surface's numbers, each in as many lanes as there can be: a packet that hits one object needs no more than its address.
 pub(crate) type Spread = [[f32; MAX_LANES]; FIELDS];
 
 /// Waves that are not steepened have no edges: they change as slowly as light does, and squares with them are filled by their
-/// corners' colours. (With marble the show's colonnade takes two thirds of the time for it.)
+/// corners' colours. (The show's colonnade, of marble, takes two thirds of the time by it.)
 const SOFT: f32 = 1.0;
 
 /// The largest number of a surface of a valid scene, and what is above: no product of a few overflows.
@@ -56,7 +56,7 @@ pub(super) fn spread(
     match object {
         Object::Sphere(sphere) => {
             (centre, inverse_radius) = (sphere.centre, 1.0 / sphere.radius);
-            if !SPHERES {
+            if !HAS_PATTERNED_SPHERES {
                 pattern = 0.0;
             }
         }

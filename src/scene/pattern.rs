@@ -14,8 +14,8 @@ pub struct Pattern {
     pub waves: Vec3A,
     /// Share of the colour that the darkest places lose, 0 to 1; 0 is no pattern.
     pub depth: f32,
-    /// How steep edges are, above 0: 1 is the wave itself, which has none, large is black and white. At a distance edges are at most as
-    /// steep as a pixel is wide, and what is finer than pixels is even.
+    /// How steep edges are, above 0: 1 is the wave itself, which has none, large is black and white. At a distance edges are
+    /// at most as steep as a pixel is wide, and what is finer than pixels is even.
     pub edge: f32,
     /// Waves by which the coarsest noise shifts the pattern along x, at most. Finer ones follow, each of half the size and
     /// strength, down to [`Pattern::LEAST_WARP`]; at that or below there is none.
