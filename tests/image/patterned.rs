@@ -6,8 +6,8 @@ use eightfold::Quality;
 use eightfold::scene::{Block, Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
 use glam::{Mat3A, Vec3A, vec3a};
 
-/// A floor, a sphere, a box and a cylinder, with checkers, stripes and marble far finer than squares allow for; the marble's edges are
-/// so steep.
+/// A floor, a sphere, a box and a cylinder, with checkers, stripes and marble far finer than squares allow for; the marble's
+/// edges are so steep.
 fn scene(depth: f32, marble: f32) -> Scene {
     let material = |waves: Vec3A, edge: f32, warp: f32| Material {
         colour: vec3a(0.9, 0.8, 0.7),
