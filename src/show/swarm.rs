@@ -50,7 +50,7 @@ fn one(i: i32, beat: f32, to_ball: f32, to_eight: f32, scene: &mut Scene) {
     let radius = 0.24 - 0.05 * to_ball;
     let sphere = sphere(scene, centre, radius, Stuff::Scarlet);
     sphere.material.colour = RED + TO_BLUE * smooth(n);
-    if wave > 0.6 {
+    if wave > 0.8 {
         material::set(&mut sphere.material, Stuff::Gold);
     }
 }

@@ -30,7 +30,7 @@ static SHOTS: [Shot; 14] = [
     shot(Set::Colonnade, 5, 0, key([-0.4, 1.6, -3.0], -0.4, 9.0, 0.1), key([0.1, 1.8, 2.0],   0.0,  7.8, 0.9)),
     shot(Set::Colonnade, 3, 5, key([0.0, 1.9, 5.0],    0.2, 6.0, 1.4), key([0.0, 1.9, 6.0],  -0.3,  5.0, 0.4)),
     shot(Set::Machine,   3, 0, key([-1.0, 1.6, 0.0],  -0.9, 7.0, 0.8), key([0.0, 1.7, 0.0],   0.0,  9.0, 2.0)),
-    shot(Set::Machine,   3, 3, key([-0.4, 1.2, -1.0],  0.9, 5.0, 0.4), key([0.0, 1.7, 0.0],   0.5,  9.0, 2.6)),
+    shot(Set::Machine,   3, 3, key([-0.4, 1.2, -1.0],  0.8, 6.0, 1.0), key([0.0, 1.7, 0.0],   0.5,  9.0, 2.6)),
     shot(Set::Swarm,     3, 0, key([0.0, 0.8, 0.0],    0.6, 12.0, 5.5), key([0.0, 2.0, 0.0], -1.2, 10.0, 3.4)),
     shot(Set::Swarm,     3, 3, key([0.0, 2.6, 0.0],   -1.2, 8.0, 0.4), key([0.0, 2.6, 0.0],  -3.2, 10.0, 2.6)),
     shot(Set::Finale,    6, 0, key([0.0, 1.9, 0.0],   -0.3, 9.0, 0.2), key([0.0, 2.6, 0.0],   0.3, 15.0, 1.6)),
@@ -50,7 +50,7 @@ const DAWN: f32 = 1.0;
 const DUSK: f32 = 2.0;
 
 /// By what share the lamps of the machine and the field get brighter on a kick: seen, and not dazzling.
-const FLASH: f32 = 0.4;
+const FLASH: f32 = 0.3;
 
 /// Makes a scene that of the show at `time` seconds, 0 to [`LENGTH`].
 pub fn at(time: f32, scene: &mut Scene) {
