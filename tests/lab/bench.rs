@@ -143,6 +143,34 @@ fn the_guard_is_left_out_on_request_and_costs_points() {
 }
 
 #[test]
+fn shadows_are_hard_on_request() {
+    let rows = |scene| {
+        bench(&[
+            "--scene",
+            scene,
+            "--size",
+            "96x64",
+            "--quality",
+            "default",
+            "--hard-shadows",
+        ])
+        .1
+    };
+    let sun = rows("show:finale");
+    let names: Vec<&Value> = sun.iter().map(|row| &row["quality"]).collect();
+    assert_eq!(
+        names,
+        ["exhaustive", "exhaustive, hard", "default", "default, hard"]
+    );
+    assert!(
+        number(&sun[1], "psnr_worst_db") < 60.0,
+        "the sun has a size"
+    );
+    let points = rows("model");
+    assert!(points[1]["psnr_worst_db"].is_null(), "its lamps have none");
+}
+
+#[test]
 fn figures_fit_each_other() {
     let (_, rows) = bench(&["--size", "96x64", "--threads", "1", "--threads", "2"]);
     for (row, exhaustive) in rows.iter().zip([0, 0, 0, 3, 3, 3].map(|i| &rows[i])) {

@@ -19,7 +19,15 @@ pub struct Plan {
     /// Numbers of threads.
     pub threads: Vec<usize>,
     /// The first is what the others are held to.
-    pub qualities: Vec<NamedQuality>,
+    pub ways: Vec<Way>,
+}
+
+/// How a frame is drawn.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Way {
+    pub quality: NamedQuality,
+    /// Whether lamps throw shadows as points do, whatever their size.
+    pub hard_shadows: bool,
 }
 
 /// The frames of a scene.
@@ -48,7 +56,7 @@ struct Stand {
 /// The last frame.
 struct Canvas {
     size: Size,
-    /// A picture for each quality.
+    /// A picture for each way.
     pictures: Vec<Vec<u32>>,
     /// The picture that is filled.
     filled: Vec<u32>,
@@ -60,15 +68,15 @@ pub struct Setting {
     pub shot: usize,
     pub size: Size,
     pub threads: usize,
-    /// One for each quality.
+    /// One for each way.
     pub runs: Vec<Run>,
     /// Milliseconds to fill each frame with one colour.
     pub floor: Vec<f64>,
 }
 
-/// A quality in a setting.
+/// A way in a setting.
 pub struct Run {
-    pub quality: NamedQuality,
+    pub way: Way,
     /// Milliseconds of each frame.
     pub times: Vec<f64>,
     /// Of all frames together.
@@ -94,9 +102,9 @@ impl Plan {
         self.sizes.len() * (self.threads.len() * (self.shots.len() + frames) + flicker)
     }
 
-    /// Draws all frames of all qualities in all settings. Calls `step` now and then, while no time is taken.
+    /// Draws all frames in all ways in all settings. Calls `step` now and then, while no time is taken.
     ///
-    /// All settings take turns frame by frame, and the qualities of a setting, so that a machine whose speed drifts
+    /// All settings take turns frame by frame, and the ways of a setting, so that a machine whose speed drifts
     /// hits them alike.
     pub fn measure(&self, mut step: impl FnMut()) -> Vec<Row> {
         let threads = self.threads.iter();
@@ -138,12 +146,39 @@ impl Plan {
     }
 }
 
+impl Way {
+    /// Its name in tables.
+    pub fn name(&self) -> String {
+        let shadows = if self.hard_shadows { ", hard" } else { "" };
+        format!("{}{shadows}", self.quality)
+    }
+
+    /// Makes the scene of a time and draws it `width` pixels wide.
+    fn draw(
+        &self,
+        scene: SceneName,
+        time: f32,
+        isa: Isa,
+        studio: &mut Studio,
+        width: usize,
+        picture: &mut [u32],
+    ) -> Counts {
+        let mut scene = scene.unmarked(time);
+        if self.hard_shadows {
+            for light in scene.lights.iter_mut() {
+                light.size = 0.0;
+            }
+        }
+        studio.draw(isa.level, &scene, &self.quality.quality, width, picture)
+    }
+}
+
 impl Bench {
     fn new(plan: &Plan, threads: usize) -> Self {
         let stand = |&size: &Size| Stand {
             canvas: Canvas {
                 size,
-                pictures: vec![vec![0; size.area()]; plan.qualities.len()],
+                pictures: vec![vec![0; size.area()]; plan.ways.len()],
                 filled: vec![0; size.area()],
             },
             settings: (0..plan.shots.len())
@@ -172,8 +207,8 @@ impl Bench {
 
 impl Setting {
     fn new(plan: &Plan, shot: usize, size: Size, threads: usize) -> Self {
-        let runs = plan.qualities.iter().map(|&quality| Run {
-            quality,
+        let runs = plan.ways.iter().map(|&way| Run {
+            way,
             times: Vec::new(),
             counts: Counts::NONE,
             differences: Vec::new(),
@@ -188,7 +223,7 @@ impl Setting {
         }
     }
 
-    /// Draws a frame of each quality that does not count.
+    /// Draws a frame in each way that does not count.
     fn warm_up(&mut self, plan: &Plan, studio: &mut Studio, canvas: &mut Canvas) {
         self.draw(plan, studio, canvas, plan.shots[self.shot].times[0]);
         self.floor.clear();
@@ -199,7 +234,7 @@ impl Setting {
         }
     }
 
-    /// Draws a frame of each quality and fills one, then compares.
+    /// Draws a frame in each way and fills one, then compares.
     fn draw(&mut self, plan: &Plan, studio: &mut Studio, canvas: &mut Canvas, time: f32) {
         let (scene, width) = (plan.shots[self.shot].scene, canvas.size.width);
         let mut runs: Vec<_> = self.runs.iter_mut().zip(&mut canvas.pictures).collect();
@@ -209,14 +244,7 @@ impl Setting {
         }
         for (run, picture) in runs {
             let start = Instant::now();
-            let quality = &run.quality.quality;
-            let counts = studio.draw(
-                plan.isa.level,
-                &scene.unmarked(time),
-                quality,
-                width,
-                picture,
-            );
+            let counts = run.way.draw(scene, time, plan.isa, studio, width, picture);
             run.times.push(milliseconds(start));
             run.counts += counts;
         }
@@ -236,12 +264,11 @@ impl Setting {
         }
     }
 
-    /// Draws a frame of each quality and compares it to the one before.
+    /// Draws a frame in each way and compares it to the one before.
     fn look_for_flicker(&mut self, plan: &Plan, studio: &mut Studio, canvas: &mut Canvas, t: f32) {
-        let scene = plan.shots[self.shot].scene.unmarked(t);
-        let (level, width) = (plan.isa.level, canvas.size.width);
+        let (scene, width) = (plan.shots[self.shot].scene, canvas.size.width);
         for (run, picture) in self.runs.iter().zip(&mut canvas.pictures) {
-            studio.draw(level, &scene, &run.quality.quality, width, picture);
+            run.way.draw(scene, t, plan.isa, studio, width, picture);
         }
         let (reference, others) = canvas.pictures.split_first().expect("a reference");
         for (run, picture) in self.runs[1..].iter_mut().zip(others) {

@@ -11,7 +11,7 @@ use crate::scenes::SceneName;
 use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
-use measure::{Plan, Shot};
+use measure::{Plan, Shot, Way};
 use row::Row;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
@@ -40,6 +40,9 @@ pub struct Arguments {
     /// Measures `unguarded` as well: the default quality that misses what lies between the corners of squares
     #[arg(long)]
     unguarded: bool,
+    /// Measures each quality as well with lamps that have no size, whose shadows are hard: what penumbrae cost
+    #[arg(long)]
+    hard_shadows: bool,
     /// Samples a side of the pixels at edges, 1 to 8: 4 for sixteen samples, 1 for the one that all have; of the
     /// exhaustive frames too
     #[arg(long, value_name = "N", default_value = "1", value_parser = arguments::antialias)]
@@ -114,7 +117,17 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
     let unguarded = arguments.unguarded.then_some(NamedQuality::UNGUARDED);
     let qualities = [NamedQuality::EXHAUSTIVE].into_iter().chain(others);
     let qualities = qualities.chain(unguarded);
-    let qualities = qualities.map(|quality| quality.antialiased(arguments.antialias));
+    let ways = qualities.flat_map(|quality| {
+        let shadows: &[bool] = if arguments.hard_shadows {
+            &[false, true]
+        } else {
+            &[false]
+        };
+        shadows.iter().map(move |&hard_shadows| Way {
+            quality: quality.antialiased(arguments.antialias),
+            hard_shadows,
+        })
+    });
     let parts = arguments.scene.parts().into_iter();
     let shots: Vec<Shot> = parts.filter_map(|part| shot(arguments, part)).collect();
     if shots.is_empty() {
@@ -129,7 +142,7 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
         isa: arguments.isa.unwrap_or_else(isa::best),
         sizes: distinct(arguments.size.iter().copied()),
         threads: distinct(threads),
-        qualities: distinct(qualities),
+        ways: distinct(ways),
     })
 }
 

@@ -14,7 +14,7 @@ pub struct Row {
     pub height: usize,
     pub threads: usize,
     pub isa: &'static str,
-    pub quality: &'static str,
+    pub quality: String,
     /// Frames drawn.
     pub frames: usize,
     pub fps_median: f64,
@@ -70,7 +70,7 @@ impl Row {
                 height: setting.size.height,
                 threads: setting.threads,
                 isa: plan.isa.name,
-                quality: run.quality.name,
+                quality: run.way.name(),
                 frames,
                 fps_median: 1e3 / ms,
                 fps_worst_second: 1e3 / worst_ms,

@@ -9,7 +9,7 @@ const SCENE: Column = ("scene", |row| row.scene.clone());
 const SIZE: Column = ("size", |row| format!("{}x{}", row.width, row.height));
 const THREADS: Column = ("threads", |row| row.threads.to_string());
 const ISA: Column = ("isa", |row| row.isa.to_owned());
-const QUALITY: Column = ("quality", |row| row.quality.to_owned());
+const QUALITY: Column = ("quality", |row| row.quality.clone());
 const FPS: Column = ("fps median", |row| format!("{:.1}", row.fps_median));
 const WORST_SECOND: Column = ("worst second", |row| format!("{:.1}", row.fps_worst_second));
 const MS: Column = ("ms median", |row| format!("{:.3}", row.ms_median));
@@ -90,7 +90,7 @@ pub fn of_show(rows: &[Row]) -> String {
     for rows in rows.chunk_by(|a, b| setting(a) == setting(b)) {
         let (threads, width, height) = setting(&rows[0]);
         let first = rows.iter().take_while(|row| row.scene == rows[0].scene);
-        let worst = first.map(|row| worst_second(rows, row.quality));
+        let worst = first.map(|row| worst_second(rows, &row.quality));
         let worst: Vec<String> = worst.collect();
         text += &format!(
             "Worst second of the show at {width}x{height}, threads {threads}: {}\n",
