@@ -1,6 +1,6 @@
-//! The field: 256 spheres that wave, curl to a ball and run along a figure of eight.
+//! The field: 256 spheres that wave, set off one after another to build a ball, and go on to a figure of eight.
 
-use super::material::{self, Stuff};
+use super::material::Stuff;
 use super::path::smooth;
 use super::things::{around, sphere};
 use crate::scene::Scene;
@@ -12,6 +12,8 @@ use glam::{Vec3A, vec3a};
 /// Spheres along a side of the square they start from.
 const SIDE: i32 = 16;
 const COUNT: i32 = SIDE * SIDE;
+/// Spheres side by side on the eight, which is a band.
+const WIDE: i32 = 4;
 
 /// The middle of the ball and of the eight.
 const MIDDLE: Vec3A = vec3a(0.0, 2.75, 0.0);
@@ -19,19 +21,19 @@ const MIDDLE: Vec3A = vec3a(0.0, 2.75, 0.0);
 /// Colours of the first sphere, and what is different about the last one's: from red to blue.
 const RED: Vec3A = vec3a(0.90, 0.15, 0.10);
 const TO_BLUE: Vec3A = vec3a(-0.78, 0.17, 0.80);
+/// Colour of the waves' crests, which mirror a fifth of the light.
+const GOLD: Vec3A = vec3a(0.85, 0.62, 0.30);
 
 /// Adds the spheres as they are so many beats after the scene's begin.
 pub(super) fn add(beat: f32, scene: &mut Scene) {
-    let to_ball = smooth(beat * 0.25 - 1.5);
-    let to_eight = smooth(beat * 0.25 - 3.5);
     for i in 0..COUNT {
-        one(i, beat, to_ball, to_eight, scene);
+        one(i, beat, scene);
     }
 }
 
 /// Adds one of them, on its way to the ball and on to the eight.
 #[inline(never)]
-fn one(i: i32, beat: f32, to_ball: f32, to_eight: f32, scene: &mut Scene) {
+fn one(i: i32, beat: f32, scene: &mut Scene) {
     let middle = (SIDE - 1) as f32 * 0.5;
     let (column, row) = ((i % SIDE) as f32 - middle, (i / SIDE) as f32 - middle);
     let flat = vec3a(column, 0.0, row) * 0.75;
@@ -42,15 +44,18 @@ fn one(i: i32, beat: f32, to_ball: f32, to_eight: f32, scene: &mut Scene) {
     let y = 1.0 - 2.0 * n;
     let out = around(0.382 * i as f32 + 0.05 * beat) * root(1.0 - y * y);
     let ball = (out + Vec3A::Y * y) * 2.4 + MIDDLE;
-    // A cord along an upright eight.
-    let along = TAU * n + 0.2 * beat;
-    let eight = vec3a(1.7 * sin(2.0 * along), 2.2 * cos(along), 0.0) + MIDDLE;
-    let eight = eight + around(2.0 * along + 0.16 * beat) * 0.5;
+    // The ways of the eight pass behind each other where they cross.
+    let along = (i / WIDE) as f32 * (TAU * WIDE as f32 / COUNT as f32) + 0.2 * beat;
+    let across = (i % WIDE) as f32 * 0.36 - 0.54 + 1.2 * sin(along);
+    let eight = vec3a(1.4 * sin(2.0 * along), 2.3 * cos(along), across) + MIDDLE;
+    // The last one sets off 1.3 ways after the first.
+    let to_ball = smooth(0.3 * beat - 1.0 - 1.3 * n);
+    let to_eight = smooth(0.3 * beat - 4.0 - 1.3 * n);
     let centre = flat.lerp(ball, to_ball).lerp(eight, to_eight);
-    let radius = 0.24 - 0.05 * to_ball;
+    let radius = 0.24 - 0.05 * to_ball - 0.07 * to_eight;
     let sphere = sphere(scene, centre, radius, Stuff::Scarlet);
-    sphere.material.colour = RED + TO_BLUE * smooth(n);
-    if wave > 0.8 {
-        material::set(&mut sphere.material, Stuff::Gold);
-    }
+    let plastic = RED + TO_BLUE * smooth(n);
+    let gold = smooth((wave - 0.75) * 5.0);
+    sphere.material.colour = plastic.lerp(GOLD, gold);
+    sphere.material.kr = 0.2 * gold;
 }
