@@ -16,7 +16,7 @@ static STROKES: [u32; 36] = [
     0xff76_fc02, // F
     0x78ed_9312, // G
     0xe2f8_6fc0, // H
-    0xffff_ffd1, // I
+    0xd1fe_cf20, // I
     0xffff_9db2, // J
     0xffe6_2fc0, // K
     0xffff_fec0, // L
