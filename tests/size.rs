@@ -30,7 +30,7 @@ fn the_intro_is_at_most_64_kib() {
     // The linker's map tells what is in it; the program has no headers that would. In columns: the address, twice, the
     // size, the alignment, and what it is of; a name with a point is a section's, with its parts below it. `.bss` and
     // `.unsaid` are not in the file.
-    let map = fs::read_to_string(path.with_extension("map")).expect("the linker's map");
+    let map = stage::intro_map();
     for line in map.lines() {
         if let [address, _, size, _, name] = line.split_whitespace().collect::<Vec<_>>()[..]
             && address != "0"
@@ -73,7 +73,7 @@ fn the_show_without_its_soundtrack_is_at_most_60_kib() {
 /// the places of panics, 24 bytes that begin with the address of a file's name, and those names.
 #[test]
 fn nothing_is_left_unsaid_but_where_panics_were() {
-    let map = fs::read_to_string(stage::intro().with_extension("map")).expect("the linker's map");
+    let map = stage::intro_map();
     let mut places: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     let mut texts = 0;
     let lines = map.lines().skip_while(|line| !line.ends_with(" .unsaid"));

@@ -3,29 +3,44 @@
 #![allow(dead_code, reason = "each test uses a part of it")]
 
 use std::{
-    env,
+    env, fs,
     io::{BufRead, BufReader, Read},
-    path::PathBuf,
+    path::{Path, PathBuf},
     process::{Child, Command, Output, Stdio},
     sync::OnceLock,
     thread::sleep,
     time::{Duration, Instant},
 };
 
+/// What a build has made: the program, and the linker's map of it.
+struct Built {
+    program: PathBuf,
+    map: PathBuf,
+}
+
 /// The program that `cargo run --release` runs, built anew if anything has changed.
 pub fn intro() -> PathBuf {
-    static BUILT: OnceLock<PathBuf> = OnceLock::new();
-    BUILT.get_or_init(|| built(&[])).clone()
+    usual().program.clone()
+}
+
+/// What the linker has put where in it.
+pub fn intro_map() -> String {
+    fs::read_to_string(&usual().map).expect("the linker's map")
+}
+
+fn usual() -> &'static Built {
+    static BUILT: OnceLock<Built> = OnceLock::new();
+    BUILT.get_or_init(|| built(&[]))
 }
 
 /// The intro with other features, in a folder of its own.
 pub fn intro_with(features: &[&str]) -> PathBuf {
     let folder = concat!(env!("CARGO_TARGET_TMPDIR"), "/features");
-    built(&[&["--target-dir", folder], features].concat())
+    built(&[&["--target-dir", folder], features].concat()).program
 }
 
-/// Builds the intro, with more arguments. Returns where it is.
-fn built(arguments: &[&str]) -> PathBuf {
+/// Builds the intro, with more arguments.
+fn built(arguments: &[&str]) -> Built {
     let output = Command::new(env!("CARGO"))
         .args(["build", "--release", "--bin", "eightfold"])
         .args(["--message-format", "json"])
@@ -39,10 +54,24 @@ fn built(arguments: &[&str]) -> PathBuf {
         "cargo build --release: {messages}{}",
         String::from_utf8_lossy(&output.stderr)
     );
-    let (_, path) = messages
-        .rsplit_once("\"executable\":\"")
-        .expect("cargo says which program it has built");
-    path.split('"').next().expect("a path").into()
+    // The last line that has all of some parts, and what the first of them begins there.
+    let told = |parts: &[&str]| {
+        let mut lines = messages.lines().rev();
+        let line = lines.find(|line| parts.iter().all(|part| line.contains(part)));
+        let value = line.and_then(|line| line.split(parts[0]).nth(1)?.split('"').next());
+        value.unwrap_or_else(|| panic!("cargo does not say {parts:?}: {messages}"))
+    };
+    let program = "\"executable\":\"";
+    let package = told(&["\"package_id\":\"", program]);
+    let script = [
+        "\"out_dir\":\"",
+        "build-script-executed",
+        &format!("\"{package}\""),
+    ];
+    Built {
+        program: told(&[program]).into(),
+        map: Path::new(told(&script)).join("eightfold.map"),
+    }
 }
 
 /// Starts a tool that a Debian package has, or says which one.

@@ -6,8 +6,15 @@ use std::env;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
+/// What a build has made.
+pub struct Intro {
+    pub program: PathBuf,
+    /// What the linker has put where; there is none where the intro is not put on its diet.
+    pub map: PathBuf,
+}
+
 /// The intro, as `cargo run --release` builds it.
-pub fn build() -> Result<PathBuf> {
+pub fn build() -> Result<Intro> {
     let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
     let mut command = Command::new(cargo);
     command
@@ -23,11 +30,25 @@ pub fn build() -> Result<PathBuf> {
         bail!("cargo cannot build the intro");
     }
     let messages = String::from_utf8_lossy(&output.stdout);
-    let mut paths = messages.lines().filter_map(|line| {
-        let message: Value = serde_json::from_str(line).ok()?;
-        Some(PathBuf::from(message["executable"].as_str()?))
+    let messages = messages.lines().map(serde_json::from_str);
+    let messages: Vec<Value> = messages.filter_map(Result::ok).collect();
+    told(&messages).context("cargo does not say what it has built")
+}
+
+/// What cargo's messages tell of the intro.
+fn told(messages: &[Value]) -> Option<Intro> {
+    let mut programs = messages
+        .iter()
+        .filter(|message| message["executable"].is_string());
+    let program = programs.next_back()?;
+    // Every package has a script's folder of its own, for each choice of features.
+    let mut scripts = messages.iter().filter(|message| {
+        message["reason"] == "build-script-executed"
+            && message["package_id"] == program["package_id"]
     });
-    paths
-        .next_back()
-        .context("cargo does not say what it has built")
+    let folder = scripts.next_back()?["out_dir"].as_str()?;
+    Some(Intro {
+        program: program["executable"].as_str()?.into(),
+        map: PathBuf::from(folder).join("eightfold.map"),
+    })
 }

@@ -39,7 +39,7 @@ const PROGRAM: u32 = 0o755;
 pub fn run(arguments: &Arguments) -> Result<()> {
     let path = match &arguments.intro {
         Some(path) => path.clone(),
-        None => intro::build()?,
+        None => intro::build()?.program,
     };
     let program = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
     let size = program.len();

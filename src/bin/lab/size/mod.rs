@@ -35,10 +35,11 @@ struct Sum {
 /// Builds the intro, and prints the tables.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let intro = intro::build()?;
-    let file = fs::metadata(&intro).with_context(|| format!("cannot read {}", intro.display()))?;
-    let path = intro.with_extension("map");
-    let map = fs::read_to_string(&path)
-        .with_context(|| format!("cannot read the linker's map, {}", path.display()))?;
+    let program = intro.program.display();
+    let file = fs::metadata(&intro.program).with_context(|| format!("cannot read {program}"))?;
+    let map = intro.map.display();
+    let map = fs::read_to_string(&intro.map)
+        .with_context(|| format!("cannot read the linker's map, {map}"))?;
     let map = Map::parse(&map);
     let mut text = String::new();
     tell_sections(&mut text, &map, file.len())?;
