@@ -14,6 +14,8 @@ pub(super) enum Stuff {
     Mirror,
     Blue,
     Glass,
+    // Glass that mirrors nothing: what little there would be takes a fifth of the time of a frame that the ball fills.
+    Crystal,
     // Metals.
     Gold,
     Silver,
@@ -32,16 +34,17 @@ pub(super) enum Stuff {
 
 /// A row for each [`Stuff`], in percent; exponents and edges are a hundred times as large as they are here.
 #[rustfmt::skip]
-static MATERIALS: [[i8; 15]; 15] = [
+static MATERIALS: [[i8; 15]; 16] = [
     //    red   green blue  kd    ks    kr    kt    exponent  waves along x, y, z  depth edge warp grain
     steps([0.55, 0.55, 0.60, 0.8,  0.1,  0.25, 0.0,  0.1,  0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
     steps([0.90, 0.15, 0.12, 0.7,  0.5,  0.25, 0.0,  0.4,  0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
     steps([0.90, 0.90, 0.95, 0.2,  0.8,  0.70, 0.0,  0.8,  0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
     steps([0.15, 0.35, 0.90, 0.7,  0.5,  0.20, 0.0,  0.4,  0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
     steps([0.95, 0.95, 0.95, 0.05, 0.8,  0.10, 0.85, 1.0,  0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
+    steps([0.95, 0.95, 0.95, 0.05, 0.8,  0.0,  0.90, 1.0,  0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
     steps([0.98, 0.73, 0.38, 0.60, 0.5,  0.20, 0.0,  0.25, 0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
     steps([0.85, 0.88, 0.95, 0.40, 0.8,  0.32, 0.0,  0.6,  0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
-    steps([0.55, 0.62, 0.75, 0.50, 0.5,  0.12, 0.0,  0.25, 0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
+    steps([0.55, 0.62, 0.75, 0.55, 0.5,  0.0,  0.0,  0.25, 0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
     steps([0.80, 0.11, 0.08, 0.80, 0.25, 0.0,  0.0,  0.25, 0.0,  0.0, 0.0,  0.0, 0.0,  0.0, 0.0], PERCENT),
     steps([0.90, 0.62, 0.10, 0.80, 0.4,  0.0,  0.0,  0.4,  0.0,  1.0, 0.0,  0.7, 0.3,  0.0, 0.0], PERCENT),
     steps([0.92, 0.86, 0.78, 0.8,  0.15, 0.0,  0.0,  0.2,  0.5,  0.9, 0.3,  0.6, 0.01, 1.1, 0.9], PERCENT),

@@ -61,7 +61,7 @@ static ROWS: [Row; 23] = [
     row(Set::Colonnade, Box,   Still, Stuff::Marble, 2, 7, [-2.6, 5.2, -6.0,  1.4, 0.4, 1.4,   5.2, 3.2]),
     row(Set::Colonnade, Box,   Still, Stuff::Marble, 2, 2, [-2.6, 5.7, -2.6,  1.1, 0.6, 11.2,  5.2, 11.2]),
     // What floats between them.
-    row(Set::Colonnade, Ball, Bouncing, Stuff::Glass,   1, 1, [0.0, 1.7, 6.0,   1.8, 0.0, 0.0,  0.0, 0.0]),
+    row(Set::Colonnade, Ball, Bouncing, Stuff::Crystal, 1, 1, [0.0, 1.7, 6.0,   1.8, 0.0, 0.0,  0.0, 0.0]),
     row(Set::Colonnade, Ball, Bouncing, Stuff::Gold,    1, 1, [-0.9, 0.7, 1.4,  1.0, 0.0, 0.0,  0.0, 1.0]),
     row(Set::Colonnade, Ball, Bouncing, Stuff::Scarlet, 1, 1, [0.9, 1.0, 3.2,   0.9, 0.0, 0.0,  0.0, 2.0]),
     row(Set::Colonnade, Ball, Bouncing, Stuff::Silver,  1, 1, [-0.2, 3.2, 9.0,  1.4, 0.0, 0.0,  0.0, 3.0]),
