@@ -121,10 +121,7 @@ impl<F: FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>)> Run for F {
 /// # Panics
 /// If a side is 0 or beyond [`MAX_WIDTH`] or [`MAX_HEIGHT`], if `pixels` has another length than `width * height`, or
 /// if `quality` is out of its range.
-#[allow(
-    clippy::too_many_arguments,
-    reason = "what to draw, in what memory, by whom"
-)]
+#[allow(clippy::too_many_arguments, reason = "what to draw, where, by whom")]
 pub fn render(
     level: Level,
     scene: &Scene,
@@ -158,10 +155,7 @@ pub fn render(
 /// # Panics
 /// As [`render`].
 #[cfg(feature = "lab")]
-#[allow(
-    clippy::too_many_arguments,
-    reason = "what to draw, in what memory, by whom"
-)]
+#[allow(clippy::too_many_arguments, reason = "what to draw, where, by whom")]
 pub fn render_observed<O: Observer>(
     level: Level,
     scene: &Scene,

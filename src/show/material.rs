@@ -16,7 +16,7 @@ pub(super) enum Stuff {
     Glass,
     // Glass that mirrors nothing: what little there would be takes a fifth of the time of a frame that the ball fills.
     Crystal,
-    // Metals.
+    // Metals; steel is cast, and mirrors nothing: that took a quarter of the machine's time, and was hardly seen.
     Gold,
     Silver,
     Steel,

@@ -21,7 +21,7 @@ const MIDDLE: Vec3A = vec3a(0.0, 2.75, 0.0);
 /// Colours of the first sphere, and what is different about the last one's: from red to blue.
 const RED: Vec3A = vec3a(0.90, 0.15, 0.10);
 const TO_BLUE: Vec3A = vec3a(-0.78, 0.17, 0.80);
-/// Colour of the waves' crests, which mirror a fifth of the light.
+/// Colour of the waves' crests: darker than [`Stuff::Gold`], since plastic scatters more of the light.
 const GOLD: Vec3A = vec3a(0.85, 0.62, 0.30);
 
 /// Adds the spheres as they are so many beats after the scene's begin.
@@ -44,11 +44,11 @@ fn one(i: i32, beat: f32, scene: &mut Scene) {
     let y = 1.0 - 2.0 * n;
     let out = around(0.382 * i as f32 + 0.05 * beat) * root(1.0 - y * y);
     let ball = (out + Vec3A::Y * y) * 2.4 + MIDDLE;
-    // The ways of the eight pass behind each other where they cross.
+    // The band is 1.2 nearer on one of its ways through the crossing, and as much farther on the other: it passes itself.
     let along = (i / WIDE) as f32 * (TAU * WIDE as f32 / COUNT as f32) + 0.2 * beat;
     let across = (i % WIDE) as f32 * 0.36 - 0.54 + 1.2 * sin(along);
     let eight = vec3a(1.4 * sin(2.0 * along), 2.3 * cos(along), across) + MIDDLE;
-    // The last one sets off 1.3 ways after the first.
+    // A way takes 1 / 0.3 beats, and the last sphere sets off 1.3 of these after the first.
     let to_ball = smooth(0.3 * beat - 1.0 - 1.3 * n);
     let to_eight = smooth(0.3 * beat - 4.0 - 1.3 * n);
     let centre = flat.lerp(ball, to_ball).lerp(eight, to_eight);

@@ -299,10 +299,7 @@ fn gather<S: Isa>(
 
 /// Puts the transmitted and the reflected rays on the stack.
 #[inline(always)]
-#[allow(
-    clippy::too_many_arguments,
-    reason = "a place, and the rays that leave it"
-)]
+#[allow(clippy::too_many_arguments, reason = "a place, and rays that leave it")]
 fn scatter<S: Isa>(
     simd: S,
     quality: &Quality,

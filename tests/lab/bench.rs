@@ -35,13 +35,10 @@ const COLUMNS: &str = "size, threads, isa, quality, fps median, ms median, ms p9
 const SHOW_COLUMNS: &str = "size, threads, scene, quality, fps median, worst second, ms median, ms p99, traced, PSNR mean, \
                             PSNR worst, over 8/255, flicker";
 
-/// A short bench in small frames: its table and its rows.
-fn bench(more: &[&str]) -> (String, Vec<Value>) {
-    let output = lab(&[
-        &["bench", "--frames", "3", "--flicker", "2", "--json", "-"],
-        more,
-    ]
-    .concat());
+/// A short bench in small frames, with more arguments: its table and its rows.
+fn bench(more: &str) -> (String, Vec<Value>) {
+    let few = "bench --frames 3 --flicker 2 --json -".split(' ');
+    let output = lab(&few.chain(more.split(' ')).collect::<Vec<_>>());
     let table = String::from_utf8(output.stderr).expect("text");
     assert!(output.status.success(), "{table}");
     (table, serde_json::from_slice(&output.stdout).expect("JSON"))
@@ -66,24 +63,10 @@ fn cells(table: &str) -> Vec<Vec<&str>> {
 
 #[test]
 fn every_combination_has_its_row_with_every_figure() {
-    let (table, rows) = bench(&[
-        "--scene",
-        "field:9",
-        "--size",
-        "96x64",
-        "--size",
-        "50x70",
-        "--threads",
-        "1",
-        "--threads",
-        "3",
-        "--quality",
-        "default",
-        "--quality",
-        "thesis",
-        "--quality",
-        "default",
-    ]);
+    let (table, rows) = bench(
+        "--scene field:9 --size 96x64 --size 50x70 --threads 1 --threads 3 \
+         --quality default --quality thesis --quality default",
+    );
     let mut names = Vec::new();
     for row in &rows {
         let keys = row.as_object().expect("an object").keys();
@@ -126,15 +109,7 @@ fn every_combination_has_its_row_with_every_figure() {
 
 #[test]
 fn the_guard_is_left_out_on_request_and_costs_points() {
-    let (_, rows) = bench(&[
-        "--scene",
-        "field:99",
-        "--size",
-        "160x120",
-        "--quality",
-        "default",
-        "--unguarded",
-    ]);
+    let (_, rows) = bench("--scene field:99 --size 160x120 --quality default --unguarded");
     let traced = |name: &str| {
         let row = rows.iter().find(|row| row["quality"] == name);
         number(row.expect(name), "traced_fraction")
@@ -145,15 +120,9 @@ fn the_guard_is_left_out_on_request_and_costs_points() {
 #[test]
 fn shadows_are_hard_on_request() {
     let rows = |scene| {
-        bench(&[
-            "--scene",
-            scene,
-            "--size",
-            "96x64",
-            "--quality",
-            "default",
-            "--hard-shadows",
-        ])
+        bench(&format!(
+            "--scene {scene} --size 96x64 --quality default --hard-shadows"
+        ))
         .1
     };
     let sun = rows("show:finale");
@@ -172,7 +141,7 @@ fn shadows_are_hard_on_request() {
 
 #[test]
 fn figures_fit_each_other() {
-    let (_, rows) = bench(&["--size", "96x64", "--threads", "1", "--threads", "2"]);
+    let (_, rows) = bench("--size 96x64 --threads 1 --threads 2");
     for (row, exhaustive) in rows.iter().zip([0, 0, 0, 3, 3, 3].map(|i| &rows[i])) {
         let ms = number(row, "ms_median");
         assert!(ms > 0.0 && number(row, "ms_p99") >= ms);
@@ -207,7 +176,7 @@ fn figures_fit_each_other() {
 
 #[test]
 fn the_show_has_a_row_for_each_scene_and_quality_and_a_line_for_its_worst_second() {
-    let (table, rows) = bench(&["--scene", "show", "--size", "32x18", "--quality", "default"]);
+    let (table, rows) = bench("--scene show --size 32x18 --quality default");
     assert!(table.contains("show, each scene in 3 frames from 0 s to 95.98"));
     let scenes = "title model method colonnade machine field finale".split(' ');
     let names = scenes.flat_map(|scene| {
@@ -246,13 +215,10 @@ fn the_show_has_a_row_for_each_scene_and_quality_and_a_line_for_its_worst_second
 
 #[test]
 fn a_scene_of_the_show_is_its_part_of_the_show() {
-    let small = ["--size", "32x18", "--quality", "default"];
-    let rows = |more: &[&str]| bench(&[&small, more].concat()).1;
+    let rows = |more| bench(&format!("--size 32x18 --quality default {more}")).1;
     // The machine plays from 60 s to 72 s.
-    let part = ["--time-from", "1", "--time-to", "3"];
-    let part = rows(&[&["--scene", "show:machine"], &part[..]].concat());
-    let show = ["--time-from", "61", "--time-to", "63"];
-    let show = rows(&[&["--scene", "show"], &show[..]].concat());
+    let part = rows("--scene show:machine --time-from 1 --time-to 3");
+    let show = rows("--scene show --time-from 61 --time-to 63");
     assert_eq!((part.len(), show.len()), (2, 2));
     for (a, b) in part.iter().zip(&show) {
         for key in ["scene", "rays", "shadow_rays", "psnr_worst_db", "flicker"] {
@@ -267,15 +233,7 @@ fn a_scene_of_the_show_is_its_part_of_the_show() {
 
 #[test]
 fn marks_of_the_method_are_no_errors() {
-    let rows = bench(&[
-        "--scene",
-        "show:method",
-        "--size",
-        "320x180",
-        "--quality",
-        "default",
-    ])
-    .1;
+    let rows = bench("--scene show:method --size 320x180 --quality default").1;
     let psnr = number(&rows[1], "psnr_worst_db");
     assert!(psnr > 32.0, "{psnr}");
 }
@@ -295,16 +253,7 @@ fn errors_are_those_of_the_pictures_that_render_draws() {
         over_8 += u32::from(off.iter().any(|&d| d > 8.0));
     }
     let psnr = 10.0 * (255.0 * 255.0 * (3 * a.len()) as f64 / squares).log10();
-    let (_, rows) = bench(&[
-        "--size",
-        "40x30",
-        "--time-from",
-        "2.5",
-        "--time-to",
-        "2.5",
-        "--quality",
-        "default",
-    ]);
+    let (_, rows) = bench("--size 40x30 --time-from 2.5 --time-to 2.5 --quality default");
     assert!((number(&rows[1], "psnr_worst_db") - psnr).abs() < 1e-6);
     assert!((number(&rows[1], "psnr_mean_db") - psnr).abs() < 1e-6);
     assert_eq!(number(&rows[1], "pixels_over_8"), f64::from(over_8));

@@ -12,17 +12,10 @@
 //! Names and signatures are those of the original, so its documentation, and Xlib's, hold here.
 
 #![no_std]
-#![allow(
-    non_camel_case_types,
-    non_snake_case,
-    non_upper_case_globals,
-    reason = "Xlib's own names"
-)]
-#![allow(
-    missing_docs,
-    clippy::missing_safety_doc,
-    reason = "Xlib's own names, documented there"
-)]
+#![allow(non_camel_case_types, non_snake_case, reason = "Xlib's own names")]
+#![allow(non_upper_case_globals, reason = "Xlib's own names")]
+#![allow(missing_docs, reason = "documented by Xlib")]
+#![allow(clippy::missing_safety_doc, reason = "documented by Xlib")]
 
 mod answers;
 mod functions;
