@@ -25,10 +25,7 @@
 mod governor;
 mod lanes;
 pub mod limits;
-#[cfg(feature = "lab")]
 pub mod observe;
-#[cfg(not(feature = "lab"))]
-mod observe;
 mod prepare;
 mod quality;
 mod refine;
@@ -45,14 +42,9 @@ pub use fearless_simd::Level;
 pub use governor::Governor;
 pub use quality::Quality;
 pub use refine::Band;
-#[cfg(feature = "lab")]
-pub use render::render_observed;
-pub use render::{Job, Memory, render};
+pub use render::{Job, Memory, render, render_observed};
 pub use trace::Counts;
 pub use worker::Worker;
-
-/// Whether there is what only some scenes have: boxes and cylinders, patterns, air, lamps that are more than points: 9 kB.
-const DETAILS: bool = cfg!(feature = "details");
 
 /// The widest picture, in pixels.
 pub const MAX_WIDTH: usize = 3840;

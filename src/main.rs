@@ -14,7 +14,7 @@ use eightfold::{Band, Governor, MAX_HEIGHT, MAX_WIDTH, Memory, Quality, Worker, 
 use eightfold_window::{
     arguments::Arguments,
     clock::{Clock, SECOND},
-    cpu::{self, Level},
+    cpu::{self, Isa},
     fixed::Fixed,
     line::{self, Line},
     pool::{self, Pool},
@@ -28,21 +28,8 @@ use options::{
     names,
 };
 
-/// Whether the show has what its scenes need; the model scene is played otherwise.
-const DETAILS: bool = cfg!(feature = "details");
-
-/// Whether the show has its soundtrack.
-const SOUND: bool = cfg!(feature = "sound");
-
 /// Nanoseconds of the show.
-const LENGTH: u64 = {
-    let seconds = if DETAILS {
-        show::grid::LENGTH
-    } else {
-        show::LENGTH
-    };
-    (seconds as f64 * SECOND as f64) as u64
-};
+const LENGTH: u64 = (show::grid::LENGTH as f64 * SECOND as f64) as u64;
 
 static STATE: Fixed<State> = Fixed::new(State {
     options: Options::NONE,
@@ -83,11 +70,7 @@ fn run(arguments: Arguments) -> i32 {
     let options = &state.options;
     // Not dropped: its threads end with the process.
     let mut intro = ManuallyDrop::new(Intro {
-        level: if cfg!(feature = "avx2") {
-            cpu::level()
-        } else {
-            Level::baseline()
-        },
+        isa: cpu::best(),
         pool: Pool::new(
             options
                 .get(THREADS)
@@ -103,7 +86,7 @@ fn run(arguments: Arguments) -> i32 {
 
 /// What plays the show, and how it goes.
 struct Intro {
-    level: Level,
+    isa: Isa,
     pool: Pool,
     governor: Governor,
     state: &'static mut State,
@@ -146,7 +129,7 @@ impl Intro {
     fn play(&mut self, screen: &mut dyn Screen) -> i32 {
         let options = &self.state.options;
         let mut player = match options.get(SILENT) {
-            None if SOUND => Player::start(c"default", MUSIC.take()),
+            None => Player::start(c"default", MUSIC.take()),
             _ => Player::silent(),
         };
         let clock = Clock::start();
@@ -193,14 +176,10 @@ impl Intro {
         let (width, height) = fit(screen.size());
         self.state.tally.size = (width, height);
         let seconds = (time % LENGTH) as f32 / SECOND as f32;
-        if DETAILS {
-            show::at(seconds, &mut self.state.scene);
-        } else {
-            show::model(seconds, &mut self.state.scene);
-        }
+        show::at(seconds, &mut self.state.scene);
         let threads = self.pool.threads();
         render(
-            self.level,
+            self.isa.level,
             &self.state.scene,
             quality,
             width,
@@ -238,7 +217,7 @@ impl Intro {
                 size.1 as u64,
                 self.pool.threads() as u64,
             ],
-            &[cpu::name(self.level).as_bytes()],
+            &[self.isa.name.as_bytes()],
         );
         for (name, &time) in names().zip(&self.state.tally.rungs) {
             if time > 0 {

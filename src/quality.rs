@@ -11,8 +11,7 @@ use crate::refine::Limit;
 /// what one of 4 may spread is twice as much, since an error there covers a quarter of the pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
-    /// Side of the largest square in pixels, 1 to [`Quality::MAX_SQUARE`]; a power of two, but for the lab. At 1 every pixel
-    /// is traced.
+    /// Side of the largest square in pixels, 1 to [`Quality::MAX_SQUARE`]. At 1 every pixel is traced.
     pub square: usize,
     /// The spread allowed where the corners' keys agree: they saw the same objects in the same light. 0 to infinity.
     pub spread_agreeing: f32,
@@ -37,8 +36,7 @@ pub struct Quality {
     /// A secondary ray is followed while the product of the coefficients along its path is at least this.
     pub least_contribution: f32,
     /// A pixel that differs from a neighbour gets the mean of so many samples a side, on a regular grid: 2 for four of them;
-    /// 0 or 1: none does. Up to [`Quality::MAX_ANTIALIAS`]. All named qualities have 0, and the intro has no code for more.
-    #[cfg(feature = "lab")]
+    /// 0 or 1: none does. Up to [`Quality::MAX_ANTIALIAS`]. All named qualities have 0.
     pub antialias: usize,
 }
 
@@ -49,7 +47,6 @@ impl Quality {
     pub const MAX_DEPTH: u32 = 7;
 
     /// The largest [`Quality::antialias`]: 64 samples of a pixel. (The widest picture's are fewer than 2^16 side by side.)
-    #[cfg(feature = "lab")]
     pub const MAX_ANTIALIAS: usize = 8;
 
     /// Every pixel is traced: the oracle that the other qualities are measured against.
@@ -64,7 +61,6 @@ impl Quality {
         highlight: 1.0 / 256.0,
         depth: 5,
         least_contribution: 0.01,
-        #[cfg(feature = "lab")]
         antialias: 0,
     };
 
@@ -163,40 +159,22 @@ impl Quality {
         }
     }
 
-    /// Whether keys can be compared: they are 1.6 kB that the intro, whose rungs need none, does without.
-    const HAS_KEYS: bool = cfg!(feature = "lab");
-
-    /// Whether squares of any side can be drawn, or of powers of two alone: the others are 600 bytes that the intro does
-    /// without.
-    pub(crate) const HAS_ALL_SIDES: bool = cfg!(feature = "lab");
-
     /// Whether edges get more samples once a frame is drawn.
-    #[cfg(feature = "lab")]
     pub(crate) fn is_antialiased(&self) -> bool {
         self.antialias > 1
     }
 
-    /// Whether edges get more samples: not in the intro.
-    #[cfg(not(feature = "lab"))]
-    pub(crate) const fn is_antialiased(&self) -> bool {
-        false
-    }
-
     /// Whether it can be drawn by.
     pub(crate) fn is_valid(&self) -> bool {
-        #[cfg(feature = "lab")]
         if self.antialias > Self::MAX_ANTIALIAS {
             return false;
         }
-        (1..=Self::MAX_SQUARE).contains(&self.square)
-            && (Self::HAS_ALL_SIDES || self.square.is_power_of_two())
-            && self.depth <= Self::MAX_DEPTH
-            && (Self::HAS_KEYS || self.square == 1 || self.spread_agreeing == self.spread_differing)
+        (1..=Self::MAX_SQUARE).contains(&self.square) && self.depth <= Self::MAX_DEPTH
     }
 
     /// Whether verdicts depend on keys.
     pub(crate) fn needs_keys(&self) -> bool {
-        Self::HAS_KEYS && self.square > 1 && self.spread_agreeing != self.spread_differing
+        self.square > 1 && self.spread_agreeing != self.spread_differing
     }
 
     /// How far samples may be apart.
@@ -215,11 +193,7 @@ impl Quality {
 
     /// The next multiple of the squares' side.
     pub(crate) fn whole(&self, length: usize) -> usize {
-        if Self::HAS_ALL_SIDES {
-            length.next_multiple_of(self.square)
-        } else {
-            (length + self.square - 1) & !(self.square - 1)
-        }
+        length.next_multiple_of(self.square)
     }
 }
 

@@ -1,10 +1,8 @@
 //! One frame: bands in parallel.
 
-#[cfg(feature = "lab")]
 use crate::observe::Observer;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
-#[cfg(feature = "lab")]
 use crate::refine::antialias::Smoothing;
 use crate::refine::{self, Band, Border};
 use crate::scene::Scene;
@@ -21,7 +19,6 @@ pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(9);
 pub struct Memory {
     prepared: Prepared,
     borders: [Border; MAX_BANDS + 1],
-    #[cfg(feature = "lab")]
     smoothing: Smoothing,
 }
 
@@ -32,7 +29,6 @@ impl Memory {
         Self {
             prepared: Prepared::new(),
             borders: [Border::NONE; MAX_BANDS + 1],
-            #[cfg(feature = "lab")]
             smoothing: Smoothing::new(),
         }
     }
@@ -57,7 +53,6 @@ impl Memory {
     }
 }
 
-#[cfg(feature = "lab")]
 impl Memory {
     /// Has the next frames take their samples `x` pixels to the right of the pixels' centres and `y` below them, within
     /// -0.5 to 0.5. The mean of frames that cover a pixel evenly is a supersampled one.
@@ -142,19 +137,14 @@ pub fn render(
         }
     };
     let counts = frame(quality, width, borders, workers, pixels, &job, &mut run);
-    #[cfg(feature = "lab")]
-    let counts = counts + memory.smooth(level, scene, quality, width, workers, pixels, &mut run);
-    counts
+    counts + memory.smooth(level, scene, quality, width, workers, pixels, &mut run)
 }
 
 /// Like [`render`], and the observer hears how the frame comes about: the same frame, the same counts, more time. Of the
 /// samples that edges get in the end it does not hear.
 ///
-/// Of the feature `lab` alone: 400 bytes of functions would stay in the intro for whoever else might call it.
-///
 /// # Panics
 /// As [`render`].
-#[cfg(feature = "lab")]
 #[allow(clippy::too_many_arguments, reason = "what to draw, where, by whom")]
 pub fn render_observed<O: Observer>(
     level: Level,
@@ -219,10 +209,8 @@ fn frame(
         run.run(workers, bands.get_mut(..len).unwrap_or_default(), job);
     }
     let mut counts = Counts::NONE;
-    if Counts::ARE_KEPT {
-        for worker in workers {
-            counts += worker.take_counts();
-        }
+    for worker in workers {
+        counts += worker.take_counts();
     }
     counts
 }

@@ -65,7 +65,7 @@ fn main() {
             for frame in range {
                 let (width, height) = window.size();
                 render(
-                    cpu::level(),
+                    cpu::best().level,
                     &show::scene(frame as f32 / 60.0),
                     &Quality::THESIS,
                     width,

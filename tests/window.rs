@@ -248,7 +248,7 @@ fn difference_to_show(shot: &[u32], width: usize, height: usize, time: Duration)
     for hundredth in 0..=time.as_millis() / 10 {
         show::at(hundredth as f32 / 100.0, &mut scene);
         render(
-            cpu::level(),
+            cpu::best().level,
             &scene,
             &Quality::DEFAULT,
             width,

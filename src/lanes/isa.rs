@@ -59,7 +59,6 @@ mod x86_64 {
         }
     );
 
-    #[cfg(feature = "avx512")]
     impl Isa for fearless_simd::Avx512 {
         #[inline(always)]
         fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {

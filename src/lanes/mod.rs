@@ -1,8 +1,7 @@
 //! Rays side by side: the lane types every kernel is written in.
 //!
 //! A kernel is generic over the instruction set `S` and inlined into one function per set, so that it is written once:
-//! four lanes for SSE2, eight for AVX2, sixteen for AVX-512 (feature `avx512`, which the lab has: it costs the intro
-//! 6.4 kB). A lane's answer never depends on what its neighbours hold.
+//! four lanes for SSE2, eight for AVX2, sixteen for AVX-512. A lane's answer never depends on what its neighbours hold.
 //!
 //! Closures that the compiler does not inline lose the instruction set, and with it their speed: kernels use small
 //! functions marked `#[inline(always)]` instead.
@@ -17,13 +16,7 @@ pub(crate) use pow::pow;
 pub(crate) use vec3x::Vec3x;
 
 /// The most rays that travel together: what a register of the widest instruction set holds.
-pub(crate) const MAX_LANES: usize = if cfg!(feature = "avx512") {
-    16
-} else if cfg!(feature = "avx2") {
-    8
-} else {
-    4
-};
+pub(crate) const MAX_LANES: usize = 16;
 
 /// A number per lane.
 pub(crate) type F<S> = <S as Simd>::f32s;
@@ -38,13 +31,6 @@ pub(crate) type M<S> = <S as Simd>::mask32s;
 #[inline(always)]
 pub(crate) const fn lanes<S: Simd>() -> usize {
     F::<S>::LEN
-}
-
-/// Whether an instruction set is the one that every CPU has: kernels by it leave out what only saves time, for
-/// 800 bytes.
-#[inline(always)]
-pub(crate) const fn is_plainest<S: Simd>() -> bool {
-    lanes::<S>() <= 4
 }
 
 /// The same number in every lane.

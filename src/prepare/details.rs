@@ -1,7 +1,6 @@
 //! What only some scenes have: boxes and cylinders, patterns, air, lamps that are more than points.
 
 use super::object::{self, Object};
-use crate::DETAILS;
 use crate::scene::{Material, Method, Scene};
 use glam::Vec3A;
 
@@ -30,13 +29,13 @@ impl Details {
     /// Whether there is any of it but for lamps.
     #[inline(always)]
     pub fn is_there(&self) -> bool {
-        DETAILS && self.is_there
+        self.is_there
     }
 
     /// Whether any of it is a pattern.
     #[inline(always)]
     pub fn has_patterns(&self) -> bool {
-        DETAILS && self.has_patterns
+        self.has_patterns
     }
 
     /// Takes a scene in, which may have patterns, and lamps that are no points.

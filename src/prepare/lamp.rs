@@ -2,7 +2,6 @@
 
 use super::slack;
 use super::tree::{MARGIN, MAX_NODES, Node};
-use crate::DETAILS;
 use crate::scene::{Light, Spot};
 use crate::trigonometry::root;
 use glam::Vec3A;
@@ -89,7 +88,7 @@ impl Lamp {
     /// Whether it is a point, and all solids are spheres; else [`super::Details`] know more.
     #[inline(always)]
     pub fn is_plain(&self) -> bool {
-        !DETAILS || self.is_plain
+        self.is_plain
     }
 
     /// Takes a light in, and the nodes that can shade it.
@@ -104,7 +103,7 @@ impl Lamp {
         self.widest = light.widest().max(0.0);
         for (caster, node) in self.casters.iter_mut().zip(nodes) {
             // A sphere's penumbra is wider, and a bound shades from its nearest point on.
-            let radius = if DETAILS && !node.is_block {
+            let radius = if !node.is_block {
                 node.radius + 0.5 * self.widest
             } else {
                 node.radius

@@ -16,11 +16,10 @@ pub(crate) use object::Object;
 pub(crate) use outline::Outline;
 use screen::Window;
 pub(crate) use screen::{Axes, Rect, rectangle};
-pub(crate) use surface::{FIELDS, HAS_PATTERNED_SPHERES, PATTERN, Spread};
+pub(crate) use surface::{FIELDS, PATTERN, Spread};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{GroupSet, Node, Tree};
 
-use crate::DETAILS;
 use crate::lanes::MAX_LANES;
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Scene, camera::Raster};
 use glam::Vec3A;
@@ -71,7 +70,6 @@ pub(crate) struct Prepared {
     /// What primary rays weigh.
     pub weight: f32,
     /// Where samples are, from the centres of their pixels, in pixels.
-    #[cfg(feature = "lab")]
     pub offset: glam::Vec2,
 }
 
@@ -113,7 +111,6 @@ impl Prepared {
             surfaces: [[[0.0; MAX_LANES]; FIELDS]; ROOM],
             details: Details::NONE,
             weight: 0.0,
-            #[cfg(feature = "lab")]
             offset: glam::Vec2::ZERO,
         }
     }
@@ -164,11 +161,10 @@ impl Prepared {
         self.raster = scene.camera.raster(width, height);
         self.axes.set(&self.raster, width, height);
         self.details.pixel = self.axes.pixel;
-        #[cfg(feature = "lab")]
         self.move_samples();
         self.height = height;
         self.solids = scene.solids();
-        self.weight = if DETAILS { 1.0 - scene.fade } else { 1.0 };
+        self.weight = 1.0 - scene.fade;
         self.lamp_count = scene.lights.len();
         self.plane_count = scene.planes.len();
         self.tree.set(scene);
@@ -216,7 +212,7 @@ impl Prepared {
             outline.set_sphere(&self.axes, to, node);
             let group = node.groups.trailing_zeros() as usize % MAX_GROUPS;
             self.windows[group].join(outline.window);
-            if DETAILS && node.is_block {
+            if node.is_block {
                 let object = self.details.object(node.number as usize).0;
                 if let Object::Block(block) = object {
                     outline.set_block(&self.axes, to, block);
@@ -238,7 +234,6 @@ impl Prepared {
     }
 
     /// Moves the samples to their offset.
-    #[cfg(feature = "lab")]
     fn move_samples(&mut self) {
         let Raster { corner, dx, dy } = &mut self.raster;
         *corner += *dx * self.offset.x + *dy * self.offset.y;

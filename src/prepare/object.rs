@@ -1,6 +1,5 @@
 //! What a ray hits.
 
-use crate::DETAILS;
 use crate::scene::{Block, Light, Material, Plane, Scene, Sphere};
 
 /// An object of a scene.
@@ -21,12 +20,10 @@ pub(super) fn of(scene: &Scene, mut i: usize) -> (Object<'_>, &Material) {
         return (Object::Sphere(sphere), &sphere.material);
     }
     i -= scene.spheres.len();
-    if DETAILS {
-        if let Some(block) = scene.blocks.get(i) {
-            return (Object::Block(block), &block.material);
-        }
-        i -= scene.blocks.len();
+    if let Some(block) = scene.blocks.get(i) {
+        return (Object::Block(block), &block.material);
     }
+    i -= scene.blocks.len();
     if let Some(light) = scene.lights.get(i) {
         return (Object::Lamp(light), &Material::BLACK);
     }

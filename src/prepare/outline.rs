@@ -172,8 +172,7 @@ impl Rectangle {
 
 impl Prepared {
     /// Whether a rectangle of the picture may show what has the outline of a number.
-    #[cfg_attr(feature = "lab", inline(always))]
-    #[cfg_attr(not(feature = "lab"), inline(never))]
+    #[inline(always)]
     pub fn may_show(&self, outline: usize, rect: &Rect) -> bool {
         let outline = &self.outlines[outline % OUTLINES];
         outline.window.meets(*rect)

@@ -52,7 +52,6 @@ impl Axes {
     }
 
     /// Has the pixels' samples that much to the left and above.
-    #[cfg(feature = "lab")]
     pub fn move_middle(&mut self, by: glam::Vec2) {
         self.middle += Vec4::new(by.x, by.y, by.x, by.y);
     }

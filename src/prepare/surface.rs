@@ -24,9 +24,6 @@ pub(crate) const FIELDS: usize = 20;
 /// Where the depth of the pattern is.
 pub(crate) const PATTERN: usize = 18;
 
-/// Whether spheres' patterns are seen at every pixel, too: 190 bytes that the intro, whose spheres have none, does without.
-pub(crate) const HAS_PATTERNED_SPHERES: bool = cfg!(feature = "lab");
-
 /// A surface's numbers, each in as many lanes as there can be: a packet that hits one object needs no more than its address.
 pub(crate) type Spread = [[f32; MAX_LANES]; FIELDS];
 
@@ -48,7 +45,7 @@ pub(super) fn spread(
 ) {
     let mut base = m.colour * ambient;
     let (mut centre, mut inverse_radius, mut solid, mut upright) = (Vec3A::ZERO, 0.0, 1.0, 0.0);
-    let mut pattern = if m.pattern.edge > SOFT {
+    let pattern = if m.pattern.edge > SOFT {
         m.pattern.depth
     } else {
         0.0
@@ -56,9 +53,6 @@ pub(super) fn spread(
     match object {
         Object::Sphere(sphere) => {
             (centre, inverse_radius) = (sphere.centre, 1.0 / sphere.radius);
-            if !HAS_PATTERNED_SPHERES {
-                pattern = 0.0;
-            }
         }
         // The details know more.
         Object::Block(_) => upright = 1.0,

@@ -3,7 +3,6 @@
 
 use super::object::{self, Object};
 use super::slack;
-use crate::DETAILS;
 use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use glam::Vec3A;
 
@@ -134,7 +133,7 @@ impl Tree {
             let node = self.push(light.position, length(light.radius), groups);
             node.number = (scene.solids() + i) as u16;
             // What is not drawn no ray comes near to.
-            if DETAILS && (light.parallel || light.radius == 0.0) {
+            if light.parallel || light.radius == 0.0 {
                 node.r2 = -1.0;
             }
         }
@@ -176,9 +175,7 @@ impl Tree {
                 let group = 1 << (place * SOLID_GROUPS / self.solids.max(SOLID_GROUPS));
                 let node = self.push(ball.centre, ball.radius, group);
                 node.number = ball.number;
-                if let (true, Object::Block(block)) =
-                    (DETAILS, object::of(scene, ball.number as usize).0)
-                {
+                if let Object::Block(block) = object::of(scene, ball.number as usize).0 {
                     node.set_block(block);
                 }
             }

@@ -41,10 +41,8 @@ impl Band<'_> {
     pub(crate) const fn rows(square: usize) -> usize {
         if square > ROWS {
             square
-        } else if Quality::HAS_ALL_SIDES {
-            ROWS / square * square
         } else {
-            ROWS
+            ROWS / square * square
         }
     }
 }

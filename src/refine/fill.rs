@@ -1,9 +1,7 @@
 //! Fills squares with colours between those of their corners.
 
 use super::square::{Corners, Square};
-use crate::DETAILS;
 use crate::lanes::*;
-use crate::quality::Quality;
 use crate::trace::{STEP, Sample};
 use fearless_simd::{i16x8, u8x16, u16x8, u32x4, u64x2};
 
@@ -34,12 +32,11 @@ impl Canvas<'_> {
     /// upper and the left side get the bits `side` too.
     ///
     /// (Out of line where bytes count for more than time.)
-    #[cfg_attr(feature = "lab", inline(always))]
-    #[cfg_attr(not(feature = "lab"), inline(never))]
+    #[inline(always)]
     pub fn fill<S: Simd>(&mut self, simd: S, square: &Square, corners: &Corners, side: u32) {
         let (x, y, w, h) = square.place();
         let (right, below) = ((x + w).min(self.width), (y + h).min(self.height));
-        if Quality::HAS_ALL_SIDES && !(w == h && w.is_power_of_two()) {
+        if !(w == h && w.is_power_of_two()) {
             for j in 0..below - y {
                 for i in 0..right - x {
                     let side = if i == 0 || j == 0 { side } else { 0 };
@@ -58,10 +55,8 @@ impl Canvas<'_> {
             for y in y..below {
                 let bytes: u8x16<S> = (a >> 8).narrow(b >> 8);
                 let mut four = bytes.bitcast::<u32x4<S>>();
-                if DETAILS {
-                    four |= side;
-                    side = left;
-                }
+                four |= side;
+                side = left;
                 let four: [u32; 4] = four.into();
                 let row = self
                     .pixels

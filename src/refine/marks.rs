@@ -4,7 +4,6 @@
 //! done. Where every pixel is traced there is nothing to show.
 
 use super::refiner::Refiner;
-use crate::DETAILS;
 use crate::lanes::*;
 use crate::observe::Observer;
 
@@ -15,7 +14,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     /// Whether the scene asks for more than the plain picture.
     #[inline(always)]
     fn shows_method(&self) -> bool {
-        DETAILS && self.scene.details.shows_method
+        self.scene.details.shows_method
     }
 
     /// What the pixels on the upper and the left side of a filled square are noted by: the others are its neighbours'.

@@ -28,7 +28,6 @@
 //! (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). The lab's bench measures how much of the picture is
 //! wrong, and how it flickers.
 
-#[cfg(feature = "lab")]
 pub(crate) mod antialias;
 pub(crate) mod band;
 mod fill;
@@ -42,7 +41,6 @@ mod verdict;
 
 pub use band::Band;
 pub(crate) use band::render;
-#[cfg(feature = "lab")]
 pub(crate) use band::render_observed;
 pub(crate) use points::{Border, Points};
 pub(crate) use square::{Limit, Square};

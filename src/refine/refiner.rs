@@ -95,11 +95,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     pub fn squares(&mut self) {
         // Whole pairs of squares, since squares start as parts of one twice as large.
         let pair = 2 * self.quality.square;
-        let stretch = if Quality::HAS_ALL_SIDES {
-            STRETCH / pair * pair
-        } else {
-            STRETCH
-        };
+        let stretch = STRETCH / pair * pair;
         let width = self.quality.whole(self.canvas.width);
         for start in steps(0, width, stretch) {
             self.stretch(start, (start + stretch).min(width));
@@ -162,8 +158,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
 
     /// Asks for a point, unless that has been done; it is not traced but averaged where it lies between samples that are
     /// not farther apart than a limit for all who ask. (Out of line where bytes count for more than time.)
-    #[cfg_attr(feature = "lab", inline(always))]
-    #[cfg_attr(not(feature = "lab"), inline(never))]
+    #[inline(always)]
     pub(super) fn request(&mut self, x: usize, y: usize, limit: u64, a: Sample, b: Sample) {
         let row = self.worker.points.row(y);
         if !row.is_some_and(|row| row.claim(self.simd, x, limit, a, b)) {

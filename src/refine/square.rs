@@ -2,7 +2,6 @@
 
 use super::Points;
 use crate::lanes::*;
-use crate::quality::Quality;
 use crate::trace::{STEP, Sample};
 use fearless_simd::{i16x8, u64x2};
 
@@ -25,30 +24,20 @@ impl Square {
     /// Where it begins, x and y, and its sides along them.
     #[inline(always)]
     pub fn place(&self) -> (usize, usize, usize, usize) {
-        let (w, h) = (self.w as usize, self.height() as usize);
+        let (w, h) = (self.w as usize, self.h as usize);
         (self.x as usize, self.y as usize, w, h)
-    }
-
-    /// The side along y: in the intro all squares are square.
-    #[inline(always)]
-    fn height(&self) -> u8 {
-        if Quality::HAS_ALL_SIDES {
-            self.h
-        } else {
-            self.w
-        }
     }
 
     /// Whether splitting it leaves single pixels.
     #[inline(always)]
     pub fn is_last(&self) -> bool {
-        self.w <= 2 && self.height() <= 2
+        self.w <= 2 && self.h <= 2
     }
 
     /// The part number `i` of four; it may be empty.
     #[inline(always)]
     pub fn part(&self, i: usize) -> Self {
-        let (left, top) = (self.w / 2, self.height() / 2);
+        let (left, top) = (self.w / 2, self.h / 2);
         let mut part = Self {
             w: left,
             h: top,
@@ -137,10 +126,9 @@ impl Limit {
     }
 
     /// For a square of some side, as [`is_wider`] takes it.
-    #[cfg_attr(feature = "lab", inline(always))]
-    #[cfg_attr(not(feature = "lab"), inline(never))]
+    #[inline(always)]
     pub fn of(self, side: usize) -> u64 {
-        let limit = if Quality::HAS_ALL_SIDES && !side.is_power_of_two() {
+        let limit = if !side.is_power_of_two() {
             self.0 / side as i32
         } else {
             self.0 >> side.trailing_zeros()
@@ -161,8 +149,7 @@ const fn channels(limit: u16) -> u64 {
 ///
 /// Channels are below 2^15: SSE2 compares no unsigned words.
 /// (Out of line where bytes count for more than time.)
-#[cfg_attr(feature = "lab", inline(always))]
-#[cfg_attr(not(feature = "lab"), inline(never))]
+#[inline(always)]
 pub(super) fn is_wider<S: Simd>(simd: S, samples: &[Sample], limit: u64) -> bool {
     let (mut least, mut most) = (i16x8::splat(simd, i16::MAX), i16x8::splat(simd, 0));
     for sample in samples {

@@ -5,7 +5,6 @@ use super::refiner::Refiner;
 use super::square::{ALWAYS_FAR, Corners, is_wider};
 use crate::lanes::*;
 use crate::observe::{Fill, Observer};
-use crate::quality::Quality;
 use crate::trace::Sample;
 
 impl<S: Simd, O: Observer> Refiner<'_, S, O> {
@@ -28,10 +27,10 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
             if x >= self.canvas.width || y >= self.canvas.height {
                 continue;
             }
-            if Quality::HAS_ALL_SIDES && (w == 0 || h == 0) {
+            if w == 0 || h == 0 {
                 continue;
             }
-            if Quality::HAS_ALL_SIDES && w == 1 && h == 1 {
+            if w == 1 && h == 1 {
                 self.put_pixels(&part);
                 continue;
             }
@@ -109,7 +108,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     fn request_parts(&mut self, square: &Square, corners: &Corners) {
         let (x, y, w, h) = square.place();
         let is_last = square.is_last();
-        let has_middle = !Quality::HAS_ALL_SIDES || (w | h) % 2 == 0;
+        let has_middle = (w | h) % 2 == 0;
         // What a pattern leaves at the middle of a side its ends do not tell.
         let is_patterned = Sample::any_patterned(corners);
         let side_limit = if square.is_clear && has_middle && !is_patterned {

@@ -11,7 +11,6 @@ mod method;
 mod pattern;
 mod validate;
 
-use crate::DETAILS;
 pub use block::Block;
 pub use camera::Camera;
 pub use caption::{Caption, MAX_LETTERS};
@@ -115,7 +114,7 @@ impl Scene {
 
     /// Spheres, boxes and cylinders.
     pub(crate) fn solids(&self) -> usize {
-        self.spheres.len() + if DETAILS { self.blocks.len() } else { 0 }
+        self.spheres.len() + self.blocks.len()
     }
 }
 
@@ -217,7 +216,7 @@ impl Light {
 
     /// Where it stands.
     pub(crate) fn place(&self) -> Vec3A {
-        if DETAILS && self.parallel {
+        if self.parallel {
             self.position * Self::FAR
         } else {
             self.position

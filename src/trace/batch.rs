@@ -4,7 +4,6 @@ use super::details::Packet;
 use super::shade::Node;
 use super::stack::{Rays, Stack};
 use super::{Counts, Layers, Sample, sample};
-use crate::DETAILS;
 use crate::lanes::*;
 use crate::prepare::{FIELDS, Prepared, Spread};
 use fearless_simd::i32x4;
@@ -154,7 +153,7 @@ impl Batch {
         Rays {
             o: Vec3x::splat(simd, scene.eye),
             d: seen_at(simd, scene, x.to_float(), y.to_float()),
-            weight: splat(simd, if DETAILS { scene.weight } else { 1.0 }),
+            weight: splat(simd, scene.weight),
             place: Rays::places(simd, start),
         }
     }
@@ -202,8 +201,8 @@ impl Batch {
         let slots = rays.slots();
         let first = slots.as_slice()[0];
         let start = first as usize % BATCH;
-        // A shorter way for most packets, which the intro has no room for.
-        let in_order = cfg!(feature = "lab") && slots.simd_eq(numbers(simd) + first).all_true();
+        // A shorter way for most packets.
+        let in_order = slots.simd_eq(numbers(simd) + first).all_true();
         if let (true, Some(sums)) = (in_order, self.sums.get_mut(start..start + lanes::<S>())) {
             let (sums, terms) = (sums.as_flattened_mut(), self.terms.as_flattened());
             for i in steps(0, 4 * lanes::<S>(), lanes::<S>()) {

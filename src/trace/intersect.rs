@@ -2,7 +2,6 @@
 
 use super::details::Packet;
 use super::stack::Rays;
-use crate::DETAILS;
 use crate::lanes::*;
 use crate::prepare::{Caster, GroupSet, Lamp, Node, Prepared, Rectangle};
 
@@ -57,12 +56,9 @@ pub(crate) fn nearest<S: Isa>(
             let chord = Chord::new(simd, rays, node);
             let ahead = chord.is_ahead(node);
             is_met = ahead.any_true();
-            if DETAILS && is_met && node.is_block {
-                let mut near = ahead;
-                if !is_plainest::<S>() {
-                    near &= !chord.is_off(rays.d, node, hit.t);
-                }
-                if is_plainest::<S>() || near.any_true() {
+            if is_met && node.is_block {
+                let near = ahead & !chord.is_off(rays.d, node, hit.t);
+                if near.any_true() {
                     packet.push::<S>(node.number, near);
                 }
             } else if is_met && !node.is_bound {
@@ -239,11 +235,8 @@ pub(crate) fn blocked<S: Isa>(
         let shaded = caster_shades(simd, caster, l, distance);
         let is_met = shaded.any_true();
         if is_met && !caster.is_bound && !lamp.is_plain() {
-            let mut near = shaded;
-            if !is_plainest::<S>() {
-                near &= !caster_is_off(simd, caster, l, distance, lamp.diameter);
-            }
-            if is_plainest::<S>() || near.any_true() {
+            let near = shaded & !caster_is_off(simd, caster, l, distance, lamp.diameter);
+            if near.any_true() {
                 packet.push::<S>(caster.number, near);
             }
         } else if is_met && !caster.is_bound {

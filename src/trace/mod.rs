@@ -39,7 +39,7 @@ use crate::prepare::{GroupSet, Prepared, Seen};
 use crate::quality::Quality;
 use fearless_simd::Level;
 
-/// How much work was done. Without the feature `lab` it is not counted: all are 0.
+/// How much work was done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Points traced.
@@ -53,9 +53,6 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Whether there is anybody to look at them.
-    pub(crate) const ARE_KEPT: bool = cfg!(feature = "lab");
-
     /// Nothing done.
     pub const NONE: Self = Self {
         points: 0,
@@ -94,9 +91,7 @@ pub(crate) fn trace(
 ) {
     #[cfg(target_arch = "x86_64")]
     match level {
-        #[cfg(feature = "avx512")]
         Level::Avx512(simd) => trace_by(simd, scene, quality, seen, batch),
-        #[cfg(feature = "avx2")]
         Level::Avx2(simd) => trace_by(simd, scene, quality, seen, batch),
         level => {
             if let Some(simd) = level.as_sse2() {
@@ -143,15 +138,13 @@ fn trace_packets<S: Isa>(
         let active = first(simd, count);
         let (groups, from) = if is_primary {
             (seen.directly, scene.tree.start(seen.directly))
-        } else if !is_plainest::<S>() && (rays.mirrored(simd) | !active).all_true() {
+        } else if (rays.mirrored(simd) | !active).all_true() {
             (seen.mirrored, scene.tree.start(seen.mirrored))
         } else {
             (GroupSet::MAX, 0)
         };
-        if Counts::ARE_KEPT {
-            batch.counts.rays += count as u64;
-            batch.counts.lanes += lanes::<S>() as u64;
-        }
+        batch.counts.rays += count as u64;
+        batch.counts.lanes += lanes::<S>() as u64;
         let packet = &mut batch.packet;
         let mut hit = intersect::nearest(simd, scene, &rays, groups, from, packet);
         if scene.details.is_there() {
@@ -167,7 +160,5 @@ fn trace_packets<S: Isa>(
         batch.add(simd, &rays, first, &node, scene.details.has_patterns());
         next += lanes::<S>() * usize::from(is_primary);
     }
-    if Counts::ARE_KEPT {
-        batch.counts.points += batch.len() as u64;
-    }
+    batch.counts.points += batch.len() as u64;
 }

@@ -113,11 +113,7 @@ pub(super) fn shade<S: Isa>(
             counts,
             packet,
         );
-        let marks = if is_plainest::<S>() {
-            U::<S>::splat(simd, 0)
-        } else {
-            rays.mirror_marks(simd, hit.object, scene.first_plane())
-        };
+        let marks = rays.mirror_marks(simd, hit.object, scene.first_plane());
         scatter(simd, quality, rays, weight, &surface, &place, marks, stack);
     }
     if scene.details.is_there() {
@@ -259,19 +255,17 @@ fn gather<S: Isa>(
         let l = to_light.scaled(one / distance);
         let nl = place.n.dot(l);
         let mut facing = place.solid & nl.simd_gt(distance * least);
-        if !is_plainest::<S>() && !lamp.is_plain() {
+        if !lamp.is_plain() {
             let inward: F<S> = -l.dot(Vec3x::splat(simd, lamp.cone.aim));
             facing &= inward.simd_gt(splat(simd, lamp.cone.dark));
         }
         let mut lit = facing;
         let mut highlight = M::<S>::splat(simd, false);
         if facing.any_true() {
-            if Counts::ARE_KEPT {
-                counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
-            }
+            counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
             lit &= !blocked(simd, scene, lamp, place.p, l, distance, packet);
             let mut colour = Vec3x::splat(simd, lamp.colour);
-            if !lamp.is_plain() && (is_plainest::<S>() || lamp.is_cone || !packet.is_empty()) {
+            if !lamp.is_plain() && (lamp.is_cone || !packet.is_empty()) {
                 packet.set(place.p, l, lit.select(distance, zero));
                 details::reach::<S>(scene, lamp, lit, packet);
                 let passing = packet.passing.load(simd);

@@ -31,7 +31,6 @@ pub mod clock;
 pub mod cpu;
 pub mod fixed;
 mod fullscreen;
-#[cfg(feature = "keys")]
 mod keyboard;
 pub mod line;
 pub mod pool;

@@ -14,7 +14,6 @@ use x11_dl::{
     xshm::PutImage,
 };
 
-#[cfg(feature = "keys")]
 pub use crate::keyboard::Press;
 use crate::{
     blit,
@@ -52,7 +51,6 @@ pub struct Window {
     /// Width and height of that one.
     pub(crate) drawn: (usize, usize),
     /// Other keys that were pressed.
-    #[cfg(feature = "keys")]
     presses: Vec<Press>,
 }
 
@@ -120,7 +118,6 @@ impl Window {
                 put_image: transmute::<*const (), PutImage>(x.XPutImage as *const ()),
                 frames: [&mut [], &mut []],
                 drawn: (0, 0),
-                #[cfg(feature = "keys")]
                 presses: Vec::new(),
             }
         };
@@ -167,7 +164,6 @@ impl Window {
 }
 
 /// What the lab asks of its window.
-#[cfg(feature = "keys")]
 impl Window {
     /// The keys pressed since the last call, in order; one that is held comes again and again.
     pub fn presses(&mut self) -> Vec<Press> {
@@ -198,14 +194,11 @@ impl Screen for Window {
                         keysym::XK_Escape => return Next::End(0),
                         keysym::XK_f => fullscreen = Some(true),
                         keysym::XK_w => fullscreen = Some(false),
-                        #[cfg(feature = "keys")]
                         key => {
                             if let Some(press) = Press::of(key) {
                                 self.presses.push(press);
                             }
                         }
-                        #[cfg(not(feature = "keys"))]
-                        _ => {}
                     },
                     xlib::ConfigureNotify => {
                         let (width, height) = (event.configure.width, event.configure.height);

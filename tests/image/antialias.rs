@@ -1,8 +1,8 @@
 //! Edges with more samples than one.
 
+use crate::cpu;
 use crate::drawn::draw;
 use crate::error::{Difference, worst_channel};
-use crate::isa;
 use eightfold::scene::Scene;
 use eightfold::{Quality, show};
 
@@ -14,7 +14,7 @@ const SIZE: (usize, usize) = (200, 150);
 /// A picture by the best instruction set.
 fn picture(scene: &Scene, quality: &Quality, threads: usize, n: usize) -> Vec<u32> {
     let (width, height) = SIZE;
-    draw(isa::best(), threads, scene, quality, n * width, n * height).pixels
+    draw(cpu::best(), threads, scene, quality, n * width, n * height).pixels
 }
 
 /// A picture whose pixels are the means of 64 in one that is eight times as large.

@@ -2,8 +2,8 @@
 //! against what they stand for.
 
 use crate::accuracy::assert_as_traced;
+use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
-use crate::isa;
 use crate::oracle::frame::Frame;
 use eightfold::Quality;
 use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
@@ -92,7 +92,7 @@ fn a_penumbra_is_within_a_tenth_of_what_many_rays_find() {
     };
     let size = 200;
     let raster = scene.camera;
-    let drawn = draw(isa::best(), 1, &scene, &Quality::EXHAUSTIVE, size, size);
+    let drawn = draw(cpu::best(), 1, &scene, &Quality::EXHAUSTIVE, size, size);
     let half = (0.5 * raster.field_of_view).tan() * eye.y;
     let (mut sum, mut largest, mut count) = (0.0, 0.0_f64, 0);
     for (i, &pixel) in drawn.pixels.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Pictures by the tracer, drawn in the lab's studio.
 
-use crate::isa::{self, Isa};
+use crate::cpu::{self, Isa};
 use crate::studio::Studio;
 use eightfold::scene::Scene;
 use eightfold::{Counts, Quality};
@@ -37,7 +37,7 @@ pub fn draw_by_all(
     width: usize,
     height: usize,
 ) -> Vec<(Isa, Drawn)> {
-    isa::all()
+    cpu::instruction_sets()
         .map(|isa| (isa, draw(isa, 2, scene, quality, width, height)))
         .collect()
 }

@@ -1,9 +1,9 @@
 //! The measures of how far a picture is off.
 
+use crate::cpu;
 use crate::error::Difference;
 use crate::flicker::Flicker;
 use crate::flip::Flip;
-use crate::isa;
 use crate::missed::Visible;
 use crate::studio::Studio;
 use eightfold::scene::{List, Scene};
@@ -98,7 +98,7 @@ fn a_percentile_of_flip_looks_past_one_pixel_in_a_hundred() {
 fn exhaustive(scene: &Scene) -> Vec<u32> {
     let mut pixels = vec![0; 160 * 120];
     Studio::new(1).draw(
-        isa::best().level,
+        cpu::best().level,
         scene,
         &Quality::EXHAUSTIVE,
         160,

@@ -1,9 +1,9 @@
 //! Scenes, times and cameras at the ends of their ranges and beyond: a picture that is defined, for bounded work.
 
 use crate::accuracy::assert_as_traced;
+use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::Difference;
-use crate::isa;
 use crate::oracle::frame::Frame;
 use crate::studio::Studio;
 use eightfold::scene::{Block, Camera, Caption, List, Material, Scene, Spot};
@@ -48,7 +48,7 @@ pub fn scaled(scene: &Scene, factor: f32) -> Scene {
 fn a_scene_of_any_scale_gives_the_same_picture() {
     for scene in [show::scene(2.0), show::field(60, 2.0), rich()] {
         for quality in [Quality::EXHAUSTIVE, Quality::DEFAULT] {
-            for isa in isa::all() {
+            for isa in cpu::instruction_sets() {
                 let picture = |scene: &Scene| draw(isa, 2, scene, &quality, 320, 240).pixels;
                 let plain = picture(&scene);
                 for factor in [1e-4, 1e-2, 0.7, 3.0, 1e2, 1e4] {
@@ -100,7 +100,7 @@ fn a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees() {
 #[test]
 fn any_time_gives_a_picture() {
     for quality in QUALITIES {
-        for isa in isa::all() {
+        for isa in cpu::instruction_sets() {
             let normal = work(&draw(isa, 1, &show::scene(0.0), &quality, 160, 120).counts);
             for time in [
                 -0.0,
@@ -267,7 +267,7 @@ fn assert_numbers_are_checked(mut scene: Scene) {
     let mut studio = Studio::new(1);
     let mut pixels = vec![0; 64 * 48];
     for quality in QUALITIES {
-        for isa in isa::all() {
+        for isa in cpu::instruction_sets() {
             let normal = work(&draw(isa, 1, &scene, &quality, 64, 48).counts);
             for place in 0..count {
                 for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
@@ -300,7 +300,7 @@ fn many_spheres_that_are_none_give_a_picture() {
             }
             assert!(scene.validate().is_err());
             for quality in QUALITIES {
-                for isa in isa::all() {
+                for isa in cpu::instruction_sets() {
                     let one = draw(isa, 1, &scene, &quality, 64, 48);
                     let most = 5 * work(&draw(isa, 1, &normal, &quality, 64, 48).counts) / 2;
                     assert!(work(&one.counts) <= most, "{wrong}, every {every}");

@@ -2,8 +2,8 @@
 //!
 //! Of the feature `lab`, as observers are.
 
+use crate::cpu;
 use crate::drawn::draw;
-use crate::isa;
 use crate::overlay::Trail;
 use crate::studio::Studio;
 use eightfold::observe::Fill;
@@ -31,7 +31,7 @@ fn draw_heard(scene: &Scene, quality: &Quality) -> (Vec<u32>, Trail) {
     let (width, height) = SIZE;
     let trail = Trail::new(width, height);
     let mut pixels = vec![0; width * height];
-    Studio::new(2).draw_observed(isa::best().level, scene, quality, &trail, &mut pixels);
+    Studio::new(2).draw_observed(cpu::best().level, scene, quality, &trail, &mut pixels);
     (pixels, trail)
 }
 
@@ -74,7 +74,7 @@ fn lines_are_the_upper_and_left_sides_of_filled_squares() {
 fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads() {
     let (width, height) = SIZE;
     let plain = draw(
-        isa::best(),
+        cpu::best(),
         2,
         &show::scene(1.0),
         &Quality::DEFAULT,
@@ -83,7 +83,7 @@ fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads
     );
     let mut scene = marked(0.0, 0.0);
     scene.method.picture = 0.5;
-    let dimmed = draw(isa::best(), 2, &scene, &Quality::DEFAULT, width, height);
+    let dimmed = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, width, height);
     assert_eq!(plain.counts, dimmed.counts);
     for (plain, dimmed) in plain.pixels.iter().zip(&dimmed.pixels) {
         for shift in [0, 8, 16] {
@@ -96,10 +96,10 @@ fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads
         squares: 0.3,
         picture: 0.4,
     };
-    let drawn = draw(isa::best(), 1, &scene, &Quality::DEFAULT, width, height);
+    let drawn = draw(cpu::best(), 1, &scene, &Quality::DEFAULT, width, height);
     for threads in [2, 3, 7] {
         let again = draw(
-            isa::best(),
+            cpu::best(),
             threads,
             &scene,
             &Quality::DEFAULT,

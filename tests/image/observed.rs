@@ -2,7 +2,7 @@
 //!
 //! Of the feature `lab`, as observers are.
 
-use crate::isa;
+use crate::cpu;
 use crate::overlay::{Trail, draw_error, heat};
 use crate::studio::Studio;
 use eightfold::{Quality, show};
@@ -29,7 +29,7 @@ fn a_frame_is_the_same_whoever_listens() {
     let (width, height) = SIZE;
     let scene = show::field(40, 2.0);
     let mut studio = Studio::new(2);
-    for isa in isa::all() {
+    for isa in cpu::instruction_sets() {
         let smooth = Quality {
             antialias: 2,
             ..Quality::DEFAULT
@@ -56,7 +56,7 @@ fn the_points_heard_of_cast_all_the_rays() {
     let mut studio = Studio::new(2);
     let mut pixels = vec![0; width * height];
     let trail = Trail::new(width, height);
-    let level = isa::best().level;
+    let level = cpu::best().level;
     let counts = studio.draw_observed(level, &scene, &Quality::EXHAUSTIVE, &trail, &mut pixels);
     let rays: u64 = trail.rays().map(u64::from).sum();
     assert_eq!(rays, counts.rays + counts.shadow_rays);
@@ -83,7 +83,7 @@ fn squares_cover_each_pixel_once() {
     for quality in qualities().filter(|quality| quality.square > 1) {
         let trail = Trail::new(width, height);
         let mut pixels = vec![0; width * height];
-        studio.draw_observed(isa::best().level, &scene, &quality, &trail, &mut pixels);
+        studio.draw_observed(cpu::best().level, &scene, &quality, &trail, &mut pixels);
         let mut covered = vec![0; width * height];
         for square in trail.squares() {
             assert!(square.side <= quality.square, "{square:?} by {quality:?}");

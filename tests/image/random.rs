@@ -3,8 +3,8 @@
 //! Chance is seeded, so that a run repeats; `PROPTEST_CASES` asks for more cases.
 
 use crate::accuracy::assert_as_traced;
+use crate::cpu;
 use crate::drawn::draw;
-use crate::isa;
 use crate::oracle::frame::Frame;
 use crate::oracle::squares::Squares;
 use crate::refinement::{assert_as_refined, bare};
@@ -282,7 +282,7 @@ proptest! {
     fn any_scene_is_as_the_oracle_sees_it(sketch in sketch(vec(sphere(), 0..12), 2)) {
         let scene = sketch.scene();
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 96, 72);
-        for isa in isa::all() {
+        for isa in cpu::instruction_sets() {
             let drawn = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 96, 72);
             assert_as_traced(&drawn, &frame, isa.name);
         }
@@ -293,7 +293,7 @@ proptest! {
         let scene = rich.scene();
         scene.validate().unwrap();
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 96, 72);
-        for isa in isa::all() {
+        for isa in cpu::instruction_sets() {
             let drawn = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 96, 72);
             assert_as_traced(&drawn, &frame, isa.name);
         }
@@ -304,7 +304,7 @@ proptest! {
         let scene = sketch.scene();
         for quality in [Quality::THESIS, Quality::DEFAULT].map(bare) {
             let squares = Squares::new(&scene, &quality, 96, 72);
-            for isa in isa::all() {
+            for isa in cpu::instruction_sets() {
                 let drawn = draw(isa, 1, &scene, &quality, 96, 72);
                 assert_as_refined(&drawn, &squares, isa.name);
             }
@@ -321,7 +321,7 @@ proptest! {
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
         let thesis = bare(Quality::THESIS);
         let squares = Squares::new(&scene, &thesis, width, height);
-        for isa in isa::all() {
+        for isa in cpu::instruction_sets() {
             let drawn = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, width, height);
             assert_as_traced(&drawn, &frame, isa.name);
             let drawn = draw(isa, 2, &scene, &thesis, width, height);

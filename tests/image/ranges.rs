@@ -1,8 +1,8 @@
 //! Arguments out of their range are refused, those at its ends are not; lengths at its ends draw what they are.
 
+use crate::cpu;
 use crate::drawn::draw;
 use crate::error::Difference;
-use crate::isa;
 use crate::studio::Studio;
 use eightfold::scene::{Block, Camera, List, Scene, Sphere};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality, show};
@@ -10,7 +10,7 @@ use glam::{Mat3A, Vec3A};
 use std::panic::catch_unwind;
 
 fn refused(quality: Quality, width: usize, height: usize) -> bool {
-    catch_unwind(|| draw(isa::best(), 1, &show::scene(0.0), &quality, width, height)).is_err()
+    catch_unwind(|| draw(cpu::best(), 1, &show::scene(0.0), &quality, width, height)).is_err()
 }
 
 #[test]
@@ -29,7 +29,7 @@ fn sizes_out_of_range_are_refused() {
 fn pixels_that_do_not_fill_the_picture_are_refused() {
     let half_a_row = catch_unwind(|| {
         let mut pixels = vec![0; 15];
-        let level = isa::best().level;
+        let level = cpu::best().level;
         Studio::new(1).draw(level, &show::scene(0.0), &Quality::THESIS, 10, &mut pixels);
     });
     assert!(half_a_row.is_err());
@@ -62,7 +62,7 @@ fn comparing_deeper_than_rays_go_compares_all() {
             state_depth: depth,
             ..Quality::THESIS
         };
-        draw(isa::best(), 1, &scene, &quality, 200, 150).pixels
+        draw(cpu::best(), 1, &scene, &quality, 200, 150).pixels
     };
     let all = compare(Quality::MAX_DEPTH);
     for depth in [8, 30, 31, 32, 40, u32::MAX] {
@@ -76,7 +76,7 @@ fn an_empty_scene_is_its_background() {
         background: glam::vec3a(1.0, 0.5, 0.0),
         ..Scene::default()
     };
-    for isa in isa::all() {
+    for isa in cpu::instruction_sets() {
         for quality in [Quality::EXHAUSTIVE, Quality::THESIS] {
             let drawn = draw(isa, 2, &scene, &quality, 70, 50);
             assert!(drawn.pixels.iter().all(|&pixel| pixel == 0x00ff_8000));
@@ -126,7 +126,7 @@ fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
     };
     let scenes: [&dyn Fn(f32) -> Scene; 3] = [&sphere, &|r| block(r, false), &|r| block(r, true)];
     for scene in scenes {
-        for isa in isa::all() {
+        for isa in cpu::instruction_sets() {
             let picture = |r| draw(isa, 1, &scene(r), &Quality::EXHAUSTIVE, 96, 72).pixels;
             let one = picture(1.0);
             let nothing = draw(isa, 1, &of_length(1.0), &Quality::EXHAUSTIVE, 96, 72).pixels;

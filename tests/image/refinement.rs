@@ -1,8 +1,8 @@
 //! Adaptive squares against every pixel traced, and against the oracle's own squares.
 
+use crate::cpu;
 use crate::drawn::{Drawn, draw, draw_by_all};
 use crate::error::Difference;
-use crate::isa;
 use crate::oracle::squares::Squares;
 use eightfold::scene::{Camera, Scene};
 use eightfold::{Quality, show};
@@ -56,8 +56,8 @@ fn the_rules_of_2008_trace_an_eighth_of_the_points_at_44_db() {
 fn what_the_intro_plays_is_within_45_db_in_every_frame() {
     for second in 0..=10 {
         let scene = show::scene(second as f32);
-        let exhaustive = draw(isa::best(), 2, &scene, &Quality::EXHAUSTIVE, 1024, 768);
-        let played = draw(isa::best(), 2, &scene, &Quality::DEFAULT, 1024, 768);
+        let exhaustive = draw(cpu::best(), 2, &scene, &Quality::EXHAUSTIVE, 1024, 768);
+        let played = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, 1024, 768);
         let psnr = Difference::between(&exhaustive.pixels, &played.pixels).psnr;
         assert!(psnr >= 45.0, "{psnr} dB at {second} s");
     }
@@ -122,7 +122,7 @@ fn squares_of_every_power_of_two_follow_the_rules() {
 #[test]
 fn a_point_has_the_same_bits_whatever_is_traced_beside_it() {
     for (name, scene) in scenes() {
-        for isa in isa::all() {
+        for isa in cpu::instruction_sets() {
             let exhaustive = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, 331, 217);
             for square in 2..=Quality::MAX_SQUARE {
                 let quality = Quality {
@@ -163,7 +163,7 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
             spread_differing: 0.0,
             ..Quality::THESIS
         };
-        let drawn = draw(isa::best(), 2, &scene, &quality, width, height);
+        let drawn = draw(cpu::best(), 2, &scene, &quality, width, height);
         let corners = |side: usize| side.next_multiple_of(square) + 1;
         let most = if square == 1 {
             width * height

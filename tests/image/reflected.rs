@@ -3,8 +3,8 @@
 //! Measured: 34 % of the pixels of small reflections, most of them narrower than a square, by the finest quality, the default
 //! one and the rules of 2008 alike; the largest patches are of 77 pixels.
 
+use crate::cpu;
 use crate::drawn::draw;
-use crate::isa;
 use crate::wrong::{largest_patch, wrong};
 use eightfold::Quality;
 use eightfold::scene::{Camera, List, Material, Plane, Scene, Sphere};
@@ -63,7 +63,7 @@ fn reflections_between_corners_are_missed_by_no_more_than_is_stated() {
         for i in 0..12 {
             let scene = scene(0.25 * i as f32);
             let draw = |scene: &Scene, quality| {
-                draw(isa::best(), 2, scene, &quality, WIDTH, HEIGHT).pixels
+                draw(cpu::best(), 2, scene, &quality, WIDTH, HEIGHT).pixels
             };
             let exhaustive = draw(&scene, Quality::EXHAUSTIVE);
             let bare = draw(&directly(&scene), Quality::EXHAUSTIVE);

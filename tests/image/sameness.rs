@@ -1,8 +1,8 @@
 //! The picture is a function of scene, size, quality and instruction set, and nothing else.
 
+use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::worst_channel;
-use crate::isa;
 use crate::oracle::frame::Frame;
 use crate::studio::{Studio, on_heap};
 use eightfold::scene::Scene;
@@ -21,7 +21,7 @@ fn of_the_show(time: f32) -> Scene {
 fn any_number_of_threads_gives_the_same_bits() {
     for scene in [show::scene(3.0), show::field(100, 3.0)] {
         for quality in QUALITIES {
-            for isa in isa::all() {
+            for isa in cpu::instruction_sets() {
                 let one = draw(isa, 1, &scene, &quality, 301, 203);
                 for threads in [2, 3, 7] {
                     let more = draw(isa, threads, &scene, &quality, 301, 203);
@@ -40,9 +40,9 @@ fn any_number_of_threads_gives_the_same_bits() {
 #[test]
 fn any_order_of_bands_gives_the_same_bits() {
     let scene = show::scene(3.0);
-    let level = isa::best().level;
+    let level = cpu::best().level;
     for quality in QUALITIES {
-        let forward = draw(isa::best(), 1, &scene, &quality, 301, 203);
+        let forward = draw(cpu::best(), 1, &scene, &quality, 301, 203);
         let mut memory = on_heap(1, Memory::new);
         let mut workers = on_heap(2, Worker::new);
         let mut pixels = vec![0; 301 * 203];
@@ -69,7 +69,7 @@ fn any_order_of_bands_gives_the_same_bits() {
 
 #[test]
 fn what_was_drawn_before_leaves_no_trace() {
-    let level = isa::best().level;
+    let level = cpu::best().level;
     let mut studio = Studio::new(2);
     let mut others = vec![0; 500 * 400];
     for quality in QUALITIES {
@@ -85,7 +85,7 @@ fn what_was_drawn_before_leaves_no_trace() {
             .iter()
             .flat_map(|scene| many.iter().map(move |before| (scene, before)));
         for (scene, before) in pairs {
-            let fresh = draw(isa::best(), 2, scene, &quality, 301, 203);
+            let fresh = draw(cpu::best(), 2, scene, &quality, 301, 203);
             let larger = Quality {
                 square: 32,
                 ..quality

@@ -1,7 +1,7 @@
 //! The show: valid, on the grid, and its captions inside the picture.
 
+use crate::cpu;
 use crate::drawn::draw;
-use crate::isa;
 use eightfold::Quality;
 use eightfold::scene::Scene;
 use eightfold::show::{self, grid};
@@ -25,7 +25,7 @@ fn the_show_is_valid_all_along() {
 /// The sum of a small picture's channels, so many 60ths of a second from a time.
 fn brightness(time: f32, frames: f32) -> f64 {
     let drawn = draw(
-        isa::best(),
+        cpu::best(),
         1,
         &at(time + frames / 60.0),
         &Quality::DEFAULT,
@@ -106,7 +106,7 @@ fn captions_are_inside_the_picture_and_bright() {
                 continue;
             }
             seen = letters;
-            let drawn = draw(isa::best(), 2, &scene, &Quality::DEFAULT, width, height);
+            let drawn = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, width, height);
             // A letter has some two heights of strokes.
             let bright = drawn.pixels.iter().filter(|&&pixel| pixel & 0xff > 0xb0);
             let bright = bright.count();

@@ -4,8 +4,8 @@
 //! number is drawn. The cases are the same in each run, one after the other; `SOAK_SEED` asks for others, and `SOAK_FIRST`
 //! for another one to begin with.
 
+use crate::cpu;
 use crate::error::Difference;
-use crate::isa;
 use crate::studio::Studio;
 use eightfold::scene::{Block, Camera, Light, Material, Pattern, Plane, Scene, Sphere, Spot};
 use eightfold::{Counts, Quality, show};
@@ -263,7 +263,7 @@ fn hold(room: &mut Room, seed: u64, case: u64) -> Option<Difference> {
         1 => (1 + random.below(300), 1),
         _ => (1 + random.below(SIDES.0), 1 + random.below(SIDES.1)),
     };
-    let sets: Vec<_> = isa::all().collect();
+    let sets: Vec<_> = cpu::instruction_sets().collect();
     let level = sets[random.below(sets.len())].level;
 
     let mut pixels = vec![u32::MAX; width * height];

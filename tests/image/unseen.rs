@@ -2,9 +2,9 @@
 //!
 //! Objects shine by ambient light alone, each in a colour of its own, so that a pixel tells what it shows.
 
+use crate::cpu::{self, Isa};
 use crate::drawn::draw;
 use crate::extremes::scaled;
-use crate::isa::{self, Isa};
 use crate::random::config;
 use crate::refinement::bare;
 use crate::studio::Studio;
@@ -274,7 +274,7 @@ fn assert_nothing_is_missed(scene: &Scene, width: usize, height: usize) {
         background: scene.background,
         ..Scene::default()
     };
-    for isa in isa::all() {
+    for isa in cpu::instruction_sets() {
         let nothing = draw(isa, &empty, &Quality::EXHAUSTIVE)[0];
         // As if the background were shown in any case.
         let mut exhaustive = draw(isa, scene, &Quality::EXHAUSTIVE);
@@ -323,7 +323,7 @@ fn missed(exhaustive: &[u32], drawn: &[u32]) -> usize {
 #[test]
 fn spheres_between_corners_are_shown_and_the_bare_rules_miss_them() {
     let scene = between_corners();
-    let draw = |quality| draw(isa::best(), 2, &scene, &quality, 320, 240).pixels;
+    let draw = |quality| draw(cpu::best(), 2, &scene, &quality, 320, 240).pixels;
     let exhaustive = draw(Quality::EXHAUSTIVE);
     for quality in qualities() {
         assert_eq!(missed(&exhaustive, &draw(quality)), 0, "{quality:?}");

@@ -4,8 +4,8 @@
 //! 0.13 % by the rules of 2008; the largest patches are of 16, 16 and 9 pixels. Unguarded, these are 4 to 10 %, and patches
 //! of 78 to 125 pixels.
 
+use crate::cpu;
 use crate::drawn::draw;
-use crate::isa;
 use crate::refinement::bare;
 use crate::wrong::largest_patch;
 use eightfold::Quality;
@@ -95,7 +95,7 @@ fn few_pixels_of_shadows_are_missed_and_their_patches_are_small() {
         let (mut shaded, mut missed, mut patch) = (0, 0, 0);
         for _ in 0..SCENES {
             let scene = scene(&mut chance);
-            let draw = |quality| draw(isa::best(), 2, &scene, &quality, WIDTH, HEIGHT).pixels;
+            let draw = |quality| draw(cpu::best(), 2, &scene, &quality, WIDTH, HEIGHT).pixels;
             let exhaustive = draw(Quality::EXHAUSTIVE);
             let drawn = draw(quality);
             // A channel of what is lit is more than 8 of 255 above.
@@ -146,7 +146,7 @@ fn every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some() {
     let mut bare_misses = 0;
     for seed in 0..SCENES {
         let scene = scene(&mut Chance(seed));
-        let draw = |quality| draw(isa::best(), 2, &scene, &quality, WIDTH, HEIGHT).pixels;
+        let draw = |quality| draw(cpu::best(), 2, &scene, &quality, WIDTH, HEIGHT).pixels;
         let exhaustive = draw(Quality::EXHAUSTIVE);
         let is_shaded = |pixels: &[u32], i: usize| pixels[i] == SHADED && exhaustive[i] == SHADED;
         let of =

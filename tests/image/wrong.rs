@@ -1,8 +1,8 @@
 //! How wrong pictures by squares can be: pixels that are off, and the largest patch of them.
 
+use crate::cpu;
 use crate::drawn::draw;
 use crate::error::worst_channel;
-use crate::isa;
 use crate::random::{config, sketch, sphere};
 use eightfold::Quality;
 use proptest::collection::vec;
@@ -46,7 +46,7 @@ proptest! {
     fn wrong_pixels_are_few_and_their_patches_small(sketch in sketch(vec(sphere(), 0..12), 2)) {
         let scene = sketch.scene();
         let (width, height) = (320, 240);
-        let draw = |quality| draw(isa::best(), 2, &scene, &quality, width, height).pixels;
+        let draw = |quality| draw(cpu::best(), 2, &scene, &quality, width, height).pixels;
         let wrong = wrong(&draw(Quality::EXHAUSTIVE), &draw(Quality::DEFAULT));
         let share = wrong.iter().filter(|&&wrong| wrong).count() as f64 / wrong.len() as f64;
         let patch = largest_patch(wrong, width);

@@ -3,48 +3,33 @@
 #![allow(dead_code, reason = "each test uses a part of it")]
 
 use std::{
-    env, fs,
+    env,
     io::{BufRead, BufReader, Read},
-    path::{Path, PathBuf},
+    path::PathBuf,
     process::{Child, Command, Output, Stdio},
     sync::OnceLock,
     thread::sleep,
     time::{Duration, Instant},
 };
 
-/// What a build has made: the program, and the linker's map of it.
-struct Built {
-    program: PathBuf,
-    map: PathBuf,
-}
-
 /// The program that `cargo run --release` runs, built anew if anything has changed.
 pub fn intro() -> PathBuf {
-    usual().program.clone()
+    static BUILT: OnceLock<PathBuf> = OnceLock::new();
+    BUILT.get_or_init(build).clone()
 }
 
-/// What the linker has put where in it.
-pub fn intro_map() -> String {
-    fs::read_to_string(&usual().map).expect("the linker's map")
-}
-
-fn usual() -> &'static Built {
-    static BUILT: OnceLock<Built> = OnceLock::new();
-    BUILT.get_or_init(|| built(&[]))
-}
-
-/// The intro with other features, in a folder of its own.
-pub fn intro_with(features: &[&str]) -> PathBuf {
-    let folder = concat!(env!("CARGO_TARGET_TMPDIR"), "/features");
-    built(&[&["--target-dir", folder], features].concat()).program
-}
-
-/// Builds the intro, with more arguments.
-fn built(arguments: &[&str]) -> Built {
+/// Builds the intro.
+fn build() -> PathBuf {
     let output = Command::new(env!("CARGO"))
-        .args(["build", "--release", "--bin", "eightfold"])
+        .args([
+            "build",
+            "--release",
+            "--package",
+            "eightfold",
+            "--bin",
+            "eightfold",
+        ])
         .args(["--message-format", "json"])
-        .args(arguments)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()
         .expect("cargo runs");
@@ -54,24 +39,13 @@ fn built(arguments: &[&str]) -> Built {
         "cargo build --release: {messages}{}",
         String::from_utf8_lossy(&output.stderr)
     );
-    // The last line that has all of some parts, and what the first of them begins there.
-    let told = |parts: &[&str]| {
-        let mut lines = messages.lines().rev();
-        let line = lines.find(|line| parts.iter().all(|part| line.contains(part)));
-        let value = line.and_then(|line| line.split(parts[0]).nth(1)?.split('"').next());
-        value.unwrap_or_else(|| panic!("cargo does not say {parts:?}: {messages}"))
-    };
-    let program = "\"executable\":\"";
-    let package = told(&["\"package_id\":\"", program]);
-    let script = [
-        "\"out_dir\":\"",
-        "build-script-executed",
-        &format!("\"{package}\""),
-    ];
-    Built {
-        program: told(&[program]).into(),
-        map: Path::new(told(&script)).join("eightfold.map"),
-    }
+    let program = messages
+        .lines()
+        .rev()
+        .find_map(|line| line.split("\"executable\":\"").nth(1)?.split('"').next());
+    program
+        .unwrap_or_else(|| panic!("cargo does not say what it has built: {messages}"))
+        .into()
 }
 
 /// Starts a tool that a Debian package has, or says which one.

@@ -4,7 +4,7 @@ use super::body::first_ahead;
 use super::closer;
 use super::packet::LEFT;
 use crate::lanes::*;
-use crate::prepare::{HAS_PATTERNED_SPHERES, Object, PATTERN, Prepared};
+use crate::prepare::{Object, PATTERN, Prepared};
 use crate::trace::batch::seen_at;
 
 /// Whether a pattern with edges varies the colour of the object number `object`.
@@ -39,7 +39,7 @@ fn left_seen_by<S: Isa>(
     let t = match scene.details.object(object).0 {
         Object::Block(block) => first_ahead(simd, block, &o, &d),
         Object::Plane(plane) => (splat(simd, plane.centre.y) - o.y) / d.y,
-        Object::Sphere(sphere) if HAS_PATTERNED_SPHERES => {
+        Object::Sphere(sphere) => {
             let from = o - Vec3x::splat(simd, sphere.centre);
             let back: F<S> = from.dot(d);
             let across = from.add_scaled(d, -back);

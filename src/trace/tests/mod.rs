@@ -1,9 +1,7 @@
 //! What the kernels are held to, ray by ray, on every instruction set of the machine; [`crate::limits`] sums it up.
 
-#[cfg(feature = "details")]
 mod blocks;
 mod neighbours;
-#[cfg(feature = "details")]
 mod patterns;
 mod precision;
 mod refraction;
@@ -12,7 +10,6 @@ mod shadows;
 
 extern crate std;
 
-#[cfg(feature = "details")]
 use super::batch::seen_at;
 use super::details::Packet;
 use super::intersect::{Hit, nearest};
@@ -34,7 +31,6 @@ fn on_every_instruction_set(property: &impl Property) {
     let level = Level::new();
     #[cfg(target_arch = "x86_64")]
     {
-        #[cfg(feature = "avx512")]
         if let Some(simd) = level.as_avx512() {
             simd.vectorize(
                 #[inline(always)]

@@ -4,13 +4,13 @@ mod bench;
 mod capture;
 mod figures;
 mod ladder;
-#[path = "../reader/mod.rs"]
+#[path = "../../../../tests/reader/mod.rs"]
 mod reader;
 mod release;
 mod report;
 mod size;
 mod sound;
-#[path = "../stage/mod.rs"]
+#[path = "../../../../tests/stage/mod.rs"]
 mod stage;
 mod trade;
 

@@ -1,11 +1,11 @@
 //! The film: which picture has which number.
 
 use crate::arguments::{NamedQuality, Size};
-use crate::isa::Isa;
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use crate::studio::Studio;
 use eightfold::sound::RATE;
+use eightfold_window::cpu::Isa;
 use std::ops::Range;
 
 /// All that a frame depends on, besides its number: the same bits wherever it is drawn.

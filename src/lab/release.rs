@@ -26,7 +26,7 @@ pub struct Arguments {
 const LIMIT: usize = 65_536;
 
 /// What is to be read before it is played.
-const NFO: &[u8] = include_bytes!("../../eightfold.nfo");
+const NFO: &[u8] = include_bytes!("../eightfold.nfo");
 
 /// Zopfli with 15 rounds, its own usual number: the smallest that deflate gets, in a second.
 const LEVEL: i64 = 24;

@@ -51,7 +51,7 @@ fn tolerance(cell: &str, share: f64) -> f64 {
 
 #[test]
 fn the_errors_are_as_documented() {
-    const SOURCE: &str = include_str!("../../src/quality.rs");
+    const SOURCE: &str = include_str!("../../../../src/quality.rs");
     let docs = SOURCE
         .lines()
         .filter_map(|line| line.trim_start().strip_prefix("/// "));

@@ -10,12 +10,12 @@ mod video;
 mod y4m;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
-use crate::isa::{self, Isa};
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use anyhow::Result;
 use clap::{ArgGroup, Args};
 use crew::Crew;
+use eightfold_window::cpu::{self, Isa};
 use film::{Film, MAX_SUPERSAMPLE};
 use std::ops::Range;
 use std::path::PathBuf;
@@ -91,9 +91,9 @@ const PARTS: &str = "\
 Parts of a capture, on one machine or on many that share a folder:
 
   GNU parallel, 100 frames at a time:
-    seq 0 100 5759 | parallel 'target/lab/lab capture --png frames --from {} --to $(({} + 100))'
+    seq 0 100 5759 | parallel 'target/release/lab capture --png frames --from {} --to $(({} + 100))'
   Slurm, as a job array of 58 tasks:
-    sbatch --array=0-57 --wrap 'target/lab/lab capture --png frames \\
+    sbatch --array=0-57 --wrap 'target/release/lab capture --png frames \\
         --from $((SLURM_ARRAY_TASK_ID * 100)) --to $((SLURM_ARRAY_TASK_ID * 100 + 100))'
 
 Started again, it draws what is missing. Streams are joined by leaving out all headers but the first:
@@ -177,7 +177,7 @@ fn film(arguments: &Arguments) -> Result<Film> {
 
 /// What frames are drawn by everywhere, unless asked otherwise.
 fn usual_isa() -> Result<Isa> {
-    let best = isa::best();
+    let best = cpu::best();
     if best.name == "sse2" {
         return Err(BadInput::error(
             "--isa takes sse2 on this machine: it has no AVX2, and draws frames that differ in a few last bits".into(),

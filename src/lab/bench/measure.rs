@@ -4,10 +4,10 @@ use super::row::Row;
 use crate::arguments::{NamedQuality, Size};
 use crate::error::Difference;
 use crate::flicker::Flicker;
-use crate::isa::Isa;
 use crate::scenes::SceneName;
 use crate::studio::Studio;
 use eightfold::Counts;
+use eightfold_window::cpu::Isa;
 use eightfold_window::pool::Pool;
 use std::time::Instant;
 

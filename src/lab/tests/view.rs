@@ -1,7 +1,8 @@
 //! `lab view` in a window: as somebody at the screen sees it.
 
-#[path = "reader/mod.rs"]
+#[path = "../../../tests/reader/mod.rs"]
 mod reader;
+#[path = "../../../tests/stage/mod.rs"]
 mod stage;
 
 use reader::read_png;

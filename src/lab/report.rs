@@ -3,10 +3,10 @@
 //! Each figure is what a command of the lab prints, and the command stands above it: what is read is what was run.
 
 use crate::arguments::{self, BadInput, Size};
-use crate::isa;
 use crate::output;
 use anyhow::{Context, Result, bail};
 use clap::Args;
+use eightfold_window::cpu;
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -113,7 +113,7 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     // Tiles that stay readable in a column of text.
     let tile = sizes.first().map_or(" --size 240x135", String::as_str);
     // As the intro plays it, which has no wider lanes.
-    let has_avx2 = isa::all().any(|isa| isa.name == "avx2");
+    let has_avx2 = cpu::instruction_sets().any(|isa| isa.name == "avx2");
     let isa = if has_avx2 { " --isa avx2" } else { "" };
     vec![
         Part {

@@ -18,7 +18,14 @@ pub fn build() -> Result<Intro> {
     let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
     let mut command = Command::new(cargo);
     command
-        .args(["build", "--release", "--bin", "eightfold"])
+        .args([
+            "build",
+            "--release",
+            "--package",
+            "eightfold",
+            "--bin",
+            "eightfold",
+        ])
         .args(["--message-format", "json-render-diagnostics"])
         .stderr(Stdio::inherit());
     // Where the lab itself is built, unless it is started by hand.

@@ -8,10 +8,11 @@ use crate::flip::Flip;
 use crate::overlay::{Trail, heat};
 use crate::scenes::SceneName;
 use crate::studio::Studio;
-use crate::{isa, output, picture};
+use crate::{output, picture};
 use anyhow::{Context, Result};
 use clap::Args;
 use eightfold::Quality;
+use eightfold_window::cpu;
 use sheet::{Figure, sheet};
 use std::fs;
 use std::path::PathBuf;
@@ -70,7 +71,7 @@ fn draw(arguments: &Arguments) -> Vec<Figure> {
     let mut draw = |quality: &Quality| {
         let trail = Trail::new(width, height);
         let mut pixels = vec![0; width * height];
-        studio.draw_observed(isa::best().level, &scene, quality, &trail, &mut pixels);
+        studio.draw_observed(cpu::best().level, &scene, quality, &trail, &mut pixels);
         (pixels, trail)
     };
     let (exhaustive, all) = draw(&Quality::EXHAUSTIVE);

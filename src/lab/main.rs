@@ -1,35 +1,10 @@
-//! The lab: draws frames and measures what speed costs.
-
-mod arguments;
-mod bench;
-mod capture;
-mod error;
-mod figures;
-mod flicker;
-mod flip;
-mod interrupt;
-mod intro;
-mod isa;
-mod machine;
-mod missed;
-mod output;
-mod overlay;
-mod picture;
-mod plot;
-mod progress;
-mod rate;
-mod release;
-mod render;
-mod report;
-mod scenes;
-mod size;
-mod sound;
-mod studio;
-mod trade;
-mod view;
-mod wav;
+//! The lab's program: reads the command line and runs one command.
 
 use clap::{Parser, Subcommand, error::ErrorKind};
+use eightfold_lab::{
+    arguments, bench, capture, figures, interrupt, release, render, report, size, sound, trade,
+    view,
+};
 use std::process::ExitCode;
 
 /// Draws Eightfold's frames and measures what speed costs.

@@ -29,7 +29,6 @@ impl Studio {
         }
     }
 
-    #[cfg(feature = "lab")]
     /// Has frames take their samples beside the pixels' centres; see [`Memory::set_offset`].
     pub fn set_offset(&mut self, x: f32, y: f32) {
         self.memory[0].set_offset(x, y);

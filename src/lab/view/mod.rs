@@ -4,7 +4,6 @@ mod controls;
 mod easel;
 
 use crate::arguments::{self, NamedQuality, Size};
-use crate::isa::{self, Isa};
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use anyhow::{Result, bail};
@@ -12,6 +11,7 @@ use clap::Args;
 use controls::{Controls, KEYS, Look};
 use easel::{Easel, Sight};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH};
+use eightfold_window::cpu::{self, Isa};
 use eightfold_window::screen::{Next, Screen};
 use eightfold_window::window::{NoWindow, Window};
 use std::ffi::CString;
@@ -73,7 +73,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         .threads
         .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
     let rate = arguments.fps.hertz();
-    let isa = arguments.isa.unwrap_or_else(isa::best);
+    let isa = arguments.isa.unwrap_or_else(cpu::best);
     let length = f64::from(arguments.scene.length()) * rate;
     let controls = Controls {
         frame: f64::from(arguments.time) * rate % length,

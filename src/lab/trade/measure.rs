@@ -6,13 +6,13 @@ use crate::arguments::Size;
 use crate::error::Difference;
 use crate::flip::Flip;
 use crate::interrupt;
-use crate::isa::Isa;
 use crate::missed::Visible;
 use crate::scenes::SceneName;
 use crate::studio::Studio;
 use cpu_time::ThreadTime;
 use eightfold::scene::Scene;
 use eightfold::{Counts, Quality};
+use eightfold_window::cpu::Isa;
 
 /// Points drawn one right after the other between two exhaustive frames: the machine's speed drifts little meanwhile.
 const GROUP: usize = 4;

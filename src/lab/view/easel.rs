@@ -3,12 +3,12 @@
 use super::controls::{Controls, Look, MOST_ERROR, MOST_RAYS};
 use crate::arguments::Size;
 use crate::error::Difference;
-use crate::isa::Isa;
 use crate::overlay::{Trail, draw_error};
 use crate::scenes::SceneName;
 use crate::studio::Studio;
 use eightfold::Quality;
 use eightfold::scene::Scene;
+use eightfold_window::cpu::Isa;
 use std::time::{Duration, Instant};
 
 /// Memory and threads for frames, and the last of them.

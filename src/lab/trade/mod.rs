@@ -11,7 +11,6 @@ mod tally;
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::interrupt::Stopped;
-use crate::isa::{self, Isa};
 use crate::machine::machine;
 use crate::scenes::SceneName;
 use crate::{interrupt, output, progress};
@@ -19,6 +18,7 @@ use anyhow::{Context, Result, bail};
 use clap::Args;
 use curves::{Curve, Curves};
 use eightfold::show;
+use eightfold_window::cpu::{self, Isa};
 use measure::{Bench, Plan};
 use row::{Row, mark_front};
 use serde::Serialize;
@@ -139,7 +139,7 @@ fn plan(arguments: &Arguments) -> Plan {
     };
     Plan {
         scene: arguments.scene,
-        isa: arguments.isa.unwrap_or_else(isa::best),
+        isa: arguments.isa.unwrap_or_else(cpu::best),
         reference: NamedQuality::EXHAUSTIVE
             .antialiased(arguments.antialias)
             .quality,

@@ -1,12 +1,12 @@
 //! `lab render`: one frame as a PNG file.
 
 use crate::arguments::{self, NamedQuality, Size};
-use crate::isa::{self, Isa};
 use crate::scenes::SceneName;
 use crate::studio::Studio;
 use crate::{output, picture};
 use anyhow::Result;
 use clap::Args;
+use eightfold_window::cpu::{self, Isa};
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 
@@ -49,7 +49,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     scene.validate()?;
     let mut pixels = vec![0; size.area()];
     Studio::new(threads).draw(
-        arguments.isa.unwrap_or_else(isa::best).level,
+        arguments.isa.unwrap_or_else(cpu::best).level,
         &scene,
         &arguments.quality.antialiased(arguments.antialias).quality,
         size.width,

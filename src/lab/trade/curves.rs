@@ -3,12 +3,12 @@
 use super::row::quartile;
 use crate::arguments::{NamedQuality, Size};
 use crate::interrupt;
-use crate::isa::Isa;
 use crate::scenes::SceneName;
 use crate::studio::Studio;
 use cpu_time::ThreadTime;
 use eightfold::scene::{MAX_SPHERES, Scene};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH};
+use eightfold_window::cpu::Isa;
 use serde::Serialize;
 
 /// Frames of each point of a curve.

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 use zip::ZipArchive;
 
-const NFO: &str = include_str!("../../src/eightfold.nfo");
+const NFO: &str = include_str!("../../../../src/eightfold.nfo");
 
 /// The files of a zip: name, who may read and run it, bytes.
 fn files(zip: &[u8]) -> Vec<(String, u32, Vec<u8>)> {

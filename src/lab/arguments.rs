@@ -1,7 +1,7 @@
 //! What several commands take: a size, a quality, threads, an instruction set.
 
-use crate::isa::{self, Isa};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality};
+use eightfold_window::cpu::{self, Isa};
 use std::fmt;
 use std::str::FromStr;
 
@@ -127,9 +127,9 @@ impl fmt::Display for NamedQuality {
 
 /// An instruction set that this machine has.
 pub fn instruction_set(name: &str) -> Result<Isa, String> {
-    let mut known = isa::all();
+    let mut known = cpu::instruction_sets();
     known.find(|set| set.name == name).ok_or_else(|| {
-        let names: Vec<&str> = isa::all().map(|set| set.name).collect();
+        let names: Vec<&str> = cpu::instruction_sets().map(|set| set.name).collect();
         format!("this machine has {}", names.join(", "))
     })
 }

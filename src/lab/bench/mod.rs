@@ -5,12 +5,12 @@ mod row;
 mod table;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
-use crate::isa::{self, Isa};
 use crate::machine::machine;
 use crate::scenes::SceneName;
 use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
+use eightfold_window::cpu::{self, Isa};
 use measure::{Plan, Shot, Way};
 use row::Row;
 use std::path::{Path, PathBuf};
@@ -139,7 +139,7 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
     }
     Ok(Plan {
         shots,
-        isa: arguments.isa.unwrap_or_else(isa::best),
+        isa: arguments.isa.unwrap_or_else(cpu::best),
         sizes: distinct(arguments.size.iter().copied()),
         threads: distinct(threads),
         ways: distinct(ways),

@@ -1,0 +1,31 @@
+//! The lab: draws frames and measures what speed costs.
+//!
+//! A library of commands and of the instruments that they and the tests share, and a thin program, `cargo lab`.
+
+pub mod arguments;
+pub mod bench;
+pub mod capture;
+pub mod error;
+pub mod figures;
+pub mod flicker;
+pub mod flip;
+pub mod interrupt;
+pub mod intro;
+pub mod machine;
+pub mod missed;
+pub mod output;
+pub mod overlay;
+pub mod picture;
+pub mod plot;
+pub mod progress;
+pub mod rate;
+pub mod release;
+pub mod render;
+pub mod report;
+pub mod scenes;
+pub mod size;
+pub mod sound;
+pub mod studio;
+pub mod trade;
+pub mod view;
+pub mod wav;
