@@ -1,5 +1,5 @@
-//! The intro's build.
+//! The intro's build: see `src/pack`, which packs it.
 
 fn main() {
-    println!("cargo::rustc-check-cfg=cfg(diet)");
+    eightfold_pack::build::main("eightfold");
 }

@@ -1,0 +1,150 @@
+//! The diet: std's functions that the intro does not need are replaced.
+//!
+//! A program of std brings with it what it needs to explain a panic: formatting, a backtrace, a reader of debugging information, a
+//! demangler. They are most of its bytes, packed as well. The functions that lead there are found by their names in the sysroot's
+//! archives; assembly in the intro's own object defines each anew, ahead of the archives; the linker takes the first definition,
+//! and drops all that only the second one needed. What they do instead is in `src/window/abort.rs`.
+
+use std::{collections::HashSet, fmt::Write, fs, path::PathBuf};
+
+use object::{Object, ObjectSymbol, SymbolKind, read::archive::ArchiveFile};
+
+use super::toolchain::{TARGET, Toolchain};
+use crate::Error;
+
+/// The crates that functions are redirected in. The last three have functions of the others compiled in.
+const CRATES: [&str; 6] = [
+    "core",
+    "alloc",
+    "std",
+    "gimli",
+    "addr2line",
+    "rustc_demangle",
+];
+
+/// What is called instead of functions of std, and those functions: parts of paths. (`*` is any text.)
+const INSTEAD: [(&str, &[&str]); 5] = [
+    // All ways to a panic, and vectors: nobody makes one.
+    (
+        "eightfold_abort",
+        &[
+            "_Unwind_Resume",
+            "__rustc::rust_begin_unwind",
+            "alloc::alloc::handle_alloc_error",
+            "alloc::raw_vec::capacity_overflow",
+            "alloc::raw_vec::handle_error",
+            "core::option::expect_failed",
+            "core::option::unwrap_failed",
+            "core::panicking",
+            "core::result::unwrap_failed",
+            "core::slice::copy_from_slice_impl::len_mismatch_fail",
+            "core::slice::index::slice_index_fail",
+            "core::str::slice_error_fail",
+            "rust_eh_personality",
+            "std::alloc::rust_oom",
+            "std::panicking::panic_with_hook",
+            // In mangled names, a length is before each part.
+            "11RawVecInner15try_allocate_in",
+            "7reserve21do_reserve_and_handle",
+        ],
+    ),
+    // Formatting, printing, and giving back memory before the process ends.
+    (
+        "eightfold_ignore",
+        &[
+            "Debug::fmt",
+            "Display::fmt",
+            "std::io::stdio::_print",
+            "11RawVecInner10deallocate",
+            // (`h` is `u8`.)
+            "6RawVechE*4Drop4drop",
+        ],
+    ),
+    ("eightfold_format", &["alloc::fmt::format::format_inner"]),
+    // (`Re` is `::<&str>`.)
+    ("eightfold_c_string", &["7CString3newRe"]),
+    ("eightfold_now", &["Instant::now"]),
+];
+
+/// Assembly that defines functions of std anew, for `main!` to include, and those that std does not have.
+pub fn redirections(toolchain: &Toolchain) -> Result<(String, Vec<&'static str>), Error> {
+    let symbols = symbols(&libraries(toolchain)?)?;
+    let (mut assembly, mut missing) = (String::new(), Vec::new());
+    let mut done = HashSet::new();
+    for (target, paths) in INSTEAD {
+        writeln!(assembly, ".section .text.{target}_instead, \"ax\"")?;
+        for path in paths {
+            let part = mangled(path);
+            let is_named = |symbol: &&String| {
+                **symbol == part
+                    || part.starts_with(|c: char| c.is_ascii_digit())
+                        && part.split('*').all(|part| symbol.contains(part))
+            };
+            if !symbols.iter().any(|symbol| is_named(&symbol)) {
+                missing.push(*path);
+            }
+            for symbol in symbols.iter().filter(is_named) {
+                if done.insert(symbol) {
+                    writeln!(assembly, ".globl {symbol}\n.hidden {symbol}\n{symbol}:")?;
+                }
+            }
+        }
+        writeln!(assembly, "jmp {target}")?;
+    }
+    Ok((assembly, missing))
+}
+
+/// The archives of [`CRATES`] that programs are linked with.
+fn libraries(toolchain: &Toolchain) -> Result<Vec<PathBuf>, Error> {
+    let directory = toolchain
+        .sysroot
+        .join("lib/rustlib")
+        .join(TARGET)
+        .join("lib");
+    let mut libraries = Vec::new();
+    for entry in fs::read_dir(directory)? {
+        let path = entry?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let is_of =
+            |name_of: &&str| name.starts_with(&format!("lib{name_of}-")) && name.ends_with(".rlib");
+        if CRATES.iter().any(|name| is_of(&name)) {
+            libraries.push(path);
+        }
+    }
+    // In an order that does not depend on the file system.
+    libraries.sort();
+    Ok(libraries)
+}
+
+/// Names of the global functions in archives.
+fn symbols(libraries: &[PathBuf]) -> Result<Vec<String>, Error> {
+    let mut names = Vec::new();
+    for library in libraries {
+        let data = fs::read(library)?;
+        for member in ArchiveFile::parse(&*data)?.members() {
+            let member = member?;
+            if !member.name().ends_with(b".o") {
+                continue;
+            }
+            let object = object::File::parse(member.data(&*data)?)?;
+            let is_function = |symbol: &object::Symbol<'_, '_>| {
+                symbol.is_global() && (symbol.kind() == SymbolKind::Text || symbol.is_undefined())
+            };
+            let functions = object.symbols().filter(is_function);
+            names.extend(functions.filter_map(|symbol| symbol.name().ok().map(String::from)));
+        }
+    }
+    Ok(names)
+}
+
+/// A path as it is found in mangled names: `std::io::_print` is `3std2io7__print`. A name without a path isn't mangled.
+fn mangled(path: &str) -> String {
+    if !path.contains("::") {
+        return path.into();
+    }
+    let word = |word: &str| {
+        let separator = if word.starts_with('_') { "_" } else { "" };
+        format!("{}{separator}{word}", word.len())
+    };
+    path.split("::").map(word).collect()
+}

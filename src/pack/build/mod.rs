@@ -1,0 +1,122 @@
+//! What the intro's build script does: it prepares the diet, and has the linker called by way of this program.
+
+mod diet;
+mod linker;
+mod toolchain;
+
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use crate::Error;
+use toolchain::Toolchain;
+
+/// The name by which a C compiler finds a linker, and by which this program knows that it is called for one.
+const LINKER: &str = "ld.bfd";
+
+/// Variables that change what is built.
+const VARIABLES: [&str; 2] = [UNPACKED, "PATH"];
+
+/// Set to anything, it leaves the program unpacked, for debuggers and profilers.
+const UNPACKED: &str = "EIGHTFOLD_UNPACKED";
+
+/// Runs as the build script of a package with a program, or as the linker of that.
+pub fn main(program: &str) {
+    let arguments: Vec<_> = env::args_os().collect();
+    if let [own, rest @ ..] = &arguments[..]
+        && Path::new(own).file_name() == Some(LINKER.as_ref())
+    {
+        std::process::exit(linker::run(rest));
+    }
+    println!("cargo::rustc-check-cfg=cfg(diet)");
+    println!("cargo::rerun-if-changed=build.rs");
+    for variable in VARIABLES {
+        println!("cargo::rerun-if-env-changed={variable}");
+    }
+    // Unoptimised, nobody minds the size.
+    if env::var("PROFILE").is_ok_and(|profile| profile != "release") {
+        return;
+    }
+    if let Err(error) = prepare(program) {
+        println!(
+            "cargo::warning={program} is built with all of std that it does not need, and not packed: {error}"
+        );
+    }
+}
+
+/// Says how the program is linked.
+fn prepare(program: &str) -> Result<(), Error> {
+    let toolchain = Toolchain::find()?;
+    let output = PathBuf::from(env::var("OUT_DIR")?);
+    let (assembly, missing) = diet::redirections(&toolchain)?;
+    if !missing.is_empty() {
+        let missing = missing.join(", ");
+        println!("cargo::warning={program} may be larger than 64 kB: this std has no {missing}");
+    }
+    fs::write(output.join("diet.s"), assembly)?;
+    println!("cargo::rustc-cfg=diet");
+
+    let directory = output.join("linker");
+    fs::create_dir_all(&directory)?;
+    let own = env::current_exe()?;
+    let linker = directory.join(LINKER);
+    if linker.exists() {
+        fs::remove_file(&linker)?;
+    }
+    fs::hard_link(&own, &linker).or_else(|_| fs::copy(&own, &linker).map(|_| ()))?;
+    let is_packed = env::var_os(UNPACKED).is_none();
+    linker::Settings {
+        linker: toolchain.linker.clone(),
+        is_packed,
+    }
+    .write(&directory)?;
+    compile_stub(&toolchain, &directory.join(linker::STUB))?;
+    for argument in [
+        // At fixed addresses: so it needs no relocations, and the packed file has room for it.
+        "-no-pie",
+        // Pages of 4 KB: gaps between segments are packed, too.
+        "-Wl,-z,max-page-size=4096",
+        // Of functions that are redirected there are two; the first counts.
+        "-Wl,-z,muldefs",
+        "-Wl,--build-id=none",
+        &format!(
+            "-Wl,-Map={}",
+            output.join(format!("{program}.map")).display()
+        ),
+        &format!("-B{}", directory.display()),
+        // The last one says which linker it is.
+        &format!("-fuse-ld={}", &LINKER[3..]),
+    ] {
+        println!("cargo::rustc-link-arg-bin={program}={argument}");
+    }
+    Ok(())
+}
+
+/// Compiles the stub to an object file, without what the user wants of other programs.
+fn compile_stub(toolchain: &Toolchain, object: &Path) -> Result<(), Error> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("stub/main.rs");
+    let done = Command::new(&toolchain.rustc)
+        .args([
+            "--edition=2024",
+            "--crate-type=bin",
+            "--crate-name=stub",
+            "--emit=obj",
+        ])
+        .args(["--target", toolchain::TARGET])
+        .args([
+            "-Cpanic=abort",
+            "-Copt-level=s",
+            "-Crelocation-model=static",
+            "-Ccodegen-units=1",
+        ])
+        .arg("-o")
+        .args([object, &source])
+        .status()?;
+    if done.success() {
+        Ok(())
+    } else {
+        Err("rustc cannot compile the stub".into())
+    }
+}

@@ -1,0 +1,151 @@
+//! The compiler and the linker that cargo has chosen.
+
+use std::{
+    env,
+    ffi::OsString,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use crate::Error;
+
+/// The only target that is packed.
+pub const TARGET: &str = "x86_64-unknown-linux-gnu";
+
+pub struct Toolchain {
+    pub rustc: OsString,
+    pub sysroot: PathBuf,
+    /// What would link the program: a path, or a name to be looked up.
+    pub linker: String,
+}
+
+impl Toolchain {
+    /// Finds out, or says why the program can't be packed.
+    pub fn find() -> Result<Toolchain, Error> {
+        let target = env::var("TARGET")?;
+        if target != TARGET {
+            return Err(format!("only {TARGET} is, not {target}").into());
+        }
+        let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
+        let output = Command::new(&rustc).args(["--print", "sysroot"]).output()?;
+        let sysroot = PathBuf::from(String::from_utf8(output.stdout)?.trim());
+        let own = sysroot
+            .join("lib/rustlib")
+            .join(env::var("HOST")?)
+            .join("bin/gcc-ld/ld.lld");
+        let own = own.to_str().filter(|_| own.exists());
+        let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
+        let linker = linker(&flags, env::var("RUSTC_LINKER").ok(), own)?;
+        Ok(Toolchain {
+            rustc,
+            sysroot,
+            linker,
+        })
+    }
+}
+
+/// What links, by the user's flags for rustc, the C compiler that cargo calls, and the linker that rustc brings.
+fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<String, Error> {
+    let (mut compiler, mut chosen, mut own) = (compiler, None, own);
+    for (name, value) in options(flags) {
+        match name {
+            "linker" => compiler = Some(value.into()),
+            "linker-flavor" if value != "gcc" && !value.ends_with("-cc") => {
+                compiler = Some("ld".into())
+            }
+            "linker-features" if value.split(',').any(|feature| feature == "-lld") => own = None,
+            "link-self-contained" if value.split(',').any(|part| part == "-linker") => own = None,
+            "link-arg" | "link-args" => {
+                for word in value.split(' ') {
+                    if word.starts_with("--ld-path") {
+                        return Err(format!("{word} is chosen as its linker").into());
+                    }
+                    chosen = word.strip_prefix("-fuse-ld=").or(chosen);
+                }
+            }
+            _ => {}
+        }
+    }
+    let compiler = compiler.unwrap_or("cc".into());
+    let name = Path::new(&compiler)
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy();
+    if name.ends_with("ld") || name.ends_with("ld.lld") || name == "mold" {
+        return Err(format!("{compiler} links it without a C compiler").into());
+    }
+    Ok(match (chosen, own) {
+        (Some(path), _) if path.contains('/') => path.into(),
+        (Some(name), _) => format!("ld.{name}"),
+        (None, Some(own)) => own.into(),
+        (None, None) => "ld".into(),
+    })
+}
+
+/// Options for code generation, as names and values: `-Cname=value` or `-C name=value`.
+fn options(flags: &str) -> impl Iterator<Item = (&str, &str)> {
+    let mut flags = flags.split('\x1f');
+    std::iter::from_fn(move || {
+        loop {
+            let flag = flags.next()?;
+            let option = match flag {
+                "-C" | "--codegen" => flags.next()?,
+                _ => flag
+                    .strip_prefix("-C")
+                    .or_else(|| flag.strip_prefix("--codegen="))
+                    .unwrap_or_default(),
+            };
+            if let Some(option) = option.split_once('=') {
+                return Some(option);
+            }
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::linker;
+
+    /// What links, where rustc brings a linker `own`; the flags are given with spaces between them.
+    fn chosen(flags: &str) -> Option<String> {
+        linker(&flags.replace(' ', "\x1f"), None, Some("own")).ok()
+    }
+
+    #[test]
+    fn the_linker_is_the_one_that_would_have_been_called() {
+        for (flags, expected) in [
+            ("", "own"),
+            ("-Ctarget-cpu=native --cfg linker", "own"),
+            ("-Clinker-features=-lld", "ld"),
+            (
+                "-C linker-features=-lld -C link-arg=-fuse-ld=gold",
+                "ld.gold",
+            ),
+            (
+                "-Clink-arg=-fuse-ld=gold --codegen link-arg=-fuse-ld=mold",
+                "ld.mold",
+            ),
+            (
+                "-Clinker=/usr/bin/clang-19 -Clink-arg=-fuse-ld=/opt/mold",
+                "/opt/mold",
+            ),
+            ("-Clinker-flavor=gnu-lld-cc", "own"),
+        ] {
+            assert_eq!(chosen(flags).as_deref(), Some(expected), "{flags}");
+        }
+    }
+
+    #[test]
+    fn what_no_c_compiler_calls_is_not_replaced() {
+        for flags in [
+            "-Clinker=rust-lld",
+            "-Clinker=/usr/bin/ld.lld",
+            "-C linker-flavor=ld.lld",
+            "-Clinker=mold",
+        ] {
+            assert_eq!(chosen(flags), None, "{flags}");
+        }
+        assert!(linker("", Some("rust-lld".into()), None).is_err());
+        assert!(linker("-Clinker=gcc", Some("rust-lld".into()), None).is_ok());
+    }
+}

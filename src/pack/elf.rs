@@ -1,0 +1,157 @@
+//! Executables of 64 bits as ELF has them, as far as they are packed.
+
+use std::ops::Range;
+
+use object::{Object, ObjectSection};
+
+use crate::Error;
+
+/// A page of memory, and of a file that is mapped to it.
+pub const PAGE: u64 = 4096;
+pub const HEADER_SIZE: usize = 64;
+
+/// The kind of file that has fixed addresses.
+pub const EXECUTABLE: u16 = 2;
+
+// Kinds of segments.
+pub const LOAD: u32 = 1;
+pub const INTERPRETER: u32 = 3;
+pub const NOTE: u32 = 4;
+pub const PROGRAM_HEADERS: u32 = 6;
+pub const UNWINDING: u32 = 0x6474_e550;
+pub const STACK: u32 = 0x6474_e551;
+
+// What may be done with a segment.
+pub const EXECUTE: u32 = 1;
+pub const WRITE: u32 = 2;
+pub const READ: u32 = 4;
+
+/// A program header: a part of the file, and where that is in memory.
+#[derive(Clone, Copy, Default)]
+pub struct Segment {
+    pub kind: u32,
+    pub flags: u32,
+    pub offset: u64,
+    pub address: u64,
+    pub file_size: u64,
+    /// In memory; what the file does not have is zero.
+    pub size: u64,
+}
+
+impl Segment {
+    pub const SIZE: usize = 56;
+
+    fn read(bytes: &[u8]) -> Segment {
+        Segment {
+            kind: number(bytes, 0, 4) as u32,
+            flags: number(bytes, 4, 4) as u32,
+            offset: number(bytes, 8, 8),
+            address: number(bytes, 16, 8),
+            file_size: number(bytes, 32, 8),
+            size: number(bytes, 40, 8),
+        }
+    }
+
+    /// As it is in a file, with a physical address, which nobody reads, and an alignment to pages.
+    pub fn to_bytes(self) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(Segment::SIZE);
+        bytes.extend(self.kind.to_le_bytes());
+        bytes.extend(self.flags.to_le_bytes());
+        for number in [
+            self.offset,
+            self.address,
+            self.address,
+            self.file_size,
+            self.size,
+            PAGE,
+        ] {
+            bytes.extend(number.to_le_bytes());
+        }
+        bytes
+    }
+
+    /// Where it is in the file.
+    pub fn range(&self) -> Range<usize> {
+        let start = self.offset as usize;
+        start..start.saturating_add(self.file_size as usize)
+    }
+}
+
+/// The header of an executable for x86-64 Linux with an entry and so many program headers, which follow it.
+pub fn header(entry: u64, segments: u16) -> Vec<u8> {
+    let mut bytes = b"\x7fELF\x02\x01\x01".to_vec();
+    bytes.resize(16, 0);
+    bytes.extend([EXECUTABLE.to_le_bytes(), 62_u16.to_le_bytes()].as_flattened());
+    bytes.extend(1_u32.to_le_bytes());
+    for number in [entry, HEADER_SIZE as u64, 0] {
+        bytes.extend(number.to_le_bytes());
+    }
+    bytes.extend(0_u32.to_le_bytes());
+    for number in [HEADER_SIZE as u16, Segment::SIZE as u16, segments, 0, 0, 0] {
+        bytes.extend(number.to_le_bytes());
+    }
+    bytes
+}
+
+/// What kind of file it is, if it is for x86-64.
+pub fn kind(file: &[u8]) -> Result<u16, Error> {
+    if !file.starts_with(b"\x7fELF\x02\x01") || number(file, 18, 2) != 62 {
+        return Err("it is no program for x86-64".into());
+    }
+    Ok(number(file, 16, 2) as u16)
+}
+
+/// The program headers.
+pub fn segments(file: &[u8]) -> Result<Vec<Segment>, Error> {
+    kind(file)?;
+    let bytes = file
+        .get(segment_range(file))
+        .ok_or("its program headers are not in it")?;
+    Ok(bytes
+        .chunks_exact(Segment::SIZE)
+        .map(Segment::read)
+        .collect())
+}
+
+/// Writes the program headers, and that there are no section headers.
+pub fn set_segments(file: &mut [u8], segments: &[Segment]) -> Result<(), Error> {
+    let range = segment_range(file);
+    let bytes: Vec<u8> = segments
+        .iter()
+        .flat_map(|segment| segment.to_bytes())
+        .collect();
+    let place = file
+        .get_mut(range)
+        .filter(|place| place.len() == bytes.len());
+    place
+        .ok_or("its program headers are not in it")?
+        .copy_from_slice(&bytes);
+    file[40..48].fill(0);
+    file[58..64].fill(0);
+    Ok(())
+}
+
+fn segment_range(file: &[u8]) -> Range<usize> {
+    let start = number(file, 32, 8) as usize;
+    start..start.saturating_add(number(file, 56, 2) as usize * Segment::SIZE)
+}
+
+/// Where sections of these names are in the file.
+pub fn sections(file: &[u8], names: &[&str]) -> Result<Vec<Range<usize>>, Error> {
+    let file = object::File::parse(file)?;
+    let sections = names
+        .iter()
+        .filter_map(|name| file.section_by_name(name)?.file_range());
+    Ok(sections
+        .map(|(start, size)| start as usize..(start + size) as usize)
+        .collect())
+}
+
+/// A number of so many bytes; 0 if it is not there.
+fn number(bytes: &[u8], place: usize, size: usize) -> u64 {
+    let bytes = bytes.get(place..place + size).unwrap_or_default();
+    bytes
+        .iter()
+        .rev()
+        .fold(0, |number, &byte| number << 8 | u64::from(byte))
+}

@@ -1,0 +1,70 @@
+//! The arithmetic encoder; the other side of [`Decoder`](crate::model::Decoder).
+
+use crate::model::Coder;
+
+/// Writes the bits of bytes.
+pub struct Encoder {
+    /// The byte whose bits are to be written, from the highest on.
+    pub byte: u8,
+    /// The beginning of the interval, without what has been written.
+    low: u64,
+    range: u64,
+    written: Vec<u8>,
+}
+
+/// `low` has so many bits: one byte more than the range, which is written when it is shifted out.
+const LOW: u32 = 40;
+
+impl Encoder {
+    pub fn new() -> Encoder {
+        Encoder {
+            byte: 0,
+            low: 0,
+            range: 1 << 32,
+            written: Vec::new(),
+        }
+    }
+
+    /// Makes room for more bits.
+    fn shift(&mut self) {
+        self.range <<= 8;
+        self.written.push((self.low >> 32) as u8);
+        self.low = self.low << 8 & ((1 << LOW) - 1);
+    }
+
+    /// All that was written.
+    pub fn end(mut self) -> Vec<u8> {
+        for _ in 0..5 {
+            self.shift();
+        }
+        // The first byte is only what a carry could go to, and none does.
+        self.written.split_off(1)
+    }
+}
+
+impl Coder for Encoder {
+    fn bit(&mut self, probability: u32) -> u32 {
+        while self.range < 1 << 32 {
+            self.shift();
+        }
+        let bit = self.byte >> 7;
+        self.byte <<= 1;
+        let bound = (self.range >> 16) * u64::from(probability);
+        if bit == 1 {
+            self.range = bound;
+        } else {
+            self.low += bound;
+            self.range -= bound;
+        }
+        if self.low >> LOW != 0 {
+            self.low &= (1 << LOW) - 1;
+            for byte in self.written.iter_mut().rev() {
+                *byte = byte.wrapping_add(1);
+                if *byte != 0 {
+                    break;
+                }
+            }
+        }
+        bit.into()
+    }
+}

@@ -1,0 +1,161 @@
+//! Makes a packed executable of an ordinary one.
+//!
+//! What is packed is an ELF file itself, without all that neither Linux nor the dynamic linker reads; the stub loads it like any
+//! other. The packed file has
+//!
+//! | bytes | what |
+//! | ---: | --- |
+//! | 64 | the ELF header |
+//! | 3 x 56 | program headers: this file; the memory that the program is loaded to; a stack that is not executable |
+//! | 4,000 | the stub |
+//! | the rest | what was packed |
+
+use crate::{Error, elf, elf::Segment, pack, stub::Stub, unpack};
+
+/// Where the system lets programs have memory, unless it is told otherwise (`vm.mmap_min_addr`).
+const LOWEST: u64 = 0x1_0000;
+
+/// Bytes before the stub: the headers, and so many that its constants are aligned.
+const HEAD: usize = (elf::HEADER_SIZE + 3 * Segment::SIZE).next_multiple_of(16);
+
+/// A packed executable of an ordinary one and the stub's object file.
+///
+/// # Errors
+/// If it is no executable that the stub can load.
+pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
+    let stripped = strip(program)?;
+    let packed = pack(&stripped);
+    if unpack(&packed).as_deref() != Ok(&stripped) {
+        return Err("what is unpacked is not what was packed".into());
+    }
+    let loads = elf::segments(&stripped)?;
+    let loads = loads.iter().filter(|segment| segment.kind == elf::LOAD);
+    let start = loads
+        .clone()
+        .map(|load| load.address)
+        .min()
+        .unwrap_or_default()
+        / elf::PAGE
+        * elf::PAGE;
+    let end = loads
+        .map(|load| load.address + load.size)
+        .max()
+        .unwrap_or_default();
+
+    // The file lies right before the program, so that the heap, which begins behind both, is where it always is.
+    let stub = Stub::read(stub)?;
+    let size = (HEAD + stub.size() + packed.len()) as u64;
+    let address = start.saturating_sub(size) / elf::PAGE * elf::PAGE;
+    if address < LOWEST {
+        return Err(
+            format!("there is no room for {size} bytes below the program at {start:#x}").into(),
+        );
+    }
+    let mut file = elf::header(address + HEAD as u64, 3);
+    let file_itself = Segment {
+        kind: elf::LOAD,
+        flags: elf::READ | elf::EXECUTE,
+        address,
+        file_size: size,
+        size,
+        ..Segment::default()
+    };
+    let program = Segment {
+        kind: elf::LOAD,
+        flags: elf::READ | elf::WRITE,
+        address: start,
+        size: end - start,
+        ..Segment::default()
+    };
+    // Of this one, Linux reads only the flags. The rest says where in the file the packed bytes are.
+    let stack = Segment {
+        kind: elf::STACK,
+        flags: elf::READ | elf::WRITE,
+        offset: (HEAD + stub.size()) as u64,
+        file_size: packed.len() as u64,
+        ..Segment::default()
+    };
+    for segment in [file_itself, program, stack] {
+        file.extend(segment.to_bytes());
+    }
+    file.resize(HEAD, 0);
+    file.extend(stub.link(address + HEAD as u64, packed.len() as u64)?);
+    file.extend(packed);
+    Ok(file)
+}
+
+/// The program that is in a packed executable.
+///
+/// # Errors
+/// If it is none, or not whole.
+pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
+    let segments = elf::segments(file)?;
+    let is_stack = |segment: &&Segment| segment.kind == elf::STACK;
+    let packed = segments.iter().find(is_stack).ok_or("it is not packed")?;
+    let bytes = file.get(packed.range()).ok_or("it is not whole")?;
+    Ok(unpack(bytes)?)
+}
+
+/// What Linux and the dynamic linker read of an executable: its headers and segments, without what only unwinding reads. That is
+/// not needed where a panic ends the process.
+///
+/// # Errors
+/// If it is no executable at fixed addresses that a dynamic linker starts.
+pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
+    if elf::kind(program)? != elf::EXECUTABLE {
+        return Err("it is not linked to fixed addresses".into());
+    }
+    let unwinding = elf::sections(
+        program,
+        &[".eh_frame", ".eh_frame_hdr", ".gcc_except_table"],
+    )?;
+    let mut segments = elf::segments(program)?;
+    for kind in [elf::INTERPRETER, elf::PROGRAM_HEADERS] {
+        if !segments.iter().any(|segment| segment.kind == kind) {
+            return Err("no dynamic linker starts it".into());
+        }
+    }
+    let mut program = program.to_vec();
+    for section in &unwinding {
+        program
+            .get_mut(section.clone())
+            .ok_or("a section is not in it")?
+            .fill(0);
+    }
+    let mut stripped = Vec::new();
+    let before = segments.clone();
+    for load in segments
+        .iter_mut()
+        .filter(|segment| segment.kind == elf::LOAD)
+    {
+        let bytes = program.get(load.range()).ok_or("a segment is not in it")?;
+        let end = bytes
+            .iter()
+            .rposition(|&byte| byte != 0)
+            .map_or(0, |last| last + 1);
+        // Zeros at its end are not in the file, but in memory.
+        load.file_size = end as u64;
+        // The same place in a page, so that it can be mapped, too.
+        let lead = (load.address - stripped.len() as u64) % elf::PAGE;
+        stripped.resize(stripped.len() + lead as usize, 0);
+        load.offset = stripped.len() as u64;
+        stripped.extend(&bytes[..end]);
+    }
+    let loads: Vec<_> = segments
+        .iter()
+        .filter(|segment| segment.kind == elf::LOAD)
+        .copied()
+        .collect();
+    for (segment, before) in segments.iter_mut().zip(&before) {
+        if [elf::UNWINDING, elf::NOTE].contains(&segment.kind) {
+            *segment = Segment::default();
+        } else if segment.kind != elf::LOAD {
+            let load = loads
+                .iter()
+                .find(|load| (load.address..load.address + load.size).contains(&before.address));
+            segment.offset = load.map_or(0, |load| load.offset + (segment.address - load.address));
+        }
+    }
+    elf::set_segments(&mut stripped, &segments)?;
+    Ok(stripped)
+}

@@ -1,0 +1,119 @@
+//! Links the stub: no linker has to do with it, as each is told in its own way what goes where.
+
+use std::collections::HashMap;
+
+use object::{
+    Object, ObjectSection, ObjectSymbol, RelocationFlags, RelocationTarget, SectionIndex,
+    elf::{R_X86_64_32, R_X86_64_32S, R_X86_64_64, R_X86_64_PC32, R_X86_64_PLT32},
+};
+
+use crate::Error;
+
+/// The stub's object file, with its sections laid out from address 0 on.
+pub struct Stub<'a> {
+    file: object::File<'a>,
+    /// Where each section is that is needed, in the order of places.
+    sections: Vec<(SectionIndex, usize)>,
+    size: usize,
+}
+
+impl<'a> Stub<'a> {
+    /// Lays out the section that is executed first, and all that it leads to.
+    pub fn read(object: &'a [u8]) -> Result<Stub<'a>, Error> {
+        let file = object::File::parse(object)?;
+        let first = file
+            .section_by_name(".text.first")
+            .ok_or("the stub has no beginning")?;
+        let mut found = vec![first.index()];
+        let mut sections = Vec::new();
+        let mut size = 0;
+        while let Some(&index) = found.get(sections.len()) {
+            let section = file.section_by_index(index)?;
+            size = usize::next_multiple_of(size, section.align().max(1) as usize);
+            sections.push((index, size));
+            size += section.size() as usize;
+            for (_, relocation) in section.relocations() {
+                if let Some(next) = section_of(&file, relocation.target())?
+                    && !found.contains(&next)
+                {
+                    found.push(next);
+                }
+            }
+        }
+        Ok(Stub {
+            file,
+            sections,
+            size,
+        })
+    }
+
+    /// Bytes.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// The stub's bytes for an address, with so many packed bytes behind them.
+    pub fn link(&self, address: u64, packed: u64) -> Result<Vec<u8>, Error> {
+        let places: HashMap<_, _> = self.sections.iter().copied().collect();
+        let end = address + self.size as u64;
+        let names = HashMap::from([("PACKED", end), ("PACKED_END", end + packed)]);
+        let mut bytes = vec![0; self.size];
+        for &(index, start) in &self.sections {
+            let section = self.file.section_by_index(index)?;
+            let data = section.data()?;
+            bytes[start..start + data.len()].copy_from_slice(data);
+            for (place, relocation) in section.relocations() {
+                let target = self.address_of(relocation.target(), &places, &names, address)?;
+                let place = start + place as usize;
+                let value = target.wrapping_add_signed(relocation.addend());
+                let relative = value.wrapping_sub(address + place as u64);
+                let RelocationFlags::Elf { r_type } = relocation.flags() else {
+                    return Err("the stub is no ELF file".into());
+                };
+                let (value, width) = match r_type {
+                    R_X86_64_64 => (value, 8),
+                    R_X86_64_32 | R_X86_64_32S => (value, 4),
+                    R_X86_64_PC32 | R_X86_64_PLT32 => (relative, 4),
+                    _ => return Err(format!("the stub has a relocation {r_type:?}").into()),
+                };
+                let field = bytes
+                    .get_mut(place..place + width)
+                    .ok_or("the stub's relocations are not in it")?;
+                field.copy_from_slice(&value.to_le_bytes()[..width]);
+            }
+        }
+        Ok(bytes)
+    }
+
+    fn address_of(
+        &self,
+        target: RelocationTarget,
+        places: &HashMap<SectionIndex, usize>,
+        names: &HashMap<&str, u64>,
+        address: u64,
+    ) -> Result<u64, Error> {
+        let RelocationTarget::Symbol(index) = target else {
+            return Err("the stub has a relocation without a symbol".into());
+        };
+        let symbol = self.file.symbol_by_index(index)?;
+        if let Some(section) = symbol.section_index() {
+            return Ok(address + places[&section] as u64 + symbol.address());
+        }
+        let name = symbol.name()?;
+        // A check that could panic ends here, too.
+        names
+            .get(name)
+            .copied()
+            .ok_or_else(|| format!("the stub needs {name}").into())
+    }
+}
+
+fn section_of(
+    file: &object::File,
+    target: RelocationTarget,
+) -> Result<Option<SectionIndex>, Error> {
+    match target {
+        RelocationTarget::Symbol(index) => Ok(file.symbol_by_index(index)?.section_index()),
+        _ => Ok(None),
+    }
+}

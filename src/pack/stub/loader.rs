@@ -1,0 +1,211 @@
+//! Does for a program what `execve` does: puts its segments to their addresses, and its dynamic linker to some, and tells the
+//! latter where the former is.
+
+use crate::system::{CLOSE, MMAP, MPROTECT, OPEN, READ, call, is_error};
+use core::arch::asm;
+
+/// The header of an ELF file, as far as it matters.
+#[repr(C)]
+pub struct FileHeader {
+    unused: [u8; 24],
+    entry: usize,
+    /// Where in the file the program headers are.
+    headers: usize,
+    unused_too: [u8; 16],
+    header_count: u16,
+}
+
+/// What a part of the program is.
+#[repr(C)]
+struct ProgramHeader {
+    kind: u32,
+    /// 1 for execute, 2 for write, 4 for read.
+    flags: u32,
+    offset: usize,
+    address: usize,
+    unused: usize,
+    /// Bytes in the file, and in memory, where zeros follow them.
+    file_size: usize,
+    size: usize,
+    alignment: usize,
+}
+
+// Kinds of program headers.
+const LOAD: u32 = 1;
+const INTERPRETER: u32 = 3;
+const PROGRAM_HEADERS: u32 = 6;
+
+const PAGE: usize = 4096;
+// For `mmap`.
+const READ_WRITE: usize = 3;
+const PRIVATE: usize = 2;
+const FIXED: usize = 0x10;
+const ANONYMOUS: usize = 0x20;
+
+/// A program that was put to its addresses.
+pub struct Loaded {
+    headers: usize,
+    header_count: usize,
+    entry: usize,
+    interpreter: usize,
+}
+
+impl FileHeader {
+    /// # Safety
+    /// The header has to be in memory with the program headers behind it.
+    #[inline(always)]
+    unsafe fn headers(&self) -> &[ProgramHeader] {
+        let start = (&raw const *self).cast::<u8>();
+        // SAFETY: the caller vouches for it.
+        unsafe {
+            core::slice::from_raw_parts(start.add(self.headers).cast(), self.header_count.into())
+        }
+    }
+}
+
+impl ProgramHeader {
+    /// The flags as `mmap` has them, in the opposite order.
+    #[inline(always)]
+    fn protection(&self) -> usize {
+        0x7351_6240 >> (self.flags * 4) & 7
+    }
+
+    /// Bytes from the beginning of its first page.
+    #[inline(always)]
+    fn lead(&self) -> usize {
+        self.address % PAGE
+    }
+}
+
+/// Puts a program to its addresses. None if the system refuses to execute what was written.
+///
+/// # Safety
+/// `file` has to be an executable, and at its addresses has to be memory that can be written to and is zero.
+#[inline(always)]
+pub unsafe fn load(file: &FileHeader) -> Option<Loaded> {
+    let mut loaded = Loaded {
+        headers: 0,
+        header_count: file.header_count.into(),
+        entry: file.entry,
+        interpreter: 0,
+    };
+    // SAFETY: the caller vouches for it.
+    for header in unsafe { file.headers() } {
+        match header.kind {
+            LOAD => {
+                let start = header.address - header.lead();
+                let size = header.size + header.lead();
+                // SAFETY: as above.
+                unsafe {
+                    copy(
+                        (&raw const *file).cast::<u8>().add(header.offset),
+                        header.address,
+                        header.file_size,
+                    );
+                    if is_error(call(MPROTECT, [start, size, header.protection()])) {
+                        return None;
+                    }
+                }
+            }
+            INTERPRETER => loaded.interpreter = header.address,
+            PROGRAM_HEADERS => loaded.headers = header.address,
+            _ => {}
+        }
+    }
+    Some(loaded)
+}
+
+#[inline(always)]
+unsafe fn copy(from: *const u8, to: usize, size: usize) {
+    // SAFETY: the caller vouches for it. (`copy_nonoverlapping` would call a function of libc.)
+    unsafe {
+        asm!(
+            "rep movsb",
+            inout("rsi") from => _,
+            inout("rdi") to => _,
+            inout("rcx") size => _,
+            options(nostack, preserves_flags),
+        );
+    }
+}
+
+impl Loaded {
+    /// Maps the dynamic linker and tells it of the program. Returns where it starts, or an error.
+    ///
+    /// # Safety
+    /// `memory` has to be a page, and `stack` what the process was started with.
+    #[inline(always)]
+    pub unsafe fn link(&self, memory: usize, stack: *mut usize) -> Option<usize> {
+        // SAFETY: the path is in the program, the caller vouches for the rest.
+        unsafe {
+            let file = call(OPEN, [self.interpreter]);
+            // An error is met below: nothing can be read then, and no header found.
+            call(READ, [file, memory, PAGE]);
+            let header = &*(memory as *const FileHeader);
+            let loads = header.headers().iter().filter(|header| header.kind == LOAD);
+            let size = loads
+                .clone()
+                .map(|header| header.address + header.size)
+                .last()?;
+            let base = call(MMAP, [0, size, READ_WRITE, PRIVATE | ANONYMOUS, usize::MAX]);
+            if is_error(base) {
+                return None;
+            }
+            for header in loads {
+                let lead = header.lead();
+                let start = base + header.address - lead;
+                let size = header.file_size + lead;
+                let mapped = call(
+                    MMAP,
+                    [
+                        start,
+                        size,
+                        header.protection(),
+                        PRIVATE | FIXED,
+                        file,
+                        header.offset - lead,
+                    ],
+                );
+                if is_error(mapped) {
+                    return None;
+                }
+                if header.size > header.file_size {
+                    // The rest of the last page is the next segment's, or nobody's.
+                    let mut end = start + size;
+                    while end % PAGE != 0 {
+                        *(end as *mut u8) = 0;
+                        end += 1;
+                    }
+                }
+            }
+            call(CLOSE, [file]);
+            self.tell(stack, base);
+            Some(base + header.entry)
+        }
+    }
+
+    /// Corrects what the system has told of the program.
+    #[inline(always)]
+    unsafe fn tell(&self, stack: *mut usize, base: usize) {
+        // SAFETY: the caller vouches for the stack: the number of arguments, these, 0, the environment, 0, and pairs.
+        unsafe {
+            let mut pair = stack.add(*stack + 2);
+            while *pair != 0 {
+                pair = pair.add(1);
+            }
+            pair = pair.add(1);
+            loop {
+                let value = match *pair {
+                    0 => break,
+                    3 => self.headers,
+                    5 => self.header_count,
+                    7 => base,
+                    9 => self.entry,
+                    _ => *pair.add(1),
+                };
+                *pair.add(1) = value;
+                pair = pair.add(2);
+            }
+        }
+    }
+}
