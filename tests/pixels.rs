@@ -15,7 +15,8 @@ fn colour(x: usize, y: usize, round: usize) -> u32 {
     mixed.wrapping_mul(0x9e37_79b1) >> 8
 }
 
-fn main() {
+#[test]
+fn a_window_shows_the_pixels_drawn_at_any_size() {
     stage::on_displays(&[&[], &["-extension", "MIT-SHM"]], look);
 }
 
@@ -48,7 +49,6 @@ fn look() {
             compare(&display, size, round + 1, stretched);
         }
     }
-    println!("windows from 1x1 to 1280x1024 show the pixels drawn");
 }
 
 /// Draws a picture of the window's size, or of half of it.
@@ -73,14 +73,14 @@ fn halves(width: usize, height: usize) -> (usize, usize) {
 }
 
 fn resize(display: &str, (width, height): (usize, usize)) {
-    let mut xdotool = stage::tool("xdotool", "xdotool");
+    let mut xdotool = stage::tool("xdotool");
     let words =
         format!("search --sync --name Eightfold windowmove 0 0 windowsize {width} {height}");
     stage::run(xdotool.env("DISPLAY", display).args(words.split(' ')));
 }
 
 fn compare(display: &str, (width, height): (usize, usize), round: usize, half: bool) {
-    let mut import: Command = stage::tool("import", "imagemagick");
+    let mut import: Command = stage::tool("import");
     let part = format!("{width}x{height}+0+0");
     let (output, _) = stage::run(import.env("DISPLAY", display).args([
         "-window", "root", "-crop", &part, "+repage", "-depth", "8", "rgb:-",

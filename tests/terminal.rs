@@ -51,7 +51,7 @@ impl Terminal {
     }
 
     fn tmux(&self, words: &[&str]) -> String {
-        let mut tmux = tool("tmux", "tmux");
+        let mut tmux = tool("tmux");
         tmux.args(["-f", "/dev/null", "-u", "-S"])
             .arg(&self.socket)
             .args(words);
@@ -98,14 +98,14 @@ impl Terminal {
     /// Sends a signal to the intro.
     fn signal(&self, name: &str) {
         let shell = self.tmux(&["display", "-p", "#{pane_pid}"]);
-        let mut pkill = tool("pkill", "procps");
+        let mut pkill = tool("pkill");
         run(pkill.args(["--signal", name, "-P", shell.trim(), "eightfold"]));
     }
 }
 
 impl Drop for Terminal {
     fn drop(&mut self) {
-        let mut tmux = tool("tmux", "tmux");
+        let mut tmux = tool("tmux");
         run(tmux.arg("-S").arg(&self.socket).arg("kill-server"));
         let _ = fs::remove_file(&self.socket);
     }
@@ -113,6 +113,9 @@ impl Drop for Terminal {
 
 #[test]
 fn it_plays_in_a_terminal_of_any_size() {
+    if stage::lacks(&["tmux", "pkill"]) {
+        return;
+    }
     let terminal = Terminal::play(80, 24, "");
     terminal.wait_for_picture(80, 24);
     assert!(
@@ -131,6 +134,9 @@ fn it_plays_in_a_terminal_of_any_size() {
 
 #[test]
 fn it_moves() {
+    if stage::lacks(&["tmux", "pkill"]) {
+        return;
+    }
     let terminal = Terminal::play(80, 24, "");
     terminal.wait_for_picture(80, 24);
     let before = terminal.text();
@@ -141,6 +147,9 @@ fn it_moves() {
 
 #[test]
 fn escape_and_control_c_end_it_and_other_keys_do_not() {
+    if stage::lacks(&["tmux", "pkill"]) {
+        return;
+    }
     for key in ["Escape", "C-c"] {
         let terminal = Terminal::play(60, 20, "");
         terminal.wait_for_picture(60, 20);
@@ -155,6 +164,9 @@ fn escape_and_control_c_end_it_and_other_keys_do_not() {
 
 #[test]
 fn signals_end_it_with_the_terminal_restored() {
+    if stage::lacks(&["tmux", "pkill"]) {
+        return;
+    }
     for (name, number) in [("TERM", 15), ("HUP", 1), ("INT", 2)] {
         let terminal = Terminal::play(60, 20, "");
         terminal.wait_for_picture(60, 20);
@@ -165,6 +177,9 @@ fn signals_end_it_with_the_terminal_restored() {
 
 #[test]
 fn it_ends_by_itself_in_a_terminal() {
+    if stage::lacks(&["tmux", "pkill"]) {
+        return;
+    }
     let terminal = Terminal::play(60, 20, "--seconds 1");
     terminal.wait_for_picture(60, 20);
     terminal.wait_for_end(0);
@@ -173,6 +188,9 @@ fn it_ends_by_itself_in_a_terminal() {
 
 #[test]
 fn keys_come_from_the_terminal_where_standard_input_is_none() {
+    if stage::lacks(&["tmux", "pkill"]) {
+        return;
+    }
     let terminal = Terminal::play(60, 20, "< /dev/null");
     terminal.wait_for_picture(60, 20);
     terminal.tmux(&["send-keys", "Escape"]);

@@ -28,11 +28,14 @@ fn servers() -> [(&'static str, Server); 2] {
 
 #[test]
 fn the_window_has_its_title_and_size_and_shows_the_frame() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     for (manager, server) in servers() {
         let intro = server.play(&["--seconds", "60"]);
         let window = server.window().expect("a window");
         assert_eq!(window[2..], [1024, 768], "{manager}");
-        let mut xprop = server.tool("xprop", "x11-utils");
+        let mut xprop = server.tool("xprop");
         let (_, properties) = run(xprop.args(["-name", "Eightfold", "WM_NAME", "_NET_WM_NAME"]));
         assert_eq!(
             properties.matches("\"Eightfold\"").count(),
@@ -59,6 +62,9 @@ fn the_window_has_its_title_and_size_and_shows_the_frame() {
 
 #[test]
 fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     for (manager, server) in servers() {
         let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
         server.xdotool("search --name Eightfold windowmove 123 77");
@@ -82,6 +88,9 @@ fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
 
 #[test]
 fn it_can_start_over_the_whole_screen() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     for (manager, server) in servers() {
         let intro = server.play(&["--fullscreen", "--size", "640x400", "--seconds", "60"]);
         server.wait_for_window(SCREEN);
@@ -97,6 +106,9 @@ fn it_can_start_over_the_whole_screen() {
 
 #[test]
 fn the_window_can_have_any_size() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     for (manager, server) in servers() {
         let intro = server.play(&["--seconds", "60"]);
         for [width, height] in [[1, 1], [333, 77], [2, 500], [701, 3], [640, 480]] {
@@ -118,6 +130,9 @@ fn the_window_can_have_any_size() {
 
 #[test]
 fn a_window_beyond_the_largest_picture_is_filled() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let server = Server::start(4100, 2200);
     let intro = server.play(&["--fullscreen", "--seconds", "60"]);
     server.wait_for_window([0, 0, 4100, 2200]);
@@ -134,6 +149,9 @@ fn a_window_beyond_the_largest_picture_is_filled() {
 
 #[test]
 fn escape_ends_it_at_once() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     for (manager, server) in servers() {
         let intro = server.play(&["--seconds", "60"]);
         let output = end_by_escape(&server, intro);
@@ -146,16 +164,19 @@ fn escape_ends_it_at_once() {
 
 #[test]
 fn closing_the_window_ends_it_at_once() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let [_, _, width, height] = SCREEN.map(|side| side as usize);
     let server = Server::start_managed(width, height);
     // By the message that a window manager sends when it is asked to, and by force.
-    for (tool, package, words) in [
-        ("wmctrl", "wmctrl", "-c Eightfold"),
-        ("xdotool", "xdotool", "search --name Eightfold windowclose"),
+    for (tool, words) in [
+        ("wmctrl", "-c Eightfold"),
+        ("xdotool", "search --name Eightfold windowclose"),
     ] {
         let intro = server.play(&["--seconds", "60"]);
         sleep(Duration::from_millis(300));
-        run(server.tool(tool, package).args(words.split(' ')));
+        run(server.tool(tool).args(words.split(' ')));
         let (time, code, output, errors) = intro.end();
         assert_eq!(code, Some(0), "{tool}: {output}{errors}");
         assert_eq!(errors, "");
@@ -166,6 +187,9 @@ fn closing_the_window_ends_it_at_once() {
 
 #[test]
 fn the_end_of_the_server_is_an_error_and_no_crash() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     for (manager, mut server) in servers() {
         let intro = server.play(&["--seconds", "60"]);
         sleep(Duration::from_millis(300));
@@ -178,6 +202,9 @@ fn the_end_of_the_server_is_an_error_and_no_crash() {
 
 #[test]
 fn a_display_without_pixels_of_32_bits_is_as_good_as_none() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let server = Server::start_with(320, 240, &["-screen", "0", "320x240x16"]);
     let intro = Process::start(
         Command::new(stage::intro())
@@ -191,6 +218,9 @@ fn a_display_without_pixels_of_32_bits_is_as_good_as_none() {
 
 #[test]
 fn it_ends_by_itself() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     for (manager, server) in servers() {
         let intro = server.play(&["--seconds", "1.5", "--size", "64x48"]);
         let (time, code, output, errors) = intro.end();
@@ -202,6 +232,9 @@ fn it_ends_by_itself() {
 
 #[test]
 fn frames_are_at_most_sixty_a_second_unless_uncapped() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let server = Server::start(320, 240);
     let frames = |options: &[&str]| {
         let intro = server.play(&[&["--size", "64x48", "--seconds", "2"], options].concat());

@@ -2,6 +2,10 @@
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 
+mod tools;
+
+pub use tools::{DISPLAY, lacks, tool};
+
 use std::{
     env,
     io::{BufRead, BufReader, Read},
@@ -48,17 +52,6 @@ fn build() -> PathBuf {
         .into()
 }
 
-/// Starts a tool that a Debian package has, or says which one.
-pub fn tool(name: &str, package: &str) -> Command {
-    let there = env::var_os("PATH")
-        .is_some_and(|path| env::split_paths(&path).any(|folder| folder.join(name).exists()));
-    assert!(
-        there,
-        "this test needs {name}: sudo apt-get install {package}"
-    );
-    Command::new(name)
-}
-
 /// Runs a command to its end. What it writes is text.
 pub fn run(command: &mut Command) -> (Output, String) {
     let output = command.output().expect("the command starts");
@@ -95,12 +88,6 @@ impl Process {
         let command = command.stdin(Stdio::null());
         let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
         Process(command.spawn().expect("the command starts"))
-    }
-
-    /// Sends a signal, by name.
-    pub fn signal(&self, name: &str) {
-        let mut kill = tool("kill", "procps");
-        run(kill.args(["-s", name, &self.0.id().to_string()]));
     }
 
     /// Waits for the end: how long that took, the exit code (`None` after a signal), what was written to
@@ -144,7 +131,7 @@ impl Server {
 
     /// Starts one with a screen of a size, and with arguments.
     pub fn start_with(width: usize, height: usize, arguments: &[&str]) -> Server {
-        let mut command = tool("Xvfb", "xvfb");
+        let mut command = tool("Xvfb");
         let screen = format!("{width}x{height}x24");
         let mut process = Process::start(
             command
@@ -168,11 +155,11 @@ impl Server {
     /// Starts one with openbox, a window manager.
     pub fn start_managed(width: usize, height: usize) -> Server {
         let mut server = Server::start(width, height);
-        let mut openbox = tool("openbox", "openbox");
+        let mut openbox = tool("openbox");
         openbox.env("DISPLAY", &server.display);
         server.manager = Some(Process::start(&mut openbox));
         wait_for("the window manager", || {
-            let mut xprop = server.tool("xprop", "x11-utils");
+            let mut xprop = server.tool("xprop");
             let (_, text) = run(xprop.args(["-root", "_NET_SUPPORTED"]));
             text.contains("FULLSCREEN").then_some(())
         });
@@ -180,15 +167,15 @@ impl Server {
     }
 
     /// A tool that looks at this display.
-    pub fn tool(&self, name: &str, package: &str) -> Command {
-        let mut command = tool(name, package);
+    pub fn tool(&self, name: &str) -> Command {
+        let mut command = tool(name);
         command.env("DISPLAY", &self.display);
         command
     }
 
     /// Does something that xdotool can do.
     pub fn xdotool(&self, words: &str) -> String {
-        let mut xdotool = self.tool("xdotool", "xdotool");
+        let mut xdotool = self.tool("xdotool");
         run(xdotool.args(words.split(' '))).1
     }
 
@@ -235,7 +222,7 @@ impl Server {
 
     /// The inside of a window, once it can be seen: its place on the screen and size. `which` is as xwininfo is told.
     pub fn place(&self, which: &[&str]) -> Option<[i32; 4]> {
-        let mut xwininfo = self.tool("xwininfo", "x11-utils");
+        let mut xwininfo = self.tool("xwininfo");
         let (_, text) = run(xwininfo.args(which));
         let number = |label: &str| {
             let (_, rest) = text.split_once(label)?;
@@ -267,7 +254,7 @@ impl Server {
 
     /// What is on the screen, in a rectangle: pixels `0x00RRGGBB`, row after row.
     pub fn screenshot(&self, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
-        let mut import = self.tool("import", "imagemagick");
+        let mut import = self.tool("import");
         let part = format!("{width}x{height}+{x}+{y}");
         let (output, _) = run(import
             .args(["-window", "root", "-crop", &part, "+repage"])
@@ -288,8 +275,8 @@ impl Server {
     }
 }
 
-/// Runs this very program once more on a display, for each of several servers, which are given by their
-/// arguments; in there, does the work.
+/// Runs this very program, which has one test, once more on a display, for each of several servers, which are given by
+/// their arguments; in there, does the work.
 ///
 /// Xlib looks for the display in the environment, which can't be changed while a program runs.
 pub fn on_displays(servers: &[&[&str]], work: fn()) {
@@ -297,9 +284,13 @@ pub fn on_displays(servers: &[&[&str]], work: fn()) {
     if env::var_os(INSIDE).is_some() {
         return work();
     }
+    if lacks(DISPLAY) {
+        return;
+    }
     for arguments in servers {
         let server = Server::start_with(1280, 1024, arguments);
         let status = Command::new(env::current_exe().expect("this program"))
+            .args(["--nocapture", "--test-threads", "1"])
             .env("DISPLAY", &server.display)
             .env(INSIDE, "1")
             .status()

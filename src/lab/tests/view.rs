@@ -36,7 +36,7 @@ impl View {
 
     fn title(&self) -> String {
         let id = id(&self.server).expect("a window");
-        let mut xprop = self.server.tool("xprop", "x11-utils");
+        let mut xprop = self.server.tool("xprop");
         let (_, text) = run(xprop.args(["-id", &id, "_NET_WM_NAME"]));
         text.split('"').nth(1).unwrap_or_default().to_owned()
     }
@@ -92,6 +92,9 @@ fn number(title: &str, unit: &str) -> f64 {
 
 #[test]
 fn it_shows_the_picture_of_the_moment_and_says_how_right_it_is() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let view = View::start(&[]);
     let picture = rendered("2", "default");
     view.assert_shows("the picture", |shot| shot == picture);
@@ -108,6 +111,9 @@ fn it_shows_the_picture_of_the_moment_and_says_how_right_it_is() {
 
 #[test]
 fn it_is_the_show_unless_asked_otherwise() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let view = View::of(&["--time", "20", "--paused"]);
     let (output, _) = run(Command::new(env!("CARGO_BIN_EXE_lab"))
         .args(["render", "--size", "320x240", "--out", "-"])
@@ -119,6 +125,9 @@ fn it_is_the_show_unless_asked_otherwise() {
 
 #[test]
 fn time_is_under_control() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let view = View::start(&["--fps", "50"]);
     let before = rendered("2", "default");
     view.assert_shows("the picture", |shot| shot == before);
@@ -142,6 +151,9 @@ fn time_is_under_control() {
 
 #[test]
 fn digits_choose_qualities() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let view = View::start(&[]);
     for (key, quality) in [("2", "thesis"), ("1", "exhaustive"), ("9", "fastest")] {
         view.press(key, quality);
@@ -154,6 +166,9 @@ fn digits_choose_qualities() {
 
 #[test]
 fn letters_show_what_a_frame_is_made_of() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let view = View::start(&["--quality", "thesis"]);
     let picture = rendered("2", "thesis");
     let exhaustive = rendered("2", "exhaustive");
@@ -204,6 +219,9 @@ fn letters_show_what_a_frame_is_made_of() {
 
 #[test]
 fn the_keys_are_listed_and_escape_ends_it() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let view = View::start(&[]);
     view.server.xdotool("key question");
     // What comes later has been seen after what came before.
@@ -220,6 +238,9 @@ fn the_keys_are_listed_and_escape_ends_it() {
 
 #[test]
 fn a_larger_window_has_a_larger_picture() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
     let view = View::start(&[]);
     let size = format!("windowsize {} 400 300", id(&view.server).expect("a window"));
     view.server.xdotool(&size);

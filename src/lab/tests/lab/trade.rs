@@ -208,10 +208,10 @@ fn what_is_done_before_ctrl_c_is_written_whole() {
     while !out.exists() {
         std::thread::yield_now();
     }
-    let pid = lab.id().to_string();
+    let pid = lab.id();
     assert!(
-        Command::new("kill")
-            .args(["-INT", &pid])
+        Command::new("sh")
+            .args(["-c", &format!("kill -INT {pid}")])
             .status()
             .unwrap()
             .success()

@@ -51,7 +51,7 @@ fn the_sound_of_frames_is_their_part_of_the_soundtrack() {
 
 /// What a player makes of a file, in raw form: all of it is placed by the times that it has in the file.
 fn decoded(file: &Path, how: &str) -> Vec<u8> {
-    let mut ffmpeg = stage::tool("ffmpeg", "ffmpeg");
+    let mut ffmpeg = stage::tool("ffmpeg");
     let (output, _) = stage::run(
         ffmpeg
             .args(["-v", "error", "-i"])
@@ -110,6 +110,9 @@ fn flash(brightness: &[f64], around: f64) -> f64 {
 /// The lamps of the machine flash on the kick, and nothing else is cut there.
 #[test]
 fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
+    if stage::lacks(&["ffmpeg"]) {
+        return;
+    }
     let folder = tempfile::tempdir().unwrap();
     let video = folder.path().join("machine.mp4");
     // From the machine's second bar on, two bars; their beats are counted from a quarter of a second before.
@@ -144,6 +147,9 @@ fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
 /// Two scenes begin on a kick, with a picture that is another one from a frame to the next.
 #[test]
 fn picture_and_sound_of_a_video_are_in_step() {
+    if stage::lacks(&["ffmpeg"]) {
+        return;
+    }
     let folder = tempfile::tempdir().unwrap();
     for (name, bar) in [("model.mp4", grid::MODEL), ("field.mkv", grid::FIELD)] {
         assert_eq!(eightfold::sound::pulse(BAR * bar as f32).kick, 1.0);

@@ -1,7 +1,7 @@
 //! Bad input, full disks, closed pipes: a line that says so, and no broken file.
 
 use super::{capture, files, flags};
-use crate::assert_one_line;
+use crate::{assert_one_line, stage};
 use std::fs;
 use std::io::Read;
 use std::path::Path;
@@ -66,8 +66,6 @@ fn a_full_disk_is_named_in_one_line_and_leaves_no_broken_file() {
         &format!("--sheet {} {many} --frames 4", name("sheet.png")),
     );
     assert_one_line(&output, 1, &["sheet.png", "cannot write"]);
-    let output = limited(1, &format!("--video {} {many}", name("show.mp4")));
-    assert_one_line(&output, 1, &["show.mp4", "ffmpeg"]);
     let left: Vec<_> = fs::read_dir(folder.path()).unwrap().collect();
     assert_eq!(left.len(), 1, "{left:?}");
     assert_one_line(
@@ -75,6 +73,18 @@ fn a_full_disk_is_named_in_one_line_and_leaves_no_broken_file() {
         1,
         &["/dev/full", "No space"],
     );
+}
+
+#[test]
+fn a_video_on_a_full_disk_is_named_in_one_line_and_leaves_no_broken_file() {
+    if stage::lacks(&["ffmpeg"]) {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let video = folder.path().join("show.mp4");
+    let output = limited(1, &format!("--video {} --to 9", video.display()));
+    assert_one_line(&output, 1, &["show.mp4", "ffmpeg"]);
+    assert!(files(folder.path()).is_empty());
 }
 
 #[test]
