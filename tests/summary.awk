@@ -11,7 +11,8 @@ function start(name) {
 function finish() {
     if (suite == "") return
     if (!has_result) passed = 1
-    printf "%-36s %7d %7d %9d %9.1f\n", suite, passed, failed, left_out, seconds
+    if (passed + failed + left_out)
+        printf "%-36s %7d %7d %9d %9.1f\n", suite, passed, failed, left_out, seconds
     all_passed += passed; all_failed += failed; all_left_out += left_out; all_seconds += seconds
     suite = ""; has_result = passed = failed = left_out = seconds = 0
 }

@@ -5,12 +5,13 @@
 pub mod arguments;
 pub mod bench;
 pub mod capture;
+pub mod cargo;
 pub mod error;
 pub mod figures;
 pub mod flicker;
 pub mod flip;
 pub mod interrupt;
-pub mod intro;
+
 pub mod machine;
 pub mod missed;
 pub mod output;

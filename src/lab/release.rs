@@ -1,6 +1,6 @@
 //! `lab release`: the intro and what is to be read with it, in one file.
 
-use crate::{intro, output};
+use crate::{cargo, output};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use std::fs;
@@ -39,7 +39,7 @@ const PROGRAM: u32 = 0o755;
 pub fn run(arguments: &Arguments) -> Result<()> {
     let path = match &arguments.intro {
         Some(path) => path.clone(),
-        None => intro::build()?.program,
+        None => cargo::intro()?,
     };
     let program = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
     let size = program.len();

@@ -7,6 +7,8 @@ use eightfold_window::cpu;
 mod oracle;
 #[path = "../reader/mod.rs"]
 mod reader;
+#[path = "../stage/mod.rs"]
+mod stage;
 
 mod accuracy;
 mod antialias;
@@ -24,6 +26,7 @@ mod ranges;
 mod refinement;
 mod reflected;
 mod sameness;
+mod shipped;
 mod show;
 mod sizes;
 mod soak;

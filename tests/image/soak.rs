@@ -18,6 +18,8 @@ const CASES: u64 = 150;
 /// Cases of seed 2008 that soaks have found something by: boxes, spheres and lamps of numbers that make no sense, in packets
 /// whose other rays come near to them.
 const FOUND: [u64; 6] = [139, 2402, 3245, 8120, 14_319, 23_323];
+/// How often a soak says how far it is.
+const PROGRESS: Duration = Duration::from_secs(5);
 /// What the default quality may be off from every pixel on average, of 255: small spheres that no corner sees, at 3,000
 /// pixels and more.
 const FARTHEST: f64 = 8.0;
@@ -330,7 +332,19 @@ fn any_case_is_drawn_by_the_same_bits_for_bounded_work() {
     }
     let first = number("SOAK_FIRST").unwrap_or(0);
     let (mut cases, mut measured, mut worst) = (0, 0, 0.0_f64);
+    let mut told = Duration::ZERO;
     while limit.map_or(cases < CASES, |limit| start.elapsed() < limit) {
+        let since = start.elapsed();
+        if let Some(limit) = limit
+            && since - told >= PROGRESS
+        {
+            told = since;
+            eprintln!(
+                "{} s of {}: {cases} cases held",
+                since.as_secs(),
+                limit.as_secs()
+            );
+        }
         if let Some(difference) = hold(&mut room, seed, first + cases) {
             measured += 1;
             worst = worst.max(difference.mean);

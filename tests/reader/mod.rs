@@ -15,3 +15,19 @@ pub fn read_png(bytes: &[u8]) -> (usize, Vec<u32>) {
         .map(|c| u32::from_be_bytes([0, c[0], c[1], c[2]]));
     (info.width as usize, pixels.collect())
 }
+
+/// The width and the pixels, `0x00RRGGBB`, of the bytes of a PPM file in 8-bit RGB.
+pub fn read_ppm(bytes: &[u8]) -> (usize, Vec<u32>) {
+    let mut parts = bytes.splitn(4, u8::is_ascii_whitespace);
+    let mut word = || std::str::from_utf8(parts.next().expect("a word")).expect("text");
+    assert_eq!(word(), "P6");
+    let side = |word: &str| word.parse::<usize>().expect("a number");
+    let (width, height) = (side(word()), side(word()));
+    let rest = parts.next().expect("the largest number and the pixels");
+    let rgb = rest.strip_prefix(b"255\n").expect("8 bits a channel");
+    assert_eq!(rgb.len(), width * height * 3, "whole data");
+    let pixels = rgb
+        .chunks_exact(3)
+        .map(|c| u32::from_be_bytes([0, c[0], c[1], c[2]]));
+    (width, pixels.collect())
+}

@@ -6,50 +6,21 @@ mod tools;
 
 pub use tools::{DISPLAY, lacks, tool};
 
+use eightfold_lab::cargo;
 use std::{
     env,
     io::{BufRead, BufReader, Read},
     path::PathBuf,
     process::{Child, Command, Output, Stdio},
-    sync::OnceLock,
+    sync::LazyLock,
     thread::sleep,
     time::{Duration, Instant},
 };
 
 /// The program that `cargo run --release` runs, built anew if anything has changed.
 pub fn intro() -> PathBuf {
-    static BUILT: OnceLock<PathBuf> = OnceLock::new();
-    BUILT.get_or_init(build).clone()
-}
-
-/// Builds the intro.
-fn build() -> PathBuf {
-    let output = Command::new(env!("CARGO"))
-        .args([
-            "build",
-            "--release",
-            "--package",
-            "eightfold",
-            "--bin",
-            "eightfold",
-        ])
-        .args(["--message-format", "json"])
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .expect("cargo runs");
-    let messages = String::from_utf8_lossy(&output.stdout);
-    assert!(
-        output.status.success(),
-        "cargo build --release: {messages}{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    let program = messages
-        .lines()
-        .rev()
-        .find_map(|line| line.split("\"executable\":\"").nth(1)?.split('"').next());
-    program
-        .unwrap_or_else(|| panic!("cargo does not say what it has built: {messages}"))
-        .into()
+    static BUILT: LazyLock<PathBuf> = LazyLock::new(|| cargo::intro().expect("it can be built"));
+    BUILT.clone()
 }
 
 /// Runs a command to its end. What it writes is text.
@@ -289,12 +260,17 @@ pub fn on_displays(servers: &[&[&str]], work: fn()) {
     }
     for arguments in servers {
         let server = Server::start_with(1280, 1024, arguments);
-        let status = Command::new(env::current_exe().expect("this program"))
+        let output = Command::new(env::current_exe().expect("this program"))
             .args(["--nocapture", "--test-threads", "1"])
             .env("DISPLAY", &server.display)
             .env(INSIDE, "1")
-            .status()
+            .output()
             .expect("this program starts");
-        assert!(status.success(), "it fails on a server with {arguments:?}");
+        let said = String::from_utf8_lossy(&output.stdout);
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            output.status.success(),
+            "it fails on a server with {arguments:?}: {said}{errors}"
+        );
     }
 }

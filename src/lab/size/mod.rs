@@ -3,7 +3,8 @@
 mod map;
 mod name;
 
-use crate::{arguments, intro, output};
+use crate::cargo::Build;
+use crate::{arguments, output};
 use anyhow::{Context, Result};
 use clap::Args;
 use map::{Map, Part};
@@ -34,12 +35,13 @@ struct Sum {
 
 /// Builds the intro, and prints the tables.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let intro = intro::build()?;
-    let program = intro.program.display();
-    let file = fs::metadata(&intro.program).with_context(|| format!("cannot read {program}"))?;
-    let map = intro.map.display();
-    let map = fs::read_to_string(&intro.map)
-        .with_context(|| format!("cannot read the linker's map, {map}"))?;
+    let build = Build::release("eightfold")?;
+    let program = build.program("eightfold")?;
+    let file =
+        fs::metadata(&program).with_context(|| format!("cannot read {}", program.display()))?;
+    let map = build.script_folder("eightfold")?.join("eightfold.map");
+    let map = fs::read_to_string(&map)
+        .with_context(|| format!("cannot read the linker's map, {}", map.display()))?;
     let map = Map::parse(&map);
     let mut text = String::new();
     tell_sections(&mut text, &map, file.len())?;

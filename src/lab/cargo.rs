@@ -1,0 +1,88 @@
+//! What `cargo build --release` makes: the intro, and the library in it.
+
+use anyhow::{Context, Result, bail};
+use serde_json::Value;
+use std::env;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+/// A finished build of a package, as cargo tells of it.
+pub struct Build {
+    messages: Vec<Value>,
+}
+
+impl Build {
+    /// Builds a package of this workspace and all that it needs, as far as that is not built yet.
+    pub fn release(package: &str) -> Result<Self> {
+        let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
+        let mut command = Command::new(cargo);
+        command
+            .args(["build", "--release", "--package", package])
+            .args(["--message-format", "json-render-diagnostics"])
+            .stderr(Stdio::inherit());
+        // Where the lab itself is built, unless it is started by hand.
+        if let Some(folder) = env::var_os("CARGO_MANIFEST_DIR") {
+            command.current_dir(folder);
+        }
+        let output = command.output().context("cannot start cargo")?;
+        if !output.status.success() {
+            bail!("cargo cannot build {package}");
+        }
+        let text = String::from_utf8_lossy(&output.stdout);
+        let messages = text.lines().map(serde_json::from_str);
+        let messages = messages.filter_map(Result::ok).collect();
+        Ok(Self { messages })
+    }
+
+    /// The program of a name.
+    pub fn program(&self, name: &str) -> Result<PathBuf> {
+        let path = self
+            .artifact("bin", name)
+            .and_then(|artifact| artifact["executable"].as_str());
+        path.map(PathBuf::from)
+            .with_context(|| format!("cargo does not say where it has built {name}"))
+    }
+
+    /// The compiled library of a name, which programs are linked with.
+    pub fn library(&self, name: &str) -> Result<PathBuf> {
+        let files = self
+            .artifact("lib", name)
+            .and_then(|artifact| artifact["filenames"].as_array());
+        let mut files = files.into_iter().flatten().filter_map(Value::as_str);
+        files
+            .find(|file| file.ends_with(".rlib"))
+            .map(PathBuf::from)
+            .with_context(|| format!("cargo does not say where it has built lib{name}"))
+    }
+
+    /// The folder that the build script of the package with a program has written to.
+    pub fn script_folder(&self, program: &str) -> Result<PathBuf> {
+        let package = self
+            .artifact("bin", program)
+            .map(|artifact| &artifact["package_id"]);
+        let mut scripts = self.of_reason("build-script-executed");
+        scripts
+            .find(|message| Some(&message["package_id"]) == package)
+            .and_then(|message| message["out_dir"].as_str())
+            .map(PathBuf::from)
+            .with_context(|| format!("cargo does not say what the build script of {program} did"))
+    }
+
+    fn artifact(&self, kind: &str, name: &str) -> Option<&Value> {
+        self.of_reason("compiler-artifact").find(|message| {
+            let target = &message["target"];
+            target["name"] == name && target["kind"][0] == kind
+        })
+    }
+
+    fn of_reason(&self, reason: &str) -> impl Iterator<Item = &Value> {
+        self.messages
+            .iter()
+            .filter(move |message| message["reason"] == reason)
+    }
+}
+
+/// The intro's program, as `cargo run --release` plays it.
+pub fn intro() -> Result<PathBuf> {
+    Build::release("eightfold")?.program("eightfold")
+}

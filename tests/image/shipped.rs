@@ -1,0 +1,168 @@
+//! Frames of the very file that ships: `eightfold --still` draws what the library under test draws, bit for bit, so that
+//! what holds for its pictures holds for what ships; and it draws what the oracle sees.
+
+use crate::accuracy::assert_as_traced;
+use crate::cpu::{self, Isa};
+use crate::drawn::{Drawn, draw};
+use crate::error::{Difference, worst_channel};
+use crate::oracle::frame::Frame;
+use crate::reader::read_ppm;
+use crate::stage::intro;
+use eightfold::scene::{Method, Scene};
+use eightfold::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality, show};
+use eightfold_lab::arguments::NamedQuality;
+use std::process::Command;
+
+/// A frame of the show, as the program that ships is asked for it.
+#[derive(Clone, Copy)]
+pub struct Still {
+    /// Milliseconds since the show's beginning.
+    pub time: u32,
+    pub quality: NamedQuality,
+    pub width: usize,
+    pub height: usize,
+}
+
+impl Still {
+    fn exhaustive(time: u32, width: usize, height: usize) -> Self {
+        Self {
+            time,
+            quality: NamedQuality::EXHAUSTIVE,
+            width,
+            height,
+        }
+    }
+
+    /// What is to be seen in it.
+    pub fn scene(&self) -> Scene {
+        let mut scene = Scene::default();
+        // From nanoseconds, by the same roundings as in the intro.
+        let nanoseconds = u64::from(self.time) * 1_000_000;
+        show::at(nanoseconds as f32 / 1e9, &mut scene);
+        scene
+    }
+
+    /// The frame by the file that ships.
+    pub fn shipped(&self, isa: Isa, threads: usize) -> Vec<u32> {
+        let (seconds, milliseconds) = (self.time / 1000, self.time % 1000);
+        let output = Command::new(intro())
+            .args(["--still", &format!("{seconds}.{milliseconds:03}")])
+            .args(["--size", &format!("{}x{}", self.width, self.height)])
+            .args(["--quality", self.quality.name, "--isa", isa.name])
+            .args(["--threads", &threads.to_string()])
+            .output()
+            .expect("the intro starts");
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && errors.is_empty(), "{errors}");
+        let (width, pixels) = read_ppm(&output.stdout);
+        assert_eq!(
+            (width, pixels.len()),
+            (self.width, self.width * self.height)
+        );
+        pixels
+    }
+
+    /// The frame by the library under test.
+    pub fn drawn(&self, isa: Isa) -> Vec<u32> {
+        let quality = &self.quality.quality;
+        draw(isa, 2, &self.scene(), quality, self.width, self.height).pixels
+    }
+
+    /// Asserts that both are the same, drawn by one thread and by several.
+    fn assert_same(&self) {
+        for isa in cpu::instruction_sets() {
+            let drawn = self.drawn(isa);
+            for threads in [1, 3] {
+                let what = format!(
+                    "{} ms, {}x{}, {} by {}, {threads} threads",
+                    self.time, self.width, self.height, self.quality, isa.name
+                );
+                assert!(self.shipped(isa, threads) == drawn, "{what}");
+            }
+        }
+    }
+}
+
+/// Milliseconds in all scenes of the show, several in each, without a caption, which the oracle can't write.
+const TIMES: [u32; 16] = [
+    2_300, 5_500, 13_100, 18_700, 26_900, 28_300, 43_100, 45_200, 54_700, 61_400, 66_500, 72_900,
+    78_300, 83_600, 84_300, 95_700,
+];
+
+/// The least PSNR of a frame of the default quality in decibels, at this size: errors lie along edges, of which a small
+/// picture has more.
+const LEAST_PSNR: f64 = 33.0;
+
+#[test]
+fn what_ships_is_as_the_oracle_sees_it_in_every_scene() {
+    let (width, height) = (320, 180);
+    for time in TIMES {
+        let still = Still::exhaustive(time, width, height);
+        let mut scene = still.scene();
+        let captions = scene.captions.iter().map(|caption| caption.brightness);
+        assert_eq!(captions.sum::<f32>(), 0.0, "no caption at {time} ms");
+        scene.captions.clear();
+        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
+        let mut exhaustive = Vec::new();
+        for isa in cpu::instruction_sets() {
+            let what = format!("{time} ms by {}", isa.name);
+            let pixels = still.shipped(isa, 2);
+            let counts = Counts::default();
+            let drawn = Drawn { pixels, counts };
+            assert_as_traced(&drawn, &frame, &what);
+            exhaustive.push(drawn.pixels);
+            // Marks of how it is drawn are no errors.
+            if scene.method == Method::default() {
+                let quality = "default".parse().expect("a quality");
+                let pixels = Still { quality, ..still }.shipped(isa, 2);
+                let psnr = Difference::between(&frame.picture(), &pixels).psnr;
+                assert!(psnr >= LEAST_PSNR, "{what}: {psnr} dB");
+            }
+        }
+        assert_alike_but_on_silhouettes(&exhaustive, &frame, &format!("{time} ms"));
+    }
+}
+
+/// Asserts that pictures by several instruction sets are at most 1 of 255 apart where the oracle sees no silhouette.
+fn assert_alike_but_on_silhouettes(pictures: &[Vec<u32>], frame: &Frame, what: &str) {
+    let silhouettes = frame.silhouettes();
+    for other in &pictures[1..] {
+        let pairs = pictures[0].iter().zip(other).zip(&silhouettes);
+        let off = pairs
+            .filter(|(_, on)| !**on)
+            .map(|((&a, &b), _)| worst_channel(a, b));
+        assert!(off.max() <= Some(1), "{what}");
+    }
+}
+
+#[test]
+fn what_ships_draws_the_bits_of_the_library_under_test_by_every_quality() {
+    for (i, quality) in NamedQuality::all().enumerate() {
+        // Two times of each, as far from each other as two scenes.
+        for time in [TIMES[i], TIMES[i + 7]] {
+            let still = Still {
+                time,
+                quality,
+                width: 331,
+                height: 217,
+            };
+            still.assert_same();
+        }
+    }
+}
+
+#[test]
+fn what_ships_draws_the_bits_of_the_library_under_test_at_every_size() {
+    for (width, height) in [(1, 1), (7, 3), (1, 100), (MAX_WIDTH, 9), (9, MAX_HEIGHT)] {
+        Still::exhaustive(17_300, width, height).assert_same();
+    }
+    let quality = "default".parse().expect("a quality");
+    let largest = Still {
+        time: 33_500,
+        quality,
+        width: MAX_WIDTH,
+        height: MAX_HEIGHT,
+    };
+    let isa = cpu::best();
+    assert!(largest.shipped(isa, 2) == largest.drawn(isa));
+}
