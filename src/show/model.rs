@@ -8,7 +8,7 @@ use super::{Set, settings, things};
 use crate::scene::{Method, Scene};
 use glam::vec3a;
 
-/// Seconds of one orbit: a full turn at [`ORBIT_SPEED`].
+/// Seconds of one orbit: a full turn at the orbit's speed.
 pub const LENGTH: f32 = 8.0 * core::f32::consts::PI;
 
 /// Radians a second.
