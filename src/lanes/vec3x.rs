@@ -78,6 +78,16 @@ impl<S: Simd> Mul for Vec3x<S> {
 }
 
 impl<S: Simd> Vec3x<S> {
+    /// `a` in the lanes of the mask, `b` in the others.
+    #[inline(always)]
+    pub fn select(mask: M<S>, a: Self, b: Self) -> Self {
+        Self {
+            x: mask.select(a.x, b.x),
+            y: mask.select(a.y, b.y),
+            z: mask.select(a.z, b.z),
+        }
+    }
+
     /// The vector `s` times as long.
     #[inline(always)]
     pub fn scaled(self, s: F<S>) -> Self {

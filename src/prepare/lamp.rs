@@ -1,6 +1,7 @@
 //! Lights as shadow rays want them.
 
 use super::slack;
+use super::surface::bounded;
 use super::tree::{MARGIN, MAX_NODES, Node};
 use crate::scene::{Light, Spot};
 use crate::trigonometry::root;
@@ -17,7 +18,7 @@ pub(crate) struct Lamp {
     pub cone: Spot,
     /// Its diameter, and the widest that a penumbra is taken to be at what throws it.
     pub diameter: f32,
-    pub widest: f32,
+    pub max_penumbra: f32,
     /// Whether it is no more than a point.
     pub is_point: bool,
     /// The solid nodes of the [`super::Tree`].
@@ -80,31 +81,32 @@ impl Lamp {
             bright: 0.0,
         },
         diameter: 0.0,
-        widest: 0.0,
+        max_penumbra: 0.0,
         is_point: false,
         casters: [Caster::NONE; MAX_NODES],
     };
 
-    /// Whether it is a point, and all solids are spheres; else [`super::Details`] know more.
+    /// Whether it is a point, and all solids are spheres: then its shadows are hard.
     #[inline(always)]
     pub fn is_plain(&self) -> bool {
         self.is_plain
     }
 
     /// Takes a light in, and the nodes that can shade it.
-    pub fn set(&mut self, light: &Light, has_blocks: bool, nodes: &[Node]) {
+    pub fn set(&mut self, light: &Light, nodes: &[Node], has_blocks: bool) {
         self.position = light.place();
+        self.colour = Vec3A::from_array(light.colour.to_array().map(bounded));
         self.is_point = light.is_plain();
         self.is_plain = self.is_point && !has_blocks;
         self.is_cone = light.spot.is_some();
         self.cone = light.spot.unwrap_or(ALL_BRIGHT);
         self.diameter = light.diameter();
         // Below 0 a sphere would shade what its bound does not.
-        self.widest = light.widest().max(0.0);
+        self.max_penumbra = light.max_penumbra().max(0.0);
         for (caster, node) in self.casters.iter_mut().zip(nodes) {
             // A sphere's penumbra is wider, and a bound shades from its nearest point on.
             let radius = if !node.is_block {
-                node.radius + 0.5 * self.widest
+                node.radius + 0.5 * self.max_penumbra
             } else {
                 node.radius
             };

@@ -1,7 +1,7 @@
 //! What every ray of a frame uses, computed once a frame.
 
+mod air;
 mod cone;
-mod details;
 mod lamp;
 mod object;
 mod outline;
@@ -9,19 +9,18 @@ mod screen;
 mod surface;
 mod tree;
 
+pub(crate) use air::Air;
 pub(crate) use cone::ROUNDING;
-pub(crate) use details::Details;
 pub(crate) use lamp::{Caster, Lamp};
 pub(crate) use object::Object;
 pub(crate) use outline::Outline;
 use screen::Window;
 pub(crate) use screen::{Axes, Rect, rectangle};
-pub(crate) use surface::{FIELDS, PATTERN, Spread};
+pub(crate) use surface::{Row, Surface, SurfaceRow};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{GroupSet, Node, Tree};
 
-use crate::lanes::MAX_LANES;
-use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Scene, camera::Raster};
+use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Method, Scene, camera::Raster};
 use glam::Vec3A;
 
 /// How far rounding takes a point that was computed to be on a sphere from it, as a share of the sphere's largest
@@ -35,9 +34,6 @@ const SLACK: f32 = 10.0 / (1 << 24) as f32;
 /// Objects a ray can hit: spheres, lights (drawn as spheres), planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 
-/// Room for them: a power of two, so that a number is masked and not checked.
-const ROOM: usize = MAX_OBJECTS.next_power_of_two();
-
 /// Room for what can be seen for itself: objects, and the shadows that spheres throw on planes.
 pub(crate) const OUTLINES: usize =
     (MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS).next_power_of_two();
@@ -46,6 +42,9 @@ pub(crate) const OUTLINES: usize =
 ///
 /// Objects are numbered as they are in the scene: solids, lights, planes, background.
 pub(crate) struct Prepared {
+    /// The scene as it was given.
+    pub scene: Scene,
+    pub air: Air,
     pub eye: Vec3A,
     pub raster: Raster,
     /// Rows of the picture.
@@ -65,8 +64,11 @@ pub(crate) struct Prepared {
     pub lamp_count: usize,
     planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
-    surfaces: [Spread; ROOM],
-    pub details: Details,
+    surfaces: [SurfaceRow; MAX_OBJECTS],
+    /// Whether an object's pattern has edges.
+    has_edges: [bool; MAX_OBJECTS],
+    /// Whether any object has a pattern.
+    has_patterns: bool,
     /// What primary rays weigh.
     pub weight: f32,
     /// Where samples are, from the centres of their pixels, in pixels.
@@ -94,6 +96,8 @@ impl Prepared {
     /// An empty frame, all zeros.
     pub const fn new() -> Self {
         Self {
+            scene: Scene::NONE,
+            air: Air::ZERO,
             eye: Vec3A::ZERO,
             raster: Raster::NONE,
             height: 0,
@@ -108,8 +112,9 @@ impl Prepared {
             lamp_count: 0,
             planes: [Rectangle::NONE; MAX_PLANES],
             plane_count: 0,
-            surfaces: [[[0.0; MAX_LANES]; FIELDS]; ROOM],
-            details: Details::NONE,
+            surfaces: [SurfaceRow::ZERO; MAX_OBJECTS],
+            has_edges: [false; MAX_OBJECTS],
+            has_patterns: false,
             weight: 0.0,
             offset: glam::Vec2::ZERO,
         }
@@ -129,8 +134,37 @@ impl Prepared {
 
     /// The surface of the object number `i`.
     #[inline(always)]
-    pub fn surface(&self, i: usize) -> &Spread {
-        &self.surfaces[i % ROOM]
+    pub fn surface(&self, i: usize) -> &SurfaceRow {
+        &self.surfaces[i]
+    }
+
+    /// The object number `i`, and its material.
+    pub fn object(&self, i: usize) -> (Object<'_>, &Material) {
+        object::of(&self.scene, i)
+    }
+
+    /// Whether any solid is a box or a cylinder.
+    #[inline(always)]
+    pub fn has_blocks(&self) -> bool {
+        !self.scene.blocks.is_empty()
+    }
+
+    /// Whether a pattern varies the colour of any object.
+    #[inline(always)]
+    pub fn has_patterns(&self) -> bool {
+        self.has_patterns
+    }
+
+    /// Whether a pattern with edges varies the colour of the object number `i`.
+    #[inline(always)]
+    pub fn has_pattern(&self, i: usize) -> bool {
+        self.has_edges[i]
+    }
+
+    /// Whether more than the plain picture is shown.
+    #[inline(always)]
+    pub fn shows_method(&self) -> bool {
+        self.scene.method != Method::default()
     }
 
     /// The number of the first plane.
@@ -157,10 +191,11 @@ impl Prepared {
 
     /// Takes a scene in, for pictures of `width` by `height` pixels.
     pub fn set(&mut self, scene: &Scene, width: usize, height: usize) {
+        self.scene = *scene;
+        self.air = Air::of(scene);
         self.eye = scene.camera.eye;
         self.raster = scene.camera.raster(width, height);
         self.axes.set(&self.raster, width, height);
-        self.details.pixel = self.axes.pixel;
         self.move_samples();
         self.height = height;
         self.solids = scene.solids();
@@ -168,25 +203,16 @@ impl Prepared {
         self.lamp_count = scene.lights.len();
         self.plane_count = scene.planes.len();
         self.tree.set(scene);
-        let mut has_patterns = false;
-        for (i, surface) in self.surfaces.iter_mut().enumerate() {
+        self.has_patterns = false;
+        for i in 0..=self.nothing() {
             let (object, material) = object::of(scene, i);
-            has_patterns |= material.pattern.depth != 0.0;
-            let is_last = matches!(object, Object::Nothing);
-            surface::spread(object, material, scene.ambient, scene.background, surface);
-            if is_last {
-                break;
-            }
+            self.has_patterns |= material.pattern.depth != 0.0;
+            self.has_edges[i] = object::has_edges(material);
+            self.surfaces[i].set(&Surface::of(&object, material, scene));
         }
-        let has_blocks = !scene.blocks.is_empty();
-        let mut has_lamps = false;
-        for (i, (lamp, light)) in self.lamps.iter_mut().zip(scene.lights.iter()).enumerate() {
-            let [_, _, _, _, red, green, blue, ..] = self.surfaces[(self.solids + i) % ROOM];
-            lamp.colour = Vec3A::new(red[0], green[0], blue[0]);
-            lamp.set(light, has_blocks, self.tree.solid());
-            has_lamps |= !lamp.is_plain();
+        for (lamp, light) in self.lamps.iter_mut().zip(scene.lights.iter()) {
+            lamp.set(light, self.tree.solid(), !scene.blocks.is_empty());
         }
-        self.details.set(scene, has_patterns, has_lamps);
         for (rectangle, plane) in self.planes.iter_mut().zip(scene.planes.iter()) {
             *rectangle = Rectangle {
                 centre: plane.centre,
@@ -213,7 +239,7 @@ impl Prepared {
             let group = node.groups.trailing_zeros() as usize % MAX_GROUPS;
             self.windows[group].join(outline.window);
             if node.is_block {
-                let object = self.details.object(node.number as usize).0;
+                let object = object::of(&self.scene, node.number as usize).0;
                 if let Object::Block(block) = object {
                     outline.set_block(&self.axes, to, block);
                 }

@@ -1,9 +1,10 @@
 //! What shading needs of an object.
 
+use super::air::BACKGROUND_HAZE;
 use super::object::Object;
 use crate::lanes::MAX_LANES;
-use crate::scene::Material;
-use glam::{Vec3A, Vec4};
+use crate::scene::{Material, Scene};
+use glam::Vec3A;
 
 /// A highlight below this is not computed: 1/40 of what 8 bits can show.
 const FAINT: f32 = 1e-4;
@@ -11,71 +12,210 @@ const FAINT: f32 = 1e-4;
 /// More than any r.v.
 const NO_HIGHLIGHT: f32 = 2.0;
 
-/// Numbers of an object's surface that kernels spread over lanes:
-///
-/// - the centre, and 1 / radius of a sphere or 0 of what is none;
-/// - the light that needs no lamp (ambient light reflected, or what a lamp or the background emits), and upright: 1 for a
-///   plane, 0 for a sphere, so that the normal at p is `(p - centre) / radius + (0, upright, 0)`;
-/// - the colour times the diffuse coefficient, and solid: 1 where lamps shine on it, 0 for lamps and the background;
-/// - specular coefficient and exponent, the r.v below which there is no highlight, and the share of the reflected ray;
-/// - the share of the transmitted ray, the refractive index, and the depth of the pattern, if that has edges.
-pub(crate) const FIELDS: usize = 20;
+/// An object's surface: of numbers, or of [`Row`]s.
+pub(crate) struct Surface<T> {
+    /// The centre of a sphere or a plane.
+    pub centre: [T; 3],
+    /// 1 / radius of a sphere, 0 of what is none. The normal at p is `(p - centre) / radius + (0, upright, 0)`.
+    pub inverse_radius: T,
+    /// 1 for a plane, 0 for a sphere.
+    pub upright: T,
+    /// 1 where lamps shine on it, 0 for lamps and the background.
+    pub is_lit: T,
+    /// The light that needs no lamp: ambient light reflected, or what a lamp or the background emits.
+    pub emitted: [T; 3],
+    /// The colour times the diffuse coefficient.
+    pub diffuse: [T; 3],
+    /// Specular coefficient.
+    pub ks: T,
+    /// Exponent of the highlight.
+    pub exponent: T,
+    /// The r.v below which there is no highlight.
+    pub highlight_start: T,
+    /// Share of the reflected ray.
+    pub kr: T,
+    /// Share of the transmitted ray.
+    pub kt: T,
+    /// Refractive index.
+    pub index: T,
+    /// Haze between it and a ray's start, in 1 / scene units.
+    pub haze: T,
+}
 
-/// Where the depth of the pattern is.
-pub(crate) const PATTERN: usize = 18;
+/// A number in as many lanes as there can be.
+pub(crate) type Row = [f32; MAX_LANES];
 
-/// A surface's numbers, each in as many lanes as there can be: a packet that hits one object needs no more than its address.
-pub(crate) type Spread = [[f32; MAX_LANES]; FIELDS];
+/// A surface's numbers in all lanes: a packet that hits one object needs no more than its address.
+pub(crate) type SurfaceRow = Surface<Row>;
 
-/// Waves that are not steepened have no edges: they change as slowly as light does, and squares with them are filled by their
-/// corners' colours. (The show's colonnade, of marble, takes two thirds of the time by it.)
-const SOFT: f32 = 1.0;
+/// Numbers of a surface.
+const NUMBERS: usize = 19;
 
 /// The largest number of a surface of a valid scene, and what is above: no product of a few overflows.
-const LARGEST: Vec4 = Vec4::splat(2e9);
+const LARGEST: f32 = 2e9;
 
-/// Spreads the surface of an object of a material over lanes. What is no number, or out of all measure, counts as 0: it
-/// would spoil the sum of a point even where it is multiplied by 0.
-pub(super) fn spread(
-    object: Object<'_>,
-    m: &Material,
-    ambient: Vec3A,
-    background: Vec3A,
-    lanes: &mut Spread,
-) {
-    let mut base = m.colour * ambient;
-    let (mut centre, mut inverse_radius, mut solid, mut upright) = (Vec3A::ZERO, 0.0, 1.0, 0.0);
-    let pattern = if m.pattern.edge > SOFT {
-        m.pattern.depth
-    } else {
-        0.0
-    };
-    match object {
-        Object::Sphere(sphere) => {
-            (centre, inverse_radius) = (sphere.centre, 1.0 / sphere.radius);
-        }
-        // The details know more.
-        Object::Block(_) => upright = 1.0,
-        Object::Plane(plane) => (centre, upright) = (plane.centre, 1.0),
-        Object::Lamp(light) => (base, solid) = (light.colour, 0.0),
-        Object::Nothing => (base, solid) = (background, 0.0),
+impl<T> Surface<T> {
+    /// Its numbers, in the order of the fields.
+    #[inline(always)]
+    pub fn rows(&self) -> [&T; NUMBERS] {
+        let Self {
+            centre: [x, y, z],
+            inverse_radius,
+            upright,
+            is_lit,
+            emitted: [red, green, blue],
+            diffuse: [diffuse_red, diffuse_green, diffuse_blue],
+            ks,
+            exponent,
+            highlight_start,
+            kr,
+            kt,
+            index,
+            haze,
+        } = self;
+        [
+            x,
+            y,
+            z,
+            inverse_radius,
+            upright,
+            is_lit,
+            red,
+            green,
+            blue,
+            diffuse_red,
+            diffuse_green,
+            diffuse_blue,
+            ks,
+            exponent,
+            highlight_start,
+            kr,
+            kt,
+            index,
+            haze,
+        ]
     }
-    let faint = if m.ks > FAINT {
-        root_below(FAINT / m.ks, m.exponent)
-    } else {
-        NO_HIGHLIGHT
+
+    /// The same, to be written.
+    #[inline(always)]
+    pub fn rows_mut(&mut self) -> [&mut T; NUMBERS] {
+        let Self {
+            centre: [x, y, z],
+            inverse_radius,
+            upright,
+            is_lit,
+            emitted: [red, green, blue],
+            diffuse: [diffuse_red, diffuse_green, diffuse_blue],
+            ks,
+            exponent,
+            highlight_start,
+            kr,
+            kt,
+            index,
+            haze,
+        } = self;
+        [
+            x,
+            y,
+            z,
+            inverse_radius,
+            upright,
+            is_lit,
+            red,
+            green,
+            blue,
+            diffuse_red,
+            diffuse_green,
+            diffuse_blue,
+            ks,
+            exponent,
+            highlight_start,
+            kr,
+            kt,
+            index,
+            haze,
+        ]
+    }
+}
+
+impl SurfaceRow {
+    /// Nothing, all zeros.
+    pub const ZERO: Self = {
+        const ROW: Row = [0.0; MAX_LANES];
+        Self {
+            centre: [ROW; 3],
+            inverse_radius: ROW,
+            upright: ROW,
+            is_lit: ROW,
+            emitted: [ROW; 3],
+            diffuse: [ROW; 3],
+            ks: ROW,
+            exponent: ROW,
+            highlight_start: ROW,
+            kr: ROW,
+            kt: ROW,
+            index: ROW,
+            haze: ROW,
+        }
     };
-    let rows = [
-        centre.extend(inverse_radius),
-        base.extend(upright),
-        (m.colour * m.kd).extend(solid),
-        Vec4::new(m.ks, m.exponent, faint, m.kr),
-        Vec4::new(m.kt, m.index, pattern, 0.0),
-    ];
-    for (lanes, row) in lanes.as_chunks_mut::<4>().0.iter_mut().zip(rows) {
-        let row = Vec4::select(row.abs().cmple(LARGEST), row, Vec4::ZERO);
-        for (lanes, field) in lanes.iter_mut().zip(row.to_array()) {
-            *lanes = [field; MAX_LANES];
+
+    /// Spreads a surface over lanes.
+    pub fn set(&mut self, surface: &Surface<f32>) {
+        for (row, &number) in self.rows_mut().into_iter().zip(surface.rows()) {
+            *row = [bounded(number); MAX_LANES];
+        }
+    }
+}
+
+/// A number of a surface; what is not a number, or is beyond [`LARGEST`], counts as 0: it would spoil the sum of a point even
+/// where it is multiplied by 0.
+pub(super) fn bounded(number: f32) -> f32 {
+    if number.abs() <= LARGEST { number } else { 0.0 }
+}
+
+impl Surface<f32> {
+    /// The surface of an object of a scene.
+    pub fn of(object: &Object<'_>, material: &Material, scene: &Scene) -> Self {
+        let emitted = match object {
+            Object::Lamp(light) => light.colour,
+            Object::Nothing => scene.background,
+            _ => material.colour * scene.ambient,
+        };
+        let (centre, inverse_radius) = match object {
+            Object::Sphere(sphere) => (sphere.centre, 1.0 / sphere.radius),
+            Object::Plane(plane) => (plane.centre, 0.0),
+            // Where a block is hit, `trace::block` knows.
+            _ => (Vec3A::ZERO, 0.0),
+        };
+        let highlight_start = if material.ks > FAINT {
+            root_below(FAINT / material.ks, material.exponent)
+        } else {
+            NO_HIGHLIGHT
+        };
+        Self {
+            centre: centre.to_array(),
+            inverse_radius,
+            upright: match object {
+                Object::Plane(_) | Object::Block(_) => 1.0,
+                _ => 0.0,
+            },
+            is_lit: match object {
+                Object::Lamp(_) | Object::Nothing => 0.0,
+                _ => 1.0,
+            },
+            emitted: emitted.to_array(),
+            diffuse: (material.colour * material.kd).to_array(),
+            ks: material.ks,
+            exponent: material.exponent,
+            highlight_start,
+            kr: material.kr,
+            kt: material.kt,
+            index: material.index,
+            haze: match object {
+                Object::Lamp(_) => 0.0,
+                Object::Nothing => scene.haze + BACKGROUND_HAZE,
+                _ => scene.haze,
+            },
         }
     }
 }

@@ -72,7 +72,7 @@ impl Smoothing {
         band: &mut Band<'_>,
     ) {
         // Marks of the method are no edges.
-        if self.finer.details.shows_method {
+        if self.finer.shows_method() {
             return;
         }
         let mut marks = [[false; _]; _];

@@ -14,7 +14,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     /// Whether the scene asks for more than the plain picture.
     #[inline(always)]
     fn shows_method(&self) -> bool {
-        self.scene.details.shows_method
+        self.scene.shows_method()
     }
 
     /// What the pixels on the upper and the left side of a filled square are noted by: the others are its neighbours'.
@@ -29,7 +29,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
         if !self.shows_method() {
             return;
         }
-        let method = &self.scene.details.scene.method;
+        let method = &self.scene.scene.method;
         let both = method.squares.max(method.points);
         let marks = [0.0, method.squares, method.points, both];
         let mut pixels = self.canvas.pixels.iter_mut();

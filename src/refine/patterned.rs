@@ -9,7 +9,7 @@ use super::square::{Corners, Limit, Square};
 use crate::lanes::*;
 use crate::observe::{Fill, Observer};
 use crate::quality::Quality;
-use crate::trace::left_seen;
+use crate::trace::pattern_at_pixels;
 use glam::Vec3A;
 
 /// The output's brightest step.
@@ -49,7 +49,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
         let mut shares = [[0.0; 4]; Quality::MAX_SQUARE / 4];
         for y in upper..(upper + h).min(canvas.height) {
             for (x, shares) in steps(left, right, 4).zip(&mut shares) {
-                *shares = left_seen(self.scene, object - 1, x, self.top + y);
+                *shares = pattern_at_pixels(self.scene, object - 1, x, self.top + y);
             }
             let row = y * canvas.width;
             let row = canvas.pixels.get_mut(row + left..row + right);

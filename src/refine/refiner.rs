@@ -7,7 +7,7 @@ use crate::lanes::*;
 use crate::observe::{Observer, tell_points};
 use crate::prepare::{Prepared, Seen, rectangle};
 use crate::quality::{Limits, Quality};
-use crate::trace::{BATCH, Sample, has_pattern, trace};
+use crate::trace::{BATCH, Sample, trace};
 use crate::worker::Worker;
 use fearless_simd::Level;
 use glam::Vec4;
@@ -73,7 +73,7 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     pub fn exchange(&mut self, borders: &mut [Border], are_done: [bool; 2], before: bool) {
         let rows = Band::rows(self.quality.square);
         let columns = self.quality.whole(self.canvas.width) + 1;
-        let layers = self.scene.details.has_patterns();
+        let layers = self.scene.has_patterns();
         let keys = self.quality.needs_keys();
         let points = &mut self.worker.points;
         if before {
@@ -175,12 +175,12 @@ impl<S: Simd, O: Observer> Refiner<'_, S, O> {
     fn trace(&mut self) {
         self.trace_batch();
         let Worker { batch, points, .. } = &mut *self.worker;
-        let has_patterns = self.scene.details.has_patterns();
+        let has_patterns = self.scene.has_patterns();
         let keys = self.quality.needs_keys();
         for i in 0..batch.len() {
             let (x, y, mut sample, key) = batch.result(i);
             if let Some(row) = points.row(y - self.top) {
-                if has_patterns && has_pattern(self.scene, sample.object() - 1) {
+                if has_patterns && self.scene.has_pattern(sample.object() - 1) {
                     sample = sample.patterned();
                     row.put_layers(x, batch.layers(i));
                 }

@@ -234,7 +234,7 @@ impl Light {
 
     /// The widest that a penumbra is taken to be at what throws it: for parallel rays that is reached four times as far
     /// away as `position` says.
-    pub(crate) fn widest(&self) -> f32 {
+    pub(crate) fn max_penumbra(&self) -> f32 {
         if self.parallel {
             4.0 * self.size
         } else {

@@ -1,13 +1,13 @@
 //! Points that are traced together.
 
-use super::details::Packet;
-use super::shade::Node;
+use super::candidates::Candidates;
+use super::shade::Contribution;
 use super::stack::{Rays, Stack};
 use super::{Counts, Layers, Sample, sample};
 use crate::lanes::*;
-use crate::prepare::{FIELDS, Prepared, Spread};
+use crate::prepare::{Prepared, SurfaceRow};
 use fearless_simd::i32x4;
-use glam::{Vec3A, Vec4};
+use glam::Vec3A;
 
 /// Points traced in one go: 16 kB of sums, which stay in the nearest cache.
 pub(crate) const BATCH: usize = 1024;
@@ -36,15 +36,15 @@ pub(crate) struct Batch {
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
     /// What a pattern leaves a share of, blue, green and red in output steps, and that share.
-    patterned: [Vec4; BATCH],
+    patterned: [[f32; 4]; BATCH],
     /// The objects that the primary rays hit.
     objects: [u32; BATCH],
     pixels: [u32; BATCH],
     pub stack: Stack,
-    /// The packet at work, as details look at it.
-    pub packet: Packet,
+    /// What the packet at work may meet beyond spheres and planes, or on its way to a lamp.
+    pub candidates: Candidates,
     /// The surfaces of a packet that hits several.
-    pub mixed: Spread,
+    pub mixed: SurfaceRow,
     /// What was done since it was last reset.
     pub counts: Counts,
 }
@@ -58,12 +58,12 @@ impl Batch {
             sums: [[0; 4]; BATCH],
             terms: [[0; 4]; MAX_LANES],
             samples: [0; BATCH],
-            patterned: [Vec4::ZERO; BATCH],
+            patterned: [[0.0; 4]; BATCH],
             objects: [0; BATCH],
             pixels: [0; BATCH],
             stack: Stack::new(),
-            packet: Packet::NONE,
-            mixed: [[0.0; MAX_LANES]; FIELDS],
+            candidates: Candidates::NONE,
+            mixed: SurfaceRow::ZERO,
             counts: Counts::NONE,
         }
     }
@@ -121,12 +121,12 @@ impl Batch {
     #[inline(always)]
     pub fn layers(&self, i: usize) -> Layers {
         let i = i % BATCH;
-        let patterned = self.patterned[i];
-        let full = Vec3A::from_vec4(patterned);
+        let [blue, green, red, share] = self.patterned[i];
+        let full = Vec3A::new(blue, green, red);
         let [blue, green, red, _] = self.sums[i].map(|sum| sum as f32);
         let sum = Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32);
         Layers {
-            rest: sum - full * patterned.w,
+            rest: sum - full * share,
             full,
         }
     }
@@ -165,15 +165,6 @@ impl Batch {
         objects.store_slice(&mut self.objects[first..first + lanes::<S>()]);
     }
 
-    /// Keeps what patterns do to a packet of primary rays, whose first point is number `first`.
-    #[inline(never)]
-    fn keep_patterned(&mut self, first: usize, weight: f32) {
-        let points = self.patterned.iter_mut().skip(first);
-        for (lane, point) in points.take(MAX_LANES).enumerate() {
-            *point = self.packet.patterned(lane, weight);
-        }
-    }
-
     /// Adds what a packet's nodes give to the points' sums; `first` is the first point of a packet of primary rays, which
     /// starts the sums.
     #[inline(always)]
@@ -182,7 +173,7 @@ impl Batch {
         simd: S,
         rays: &Rays<S>,
         first: Option<usize>,
-        node: &Node<S>,
+        node: &Contribution<S>,
         has_patterns: bool,
     ) {
         let place = first.map(|first| first % BATCH / lanes::<S>() * lanes::<S>());
@@ -193,7 +184,8 @@ impl Batch {
         node.store(simd, sums.as_flattened_mut());
         if let Some(first) = place {
             if has_patterns {
-                self.keep_patterned(first, rays.weight.as_slice()[0] * 255.0);
+                let layers = &mut self.patterned[first..first + lanes::<S>()];
+                node.store_layers(layers.as_flattened_mut());
             }
             return;
         }

@@ -1,6 +1,6 @@
 //! Where rays hit.
 
-use super::details::Packet;
+use super::candidates::Candidates;
 use super::stack::Rays;
 use crate::lanes::*;
 use crate::prepare::{Caster, GroupSet, Lamp, Node, Prepared, Rectangle};
@@ -22,14 +22,14 @@ pub(crate) struct Hit<S: Isa> {
 
 impl<S: Isa> Hit<S> {
     #[inline(always)]
-    fn keep_nearer(&mut self, closer: M<S>, t: F<S>, object: usize) {
+    pub fn keep_nearer(&mut self, closer: M<S>, t: F<S>, object: usize) {
         self.t = closer.select(t, self.t);
         self.object = closer.select(U::<S>::splat(self.t.token(), object as u32), self.object);
     }
 }
 
 /// The nearest hits among the planes and the spheres of some groups, from the node number `first` on; their boxes and
-/// cylinders become candidates of the packet.
+/// cylinders become candidates.
 #[inline(always)]
 pub(crate) fn nearest<S: Isa>(
     simd: S,
@@ -37,9 +37,9 @@ pub(crate) fn nearest<S: Isa>(
     rays: &Rays<S>,
     groups: GroupSet,
     first: usize,
-    packet: &mut Packet,
+    candidates: &mut Candidates,
 ) -> Hit<S> {
-    packet.clear();
+    candidates.clear();
     let mut hit = Hit {
         t: splat(simd, FARTHEST),
         object: U::<S>::splat(simd, scene.nothing() as u32),
@@ -59,7 +59,7 @@ pub(crate) fn nearest<S: Isa>(
             if is_met && node.is_block {
                 let near = ahead & !chord.is_off(rays.d, node, hit.t);
                 if near.any_true() {
-                    packet.push::<S>(node.number, near);
+                    candidates.push::<S>(node.number, near);
                 }
             } else if is_met && !node.is_bound {
                 let (m, t) = chord.entry(ahead, node, hit.t);
@@ -216,7 +216,7 @@ fn caster_blocks<S: Isa>(simd: S, caster: &Caster, l: Vec3x<S>, distance: F<S>) 
 }
 
 /// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked. If the lamp is not plain, planes
-/// block alone, and what else may be in the way becomes candidates of the packet.
+/// block alone, and what else may be in the way becomes a candidate.
 #[inline(always)]
 pub(crate) fn blocked<S: Isa>(
     simd: S,
@@ -225,9 +225,9 @@ pub(crate) fn blocked<S: Isa>(
     p: Vec3x<S>,
     l: Vec3x<S>,
     distance: F<S>,
-    packet: &mut Packet,
+    candidates: &mut Candidates,
 ) -> M<S> {
-    packet.clear();
+    candidates.clear();
     let mut blocked = M::<S>::splat(simd, false);
     let casters = &lamp.casters[..scene.tree.solid().len()];
     let mut i = 0;
@@ -237,7 +237,7 @@ pub(crate) fn blocked<S: Isa>(
         if is_met && !caster.is_bound && !lamp.is_plain() {
             let near = shaded & !caster_is_off(simd, caster, l, distance, lamp.diameter);
             if near.any_true() {
-                packet.push::<S>(caster.number, near);
+                candidates.push::<S>(caster.number, near);
             }
         } else if is_met && !caster.is_bound {
             blocked |= caster_blocks(simd, caster, l, distance);

@@ -6,7 +6,7 @@
 //! so a point has the same bits whatever points it is traced with.
 
 /// Evaluates an expression by the instruction set that every CPU has.
-macro_rules! by_what_every_cpu_has {
+macro_rules! with_baseline {
     ($simd:ident => $expression:expr) => {{
         #[cfg(target_arch = "x86_64")]
         if let Some($simd) = fearless_simd::Level::baseline().as_sse2() {
@@ -17,22 +17,27 @@ macro_rules! by_what_every_cpu_has {
     }};
 }
 
+mod air;
 mod batch;
-mod details;
+mod block;
+mod candidates;
 mod intersect;
 mod key;
 mod layers;
+mod light;
+mod point;
 mod sample;
 mod shade;
 mod stack;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod texture;
 
 pub(crate) use batch::{BATCH, Batch};
-pub(crate) use details::{has_pattern, left_seen};
 pub(crate) use layers::Layers;
 pub(crate) use sample::{STEP, Sample};
+pub(crate) use texture::pattern_at_pixels;
 
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Prepared, Seen};
@@ -102,7 +107,7 @@ pub(crate) fn trace(
     #[cfg(not(target_arch = "x86_64"))]
     fearless_simd::dispatch!(level, simd => trace_by(simd, scene, quality, seen, batch));
     // A thousandth of the time, so once for all instruction sets.
-    by_what_every_cpu_has!(simd => batch.finish(simd));
+    with_baseline!(simd => batch.finish(simd));
 }
 
 #[inline(always)]
@@ -145,19 +150,17 @@ fn trace_packets<S: Isa>(
         };
         batch.counts.rays += count as u64;
         batch.counts.lanes += lanes::<S>() as u64;
-        let packet = &mut batch.packet;
-        let mut hit = intersect::nearest(simd, scene, &rays, groups, from, packet);
-        if scene.details.is_there() {
-            packet.set_hits(&rays, &hit);
-            details::look::<S>(scene, active, packet);
-            hit = packet.hits(simd);
+        let candidates = &mut batch.candidates;
+        let mut hit = intersect::nearest(simd, scene, &rays, groups, from, candidates);
+        if !candidates.is_empty() {
+            block::resolve_blocks(simd, scene, &rays, candidates, &mut hit);
         }
         if is_primary {
             batch.keep_objects::<S>(next, hit.object);
         }
-        let node = shade::shade(simd, scene, quality, &rays, &hit, active, batch);
+        let contribution = shade::shade(simd, scene, quality, &rays, &hit, active, batch);
         let first = is_primary.then_some(next);
-        batch.add(simd, &rays, first, &node, scene.details.has_patterns());
+        batch.add(simd, &rays, first, &contribution, scene.has_patterns());
         next += lanes::<S>() * usize::from(is_primary);
     }
     batch.counts.points += batch.len() as u64;

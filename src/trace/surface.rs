@@ -1,13 +1,12 @@
 //! The surfaces that a packet hits.
 
 use crate::lanes::*;
-use crate::prepare::{Prepared, Spread};
+use crate::prepare::{Prepared, Row, SurfaceRow};
 
 /// What shading needs of an object, per lane.
 pub(super) struct SurfaceLanes<'a, S: Isa> {
     simd: S,
-    /// The numbers in the order of [`FIELDS`](crate::prepare::FIELDS).
-    fields: &'a Spread,
+    rows: &'a SurfaceRow,
 }
 
 impl<'a, S: Isa> SurfaceLanes<'a, S> {
@@ -19,108 +18,108 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         scene: &'a Prepared,
         objects: U<S>,
         active: M<S>,
-        mixed: &'a mut Spread,
+        mixed: &'a mut SurfaceRow,
     ) -> Self {
         let mut rest = active.to_bitmask();
         let first = scene.surface(object_at(simd, objects, &mut rest).0);
         if rest == 0 {
-            return Self {
-                simd,
-                fields: first,
-            };
+            return Self { simd, rows: first };
         }
         let mut is_first = true;
         while rest != 0 {
             let (number, same) = object_at(simd, objects, &mut rest);
             let mask: U<S> = same.to_vector().bitcast();
             let new = scene.surface(number);
-            for ((field, first), new) in mixed.iter_mut().zip(first).zip(new) {
+            let rows = mixed.rows_mut().into_iter().zip(first.rows());
+            for ((row, first), new) in rows.zip(new.rows()) {
                 // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
-                let old: U<S> = load(simd, if is_first { first } else { field }).bitcast();
+                let old: U<S> = load(simd, if is_first { first } else { row }).bitcast();
                 let new: U<S> = load(simd, new).bitcast();
                 let both: F<S> = (old ^ ((old ^ new) & mask)).bitcast();
-                both.store_slice(&mut field[..lanes::<S>()]);
+                both.store_slice(&mut row[..lanes::<S>()]);
             }
             is_first = false;
         }
-        Self {
-            simd,
-            fields: mixed,
-        }
+        Self { simd, rows: mixed }
     }
 
     #[inline(always)]
-    fn number(&self, i: usize) -> F<S> {
-        load(self.simd, &self.fields[i])
+    fn number(&self, row: &Row) -> F<S> {
+        load(self.simd, row)
     }
 
     #[inline(always)]
-    fn vector(&self, i: usize) -> Vec3x<S> {
+    fn vector(&self, [x, y, z]: &[Row; 3]) -> Vec3x<S> {
         Vec3x {
-            x: self.number(i),
-            y: self.number(i + 1),
-            z: self.number(i + 2),
+            x: self.number(x),
+            y: self.number(y),
+            z: self.number(z),
         }
     }
 
     #[inline(always)]
     pub fn centre(&self) -> Vec3x<S> {
-        self.vector(0)
-    }
-
-    #[inline(always)]
-    pub fn base(&self) -> Vec3x<S> {
-        self.vector(4)
-    }
-
-    #[inline(always)]
-    pub fn diffuse(&self) -> Vec3x<S> {
-        self.vector(8)
+        self.vector(&self.rows.centre)
     }
 
     #[inline(always)]
     pub fn inverse_radius(&self) -> F<S> {
-        self.number(3)
+        self.number(&self.rows.inverse_radius)
     }
 
     #[inline(always)]
     pub fn upright(&self) -> F<S> {
-        self.number(7)
+        self.number(&self.rows.upright)
+    }
+
+    #[inline(always)]
+    pub fn is_lit(&self) -> F<S> {
+        self.number(&self.rows.is_lit)
+    }
+
+    #[inline(always)]
+    pub fn emitted(&self) -> Vec3x<S> {
+        self.vector(&self.rows.emitted)
+    }
+
+    #[inline(always)]
+    pub fn diffuse(&self) -> Vec3x<S> {
+        self.vector(&self.rows.diffuse)
     }
 
     #[inline(always)]
     pub fn ks(&self) -> F<S> {
-        self.number(12)
+        self.number(&self.rows.ks)
     }
 
     #[inline(always)]
     pub fn exponent(&self) -> F<S> {
-        self.number(13)
+        self.number(&self.rows.exponent)
     }
 
     #[inline(always)]
-    pub fn faint(&self) -> F<S> {
-        self.number(14)
+    pub fn highlight_start(&self) -> F<S> {
+        self.number(&self.rows.highlight_start)
     }
 
     #[inline(always)]
     pub fn kr(&self) -> F<S> {
-        self.number(15)
+        self.number(&self.rows.kr)
     }
 
     #[inline(always)]
     pub fn kt(&self) -> F<S> {
-        self.number(16)
+        self.number(&self.rows.kt)
     }
 
     #[inline(always)]
     pub fn index(&self) -> F<S> {
-        self.number(17)
+        self.number(&self.rows.index)
     }
 
     #[inline(always)]
-    pub fn solid(&self) -> F<S> {
-        self.number(11)
+    pub fn haze(&self) -> F<S> {
+        self.number(&self.rows.haze)
     }
 }
 
@@ -134,8 +133,8 @@ pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (usiz
     (number as usize, same)
 }
 
-/// A packet's lanes of a number.
+/// A packet's lanes of a row.
 #[inline(always)]
-fn load<S: Isa>(simd: S, field: &[f32; MAX_LANES]) -> F<S> {
-    F::<S>::from_slice(simd, &field[..lanes::<S>()])
+fn load<S: Isa>(simd: S, row: &Row) -> F<S> {
+    F::<S>::from_slice(simd, &row[..lanes::<S>()])
 }

@@ -3,22 +3,11 @@
 
 use super::*;
 use crate::scene::Block;
-use crate::trace::details::{Packet, look};
 use glam::{Mat3A, Quat, Vec3A};
 
 const BLOCKS: usize = 2000;
 /// Rays that leave each hit.
 const RAYS: usize = 64;
-
-/// A packet that has looked at where rays hit.
-#[inline(always)]
-fn looked<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Packet {
-    let mut packet = Packet::NONE;
-    let hit = nearest(simd, scene, rays, GroupSet::MAX, 0, &mut packet);
-    packet.set_hits(rays, &hit);
-    look::<S>(scene, first(simd, lanes::<S>()), &mut packet);
-    packet
-}
 
 /// Any block, and the length that its numbers are rounded by.
 fn block(random: &mut Random) -> (Block, f64) {
@@ -74,19 +63,20 @@ impl Property for Blocks {
             let aim = block.centre.as_dvec3() + glam::Mat3::from(block.axes).as_dmat3() * within;
             let o = (aim + random.direction() * (2.0 * half.length())).as_vec3a();
             let d = unit(aim - o.as_dvec3());
-            let packet = looked(simd, &scene, &packet(simd, o, &[d]));
-            if packet.object[0].to_bits() != 0 {
+            let rays = packet(simd, o, &[d]);
+            let hit = super::hits(simd, &scene, &rays);
+            if hit.object.as_slice()[0] != 0 {
                 continue;
             }
+            let point = shading_point(simd, &scene, &rays, &hit);
             hits += 1;
             let what = std::format!("{isa}: {block:?} from {o} along {d}");
-            let (p, n) = (lane(packet.p(simd), 0), lane(packet.n(simd), 0));
-            let slack = packet.slack(simd).as_slice()[0];
-            let from_surface = slack;
-            let slack = f64::from(slack);
-            let off = outside(&block, p) - slack;
+            let (p, n) = (lane(point.p, 0), lane(point.n, 0));
+            let hit_error = point.hit_error.as_slice()[0];
+            let error = f64::from(hit_error);
+            let off = outside(&block, p) - error;
             assert!(
-                off.abs() < 0.5 * slack,
+                off.abs() < 0.5 * error,
                 "{what}: {p} is {off} off, {largest}"
             );
             assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
@@ -95,7 +85,7 @@ impl Property for Blocks {
                 let from = if is_leaving {
                     p
                 } else {
-                    p - 2.0 * from_surface * n
+                    p - 2.0 * hit_error * n
                 };
                 for _ in 0..RAYS / lanes::<S>() {
                     let mut ways = [Vec3A::ZERO; MAX_LANES];
@@ -104,13 +94,13 @@ impl Property for Blocks {
                         let side = if is_leaving { 1.0 } else { -1.0 };
                         *way = if any.dot(n) * side < 0.0 { -any } else { any };
                     }
-                    let next = looked(simd, &scene, &super::packet(simd, from, &ways));
+                    let next = super::hits(simd, &scene, &packet(simd, from, &ways));
                     for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
-                        let is_hit = next.object[i].to_bits() == 0;
+                        let is_hit = next.object.as_slice()[i] == 0;
                         if is_leaving {
                             assert!(!is_hit, "{what}: {p} is hit again along {way}");
                             left += 1;
-                        } else if outside(&block, from) < -0.5 * slack {
+                        } else if outside(&block, from) < -0.5 * error {
                             assert!(is_hit, "{what}: {way} from {from} leaks");
                             crossed += 1;
                         }
@@ -164,9 +154,11 @@ impl Property for FarBlocks {
             let aim = glam::Mat3::from(block.axes).as_dmat3() * within;
             let o = random.vector(-8.0, 8.0).as_vec3a();
             let d = unit(aim - o.as_dvec3());
-            let packet = looked(simd, &scene, &packet(simd, o, &[d]));
-            let (p, n) = (lane(packet.p(simd), 0), lane(packet.n(simd), 0));
-            if packet.object[0].to_bits() != 0 || d.dot(n) >= 0.0 {
+            let rays = packet(simd, o, &[d]);
+            let hit = hits(simd, &scene, &rays);
+            let point = shading_point(simd, &scene, &rays, &hit);
+            let (p, n) = (lane(point.p, 0), lane(point.n, 0));
+            if hit.object.as_slice()[0] != 0 || point.inside.to_bitmask() & 1 == 1 {
                 continue;
             }
             for _ in 0..MANY_RAYS / lanes::<S>() {
@@ -175,9 +167,9 @@ impl Property for FarBlocks {
                     let any = random.direction().as_vec3a();
                     *way = if any.dot(n) < 0.0 { -any } else { any };
                 }
-                let next = looked(simd, &scene, &super::packet(simd, p, &ways));
+                let next = hits(simd, &scene, &packet(simd, p, &ways));
                 for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
-                    let is_hit = next.object[i].to_bits() == 0;
+                    let is_hit = next.object.as_slice()[i] == 0;
                     assert!(
                         !is_hit,
                         "{isa}: {block:?} from {o} along {d}: {p} is hit again along {way}"
@@ -214,8 +206,8 @@ fn a_cylinder_seen_along_its_axis_is_its_end() {
         fn hold<S: Isa>(&self, simd: S, isa: &str) {
             for (x, t) in [(0.0, 2.0), (0.9, 2.0), (-0.999, 2.0), (1.001, 1e30)] {
                 let rays = packet(simd, Vec3A::new(x, 0.0, -3.0), &[Vec3A::Z]);
-                let packet = looked(simd, self.0, &rays);
-                assert!((packet.t[0] - t).abs() <= 1e-5 * t, "{isa}: {x}");
+                let hit = hits(simd, self.0, &rays);
+                assert!((hit.t.as_slice()[0] - t).abs() <= 1e-5 * t, "{isa}: {x}");
             }
         }
     }

@@ -11,11 +11,14 @@ mod shadows;
 extern crate std;
 
 use super::batch::seen_at;
-use super::details::Packet;
+use super::block::resolve_blocks;
+use super::candidates::Candidates;
 use super::intersect::{Hit, nearest};
+use super::point::ShadingPoint;
 use super::stack::Rays;
+use super::surface::SurfaceLanes;
 use crate::lanes::*;
-use crate::prepare::{GroupSet, Prepared};
+use crate::prepare::{GroupSet, Prepared, SurfaceRow};
 use crate::scene::{List, Material, Scene, Sphere};
 use fearless_simd::Level;
 use glam::{DVec3, Vec3A};
@@ -145,9 +148,27 @@ fn packet<S: Isa>(simd: S, o: Vec3A, d: &[Vec3A]) -> Rays<S> {
     }
 }
 
+/// Where rays hit, as they do in the tracer.
 #[inline(always)]
 fn hits<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Hit<S> {
-    nearest(simd, scene, rays, GroupSet::MAX, 0, &mut { Packet::NONE })
+    let mut candidates = Candidates::NONE;
+    let mut hit = nearest(simd, scene, rays, GroupSet::MAX, 0, &mut candidates);
+    resolve_blocks(simd, scene, rays, &candidates, &mut hit);
+    hit
+}
+
+/// Where they shade what they hit.
+#[inline(always)]
+fn shading_point<S: Isa>(
+    simd: S,
+    scene: &Prepared,
+    rays: &Rays<S>,
+    hit: &Hit<S>,
+) -> ShadingPoint<S> {
+    let active = first(simd, lanes::<S>());
+    let mut mixed = SurfaceRow::ZERO;
+    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, &mut mixed);
+    ShadingPoint::new(simd, scene, rays, hit, &surface, active)
 }
 
 /// A lane's vector.

@@ -5,7 +5,6 @@ use crate::quality::Quality;
 use crate::scene::{Block, Light, Spot};
 use crate::show;
 use crate::trace::Batch;
-use crate::trace::details::look;
 use crate::trace::shade::shade;
 use glam::Mat3A;
 
@@ -49,12 +48,7 @@ fn outcomes<S: Isa>(
         weight: F::<S>::from_slice(simd, &weight[..n]),
         place: Rays::places(simd, 0),
     };
-    let mut hit = nearest(simd, scene, &rays, GroupSet::MAX, 0, &mut batch.packet);
-    if scene.details.is_there() {
-        batch.packet.set_hits(&rays, &hit);
-        look::<S>(scene, first(simd, n), &mut batch.packet);
-        hit = batch.packet.hits(simd);
-    }
+    let hit = hits(simd, scene, &rays);
     let quality = &Quality::THESIS;
     let node = shade(simd, scene, quality, &rays, &hit, first(simd, n), batch);
     let mut sums = [[0; 4]; MAX_LANES];

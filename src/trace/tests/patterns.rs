@@ -3,7 +3,7 @@
 use super::*;
 use crate::scene::Pattern;
 use crate::show::{self, grid};
-use crate::trace::details::{has_pattern, left_seen, look};
+use crate::trace::pattern_at_pixels;
 
 /// The picture's size.
 const SIZE: [usize; 2] = [320, 180];
@@ -23,7 +23,6 @@ impl Property for Patterns {
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
         let mut scene = Box::new(Scene::default());
         let mut prepared = prepared(&scene);
-        let mut packet = Packet::NONE;
         let (mut seen, mut far) = (0, 0);
         for bar in (0..grid::BARS).step_by(3) {
             show::at((bar as f32 + 0.3) * grid::BAR, &mut scene);
@@ -46,19 +45,17 @@ impl Property for Patterns {
                         weight: splat(simd, 1.0),
                         place: Rays::places(simd, 0),
                     };
-                    let hit = nearest(simd, &prepared, &rays, GroupSet::MAX, 0, &mut packet);
-                    packet.set_hits(&rays, &hit);
-                    look::<S>(&prepared, first(simd, lanes::<S>()), &mut packet);
-                    let hit = packet.hits(simd);
+                    let hit = hits(simd, &prepared, &rays);
+                    let point = shading_point(simd, &prepared, &rays, &hit);
                     for (lane, &object) in hit.object.as_slice().iter().enumerate() {
                         let object = object as usize;
-                        if !has_pattern(&prepared, object) {
+                        if !prepared.has_pattern(object) {
                             continue;
                         }
-                        let left = packet.left(simd).as_slice()[lane];
+                        let left = point.reflectance.as_slice()[lane];
                         // Wherever it stands among the four.
                         let start = (x + lane).saturating_sub((x + y) % 4);
-                        let four = left_seen(&prepared, object, start, y);
+                        let four = pattern_at_pixels(&prepared, object, start, y);
                         let is_share = |left| (0.0..=1.0).contains(left);
                         assert!(four.iter().all(is_share), "{isa}: {four:?}");
                         seen += 1;

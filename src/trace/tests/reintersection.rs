@@ -2,10 +2,7 @@
 //! `TestReintersectConvex` of pbrt).
 
 use super::*;
-use crate::prepare::FIELDS;
 use crate::scene::Plane;
-use crate::trace::shade::Place;
-use crate::trace::surface::SurfaceLanes;
 
 /// Shapes, each hit once.
 const SHAPES: usize = 4000;
@@ -20,12 +17,9 @@ fn hit_by<S: Isa>(simd: S, scene: &Prepared, o: Vec3A, d: Vec3A) -> Option<(Vec3
     if hit.object.as_slice()[0] != 0 {
         return None;
     }
-    let active = first(simd, 1);
-    let mut mixed = [[0.0; MAX_LANES]; FIELDS];
-    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, &mut mixed);
-    let place = Place::new(simd, &rays, hit.t, &surface, active, None);
-    let inside = place.inside.to_bitmask() & 1 == 1;
-    Some((lane(place.p, 0), lane(place.n, 0), inside))
+    let point = shading_point(simd, scene, &rays, &hit);
+    let inside = point.inside.to_bitmask() & 1 == 1;
+    Some((lane(point.p, 0), lane(point.n, 0), inside))
 }
 
 struct Spheres {

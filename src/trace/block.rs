@@ -1,0 +1,129 @@
+//! Rays against boxes and cylinders.
+
+use super::candidates::Candidates;
+use super::intersect::Hit;
+use super::stack::Rays;
+use crate::lanes::*;
+use crate::prepare::{Object, Prepared};
+use crate::scene::Block;
+use glam::{Mat3A, Vec3A};
+
+/// Added to directions along a block's axes, so that a ray along a side is not divided by 0.
+const TINY: f32 = 1e-12;
+
+/// A vector's coordinates along three axes.
+#[inline(always)]
+fn along<S: Isa>(simd: S, axes: &Mat3A, v: &Vec3x<S>) -> Vec3x<S> {
+    Vec3x {
+        x: v.dot(Vec3x::splat(simd, axes.x_axis)),
+        y: v.dot(Vec3x::splat(simd, axes.y_axis)),
+        z: v.dot(Vec3x::splat(simd, axes.z_axis)),
+    }
+}
+
+/// The distances along rays between which they are within `half` of the middle plane across an axis; `o` and `d` are the
+/// rays' coordinates along it.
+#[inline(always)]
+fn slab<S: Isa>(simd: S, o: F<S>, d: F<S>, half: f32) -> (F<S>, F<S>) {
+    let middle = -o / d;
+    let half = (splat(simd, half) / d).abs();
+    (middle - half, middle + half)
+}
+
+/// The distances at which rays first meet a block ahead; infinite where they pass by.
+///
+/// A ray is inside where it is between all sides at once (Kay and Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986).
+#[inline(always)]
+pub(super) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
+    let tiny = Vec3x::splat(simd, Vec3A::splat(TINY));
+    let o = along(simd, &block.axes, &(*o - Vec3x::splat(simd, block.centre)));
+    let d = along(simd, &block.axes, d) + tiny;
+    let zero = splat(simd, 0.0);
+    let (mut near, mut far) = slab(simd, o.y, d.y, block.half.y);
+    let mut is_met = M::<S>::splat(simd, true);
+    if block.round {
+        let a: F<S> = d.x * d.x + d.z * d.z;
+        let b: F<S> = d.x * o.x + d.z * o.z;
+        let middle = -b / a;
+        // The square of half the chord from the perpendicular to the axis, which loses no digits far away.
+        let x: F<S> = o.x + d.x * middle;
+        let z: F<S> = o.z + d.z * middle;
+        let off2: F<S> = x * x + z * z;
+        let chord2 = -off2 + block.half.x * block.half.x;
+        is_met = chord2.simd_ge(zero);
+        let half = (chord2.max(zero) / a).sqrt();
+        near = near.max(middle - half);
+        far = far.min(middle + half);
+    } else {
+        for (o, d, half) in [(o.x, d.x, block.half.x), (o.z, d.z, block.half.z)] {
+            let (enters, leaves) = slab(simd, o, d, half);
+            near = near.max(enters);
+            far = far.min(leaves);
+        }
+    }
+    let t = near.simd_gt(zero).select(near, far);
+    is_met &= near.simd_le(far) & t.simd_gt(zero);
+    is_met.select(t, splat(simd, f32::INFINITY))
+}
+
+/// Tests rays against the boxes and cylinders among their candidates, and keeps those hits that are nearer.
+#[inline(always)]
+pub(super) fn resolve_blocks<S: Isa>(
+    simd: S,
+    scene: &Prepared,
+    rays: &Rays<S>,
+    candidates: &Candidates,
+    hit: &mut Hit<S>,
+) {
+    for &candidate in candidates.as_slice() {
+        let number = candidate.number as usize;
+        if let Object::Block(block) = scene.object(number).0 {
+            let t = distance(simd, block, &rays.o, &rays.d);
+            let is_nearer = t.simd_lt(hit.t) & candidate.lanes(simd);
+            hit.keep_nearer(is_nearer, t, number);
+        }
+    }
+}
+
+/// Points on a block's surface, a ray's each.
+pub(super) struct BlockHit<S: Isa> {
+    /// From the centre, in the scene's axes.
+    pub out: Vec3x<S>,
+    /// The normal, outward, of length 1.
+    pub n: Vec3x<S>,
+    /// From the centre, along the block's own axes.
+    pub own: Vec3x<S>,
+}
+
+impl<S: Isa> BlockHit<S> {
+    /// Projects points that rounding has taken off the surface, `out` from the centre, to the nearest face.
+    #[inline(always)]
+    pub fn near(simd: S, block: &Block, out: Vec3x<S>) -> Self {
+        let own = along(simd, &block.axes, &out);
+        // How far out they are across each pair of faces, which are at 1.
+        let faces = own * Vec3x::splat(simd, block.half.recip());
+        let (mut x, y, mut z) = (faces.x.abs(), faces.y.abs(), faces.z.abs());
+        if block.round {
+            x = (x * x + z * z).sqrt();
+            z = x;
+        }
+        let farthest = x.max(y).max(z);
+        let zero = splat(simd, 0.0);
+        let face: Vec3x<S> = Vec3x {
+            x: x.simd_ge(farthest).select(own.x, zero),
+            y: y.simd_ge(farthest).select(own.y, zero),
+            z: z.simd_ge(farthest).select(own.z, zero),
+        };
+        let length = face.dot(face).sqrt();
+        let inverse = splat::<S>(simd, 1.0) / length;
+        let n = along(simd, &block.axes.transpose(), &face.scaled(inverse));
+        let out = out.add_scaled(n, length / farthest - length);
+        Self { out, n, own }
+    }
+}
+
+/// How far from a block's surface rays start that leave it: what rounding can displace a point on it by, in both
+/// directions, many times over. Ten units from the origin it is a ten-thousandth.
+pub(super) fn hit_error(block: &Block) -> f32 {
+    1e-5 * (block.centre.abs() + block.half).element_sum()
+}

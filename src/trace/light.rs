@@ -1,0 +1,173 @@
+//! Direct light: what lamps and ambient light give to a point, by Phong's model, and how much of a lamp reaches it.
+
+use super::Counts;
+use super::block;
+use super::candidates::Candidates;
+use super::intersect::blocked;
+use super::key::States;
+use super::point::ShadingPoint;
+use super::surface::SurfaceLanes;
+use crate::lanes::*;
+use crate::prepare::{Lamp, Object, Prepared};
+use crate::quality::Quality;
+use crate::scene::{Sphere, Spot};
+use glam::Vec3A;
+
+/// Light that surfaces send back along the rays.
+pub(super) struct Reflected<S: Isa> {
+    /// By the surface's own colour, before its texture takes of it: ambient light and diffuse reflection.
+    pub untextured: Vec3x<S>,
+    /// Highlights, in the lamps' colours.
+    pub specular: Vec3x<S>,
+}
+
+/// Ambient light, and each lamp's that is not blocked.
+#[inline(always)]
+#[allow(
+    clippy::too_many_arguments,
+    reason = "what is lit, by what, and what is noted of it"
+)]
+pub(super) fn gather<S: Isa>(
+    simd: S,
+    scene: &Prepared,
+    quality: &Quality,
+    surface: &SurfaceLanes<'_, S>,
+    point: &ShadingPoint<S>,
+    states: &mut States<S>,
+    counts: &mut Counts,
+    candidates: &mut Candidates,
+) -> Reflected<S> {
+    let zero = splat(simd, 0.0);
+    let one = splat(simd, 1.0);
+    // What lamps give to all diffuse and to all specular reflection.
+    let mut diffuse = Vec3x::splat(simd, Vec3A::ZERO);
+    let mut specular = diffuse;
+    // A sphere shades itself from within: no light comes from beyond the chord towards the lamp, which is as long as
+    // twice the cosine and the radius.
+    let least = point.inside.select(surface.inverse_radius() * 0.5, zero);
+    for lamp in scene.lamps() {
+        let to_light = Vec3x::splat(simd, lamp.position) - point.p;
+        let distance = to_light.dot(to_light).sqrt();
+        let l = to_light.scaled(one / distance);
+        let nl = point.n.dot(l);
+        let mut facing = point.solid & nl.simd_gt(distance * least);
+        if !lamp.is_plain() {
+            let inward: F<S> = -l.dot(Vec3x::splat(simd, lamp.cone.aim));
+            facing &= inward.simd_gt(splat(simd, lamp.cone.dark));
+        }
+        let mut lit = facing;
+        let mut highlight = M::<S>::splat(simd, false);
+        if facing.any_true() {
+            counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
+            lit &= !blocked(simd, scene, lamp, point.p, l, distance, candidates);
+            let mut colour = Vec3x::splat(simd, lamp.colour);
+            if !lamp.is_plain() && (lamp.is_cone || !candidates.is_empty()) {
+                let ways = Ways {
+                    o: point.p,
+                    l,
+                    distance: lit.select(distance, zero),
+                };
+                let passing = light_transmittance(simd, scene, lamp, &ways, candidates);
+                lit &= passing.x.max(passing.y).max(passing.z).simd_gt(zero);
+                colour = colour * passing;
+            }
+            diffuse = diffuse.add_scaled(colour, lit.select(nl, zero));
+            let rv = point.r.dot(l);
+            let shiny = lit & rv.simd_gt(surface.highlight_start());
+            if shiny.any_true() {
+                let strength = surface.ks() * pow(simd, shiny.select(rv, one), surface.exponent());
+                let strength = shiny.select(strength, zero);
+                highlight = strength.simd_gt(splat(simd, quality.highlight));
+                specular = specular.add_scaled(colour, strength);
+            }
+        }
+        if quality.needs_keys() {
+            states.push(lit, highlight);
+        }
+    }
+    Reflected {
+        untextured: surface.emitted() + surface.diffuse() * diffuse,
+        specular,
+    }
+}
+
+/// Ways from points to a lamp.
+struct Ways<S: Isa> {
+    o: Vec3x<S>,
+    /// Directions, of length 1.
+    l: Vec3x<S>,
+    /// Lengths; 0 where nothing of the lamp is asked for.
+    distance: F<S>,
+}
+
+/// The share of a lamp, as a colour, that passes through the cone it is narrowed to and past the candidates; 0 where
+/// nothing is asked for.
+#[inline(always)]
+fn light_transmittance<S: Isa>(
+    simd: S,
+    scene: &Prepared,
+    lamp: &Lamp,
+    ways: &Ways<S>,
+    candidates: &Candidates,
+) -> Vec3x<S> {
+    let zero = splat(simd, 0.0);
+    let Spot { aim, dark, bright } = lamp.cone;
+    let inward = (-ways.l.dot(Vec3x::splat(simd, aim)) - dark) / (bright - dark);
+    let is_asked = ways.distance.simd_gt(zero);
+    let in_cone = is_asked.select(smooth_step(simd, inward), zero);
+    let mut passing = Vec3x {
+        x: in_cone,
+        y: in_cone,
+        z: in_cone,
+    };
+    for &candidate in candidates.as_slice() {
+        let (object, material) = scene.object(candidate.number as usize);
+        let covered = match object {
+            Object::Block(block) => {
+                let t = block::distance(simd, block, &ways.o, &ways.l);
+                t.simd_lt(ways.distance).select(splat(simd, 1.0), zero)
+            }
+            Object::Sphere(sphere) => sphere_covers(simd, lamp, sphere, ways),
+            Object::Plane(_) | Object::Lamp(_) | Object::Nothing => continue,
+        };
+        // The tint of what blocks the light passes. What is not a number counts as none: it would spoil what is not blocked.
+        let mut absorbed = Vec3A::ONE;
+        if lamp.diameter > 0.0 {
+            absorbed -= material.tint.max(Vec3A::ZERO).min(Vec3A::ONE);
+        }
+        let covered = candidate.lanes(simd).select(covered, zero);
+        passing = passing - (passing * Vec3x::splat(simd, absorbed)).scaled(covered);
+        let most = passing.x.max(passing.y).max(passing.z);
+        if most.simd_le(zero).all_true() {
+            break;
+        }
+    }
+    passing
+}
+
+/// The share of a lamp that a sphere covers, 0 to 1 (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
+///
+/// From the point the lamp is a cone; where it passes the sphere, `a` away, it is `b = a diameter / distance` wide. The
+/// sphere's edge crosses it from one side to the other as the shadow goes from none to full.
+#[inline(always)]
+fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, ways: &Ways<S>) -> F<S> {
+    let centre = sphere.centre;
+    let to_centre = Vec3x::splat(simd, centre) - ways.o;
+    let a = to_centre
+        .dot(ways.l)
+        .max(splat(simd, 0.0))
+        .min(ways.distance);
+    let off = to_centre.add_scaled(ways.l, -a);
+    // What starts on the sphere by rounding starts on it.
+    let error = 2e-6 * (centre.abs().max_element() + sphere.radius);
+    let b = (a * lamp.diameter / ways.distance).min(splat(simd, lamp.max_penumbra));
+    let depth = -off.dot(off).sqrt() + (sphere.radius - error);
+    smooth_step(simd, depth / b.max(splat(simd, f32::MIN_POSITIVE)) + 0.5)
+}
+
+/// From 0 at 0 to 1 at 1, level at both ends and beyond.
+#[inline(always)]
+fn smooth_step<S: Isa>(simd: S, v: F<S>) -> F<S> {
+    let v = v.max(splat(simd, 0.0)).min(splat(simd, 1.0));
+    v * v * (v * -2.0 + 3.0)
+}

@@ -1,0 +1,152 @@
+//! Where rays hit, as shading wants it.
+
+use super::block::{self, BlockHit};
+use super::intersect::Hit;
+use super::stack::Rays;
+use super::surface::{SurfaceLanes, object_at};
+use super::texture::TexturePoint;
+use crate::lanes::*;
+use crate::prepare::{Object, Prepared};
+
+/// Where a hit is farther than this share of the radius from its sphere, one Newton step does not take it there to
+/// within rounding.
+const NEWTON: f32 = 1.0 / (1 << 13) as f32;
+
+/// Points on surfaces, a ray's each.
+pub(super) struct ShadingPoint<S: Isa> {
+    pub p: Vec3x<S>,
+    /// The normal, of length 1; it faces the ray.
+    pub n: Vec3x<S>,
+    /// The ray's direction against the normal, not above 0.
+    pub dn: F<S>,
+    /// The reflected direction.
+    pub r: Vec3x<S>,
+    /// How far `p` is from the surface, against the ray: 0 but on boxes and cylinders.
+    pub hit_error: F<S>,
+    /// The share of its colour that a texture leaves the surface, 0 to 1.
+    pub reflectance: F<S>,
+    /// Whether the ray comes from within.
+    pub inside: M<S>,
+    /// Lanes that hit something that lamps shine on.
+    pub solid: M<S>,
+}
+
+impl<S: Isa> ShadingPoint<S> {
+    /// Where rays hit surfaces.
+    #[inline(always)]
+    pub fn new(
+        simd: S,
+        scene: &Prepared,
+        rays: &Rays<S>,
+        hit: &Hit<S>,
+        surface: &SurfaceLanes<'_, S>,
+        solid: M<S>,
+    ) -> Self {
+        let mut point = Self::on_sphere_or_plane(simd, rays, hit.t, surface, solid);
+        if scene.has_blocks() || scene.has_patterns() {
+            point.add_detail(simd, scene, rays, hit);
+        }
+        point.face(simd, rays);
+        point
+    }
+
+    /// Where spheres and planes are hit.
+    #[inline(always)]
+    fn on_sphere_or_plane(
+        simd: S,
+        rays: &Rays<S>,
+        t: F<S>,
+        surface: &SurfaceLanes<'_, S>,
+        solid: M<S>,
+    ) -> Self {
+        let zero = splat(simd, 0.0);
+        let inverse_radius = surface.inverse_radius();
+        let upright = surface.upright();
+        // From the centre to the hit, and back to a sphere by its square against the radius: the error of t does not go on
+        // to the rays that start here.
+        let out = (rays.o - surface.centre()).add_scaled(rays.d, t);
+        let square: F<S> = out.dot(out) * (inverse_radius * inverse_radius);
+        let mut scale = square.mul_add(
+            splat(simd, -0.5),
+            upright.mul_add(splat(simd, -0.5), splat(simd, 1.5)),
+        );
+        let far = solid & (scale - 1.0).abs().simd_gt(splat(simd, NEWTON));
+        if far.any_true() {
+            scale = far.select(splat::<S>(simd, 1.0) / square.sqrt(), scale);
+        }
+        let mut p = surface.centre().add_scaled(out, scale);
+        // On a plane, exactly.
+        p.y = upright.simd_gt(zero).select(surface.centre().y, p.y);
+        let mut n = out.scaled(scale * inverse_radius);
+        n.y += upright;
+        Self {
+            p,
+            n,
+            dn: zero,
+            r: n,
+            hit_error: zero,
+            reflectance: splat(simd, 1.0),
+            inside: solid,
+            solid,
+        }
+    }
+
+    /// Where boxes and cylinders are hit, and what textures leave, object by object.
+    #[inline(always)]
+    fn add_detail(&mut self, simd: S, scene: &Prepared, rays: &Rays<S>, hit: &Hit<S>) {
+        let Rays { o, d, .. } = rays;
+        let mut rest = self.solid.to_bitmask();
+        while rest != 0 {
+            let (number, same) = object_at(simd, hit.object, &mut rest);
+            let (object, material) = scene.object(number);
+            let texture_point = match object {
+                Object::Block(block) => {
+                    let centre = Vec3x::splat(simd, block.centre);
+                    let on_block = BlockHit::near(simd, block, (*o - centre).add_scaled(*d, hit.t));
+                    let error = splat(simd, block::hit_error(block));
+                    // On the ray's side.
+                    let sign = !d.dot(on_block.n).bitcast::<U<S>>() & (1 << 31);
+                    let p = centre + on_block.out;
+                    let p = p.add_scaled(on_block.n, flipped::<S>(error, sign));
+                    self.p = Vec3x::select(same, p, self.p);
+                    self.n = Vec3x::select(same, on_block.n, self.n);
+                    self.hit_error = same.select(error, self.hit_error);
+                    TexturePoint::on_block(&on_block)
+                }
+                Object::Sphere(sphere) => {
+                    let from = *o - Vec3x::splat(simd, sphere.centre);
+                    TexturePoint::on_sphere(simd, sphere, from.add_scaled(*d, hit.t))
+                }
+                Object::Plane(plane) => {
+                    let from = *o - Vec3x::splat(simd, plane.centre);
+                    TexturePoint::on_plane(simd, from.add_scaled(*d, hit.t))
+                }
+                Object::Lamp(_) | Object::Nothing => continue,
+            };
+            let pattern = &material.pattern;
+            if pattern.depth > 0.0 {
+                let left = texture_point.reflectance(simd, scene, pattern, d, hit.t);
+                self.reflectance = same.select(left, self.reflectance);
+            }
+        }
+    }
+
+    /// Turns the normal to the rays, and reflects them.
+    #[inline(always)]
+    fn face(&mut self, simd: S, rays: &Rays<S>) {
+        let n = self.n;
+        let outward = rays.d.dot(n);
+        // The sign that turns a normal along the ray round.
+        let sign = U::<S>::splat(simd, 1 << 31);
+        let flip = (outward.bitcast::<U<S>>() & sign) ^ sign;
+        let n = Vec3x {
+            x: flipped::<S>(n.x, flip),
+            y: flipped::<S>(n.y, flip),
+            z: flipped::<S>(n.z, flip),
+        };
+        self.n = n;
+        self.dn = flipped::<S>(outward, flip);
+        self.r = rays.d.add_scaled(n, self.dn * -2.0);
+        self.inside = outward.simd_gt(splat(simd, 0.0));
+    }
+}
