@@ -117,10 +117,8 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     }
     let mut program = program.to_vec();
     for section in &unwinding {
-        program
-            .get_mut(section.clone())
-            .ok_or("a section is not in it")?
-            .fill(0);
+        let bytes = program.get_mut(section.clone());
+        bytes.ok_or("a section is not in it")?.fill(0);
     }
     let mut stripped = Vec::new();
     let before = segments.clone();
@@ -128,18 +126,23 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         .iter_mut()
         .filter(|segment| segment.kind == elf::LOAD)
     {
-        let bytes = program.get(load.range()).ok_or("a segment is not in it")?;
-        let end = bytes
-            .iter()
-            .rposition(|&byte| byte != 0)
-            .map_or(0, |last| last + 1);
-        // Zeros at its end are not in the file, but in memory.
-        load.file_size = end as u64;
+        let mut range = load.range();
+        // At the end of a segment it is left out; elsewhere it is zeros now, which take next to nothing.
+        while let Some(last) = unwinding.iter().find(|section| {
+            (range.start + 1..range.end).contains(&section.start)
+                && section.end.next_multiple_of(16) >= range.end
+        }) {
+            range.end = last.start;
+        }
+        if load.size == load.file_size {
+            load.size = range.len() as u64;
+        }
+        load.file_size = range.len() as u64;
         // The same place in a page, so that it can be mapped, too.
         let lead = (load.address - stripped.len() as u64) % elf::PAGE;
         stripped.resize(stripped.len() + lead as usize, 0);
         load.offset = stripped.len() as u64;
-        stripped.extend(&bytes[..end]);
+        stripped.extend(program.get(range).ok_or("a segment is not in it")?);
     }
     let loads: Vec<_> = segments
         .iter()

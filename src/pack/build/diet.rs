@@ -107,7 +107,7 @@ fn libraries(toolchain: &Toolchain) -> Result<Vec<PathBuf>, Error> {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let is_of =
             |name_of: &&str| name.starts_with(&format!("lib{name_of}-")) && name.ends_with(".rlib");
-        if CRATES.iter().any(|name| is_of(&name)) {
+        if CRATES.iter().any(is_of) {
             libraries.push(path);
         }
     }

@@ -3,13 +3,13 @@
 use super::{lanes::Lanes, machine_code::KINDS};
 
 /// Rows of inputs.
-pub const ROWS: usize = 4;
+pub const ROWS: usize = 3;
 
 /// A weight for each input, in 65,536ths.
 type Weights = [Lanes; ROWS];
 
 /// What every weight is to begin with. Two sets are added up, so that 30 inputs together are believed half of what they say.
-const FIRST_WEIGHT: i16 = 500;
+const FIRST_WEIGHT: i16 = 700;
 
 /// How fast weights are learned: of 2, 3, 4, 5, 6 and 8 the best.
 const RATE: i32 = 4;
@@ -46,8 +46,6 @@ impl Mixer {
             first = end;
             p += (p * ((1 << 32) - p)) >> 40;
         }
-        // Of what has no other input, one is always the same, and the last ones are 0.
-        self.inputs[ROWS - 1][6] = 256;
         for weights in self.weights.as_flattened_mut() {
             *weights = [Lanes::splat(FIRST_WEIGHT); ROWS];
         }
@@ -83,7 +81,7 @@ impl Mixer {
     #[inline(always)]
     pub fn learn(&mut self, (kind, beginning): (usize, usize), bit: u32) {
         let error = ((bit as i32) << 16) - self.probability;
-        let error = Lanes::splat((error * RATE >> 5) as i16);
+        let error = Lanes::splat(((error * RATE) >> 5) as i16);
         let Some(sets) = self.weights.get_mut(kind) else {
             return;
         };

@@ -23,7 +23,6 @@ use slot::{Rates, Slot};
 
 /// The features that each context is made of, as a bit for each.
 static CONTEXTS: [u32; COUNT] = [
-    context(&[KIND]),
     context(&[KIND, 0]),
     context(&[0]),
     context(&[0, 1]),
@@ -31,7 +30,6 @@ static CONTEXTS: [u32; COUNT] = [
     context(&[PLACE]),
     context(&[KIND, PREFIXES]),
     context(&[KIND, OPCODE]),
-    context(&[KIND, OPERAND]),
     context(&[KIND, OPCODE, PREFIXES, OPERAND]),
     context(&[
         KIND,
@@ -48,7 +46,6 @@ static CONTEXTS: [u32; COUNT] = [
         before(OPCODE, 3),
     ]),
     context(&[OPCODE, before(OPCODE, 1)]),
-    context(&[KIND, REGISTER, OPERAND, before(MODRM, 1)]),
     context(&[
         0,
         1,
@@ -60,7 +57,7 @@ static CONTEXTS: [u32; COUNT] = [
         before(MODRM, 1),
     ]),
 ];
-const COUNT: usize = 15;
+const COUNT: usize = 12;
 
 const fn context(mut features: &[usize]) -> u32 {
     let mut set = 0;

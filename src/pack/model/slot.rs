@@ -55,7 +55,8 @@ impl Slot {
         let old = self.0 ^ NEW;
         let count = old & 0xff;
         let probability = (old >> 16) as i32;
-        let step = ((bit * 0xffff) as i32 - probability) * rates.0[count as usize & 0xff] >> 15;
+        let distance = (bit * 0xffff) as i32 - probability;
+        let step = (distance * rates.0[count as usize & 0xff]) >> 15;
         let mut history = (old >> 8 & 0xff) * 2 + bit;
         if history > 0xff {
             // The 1 stays where it is, before the last seven.
