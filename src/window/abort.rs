@@ -7,13 +7,6 @@
 //! What must report an error never goes through a panic, so that is only for mistakes in the code.
 //! What a dependency formats or prints nobody gets to see: the intro has messages of its own.
 
-use std::{
-    ffi::{CString, NulError},
-    fmt::Arguments,
-    ptr,
-    time::Instant,
-};
-
 use crate::{line, terminal};
 
 /// Instead of a panic: gives the terminal back, says one line on standard error and aborts.
@@ -32,27 +25,4 @@ pub extern "C" fn eightfold_abort() -> ! {
 #[unsafe(no_mangle)]
 pub extern "C" fn eightfold_ignore() -> usize {
     0
-}
-
-/// Instead of `format!`: no text.
-#[unsafe(no_mangle)]
-pub fn eightfold_format(_: Arguments<'_>) -> String {
-    String::new()
-}
-
-/// Instead of `CString::new`: an empty one. What asks for one in the intro is `minifb`, for a title that it never comes to.
-#[unsafe(no_mangle)]
-pub fn eightfold_c_string(_: &str) -> Result<CString, NulError> {
-    // SAFETY: nobody writes to it or gives it back.
-    Ok(CString::from(unsafe {
-        Box::from_raw(ptr::from_ref(c"").cast_mut())
-    }))
-}
-
-/// Instead of `Instant::now`: the time zero. `minifb` measures how long keys are held and frames take;
-/// this crate has a [clock](crate::clock).
-#[unsafe(no_mangle)]
-pub fn eightfold_now() -> Instant {
-    // SAFETY: it is made of seconds and nanoseconds, of which zero is a value.
-    unsafe { core::mem::zeroed() }
 }

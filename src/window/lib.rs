@@ -9,7 +9,7 @@
 //! | time, and sleeping until it comes | [`clock`] |
 //! | threads that share the work of a frame | [`pool`] |
 //! | the best instruction set | [`cpu`] |
-//! | memory of fixed size, and other | [`fixed`], [`allocator`] |
+//! | memory of fixed size | [`fixed`] |
 //! | lines of text to standard output and error | [`line`] |
 //!
 //! It is compiled for size, and uses of std only what costs few bytes: threads, waiting, time and
@@ -24,7 +24,6 @@
 compile_error!("Eightfold's windows, threads and terminals are made for Linux");
 
 pub mod abort;
-pub mod allocator;
 pub mod arguments;
 mod blit;
 pub mod clock;

@@ -107,7 +107,7 @@ fn compile_stub(toolchain: &Toolchain, object: &Path) -> Result<(), Error> {
         .args(["--target", toolchain::TARGET])
         .args([
             "-Cpanic=abort",
-            "-Copt-level=s",
+            "-Copt-level=z",
             "-Crelocation-model=static",
             "-Ccodegen-units=1",
         ])
