@@ -36,15 +36,13 @@ pub mod sound;
 mod text;
 mod trace;
 mod trigonometry;
-mod worker;
 
 pub use fearless_simd::Level;
 pub use governor::Governor;
 pub use quality::Quality;
-pub use refine::Band;
+pub use refine::{Band, Worker};
 pub use render::{Job, Memory, render, render_observed};
 pub use trace::Counts;
-pub use worker::Worker;
 
 /// The widest picture, in pixels.
 pub const MAX_WIDTH: usize = 3840;

@@ -2,10 +2,7 @@
 //!
 //! The refiner is generic over who listens. The intro's listener is `()`, of which nothing is left when it is compiled.
 
-use crate::prepare::{Prepared, Seen};
-use crate::quality::Quality;
-use crate::trace::{BATCH, Batch, Counts, trace};
-use fearless_simd::Level;
+use crate::trace::Counts;
 
 /// Listens to how a frame comes about, from all threads at once and in no particular order.
 ///
@@ -42,35 +39,4 @@ impl Observer for () {
 
     #[inline(always)]
     fn square(self, _: usize, _: usize, _: usize, _: usize, _: Fill) {}
-}
-
-/// Tells of a batch's points, which have been traced and read. Each is traced once more by itself, to see what it
-/// costs; that leaves the batch's counts as they were.
-#[inline(always)]
-pub(crate) fn tell_points<O: Observer>(
-    observer: O,
-    level: Level,
-    scene: &Prepared,
-    quality: &Quality,
-    seen: Seen,
-    batch: &mut Batch,
-) {
-    if !O::LISTENS {
-        return;
-    }
-    let mut places = [(0, 0); BATCH];
-    let count = batch.len().min(BATCH);
-    for (i, place) in places[..count].iter_mut().enumerate() {
-        let (x, y, ..) = batch.result(i);
-        *place = (x, y);
-    }
-    let counts = batch.counts;
-    for &(x, y) in &places[..count] {
-        batch.clear();
-        batch.counts = Counts::NONE;
-        batch.push(x, y);
-        trace(level, scene, quality, seen, batch);
-        observer.point(x, y, batch.counts);
-    }
-    batch.counts = counts;
 }

@@ -1,7 +1,5 @@
 //! Every dial that trades accuracy for speed.
 
-use crate::refine::Limit;
-
 /// How a frame is refined and how far its rays are followed.
 ///
 /// Two frames of the same scene, time and size differ only by this.
@@ -14,12 +12,12 @@ pub struct Quality {
     /// Side of the largest square in pixels, 1 to [`Quality::MAX_SQUARE`]. At 1 every pixel is traced.
     pub square: usize,
     /// The spread allowed where the corners' keys agree: they saw the same objects in the same light. 0 to infinity.
-    pub spread_agreeing: f32,
+    pub tolerance_agreeing: f32,
     /// The spread allowed where the keys differ, 0 to infinity. Keys are not computed where both spreads are the same.
-    pub spread_differing: f32,
+    pub tolerance_differing: f32,
     /// The middle of a split square's side is not traced but averaged where the side's ends are at most this far apart,
     /// counted as for squares. 0: always traced, as it is where keys are needed.
-    pub spread_side: f32,
+    pub tolerance_side: f32,
     /// Whether a square is split also where an object may be seen in it that none of its corners shows, or the shadow of a
     /// sphere on a plane: then all of these are shown that tracing every pixel shows. On in all named qualities,
     /// [`Quality::THESIS`] too; the rules of 2008 as they were, which miss what lies between corners, are
@@ -52,9 +50,9 @@ impl Quality {
     /// Every pixel is traced: the oracle that the other qualities are measured against.
     pub const EXHAUSTIVE: Self = Self {
         square: 1,
-        spread_agreeing: 0.0,
-        spread_differing: 0.0,
-        spread_side: 0.0,
+        tolerance_agreeing: 0.0,
+        tolerance_differing: 0.0,
+        tolerance_side: 0.0,
         guarded: true,
         key_depth: 5,
         state_depth: 0,
@@ -68,7 +66,7 @@ impl Quality {
     /// the primary hit agree, whatever the colours.
     pub const THESIS: Self = Self {
         square: 8,
-        spread_agreeing: f32::INFINITY,
+        tolerance_agreeing: f32::INFINITY,
         ..Self::EXHAUSTIVE
     };
 
@@ -150,9 +148,9 @@ impl Quality {
     const fn even(square: usize, spread: f32, depth: u32, least_contribution: f32) -> Self {
         Self {
             square,
-            spread_agreeing: spread,
-            spread_differing: spread,
-            spread_side: spread,
+            tolerance_agreeing: spread,
+            tolerance_differing: spread,
+            tolerance_side: spread,
             depth,
             least_contribution,
             ..Self::EXHAUSTIVE
@@ -169,41 +167,13 @@ impl Quality {
         if self.antialias > Self::MAX_ANTIALIAS {
             return false;
         }
-        (1..=Self::MAX_SQUARE).contains(&self.square) && self.depth <= Self::MAX_DEPTH
+        self.square.is_power_of_two()
+            && self.square <= Self::MAX_SQUARE
+            && self.depth <= Self::MAX_DEPTH
     }
 
     /// Whether verdicts depend on keys.
     pub(crate) fn needs_keys(&self) -> bool {
-        self.square > 1 && self.spread_agreeing != self.spread_differing
+        self.square > 1 && self.tolerance_agreeing != self.tolerance_differing
     }
-
-    /// How far samples may be apart.
-    pub(crate) fn limits(&self) -> Limits {
-        let has_means = !self.needs_keys() && self.spread_side > 0.0;
-        Limits {
-            agreeing: Limit::new(self.spread_agreeing),
-            differing: Limit::new(self.spread_differing),
-            side: if has_means {
-                Limit::new(self.spread_side)
-            } else {
-                Limit::NONE
-            },
-        }
-    }
-
-    /// The next multiple of the squares' side.
-    pub(crate) fn whole(&self, length: usize) -> usize {
-        length.next_multiple_of(self.square)
-    }
-}
-
-/// How far samples may be apart.
-#[derive(Clone, Copy)]
-pub(crate) struct Limits {
-    /// The corners of a square whose keys agree.
-    pub agreeing: Limit,
-    /// Those of a square whose keys differ.
-    pub differing: Limit,
-    /// The ends of a side whose middle is averaged.
-    pub side: Limit,
 }

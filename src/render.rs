@@ -4,21 +4,16 @@ use crate::observe::Observer;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
 use crate::refine::antialias::Smoothing;
-use crate::refine::{self, Band, Border};
+use crate::refine::{self, Band, MAX_BANDS, Worker};
 use crate::scene::Scene;
 use crate::text;
 use crate::trace::Counts;
-use crate::worker::Worker;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use fearless_simd::Level;
-
-/// Bands of the tallest picture: the smallest band has 9 rows (squares of 9).
-pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(9);
 
 /// What the threads share while they render a frame: some MB of fixed size, owned by the caller.
 pub struct Memory {
     prepared: Prepared,
-    borders: [Border; MAX_BANDS + 1],
     smoothing: Smoothing,
 }
 
@@ -28,7 +23,6 @@ impl Memory {
     pub const fn new() -> Self {
         Self {
             prepared: Prepared::new(),
-            borders: [Border::NONE; MAX_BANDS + 1],
             smoothing: Smoothing::new(),
         }
     }
@@ -82,8 +76,7 @@ impl Memory {
             smoothing.smooth(level, quality, worker, band);
             text::draw(&scene.captions, height, band);
         };
-        let borders = &mut self.borders;
-        frame(quality, width, borders, workers, pixels, &job, run)
+        frame(quality, width, workers, pixels, &job, run)
     }
 }
 
@@ -110,8 +103,8 @@ impl<F: FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>)> Run for F {
 /// Renders one frame of `width` by `height` pixels: `0x00RRGGBB`, row after row.
 ///
 /// The picture depends on the scene, the quality, the size and the instruction set alone. `run` has to apply the job
-/// to every band, each by any of the workers, in any order, and return when all are done; it is called twice, since
-/// every other band needs what its neighbours traced.
+/// to every band, each by any of the workers, in any order, and return when all are done; it is called once, and once more
+/// where the quality is antialiased.
 ///
 /// # Panics
 /// If a side is 0 or beyond [`MAX_WIDTH`] or [`MAX_HEIGHT`], if `pixels` has another length than `width * height`, or
@@ -126,18 +119,20 @@ pub fn render(
     memory: &mut Memory,
     workers: &mut [Worker],
     pixels: &mut [u32],
-    mut run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
+    run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
 ) -> Counts {
-    memory.begin(scene, quality, width, height, pixels.len());
-    let (prepared, borders) = (&memory.prepared, &mut memory.borders);
-    let job = |worker: &mut Worker, band: &mut Band<'_>| {
-        refine::render(level, prepared, quality, worker, band);
-        if !quality.is_antialiased() {
-            text::draw(&scene.captions, height, band);
-        }
-    };
-    let counts = frame(quality, width, borders, workers, pixels, &job, &mut run);
-    counts + memory.smooth(level, scene, quality, width, workers, pixels, &mut run)
+    render_observed(
+        level,
+        scene,
+        quality,
+        width,
+        height,
+        memory,
+        workers,
+        pixels,
+        (),
+        run,
+    )
 }
 
 /// Like [`render`], and the observer hears how the frame comes about: the same frame, the same counts, more time. Of the
@@ -159,55 +154,38 @@ pub fn render_observed<O: Observer>(
     mut run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
 ) -> Counts {
     memory.begin(scene, quality, width, height, pixels.len());
-    let (prepared, borders) = (&memory.prepared, &mut memory.borders);
+    let prepared = &memory.prepared;
     let job = |worker: &mut Worker, band: &mut Band<'_>| {
-        refine::render_observed(level, prepared, quality, observer, worker, band);
+        refine::render(level, prepared, quality, observer, worker, band);
         if !quality.is_antialiased() {
             text::draw(&scene.captions, height, band);
         }
     };
-    let counts = frame(quality, width, borders, workers, pixels, &job, &mut run);
+    let counts = frame(quality, width, workers, pixels, &job, &mut run);
     counts + memory.smooth(level, scene, quality, width, workers, pixels, &mut run)
 }
 
-/// The bands of a frame, each drawn by the job. (A function of its own, and what is generic only around it: what is compiled
-/// with the program keeps the places of its panics, 300 bytes.)
+/// The bands of a frame, each drawn by the job.
 fn frame(
     quality: &Quality,
     width: usize,
-    all_borders: &mut [Border],
     workers: &mut [Worker],
     pixels: &mut [u32],
     job: Job<'_>,
     run: &mut dyn Run,
 ) -> Counts {
-    let height = pixels.len() / width.max(1);
     let rows = Band::rows(quality.square);
-    let count = height.div_ceil(rows);
-
-    // Bands of even number trace the borders around them; those between find them traced.
-    for odd in [0, 1] {
-        let mut bands = [const { Band::none() }; MAX_BANDS.div_ceil(2)];
-        let mut len = 0;
-        let mut borders = all_borders.get_mut(odd..).unwrap_or_default().chunks_mut(2);
-        for (i, pixels) in pixels.chunks_mut((rows * width).max(1)).enumerate() {
-            if i % 2 != odd {
-                continue;
-            }
-            let (Some(borders), Some(band)) = (borders.next(), bands.get_mut(len)) else {
-                break;
-            };
-            *band = Band {
-                top: i * rows,
-                width,
-                pixels,
-                borders,
-                are_done: [odd == 1, odd == 1 && i + 1 < count],
-            };
-            len += 1;
-        }
-        run.run(workers, bands.get_mut(..len).unwrap_or_default(), job);
+    let mut bands = [const { Band::none() }; MAX_BANDS];
+    let mut count = 0;
+    for (band, pixels) in bands.iter_mut().zip(pixels.chunks_mut(rows * width)) {
+        *band = Band {
+            top: count * rows,
+            width,
+            pixels,
+        };
+        count += 1;
     }
+    run.run(workers, &mut bands[..count], job);
     let mut counts = Counts::NONE;
     for worker in workers {
         counts += worker.take_counts();

@@ -14,6 +14,10 @@ use super::screen::{Axes, Rect};
 use crate::trigonometry::root;
 use glam::{Vec3A, Vec4, Vec4Swizzles};
 
+/// Tangents from each end that a rectangle is narrowed by: the first ones touch a cone on their side of it, later ones in the
+/// rectangle.
+const TANGENTS: usize = 3;
+
 /// A cone.
 #[derive(Clone, Copy)]
 pub(crate) struct Cone {
@@ -66,6 +70,43 @@ impl Cone {
         self.is_flat = true;
     }
 
+    /// Narrows a rectangle of the picture to the u between which rays through it may be inside, by a margin; to none, the
+    /// least u beyond the greatest, if none may.
+    ///
+    /// By tangent planes from both ends: each is a line in the picture that has the cone on one side.
+    pub fn narrow(&self, rect: &mut Rect, margin: f32) {
+        if self.is_flat {
+            let [right, down, terms] = self.terms;
+            for ((right, down), terms) in right
+                .to_array()
+                .into_iter()
+                .zip(down.to_array())
+                .zip(terms.to_array())
+            {
+                cut(rect, right, down, terms - margin);
+            }
+            return;
+        }
+        for _ in 0..TANGENTS {
+            for u in [rect.x, rect.z] {
+                let [right, down, terms] = self.terms;
+                let across = Vec3A::from_vec4(right * u + down * (0.5 * (rect.y + rect.w)) + terms);
+                // On the axis any direction across will do, such as none.
+                let side = across / -across.length().max(f32::MIN_POSITIVE);
+                let side = side.extend(1.0);
+                cut(
+                    rect,
+                    side.dot(right),
+                    side.dot(down),
+                    side.dot(terms) - margin,
+                );
+                if rect.x > rect.z {
+                    return;
+                }
+            }
+        }
+    }
+
     /// Whether a ray through a rectangle of the picture may be inside, or through a point is, by a margin.
     #[inline(always)]
     pub fn meets(&self, rect: &Rect, margin: f32) -> bool {
@@ -95,6 +136,21 @@ impl Cone {
         most += right.abs() * half.x + down.abs() * half.y;
         // Turned round, so that what is not a number meets.
         !most.cmplt(Vec4::splat(margin)).any()
+    }
+}
+
+/// Narrows a rectangle to the u for which `right u + down v + terms` is not below 0 for some v.
+#[inline(always)]
+fn cut(rect: &mut Rect, right: f32, down: f32, terms: f32) {
+    let most = (down * rect.y).max(down * rect.w) + terms;
+    let end = -most / right;
+    // What is not a number cuts nothing off.
+    if right > 0.0 {
+        rect.x = rect.x.max(end);
+    } else if right < 0.0 {
+        rect.z = rect.z.min(end);
+    } else if most < 0.0 {
+        rect.z = f32::NEG_INFINITY;
     }
 }
 

@@ -15,7 +15,7 @@ pub(crate) use lamp::{Caster, Lamp};
 pub(crate) use object::Object;
 pub(crate) use outline::Outline;
 use screen::Window;
-pub(crate) use screen::{Axes, Rect, rectangle};
+pub(crate) use screen::{Axes, rectangle};
 pub(crate) use surface::{Row, Surface, SurfaceRow};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{GroupSet, Node, Tree};

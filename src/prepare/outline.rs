@@ -171,13 +171,17 @@ impl Rectangle {
 }
 
 impl Prepared {
-    /// Whether a rectangle of the picture may show what has the outline of a number.
-    #[inline(always)]
-    pub fn may_show(&self, outline: usize, rect: &Rect) -> bool {
+    /// The least and the greatest u in a rectangle of the picture that may show what has the outline of a number, if it may.
+    pub fn narrowed(&self, outline: usize, mut rect: Rect) -> Option<[f32; 2]> {
         let outline = &self.outlines[outline % OUTLINES];
-        outline.window.meets(*rect)
-            && outline.cone.meets(rect, -ROUNDING)
-            && (!outline.is_block || outline.ends.meets(rect, -ROUNDING))
+        outline.window.narrow(&mut rect);
+        if rect.x <= rect.z {
+            outline.cone.narrow(&mut rect, -ROUNDING);
+        }
+        if outline.is_block && rect.x <= rect.z {
+            outline.ends.narrow(&mut rect, -ROUNDING);
+        }
+        (rect.x <= rect.z).then_some([rect.x, rect.z])
     }
 
     /// Takes in the shadows of spheres on a plane, an object's number and all; of a lamp that is more than a point, or that is

@@ -61,6 +61,11 @@ impl Axes {
         (pixels - self.middle) * self.pixel
     }
 
+    /// The column of pixels, with its fraction, that has some u.
+    pub fn column(&self, u: f32) -> f32 {
+        u / self.pixel + self.middle.x
+    }
+
     /// A vector along the axes.
     #[inline(never)]
     pub fn seen(&self, d: Vec3A) -> Vec3A {
@@ -107,6 +112,17 @@ impl Window {
     /// Around both.
     pub fn join(&mut self, other: Self) {
         self.0 = self.0.min(other.0);
+    }
+
+    /// Narrows a rectangle to the u that it shares with it, to none if it is above or below.
+    #[inline(always)]
+    pub fn narrow(&self, rect: &mut Rect) {
+        let [x, y, z, w] = self.0.to_array();
+        rect.x = rect.x.max(x);
+        rect.z = rect.z.min(-z);
+        if y > rect.w || -w < rect.y {
+            rect.z = f32::NEG_INFINITY;
+        }
     }
 
     /// Whether it shares a point with a rectangle.

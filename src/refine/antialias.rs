@@ -7,15 +7,13 @@
 //! What is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
 //! more closely only where something can be seen.
 
-use super::Band;
+use super::{Band, MAX_BANDS, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
-use crate::render::MAX_BANDS;
 use crate::scene::Scene;
 use crate::trace::{BATCH, STEP, trace};
-use crate::worker::Worker;
 use fearless_simd::{Level, u8x16, u32x4};
 
 /// The least difference of neighbours, in a channel and 255ths, that is an edge.

@@ -1,17 +1,22 @@
 //! A band of the picture: the unit of work that threads share.
 
-use super::Border;
 use super::fill::Canvas;
-use super::refiner::Refiner;
-use crate::lanes::*;
+use super::tile::{Area, Tile};
+use super::worker::Worker;
+use super::{TILE_HEIGHT, TILE_WIDTH};
+use crate::MAX_HEIGHT;
+use crate::lanes::steps;
 use crate::observe::Observer;
-use crate::prepare::{Prepared, Seen};
+use crate::prepare::Prepared;
 use crate::quality::Quality;
-use crate::worker::Worker;
+use crate::trace::BATCH;
 use fearless_simd::Level;
 
-/// Rows of a band, unless its squares are larger: enough for full lanes, few enough to share a picture evenly.
-const ROWS: usize = 16;
+/// Rows of a band where every pixel is traced, and of one with squares that fit in.
+const ROWS: usize = 32;
+
+/// Bands of the tallest picture.
+pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(ROWS);
 
 /// Some rows of the picture.
 pub struct Band<'a> {
@@ -19,10 +24,6 @@ pub struct Band<'a> {
     pub(crate) top: usize,
     pub(crate) width: usize,
     pub(crate) pixels: &'a mut [u32],
-    /// The borders above and below.
-    pub(crate) borders: &'a mut [Border],
-    /// Whether they hold what the band above and the band below traced.
-    pub(crate) are_done: [bool; 2],
 }
 
 impl Band<'_> {
@@ -32,83 +33,84 @@ impl Band<'_> {
             top: 0,
             width: 0,
             pixels: &mut [],
-            borders: &mut [],
-            are_done: [false; 2],
         }
     }
 
     /// Rows of a band for squares of a size.
     pub(crate) const fn rows(square: usize) -> usize {
-        if square > ROWS {
-            square
+        if square > ROWS { square } else { ROWS }
+    }
+}
+
+/// Draws a band by an instruction set, a tile after the other; the observer hears of it.
+pub(crate) fn render<O: Observer>(
+    isa: Level,
+    scene: &Prepared,
+    quality: &Quality,
+    observer: O,
+    worker: &mut Worker,
+    band: &mut Band<'_>,
+) {
+    let height = band.pixels.len() / band.width;
+    let width = if quality.square == 1 {
+        BATCH / ROWS
+    } else {
+        TILE_WIDTH
+    };
+    for left in steps(0, band.width, width) {
+        let area = Area {
+            left,
+            top: band.top,
+            right: band.width.min(left + width),
+            bottom: band.top + height,
+            picture: [band.width, scene.height],
+        };
+        let mut tile = Tile {
+            isa,
+            scene,
+            quality,
+            observer,
+            seen: scene.seen(
+                area.left,
+                area.top,
+                area.right.next_multiple_of(quality.square),
+                area.bottom.next_multiple_of(quality.square),
+            ),
+            area,
+            worker: &mut *worker,
+            canvas: Canvas {
+                pixels: &mut *band.pixels,
+                width: band.width,
+                height,
+            },
+        };
+        if quality.square == 1 {
+            tile.trace_pixels();
         } else {
-            ROWS / square * square
+            tile.draw();
         }
     }
 }
 
-/// Renders a band: refines in the lanes that every CPU has, traces by the given instruction set.
-pub(crate) fn render(
-    level: Level,
-    scene: &Prepared,
-    quality: &Quality,
-    worker: &mut Worker,
-    band: &mut Band<'_>,
-) {
-    render_observed(level, scene, quality, (), worker, band);
+impl<O: Observer> Tile<'_, O> {
+    /// Traces every pixel of a tile, which is no larger than a batch.
+    fn trace_pixels(&mut self) {
+        let Area { left, right, .. } = self.area;
+        for y in self.area.top..self.area.bottom {
+            for x in left..right {
+                self.worker.batch.push(x, y);
+            }
+        }
+        self.trace_batch();
+        let batch = &mut self.worker.batch;
+        let pixels = by_isa!(self.isa, simd => batch.pixels(simd));
+        let rows = self.canvas.pixels.chunks_exact_mut(self.canvas.width);
+        let traced = pixels.chunks(right - left);
+        for (row, traced) in rows.zip(traced) {
+            row[left..right].copy_from_slice(&traced[..right - left]);
+        }
+        self.end_batch();
+    }
 }
 
-/// Like [`render`], and the observer hears of it.
-pub(crate) fn render_observed<O: Observer>(
-    level: Level,
-    scene: &Prepared,
-    quality: &Quality,
-    observer: O,
-    worker: &mut Worker,
-    band: &mut Band<'_>,
-) {
-    #[cfg(target_arch = "x86_64")]
-    if let Some(simd) = level.as_sse2() {
-        render_by(simd, level, scene, quality, observer, worker, band);
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    fearless_simd::dispatch!(level, simd => render_by(simd, level, scene, quality, observer, worker, band));
-}
-
-fn render_by<S: Simd, O: Observer>(
-    simd: S,
-    level: Level,
-    scene: &Prepared,
-    quality: &Quality,
-    observer: O,
-    worker: &mut Worker,
-    band: &mut Band<'_>,
-) {
-    let height = band.pixels.len() / band.width.max(1);
-    let mut refiner = Refiner {
-        simd,
-        level,
-        scene,
-        quality,
-        observer,
-        top: band.top,
-        seen: Seen::default(),
-        limits: quality.limits(),
-        next: 0,
-        end: 0,
-        worker,
-        canvas: Canvas {
-            pixels: &mut *band.pixels,
-            width: band.width,
-            height,
-        },
-    };
-    if quality.square == 1 {
-        refiner.every_pixel();
-        return;
-    }
-    refiner.exchange(band.borders, band.are_done, true);
-    refiner.squares();
-    refiner.exchange(band.borders, band.are_done, false);
-    refiner.show_method();
-}
+const _: () = assert!(ROWS <= TILE_HEIGHT && Quality::MAX_SQUARE <= TILE_HEIGHT);

@@ -1,156 +1,142 @@
 //! Fills squares with colours between those of their corners.
 
-use super::square::{Corners, Square};
+use super::bits::Bits;
 use crate::lanes::*;
-use crate::trace::{STEP, Sample};
-use fearless_simd::{i16x8, u8x16, u16x8, u32x4, u64x2};
+use crate::quality::Quality;
+use crate::trace::Sample;
+use fearless_simd::{Level, i16x16, u8x32, u16x16, u32x8, u64x4};
 
 /// The pixels of a band, row after row, `width` to a row.
-pub(crate) struct Canvas<'a> {
+pub(super) struct Canvas<'a> {
     pub pixels: &'a mut [u32],
     pub width: usize,
     pub height: usize,
 }
 
-/// The colours of two neighbouring pixels, a word for each channel, in 256ths of an output step.
-type Pair<S> = u16x8<S>;
+/// The colours of four pixels side by side, a word for each channel, in 256ths of an output step.
+type Four<S> = u16x16<S>;
 
 /// Half an output step: added before the fraction is cut off, it rounds.
 const HALF: u16 = 128;
+
+/// The squares of a row that are filled, in pixels of the canvas.
+pub(super) struct Run<'a> {
+    /// Where square number 0 begins.
+    pub x: usize,
+    pub y: usize,
+    /// The logarithm of their side, 1 to 5.
+    pub level: usize,
+    /// The samples along their upper and along their lower sides.
+    pub above: &'a [u64],
+    pub below: &'a [u64],
+    pub filled: Bits,
+    /// Those of one colour.
+    pub flat: Bits,
+}
 
 impl Canvas<'_> {
     /// Sets one pixel, if it is in the picture.
     #[inline(always)]
     pub fn put(&mut self, x: usize, y: usize, pixel: u32) {
         if x < self.width && y < self.height {
-            let place = self.pixels.get_mut(y * self.width + x);
-            *place.unwrap_or(&mut 0) = pixel;
+            self.pixels[y * self.width + x] = pixel;
         }
     }
 
-    /// Interpolates the corners' colours along both sides of a square, as far as it is in the picture. The pixels of the
-    /// upper and the left side get the bits `side` too.
-    ///
-    /// (Out of line where bytes count for more than time.)
+    /// Fills squares as far as they are in the picture.
+    pub fn fill(&mut self, isa: Level, run: &Run<'_>) {
+        by_isa!(isa, simd => match run.level {
+            1 => self.fill_by::<_, 1>(simd, run),
+            2 => self.fill_by::<_, 2>(simd, run),
+            3 => self.fill_by::<_, 3>(simd, run),
+            4 => self.fill_by::<_, 4>(simd, run),
+            _ => self.fill_by::<_, 5>(simd, run),
+        });
+    }
+
+    /// Fills squares of `1 << LEVEL` pixels.
     #[inline(always)]
-    pub fn fill<S: Simd>(&mut self, simd: S, square: &Square, corners: &Corners, side: u32) {
-        let (x, y, w, h) = square.place();
-        let (right, below) = ((x + w).min(self.width), (y + h).min(self.height));
-        if !(w == h && w.is_power_of_two()) {
-            for j in 0..below - y {
-                for i in 0..right - x {
-                    let side = if i == 0 || j == 0 { side } else { 0 };
-                    self.put(x + i, y + j, between(corners, [i, j], [w, h]) | side);
+    fn fill_by<S: Simd, const LEVEL: u32>(&mut self, simd: S, run: &Run<'_>) {
+        run.filled.for_each(
+            #[inline(always)]
+            |i| {
+                let (above, below) = (&run.above[i..i + 2], &run.below[i..i + 2]);
+                let mut corners = [above[0], above[1], below[0], below[1]];
+                if run.flat.has(i) {
+                    corners = [corners[0]; 4];
                 }
-            }
-            return;
-        }
-        let mut columns = Columns::between(simd, corners, w);
-        let upper = u32x4::splat(simd, side);
-        let mut left = u32x4::simd_from(simd, [side, 0, 0, 0]);
-        for x in steps(x, right, 4) {
-            let mut side = upper;
-            let (mut a, a_down) = columns.next();
-            let (mut b, b_down) = columns.next();
-            for y in y..below {
-                let bytes: u8x16<S> = (a >> 8).narrow(b >> 8);
-                let mut four = bytes.bitcast::<u32x4<S>>();
-                four |= side;
-                side = left;
-                let four: [u32; 4] = four.into();
-                let row = self
-                    .pixels
-                    .get_mut(y * self.width + x..)
-                    .unwrap_or_default();
-                match row.first_chunk_mut() {
-                    Some(pixels) if x + 4 <= right => *pixels = four,
-                    _ => {
-                        for (pixel, colour) in row.iter_mut().zip(four).take(right - x) {
-                            *pixel = colour;
-                        }
+                let (x, y, side) = (run.x + (i << LEVEL), run.y, 1 << LEVEL);
+                let start = y * self.width + x;
+                if x + side <= self.width && y + side <= self.height {
+                    let pixels = &mut self.pixels[start..];
+                    fill_square::<S, LEVEL>(simd, corners, pixels, self.width);
+                } else {
+                    let mut whole = [0; MAX_PIXELS];
+                    fill_square::<S, LEVEL>(simd, corners, &mut whole, side);
+                    let rows = self.pixels[start..].chunks_mut(self.width);
+                    let width = side.min(self.width - x);
+                    for (row, whole) in rows.zip(whole.chunks(side)).take(side) {
+                        row[..width].copy_from_slice(&whole[..width]);
                     }
                 }
-                a += a_down;
-                b += b_down;
-            }
-            left = u32x4::splat(simd, 0);
-        }
-    }
-}
-
-/// The upper and the lower side of a square, two pixels at a time.
-///
-/// All is added up without a carry out of 16 bits, so that differences of any size work. A step is off by half a 256th of
-/// an output step at most, so that the last pixel of a square of 8 is off by 7 of them, and by 31 in one of 32.
-struct Columns<S: Simd> {
-    /// The side is two to this power.
-    log: u32,
-    upper: Pair<S>,
-    lower: Pair<S>,
-    /// From two pixels to the next two.
-    upper_step: Pair<S>,
-    lower_step: Pair<S>,
-}
-
-impl<S: Simd> Columns<S> {
-    /// Between the corners of a square whose side is a power of two and at least 2.
-    #[inline(always)]
-    fn between(simd: S, corners: &Corners, side: usize) -> Self {
-        let [a, b, c, d] = *corners;
-        let log = side.trailing_zeros();
-        let second: Pair<S> = u64x2::simd_from(simd, [0, u64::MAX]).bitcast();
-        let (a, b, c, d) = (
-            twice(simd, a),
-            twice(simd, b),
-            twice(simd, c),
-            twice(simd, d),
+            },
         );
-        let (across, across_below) = (step(b, a, log), step(d, c, log));
-        Self {
-            log,
-            upper: a + a + HALF + (across & second),
-            lower: c + c + HALF + (across_below & second),
-            upper_step: across + across,
-            lower_step: across_below + across_below,
+    }
+}
+
+/// Pixels of the largest square.
+const MAX_PIXELS: usize = Quality::MAX_SQUARE * Quality::MAX_SQUARE;
+
+/// Interpolates the corners' colours along both sides of a square of `1 << LEVEL` pixels, at the start of rows of so many.
+///
+/// All is added up without a carry out of 16 bits, so that differences of any size work. A step is off by half a 256th of an
+/// output step at most, so that the last pixel of a square of 8 is off by 7 of them, and by 31 in one of 32.
+#[inline(always)]
+fn fill_square<S: Simd, const LEVEL: u32>(
+    simd: S,
+    corners: [u64; 4],
+    pixels: &mut [u32],
+    width: usize,
+) {
+    let [a, b, c, d] = corners;
+    let (a, b, c, d) = (four(simd, a), four(simd, b), four(simd, c), four(simd, d));
+    let (across, across_below) = (step::<S, LEVEL>(b, a), step::<S, LEVEL>(d, c));
+    let (upper, lower) = (a + a + HALF, c + c + HALF);
+    let number = u16x16::simd_from(simd, [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3]);
+    let side = 1 << LEVEL;
+    let width_at_once = if side < 8 { side } else { 8 };
+    for left in steps(0, side, width_at_once) {
+        let column = number + left as u16;
+        let (mut first, lower) = (upper + across * column, lower + across_below * column);
+        let first_down = step::<S, LEVEL>(lower >> 1, first >> 1);
+        let (mut second, lower) = (first + across * 4, lower + across_below * 4);
+        let second_down = step::<S, LEVEL>(lower >> 1, second >> 1);
+        let mut rest = &mut pixels[left..];
+        for _ in 0..side {
+            let bytes: u8x32<S> = (first >> 8).relaxed_narrow(second >> 8);
+            let eight: [u32; 8] = bytes.bitcast::<u32x8<S>>().into();
+            rest[..width_at_once].copy_from_slice(&eight[..width_at_once]);
+            rest = rest.get_mut(width..).unwrap_or_default();
+            first += first_down;
+            second += second_down;
         }
     }
-
-    /// The next two pixels of the upper side, and what is added from row to row below them.
-    #[inline(always)]
-    fn next(&mut self) -> (Pair<S>, Pair<S>) {
-        let value = self.upper;
-        let down = step(self.lower >> 1, self.upper >> 1, self.log);
-        self.upper += self.upper_step;
-        self.lower += self.lower_step;
-        (value, down)
-    }
 }
 
-/// A sample for both pixels of a pair, as it counts: in 128ths of an output step.
+/// A sample's colour four times.
 #[inline(always)]
-fn twice<S: Simd>(simd: S, sample: Sample) -> Pair<S> {
-    u64x2::splat(simd, sample.colour()).bitcast()
+fn four<S: Simd>(simd: S, sample: u64) -> Four<S> {
+    u64x4::splat(simd, sample & Sample::COLOUR).bitcast()
 }
 
-/// The way from one number of 128ths to another in `2^log` steps, in 256ths, rounded.
+/// The way from one number of 128ths to another in `2^LEVEL` steps, in 256ths, rounded.
 #[inline(always)]
-fn step<S: Simd>(to: Pair<S>, from: Pair<S>, log: u32) -> Pair<S> {
-    let way: i16x8<S> = (to - from).bitcast();
+fn step<S: Simd, const LEVEL: u32>(to: Four<S>, from: Four<S>) -> Four<S> {
+    let way: i16x16<S> = (to - from).bitcast();
     // Of two steps each is the way; else half is added to a quarter of the range of words at most.
-    let round = (log - 1).min(1);
-    (((way >> (log - 1 - round)) + round as i16) >> round).bitcast()
-}
-
-/// The colour at a column and row of a square of any sides.
-fn between(corners: &Corners, [i, j]: [usize; 2], [w, h]: [usize; 2]) -> u32 {
-    let [a, b, c, d] = corners.map(|corner| corner.colour());
-    let (step, area) = (STEP as usize, w * h);
-    let channel = |shift: u32| {
-        let at = |sample: u64| (sample >> shift & 0xffff) as usize;
-        let upper = at(a) * (w - i) + at(b) * i;
-        let lower = at(c) * (w - i) + at(d) * i;
-        let sum = upper * (h - j) + lower * j;
-        (sum + step * area / 2) / (step * area)
-    };
-    (channel(32) << 16 | channel(16) << 8 | channel(0)) as u32
+    if LEVEL == 1 {
+        way.bitcast()
+    } else {
+        (((way >> (LEVEL - 2)) + 1) >> 1).bitcast()
+    }
 }

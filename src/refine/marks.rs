@@ -1,57 +1,68 @@
 //! The method made visible: what was traced and filled, on top of the picture.
 //!
-//! Of the points on the upper row of a band those have no mark that only the band above it traced, once this one was
-//! done. Where every pixel is traced there is nothing to show.
+//! Points on the upper row of a band have a mark where this band traced them, which the band above may have done as well.
+//! Where every pixel is traced there is nothing to show.
 
-use super::refiner::Refiner;
-use crate::lanes::*;
+use super::TILE_WIDTH;
+use super::tile::Tile;
 use crate::observe::Observer;
 
-/// Set in a pixel on a side of a filled square, above its channels, until the band is done.
-const SIDE: u32 = 1 << 24;
+/// A pixel on the upper or the left side of a filled square: the other sides are its neighbours'.
+const SIDE: u8 = 1;
+/// A pixel that is a traced point.
+const POINT: u8 = 2;
 
-impl<S: Simd, O: Observer> Refiner<'_, S, O> {
-    /// Whether the scene asks for more than the plain picture.
-    #[inline(always)]
-    fn shows_method(&self) -> bool {
-        self.scene.shows_method()
-    }
-
-    /// What the pixels on the upper and the left side of a filled square are noted by: the others are its neighbours'.
-    #[inline(always)]
-    pub(super) fn side(&self) -> u32 {
-        if self.shows_method() { SIDE } else { 0 }
-    }
-
-    /// Draws the points and sides of a band that is done, as bright as the scene wants them.
-    #[inline(always)]
+impl<O: Observer> Tile<'_, O> {
+    /// Draws the points and sides of a tile that is done, as bright as the scene wants them.
     pub(super) fn show_method(&mut self) {
-        if !self.shows_method() {
+        if !self.scene.shows_method() {
             return;
         }
         let method = &self.scene.scene.method;
         let both = method.squares.max(method.points);
-        let marks = [0.0, method.squares, method.points, both];
-        let mut pixels = self.canvas.pixels.iter_mut();
-        for points in self.worker.points.rows() {
-            for x in 0..self.canvas.width {
-                let Some(pixel) = pixels.next() else {
-                    return;
-                };
-                let place = *pixel / SIDE + 2 * u32::from(points.is_traced(x));
-                let mark = marks[place as usize % 4];
-                // What is left of the picture, in 256ths, and the white that is added to it.
-                let (left, white) = (byte((1.0 - mark) * method.picture), byte(mark));
+        let blends = [0.0, method.squares, method.points, both].map(|mark| {
+            // What is left of the picture, in 256ths, and the white that is added to it.
+            (byte((1.0 - mark) * method.picture), byte(mark))
+        });
+        for y in 0..self.area.rows(0) {
+            let marks = self.marks(y);
+            let row = y * self.canvas.width;
+            let row = &mut self.canvas.pixels[row + self.area.left..row + self.area.right];
+            for (pixel, mark) in row.iter_mut().zip(marks) {
+                let (left, white) = blends[mark as usize];
                 let red_blue = (((*pixel & 0xff_00_ff) * left) >> 8) & 0xff_00_ff;
                 let green = (((*pixel & 0xff_00) * left) >> 8) & 0xff_00;
                 *pixel = red_blue + green + white * 0x01_01_01;
             }
         }
     }
+
+    /// The marks of a row of pixels.
+    fn marks(&self, y: usize) -> [u8; TILE_WIDTH] {
+        let mut row = [0; TILE_WIDTH];
+        for level in 0..=self.quality.square.ilog2() as usize {
+            let side = 1 << level;
+            let is_upper = y % side == 0;
+            if level > 0 {
+                self.worker.marks.filled[level][y >> level].for_each(|x| {
+                    let length = if is_upper { side } else { 1 };
+                    let sides = row.iter_mut().skip(x << level).take(length);
+                    sides.for_each(|mark| *mark |= SIDE);
+                });
+            }
+            if is_upper {
+                self.worker.marks.traced[level][y >> level].for_each(|x| {
+                    if let Some(mark) = row.get_mut(x << level) {
+                        *mark |= POINT;
+                    }
+                });
+            }
+        }
+        row
+    }
 }
 
-/// A share of 255, rounded: adding 2^23 leaves it in the low bits.
-#[inline(always)]
+/// A share of 255, rounded.
 fn byte(share: f32) -> u32 {
-    u32::from((share * 255.0 + 8_388_608.0).to_bits() as u8)
+    (share * 255.0 + 0.5) as u32
 }

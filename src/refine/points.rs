@@ -1,148 +1,183 @@
-//! The points of a band that have been traced.
+//! Which points a level needs, and how they become known: from the level above, as a mean of two, or traced.
 
-use super::square::is_wider;
-use crate::MAX_WIDTH;
-use crate::lanes::*;
-use crate::quality::Quality;
-use crate::trace::{Layers, Sample};
+use super::bits::{Bits, WORDS};
+use super::pyramid::Pyramid;
+use super::tile::{Marks, Tile};
+use super::verdict::Limit;
+use super::worker::Worker;
+use crate::observe::Observer;
+use crate::trace::{BATCH, Counts, trace};
 
-/// Points in a row: the last column of corners lies up to a square beyond the picture.
-const ROW: usize = (MAX_WIDTH + Quality::MAX_SQUARE).next_power_of_two();
-/// Rows of points in a band.
-const ROWS: usize = Quality::MAX_SQUARE + 1;
-/// Words that hold a bit for each point of a row.
-const WORDS: usize = ROW.div_ceil(64);
+/// Points side by side that are traced before those to the right of them, all rows.
+const BLOCK: usize = 16;
+const BLOCK_MASK: u64 = (1 << BLOCK) - 1;
 
-/// The samples of a band's points, and which of them are traced.
-pub(crate) struct Points([Border; ROWS]);
-
-/// A row of points. Bands share those between them: the lower corners of one's last squares are the upper corners of
-/// the other's first.
-#[derive(Clone, Copy)]
-pub(crate) struct Border {
-    samples: [Sample; ROW],
-    layers: [Layers; ROW],
-    keys: [u32; ROW],
-    traced: [u64; WORDS],
-}
-
-impl Border {
-    /// A row without points.
-    pub const NONE: Self = Self {
-        samples: [Sample(0); ROW],
-        layers: [Layers::NONE; ROW],
-        keys: [0; ROW],
-        traced: [0; WORDS],
-    };
-
-    /// Takes the first `width` points over from another row.
-    pub fn copy(&mut self, other: &Self, width: usize, with_layers: bool, with_keys: bool) {
-        self.traced = other.traced;
-        for (to, from) in self.samples.iter_mut().zip(&other.samples).take(width) {
-            *to = *from;
+impl<O: Observer> Tile<'_, O> {
+    /// Finds the points of a level: the corners of all its squares, or the squares themselves where they are pixels.
+    pub(super) fn find_points(&mut self, level: usize, is_first: bool) {
+        let rows = self.area.rows(level) + usize::from(level > 0);
+        let limit = Limit::new(self.quality.tolerance_side, level + 1);
+        for y in 0..rows {
+            let marks = &self.worker.marks;
+            let mut points = corners(&marks.squares[level], level, y, self.area.rows(level));
+            if !is_first {
+                let known = if y % 2 == 0 { Bits::EVEN } else { Bits::NONE };
+                let must = corners(&marks.open[level], level, y, self.area.rows(level));
+                self.take_over(level, y, points & known);
+                points = points & !known;
+                if self.quality.tolerance_side > 0.0 {
+                    let middles = points & !must;
+                    points = points & !self.average(level, y, middles, limit);
+                }
+            }
+            self.worker.marks.traced[level][y] = points;
         }
-        if with_layers {
-            for (to, from) in self.layers.iter_mut().zip(&other.layers).take(width) {
-                *to = *from;
+        self.trace_marked(level, rows);
+    }
+
+    /// Traces the points of a level that are marked, block by block: rays of neighbours meet the same objects.
+    fn trace_marked(&mut self, level: usize, rows: usize) {
+        for word in 0..WORDS {
+            let marked = |marks: &Marks, y: usize| marks.traced[level][y].0[word];
+            let marks = &self.worker.marks;
+            let any = (0..rows).fold(0, |any, y| any | marked(marks, y));
+            for shift in (0..64).step_by(BLOCK) {
+                if any >> shift & BLOCK_MASK == 0 {
+                    continue;
+                }
+                for y in 0..rows {
+                    let mut rest = marked(&self.worker.marks, y) >> shift & BLOCK_MASK;
+                    while rest != 0 {
+                        let x = 64 * word + shift + rest.trailing_zeros() as usize;
+                        let (x, y) = (self.area.left + (x << level), self.area.top + (y << level));
+                        self.worker.batch.push(x, y);
+                        if self.worker.batch.is_full() {
+                            self.trace(level);
+                        }
+                        rest &= rest - 1;
+                    }
+                }
             }
         }
-        if with_keys {
-            self.keys[..width].copy_from_slice(&other.keys[..width]);
-        }
-    }
-}
-
-impl Border {
-    /// Whether the point at x is traced, or going to be.
-    #[inline(always)]
-    pub fn is_traced(&self, x: usize) -> bool {
-        let word = self.traced.get(x / 64).copied().unwrap_or_default();
-        word >> (x % 64) & 1 != 0
+        self.trace(level);
     }
 
-    /// Whether the point at x has to be traced, which is noted: not where that has been done, nor where it lies between
-    /// samples that are not farther apart than a limit, whose mean it gets.
-    #[inline(always)]
-    pub fn claim<S: Simd>(&mut self, simd: S, x: usize, limit: u64, a: Sample, b: Sample) -> bool {
-        let places = (self.traced.get_mut(x / 64), self.samples.get_mut(x));
-        let (Some(word), Some(sample)) = places else {
-            return false;
-        };
-        let bit = 1 << (x % 64);
-        if *word & bit != 0 {
-            return false;
-        }
-        let is_far = is_wider(simd, &[a, b], limit);
-        if is_far {
-            *word |= bit;
+    /// Takes points over from the level above, which has them at half their numbers.
+    fn take_over(&mut self, level: usize, y: usize, points: Bits) {
+        let has_patterns = self.scene.has_patterns();
+        points.for_each(|x| {
+            let pyramid = &mut self.worker.pyramid;
+            let from = Pyramid::place(level + 1, x / 2, y / 2);
+            let (sample, key) = (pyramid.sample(from), pyramid.key(from));
+            if level == 0 {
+                self.canvas.put(self.area.left + x, y, sample.pixel());
+                return;
+            }
+            let to = Pyramid::place(level, x, y);
+            pyramid.put(to, sample, key);
+            if has_patterns {
+                let layers = pyramid.layers(from);
+                pyramid.put_layers(to, layers);
+            }
+        });
+    }
+
+    /// Gives the middles of sides the mean of the ends, where these agree and are near enough; says which points.
+    fn average(&mut self, level: usize, y: usize, points: Bits, limit: Limit) -> Bits {
+        let mut averaged = Bits::NONE;
+        // In rows that the level above has, middles lie between two of its columns; else between two rows.
+        let (middles, across, down) = if y % 2 == 0 {
+            (!Bits::EVEN, 1, 0)
         } else {
-            *sample = a.mean(b);
-        }
-        is_far
+            (Bits::EVEN, 0, 1)
+        };
+        (points & middles).for_each(|x| {
+            let pyramid = &mut self.worker.pyramid;
+            let from = Pyramid::place(level + 1, x / 2, y / 2);
+            let to = Pyramid::place(level + 1, x / 2 + across, y / 2 + down);
+            let (a, b) = (pyramid.sample(from), pyramid.sample(to));
+            let key = pyramid.key(from);
+            // What a pattern leaves at the middle its ends do not tell.
+            let is_near =
+                key == pyramid.key(to) && limit.has(a, b) && !a.is_patterned() && !b.is_patterned();
+            if !is_near {
+                return;
+            }
+            averaged.set(x);
+            if level == 0 {
+                self.canvas.put(self.area.left + x, y, a.mean(b).pixel());
+            } else {
+                pyramid.put(Pyramid::place(level, x, y), a.mean(b), key);
+            }
+        });
+        averaged
     }
 
-    /// Keeps what was traced at x.
-    #[inline(always)]
-    pub fn put(&mut self, x: usize, sample: Sample) {
-        if let Some(place) = self.samples.get_mut(x) {
-            *place = sample;
+    /// Traces the points of a level that wait in the batch.
+    fn trace(&mut self, level: usize) {
+        self.trace_batch();
+        let Worker { batch, pyramid, .. } = &mut *self.worker;
+        let has_patterns = self.scene.has_patterns();
+        for i in 0..batch.len() {
+            let (x, y, mut sample, key) = batch.result(i);
+            let y = y - self.area.top;
+            if level == 0 {
+                self.canvas.put(x, y, sample.pixel());
+                continue;
+            }
+            let place = Pyramid::place(level, (x - self.area.left) >> level, y >> level);
+            if has_patterns && self.scene.has_pattern(sample.object() - 1) {
+                sample = sample.patterned();
+                pyramid.put_layers(place, batch.layers(i));
+            }
+            pyramid.put(place, sample, key);
         }
+        self.end_batch();
     }
 
-    /// Keeps the layers at x.
-    #[inline(always)]
-    pub fn put_layers(&mut self, x: usize, layers: Layers) {
-        if let Some(place) = self.layers.get_mut(x) {
-            *place = layers;
-        }
+    /// Has the batch traced.
+    pub(super) fn trace_batch(&mut self) {
+        let batch = &mut self.worker.batch;
+        trace(self.isa, self.scene, self.quality, self.seen, batch);
     }
 
-    /// Keeps the key at x.
-    #[inline(always)]
-    pub fn put_key(&mut self, x: usize, key: u32) {
-        self.keys[x] = key;
+    /// Ends a batch that has been read.
+    pub(super) fn end_batch(&mut self) {
+        if O::LISTENS {
+            self.tell_points();
+        }
+        self.worker.batch.clear();
+    }
+
+    /// Tells the observer of the batch's points. Each is traced once more by itself, to see what it costs; that leaves the
+    /// batch's counts as they were.
+    fn tell_points(&mut self) {
+        let batch = &mut self.worker.batch;
+        let mut places = [(0, 0); BATCH];
+        let count = batch.len();
+        for (i, place) in places[..count].iter_mut().enumerate() {
+            let (x, y, ..) = batch.result(i);
+            *place = (x, y);
+        }
+        let counts = batch.counts;
+        for &(x, y) in &places[..count] {
+            batch.clear();
+            batch.counts = Counts::NONE;
+            batch.push(x, y);
+            trace(self.isa, self.scene, self.quality, self.seen, batch);
+            self.observer.point(x, y, batch.counts);
+        }
+        batch.counts = counts;
     }
 }
 
-impl Points {
-    pub const fn new() -> Self {
-        Self([Border::NONE; ROWS])
+/// The corners of some rows of squares that lie in row `y` of a level's points; of pixels, the squares of that row.
+#[inline(always)]
+fn corners(squares: &[Bits], level: usize, y: usize, rows: usize) -> Bits {
+    let row = |y: usize| if y < rows { squares[y] } else { Bits::NONE };
+    if level == 0 {
+        return row(y);
     }
-
-    /// Forgets the first `rows` rows.
-    #[inline(always)]
-    pub fn clear(&mut self, rows: usize) {
-        for row in self.0.iter_mut().take(rows) {
-            row.traced.fill(0);
-        }
-    }
-
-    /// All rows.
-    pub fn rows(&self) -> &[Border] {
-        &self.0
-    }
-
-    /// Row `y`.
-    #[inline(always)]
-    pub fn row(&mut self, y: usize) -> Option<&mut Border> {
-        self.0.get_mut(y)
-    }
-
-    /// The sample at (x, y); some sample where there is none.
-    #[inline(always)]
-    pub fn sample(&self, x: usize, y: usize) -> Sample {
-        self.0[y.min(ROWS - 1)].samples[x % ROW]
-    }
-
-    /// The layers at (x, y); some layers where there are none.
-    #[inline(always)]
-    pub fn layers(&self, x: usize, y: usize) -> Layers {
-        self.0[y.min(ROWS - 1)].layers[x % ROW]
-    }
-
-    /// The key at (x, y).
-    #[inline(always)]
-    pub fn key(&self, x: usize, y: usize) -> u32 {
-        self.0[y].keys[x]
-    }
+    let above = y.checked_sub(1).map_or(Bits::NONE, row);
+    (above | row(y)).ends()
 }

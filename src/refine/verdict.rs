@@ -1,137 +1,201 @@
-//! What becomes of a square: filled, or split.
+//! The verdict on squares: what is the same at their corners, and how far their colours are apart.
 
-use super::Square;
-use super::refiner::Refiner;
-use super::square::{ALWAYS_FAR, Corners, is_wider};
+use super::bits::Bits;
+use super::pyramid::Row;
 use crate::lanes::*;
-use crate::observe::{Fill, Observer};
-use crate::trace::Sample;
+use crate::quality::Quality;
+use crate::trace::{STEP, Sample};
+use fearless_simd::Level;
 
-impl<S: Simd, O: Observer> Refiner<'_, S, O> {
-    /// Looks at the parts of a square: fills them, or lists them for the next round.
-    #[inline(never)]
-    pub(super) fn look_at(&mut self, square: &Square) {
-        if square.is_last() {
-            self.put_pixels(square);
-            return;
-        }
-        let grid = square.grid(&self.worker.points);
-        let (x, y, w, h) = square.place();
-        // Beyond the picture the grid may hold points of other frames.
-        let has_grid = x + w <= self.canvas.width && y + h <= self.canvas.height;
-        let is_clear = square.is_clear || has_grid && !self.may_hide(square, grid.samples());
-        for i in 0..4 {
-            let mut part = square.part(i);
-            let corners = grid.corners(i);
-            let (x, y, w, h) = part.place();
-            if x >= self.canvas.width || y >= self.canvas.height {
-                continue;
-            }
-            if w == 0 || h == 0 {
-                continue;
-            }
-            if w == 1 && h == 1 {
-                self.put_pixels(&part);
-                continue;
-            }
-            part.is_clear = is_clear || !self.may_hide(&part, &corners);
-            if !part.is_clear || !self.fill(&part, corners) {
-                self.request_parts(&part, &corners);
-                self.list(part);
-            }
-        }
+/// The most that the channels of a square's corners may be apart, in [`STEP`]s of a 255th.
+///
+/// A [`Sample`] has its channels in 16 bits each, and so has this, as the vector code compares them; what else a sample's word
+/// holds may be anything.
+#[derive(Clone, Copy)]
+pub(super) struct Limit(u64);
+
+impl Limit {
+    /// For squares of `1 << level` pixels a side, by a tolerance for squares of 8: an error in one of 4 covers a quarter of the
+    /// pixels, so it may be twice as large.
+    pub fn new(tolerance: f32, level: usize) -> Self {
+        let limit = steps(tolerance, level) * STEP as f32;
+        // What is too large for 15 bits is as good as no limit, and what is no number is 0.
+        let limit = limit.clamp(0.0, 32_767.0) as u64;
+        Self(limit * 0x0001_0001_0001 | 0x7fff << 48)
     }
 
-    /// Fills a square, a part of another, unless its corners are too far apart.
+    /// Whether two samples are within it, to a [`STEP`].
+    ///
+    /// All channels at once: of half of a channel, which leaves room for a sum below the bit that tells what is the greater.
     #[inline(always)]
-    fn fill(&mut self, square: &Square, mut corners: Corners) -> bool {
-        let mut limit = self.limits.agreeing;
-        let needs_keys = self.quality.needs_keys();
-        if needs_keys && !square.agrees(&self.worker.points) {
-            limit = self.limits.differing;
-        }
-        if Sample::any_patterned(&corners)
-            && let Some(is_filled) = self.fill_patterned(square, &corners, limit)
-        {
-            return is_filled;
-        }
-        // By the rules of 2008 nothing is between equal colours.
-        if needs_keys && corners.iter().all(|c| c.pixel() == corners[0].pixel()) {
-            corners = [corners[0]; 4];
-        }
-        let (_, _, w, h) = square.place();
-        if is_wider(self.simd, &corners, limit.of(w.max(h))) {
-            return false;
-        }
-        let side = self.side();
-        self.canvas.fill(self.simd, square, &corners, side);
-        if O::LISTENS {
-            let is_flat = corners.iter().all(|c| c.pixel() == corners[0].pixel());
-            self.tell(square, if is_flat { Fill::Flat } else { Fill::Bilinear });
-        }
-        true
+    pub fn has(self, a: Sample, b: Sample) -> bool {
+        const HALF: u64 = 0x3fff_3fff_3fff;
+        const GREATER: u64 = 0x8000_8000_8000;
+        let [a, b, limit] = [a.0 >> 1 & HALF, b.0 >> 1 & HALF, self.0 >> 1 & HALF];
+        let is_below = (a + limit | GREATER) - b;
+        let is_above = (b + limit | GREATER) - a;
+        is_below & is_above & GREATER == GREATER
     }
+}
 
-    /// Tells the observer of a square that has been drawn.
-    #[inline(always)]
-    pub(super) fn tell(&self, square: &Square, fill: Fill) {
-        let (x, y, w, h) = square.place();
-        self.observer.square(x, self.top + y, w, h, fill);
+/// A tolerance in output steps for squares of `1 << level` pixels a side.
+pub(super) fn steps(tolerance: f32, level: usize) -> f32 {
+    tolerance * 8.0 / (1 << level) as f32
+}
+
+/// The rules that squares of a level are judged by.
+#[derive(Clone, Copy)]
+pub(super) struct Rules {
+    /// How far corners may be apart whose keys agree.
+    pub agreeing: Limit,
+    /// How far those may be apart whose keys differ.
+    pub differing: Limit,
+}
+
+impl Rules {
+    /// A quality's rules for a level.
+    pub fn new(quality: &Quality, level: usize) -> Self {
+        Self {
+            agreeing: Limit::new(quality.tolerance_agreeing, level),
+            differing: Limit::new(quality.tolerance_differing, level),
+        }
     }
+}
 
-    /// Whether there may be an object in a square that none of these samples shows, which are on its sides and inside.
-    #[inline(never)]
-    fn may_hide(&self, square: &Square, samples: &[Sample]) -> bool {
-        let (x, y, w, h) = square.place();
-        let rectangle = self.rectangle(x, y, w, h);
-        // Points beyond the picture show nothing.
-        let is_inside = x + w < self.canvas.width && self.top + y + h < self.scene.height;
-        let unseen = &self.worker.unseen;
-        unseen.may_show(self.scene, rectangle, samples, is_inside)
-    }
+/// What holds for the squares of a row, a bit each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Verdict {
+    /// The keys of the corners agree.
+    pub agreeing: Bits,
+    /// The corners are the same pixel.
+    pub flat: Bits,
+    /// The corners are within the limit for their keys, or the same pixel.
+    pub filled: Bits,
+    /// A corner shows an object with a pattern.
+    pub patterned: Bits,
+}
 
-    /// Sets the pixels of a square whose points are all known.
-    #[inline(always)]
-    fn put_pixels(&mut self, square: &Square) {
-        self.tell(square, Fill::Points);
-        let (x, y, w, h) = square.place();
-        for y in y..y + h {
-            for x in x..x + w {
-                let sample = self.worker.points.sample(x, y);
-                self.canvas.put(x, y, sample.pixel());
+/// Judges squares of a row, those in `squares`, by the rows of points above and below them.
+pub(super) fn judge(
+    isa: Level,
+    rules: Rules,
+    squares: &Bits,
+    above: Row<'_>,
+    below: Row<'_>,
+) -> Verdict {
+    by_isa!(isa, simd => judge_by(simd, rules, squares, above, below))
+}
+
+#[inline(always)]
+fn judge_by<S: Simd>(
+    simd: S,
+    rules: Rules,
+    squares: &Bits,
+    above: Row<'_>,
+    below: Row<'_>,
+) -> Verdict {
+    let mut verdict = Verdict {
+        agreeing: Bits::NONE,
+        flat: Bits::NONE,
+        filled: Bits::NONE,
+        patterned: Bits::NONE,
+    };
+    let n = lanes::<S>();
+    for (word, &squares) in squares.0.iter().enumerate() {
+        let mut rest = squares;
+        while rest != 0 {
+            // As many squares as there are lanes, one of them to be judged at least.
+            let first = rest.trailing_zeros() as usize / n * n;
+            let group = ((1 << n) - 1) << first;
+            rest &= !group;
+            let x = 64 * word + first;
+            let agreeing =
+                keys_agree(simd, &above.keys[x..=x + n], &below.keys[x..=x + n]) << first;
+            let (mut near, mut flat, mut patterned) = ([0; 2], 0, 0);
+            for half in [0, n / 2] {
+                let corners = corners(
+                    simd,
+                    &above.samples[x + half..=x + half + n / 2],
+                    &below.samples[x + half..=x + half + n / 2],
+                );
+                let first = first + half;
+                let [most, least] = corners.span(simd);
+                for (near, limit) in near.iter_mut().zip([rules.agreeing, rules.differing]) {
+                    *near |= within(simd, most, least, limit) << first;
+                }
+                flat |= same_pixel(simd, most, least) << first;
+                patterned |= corners.patterned(simd) << first;
             }
+            let [near_agreeing, near_differing] = near;
+            let near = near_agreeing & agreeing | near_differing & !agreeing;
+            verdict.agreeing.0[word] |= agreeing & squares;
+            verdict.flat.0[word] |= flat & squares;
+            verdict.filled.0[word] |= (near | flat) & squares;
+            verdict.patterned.0[word] |= patterned & squares;
         }
+    }
+    verdict
+}
+
+/// Whether the keys at the four corners agree, a bit for each of as many squares as there are lanes.
+#[inline(always)]
+fn keys_agree<S: Simd>(simd: S, above: &[u32], below: &[u32]) -> u64 {
+    let n = lanes::<S>();
+    let load = |keys: &[u32]| U::<S>::from_slice(simd, &keys[..n]);
+    let first = load(above);
+    let same = first.simd_eq(load(&above[1..]))
+        & first.simd_eq(load(below))
+        & first.simd_eq(load(&below[1..]));
+    same.to_bitmask()
+}
+
+/// The samples at the corners of squares side by side.
+struct Corners<S: Simd>([S::u64s; 4]);
+
+#[inline(always)]
+fn corners<S: Simd>(simd: S, above: &[u64], below: &[u64]) -> Corners<S> {
+    let n = S::u64s::LEN;
+    let load = |samples: &[u64]| S::u64s::from_slice(simd, &samples[..n]);
+    Corners([
+        load(above),
+        load(&above[1..]),
+        load(below),
+        load(&below[1..]),
+    ])
+}
+
+impl<S: Simd> Corners<S> {
+    /// The greatest and the least of each channel. Channels are below 2^15: SSE2 compares no unsigned words.
+    #[inline(always)]
+    fn span(&self, _: S) -> [S::i16s; 2] {
+        let [a, b, c, d] = self.0.map(|corner| corner.bitcast::<S::i16s>());
+        [a.max(b).max(c.max(d)), a.min(b).min(c.min(d))]
     }
 
-    /// Asks for the points that a square's parts need beyond its own corners.
+    /// Whether a corner shows an object with a pattern.
     #[inline(always)]
-    fn request_parts(&mut self, square: &Square, corners: &Corners) {
-        let (x, y, w, h) = square.place();
-        let is_last = square.is_last();
-        let has_middle = (w | h) % 2 == 0;
-        // What a pattern leaves at the middle of a side its ends do not tell.
-        let is_patterned = Sample::any_patterned(corners);
-        let side_limit = if square.is_clear && has_middle && !is_patterned {
-            self.limits.side.of(w.max(h))
-        } else {
-            ALWAYS_FAR
-        };
-        // Places in the grid, a digit each from the right: single pixels need the first three, all other parts these five.
-        let mut places: u32 = if is_last { 0x431 } else { 0x75431 };
-        while places > 0 {
-            let place = places as usize % 16;
-            places /= 16;
-            let (i, j) = (place % 3, place / 3);
-            // Not where all parts that would use it are beyond the picture.
-            let (u, v) = if is_last { (i, j) } else { (i / 2, j / 2) };
-            let is_needed =
-                x + u * (w / 2) < self.canvas.width && y + v * (h / 2) < self.canvas.height;
-            if is_needed {
-                let limit = if place == 4 { ALWAYS_FAR } else { side_limit };
-                let (from, to) = (i / 2 + j / 2 * 2, i.div_ceil(2) + j.div_ceil(2) * 2);
-                let (from, to) = (corners[from % 4], corners[to % 4]);
-                self.request(x + i * w / 2, y + j * h / 2, limit, from, to);
-            }
-        }
+    fn patterned(&self, simd: S) -> u64 {
+        let [a, b, c, d] = self.0;
+        let pattern = (a | b | c | d) & S::u64s::splat(simd, Sample::PATTERN);
+        (!pattern.simd_eq(S::u64s::splat(simd, 0))).to_bitmask()
     }
+}
+
+/// Whether no channel spans more than a limit.
+#[inline(always)]
+fn within<S: Simd>(simd: S, most: S::i16s, least: S::i16s, limit: Limit) -> u64 {
+    let span: S::u16s = (most - least).bitcast();
+    let limit: S::u16s = S::u64s::splat(simd, limit.0).bitcast();
+    let excess: S::u64s = span.saturating_sub(limit).bitcast();
+    excess.simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
+}
+
+/// Whether each channel is the same output step all over: rounding keeps order, so it is if the ends are.
+#[inline(always)]
+fn same_pixel<S: Simd>(simd: S, most: S::i16s, least: S::i16s) -> u64 {
+    let half = S::i16s::splat(simd, STEP as i16 / 2);
+    let step = |channel: S::i16s| (channel + half) >> STEP.trailing_zeros();
+    let differing: S::u64s = (step(most) ^ step(least)).bitcast();
+    let differing = differing & S::u64s::splat(simd, Sample::COLOUR);
+    differing.simd_eq(S::u64s::splat(simd, 0)).to_bitmask()
 }

@@ -19,13 +19,13 @@ pub(crate) const STEP: i32 = 1 << SAMPLE_BITS;
 /// Where a sample tells its object.
 const OBJECT: u32 = 48;
 
-/// Where it tells that the object has a pattern.
-const PATTERN: u64 = 1 << 62;
-
-/// The colour of a [`Sample`], without what else its word holds.
-const COLOUR: u64 = (1 << OBJECT) - 1;
-
 impl Sample {
+    /// The colour's bits, without what else the word holds.
+    pub const COLOUR: u64 = (1 << OBJECT) - 1;
+
+    /// The bit that tells that the object has a pattern.
+    pub const PATTERN: u64 = 1 << 62;
+
     /// The sample, with the object that it shows.
     #[inline(always)]
     pub fn showing(self, object: u32) -> Self {
@@ -35,35 +35,28 @@ impl Sample {
     /// The sample, with word that its object has a pattern.
     #[inline(always)]
     pub fn patterned(self) -> Self {
-        Self(self.0 | PATTERN)
+        Self(self.0 | Self::PATTERN)
     }
 
-    /// Whether one of some samples shows an object with a pattern.
+    /// Whether it shows an object with a pattern.
     #[inline(always)]
-    pub fn any_patterned(samples: &[Self; 4]) -> bool {
-        let [a, b, c, d] = samples;
-        (a.0 | b.0 | c.0 | d.0) & PATTERN != 0
+    pub fn is_patterned(self) -> bool {
+        self.0 & Self::PATTERN != 0
     }
 
     /// The number of the object that is shown, plus one; 0 where it is not known.
     #[inline(always)]
     pub fn object(self) -> usize {
-        ((self.0 & !PATTERN) >> OBJECT) as usize
-    }
-
-    /// The sample without its object.
-    #[inline(always)]
-    pub fn colour(self) -> u64 {
-        self.0 & COLOUR
+        ((self.0 & !Self::PATTERN) >> OBJECT) as usize
     }
 
     /// The colour half-way between two, and the object if it is the same.
     #[inline(always)]
     pub fn mean(self, other: Self) -> Self {
         // Channels are below 2^15, so that no sum reaches the next one.
-        let colour = ((self.0 + other.0) >> 1) & (COLOUR ^ 0x8000_8000_8000);
+        let colour = ((self.0 + other.0) >> 1) & (Self::COLOUR ^ 0x8000_8000_8000);
         let object = if self.object() == other.object() {
-            self.0 & !COLOUR
+            self.0 & !Self::COLOUR
         } else {
             0
         };
@@ -98,7 +91,7 @@ pub(super) fn pixels<S: Simd>(simd: S, &[a, b, c, d]: &[u64; 4]) -> [u32; 4] {
 #[inline(always)]
 pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum], samples: &mut [u64]) {
     let n = lanes::<S>();
-    let colour = S::u64s::splat(simd, COLOUR);
+    let colour = S::u64s::splat(simd, Sample::COLOUR);
     let sums = sums.as_flattened();
     for i in [0, 1] {
         let low = cut(simd, &sums[2 * n * i..][..n]);

@@ -5,22 +5,23 @@
 use crate::cpu;
 use crate::overlay::{Trail, draw_error, heat};
 use crate::studio::Studio;
-use eightfold::{Quality, show};
+use eightfold::observe::{Fill, Observer};
+use eightfold::{Band, Counts, Quality, Worker, render_observed, show};
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Sides that no square divides.
 const SIZE: (usize, usize) = (331, 217);
 
 fn qualities() -> impl Iterator<Item = Quality> {
-    // Nothing divides 17 but its halves, which differ.
-    let odd = Quality {
-        square: 17,
+    let large = Quality {
+        square: 32,
         ..Quality::THESIS
     };
-    let mixed = Quality {
-        square: 17,
+    let small = Quality {
+        square: 2,
         ..Quality::DEFAULT
     };
-    let named = [Quality::EXHAUSTIVE, Quality::THESIS, odd, mixed];
+    let named = [Quality::EXHAUSTIVE, Quality::THESIS, large, small];
     named.into_iter().chain(*Quality::LADDER)
 }
 
@@ -66,13 +67,40 @@ fn the_points_heard_of_cast_all_the_rays() {
     );
 
     for quality in Quality::LADDER {
-        let trail = Trail::new(width, height);
-        let counts = studio.draw_observed(level, &scene, quality, &trail, &mut pixels);
-        let points = trail.rays().filter(|&rays| rays > 0).count() as u64;
-        let beyond = ((width + height) / quality.square + 1) as u64;
-        assert!(points <= counts.points && counts.points <= points + beyond + width as u64);
-        assert!(trail.rays().map(u64::from).sum::<u64>() <= counts.rays + counts.shadow_rays);
+        let heard = Heard::default();
+        let counts = render_observed(
+            level,
+            &scene,
+            quality,
+            width,
+            height,
+            &mut studio.memory[0],
+            &mut studio.workers,
+            &mut pixels,
+            &heard,
+            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
+                studio.pool.run(workers, bands, job);
+            },
+        );
+        assert_eq!(heard.points.into_inner(), counts.points);
+        assert_eq!(heard.rays.into_inner(), counts.rays + counts.shadow_rays);
     }
+}
+
+/// Counts points, and all their rays.
+#[derive(Default)]
+struct Heard {
+    points: AtomicU64,
+    rays: AtomicU64,
+}
+
+impl Observer for &Heard {
+    fn point(self, _: usize, _: usize, work: Counts) {
+        self.points.fetch_add(work.points, Relaxed);
+        self.rays.fetch_add(work.rays + work.shadow_rays, Relaxed);
+    }
+
+    fn square(self, _: usize, _: usize, _: usize, _: usize, _: Fill) {}
 }
 
 #[test]

@@ -222,10 +222,10 @@ fn spoil(scene: &mut Scene, random: &mut Random) {
 fn quality(random: &mut Random) -> Quality {
     let named = [Quality::THESIS, Quality::DEFAULT];
     let any = Quality {
-        square: 1 + random.below(Quality::MAX_SQUARE),
-        spread_agreeing: [0.0, 9.0, f32::INFINITY][random.below(3)],
-        spread_differing: [0.0, 4.0, f32::NAN][random.below(3)],
-        spread_side: [0.0, 9.0][random.below(2)],
+        square: 1 << random.below(6),
+        tolerance_agreeing: [0.0, 9.0, f32::INFINITY][random.below(3)],
+        tolerance_differing: [0.0, 4.0, f32::NAN][random.below(3)],
+        tolerance_side: [0.0, 9.0][random.below(2)],
         key_depth: random.below(9) as u32,
         state_depth: random.below(9) as u32,
         depth: random.below(Quality::MAX_DEPTH as usize + 1) as u32,

@@ -6,9 +6,14 @@ use eightfold::scene::Scene;
 use glam::DVec3;
 use std::collections::HashMap;
 
+/// Width and height of a tile: each finds its points by itself, those that it shares with the next one as well.
+const TILE: [usize; 2] = [512, 16];
+
 /// A picture by adaptive squares.
 pub struct Squares<'a> {
     oracle: Oracle<'a>,
+    /// The points of a tile that is done are counted only.
+    points: usize,
     traced: HashMap<(usize, usize), Traced>,
     averaged: HashMap<(usize, usize), Traced>,
     pub picture: Vec<u32>,
@@ -19,21 +24,29 @@ impl<'a> Squares<'a> {
     pub fn new(scene: &'a Scene, quality: &'a Quality, width: usize, height: usize) -> Self {
         let mut squares = Self {
             oracle: Oracle::new(scene, quality, width, height),
+            points: 0,
             traced: HashMap::new(),
             averaged: HashMap::new(),
             picture: vec![0; width * height],
         };
-        for y in (0..height).step_by(quality.square) {
-            for x in (0..width).step_by(quality.square) {
-                squares.check(x, y, quality.square);
+        let [tile_width, tile_height] = TILE.map(|side| side.max(quality.square));
+        for top in (0..height).step_by(tile_height) {
+            for left in (0..width).step_by(tile_width) {
+                for y in (top..height.min(top + tile_height)).step_by(quality.square) {
+                    for x in (left..width.min(left + tile_width)).step_by(quality.square) {
+                        squares.check(x, y, quality.square);
+                    }
+                }
+                squares.points += squares.traced.drain().count();
+                squares.averaged.clear();
             }
         }
         squares
     }
 
-    /// Points traced, each once.
+    /// Points traced, each once in a tile.
     pub fn points(&self) -> usize {
-        self.traced.len()
+        self.points
     }
 
     fn at(&mut self, x: usize, y: usize) -> Traced {
@@ -67,7 +80,9 @@ impl<'a> Squares<'a> {
                 ((side, half), b, d),
                 ((half, side), c, d),
             ] {
-                if spread(&[p, q, p, q]) <= self.allowed_side(side) {
+                if (p.key == q.key || !self.has_keys())
+                    && spread(&[p, q, p, q]) <= self.allowed_side(side)
+                {
                     let colour = (shown(p) + shown(q)) / 2.0;
                     self.averaged.insert((x + u, y + v), Traced { colour, ..p });
                 }
@@ -83,21 +98,26 @@ impl<'a> Squares<'a> {
         let quality = self.oracle.quality;
         let agree = corners.iter().all(|corner| corner.key == corners[0].key);
         let spread = if agree {
-            quality.spread_agreeing
+            quality.tolerance_agreeing
         } else {
-            quality.spread_differing
+            quality.tolerance_differing
         };
         f64::from(spread) * 8.0 / side as f64
     }
 
     /// The spread that the quality allows a side whose middle is averaged.
     fn allowed_side(&self, side: usize) -> f64 {
-        let quality = self.oracle.quality;
-        if quality.spread_side > 0.0 && quality.spread_agreeing == quality.spread_differing {
-            f64::from(quality.spread_side) * 8.0 / side as f64
+        let tolerance = f64::from(self.oracle.quality.tolerance_side);
+        if tolerance > 0.0 {
+            tolerance * 8.0 / side as f64
         } else {
             -1.0
         }
+    }
+
+    /// Whether keys are compared.
+    fn has_keys(&self) -> bool {
+        self.oracle.quality.tolerance_agreeing != self.oracle.quality.tolerance_differing
     }
 
     /// Colours between those of the corners; equal ones give one colour.

@@ -10,9 +10,13 @@ const COLUMNS: [Column; 27] = [
     ("dials", |row| row.dials.clone()),
     ("sweep", |row| format!("\"{}\"", row.sweep)),
     ("square", |row| row.square.to_string()),
-    ("spread_agreeing", |row| row.spread_agreeing.to_string()),
-    ("spread_differing", |row| row.spread_differing.to_string()),
-    ("spread_side", |row| row.spread_side.to_string()),
+    ("tolerance_agreeing", |row| {
+        row.tolerance_agreeing.to_string()
+    }),
+    ("tolerance_differing", |row| {
+        row.tolerance_differing.to_string()
+    }),
+    ("tolerance_side", |row| row.tolerance_side.to_string()),
     ("guarded", |row| row.guarded.to_string()),
     ("key_depth", |row| row.key_depth.to_string()),
     ("state_depth", |row| row.state_depth.to_string()),

@@ -137,11 +137,11 @@ fn squares(trade: &Trade) -> Chart {
                 && row.guarded
                 && row.keys == keys
                 && if keys {
-                    row.spread_agreeing.is_infinite() && row.spread_differing == 0.0
+                    row.tolerance_agreeing.is_infinite() && row.tolerance_differing == 0.0
                 } else {
                     let default = eightfold::Quality::DEFAULT;
-                    row.spread_agreeing == default.spread_agreeing
-                        && row.spread_side == default.spread_side
+                    row.tolerance_agreeing == default.tolerance_agreeing
+                        && row.tolerance_side == default.tolerance_side
                 }
                 && (row.key_depth, row.state_depth, row.depth) == (5, 0, 5)
                 && row.highlight == eightfold::Quality::THESIS.highlight

@@ -108,10 +108,10 @@ fn single_dials() -> Vec<(&'static str, Quality)> {
             },
         ));
     }
-    for (spread_agreeing, spread_differing) in KEYED {
+    for (tolerance_agreeing, tolerance_differing) in KEYED {
         let quality = Quality {
-            spread_agreeing,
-            spread_differing,
+            tolerance_agreeing,
+            tolerance_differing,
             ..thesis
         };
         dials.push(("spread with keys", quality));
@@ -120,7 +120,7 @@ fn single_dials() -> Vec<(&'static str, Quality)> {
         dials.push(("spread", even(8, spread, spread, &played)));
     }
     for side in [0.0, 3.0, 6.0, 14.0, 20.0] {
-        dials.push(("side", even(8, played.spread_agreeing, side, &played)));
+        dials.push(("side", even(8, played.tolerance_agreeing, side, &played)));
     }
     for depth in 0..=Quality::MAX_DEPTH {
         dials.push(("depth", Quality { depth, ..played }));
@@ -161,12 +161,12 @@ fn together(quick: bool) -> Vec<Quality> {
 }
 
 /// Squares that may spread alike whatever their corners saw.
-fn even(square: usize, spread: f32, spread_side: f32, quality: &Quality) -> Quality {
+fn even(square: usize, spread: f32, tolerance_side: f32, quality: &Quality) -> Quality {
     Quality {
         square,
-        spread_agreeing: spread,
-        spread_differing: spread,
-        spread_side,
+        tolerance_agreeing: spread,
+        tolerance_differing: spread,
+        tolerance_side,
         ..*quality
     }
 }
@@ -198,7 +198,7 @@ impl Point {
 }
 
 fn has_keys(quality: &Quality) -> bool {
-    quality.square > 1 && quality.spread_agreeing != quality.spread_differing
+    quality.square > 1 && quality.tolerance_agreeing != quality.tolerance_differing
 }
 
 /// A quality's dials: `s` square, `c` spread of colours (where keys are compared `k` depths of objects and states and
@@ -209,7 +209,7 @@ fn dials(quality: &Quality) -> String {
     if has_keys(quality) {
         text += &format!(" k{}/{}", quality.key_depth, quality.state_depth);
         let [agreeing, differing] =
-            [quality.spread_agreeing, quality.spread_differing].map(|spread| {
+            [quality.tolerance_agreeing, quality.tolerance_differing].map(|spread| {
                 if spread.is_finite() {
                     spread.to_string()
                 } else {
@@ -221,9 +221,9 @@ fn dials(quality: &Quality) -> String {
             text += &format!(" h{:.3}", quality.highlight);
         }
     } else if quality.square > 1 {
-        text += &format!(" c{}", quality.spread_agreeing);
-        if quality.spread_side != quality.spread_agreeing {
-            text += &format!(" e{}", quality.spread_side);
+        text += &format!(" c{}", quality.tolerance_agreeing);
+        if quality.tolerance_side != quality.tolerance_agreeing {
+            text += &format!(" e{}", quality.tolerance_side);
         }
     }
     if !quality.guarded {

@@ -104,7 +104,7 @@ fn all_that_is_measured_is_written_whole() {
         ("key_depth", vec![0.0, 1.0, 2.0]),
         ("state_depth", vec![0.0, 1.0, 5.0]),
         ("least_contribution", vec![0.0, 0.1]),
-        ("spread_differing", vec![1.0, 64.0]),
+        ("tolerance_differing", vec![1.0, 64.0]),
         ("highlight", vec![0.25, 1.0 / 64.0]),
     ] {
         for value in values {

@@ -1,0 +1,149 @@
+//! A bit for each square, or for each point, of a row of a tile.
+
+use super::TILE_WIDTH;
+use core::ops::{BitAnd, BitOr, BitOrAssign, Not, RangeInclusive};
+
+/// Words of a row: one bit for each pixel that a tile is wide.
+pub(super) const WORDS: usize = TILE_WIDTH / 64;
+
+/// A row of bits, number 0 in the lowest bit of the first word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Bits(pub [u64; WORDS]);
+
+impl Bits {
+    /// No bit is set.
+    pub const NONE: Self = Self([0; WORDS]);
+
+    /// The bits of even number.
+    pub const EVEN: Self = Self([0x5555_5555_5555_5555; WORDS]);
+
+    /// The bits from 0 to below `count`.
+    #[inline(always)]
+    pub fn first(count: usize) -> Self {
+        let mut bits = Self::NONE;
+        for (i, word) in bits.0.iter_mut().enumerate() {
+            let count = count.saturating_sub(64 * i).min(64) as u32;
+            // Nothing is left where it is shifted by 64.
+            *word = u64::MAX.checked_shr(64 - count).unwrap_or(0);
+        }
+        bits
+    }
+
+    /// The bits of a range.
+    #[inline(always)]
+    pub fn range(range: RangeInclusive<usize>) -> Self {
+        Self::first(range.end() + 1) & !Self::first(*range.start())
+    }
+
+    /// Sets a bit.
+    #[inline(always)]
+    pub fn set(&mut self, i: usize) {
+        self.0[i / 64] |= 1 << (i % 64);
+    }
+
+    /// Clears a bit.
+    #[inline(always)]
+    pub fn clear(&mut self, i: usize) {
+        self.0[i / 64] &= !(1 << (i % 64));
+    }
+
+    /// Whether a bit is set.
+    #[inline(always)]
+    pub fn has(&self, i: usize) -> bool {
+        self.0[i / 64] >> (i % 64) & 1 != 0
+    }
+
+    /// Whether no bit is set.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        self.0.iter().fold(0, |all, word| all | word) == 0
+    }
+
+    /// The points at the left and at the right end of some squares: each bit, and the one after it.
+    #[inline(always)]
+    pub fn ends(self) -> Self {
+        let mut bits = self;
+        let mut carry = 0;
+        for (to, word) in bits.0.iter_mut().zip(self.0) {
+            *to |= word << 1 | carry;
+            carry = word >> 63;
+        }
+        bits
+    }
+
+    /// The halves of some squares: for each bit two, in a row of squares half as wide.
+    #[inline(always)]
+    pub fn halves(self) -> Self {
+        let mut bits = Self::NONE;
+        for (pair, word) in bits.0.chunks_exact_mut(2).zip(self.0) {
+            pair[0] = spread(word & 0xffff_ffff) * 3;
+            pair[1] = spread(word >> 32) * 3;
+        }
+        bits
+    }
+
+    /// Calls with the number of each bit that is set, from 0 on. (An iterator takes three times as long.)
+    #[inline(always)]
+    pub fn for_each(self, mut call: impl FnMut(usize)) {
+        for (i, word) in self.0.into_iter().enumerate() {
+            let mut rest = word;
+            while rest != 0 {
+                call(64 * i + rest.trailing_zeros() as usize);
+                rest &= rest - 1;
+            }
+        }
+    }
+}
+
+/// A word's lower 32 bits, moved to the even places (as in Warren, Hacker's Delight, "Shuffling bits").
+#[inline(always)]
+fn spread(bits: u64) -> u64 {
+    let bits = (bits | bits << 16) & 0x0000_ffff_0000_ffff;
+    let bits = (bits | bits << 8) & 0x00ff_00ff_00ff_00ff;
+    let bits = (bits | bits << 4) & 0x0f0f_0f0f_0f0f_0f0f;
+    let bits = (bits | bits << 2) & 0x3333_3333_3333_3333;
+    (bits | bits << 1) & 0x5555_5555_5555_5555
+}
+
+impl BitAnd for Bits {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(mut self, other: Self) -> Self {
+        for (word, other) in self.0.iter_mut().zip(other.0) {
+            *word &= other;
+        }
+        self
+    }
+}
+
+impl BitOr for Bits {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(mut self, other: Self) -> Self {
+        for (word, other) in self.0.iter_mut().zip(other.0) {
+            *word |= other;
+        }
+        self
+    }
+}
+
+impl BitOrAssign for Bits {
+    #[inline(always)]
+    fn bitor_assign(&mut self, other: Self) {
+        *self = *self | other;
+    }
+}
+
+impl Not for Bits {
+    type Output = Self;
+
+    #[inline(always)]
+    fn not(mut self) -> Self {
+        for word in &mut self.0 {
+            *word = !*word;
+        }
+        self
+    }
+}

@@ -1,0 +1,187 @@
+//! The guard against what lies between corners: objects, and shadows on planes, that a square may show and its corners do not.
+//!
+//! Everything that can be seen has an outline (see `prepare::outline`), which is convex. So along a row of squares it covers a
+//! range, found by tangents; only squares in that range are looked at.
+
+use super::bits::Bits;
+use super::pyramid::Pyramid;
+use super::tile::Area;
+use super::{TILE_HEIGHT, TILE_WIDTH};
+use crate::prepare::{OUTLINES, Outline, Prepared, ROUNDING, rectangle};
+use core::ops::RangeInclusive;
+use glam::{Vec2Swizzles, vec2};
+
+/// What may be seen in a tile that no corner has shown so far, by the numbers of their outlines.
+pub(super) struct CoverageGuard {
+    outlines: [u16; OUTLINES],
+    count: usize,
+}
+
+/// What rounding may move the ends of a range by, in pixels.
+const MARGIN: f32 = 0.02;
+
+impl CoverageGuard {
+    pub const fn new() -> Self {
+        Self {
+            outlines: [0; OUTLINES],
+            count: 0,
+        }
+    }
+
+    /// Lists what a tile may show.
+    pub fn begin(&mut self, scene: &Prepared, area: &Area) {
+        let (width, height) = (area.columns(0) as f32, area.rows(0) as f32);
+        let corner = rectangle(area.left, area.top, area.left, area.top);
+        let rect = scene
+            .axes
+            .rect(corner + glam::vec4(0.0, 0.0, width, height));
+        self.count = 0;
+        for outline in 0..scene.outlined.min(OUTLINES) {
+            if scene.narrowed(outline, rect).is_some() {
+                self.outlines[self.count] = outline as u16;
+                self.count += 1;
+            }
+        }
+    }
+
+    /// Leaves only those of a level's squares in `open` that may show something which their corners do not, and keeps the
+    /// outlines of all such things for the level below: what a square is cleared of, its parts are, too.
+    pub fn look_at(
+        &mut self,
+        scene: &Prepared,
+        area: &Area,
+        pyramid: &Pyramid,
+        level: usize,
+        open: &mut [Bits; TILE_HEIGHT],
+    ) {
+        let rows = area.rows(level);
+        let mut uncovered = [Bits::NONE; TILE_HEIGHT];
+        let mut kept = 0;
+        for i in 0..self.count {
+            let number = self.outlines[i];
+            let mut is_kept = false;
+            for y in 0..rows {
+                if open[y].is_empty() {
+                    continue;
+                }
+                let Some(range) = area.range(scene, number as usize, level, y) else {
+                    continue;
+                };
+                (open[y] & Bits::range(range)).for_each(|x| {
+                    // The first corner is always a pixel, and shows most of what there is.
+                    let first = pyramid.sample(Pyramid::place(level, x, y)).object();
+                    if first == usize::from(number) + 1 {
+                        return;
+                    }
+                    let square = Square {
+                        area,
+                        level,
+                        x,
+                        y,
+                        objects: pyramid.corners(level, x, y).map(|corner| corner.object()),
+                    };
+                    if !square.shows(scene, number as usize) {
+                        uncovered[y].set(x);
+                        is_kept = true;
+                    }
+                });
+            }
+            if is_kept {
+                self.outlines[kept] = number;
+                kept += 1;
+            }
+        }
+        self.count = kept;
+        open[..rows].copy_from_slice(&uncovered[..rows]);
+    }
+}
+
+impl Area {
+    /// The squares of a row, sides included, that may show what has an outline.
+    fn range(
+        &self,
+        scene: &Prepared,
+        outline: usize,
+        level: usize,
+        y: usize,
+    ) -> Option<RangeInclusive<usize>> {
+        let side = 1 << level;
+        let columns = self.columns(level);
+        let (left, top) = (self.left, self.top + y * side);
+        let row = rectangle(left, top, left + columns * side, top + side);
+        let [from, to] = scene.narrowed(outline, scene.axes.rect(row))?;
+        let [from, to] = [from, to].map(|u| scene.axes.column(u) - left as f32);
+        // A square that ends where the outline begins shows it on its side.
+        let first = ((from - MARGIN) / side as f32).ceil() as usize;
+        let last = ((to + MARGIN) / side as f32) as usize;
+        let last = last.min(columns - 1).min(TILE_WIDTH - 1);
+        Some(first.saturating_sub(1)..=last)
+    }
+}
+
+/// A square of a level, and the objects that its corners show: their numbers plus one, or 0 where they are not known.
+struct Square<'a> {
+    area: &'a Area,
+    level: usize,
+    x: usize,
+    y: usize,
+    objects: [usize; 4],
+}
+
+impl Square<'_> {
+    /// Whether its corners show what has an outline, or that it cannot be seen.
+    fn shows(&self, scene: &Prepared, number: usize) -> bool {
+        let outline = &scene.outlines[number];
+        let object = outline.object as usize;
+        if number == object {
+            self.shows_object(object) || self.hides(scene, object)
+        } else {
+            // Where no corner shows the plane of a shadow it cannot be seen, or is looked for itself.
+            !self.shows_object(object) || self.shows_shadow(scene, outline)
+        }
+    }
+
+    /// Whether all corners show one object, if it is known.
+    fn only_object(&self) -> Option<usize> {
+        let [first, others @ ..] = self.objects;
+        let is_one = others.iter().all(|&object| object == first);
+        if is_one { first.checked_sub(1) } else { None }
+    }
+
+    /// Whether an object is shown by a corner that is a pixel of the picture, or by all.
+    fn shows_object(&self, object: usize) -> bool {
+        self.only_object() == Some(object)
+            || (0..4).any(|i| self.objects[i] == object + 1 && self.is_pixel(i))
+    }
+
+    /// Whether all corners show an object that is in front of another one.
+    fn hides(&self, scene: &Prepared, object: usize) -> bool {
+        self.only_object()
+            .is_some_and(|front| scene.hides(front, object))
+    }
+
+    /// Whether a corner that is a pixel shows the plane of a shadow in the shadow.
+    fn shows_shadow(&self, scene: &Prepared, shadow: &Outline) -> bool {
+        (0..4).any(|i| {
+            let [x, y] = self.corner(i);
+            let at = scene.axes.rect(rectangle(x, y, x, y));
+            self.objects[i] == shadow.object as usize + 1
+                && self.is_pixel(i)
+                && shadow.cone.meets(&vec2(at.x, at.y).xyxy(), ROUNDING)
+        })
+    }
+
+    /// Where corner number `i` is in the picture.
+    fn corner(&self, i: usize) -> [usize; 2] {
+        [
+            self.area.left + ((self.x + i % 2) << self.level),
+            self.area.top + ((self.y + i / 2) << self.level),
+        ]
+    }
+
+    /// Whether corner number `i` is a pixel of the picture.
+    fn is_pixel(&self, i: usize) -> bool {
+        let [x, y] = self.corner(i);
+        x < self.area.picture[0] && y < self.area.picture[1]
+    }
+}

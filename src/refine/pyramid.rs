@@ -1,0 +1,107 @@
+//! What is known of a tile's points: a grid of them for each level.
+
+use super::{TILE_HEIGHT, TILE_WIDTH};
+use crate::lanes::MAX_LANES;
+use crate::trace::{Layers, Sample};
+
+/// Levels of the pyramid: squares of 1, 2, 4, 8, 16 and 32 pixels. A level's number is the logarithm of its side.
+pub(super) const LEVELS: usize = 6;
+
+/// The grids of all levels but that of single pixels, which are drawn as they are traced.
+///
+/// A grid is row-major, with a point more along each side than there are squares, so that the corners of the square (x, y)
+/// are the points (x, y), (x + 1, y), (x, y + 1) and (x + 1, y + 1).
+pub(super) struct Pyramid {
+    /// [`Sample`]s as words, as the vector code loads them.
+    samples: [u64; POINTS],
+    /// What was hit and lit there.
+    keys: [u32; POINTS],
+    /// Of points that show a pattern, the light on it and apart from it.
+    layers: [Layers; POINTS],
+}
+
+/// A row of a grid; the vector code may read some points beyond its end.
+#[derive(Clone, Copy)]
+pub(super) struct Row<'a> {
+    pub samples: &'a [u64],
+    pub keys: &'a [u32],
+}
+
+/// Points of a row.
+const fn columns(level: usize) -> usize {
+    (TILE_WIDTH >> level) + 1
+}
+
+/// Where each level's grid starts in the arrays, the finest first.
+const STARTS: [usize; LEVELS + 1] = {
+    let mut starts = [0; LEVELS + 1];
+    let mut level = 1;
+    while level < LEVELS {
+        starts[level + 1] = starts[level] + columns(level) * ((TILE_HEIGHT >> level) + 1);
+        level += 1;
+    }
+    starts
+};
+
+/// All points, and what may be read beyond the last one.
+const POINTS: usize = STARTS[LEVELS] + 2 * MAX_LANES;
+
+impl Pyramid {
+    pub const fn new() -> Self {
+        Self {
+            samples: [0; POINTS],
+            keys: [0; POINTS],
+            layers: [Layers::NONE; POINTS],
+        }
+    }
+
+    /// Where a level has its point (x, y).
+    #[inline(always)]
+    pub fn place(level: usize, x: usize, y: usize) -> usize {
+        STARTS[level] + y * columns(level) + x
+    }
+
+    #[inline(always)]
+    pub fn sample(&self, place: usize) -> Sample {
+        Sample(self.samples[place])
+    }
+
+    #[inline(always)]
+    pub fn key(&self, place: usize) -> u32 {
+        self.keys[place]
+    }
+
+    #[inline(always)]
+    pub fn layers(&self, place: usize) -> Layers {
+        self.layers[place]
+    }
+
+    #[inline(always)]
+    pub fn put(&mut self, place: usize, sample: Sample, key: u32) {
+        self.samples[place] = sample.0;
+        self.keys[place] = key;
+    }
+
+    #[inline(always)]
+    pub fn put_layers(&mut self, place: usize, layers: Layers) {
+        self.layers[place] = layers;
+    }
+
+    /// A row of a level's grid.
+    #[inline(always)]
+    pub fn row(&self, level: usize, y: usize) -> Row<'_> {
+        let start = Self::place(level, 0, y);
+        let range = start..start + columns(level) + 2 * MAX_LANES - 1;
+        Row {
+            samples: &self.samples[range.clone()],
+            keys: &self.keys[range],
+        }
+    }
+
+    /// The samples at the corners of a level's square (x, y): upper left, upper right, lower left, lower right.
+    #[inline(always)]
+    pub fn corners(&self, level: usize, x: usize, y: usize) -> [Sample; 4] {
+        let (upper, lower) = (Self::place(level, x, y), Self::place(level, x, y + 1));
+        [upper, upper + 1, lower, lower + 1].map(|place| self.sample(place))
+    }
+}

@@ -1,0 +1,193 @@
+//! A tile at work: level by level, points are traced, squares judged, filled or split.
+
+use super::bits::Bits;
+use super::fill::{Canvas, Run};
+use super::pyramid::LEVELS;
+use super::verdict::{Rules, Verdict, judge};
+use super::worker::Worker;
+use super::{TILE_HEIGHT, TILE_WIDTH};
+use crate::observe::{Fill, Observer};
+use crate::prepare::{Prepared, Seen};
+use crate::quality::Quality;
+use fearless_simd::Level;
+
+/// Where a tile is in the picture, in pixels.
+pub(super) struct Area {
+    pub left: usize,
+    pub top: usize,
+    /// The end of its pixels.
+    pub right: usize,
+    pub bottom: usize,
+    /// Width and height of the picture.
+    pub picture: [usize; 2],
+}
+
+impl Area {
+    /// Squares of a level side by side; the last ones may end beyond the picture.
+    #[inline(always)]
+    pub fn columns(&self, level: usize) -> usize {
+        (self.right - self.left).div_ceil(1 << level)
+    }
+
+    /// Squares of a level on top of each other.
+    #[inline(always)]
+    pub fn rows(&self, level: usize) -> usize {
+        (self.bottom - self.top).div_ceil(1 << level)
+    }
+}
+
+/// The squares and points of a tile that matter, a row of bits for each row of a level's.
+pub(super) struct Marks {
+    /// Squares that are looked at: all of the largest, then the parts of those that were split.
+    pub squares: [[Bits; TILE_HEIGHT]; LEVELS],
+    /// Those of them that may show something which their corners do not; before the guard has looked at them, the parts of
+    /// such ones.
+    pub open: [[Bits; TILE_HEIGHT]; LEVELS],
+    /// Those that were filled.
+    pub filled: [[Bits; TILE_HEIGHT]; LEVELS],
+    /// Points that were traced.
+    pub traced: [[Bits; TILE_HEIGHT + 1]; LEVELS],
+}
+
+impl Marks {
+    pub const fn new() -> Self {
+        Self {
+            squares: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
+            open: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
+            filled: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
+            traced: [[Bits::NONE; TILE_HEIGHT + 1]; LEVELS],
+        }
+    }
+}
+
+/// Draws a tile.
+pub(super) struct Tile<'a, O: Observer> {
+    /// The instruction set.
+    pub isa: Level,
+    pub scene: &'a Prepared,
+    pub quality: &'a Quality,
+    pub observer: O,
+    pub area: Area,
+    /// The groups that the tile can show.
+    pub seen: Seen,
+    pub worker: &'a mut Worker,
+    /// The band that the tile is a part of, from its upper to its lower end.
+    pub canvas: Canvas<'a>,
+}
+
+impl<O: Observer> Tile<'_, O> {
+    /// Draws it, from the largest squares down to pixels.
+    pub fn draw(&mut self) {
+        let top = self.quality.square.ilog2() as usize;
+        let (columns, rows) = (self.area.columns(top), self.area.rows(top));
+        self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
+        let open = if self.quality.guarded {
+            self.worker.guard.begin(self.scene, &self.area);
+            Bits::first(columns)
+        } else {
+            Bits::NONE
+        };
+        self.worker.marks.open[top][..rows].fill(open);
+        for level in (1..=top).rev() {
+            self.find_points(level, level == top);
+            self.look_for_uncovered(level);
+            for y in 0..self.area.rows(level) {
+                self.fill_row(level, y);
+                self.split_row(level, y);
+            }
+        }
+        self.find_points(0, false);
+        self.show_method();
+    }
+
+    /// Has the guard look at a level's squares.
+    fn look_for_uncovered(&mut self, level: usize) {
+        if self.quality.guarded {
+            let Worker {
+                guard,
+                marks,
+                pyramid,
+                ..
+            } = &mut *self.worker;
+            let open = &mut marks.open[level];
+            guard.look_at(self.scene, &self.area, pyramid, level, open);
+        }
+    }
+
+    /// Judges a row of squares, and fills those that pass.
+    fn fill_row(&mut self, level: usize, y: usize) {
+        let marks = &self.worker.marks;
+        let squares = marks.squares[level][y] & !marks.open[level][y];
+        let pyramid = &self.worker.pyramid;
+        let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
+        let rules = Rules::new(self.quality, level);
+        let mut verdict = judge(self.isa, rules, &squares, above, below);
+        let patterned = self.fill_patterned(level, y, &mut verdict);
+        let pyramid = &self.worker.pyramid;
+        let run = Run {
+            x: self.area.left,
+            y: y << level,
+            level,
+            above: pyramid.row(level, y).samples,
+            below: pyramid.row(level, y + 1).samples,
+            filled: verdict.filled,
+            flat: verdict.flat,
+        };
+        self.canvas.fill(self.isa, &run);
+        if O::LISTENS {
+            verdict.filled.for_each(|x| {
+                let fill = if verdict.flat.has(x) {
+                    Fill::Flat
+                } else {
+                    Fill::Bilinear
+                };
+                self.tell(level, x, y, fill);
+            });
+        }
+        self.worker.marks.filled[level][y] = verdict.filled | patterned;
+    }
+
+    /// Fills those squares of a row whose corners all show one object with a pattern, if their light allows it, and returns
+    /// them. They are taken out of the verdict.
+    fn fill_patterned(&mut self, level: usize, y: usize, verdict: &mut Verdict) -> Bits {
+        let mut filled = Bits::NONE;
+        verdict.patterned.for_each(|x| {
+            let corners = self.worker.pyramid.corners(level, x, y);
+            let object = corners[0].object();
+            if corners.iter().any(|corner| corner.object() != object) {
+                return;
+            }
+            verdict.filled.clear(x);
+            if self.fill_pattern(level, [x, y], verdict.agreeing.has(x)) {
+                filled.set(x);
+                self.tell(level, x, y, Fill::Patterned);
+            }
+        });
+        filled
+    }
+
+    /// Lists the parts of a row's squares that were not filled, as far as they are in the picture.
+    fn split_row(&mut self, level: usize, y: usize) {
+        let part = level - 1;
+        let (columns, rows) = (self.area.columns(part), self.area.rows(part));
+        let marks = &mut self.worker.marks;
+        let split = marks.squares[level][y] & !marks.filled[level][y];
+        let squares = split.halves() & Bits::first(columns);
+        let open = marks.open[level][y].halves() & Bits::first(columns);
+        for row in 2 * y..rows.min(2 * y + 2) {
+            marks.squares[part][row] = squares;
+            marks.open[part][row] = open;
+        }
+        if O::LISTENS && part == 0 {
+            split.for_each(|x| self.tell(level, x, y, Fill::Points));
+        }
+    }
+
+    /// Tells the observer of a square that has been drawn.
+    fn tell(&self, level: usize, x: usize, y: usize, fill: Fill) {
+        let (x, y) = (self.area.left + (x << level), self.area.top + (y << level));
+        self.observer.square(x, y, 1 << level, 1 << level, fill);
+    }
+}
+
+const _: () = assert!(TILE_WIDTH.is_multiple_of(Quality::MAX_SQUARE));

@@ -1,0 +1,41 @@
+//! A thread's working memory.
+
+use super::guard::CoverageGuard;
+use super::pyramid::Pyramid;
+use super::tile::Marks;
+use crate::trace::{Batch, Counts};
+
+/// What one thread works in, of fixed size, owned by the caller and reused from tile to tile: see [`Worker::BYTES`].
+pub struct Worker {
+    pub(super) batch: Batch,
+    pub(super) pyramid: Pyramid,
+    pub(super) marks: Marks,
+    pub(super) guard: CoverageGuard,
+}
+
+impl Worker {
+    /// How large a worker is, in bytes: the same for pictures of any size.
+    pub const BYTES: usize = size_of::<Self>();
+
+    /// Empty working memory.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            batch: Batch::new(),
+            pyramid: Pyramid::new(),
+            marks: Marks::new(),
+            guard: CoverageGuard::new(),
+        }
+    }
+
+    /// What was counted since this was last asked.
+    pub(crate) fn take_counts(&mut self) -> Counts {
+        core::mem::take(&mut self.batch.counts)
+    }
+}
+
+impl Default for Worker {
+    fn default() -> Self {
+        Self::new()
+    }
+}
