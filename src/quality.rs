@@ -4,19 +4,20 @@
 ///
 /// Two frames of the same scene, time and size differ only by this.
 ///
-/// A square is filled where its corners' rounded colours are equal, or where their spread is small enough; else it is
-/// split. The spread is the largest difference between two corners in a channel, in 255ths, for a square of 8 pixels:
-/// what one of 4 may spread is twice as much, since an error there covers a quarter of the pixels.
+/// A square is filled where its corners are the same pixel, or where their colours are within a tolerance; else it is split.
+/// There are two tolerances: one for corners whose *keys* agree, which saw the same objects in the same light, and one for
+/// corners whose keys differ. A tolerance is the largest difference in a channel, in 255ths, for a square of 8 pixels: in one
+/// of 4 it is twice as much, since an error there covers a quarter of the pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
-    /// Side of the largest square in pixels, 1 to [`Quality::MAX_SQUARE`]. At 1 every pixel is traced.
+    /// Side of the largest square in pixels, a power of two up to [`Quality::MAX_SQUARE`]. At 1 every pixel is traced.
     pub square: usize,
-    /// The spread allowed where the corners' keys agree: they saw the same objects in the same light. 0 to infinity.
+    /// The tolerance where the corners' keys agree, 0 to infinity.
     pub tolerance_agreeing: f32,
-    /// The spread allowed where the keys differ, 0 to infinity. Keys are not computed where both spreads are the same.
+    /// The tolerance where the keys differ, 0 to infinity. Keys are not computed where both tolerances are the same.
     pub tolerance_differing: f32,
-    /// The middle of a split square's side is not traced but averaged where the side's ends are at most this far apart,
-    /// counted as for squares. 0: always traced, as it is where keys are needed.
+    /// The middle of a split square's side is not traced but averaged where the side's ends have the same key and colours
+    /// within this tolerance. 0: always traced.
     pub tolerance_side: f32,
     /// Whether a square is split also where an object may be seen in it that none of its corners shows, or the shadow of a
     /// sphere on a plane: then all of these are shown that tracing every pixel shows. On in all named qualities,
@@ -27,7 +28,8 @@ pub struct Quality {
     pub key_depth: u32,
     /// A key holds the lights' states at hits of rays of at most this depth, among those whose objects it holds.
     pub state_depth: u32,
-    /// A highlight `ks (r.v)^h` above this makes a lit light "lit with a highlight", a state of its own.
+    /// A highlight `ks (r.v)^h` above this makes a lit light "lit with a highlight", a state of its own. Infinity: a light is lit
+    /// or dark.
     pub highlight: f32,
     /// Rays of a depth above this are not followed, 0 to [`Quality::MAX_DEPTH`].
     pub depth: u32,
@@ -70,8 +72,9 @@ impl Quality {
         ..Self::EXHAUSTIVE
     };
 
-    /// What the intro plays: squares of 8 pixels, filled where the corners' colours are close, whatever was hit.
-    pub const DEFAULT: Self = Self::even(8, 9.0, 5, 0.01);
+    /// What the intro plays: squares of 8 pixels, filled where the corners' colours are close, and the objects hit and the
+    /// lights' states there agree.
+    pub const DEFAULT: Self = Self::within(8, 11.0);
 
     /// The named qualities from the finest to the fastest, with [`Quality::DEFAULT`] among them.
     ///
@@ -93,46 +96,23 @@ impl Quality {
     /// In the dials `s` is the square, `c` the spread, `d` the depth and `w` the least contribution where they are not the
     /// oracle's. They are taken from the Pareto front of `cargo lab trade`. Squares of 16 gain 11 to 14 % over those of 8 and
     /// flicker 2.5 times as much, so the last rung alone has them.
-    pub const LADDER: &'static [Self; 7] = &{
-        let mut ladder = [Self::EXHAUSTIVE; 7];
-        let mut rung = 0;
-        while rung < ladder.len() {
-            ladder[rung] = Self::of(Self::RUNGS[rung]);
-            rung += 1;
-        }
-        ladder
-    };
-
-    /// The dials of the [`Quality::LADDER`]: square, spread, depth, and least contribution in hundredths.
-    const RUNGS: [[u8; 4]; 7] = [
-        [8, 2, 5, 1],
-        [8, 4, 5, 1],
-        [8, 6, 5, 1],
-        [8, 9, 5, 1],
-        [8, 12, 4, 2],
-        [8, 18, 4, 2],
-        [16, 26, 4, 2],
+    pub const LADDER: &'static [Self; 7] = &[
+        Self::within(8, 2.0),
+        Self::within(8, 4.0),
+        Self::within(8, 7.0),
+        Self::DEFAULT,
+        Self::within(8, 14.0).followed_less(),
+        Self::within(8, 22.0).followed_less(),
+        Self::within(16, 26.0).followed_less(),
     ];
 
-    /// The quality of a rung of the [`Quality::LADDER`]; [`Quality::EXHAUSTIVE`] beyond it. (Made, not read: it is 300 bytes
-    /// smaller.)
+    /// The quality of a rung of the [`Quality::LADDER`]; [`Quality::EXHAUSTIVE`] beyond it.
     #[must_use]
     pub fn on(rung: usize) -> Self {
-        Self::of(*Self::RUNGS.get(rung).unwrap_or(&[1, 0, 5, 1]))
+        Self::LADDER.get(rung).copied().unwrap_or(Self::EXHAUSTIVE)
     }
 
-    /// The quality with these dials, as [`Quality::RUNGS`] has them.
-    const fn of([square, spread, depth, least_contribution]: [u8; 4]) -> Self {
-        Self::even(
-            square as usize,
-            spread as f32,
-            depth as u32,
-            least_contribution as f32 / 100.0,
-        )
-    }
-
-    /// The names of the [`Quality::LADDER`]'s rungs in their order, with spaces between them: one string, since a table
-    /// of strings costs the intro 16 bytes a name.
+    /// The names of the [`Quality::LADDER`]'s rungs in their order, with spaces between them, as help texts list them.
     pub const NAMES: &'static str = "finest finer fine default fast faster fastest";
 
     /// The number of the rung with this name.
@@ -144,16 +124,26 @@ impl Quality {
             .position(|known| known == name)
     }
 
-    /// Squares that may spread alike whatever their corners saw.
-    const fn even(square: usize, spread: f32, depth: u32, least_contribution: f32) -> Self {
+    /// Squares that are filled within a tolerance where the first object hit and each light's state, lit or dark, agree at the
+    /// corners; sides are averaged within the same tolerance.
+    const fn within(square: usize, tolerance: f32) -> Self {
         Self {
             square,
-            tolerance_agreeing: spread,
-            tolerance_differing: spread,
-            tolerance_side: spread,
-            depth,
-            least_contribution,
+            tolerance_agreeing: tolerance,
+            tolerance_side: tolerance,
+            key_depth: 0,
+            state_depth: 0,
+            highlight: f32::INFINITY,
             ..Self::EXHAUSTIVE
+        }
+    }
+
+    /// The same with rays that are followed less far.
+    const fn followed_less(self) -> Self {
+        Self {
+            depth: 4,
+            least_contribution: 0.02,
+            ..self
         }
     }
 
@@ -162,14 +152,12 @@ impl Quality {
         self.antialias > 1
     }
 
-    /// Whether it can be drawn by.
+    /// Whether a frame can be drawn by it.
     pub(crate) fn is_valid(&self) -> bool {
-        if self.antialias > Self::MAX_ANTIALIAS {
-            return false;
-        }
         self.square.is_power_of_two()
             && self.square <= Self::MAX_SQUARE
             && self.depth <= Self::MAX_DEPTH
+            && self.antialias <= Self::MAX_ANTIALIAS
     }
 
     /// Whether verdicts depend on keys.

@@ -34,10 +34,10 @@ use tally::Tally;
 /// table. Speed is a ratio to exhaustive frames, every pixel traced, that are drawn in between, all on one thread, by its
 /// time on a processor; errors are against the same frames. Ctrl-C writes what has been measured so far.
 ///
-/// Dials in names: s side of the squares in pixels, c spread of colours within which a square is filled, in 255ths (k
-/// depth of the objects / of the lights' states compared, then c spread where they agree / differ), e spread of a side
-/// whose middle is averaged, u not guarded against missed objects, h least highlight, d depth of rays, w least contribution of a ray,
-/// a samples a side of the pixels at edges.
+/// Dials in names: s side of the squares in pixels, k depth of the objects / of the lights' states compared (0/0 if not told),
+/// c tolerance within which colours fill a square, in 255ths, where these agree / where they differ (0 if not told), e tolerance
+/// of a side whose middle is averaged (c if not told), h least highlight that is a state (none if not told), u not guarded
+/// against missed objects, d depth of rays, w least contribution of a ray, a samples a side of the pixels at edges.
 #[derive(Args)]
 pub struct Arguments {
     /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres

@@ -131,27 +131,25 @@ fn label(row: &Row, text: String, is_below: bool) -> Label {
 
 /// The error by the side of the squares, for the rules of 2008 and what the intro plays by.
 fn squares(trade: &Trade) -> Chart {
-    let line = |keys: bool| {
+    let line = |quality: eightfold::Quality| {
         let same = |row: &&Row| {
             row.square > 1
                 && row.guarded
-                && row.keys == keys
-                && if keys {
-                    row.tolerance_agreeing.is_infinite() && row.tolerance_differing == 0.0
-                } else {
-                    let default = eightfold::Quality::DEFAULT;
-                    row.tolerance_agreeing == default.tolerance_agreeing
-                        && row.tolerance_side == default.tolerance_side
-                }
-                && (row.key_depth, row.state_depth, row.depth) == (5, 0, 5)
-                && row.highlight == eightfold::Quality::THESIS.highlight
-                && row.least_contribution == 0.01
+                && row.tolerance_agreeing == quality.tolerance_agreeing
+                && row.tolerance_differing == quality.tolerance_differing
+                && row.tolerance_side == quality.tolerance_side
+                && (row.key_depth, row.state_depth) == (quality.key_depth, quality.state_depth)
+                && (row.depth, row.highlight) == (quality.depth, quality.highlight)
+                && row.least_contribution == quality.least_contribution
         };
         let mut rows: Vec<&Row> = trade.points.iter().filter(same).collect();
         rows.sort_by_key(|row| row.square);
         rows
     };
-    let (thesis, played) = (line(true), line(false));
+    let (thesis, played) = (
+        line(eightfold::Quality::THESIS),
+        line(eightfold::Quality::DEFAULT),
+    );
     let place = |row: &&Row| (row.square as f64, row.psnr_db);
     let labels = |rows: &[&Row], is_below| -> Vec<Label> {
         let label = |row: &&Row| Label {

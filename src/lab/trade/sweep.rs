@@ -15,11 +15,11 @@ pub struct Point {
     pub quality: Quality,
 }
 
-/// Sides of squares: powers of two, and one that is none.
-pub const SQUARES: [usize; 7] = [1, 2, 4, 8, 16, 17, 32];
-/// Spreads around the intro's 9.
-const SPREADS: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 12.0, 18.0, 26.0, 40.0, 64.0];
-/// Spreads of squares whose keys agree, or differ.
+/// Sides of squares.
+pub const SQUARES: [usize; 6] = [1, 2, 4, 8, 16, 32];
+/// Tolerances around the intro's 11.
+const TOLERANCES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 7.0, 9.0, 14.0, 18.0, 26.0, 40.0, 64.0];
+/// Tolerances of squares whose keys agree, or differ.
 const KEYED: [(f32, f32); 8] = [
     (f32::INFINITY, 4.0),
     (f32::INFINITY, 9.0),
@@ -114,13 +114,28 @@ fn single_dials() -> Vec<(&'static str, Quality)> {
             tolerance_differing,
             ..thesis
         };
-        dials.push(("spread with keys", quality));
+        dials.push(("tolerance, thesis", quality));
     }
-    for spread in SPREADS {
-        dials.push(("spread", even(8, spread, spread, &played)));
+    for tolerance in TOLERANCES {
+        let quality = within(8, tolerance, &played);
+        dials.push(("tolerance", quality));
+        let tolerance_differing = tolerance;
+        dials.push((
+            "colours alone",
+            Quality {
+                tolerance_differing,
+                ..quality
+            },
+        ));
     }
-    for side in [0.0, 3.0, 6.0, 14.0, 20.0] {
-        dials.push(("side", even(8, played.tolerance_agreeing, side, &played)));
+    for tolerance_side in [0.0, 3.0, 6.0, 14.0, 20.0] {
+        dials.push((
+            "side",
+            Quality {
+                tolerance_side,
+                ..played
+            },
+        ));
     }
     for depth in 0..=Quality::MAX_DEPTH {
         dials.push(("depth", Quality { depth, ..played }));
@@ -135,16 +150,16 @@ fn single_dials() -> Vec<(&'static str, Quality)> {
     dials
 }
 
-/// Square, spread, depth and contribution at once.
+/// Square, tolerance, depth and contribution at once.
 fn together(quick: bool) -> Vec<Quality> {
-    let spreads: &[f32] = if quick {
+    let tolerances: &[f32] = if quick {
         &[3.0, 18.0, 40.0]
     } else {
-        &[2.0, 4.0, 6.0, 12.0, 18.0, 26.0, 40.0]
+        &[2.0, 4.0, 7.0, 14.0, 22.0, 26.0, 40.0]
     };
     let mut qualities = Vec::new();
     for square in [8, 16] {
-        for &spread in spreads {
+        for &tolerance in tolerances {
             for (depth, least_contribution) in
                 [(5, 0.01), (5, 0.03), (4, 0.02), (3, 0.05), (2, 0.1)]
             {
@@ -153,20 +168,19 @@ fn together(quick: bool) -> Vec<Quality> {
                     least_contribution,
                     ..Quality::DEFAULT
                 };
-                qualities.push(even(square, spread, spread, &quality));
+                qualities.push(within(square, tolerance, &quality));
             }
         }
     }
     qualities
 }
 
-/// Squares that may spread alike whatever their corners saw.
-fn even(square: usize, spread: f32, tolerance_side: f32, quality: &Quality) -> Quality {
+/// A quality with other squares, filled and their sides averaged within a tolerance.
+fn within(square: usize, tolerance: f32, quality: &Quality) -> Quality {
     Quality {
         square,
-        tolerance_agreeing: spread,
-        tolerance_differing: spread,
-        tolerance_side,
+        tolerance_agreeing: tolerance,
+        tolerance_side: tolerance,
         ..*quality
     }
 }
@@ -201,30 +215,33 @@ fn has_keys(quality: &Quality) -> bool {
     quality.square > 1 && quality.tolerance_agreeing != quality.tolerance_differing
 }
 
-/// A quality's dials: `s` square, `c` spread of colours (where keys are compared `k` depths of objects and states and
-/// the spreads of those that agree and differ), `e` spread of a side where it is another, `h` highlight, `u` unguarded, `d` depth and
-/// `w` least contribution where they are not the oracle's.
+/// A quality's dials: `s` square, `k` depths of objects and states in a key where these are not those of the first hit, `c`
+/// tolerance of corners whose keys agree, and of those whose keys differ where it is not 0, `e` tolerance of a side where it is
+/// another, `h` highlight where it is a state, `u` unguarded, `d` depth and `w` least contribution where they are not the
+/// oracle's.
 fn dials(quality: &Quality) -> String {
     let mut text = format!("s{}", quality.square);
-    if has_keys(quality) {
+    let number = |tolerance: f32| {
+        if tolerance.is_finite() {
+            tolerance.to_string()
+        } else {
+            "\u{221e}".to_owned()
+        }
+    };
+    if has_keys(quality) && (quality.key_depth, quality.state_depth) != (0, 0) {
         text += &format!(" k{}/{}", quality.key_depth, quality.state_depth);
-        let [agreeing, differing] =
-            [quality.tolerance_agreeing, quality.tolerance_differing].map(|spread| {
-                if spread.is_finite() {
-                    spread.to_string()
-                } else {
-                    "all".to_owned()
-                }
-            });
-        text += &format!(" c{agreeing}/{differing}");
-        if quality.highlight != Quality::EXHAUSTIVE.highlight {
-            text += &format!(" h{:.3}", quality.highlight);
+    }
+    if quality.square > 1 {
+        text += &format!(" c{}", number(quality.tolerance_agreeing));
+        if quality.tolerance_differing != 0.0 {
+            text += &format!("/{}", number(quality.tolerance_differing));
         }
-    } else if quality.square > 1 {
-        text += &format!(" c{}", quality.tolerance_agreeing);
         if quality.tolerance_side != quality.tolerance_agreeing {
-            text += &format!(" e{}", quality.tolerance_side);
+            text += &format!(" e{}", number(quality.tolerance_side));
         }
+    }
+    if has_keys(quality) && quality.highlight.is_finite() {
+        text += &format!(" h{:.3}", quality.highlight);
     }
     if !quality.guarded {
         text += " u";
