@@ -1,11 +1,13 @@
 #![deny(unsafe_code)]
 pub mod build;
+mod costs;
 mod elf;
 mod encoder;
 mod executable;
 mod model;
 mod stub;
 
+pub use costs::costs;
 use encoder::Encoder;
 pub use executable::{pack_executable, strip, unpack_executable};
 use model::{Model, Reader};
@@ -18,6 +20,20 @@ pub type Error = Box<dyn std::error::Error>;
 pub fn pack(bytes: &[u8]) -> Vec<u8> {
     let mut packed = vec![0; 4];
     packed.extend((bytes.len() as u32).to_le_bytes());
+    let mut model = new_model();
+    let mut encoder = Encoder::new();
+    for byte in with_addresses(bytes) {
+        encoder.byte = byte;
+        model.byte(&mut encoder);
+    }
+    packed.extend(encoder.end());
+    let checksum = model::checksum(&packed[4..]);
+    packed[..4].copy_from_slice(&checksum.to_le_bytes());
+    packed
+}
+
+/// Bytes of a program with addresses in place of the offsets in its instructions.
+fn with_addresses(bytes: &[u8]) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     let mut reader = Reader::default();
     for i in 0..bytes.len() {
@@ -26,16 +42,7 @@ pub fn pack(bytes: &[u8]) -> Vec<u8> {
             model::to_address(&mut bytes[..=i], offset);
         }
     }
-    let mut model = new_model();
-    let mut encoder = Encoder::new();
-    for &byte in &bytes {
-        encoder.byte = byte;
-        model.byte(&mut encoder);
-    }
-    packed.extend(encoder.end());
-    let checksum = model::checksum(&packed[4..]);
-    packed[..4].copy_from_slice(&checksum.to_le_bytes());
-    packed
+    bytes
 }
 
 /// The bytes that were packed.

@@ -1,5 +1,7 @@
 //! Reads pictures back.
 
+#![allow(dead_code, reason = "each test uses a part of it")]
+
 use std::io::Cursor;
 
 /// The width and the pixels, `0x00RRGGBB`, of the bytes of a PNG file in 8-bit RGB.

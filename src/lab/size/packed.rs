@@ -1,0 +1,61 @@
+//! What each byte of the linked program costs in the file that ships.
+
+use super::Sum;
+use anyhow::{Context, Result, anyhow};
+use eightfold_pack::{costs, strip};
+use object::{Object, ObjectSegment};
+use std::ops::Range;
+
+/// The image that is packed: the linked program without what is not loaded.
+pub struct Packed {
+    /// Segments: their addresses, and where their first byte is in the image.
+    segments: Vec<(Range<u64>, usize)>,
+    /// For each byte of the image, and for its end: the packed bytes before it.
+    before: Vec<f64>,
+}
+
+impl Packed {
+    /// Packs a linked program and keeps account.
+    pub fn new(linked: &[u8]) -> Result<Self> {
+        let image = strip(linked).map_err(|error| anyhow!("{error}"))?;
+        let file = object::File::parse(&*image).context("what is packed is no program")?;
+        let segments = file.segments().map(|segment| {
+            let (offset, size) = segment.file_range();
+            (segment.address()..segment.address() + size, offset as usize)
+        });
+        let mut before = vec![0.0];
+        let mut sum = 0.0;
+        for bits in costs(&image) {
+            sum += f64::from(bits) / 8.0;
+            before.push(sum);
+        }
+        Ok(Self {
+            segments: segments.collect(),
+            before,
+        })
+    }
+
+    /// How many bytes of these addresses are in the image, and how many they are packed.
+    pub fn of(&self, addresses: &Range<u64>) -> (u64, f64) {
+        let (mut bytes, mut packed) = (0, 0.0);
+        for (segment, offset) in &self.segments {
+            let start = addresses.start.max(segment.start);
+            let end = addresses.end.min(segment.end);
+            if start < end {
+                let place = |address: u64| offset + (address - segment.start) as usize;
+                bytes += end - start;
+                packed += self.before[place(end)] - self.before[place(start)];
+            }
+        }
+        (bytes, packed)
+    }
+
+    /// The whole image.
+    pub fn all(&self) -> Sum {
+        Sum {
+            bytes: self.before.len() as u64 - 1,
+            packed: self.before.last().copied().unwrap_or_default(),
+            count: 1,
+        }
+    }
+}

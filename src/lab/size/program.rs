@@ -1,0 +1,112 @@
+//! What is in the intro's program, as it was linked: an ELF file with symbols.
+
+use anyhow::{Result, ensure};
+use object::{Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Something in the program: a section, or what a symbol names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Readable, without a hash.
+    pub name: String,
+    /// The crate that it was compiled with; empty for a section, and for what is not of Rust.
+    pub of: String,
+    pub addresses: Range<u64>,
+}
+
+/// Sections, and functions and constants by their symbols, each in the order of addresses.
+pub struct Program {
+    pub sections: Vec<Part>,
+    pub symbols: Vec<Part>,
+}
+
+impl Program {
+    /// Reads an ELF file.
+    pub fn parse(elf: &[u8]) -> Result<Self> {
+        let file = object::File::parse(elf)?;
+        let mut sections: Vec<Part> = file
+            .sections()
+            .filter(is_loaded)
+            .map(|section| Part {
+                name: section.name().unwrap_or_default().to_owned(),
+                of: String::new(),
+                addresses: section.address()..section.address() + section.size(),
+            })
+            .collect();
+        sections.sort_by_key(|section| section.addresses.start);
+        let symbols = symbols(&file, &sections);
+        ensure!(!symbols.is_empty(), "the program has no symbols");
+        Ok(Self { sections, symbols })
+    }
+}
+
+/// Whether a section takes room in the file and is loaded from there: what is not loaded has no address.
+fn is_loaded<'data>(section: &impl ObjectSection<'data>) -> bool {
+    let is_zero = matches!(
+        section.kind(),
+        SectionKind::UninitializedData | SectionKind::UninitializedTls
+    );
+    section.address() != 0 && section.size() > 0 && !is_zero
+}
+
+/// What symbols name, each address once: one function may have several names.
+fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
+    let mut symbols: BTreeMap<u64, Part> = BTreeMap::new();
+    let mut unit = None;
+    for symbol in file.symbols() {
+        let name = symbol.name().unwrap_or_default();
+        if symbol.kind() == SymbolKind::File {
+            unit = crate_of_unit(name);
+            continue;
+        }
+        let addresses = symbol.address()..symbol.address() + symbol.size();
+        let is_inside = |section: &Part| section.addresses.contains(&addresses.start);
+        if symbol.size() == 0 || !sections.iter().any(is_inside) {
+            continue;
+        }
+        symbols.entry(addresses.start).or_insert_with(|| {
+            let name = format!("{:#}", rustc_demangle::demangle(name));
+            let of = unit.unwrap_or_else(|| crate_of_path(&name)).to_owned();
+            Part {
+                name,
+                of,
+                addresses,
+            }
+        });
+    }
+    symbols.into_values().collect()
+}
+
+/// The crate of a codegen unit, `eightfold.0123456789abcdef-cgu.0`. The symbols of a unit follow its name; those that other
+/// units use follow a file that is none.
+fn crate_of_unit(file: &str) -> Option<&str> {
+    let (name, _) = file.split_once('.')?;
+    file.contains("-cgu.").then_some(name)
+}
+
+/// The crate that a readable name begins with, as in `<eightfold::Intro as core::fmt::Debug>::fmt`.
+fn crate_of_path(name: &str) -> &str {
+    let name = name.trim_start_matches(['<', '&', '*', '(', '[']);
+    let name = name.strip_prefix("mut ").unwrap_or(name);
+    name.split_once("::").map_or("", |(first, _)| first)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{crate_of_path, crate_of_unit};
+
+    #[test]
+    fn a_symbols_crate_is_known_by_its_unit_or_by_its_name() {
+        assert_eq!(crate_of_unit("a_b.0123456789abcdef-cgu.0"), Some("a_b"));
+        assert_eq!(crate_of_unit("crtstuff.c"), None);
+        for (name, of) in [
+            ("a::b::c", "a"),
+            ("<&mut a::B as core::fmt::Debug>::fmt", "a"),
+            ("<a::B>::c", "a"),
+            ("main", ""),
+        ] {
+            assert_eq!(crate_of_path(name), of, "{name}");
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! What each byte costs when it is packed.
+
+use crate::{model::Coder, new_model, with_addresses};
+
+/// How many bits each byte takes in what [`pack`](crate::pack) makes of them all; what it adds are the lengths, the checksum
+/// and a few bits in which the encoder ends.
+#[must_use]
+pub fn costs(bytes: &[u8]) -> Vec<f32> {
+    let mut model = new_model();
+    let bytes = with_addresses(bytes);
+    let costs = bytes.into_iter().map(|byte| {
+        let mut meter = Meter { byte, bits: 0.0 };
+        model.byte(&mut meter);
+        meter.bits
+    });
+    costs.collect()
+}
+
+/// Codes a byte to nothing, and adds up the bits that its bits would take.
+struct Meter {
+    /// The bits that are left, from the highest on.
+    byte: u8,
+    bits: f32,
+}
+
+impl Coder for Meter {
+    fn bit(&mut self, probability: u32) -> u32 {
+        let bit = u32::from(self.byte >> 7);
+        self.byte <<= 1;
+        let of_one = probability as f32 / 65_536.0;
+        let likely = if bit == 1 { of_one } else { 1.0 - of_one };
+        self.bits -= likely.log2();
+        bit
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::costs;
+    use crate::pack;
+
+    #[test]
+    fn costs_add_up_to_what_is_packed() {
+        let bytes: Vec<u8> = (0..5000_u32).map(|i| (i * i / 77) as u8).collect();
+        let bits: f32 = costs(&bytes).iter().sum();
+        let packed = pack(&bytes).len() as f32;
+        assert!(
+            (packed - bits / 8.0 - 8.0).abs() < 8.0,
+            "{bits} bits, {packed} bytes"
+        );
+    }
+}
