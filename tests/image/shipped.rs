@@ -36,9 +36,7 @@ impl Still {
     /// What is to be seen in it.
     pub fn scene(&self) -> Scene {
         let mut scene = Scene::default();
-        // From nanoseconds, by the same roundings as in the intro.
-        let nanoseconds = u64::from(self.time) * 1_000_000;
-        show::at(nanoseconds as f32 / 1e9, &mut scene);
+        show::at((f64::from(self.time) / 1000.0) as f32, &mut scene);
         scene
     }
 
