@@ -4,6 +4,9 @@ use super::*;
 
 /// An instruction set that rays are traced by.
 pub(crate) trait Isa: Simd {
+    /// Whether [`SimdFloat::mul_add`] is one operation with one rounding; else it is a product and a sum, both rounded.
+    const FUSES_MUL_ADD: bool;
+
     /// Moves the lanes in `mask` to the first places, in their order; the others hold what may be.
     ///
     /// By default lane after lane, which is small; most sets have a way of their own.
@@ -29,9 +32,13 @@ mod x86_64 {
     use core::arch::x86_64::*;
     use fearless_simd::{Avx2, Sse2, f32x8, kernel};
 
-    impl Isa for Sse2 {}
+    impl Isa for Sse2 {
+        const FUSES_MUL_ADD: bool = false;
+    }
 
     impl Isa for Avx2 {
+        const FUSES_MUL_ADD: bool = true;
+
         #[inline(always)]
         fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {
             let order = order(self, mask.to_bitmask());
@@ -60,6 +67,8 @@ mod x86_64 {
     );
 
     impl Isa for fearless_simd::Avx512 {
+        const FUSES_MUL_ADD: bool = true;
+
         #[inline(always)]
         fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {
             for row in rows {
@@ -70,7 +79,11 @@ mod x86_64 {
 }
 
 #[cfg(target_arch = "aarch64")]
-impl Isa for fearless_simd::Neon {}
+impl Isa for fearless_simd::Neon {
+    const FUSES_MUL_ADD: bool = true;
+}
 
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
-impl Isa for fearless_simd::Fallback {}
+impl Isa for fearless_simd::Fallback {
+    const FUSES_MUL_ADD: bool = false;
+}

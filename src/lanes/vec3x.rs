@@ -38,6 +38,16 @@ impl<S: Simd> Vec3x<S> {
             z: b.z.mul_add(s, self.z),
         }
     }
+
+    /// `self s - b`.
+    #[inline(always)]
+    pub fn scaled_minus(self, s: F<S>, b: Self) -> Self {
+        Self {
+            x: self.x.mul_sub(s, b.x),
+            y: self.y.mul_sub(s, b.y),
+            z: self.z.mul_sub(s, b.z),
+        }
+    }
 }
 
 impl<S: Simd> Add for Vec3x<S> {

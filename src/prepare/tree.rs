@@ -27,12 +27,12 @@ pub(crate) struct Node {
     pub centre: Vec3A,
     /// The radius squared; below 0 of a light that is not drawn.
     pub r2: f32,
+    /// Larger than that by a share of [`MARGIN`]: rays are held against this one first, with less exact arithmetic.
+    pub cull2: f32,
     /// How far rounding takes a point on it from it, see [`super::SLACK`].
     pub slack: f32,
     /// What [`Node::r2`] changes by where the radius changes by that.
     pub slack2: f32,
-    /// What is surely ahead of a ray that does not start on it: half of the slack, and nothing for a bound.
-    pub least: f32,
     pub radius: f32,
     /// Groups that it holds a part of.
     pub groups: GroupSet,
@@ -135,6 +135,7 @@ impl Tree {
             // What is not drawn no ray comes near to.
             if light.parallel || light.radius == 0.0 {
                 node.r2 = -1.0;
+                node.cull2 = -1.0;
             }
         }
     }
@@ -168,7 +169,6 @@ impl Tree {
         let groups = (2 << group(end.max(1) - 1)) - (1 << group(first));
         let bound = self.push(centre, radius, groups);
         bound.is_bound = true;
-        bound.least = 0.0;
         if is_leaf {
             for place in first..end {
                 let ball = self.balls[place];
@@ -197,9 +197,9 @@ impl Tree {
         *node = Node {
             centre,
             r2: radius * radius,
+            cull2: radius * radius * (1.0 + MARGIN),
             slack,
             slack2: 2.0 * radius * slack,
-            least: 0.5 * slack,
             radius,
             groups,
             skip: 1,
@@ -254,9 +254,9 @@ impl Node {
     const NONE: Self = Self {
         centre: Vec3A::ZERO,
         r2: 0.0,
+        cull2: 0.0,
         slack: 0.0,
         slack2: 0.0,
-        least: 0.0,
         radius: 0.0,
         groups: 0,
         number: 0,

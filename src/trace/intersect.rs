@@ -11,6 +11,15 @@ const FARTHEST: f32 = 1e30;
 /// More than rounding makes of the square of a scalar product of directions.
 const ROUNDING: f32 = 4e-6;
 
+/// What the square of a perpendicular is too large by at most before it is [refined](Chord::refined), as a share of the
+/// square of `t_mid`, where multiplying and adding are two operations.
+///
+/// With `u = 2^-24`, rounding the product `d t_mid` takes the perpendicular `u t_mid` off, and rounding `t_mid` itself
+/// lengthens it along the ray by less than `5 u t_mid`. For a ray that meets a sphere of radius `r`,
+/// `(r + u t)^2 <= r^2 (1 + m) + u^2 t^2 (1 + 1 / m)`: with `m = 0.001`, which [`Node::cull2`] allows for, and the square
+/// of the 5 that is `(1001 + 25) u^2 = 3.6e-12`.
+const UNREFINED: f32 = 4e-12;
+
 /// The nearest hit of each ray.
 #[derive(Clone, Copy)]
 pub(crate) struct Hit<S: Isa> {
@@ -53,17 +62,20 @@ pub(crate) fn nearest<S: Isa>(
     while let Some(node) = nodes.get(i) {
         let mut is_met = node.groups & groups != 0;
         if is_met {
-            let chord = Chord::new(simd, rays, node);
-            let ahead = chord.is_ahead(node);
-            is_met = ahead.any_true();
-            if is_met && node.is_block {
-                let near = ahead & !chord.is_off(rays.d, node, hit.t);
-                if near.any_true() {
-                    candidates.push::<S>(node.number, near);
+            let quick = Chord::new(simd, rays, node);
+            let near = quick.may_be_ahead(node);
+            is_met = near.any_true();
+            if is_met && !node.is_bound {
+                let chord = quick.refined(rays.d);
+                if node.is_block {
+                    let near = near & !chord.is_off(rays.d, node, hit.t);
+                    if near.any_true() {
+                        candidates.push::<S>(node.number, near);
+                    }
+                } else {
+                    let (m, t) = chord.entry(near, node, hit.t);
+                    hit.keep_nearer(m, t, node.number as usize);
                 }
-            } else if is_met && !node.is_bound {
-                let (m, t) = chord.entry(ahead, node, hit.t);
-                hit.keep_nearer(m, t, node.number as usize);
             }
         }
         i += node.step(is_met);
@@ -71,53 +83,87 @@ pub(crate) fn nearest<S: Isa>(
     hit
 }
 
-/// A ray against a sphere.
+/// The chord that a sphere cuts out of the line of a ray.
 struct Chord<S: Isa> {
-    /// Distance from the point nearest to the centre back to the ray's start: below 0 where the centre is ahead.
-    b: F<S>,
-    /// Half the chord's length squared; below 0 where the ray passes by.
-    discriminant: F<S>,
-    /// From the centre to the ray's point nearest to it.
+    /// From the ray's start to the centre.
+    f: Vec3x<S>,
+    /// Distance from the ray's start to the middle of the chord, the point nearest to the centre: below 0 behind it.
+    t_mid: F<S>,
+    /// The perpendicular: from the centre to the middle of the chord.
     l: Vec3x<S>,
+    /// Its length squared.
+    l2: F<S>,
 }
 
 impl<S: Isa> Chord<S> {
-    /// The discriminant comes from the perpendicular from the centre to the ray, which loses no digits when the
+    /// The chord's length comes from the perpendicular from the centre to the ray, which loses no digits when the
     /// sphere is small and far away (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere
     /// Intersection, Ray Tracing Gems, 2019).
     #[inline(always)]
     fn new(simd: S, rays: &Rays<S>, node: &Node) -> Self {
-        let f = rays.o - Vec3x::splat(simd, node.centre);
-        let b = f.dot(rays.d);
-        let l = f.add_scaled(rays.d, -b);
-        Self {
-            b,
-            discriminant: splat(simd, node.r2) - l.dot(l),
-            l,
+        let f = Vec3x::splat(simd, node.centre) - rays.o;
+        let t_mid = f.dot(rays.d);
+        let l = rays.d.scaled_minus(t_mid, f);
+        let l2 = l.dot(l);
+        Self { f, t_mid, l, l2 }
+    }
+
+    /// The same chord with a perpendicular that is as exact where multiplying and adding are two operations as where
+    /// they are one.
+    ///
+    /// Two round the product `d t_mid`, which is as long as the way to the sphere, before all but the perpendicular
+    /// cancels. So both factors are split into halves of 12 bits, whose products are exact (Dekker: A Floating-Point
+    /// Technique for Extending the Available Precision, Numerische Mathematik 18, 1971); only the last one is rounded,
+    /// which is smaller by 2^12. Most spheres are passed by at a distance, so only those that
+    /// [may be ahead](Chord::may_be_ahead) take this longer way.
+    #[inline(always)]
+    fn refined(self, d: Vec3x<S>) -> Self {
+        if S::FUSES_MUL_ADD {
+            return self;
         }
+        let d_high = Vec3x {
+            x: upper_half::<S>(d.x),
+            y: upper_half::<S>(d.y),
+            z: upper_half::<S>(d.z),
+        };
+        let d_low = d - d_high;
+        let t_high = upper_half::<S>(self.t_mid);
+        let t_low = self.t_mid - t_high;
+        let l = d_high
+            .scaled_minus(t_high, self.f)
+            .add_scaled(d_high, t_low)
+            .add_scaled(d_low, self.t_mid);
+        let l2 = l.dot(l);
+        Self { l, l2, ..self }
+    }
+
+    /// Which rays may meet the sphere ahead: all that do, and some that pass it by closely or that start on it and
+    /// leave it.
+    #[inline(always)]
+    fn may_be_ahead(&self, node: &Node) -> M<S> {
+        let simd = self.t_mid.token();
+        let unsure = if S::FUSES_MUL_ADD {
+            splat(simd, 0.0)
+        } else {
+            self.t_mid * splat(simd, -UNREFINED)
+        };
+        // The far end lies ahead where the middle does, or half the chord is longer than the way back to the middle.
+        let back2 = self.t_mid.min(unsure) * self.t_mid;
+        (splat(simd, node.cull2) - self.l2).simd_ge(back2)
     }
 
     /// Which rays along `d` surely pass by the box or the cylinder in the sphere, or meet it beyond `limit`: they are
     /// farther from its longer axis than it reaches, or end before the sphere.
     #[inline(always)]
     fn is_off(&self, d: Vec3x<S>, node: &Node, limit: F<S>) -> M<S> {
-        let simd = self.b.token();
+        let simd = self.t_mid.token();
         let axis = Vec3x::splat(simd, node.axis);
         let (along, across) = (d.dot(axis), self.l.dot(axis));
         // The square of the way from the axis, times that of the sine of the angle between them, a little less for rounding.
         let sine2 = splat::<S>(simd, 1.0 - ROUNDING) - along * along;
-        let beyond = splat::<S>(simd, node.r2 - node.thin2) - self.discriminant;
+        let beyond = self.l2 - node.thin2;
         let is_off = (beyond * sine2.max(splat(simd, 0.0))).simd_gt(across * across);
-        is_off | (-self.b).simd_gt(limit + node.radius)
-    }
-
-    /// Whether the far end lies ahead.
-    #[inline(always)]
-    fn is_ahead(&self, node: &Node) -> M<S> {
-        let simd = self.b.token();
-        // It does where the middle does, or half the chord is longer than the way back to the middle.
-        let back = (self.b + node.least).max(splat(simd, 0.0));
-        self.discriminant.simd_ge(back * back)
+        is_off | self.t_mid.simd_gt(limit + node.radius)
     }
 
     /// The nearer end of the chord that lies ahead, if it does so nearer than `limit`.
@@ -126,19 +172,27 @@ impl<S: Isa> Chord<S> {
     /// its way out, and on its way in the far side. So what starts within the sphere's [`Node::slack`] starts on it.
     #[inline(always)]
     fn entry(&self, mask: M<S>, node: &Node, limit: F<S>) -> (M<S>, F<S>) {
-        let simd = self.b.token();
+        let simd = self.t_mid.token();
         let slack2 = splat(simd, node.slack2);
+        // Half the chord's length squared; below 0, where its root is no number and no comparison holds, the ray passes by.
+        let discriminant = splat::<S>(simd, node.r2) - self.l2;
         // From the centre to the start, squared, less the radius squared.
-        let start = self.b.mul_add(self.b, -self.discriminant);
-        let is_inward = self.b.simd_lt(splat(simd, -node.slack));
+        let start = self.t_mid.mul_add(self.t_mid, -discriminant);
+        let is_inward = self.t_mid.simd_gt(splat(simd, node.slack));
         let is_ahead = is_inward | start.simd_lt(-slack2);
-        let half = self.discriminant.max(splat(simd, 0.0)).sqrt();
+        let half = discriminant.sqrt();
         // The near end for those that start outside.
         let sign =
             U::<S>::splat(simd, 1 << 31) & start.simd_gt(slack2).to_vector().bitcast::<U<S>>();
-        let t = flipped::<S>(half, sign) - self.b;
+        let t = flipped::<S>(half, sign) + self.t_mid;
         (mask & is_ahead & t.simd_lt(limit), t)
     }
+}
+
+/// A number's upper 12 bits; the lower 12 are what it is more than that.
+#[inline(always)]
+fn upper_half<S: Isa>(c: F<S>) -> F<S> {
+    (c.bitcast::<U<S>>() & 0xffff_f000).bitcast()
 }
 
 /// Where rays hit a plane nearer than `limit`.
