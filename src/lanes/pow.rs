@@ -123,13 +123,15 @@ mod tests {
 
     #[test]
     fn powers_are_as_exact_as_stated() {
-        dispatch!(Level::new(), simd => hold_everywhere(simd));
+        let best = Level::new();
+        dispatch!(best, simd => hold_everywhere(simd));
         #[cfg(target_arch = "x86_64")]
-        if let Some(simd) = Level::new().as_sse2() {
-            simd.vectorize(
-                #[inline(always)]
-                || hold_everywhere(simd),
-            );
+        for level in [
+            best.as_avx2().map(Level::Avx2),
+            best.as_sse2().map(Level::Sse2),
+        ] {
+            let Some(level) = level else { continue };
+            dispatch!(level, simd => hold_everywhere(simd));
         }
     }
 }
