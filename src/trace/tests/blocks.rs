@@ -48,7 +48,7 @@ struct Blocks;
 impl Property for Blocks {
     #[inline(always)]
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random(1998);
+        let mut random = Random::new(1998);
         let (mut hits, mut left, mut crossed) = (0, 0, 0);
         for _ in 0..BLOCKS {
             let (block, largest) = block(&mut random);
@@ -130,7 +130,7 @@ struct FarBlocks;
 impl Property for FarBlocks {
     #[inline(always)]
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random(2008);
+        let mut random = Random::new(2008);
         let mut left = [0; 3];
         for i in 0..BLOCKS {
             let kind = i % 3;

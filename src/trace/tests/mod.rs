@@ -20,9 +20,12 @@ use super::surface::SurfaceLanes;
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Prepared, SurfaceRow};
 use crate::scene::{List, Material, Scene, Sphere};
+use core::cell::RefCell;
+use core::ops::{Deref, DerefMut};
 use fearless_simd::Level;
 use glam::{DVec3, Vec3A};
 use std::boxed::Box;
+use std::vec::Vec;
 
 /// What holds whatever the instruction set.
 trait Property {
@@ -61,6 +64,12 @@ fn on_every_instruction_set(property: &impl Property) {
 struct Random(u64);
 
 impl Random {
+    /// Those of a seed. `RAY_SEED=1 cargo test --release --lib trace` draws others, which have to hold as well.
+    fn new(seed: u64) -> Self {
+        let other = std::env::var("RAY_SEED").map_or(0, |seed| seed.parse().unwrap());
+        Self(seed ^ other << 32)
+    }
+
     fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut h = self.0;
@@ -119,10 +128,55 @@ fn one_sphere(centre: Vec3A, radius: f32, material: Material) -> Scene {
     }
 }
 
-fn prepared(scene: &Scene) -> Box<Prepared> {
-    let mut prepared = Box::new(Prepared::new());
-    prepared.set(scene, 8, 8);
-    prepared
+std::thread_local! {
+    /// What no test on this thread uses any more.
+    static UNUSED: RefCell<Vec<Box<Prepared>>> = const { RefCell::new(Vec::new()) };
+}
+
+/// A prepared scene. The next scene takes its memory over, as the next frame does.
+struct Ready {
+    /// None once it is handed on.
+    memory: Option<Box<Prepared>>,
+}
+
+impl Deref for Ready {
+    type Target = Prepared;
+
+    fn deref(&self) -> &Prepared {
+        self.memory.as_ref().expect("it is handed on last")
+    }
+}
+
+impl DerefMut for Ready {
+    fn deref_mut(&mut self) -> &mut Prepared {
+        self.memory.as_mut().expect("it is handed on last")
+    }
+}
+
+impl Drop for Ready {
+    fn drop(&mut self) {
+        UNUSED.with_borrow_mut(|unused| unused.extend(self.memory.take()));
+    }
+}
+
+/// Memory for a scene, on the heap. It is nearly as large as the stack of a test, and whether it passes over the stack
+/// on its way is up to the optimiser, so a thread with a stack that has room for a few of it makes it.
+fn memory() -> Box<Prepared> {
+    std::thread::Builder::new()
+        .stack_size(4 * size_of::<Prepared>() + (1 << 20))
+        .spawn(|| Box::new(Prepared::new()))
+        .expect("the system has a thread to spare")
+        .join()
+        .expect("nothing in there panics")
+}
+
+fn prepared(scene: &Scene) -> Ready {
+    let unused = UNUSED.with_borrow_mut(Vec::pop);
+    let mut memory = unused.unwrap_or_else(memory);
+    memory.set(scene, 8, 8);
+    Ready {
+        memory: Some(memory),
+    }
 }
 
 /// A packet of rays from one place, as primary rays are; those beyond the slice are like its last one.

@@ -122,7 +122,7 @@ struct Neighbours {
 impl Property for Neighbours {
     #[inline(always)]
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random(1966);
+        let mut random = Random::new(1966);
         let scene = prepared(&self.scene);
         let mut batch = Box::new(Batch::new());
         for _ in 0..self.packets / lanes::<S>() {

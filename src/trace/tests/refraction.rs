@@ -111,7 +111,7 @@ struct Lengths;
 impl Property for Lengths {
     #[inline(always)]
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random(1621);
+        let mut random = Random::new(1621);
         let mut batch = Box::new(Batch::new());
         let mut count = 0;
         for _ in 0..20_000 {

@@ -30,7 +30,7 @@ struct Spheres {
 impl Property for Spheres {
     #[inline(always)]
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random(2008);
+        let mut random = Random::new(2008);
         let mut count = 0;
         let (mut left, mut entered) = (0, 0);
         while count < SHAPES {
@@ -101,7 +101,7 @@ struct Planes;
 impl Property for Planes {
     #[inline(always)]
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random(2019);
+        let mut random = Random::new(2019);
         let mut rays = 0;
         for _ in 0..SHAPES {
             let [half_x, half_z] = [0; 2].map(|_| 10_f64.powf(random.between(-4.0, 4.0)));

@@ -27,7 +27,7 @@ struct OwnShadow {
 impl Property for OwnShadow {
     #[inline(always)]
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut random = Random(1968);
+        let mut random = Random::new(1968);
         let mut batch = Box::new(Batch::new());
         let (mut lit, mut dark) = (0, 0);
         for _ in 0..SPHERES {
