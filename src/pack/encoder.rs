@@ -4,7 +4,7 @@ use crate::model::Coder;
 
 /// Writes the bits of bytes.
 pub struct Encoder {
-    /// The byte whose bits are to be written, from the highest on.
+    /// The bits of the byte that are still to be written, from the highest on.
     pub byte: u8,
     /// The beginning of the interval, without what has been written.
     low: u64,
@@ -34,6 +34,10 @@ impl Encoder {
 
     /// All that was written.
     pub fn end(mut self) -> Vec<u8> {
+        if self.written.is_empty() && self.range == 1 << 32 {
+            // Of no bits, none is read.
+            return self.written;
+        }
         for _ in 0..5 {
             self.shift();
         }

@@ -1,4 +1,37 @@
-#![deny(unsafe_code)]
+//! Packs the intro when it is linked, and unpacks it when it starts.
+//!
+//! | what | where |
+//! | --- | --- |
+//! | a model of programs, which says how likely the next bit is 1 | `model` |
+//! | bytes packed by it, and back | [`pack`], [`unpack`] |
+//! | an executable packed, and back | [`pack_executable`], [`unpack_executable`] |
+//! | what each byte takes of the packed file | [`costs`] |
+//! | what starts a packed executable | `stub`: a program of its own, with the model in it |
+//! | the intro's build script, and its linker | [`build`] |
+//!
+//! # Why a packer of our own
+//!
+//! The intro of 116,673 bytes takes so many when packed by
+//!
+//! | packer | packed | unpacker | time to unpack |
+//! | --- | ---: | ---: | ---: |
+//! | upkr -9 | 59,318 | 494 | 8 ms |
+//! | xz (LZMA1, filter for x86) | 58,108 | 1,478 | 8 ms |
+//! | zpaq -m5 | 52,543 | (no small one) | |
+//! | this one | 42,200 | 4,400 with its loader | 0.14 s |
+//!
+//! # The same bytes on every machine
+//!
+//! The model computes with integers alone, in a fixed order, by one function for both sides. A slot of its table is found by a hash
+//! of what was read, not by an address. So what is packed depends on the bytes that are packed and on nothing else; a test holds
+//! SSE2 to the plain loops that take its place on other processors.
+//!
+//! # How long it takes
+//!
+//! `time target/release/eightfold --version` unpacks all and does next to nothing else: 1 microsecond a byte.
+
+#![deny(missing_docs, unsafe_code)]
+
 pub mod build;
 mod costs;
 mod elf;
@@ -6,30 +39,35 @@ mod encoder;
 mod executable;
 mod model;
 mod stub;
+#[cfg(test)]
+mod tests;
+
+use std::{error, fmt};
 
 pub use costs::costs;
 use encoder::Encoder;
 pub use executable::{pack_executable, strip, unpack_executable};
 use model::{Model, Reader};
 
-/// Why something can't be packed, or is not built.
-pub type Error = Box<dyn std::error::Error>;
+/// Why a program can't be packed, or not be built as it should be.
+pub type Error = Box<dyn error::Error>;
 
-/// Bytes packed.
+/// Bytes packed: a checksum of all that follows it, how many bytes there were (both as 32 bits, little-endian), and their code.
+///
+/// # Panics
+/// If they are longer than [`LONGEST`].
 #[must_use]
 pub fn pack(bytes: &[u8]) -> Vec<u8> {
-    let mut packed = vec![0; 4];
-    packed.extend((bytes.len() as u32).to_le_bytes());
+    assert!(bytes.len() <= LONGEST, "{} bytes are too many", bytes.len());
     let mut model = new_model();
     let mut encoder = Encoder::new();
     for byte in with_addresses(bytes) {
         encoder.byte = byte;
         model.byte(&mut encoder);
     }
-    packed.extend(encoder.end());
-    let checksum = model::checksum(&packed[4..]);
-    packed[..4].copy_from_slice(&checksum.to_le_bytes());
-    packed
+    let length = (bytes.len() as u32).to_le_bytes();
+    let rest = [&length, &*encoder.end()].concat();
+    [&model::checksum(&rest).to_le_bytes(), &*rest].concat()
 }
 
 /// Bytes of a program with addresses in place of the offsets in its instructions.
@@ -48,36 +86,33 @@ fn with_addresses(bytes: &[u8]) -> Vec<u8> {
 /// The bytes that were packed.
 ///
 /// # Errors
-/// If it is not what [`pack`] made.
+/// If it is not what [`pack`] has made.
 pub fn unpack(packed: &[u8]) -> Result<Vec<u8>, Damaged> {
     let (length, code) = model::open(packed).ok_or(Damaged)?;
     if length > LONGEST {
         return Err(Damaged);
     }
     let mut bytes = vec![0; length];
-    if model::decode(&mut new_model(), code, &mut bytes) {
-        Ok(bytes)
-    } else {
-        Err(Damaged)
-    }
+    let is_whole = model::decode(&mut new_model(), code, &mut bytes);
+    is_whole.then_some(bytes).ok_or(Damaged)
 }
 
-/// What is longer is not unpacked: by 1 microsecond a byte it would take longer than 16 seconds.
+/// The most bytes that can be packed: they take 16 seconds.
 pub const LONGEST: usize = 1 << 24;
 
-/// What was to be unpacked was not packed, or has changed since.
+/// What was to be unpacked was never packed, or has changed since.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Damaged;
 
-impl std::fmt::Display for Damaged {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("it is damaged")
+impl fmt::Display for Damaged {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("what was packed is damaged")
     }
 }
 
-impl std::error::Error for Damaged {}
+impl error::Error for Damaged {}
 
-#[allow(unsafe_code, reason = "16 MB do not fit on a stack")]
+#[allow(unsafe_code, reason = "17 MB do not fit on a stack")]
 fn new_model() -> Box<Model> {
     // SAFETY: it is made of integers, of which zero is a value.
     let mut model = unsafe { Box::<Model>::new_zeroed().assume_init() };

@@ -54,7 +54,7 @@ impl Sum {
 pub fn run(arguments: &Arguments) -> Result<()> {
     let build = Build::release("eightfold")?;
     let shipped = read(&build.program("eightfold")?)?;
-    let linked = read(&build.script_folder("eightfold")?.join("linker/unpacked"))?;
+    let linked = read(&build.script_folder("eightfold")?.join("eightfold.unpacked"))?;
     let program = Program::parse(&linked)?;
     let packed = Packed::new(&linked)?;
     let mut text = String::new();

@@ -16,30 +16,34 @@ const LIMIT: usize = 65_536;
 /// The name of the stub's object file.
 pub const STUB: &str = "stub.o";
 const SETTINGS: &str = "settings";
+const PACKED: &str = "packed";
 
 /// What the build script says to the linker, in a file beside it.
 pub struct Settings {
     /// What links.
     pub linker: String,
-    /// Whether the program is packed.
+    /// Where the program is left as it was linked.
+    pub unpacked: String,
+    /// Whether it is packed.
     pub is_packed: bool,
 }
 
 impl Settings {
     pub fn write(&self, directory: &Path) -> Result<(), Error> {
-        let what = if self.is_packed { "packed" } else { "unpacked" };
-        Ok(fs::write(
-            directory.join(SETTINGS),
-            format!("{}\n{what}\n", self.linker),
-        )?)
+        let what = if self.is_packed { PACKED } else { "" };
+        let text = [&self.linker, &self.unpacked, what].join("\n");
+        Ok(fs::write(directory.join(SETTINGS), text)?)
     }
 
     fn read(directory: &Path) -> Result<Settings, Error> {
         let text = fs::read_to_string(directory.join(SETTINGS))?;
-        let (linker, what) = text.split_once('\n').ok_or("no settings")?;
+        let [linker, unpacked, what] = text.split('\n').collect::<Vec<_>>()[..] else {
+            return Err("the settings are not three lines".into());
+        };
         Ok(Settings {
             linker: linker.into(),
-            is_packed: what == "packed\n",
+            unpacked: unpacked.into(),
+            is_packed: what == PACKED,
         })
     }
 }
@@ -68,7 +72,7 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         return Ok(0);
     };
     let program = fs::read(&path)?;
-    fs::write(directory.join("unpacked"), &program)?;
+    fs::write(&settings.unpacked, &program)?;
     if !settings.is_packed {
         return Ok(0);
     }

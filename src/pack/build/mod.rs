@@ -1,4 +1,19 @@
 //! What the intro's build script does: it prepares the diet, and has the linker called by way of this program.
+//!
+//! `cargo build --release` compiles the script, which Cargo runs: it compiles the stub, and says how to link the intro. Rust calls
+//! a C compiler for that, which is told to take its linker from `OUT_DIR/linker`: there, the script's own executable has the name
+//! of one. Called by that name, it runs the linker that would have been called, and packs what came of it in place.
+//!
+//! In the script's `OUT_DIR` are then
+//!
+//! | file | what |
+//! | --- | --- |
+//! | `eightfold.unpacked` | the same program, not packed, with its symbols: [`costs`](crate::costs) tells what its parts take packed |
+//! | `eightfold.map` | what the linker has put where in it |
+//! | `linker/` | the linker that packs, and the stub |
+//!
+//! `EIGHTFOLD_UNPACKED=1 cargo build --release` leaves the program unpacked, for debuggers and profilers; nothing else changes.
+//! Where a program can't be packed, it is linked as any other, and one warning says why.
 
 mod diet;
 mod linker;
@@ -16,11 +31,11 @@ use toolchain::Toolchain;
 /// The name by which a C compiler finds a linker, and by which this program knows that it is called for one.
 const LINKER: &str = "ld.bfd";
 
-/// Variables that change what is built.
-const VARIABLES: [&str; 2] = [UNPACKED, "PATH"];
-
 /// Set to anything, it leaves the program unpacked, for debuggers and profilers.
 const UNPACKED: &str = "EIGHTFOLD_UNPACKED";
+
+/// Where this crate is, with the stub's source.
+const SOURCE: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Runs as the build script of a package with a program, or as the linker of that.
 pub fn main(program: &str) {
@@ -31,10 +46,8 @@ pub fn main(program: &str) {
         std::process::exit(linker::run(rest));
     }
     println!("cargo::rustc-check-cfg=cfg(diet)");
-    println!("cargo::rerun-if-changed=build.rs");
-    for variable in VARIABLES {
-        println!("cargo::rerun-if-env-changed={variable}");
-    }
+    println!("cargo::rerun-if-changed={SOURCE}");
+    println!("cargo::rerun-if-env-changed={UNPACKED}");
     // Unoptimised, nobody minds the size.
     if env::var("PROFILE").is_ok_and(|profile| profile != "release") {
         return;
@@ -66,10 +79,16 @@ fn prepare(program: &str) -> Result<(), Error> {
         fs::remove_file(&linker)?;
     }
     fs::hard_link(&own, &linker).or_else(|_| fs::copy(&own, &linker).map(|_| ()))?;
-    let is_packed = env::var_os(UNPACKED).is_none();
+    let beside = |end| {
+        let path = output.join(format!("{program}.{end}"));
+        path.into_os_string()
+            .into_string()
+            .map_err(|path| format!("{path:?} is not UTF-8"))
+    };
     linker::Settings {
         linker: toolchain.linker.clone(),
-        is_packed,
+        unpacked: beside("unpacked")?,
+        is_packed: env::var_os(UNPACKED).is_none(),
     }
     .write(&directory)?;
     compile_stub(&toolchain, &directory.join(linker::STUB))?;
@@ -81,10 +100,7 @@ fn prepare(program: &str) -> Result<(), Error> {
         // Of functions that are redirected there are two; the first counts.
         "-Wl,-z,muldefs",
         "-Wl,--build-id=none",
-        &format!(
-            "-Wl,-Map={}",
-            output.join(format!("{program}.map")).display()
-        ),
+        &format!("-Wl,-Map={}", beside("map")?),
         &format!("-B{}", directory.display()),
         // The last one says which linker it is.
         &format!("-fuse-ld={}", &LINKER[3..]),
@@ -96,7 +112,7 @@ fn prepare(program: &str) -> Result<(), Error> {
 
 /// Compiles the stub to an object file, without what the user wants of other programs.
 fn compile_stub(toolchain: &Toolchain, object: &Path) -> Result<(), Error> {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("stub/main.rs");
+    let source = Path::new(SOURCE).join("stub/main.rs");
     let done = Command::new(&toolchain.rustc)
         .args([
             "--edition=2024",

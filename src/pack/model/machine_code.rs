@@ -249,11 +249,10 @@ impl Reader {
     #[inline(always)]
     fn read_vex(&mut self, byte: u32, kind: u32) -> u32 {
         let features = &mut self.features;
-        if kind == VEX + 2 || kind == VEX + 1 && features[PREFIXES] == 0 {
+        if features[PREFIXES] == 0 && kind != VEX {
             features[OPCODE] = (byte & 3) << 8;
-        } else {
-            features[PREFIXES] = features[PREFIXES] << 8 | byte;
         }
+        features[PREFIXES] = features[PREFIXES] << 8 | byte;
         if kind == VEX { AFTER_PREFIX } else { kind - 1 }
     }
 
@@ -318,7 +317,7 @@ mod tests {
             reader.read(byte.into());
             offsets.extend(reader.ended_offset());
         }
-        assert_eq!(offsets, [11, 16, 22, 59]);
+        assert_eq!(offsets, [11, 16, 22, 61]);
     }
 
     #[test]

@@ -1,0 +1,94 @@
+//! What holds of all that is packed.
+
+use proptest::{collection::vec, prelude::*};
+
+use crate::{Damaged, LONGEST, costs, model, pack, pack_executable, unpack};
+
+/// Bytes as programs have them: some by chance, some again and again, some of instructions.
+fn bytes() -> impl Strategy<Value = Vec<u8>> {
+    let call = any::<i32>().prop_map(|to| [&[0xe8][..], &to.to_le_bytes()].concat());
+    let again = (any::<u8>(), 1..300_usize).prop_map(|(byte, count)| vec![byte; count]);
+    let instructions = prop::sample::select(vec![
+        vec![0x48, 0x8d, 0x05, 1, 2, 3, 4],
+        vec![0x0f, 0x84, 1, 0, 0, 0],
+        vec![0x62, 0xf1, 0x7c, 0x48, 0x58, 0x05, 1, 2, 3, 4],
+        vec![0xc3],
+    ]);
+    let part = prop_oneof![vec(any::<u8>(), 0..100), call, again, instructions];
+    vec(part, 0..20).prop_map(|parts| parts.concat())
+}
+
+proptest! {
+    // Each needs 17 MB of memory that is zero.
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn any_bytes_come_back(bytes in bytes()) {
+        prop_assert_eq!(unpack(&pack(&bytes)), Ok(bytes));
+    }
+
+    #[test]
+    fn what_has_changed_is_an_error(bytes in bytes(), at: prop::sample::Index, by in 1..=u8::MAX) {
+        let mut packed = pack(&bytes);
+        *at.get_mut(&mut packed) ^= by;
+        prop_assert_eq!(unpack(&packed), Err(Damaged));
+    }
+
+    #[test]
+    fn what_is_not_whole_is_an_error(bytes in bytes(), length: prop::sample::Index) {
+        let packed = pack(&bytes);
+        prop_assert_eq!(unpack(&packed[..length.index(packed.len())]), Err(Damaged));
+    }
+
+    #[test]
+    fn what_was_never_packed_is_an_error(bytes in vec(any::<u8>(), 0..100)) {
+        prop_assert_eq!(unpack(&bytes), Err(Damaged));
+    }
+
+    /// With a checksum that is right, too: it is unpacked up to the end of the code.
+    #[test]
+    fn code_by_chance_ends(length in 0..2 * LONGEST as u32, code in vec(any::<u8>(), 0..50)) {
+        let rest = [&length.to_le_bytes(), &*code].concat();
+        let packed = [&model::checksum(&rest).to_le_bytes(), &*rest].concat();
+        if let Ok(bytes) = unpack(&packed) {
+            prop_assert_eq!(bytes.len(), length as usize);
+        }
+    }
+
+    #[test]
+    fn what_is_no_executable_is_not_packed(bytes in bytes()) {
+        prop_assert!(pack_executable(&bytes, &[]).is_err());
+        let header = [b"\x7fELF\x02\x01\x01", &*bytes].concat();
+        prop_assert!(pack_executable(&header, &[]).is_err());
+    }
+}
+
+#[test]
+fn costs_add_up_to_what_is_packed() {
+    let bytes: Vec<u8> = (0..10_000_u32).map(|i| ((i * i) >> 8) as u8).collect();
+    let packed = pack(&bytes);
+    let bits: f64 = costs(&bytes).into_iter().map(f64::from).sum();
+    // With 8 bytes before the code, and 4 or 5 that end it.
+    let expected = bits / 8.0 + 12.5;
+    assert!(
+        (packed.len() as f64 - expected).abs() < 1.0,
+        "{} are not {expected}",
+        packed.len()
+    );
+}
+
+/// The same on every machine and by every compiler. It changes with the model: then this is to be set anew.
+#[test]
+fn the_same_bytes_are_packed_to_the_same_everywhere() {
+    let mut state = 1_u32;
+    let mut noise = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 24) as u8 & 0x4f
+    };
+    let bytes: Vec<u8> = (0..50_000).map(|_| noise()).collect();
+    let packed = pack(&bytes);
+    assert_eq!(
+        (packed.len(), model::checksum(&packed)),
+        (31_823, 3_940_157_973)
+    );
+}
