@@ -22,9 +22,12 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod font;
 mod governor;
+pub mod grid;
 mod lanes;
 pub mod limits;
+mod maths;
 pub mod observe;
 mod prepare;
 mod quality;
@@ -35,7 +38,6 @@ pub mod show;
 pub mod sound;
 mod text;
 mod trace;
-mod trigonometry;
 
 pub use fearless_simd::Level;
 pub use governor::Governor;

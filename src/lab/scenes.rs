@@ -69,7 +69,7 @@ impl SceneName {
                 let end = grid::CUTS.get(part + 1).unwrap_or(&grid::BARS);
                 (end - grid::CUTS[part]) as f32 * grid::BAR
             }
-            Self::Model | Self::Field(_) => show::LENGTH,
+            Self::Model | Self::Field(_) => show::MODEL_LENGTH,
         }
     }
 

@@ -11,7 +11,7 @@
 
 use super::Rectangle;
 use super::screen::{Axes, Rect};
-use crate::trigonometry::root;
+use crate::maths::sqrt;
 use glam::{Vec3A, Vec4, Vec4Swizzles};
 
 /// Tangents from each end that a rectangle is narrowed by: the first ones touch a cone on their side of it, later ones in the
@@ -52,7 +52,7 @@ impl Cone {
         let radius = radius * WIDE;
         let cosine2 = (distance2 - radius * radius) / distance2;
         // `to` is as long as the distance, which the sine has once more.
-        let cosine = root(cosine2 / distance2);
+        let cosine = sqrt(cosine2 / distance2);
         let sine = radius / distance2;
         for (terms, &ray) in self.terms.iter_mut().zip(&axes.rows) {
             let ray = ray * by.w + Vec3A::from_vec4(*by) * ray.y;

@@ -3,8 +3,8 @@
 use super::slack;
 use super::surface::bounded;
 use super::tree::{MARGIN, MAX_NODES, Node};
+use crate::maths::sqrt;
 use crate::scene::{Light, Spot};
-use crate::trigonometry::root;
 use glam::Vec3A;
 
 /// A point light.
@@ -139,11 +139,11 @@ impl Caster {
         let wide = radius * (1.0 + MARGIN) + way;
         // 2 - 2 cos, by the sine of the angle, which loses no digits.
         let sine2 = wide * wide / far2;
-        let chord2 = 2.0 * sine2 / (1.0 + root(1.0 - sine2));
+        let chord2 = 2.0 * sine2 / (1.0 + sqrt(1.0 - sine2));
         self.around_lamp = far2 < node.r2;
         // Nearer to the lamp than `from` there is none of it.
-        let from = root(far2) * (1.0 - MARGIN) - wide;
-        let sine = root(node.thin2) / from.max(0.0) + ROUNDING;
+        let from = sqrt(far2) * (1.0 - MARGIN) - wide;
+        let sine = sqrt(node.thin2) / from.max(0.0) + ROUNDING;
         let side = node.axis.cross(from_lamp);
         *self = Self {
             axis: from_lamp.normalize_or(Vec3A::Y),

@@ -3,8 +3,8 @@
 use super::cone::{Cone, ROUNDING};
 use super::screen::{Axes, Rect, Window};
 use super::{Node, OUTLINES, Prepared, Rectangle};
+use crate::maths::sqrt;
 use crate::scene::{Block, MAX_LIGHTS};
-use crate::trigonometry::root;
 use glam::{Vec3A, Vec3Swizzles, Vec4};
 
 /// An object's outline.
@@ -57,7 +57,7 @@ impl Outline {
     pub fn set_sphere(&mut self, axes: &Axes, to: Vec3A, ball: &Node) {
         let radius = ball.radius;
         let distance2 = to.length_squared();
-        let distance = root(distance2);
+        let distance = sqrt(distance2);
         let power = distance2 - radius * radius;
         let is_sure = (distance - radius).abs() > TOUCHING * ball.slack;
         self.power = if ball.is_block || !is_sure {
@@ -91,7 +91,7 @@ impl Outline {
         let has_none = !(is_beside | b.abs().cmpgt(half_b));
         // Along a cylinder, the points where lines touch a circle, as shares of the way to its middle and across.
         let touched = 1.0 - half.x * half.x / (a.y * a.y + b.y * b.y);
-        let apart = root(touched - touched * touched);
+        let apart = sqrt(touched - touched * touched);
         for (cone, way) in [(&mut self.cone, 1.0), (&mut self.ends, -1.0)] {
             // The corner where the rectangle ends, one way round or the other.
             let is_below = Vec3A::select(is_beside, a * way, b).cmplt(Vec3A::ZERO);

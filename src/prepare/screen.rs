@@ -2,8 +2,8 @@
 //!
 //! In the camera's own axes a ray is (u, v, 1): u to the right, v down.
 
+use crate::maths::sqrt;
 use crate::scene::camera::{Raster, pixels};
-use crate::trigonometry::root;
 use glam::{Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 /// The camera's axes, and where its pixels are in the plane at distance 1.
@@ -86,7 +86,7 @@ impl Axes {
         if z < -radius {
             return Window::NONE;
         }
-        let tangent = |c: f32| root(c * c + (z * z - radius * radius));
+        let tangent = |c: f32| sqrt(c * c + (z * z - radius * radius));
         let (across, down) = (tangent(to.x), tangent(to.y));
         let tangent = Vec4::new(across, down, across, down);
         // Greatest slopes are least ones the other way round.

@@ -33,15 +33,6 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         self.len = 0;
     }
 
-    /// Appends an item for the caller to write, whose fields are what they have been; the last one again where there is
-    /// no room for another.
-    #[inline(always)]
-    pub(crate) fn grow(&mut self) -> &mut T {
-        let place = self.len.min(N - 1);
-        self.len = place + 1;
-        &mut self.items[place]
-    }
-
     /// Appends an item and says whether there was room for it.
     pub fn push(&mut self, item: T) -> bool {
         let Some(place) = self.items.get_mut(self.len) else {
@@ -67,14 +58,13 @@ impl<T, const N: usize> Deref for List<T, N> {
 
     #[inline]
     fn deref(&self) -> &[T] {
-        // The length never passes N; saying so here spares the check a failing branch.
-        &self.items[..self.len.min(N)]
+        &self.items[..self.len]
     }
 }
 
 impl<T, const N: usize> DerefMut for List<T, N> {
     #[inline]
     fn deref_mut(&mut self) -> &mut [T] {
-        &mut self.items[..self.len.min(N)]
+        &mut self.items[..self.len]
     }
 }

@@ -11,13 +11,18 @@ pub struct Method {
     pub picture: f32,
 }
 
+impl Method {
+    /// The plain picture.
+    pub const PLAIN: Self = Self {
+        points: 0.0,
+        squares: 0.0,
+        picture: 1.0,
+    };
+}
+
 impl Default for Method {
     /// The plain picture.
     fn default() -> Self {
-        Self {
-            points: 0.0,
-            squares: 0.0,
-            picture: 1.0,
-        }
+        Self::PLAIN
     }
 }

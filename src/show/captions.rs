@@ -1,55 +1,49 @@
 //! What is said, and when.
 
-use super::path::smooth;
-use crate::scene::{Caption, Scene};
+use crate::maths::smooth_step;
+use crate::scene::{Caption, List, Scene};
 
-/// Lines of text: the first beat, how many beats, how far down in percent, height of a letter in thousandths.
+/// A caption of the show.
+struct Line {
+    text: &'static str,
+    /// The beat of the show at which it begins to appear, and the beats until it is gone.
+    first: f32,
+    beats: f32,
+    /// How far down its middle is, and the height of a letter, as shares of the picture's height.
+    middle: f32,
+    size: f32,
+}
+
 #[rustfmt::skip]
-pub(super) static ROWS: [[u8; 4]; 10] = [
-    [12, 11, 82, 40],
+static LINES: [Line; 10] = [
+    Line { first: 12.0, beats: 11.0, middle: 0.82, size: 0.040, text: "RAYS BY SQUARES OF EIGHT" },
     // The method.
-    [57,  7, 86, 45],
-    [65,  7, 86, 45],
-    [73,  7, 86, 45],
+    Line { first: 57.0, beats: 7.0, middle: 0.86, size: 0.045, text: "TRACE A POINT EVERY 8 PIXELS" },
+    Line { first: 65.0, beats: 7.0, middle: 0.86, size: 0.045, text: "FILL WHERE CORNERS AGREE" },
+    Line { first: 73.0, beats: 7.0, middle: 0.86, size: 0.045, text: "DIVIDE WHERE THEY DIFFER" },
     // Names.
-    [170, 7, 18, 90],
-    [177, 7, 14, 40],
-    [178, 6, 24, 65],
-    [179, 5, 35, 65],
-    [184, 7, 16, 45],
-    [184, 7, 24, 45],
+    Line { first: 170.0, beats: 7.0, middle: 0.18, size: 0.090, text: "EIGHTFOLD" },
+    Line { first: 177.0, beats: 7.0, middle: 0.14, size: 0.040, text: "GREETINGS TO" },
+    Line { first: 178.0, beats: 6.0, middle: 0.24, size: 0.065, text: "HEAVEN SEVEN" },
+    Line { first: 179.0, beats: 5.0, middle: 0.35, size: 0.065, text: "REALSTORM" },
+    Line { first: 184.0, beats: 7.0, middle: 0.16, size: 0.045, text: "AND THE 2008 THESIS" },
+    Line { first: 184.0, beats: 7.0, middle: 0.24, size: 0.045, text: "ON ADAPTIVE RAY TRACING" },
 ];
 
-/// A line for each row.
-static TEXT: [u8; 194] = *b"RAYS BY SQUARES OF EIGHT
-TRACE A POINT EVERY 8 PIXELS
-FILL WHERE CORNERS AGREE
-DIVIDE WHERE THEY DIFFER
-EIGHTFOLD
-GREETINGS TO
-HEAVEN SEVEN
-REALSTORM
-AND THE 2008 THESIS
-ON ADAPTIVE RAY TRACING
-";
-
 /// Gives a scene the captions of the show so many beats after its begin.
-#[inline(never)]
-pub(super) fn set(beat: f32, scene: &mut Scene) {
+pub(super) fn apply(beat: f32, scene: &mut Scene) {
     scene.captions.clear();
-    let mut text = TEXT.iter();
-    for &[first, beats, middle, size] in &ROWS {
-        let since = beat - f32::from(first);
-        let caption: &mut Caption = scene.captions.grow();
-        caption.middle = f32::from(middle) * 0.01;
-        caption.size = f32::from(size) * 0.001;
-        caption.brightness = smooth(since.min(f32::from(beats) - since));
-        caption.letters.clear();
-        for &letter in text.by_ref() {
-            if letter == b'\n' {
-                break;
-            }
-            *caption.letters.grow() = letter;
+    for line in &LINES {
+        let since = beat - line.first;
+        // In and out in a beat each.
+        let brightness = smooth_step(since.min(line.beats - since));
+        if brightness > 0.0 {
+            scene.captions.push(Caption {
+                letters: List::of(line.text.as_bytes()),
+                middle: line.middle,
+                size: line.size,
+                brightness,
+            });
         }
     }
 }

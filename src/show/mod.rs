@@ -1,27 +1,25 @@
 //! What is played, as a function of time.
 
 mod captions;
+mod environment;
 mod field;
-pub mod grid;
-pub(crate) mod letters;
 mod material;
 mod model;
 mod path;
+mod props;
 mod random;
-mod settings;
-mod steps;
 mod swarm;
-mod things;
 mod timeline;
 mod title;
 
+#[doc(no_inline)]
+pub use crate::grid;
 pub use field::field;
-pub use model::{LENGTH, model, scene};
+pub use model::{MODEL_LENGTH, model, scene};
 pub use timeline::at;
 
-/// What is set up, a row of the tables each.
-#[derive(Clone, Copy, PartialEq)]
-#[repr(u8)]
+/// What is set up for a scene of the show: its air, floor, lamps and props.
+#[derive(Clone, Copy)]
 enum Set {
     Title,
     /// The model scene, which the method is explained by too.

@@ -2,24 +2,24 @@
 //!
 //! The scene of every measurement, after the test scene of the 2008 thesis.
 
-use super::grid::BEAT;
 use super::path::orbit;
-use super::{Set, settings, things};
+use super::{Set, environment, props};
+use crate::grid::BEAT;
 use crate::scene::{Method, Scene};
 use glam::vec3a;
 
-/// Seconds of one orbit: a full turn at the orbit's speed.
-pub const LENGTH: f32 = 8.0 * core::f32::consts::PI;
+/// Seconds of one orbit: a full turn at [`ORBIT_SPEED`].
+pub const MODEL_LENGTH: f32 = 8.0 * core::f32::consts::PI;
 
 /// Radians a second.
 pub(super) const ORBIT_SPEED: f32 = 0.25;
 
-/// The model scene at `time` seconds; it repeats every [`LENGTH`].
+/// The model scene at `time` seconds; it repeats every [`MODEL_LENGTH`].
 pub fn model(time: f32, scene: &mut Scene) {
-    settings::set(Set::Model, scene);
+    environment::apply(Set::Model, scene);
     scene.spheres.clear();
     scene.blocks.clear();
-    things::add(Set::Model, time / BEAT, scene);
+    props::add(Set::Model, time / BEAT, scene);
     scene.camera = orbit(vec3a(0.0, 0.9, 0.0), ORBIT_SPEED * time, 7.5, 1.3);
     scene.fade = 0.0;
     scene.method = Method::default();

@@ -5,7 +5,6 @@ pub(super) struct Random(pub u32);
 
 impl Random {
     /// The next one, 0 to below 1.
-    #[inline(never)]
     pub fn share(&mut self) -> f32 {
         self.0 = self.0.wrapping_add(0x9e37_79b9);
         let mut h = self.0;

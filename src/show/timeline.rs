@@ -1,8 +1,9 @@
 //! When what is seen, and from where: shots on the grid of bars.
 
-use super::grid::{BAR, BEAT, BEATS_PER_BAR, LENGTH};
-use super::path::{Key, go, key, marked, smooth};
-use super::{Set, captions, settings, swarm, things, title};
+use super::path::{Keyframe, go, key};
+use super::{Set, captions, environment, props, swarm, title};
+use crate::grid::{BAR, BEAT, BEATS_PER_BAR, LENGTH};
+use crate::maths::smooth_step;
 use crate::scene::Scene;
 use crate::sound::pulse;
 
@@ -13,7 +14,7 @@ struct Shot {
     bars: u8,
     /// Bars of its scene that are over when it begins.
     before: u8,
-    way: [Key; 2],
+    way: [Keyframe; 2],
 }
 
 #[rustfmt::skip]
@@ -23,10 +24,10 @@ static SHOTS: [Shot; 14] = [
     shot(Set::Model,     4, 0, key([0.0, 0.9, 0.0],  -1.2,  8.0, 1.3), key([0.0, 0.9, 0.0],  0.9,  7.0, 1.3)),
     shot(Set::Model,     4, 4, key([0.4, 0.8, -0.6],  0.5,  4.0, 0.3), key([0.2, 0.9, 0.2], -0.9,  6.0, 2.6)),
     // The method: traced points, filled squares, then both with the picture, then the picture.
-    shot(Set::Model,     2, 8, marked(key([0.0, 0.9, 0.0], -1.0, 7.0, 1.8), 0.0, 0.0, 0.0), marked(key([0.0, 0.9, 0.0], -0.5, 7.0, 1.6), 1.0, 0.0, 0.0)),
-    shot(Set::Model,     2, 10, marked(key([0.0, 0.9, 0.0], -0.5, 7.0, 1.6), 0.5, 0.3, 0.0), marked(key([0.0, 0.9, 0.0], 0.0, 7.0, 1.3), 0.2, 0.5, 0.0)),
-    shot(Set::Model,     2, 12, marked(key([0.0, 0.9, 0.0], 0.0, 7.0, 1.3), 0.2, 0.4, 0.2), marked(key([0.0, 0.9, 0.0], 0.5, 7.0, 1.0), 0.2, 0.4, 0.5)),
-    shot(Set::Model,     2, 14, marked(key([0.0, 0.9, 0.0], 0.5, 7.0, 1.0), 0.2, 0.3, 0.7), marked(key([0.0, 0.9, 0.0], 1.0, 7.0, 0.7), 0.0, 0.0, 1.0)),
+    shot(Set::Model,     2, 8, key([0.0, 0.9, 0.0], -1.0, 7.0, 1.8).marked(0.0, 0.0, 0.0), key([0.0, 0.9, 0.0], -0.5, 7.0, 1.6).marked(1.0, 0.0, 0.0)),
+    shot(Set::Model,     2, 10, key([0.0, 0.9, 0.0], -0.5, 7.0, 1.6).marked(0.5, 0.3, 0.0), key([0.0, 0.9, 0.0], 0.0, 7.0, 1.3).marked(0.2, 0.5, 0.0)),
+    shot(Set::Model,     2, 12, key([0.0, 0.9, 0.0], 0.0, 7.0, 1.3).marked(0.2, 0.4, 0.2), key([0.0, 0.9, 0.0], 0.5, 7.0, 1.0).marked(0.2, 0.4, 0.5)),
+    shot(Set::Model,     2, 14, key([0.0, 0.9, 0.0], 0.5, 7.0, 1.0).marked(0.2, 0.3, 0.7), key([0.0, 0.9, 0.0], 1.0, 7.0, 0.7).marked(0.0, 0.0, 1.0)),
     shot(Set::Colonnade, 5, 0, key([-0.4, 1.6, -3.0], -0.4, 9.0, 0.1), key([0.1, 1.8, 2.0],   0.0,  7.8, 0.9)),
     shot(Set::Colonnade, 3, 5, key([0.0, 1.9, 5.0],    0.2, 6.0, 1.4), key([0.0, 1.9, 6.0],  -0.3,  5.0, 0.4)),
     shot(Set::Machine,   3, 0, key([-1.0, 1.6, 0.0],  -0.9, 7.0, 0.8), key([0.0, 1.7, 0.0],   0.0,  9.0, 2.0)),
@@ -36,7 +37,7 @@ static SHOTS: [Shot; 14] = [
     shot(Set::Finale,    6, 0, key([0.0, 1.9, 0.0],   -0.3, 9.0, 0.2), key([0.0, 2.6, 0.0],   0.3, 15.0, 1.6)),
 ];
 
-const fn shot(set: Set, bars: u8, before: u8, from: Key, to: Key) -> Shot {
+const fn shot(set: Set, bars: u8, before: u8, from: Keyframe, to: Keyframe) -> Shot {
     Shot {
         set,
         bars,
@@ -65,7 +66,7 @@ pub fn at(time: f32, scene: &mut Scene) {
         bar = left;
     }
     let beat = (bar + f32::from(shot.before)) * BEATS_PER_BAR as f32;
-    settings::set(shot.set, scene);
+    environment::apply(shot.set, scene);
     if matches!(shot.set, Set::Machine | Set::Swarm) {
         let brighter = 1.0 + FLASH * pulse(time).kick;
         for light in scene.lights.iter_mut() {
@@ -73,11 +74,11 @@ pub fn at(time: f32, scene: &mut Scene) {
         }
     }
     go(&shot.way, bar / f32::from(shot.bars), scene);
-    scene.fade = 1.0 - smooth(time / DAWN) + smooth((time - LENGTH) / DUSK + 1.0);
-    captions::set(time / BEAT, scene);
+    scene.fade = 1.0 - smooth_step(time / DAWN) + smooth_step((time - LENGTH) / DUSK + 1.0);
+    captions::apply(time / BEAT, scene);
     scene.spheres.clear();
     scene.blocks.clear();
-    things::add(shot.set, beat, scene);
+    props::add(shot.set, beat, scene);
     match shot.set {
         Set::Title => title::add(beat, scene),
         Set::Swarm => swarm::add(beat, scene),

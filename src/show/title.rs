@@ -1,13 +1,10 @@
 //! The title: spheres come from everywhere and form a word.
 
-use super::letters::{ADVANCE, strokes};
-use super::material::Stuff;
-use super::path::smooth;
+use super::material::MaterialId;
 use super::random::Random;
-use super::things::sphere;
-use crate::scene::Scene;
-use crate::text::nearest;
-use crate::trigonometry::root;
+use crate::font::{ADVANCE, strokes};
+use crate::maths::{round, smooth_step, sqrt};
+use crate::scene::{Scene, Sphere};
 use glam::{Vec3A, vec3a};
 
 const WORD: &[u8; 9] = b"EIGHTFOLD";
@@ -29,7 +26,6 @@ const FIRST: Vec3A = vec3a(-15.0, 4.0, -12.0);
 const AWAY: Vec3A = vec3a(30.0, 10.0, 24.0);
 
 /// Adds the spheres as they are so many beats after the scene's begin.
-#[inline(never)]
 pub(super) fn add(beat: f32, scene: &mut Scene) {
     let mut random = Random(8);
     let mut left = 0.0;
@@ -37,7 +33,7 @@ pub(super) fn add(beat: f32, scene: &mut Scene) {
         for (from, to) in strokes(letter) {
             let way = to - from;
             // Evenly, with one at each end.
-            let count = nearest(root(way.length_squared()) * SPHERES) as i32;
+            let count = round(sqrt(way.length_squared()) * SPHERES) as i32;
             for i in 0..count + 1 {
                 let at = from + way * (i as f32 / count as f32);
                 place(left + at.x, at.y, beat, &mut random, scene);
@@ -48,12 +44,15 @@ pub(super) fn add(beat: f32, scene: &mut Scene) {
 }
 
 /// Adds the sphere of a place in the word, grid units from its upper left.
-#[inline(never)]
 fn place(right: f32, down: f32, beat: f32, random: &mut Random, scene: &mut Scene) {
     let home = vec3a(0.5 * (WIDTH - 1.0) - right, 4.0 - down, 0.0) * STEP;
     let away = vec3a(random.share(), random.share(), random.share()) * AWAY + FIRST;
     // One after the other from the left.
-    let way = smooth((beat - LAST / WIDTH * right) / WAY);
+    let way = smooth_step((beat - LAST / WIDTH * right) / WAY);
     let centre = away + (home + Vec3A::Y * RADIUS - away) * way;
-    sphere(scene, centre, RADIUS, Stuff::Gold);
+    scene.spheres.push(Sphere {
+        centre,
+        radius: RADIUS,
+        material: MaterialId::Gold.material(),
+    });
 }

@@ -21,7 +21,7 @@ mod voice;
 pub use pulse::{Pulse, pulse};
 pub use synthesizer::Synthesizer;
 
-use crate::show::grid;
+use crate::grid;
 
 /// Samples in a second, for each ear.
 pub const RATE: u32 = 48_000;

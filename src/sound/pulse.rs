@@ -1,7 +1,7 @@
 //! What the picture takes from the sound.
 
 use super::{STEPS_PER_BAR, exp2, song};
-use crate::show::grid;
+use crate::grid;
 
 /// Where the song is, and how hard its kick has just hit.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,7 @@
 //! All of it is text for people, made into a few hundred bytes when it is compiled. Spaces are for the eye.
 
 use super::STEPS_PER_BAR;
-use crate::show::grid;
+use crate::grid;
 
 /// Instruments, each with one voice.
 pub(super) const TRACKS: usize = 13;

@@ -31,7 +31,7 @@ fn the_song_has_a_build_a_break_and_a_climax() {
     let model = loudness(grid::MODEL, grid::METHOD);
     let method = loudness(grid::METHOD, grid::COLONNADE);
     let colonnade = loudness(grid::COLONNADE, grid::MACHINE);
-    let field = loudness(grid::FIELD, grid::FINALE);
+    let field = loudness(grid::SWARM, grid::FINALE);
     let finale = loudness(grid::FINALE, grid::BARS);
     assert!(
         title + 2.0 < model && model + 1.0 < method,

@@ -146,7 +146,7 @@ fn plan(arguments: &Arguments) -> Plan {
         size: arguments.size.unwrap_or(Size { width, height }),
         frames: arguments.frames.unwrap_or(frames),
         time_from: arguments.time_from,
-        time_to: arguments.time_to.unwrap_or(show::LENGTH),
+        time_to: arguments.time_to.unwrap_or(show::MODEL_LENGTH),
         flicker_frames,
         flip_frames,
     }

@@ -51,7 +51,7 @@ fn without_a_range_it_is_the_whole_show() {
     for (scene, seconds) in [
         ("show", grid::LENGTH),
         ("show:machine", 12.0),
-        ("model", eightfold::show::LENGTH.ceil()),
+        ("model", eightfold::show::MODEL_LENGTH.ceil()),
     ] {
         let folder = tempfile::tempdir().unwrap();
         let more = format!("--scene {scene} --fps 1 --size 8x8");

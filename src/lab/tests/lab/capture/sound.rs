@@ -151,7 +151,7 @@ fn picture_and_sound_of_a_video_are_in_step() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    for (name, bar) in [("model.mp4", grid::MODEL), ("field.mkv", grid::FIELD)] {
+    for (name, bar) in [("model.mp4", grid::MODEL), ("field.mkv", grid::SWARM)] {
         assert_eq!(eightfold::sound::pulse(BAR * bar as f32).kick, 1.0);
         let video = folder.path().join(name);
         // Half a second before it, and half a second from there.

@@ -21,7 +21,7 @@ pub const BAR: f32 = BEAT * BEATS_PER_BAR as f32;
 pub const LENGTH: f32 = BAR * BARS as f32;
 
 /// The bars at which scenes begin, counted from 0; the last one ends with the show.
-pub const CUTS: [u32; 7] = [TITLE, MODEL, METHOD, COLONNADE, MACHINE, FIELD, FINALE];
+pub const CUTS: [u32; 7] = [TITLE, MODEL, METHOD, COLONNADE, MACHINE, SWARM, FINALE];
 
 /// Spheres form the title. Sparse.
 pub const TITLE: u32 = 0;
@@ -33,7 +33,7 @@ pub const METHOD: u32 = 14;
 pub const COLONNADE: u32 = 22;
 /// The machine. Hard and driving.
 pub const MACHINE: u32 = 30;
-/// The field of many spheres. The climax.
-pub const FIELD: u32 = 36;
+/// The swarm of spheres. The climax.
+pub const SWARM: u32 = 36;
 /// Credits and greetings. Rings out.
 pub const FINALE: u32 = 42;
