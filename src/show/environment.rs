@@ -1,8 +1,8 @@
 //! Where things are: the air, the floor and the lamps of each scene.
 
 use super::Set;
-use super::material::MaterialId;
-use crate::scene::{Light, Plane, Scene, Spot};
+use super::material;
+use crate::scene::{Light, Material, Plane, Scene, Spot};
 use glam::{Vec3A, vec3a};
 
 /// The surroundings of a [`Set`].
@@ -15,7 +15,7 @@ struct Environment {
     ambient: Vec3A,
     /// Haze, in 1 / scene units.
     haze: f32,
-    floor: MaterialId,
+    floor: &'static Material,
     /// Half the floor's side, in scene units.
     floor_half: f32,
     /// The lamps. The aim of a cone is of any length here.
@@ -30,7 +30,7 @@ static TITLE: Environment = Environment {
     sky: vec3a(-0.04, -0.05, -0.08),
     ambient: vec3a(0.10, 0.10, 0.10),
     haze: 0.015,
-    floor: MaterialId::Night,
+    floor: &material::NIGHT,
     floor_half: FAR,
     lights: &[
         lamp([7.0, 8.0, -9.0], [1.25, 0.95, 0.62]),
@@ -43,7 +43,7 @@ static MODEL: Environment = Environment {
     sky: Vec3A::ZERO,
     ambient: vec3a(0.12, 0.12, 0.14),
     haze: 0.0,
-    floor: MaterialId::Paper,
+    floor: &material::PAPER,
     floor_half: 12.0,
     lights: &[
         Light {
@@ -62,7 +62,7 @@ static COLONNADE: Environment = Environment {
     sky: vec3a(-0.62, -0.26, 0.10),
     ambient: vec3a(0.16, 0.15, 0.20),
     haze: 0.022,
-    floor: MaterialId::Sandstone,
+    floor: &material::SANDSTONE,
     floor_half: FAR,
     lights: &[
         Light {
@@ -87,7 +87,7 @@ static MACHINE: Environment = Environment {
     sky: vec3a(-0.03, -0.03, -0.03),
     ambient: vec3a(0.10, 0.11, 0.15),
     haze: 0.03,
-    floor: MaterialId::Slate,
+    floor: &material::SLATE,
     floor_half: FAR,
     lights: &[
         Light {
@@ -111,7 +111,7 @@ static SWARM: Environment = Environment {
     sky: vec3a(-0.08, -0.09, -0.12),
     ambient: vec3a(0.12, 0.12, 0.15),
     haze: 0.03,
-    floor: MaterialId::Night,
+    floor: &material::NIGHT,
     floor_half: FAR,
     lights: &[
         Light {
@@ -127,7 +127,7 @@ static FINALE: Environment = Environment {
     sky: vec3a(-0.52, -0.24, -0.06),
     ambient: vec3a(0.12, 0.11, 0.16),
     haze: 0.03,
-    floor: MaterialId::Dusk,
+    floor: &material::DUSK,
     floor_half: FAR,
     lights: &[
         Light {
@@ -174,7 +174,7 @@ pub(super) fn apply(set: Set, scene: &mut Scene) {
         centre: Vec3A::ZERO,
         half_x: environment.floor_half,
         half_z: environment.floor_half,
-        material: environment.floor.material(),
+        material: *environment.floor,
     });
     scene.lights.clear();
     for &light in environment.lights {

@@ -1,16 +1,18 @@
 //! Spheres, boxes and cylinders that stand in rows, and how they move.
 
 use super::Set;
-use super::material::MaterialId;
+use super::material;
 use crate::maths::{cos, round, sin, smooth_step};
-use crate::scene::{Block, Scene, Sphere};
+use crate::scene::{Block, Material, Scene, Sphere};
 use core::f32::consts::TAU;
 use glam::{Mat3A, Vec3A, vec3a};
 
 /// Some things alike.
 struct Prop {
     shape: Shape,
-    material: MaterialId,
+    material: &'static Material,
+    /// What every other one along x is made of.
+    every_other: &'static Material,
     motion: Motion,
     /// The centre of the first one, in scene units.
     centre: Vec3A,
@@ -53,51 +55,51 @@ use Motion::{Bouncing, Circling, Striking, Turning};
 
 #[rustfmt::skip]
 static MODEL: [Prop; 4] = [
-    ball(MaterialId::Red, [-2.2, 1.0, 0.5], 2.0),
-    ball(MaterialId::Mirror, [0.0, 1.2, 1.8], 2.4),
-    ball(MaterialId::Blue, [2.2, 1.0, 0.3], 2.0),
-    ball(MaterialId::Glass, [0.6, 0.5, -1.6], 1.0).moving(Bouncing { phase: 0.0 }),
+    ball(&material::RED, [-2.2, 1.0, 0.5], 2.0),
+    ball(&material::MIRROR, [0.0, 1.2, 1.8], 2.4),
+    ball(&material::BLUE, [2.2, 1.0, 0.3], 2.0),
+    ball(&material::GLASS, [0.6, 0.5, -1.6], 1.0).moving(Bouncing { phase: 0.0 }),
 ];
 
 #[rustfmt::skip]
 static COLONNADE: [Prop; 8] = [
     // Columns from the floor up, and the beams on them.
-    cuboid(MaterialId::Marble, [-2.6, 0.2, -6.0], [1.5, 0.4, 1.5]).repeat([2, 7], [5.2, 3.2]),
-    cylinder(MaterialId::Marble, [-2.6, 2.7, -6.0], [0.9, 4.6, 0.9]).repeat([2, 7], [5.2, 3.2]),
-    cuboid(MaterialId::Marble, [-2.6, 5.2, -6.0], [1.4, 0.4, 1.4]).repeat([2, 7], [5.2, 3.2]),
-    cuboid(MaterialId::Marble, [-2.6, 5.7, -2.6], [1.1, 0.6, 11.2]).repeat([2, 2], [5.2, 11.2]),
+    cuboid(&material::MARBLE, [-2.6, 0.2, -6.0], [1.5, 0.4, 1.5]).repeat([2, 7], [5.2, 3.2]),
+    cylinder(&material::MARBLE, [-2.6, 2.7, -6.0], [0.9, 4.6, 0.9]).repeat([2, 7], [5.2, 3.2]),
+    cuboid(&material::MARBLE, [-2.6, 5.2, -6.0], [1.4, 0.4, 1.4]).repeat([2, 7], [5.2, 3.2]),
+    cuboid(&material::MARBLE, [-2.6, 5.7, -2.6], [1.1, 0.6, 11.2]).repeat([2, 2], [5.2, 11.2]),
     // What floats between them.
-    ball(MaterialId::Crystal, [0.0, 1.7, 6.0], 1.8).moving(Bouncing { phase: 0.0 }),
-    ball(MaterialId::Gold, [-0.9, 0.7, 1.4], 1.0).moving(Bouncing { phase: 1.0 }),
-    ball(MaterialId::Scarlet, [0.9, 1.0, 3.2], 0.9).moving(Bouncing { phase: 2.0 }),
-    ball(MaterialId::Silver, [-0.2, 3.2, 9.0], 1.4).moving(Bouncing { phase: 3.0 }),
+    ball(&material::CRYSTAL, [0.0, 1.7, 6.0], 1.8).moving(Bouncing { phase: 0.0 }),
+    ball(&material::GOLD, [-0.9, 0.7, 1.4], 1.0).moving(Bouncing { phase: 1.0 }),
+    ball(&material::SCARLET, [0.9, 1.0, 3.2], 0.9).moving(Bouncing { phase: 2.0 }),
+    ball(&material::SILVER, [-0.2, 3.2, 9.0], 1.4).moving(Bouncing { phase: 3.0 }),
 ];
 
 #[rustfmt::skip]
 static MACHINE: [Prop; 9] = [
     // The wheel: axle, hub, spokes, rim.
-    cuboid(MaterialId::Steel, [0.0, 2.2, 1.2], [0.4, 0.4, 5.2]).moving(Turning { radius: 0.0 }),
-    ball(MaterialId::Gold, [0.0, 2.2, 1.2], 1.2),
-    cuboid(MaterialId::Steel, [0.0, 2.2, 1.2], [0.2, 1.7, 0.2]).repeat([8, 1], [0.0, 0.0]).moving(Turning { radius: 1.0 }),
-    cuboid(MaterialId::Scarlet, [0.0, 2.2, 1.2], [1.2, 0.3, 0.6]).repeat([8, 1], [0.0, 0.0]).moving(Turning { radius: 1.9 }),
+    cuboid(&material::STEEL, [0.0, 2.2, 1.2], [0.4, 0.4, 5.2]).moving(Turning { radius: 0.0 }),
+    ball(&material::GOLD, [0.0, 2.2, 1.2], 1.2),
+    cuboid(&material::STEEL, [0.0, 2.2, 1.2], [0.2, 1.7, 0.2]).repeat([8, 1], [0.0, 0.0]).moving(Turning { radius: 1.0 }),
+    cuboid(&material::SCARLET, [0.0, 2.2, 1.2], [1.2, 0.3, 0.6]).repeat([8, 1], [0.0, 0.0]).alternating(&material::GOLD).moving(Turning { radius: 1.9 }),
     // The frame it is in.
-    cuboid(MaterialId::Striped, [-3.4, 2.1, 1.2], [0.7, 4.2, 1.2]).repeat([2, 1], [6.8, 0.0]),
-    ball(MaterialId::Gold, [-3.4, 4.6, 1.2], 1.0).repeat([2, 1], [6.8, 0.0]),
+    cuboid(&material::STRIPED, [-3.4, 2.1, 1.2], [0.7, 4.2, 1.2]).repeat([2, 1], [6.8, 0.0]),
+    ball(&material::GOLD, [-3.4, 4.6, 1.2], 1.0).repeat([2, 1], [6.8, 0.0]),
     // Pistons: anvils, heads, rods.
-    cuboid(MaterialId::Steel, [-2.2, 0.3, -1.6], [1.1, 0.6, 1.1]).repeat([4, 1], [1.5, 0.0]),
-    cylinder(MaterialId::Scarlet, [-2.2, 0.9, -1.6], [0.8, 0.6, 0.8]).repeat([4, 1], [1.5, 0.0]).moving(Striking),
-    cylinder(MaterialId::Steel, [-2.2, 2.2, -1.6], [0.3, 2.0, 0.3]).repeat([4, 1], [1.5, 0.0]).moving(Striking),
+    cuboid(&material::STEEL, [-2.2, 0.3, -1.6], [1.1, 0.6, 1.1]).repeat([4, 1], [1.5, 0.0]),
+    cylinder(&material::SCARLET, [-2.2, 0.9, -1.6], [0.8, 0.6, 0.8]).repeat([4, 1], [1.5, 0.0]).alternating(&material::GOLD).moving(Striking),
+    cylinder(&material::STEEL, [-2.2, 2.2, -1.6], [0.3, 2.0, 0.3]).repeat([4, 1], [1.5, 0.0]).moving(Striking),
 ];
 
 #[rustfmt::skip]
 static FINALE: [Prop; 2] = [
     // A ball of glass, and balls around it.
-    ball(MaterialId::Glass, [0.0, 1.3, 0.0], 2.6),
-    ball(MaterialId::Scarlet, [0.0, 0.4, 0.0], 0.8).repeat([8, 1], [0.0, 0.0]).moving(Circling { radius: 3.2 }),
+    ball(&material::GLASS, [0.0, 1.3, 0.0], 2.6),
+    ball(&material::SCARLET, [0.0, 0.4, 0.0], 0.8).repeat([8, 1], [0.0, 0.0]).alternating(&material::GOLD).moving(Circling { radius: 3.2 }),
 ];
 
 /// A ball of a diameter.
-const fn ball(material: MaterialId, centre: [f32; 3], diameter: f32) -> Prop {
+const fn ball(material: &'static Material, centre: [f32; 3], diameter: f32) -> Prop {
     prop(
         Shape::Ball,
         material,
@@ -107,20 +109,21 @@ const fn ball(material: MaterialId, centre: [f32; 3], diameter: f32) -> Prop {
 }
 
 /// A box of an extent.
-const fn cuboid(material: MaterialId, centre: [f32; 3], size: [f32; 3]) -> Prop {
+const fn cuboid(material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
     prop(Shape::Box, material, centre, size)
 }
 
 /// A cylinder of an extent.
-const fn cylinder(material: MaterialId, centre: [f32; 3], size: [f32; 3]) -> Prop {
+const fn cylinder(material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
     prop(Shape::Cylinder, material, centre, size)
 }
 
 /// One thing that stands still.
-const fn prop(shape: Shape, material: MaterialId, centre: [f32; 3], size: [f32; 3]) -> Prop {
+const fn prop(shape: Shape, material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
     Prop {
         shape,
         material,
+        every_other: material,
         motion: Motion::Still,
         centre: Vec3A::from_array(centre),
         size: Vec3A::from_array(size),
@@ -158,6 +161,14 @@ impl Prop {
         }
     }
 
+    /// The same, but for the material of every other one along x.
+    const fn alternating(self, every_other: &'static Material) -> Self {
+        Self {
+            every_other,
+            ..self
+        }
+    }
+
     /// The same, in motion.
     const fn moving(self, motion: Motion) -> Self {
         Self { motion, ..self }
@@ -191,13 +202,11 @@ impl Prop {
             }
             Circling { radius } => centre += around(number * 0.125 + beat * 0.02) * radius,
         }
-        // Every other scarlet thing is golden.
-        let material = if column % 2 == 1 && self.material == MaterialId::Scarlet {
-            MaterialId::Gold
+        let material = if column % 2 == 0 {
+            *self.material
         } else {
-            self.material
+            *self.every_other
         };
-        let material = material.material();
         let half = self.size * 0.5;
         if let Shape::Ball = self.shape {
             scene.spheres.push(Sphere {

@@ -1,6 +1,6 @@
 //! The swarm: 256 spheres that wave, set off one after another to build a ball, and go on to a figure of eight.
 
-use super::material::MaterialId;
+use super::material;
 use super::props::around;
 use crate::maths::{cos, sin, smooth_step, sqrt};
 use crate::scene::{Material, Scene, Sphere};
@@ -19,7 +19,7 @@ const MIDDLE: Vec3A = vec3a(0.0, 2.75, 0.0);
 /// Colours of the first sphere, and what is different about the last one's: from red to blue.
 const RED: Vec3A = vec3a(0.90, 0.15, 0.10);
 const TO_BLUE: Vec3A = vec3a(-0.78, 0.17, 0.80);
-/// Colour of the waves' crests: darker than [`MaterialId::Gold`], since plastic scatters more of the light.
+/// Colour of the waves' crests: darker than [`material::GOLD`], since plastic scatters more of the light.
 const GOLD: Vec3A = vec3a(0.85, 0.62, 0.30);
 
 /// Adds the spheres as they are so many beats after the scene's begin.
@@ -58,7 +58,7 @@ fn sphere(i: i32, beat: f32) -> Sphere {
         material: Material {
             colour: plastic.lerp(GOLD, gold),
             kr: 0.2 * gold,
-            ..MaterialId::Scarlet.material()
+            ..material::SCARLET
         },
     }
 }

@@ -1,6 +1,6 @@
 //! The title: spheres come from everywhere and form a word.
 
-use super::material::MaterialId;
+use super::material;
 use super::random::Random;
 use crate::font::{ADVANCE, strokes};
 use crate::maths::{round, smooth_step, sqrt};
@@ -53,6 +53,6 @@ fn place(right: f32, down: f32, beat: f32, random: &mut Random, scene: &mut Scen
     scene.spheres.push(Sphere {
         centre,
         radius: RADIUS,
-        material: MaterialId::Gold.material(),
+        material: material::GOLD,
     });
 }
