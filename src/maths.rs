@@ -55,6 +55,12 @@ fn sin_turns(turns: f64) -> f32 {
     (x * sum) as f32
 }
 
+/// 2 to the power `x`.
+#[must_use]
+pub(crate) fn exp2(x: f32) -> f32 {
+    libm::exp2f(x)
+}
+
 /// 1.5 * 2^23: what is added to a number between -2^22 and 2^22 is rounded to the nearest integer, which is in the low bits
 /// of the sum; taking it off again leaves that integer as a number.
 pub(crate) const ROUND_TO_INTEGER: f32 = 12_582_912.0;

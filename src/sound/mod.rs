@@ -34,15 +34,3 @@ const STEPS_PER_BAR: u32 = 16;
 
 /// Samples of the whole song: 96 s.
 pub const LENGTH: u32 = STEP * STEPS_PER_BAR * grid::BARS;
-
-/// 2 to the power `x`, for `x` from -126 to 127, to within 1.5 parts in 10,000: a quarter of a cent.
-#[inline(never)]
-fn exp2(x: f32) -> f32 {
-    // Adding 1.5 * 2^23 leaves the nearest integer in the low bits.
-    const ROUND: f32 = 12_582_912.0;
-    let rounded = x + ROUND;
-    let f = x - (rounded - ROUND);
-    // Goes through 2^f at -0.46, 0, 0.05 and 0.42.
-    let p = 1.0 + f * (0.693_054 + f * (0.242_1 + f * 0.055_86));
-    f32::from_bits(p.to_bits().wrapping_add(rounded.to_bits() << 23))
-}

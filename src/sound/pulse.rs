@@ -1,7 +1,8 @@
 //! What the picture takes from the sound.
 
-use super::{STEPS_PER_BAR, exp2, song};
+use super::{STEPS_PER_BAR, song};
 use crate::grid;
+use crate::maths::exp2;
 
 /// Where the song is, and how hard its kick has just hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +28,6 @@ pub fn pulse(time: f32) -> Pulse {
     Pulse {
         bar: beat / grid::BEATS_PER_BAR,
         beat: (beat % grid::BEATS_PER_BAR) as f32 + since,
-        kick: digit as f32 / 15.0 * exp2(-HALVES * since),
+        kick: f32::from(digit) / 15.0 * exp2(-HALVES * since),
     }
 }

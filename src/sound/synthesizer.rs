@@ -1,10 +1,9 @@
 //! The synthesizer: plays the song, block by block.
 
-use super::instruments::{self, Instrument, NOTES};
+use super::instruments::INSTRUMENTS;
 use super::space::Space;
 use super::voice::{Mood, Sum, Voice};
 use super::{LENGTH, STEP, STEPS_PER_BAR, song};
-use core::cell::Cell;
 use glam::{Vec4, Vec4Swizzles};
 
 /// Samples that are made at once, a millisecond: what changes slowly changes this often.
@@ -22,8 +21,6 @@ const CEILING: f32 = 0.86;
 /// Plays the song.
 ///
 /// 1 MB of fixed size, all zero at first, which belongs to the caller.
-// What is small comes first: what lies within 128 bytes takes 3 fewer to be got at.
-#[repr(C)]
 pub struct Synthesizer {
     mood: Mood,
     /// The mean of what is heard, which is taken off it.
@@ -39,7 +36,6 @@ pub struct Synthesizer {
     taken: usize,
     block: [[f32; 2]; BLOCK],
     voices: [Voice; song::TRACKS],
-    instruments: [Instrument; song::TRACKS],
     sums: [Sum; BLOCK],
     space: Space,
 }
@@ -49,14 +45,13 @@ impl Synthesizer {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            instruments: [const { [const { Cell::new(Vec4::ZERO) }; _] }; _],
             voices: [Voice::ZERO; _],
             mood: Mood {
                 kick: Vec4::ZERO,
                 next_kick: Vec4::ZERO,
                 light: Vec4::ZERO,
             },
-            sums: [const { Sum::new() }; BLOCK],
+            sums: [Sum::SILENCE; BLOCK],
             space: Space::ZERO,
             mean: Vec4::ZERO,
             seed: 0,
@@ -95,17 +90,14 @@ impl Synthesizer {
         if self.position == LENGTH {
             *self = const { Self::new() };
         }
-        if self.position == 0 {
-            instruments::read(&self.instruments);
-        }
         self.follow();
-        for (voice, instrument) in self.voices.iter_mut().zip(&self.instruments) {
-            voice.play(instrument, &self.mood, &self.sums);
+        for (voice, instrument) in self.voices.iter_mut().zip(&INSTRUMENTS) {
+            voice.play(instrument, &self.mood, &mut self.sums);
         }
         for (sum, sample) in self.sums.iter_mut().zip(&mut self.block) {
             let heard = self.space.play(self.position as usize, sum);
             self.position += 1;
-            *sum = Sum::new();
+            *sum = Sum::SILENCE;
             for noise in &mut sum.noise {
                 *noise = random(&mut self.seed);
             }
@@ -117,7 +109,6 @@ impl Synthesizer {
     }
 
     /// Begins the notes and the mood of the next block.
-    #[inline(never)]
     fn follow(&mut self) {
         /// Blocks of a step.
         const BLOCKS: u32 = STEP / BLOCK as u32;
@@ -129,18 +120,17 @@ impl Synthesizer {
         mood.kick = mood.next_kick;
         mood.next_kick *= FADE;
         if self.wait == 0 {
-            for (track, &notes) in NOTES.iter().enumerate() {
+            for (track, voice) in self.voices.iter_mut().enumerate() {
                 let digit = song::step(track, self.step);
                 if digit > 0 {
-                    let instrument = &self.instruments[track];
-                    self.voices[track].begin(instrument, notes, digit, chord);
+                    voice.begin(&INSTRUMENTS[track], digit, chord);
                     if track == song::KICK {
                         mood.next_kick = Vec4::ONE;
                     }
                 }
             }
             self.step += 1;
-            self.wait = if self.step & 1 > 0 {
+            self.wait = if self.step % 2 == 1 {
                 BLOCKS + SWING
             } else {
                 BLOCKS - SWING

@@ -1,33 +1,28 @@
 //! A voice: four oscillators, two envelopes, a filter.
 
-use super::exp2;
-use super::instruments::*;
+use super::instruments::{Instrument, LOUDNESS, Notes};
 use super::song;
 use super::synthesizer::BLOCK;
-use core::cell::Cell;
+use crate::maths::{ROUND_TO_INTEGER, exp2};
 use glam::{Vec4, vec4};
 
 /// Sums of what voices play, for one sample. Lanes 0 and 2 are to the left, 1 and 3 to the right.
-///
-/// As cells: see [`Instrument`].
+#[derive(Clone, Copy)]
 pub(super) struct Sum {
-    pub dry: Cell<Vec4>,
-    pub echo: Cell<Vec4>,
-    pub room: Cell<Vec4>,
+    pub dry: Vec4,
+    pub echo: Vec4,
+    pub room: Vec4,
     /// Noise for all voices, -1 to 1.
     pub noise: [f32; 4],
 }
 
 impl Sum {
-    /// Silence.
-    pub const fn new() -> Sum {
-        Sum {
-            dry: Cell::new(Vec4::ZERO),
-            echo: Cell::new(Vec4::ZERO),
-            room: Cell::new(Vec4::ZERO),
-            noise: [0.0; 4],
-        }
-    }
+    pub const SILENCE: Sum = Sum {
+        dry: Vec4::ZERO,
+        echo: Vec4::ZERO,
+        room: Vec4::ZERO,
+        noise: [0.0; 4],
+    };
 }
 
 /// What all voices follow in a block.
@@ -83,81 +78,69 @@ impl Voice {
         age: 0.0,
     };
 
-    /// Begins a note: a pattern's digit, in a bar's chord.
-    #[inline(never)]
-    pub fn begin(&mut self, instrument: &Instrument, notes: u8, digit: u32, chord: [u8; 4]) {
-        let kind = notes & KINDS;
-        let up = u32::from(notes & !KINDS);
-        let mut tone = digit - 1;
-        let mut goal = [0.0; 4];
-        for goal in &mut goal {
-            let note = match kind {
-                DRUM => up,
-                SCALE => song::scale(digit),
-                _ => up + u32::from(chord[tone as usize & 3]) + (tone >> 2) * 12,
-            };
-            if kind == CHORD {
-                tone += 1;
-            }
-            // MIDI's note 69 is 440 Hz.
-            const OCTAVES: f32 = 69.0 / 12.0;
-            *goal = exp2(note as i32 as f32 / 12.0 - OCTAVES) * (440.0 / super::RATE as f32);
-        }
-        let goal = Vec4::from_array(goal);
-        self.goal = goal + goal * DETUNES * instrument[DETUNE].get();
-        let mut peak = 15;
-        if kind == DRUM {
-            peak = digit as i32;
+    /// Begins a note: a pattern's digit, 1 to 15, in a bar's chord.
+    pub fn begin(&mut self, instrument: &Instrument, digit: u8, chord: [u8; 4]) {
+        let tone = |number: u8| chord[usize::from(number % 4)] + number / 4 * 12;
+        let first = digit - 1;
+        let notes = match instrument.notes {
+            Notes::Drum(note) => [note; 4],
+            Notes::Scale => [song::scale(digit); 4],
+            Notes::Tone(up) => [tone(first) + up; 4],
+            Notes::Chord(up) => [0, 1, 2, 3].map(|i| tone(first + i) + up),
+        };
+        // MIDI's note 69 is 440 Hz.
+        let pitch =
+            notes.map(|note| exp2((f32::from(note) - 69.0) / 12.0) * (440.0 / super::RATE as f32));
+        let pitch = Vec4::from_array(pitch);
+        self.goal = pitch + pitch * DETUNES * instrument.detune;
+        let mut peak = 1.0;
+        if let Notes::Drum(_) = instrument.notes {
+            peak = f32::from(digit) / 15.0;
             // Every hit sounds the same.
             self.phase = Vec4::ZERO;
         }
-        self.peak = Vec4::ONE * (peak as f32 / 15.0);
+        self.peak = Vec4::splat(peak);
         self.sweep = Vec4::ONE;
         self.age = 0.0;
     }
 
     /// Adds a block.
-    #[inline(never)]
-    pub fn play(&mut self, instrument: &Instrument, mood: &Mood, sums: &[Sum; BLOCK]) {
+    pub fn play(&mut self, instrument: &Instrument, mood: &Mood, sums: &mut [Sum; BLOCK]) {
         /// Blocks of a beat.
         const BEAT: f32 = (super::STEP * 4) as f32 / BLOCK as f32;
         /// Of the way to its peak a level rises 1 - 1/e^2.
         const RISEN: f32 = 2.0 / BLOCK as f32;
         self.age += 1.0;
-        let (peak, rate) = if self.age * instrument[ATTACK].get().x < RISEN {
-            (self.peak, ATTACK)
-        } else if self.age < instrument[GATE].get().x * BEAT {
-            (Vec4::ZERO, DECAY)
+        let (peak, rate) = if self.age * instrument.attack < RISEN {
+            (self.peak, instrument.attack)
+        } else if self.age < instrument.gate * BEAT {
+            (Vec4::ZERO, instrument.decay)
         } else {
-            (Vec4::ZERO, RELEASE)
+            (Vec4::ZERO, instrument.release)
         };
         if self.level.x + peak.x < SILENCE {
             return;
         }
-        let rate = instrument[rate].get();
-        self.pitch += (self.goal - self.pitch) * instrument[GLIDE].get();
+        self.pitch += (self.goal - self.pitch) * instrument.glide;
         let filter = Filter::new(instrument, self.sweep, mood.light);
         let mut voice = *self;
-        let mut duck = 1.0 - instrument[DUCK].get() * mood.kick;
-        let duck_slope =
-            instrument[DUCK].get() * (mood.next_kick - mood.kick) * (1.0 / BLOCK as f32);
+        let mut duck = 1.0 - instrument.duck * mood.kick;
+        let duck_slope = instrument.duck * (mood.next_kick - mood.kick) * (1.0 / BLOCK as f32);
         for sum in sums {
             voice.level += (peak - voice.level) * rate;
-            voice.sweep -= voice.sweep * instrument[SWEEP].get();
-            let turn = voice.pitch + voice.pitch * instrument[BEND].get() * voice.sweep;
+            voice.sweep -= voice.sweep * instrument.sweep;
+            let turn = voice.pitch + voice.pitch * instrument.bend * voice.sweep;
             voice.phase = wrap(voice.phase + turn);
-            voice.shift = wrap(voice.shift + turn * instrument[RATIO].get());
-            let shift = sine(voice.shift) * instrument[INDEX].get() * voice.sweep;
-            let sound = saw(voice.phase, turn) * instrument[SAW].get()
-                + sine(wrap(voice.phase + shift)) * instrument[SINE].get()
-                + Vec4::from_array(sum.noise) * instrument[NOISE].get();
-            let sound = filter.pass(instrument, sound, &mut voice) * voice.level * duck;
+            voice.shift = wrap(voice.shift + turn * instrument.ratio);
+            let shift = sine(voice.shift) * instrument.index * voice.sweep;
+            let sound = saw(voice.phase, turn) * instrument.saw
+                + sine(wrap(voice.phase + shift)) * instrument.sine
+                + Vec4::from_array(sum.noise) * instrument.noise;
+            let sound = filter.pass(instrument, sound * LOUDNESS, &mut voice) * voice.level * duck;
             duck -= duck_slope;
-            sum.dry.set(sum.dry.get() + sound);
-            sum.echo
-                .set(sum.echo.get() + sound * instrument[ECHO].get());
-            sum.room
-                .set(sum.room.get() + sound * instrument[ROOM].get());
+            sum.dry += sound;
+            sum.echo += sound * instrument.echo;
+            sum.room += sound * instrument.room;
         }
         *self = voice;
     }
@@ -166,9 +149,7 @@ impl Voice {
 /// A phase as turns from -1/2 to 1/2.
 #[inline(always)]
 fn wrap(phase: Vec4) -> Vec4 {
-    // Adding 1.5 * 2^23 leaves the nearest integer in the low bits.
-    const ROUND: Vec4 = Vec4::splat(12_582_912.0);
-    phase - (phase + ROUND - ROUND)
+    phase - (phase + ROUND_TO_INTEGER - ROUND_TO_INTEGER)
 }
 
 /// Nearly a sine of an angle in turns from -1/2 to 1/2: two parabolas, all overtones below -28 dB.
@@ -197,13 +178,12 @@ struct Filter {
 impl Filter {
     #[inline(always)]
     fn new(instrument: &Instrument, sweep: Vec4, light: Vec4) -> Filter {
-        let to = instrument[TO].get();
-        let angle =
-            (to + (instrument[FROM].get() - to) * sweep) * (1.0 + instrument[LIGHT].get() * light);
+        let to = instrument.to;
+        let angle = (to + (instrument.from - to) * sweep) * (light * instrument.light + 1.0);
         // Up to 15 kHz; the tangent to within 4 %.
         let x = angle.min(Vec4::ONE);
         let g = x / (1.0 + x * x * (-1.0 / 3.0));
-        let damping = instrument[DAMPING].get();
+        let damping = instrument.damping;
         let a1 = (1.0 + g * (g + damping)).recip();
         Filter {
             a1,
@@ -219,6 +199,6 @@ impl Filter {
         let v2 = voice.low + voice.band * self.a2 + rest * self.a3;
         voice.band = v1 + v1 - voice.band;
         voice.low = v2 + v2 - voice.low;
-        v2 + (sound - v1 * instrument[DAMPING].get() - v2 - v2) * instrument[HIGH].get()
+        v2 + (sound - v1 * instrument.damping - v2 - v2) * instrument.high
     }
 }
