@@ -8,7 +8,7 @@ use crate::grid::BEAT;
 use crate::scene::{Method, Scene};
 use glam::vec3a;
 
-/// Seconds of one orbit: a full turn at [`ORBIT_SPEED`].
+/// Seconds of one orbit: a full turn at 0.25 radians a second.
 pub const MODEL_LENGTH: f32 = 8.0 * core::f32::consts::PI;
 
 /// Radians a second.
