@@ -34,7 +34,7 @@ const LENGTH: u64 = (show::grid::LENGTH as f64 * SECOND as f64) as u64;
 static STATE: Fixed<State> = Fixed::new(State {
     options: Options::NONE,
     tally: Tally::NONE,
-    scene: Scene::NONE,
+    scene: Scene::ZEROED,
     memory: Memory::new(),
     workers: [const { Worker::new() }; _],
 });

@@ -276,7 +276,7 @@ fn difference_to_show(shot: &[u32], width: usize, height: usize, time: Duration)
         LazyLock::new(|| Mutex::new((MEMORY.take(), WORKERS.take())));
     let (memory, workers) = &mut *LENT.lock().expect("no panic before");
     let mut frame = vec![0; width * height];
-    let mut scene = Box::new(Scene::NONE);
+    let mut scene = Box::new(Scene::ZEROED);
     let mut nearest = f64::INFINITY;
     for hundredth in 0..=time.as_millis() / 10 {
         show::at(hundredth as f32 / 100.0, &mut scene);

@@ -57,17 +57,3 @@ pub(crate) fn numbers<S: Simd>(simd: S) -> U<S> {
     const NUMBERS: [u32; 16] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
     U::<S>::from_slice(simd, &NUMBERS[..lanes::<S>()])
 }
-
-/// The numbers from `from` to below `end`, `step` apart: the library's `step_by` brings a check for 0 and its message.
-#[inline(always)]
-pub(crate) fn steps(from: usize, end: usize, step: usize) -> impl Iterator<Item = usize> {
-    let mut next = from;
-    core::iter::from_fn(
-        #[inline(always)]
-        move || {
-            let now = next;
-            next += step;
-            (now < end).then_some(now)
-        },
-    )
-}

@@ -43,10 +43,9 @@ impl Cone {
         is_flat: false,
     };
 
-    /// Takes in the cone around a sphere whose centre is at `to`. The rays are those of the picture times the last of `by`,
-    /// and the rest of it times how far they lead up; `by` is of length 1. Returns the square of the cosine; all rays are inside where there is
+    /// Takes in the cone around a sphere whose centre is at `to`. The rays are `w = d * by.w + by.xyz * d.y` of
+    /// the picture's rays d; `by` is of length 1. Returns the square of the cosine; all rays are inside where there is
     /// none.
-    #[inline(never)]
     pub fn set_round(&mut self, axes: &Axes, by: &Vec4, to: Vec3A, radius: f32) -> f32 {
         let distance2 = to.length_squared();
         let radius = radius * WIDE;
@@ -134,7 +133,7 @@ impl Cone {
             down = total(side * down);
         }
         most += right.abs() * half.x + down.abs() * half.y;
-        // Turned round, so that what is not a number meets.
+        // Not "all at least", so that what is not a number meets.
         !most.cmplt(Vec4::splat(margin)).any()
     }
 }

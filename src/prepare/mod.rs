@@ -35,8 +35,7 @@ const SLACK: f32 = 10.0 / (1 << 24) as f32;
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 
 /// Room for what can be seen for itself: objects, and the shadows that spheres throw on planes.
-pub(crate) const OUTLINES: usize =
-    (MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS).next_power_of_two();
+pub(crate) const OUTLINES: usize = MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
 /// One frame's scene in the order the kernels want it.
 ///
@@ -55,7 +54,7 @@ pub(crate) struct Prepared {
     /// The same of its mirror image in the first plane.
     mirrored: [Window; MAX_GROUPS],
     pub axes: Axes,
-    /// What each object covers of the picture, and from number [`Prepared::nothing`] on what each shadow does.
+    /// What each object covers of the picture, and from number [`Prepared::background`] on what each shadow does.
     pub outlines: [Outline; OUTLINES],
     /// The end of those.
     pub outlined: usize,
@@ -96,7 +95,7 @@ impl Prepared {
     /// An empty frame, all zeros.
     pub const fn new() -> Self {
         Self {
-            scene: Scene::NONE,
+            scene: Scene::ZEROED,
             air: Air::ZERO,
             eye: Vec3A::ZERO,
             raster: Raster::NONE,
@@ -123,13 +122,13 @@ impl Prepared {
     /// The lamps.
     #[inline(always)]
     pub fn lamps(&self) -> &[Lamp] {
-        &self.lamps[..self.lamp_count.min(MAX_LIGHTS)]
+        &self.lamps[..self.lamp_count]
     }
 
     /// The planes.
     #[inline(always)]
     pub fn planes(&self) -> &[Rectangle] {
-        &self.planes[..self.plane_count.min(MAX_PLANES)]
+        &self.planes[..self.plane_count]
     }
 
     /// The surface of the object number `i`.
@@ -173,12 +172,11 @@ impl Prepared {
     }
 
     /// The number of the background.
-    pub fn nothing(&self) -> usize {
+    pub fn background(&self) -> usize {
         self.first_plane() + self.plane_count
     }
 
     /// The groups that rays through the points of a rectangle of the picture can meet.
-    #[inline(never)]
     pub fn seen(&self, left: usize, top: usize, right: usize, bottom: usize) -> Seen {
         let rect = self.axes.rect(rectangle(left, top, right, bottom));
         let mut seen = Seen::default();
@@ -204,7 +202,7 @@ impl Prepared {
         self.plane_count = scene.planes.len();
         self.tree.set(scene);
         self.has_patterns = false;
-        for i in 0..=self.nothing() {
+        for i in 0..=self.background() {
             let (object, material) = object::of(scene, i);
             self.has_patterns |= material.pattern.depth != 0.0;
             self.has_edges[i] = object::has_edges(material);
@@ -224,7 +222,6 @@ impl Prepared {
     }
 
     /// Takes in what each object covers of the picture; the objects are in already.
-    #[inline(never)]
     fn set_outlines(&mut self) {
         self.windows = [Window::NONE; MAX_GROUPS];
         self.mirrored = [Window::NONE; MAX_GROUPS];
@@ -236,7 +233,7 @@ impl Prepared {
             let mut to = node.centre - self.eye;
             let outline = &mut self.outlines[node.number as usize];
             outline.set_sphere(&self.axes, to, node);
-            let group = node.groups.trailing_zeros() as usize % MAX_GROUPS;
+            let group = node.groups.trailing_zeros() as usize;
             self.windows[group].join(outline.window);
             if node.is_block {
                 let object = object::of(&self.scene, node.number as usize).0;
@@ -249,10 +246,10 @@ impl Prepared {
             self.mirrored[group].join(self.axes.window(to, node.radius));
         }
         let first_plane = self.first_plane();
-        self.outlined = self.nothing();
-        for i in 0..self.plane_count.min(MAX_PLANES) {
+        self.outlined = self.background();
+        for i in 0..self.plane_count {
             let (plane, number) = (self.planes[i], first_plane + i);
-            self.outlines[number % OUTLINES].set_rectangle(&self.axes, self.eye, &plane, number);
+            self.outlines[number].set_rectangle(&self.axes, self.eye, &plane, number);
             for lamp in 0..self.lamp_count {
                 self.add_shadows(&plane, number, lamp);
             }

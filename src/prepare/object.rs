@@ -9,8 +9,8 @@ pub(crate) enum Object<'a> {
     Plane(&'a Plane),
     /// What a light is drawn as.
     Lamp(&'a Light),
-    /// The background.
-    Nothing,
+    /// What is behind everything.
+    Background,
 }
 
 /// The object number `i` of a scene, and its material: spheres, then boxes and cylinders, lights, planes, background.
@@ -28,7 +28,7 @@ pub(super) fn of(scene: &Scene, mut i: usize) -> (Object<'_>, &Material) {
     }
     match scene.planes.get(i - scene.lights.len()) {
         Some(plane) => (Object::Plane(plane), &plane.material),
-        None => (Object::Nothing, &Material::BLACK),
+        None => (Object::Background, &Material::BLACK),
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::cone::{Cone, ROUNDING};
 use super::screen::{Axes, Rect, Window};
-use super::{Node, OUTLINES, Prepared, Rectangle};
+use super::{Node, Prepared, Rectangle};
 use crate::maths::sqrt;
-use crate::scene::{Block, MAX_LIGHTS};
+use crate::scene::Block;
 use glam::{Vec3A, Vec3Swizzles, Vec4};
 
 /// An object's outline.
@@ -78,7 +78,6 @@ impl Outline {
     ///
     /// Its sides are the planes through the eye and an edge that have all of it on one side: two for each of its axes, at
     /// most. Across its axis a cylinder counts as the box around it.
-    #[inline(never)]
     pub fn set_block(&mut self, axes: &Axes, to: Vec3A, block: &Block) {
         let inward = block.axes.transpose();
         let slack = CORNER * (to.abs() + block.half).element_sum();
@@ -122,7 +121,7 @@ impl Outline {
         self.most = to + extent;
     }
 
-    /// Has what is nowhere not looked for everywhere.
+    /// Never a candidate if its extent is not finite.
     #[inline(always)]
     pub fn settle(&mut self) {
         if !self.most.is_finite() {
@@ -157,7 +156,8 @@ impl Rectangle {
     /// How far on the inner side of the four planes through the eye and an edge a direction leads.
     ///
     /// A ray d meets the plane at `eye + d h / q`, with q = -d.y or d.y the speed at which it comes nearer, and lies on
-    /// the inner side of an edge `reach` away along x where `reach q - h d.x >= 0`. Numbers below 1 are as good.
+    /// the inner side of an edge `reach` away along x where `reach q - h d.x >= 0`. Scaled below 1, so
+    /// that one rounding margin serves all.
     pub(super) fn sides(&self, eye: Vec3A, d: Vec3A) -> Vec4 {
         let from = eye - self.centre;
         let reach = Vec4::new(self.half_x, self.half_x, self.half_z, self.half_z)
@@ -173,7 +173,7 @@ impl Rectangle {
 impl Prepared {
     /// The least and the greatest u in a rectangle of the picture that may show what has the outline of a number, if it may.
     pub fn narrowed(&self, outline: usize, mut rect: Rect) -> Option<[f32; 2]> {
-        let outline = &self.outlines[outline % OUTLINES];
+        let outline = &self.outlines[outline];
         outline.window.narrow(&mut rect);
         if rect.x <= rect.z {
             outline.cone.narrow(&mut rect, -ROUNDING);
@@ -186,9 +186,8 @@ impl Prepared {
 
     /// Takes in the shadows of spheres on a plane, an object's number and all; of a lamp that is more than a point, or that is
     /// in a sphere or nearly so, there are none. What is on the other side of the plane counts as well.
-    #[inline(never)]
     pub(super) fn add_shadows(&mut self, plane: &Rectangle, number: usize, lamp: usize) {
-        let lamp = &self.lamps[lamp % MAX_LIGHTS];
+        let lamp = &self.lamps[lamp];
         if !lamp.is_point {
             return;
         }
@@ -200,7 +199,7 @@ impl Prepared {
             if node.is_bound || node.is_block {
                 continue;
             }
-            let outline = &mut self.outlines[self.outlined % OUTLINES];
+            let outline = &mut self.outlines[self.outlined];
             outline.window = Window::ALL;
             // The place may have been a block's, in another frame.
             outline.is_block = false;
@@ -214,13 +213,9 @@ impl Prepared {
     /// Whether a patch whose corners all see the object `front` cannot see the object `back` anywhere.
     ///
     /// Objects are convex: between what the corners see of it, it is nowhere farther away than that.
-    #[inline(never)]
     pub fn hides(&self, front: usize, back: usize) -> bool {
-        let (f, b) = (
-            &self.outlines[front % OUTLINES],
-            &self.outlines[back % OUTLINES],
-        );
-        front < self.nothing() && (f.is_before(b) || f.power < b.power)
+        let (f, b) = (&self.outlines[front], &self.outlines[back]);
+        front < self.background() && (f.is_before(b) || f.power < b.power)
     }
 }
 

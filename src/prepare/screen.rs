@@ -67,7 +67,6 @@ impl Axes {
     }
 
     /// A vector along the axes.
-    #[inline(never)]
     pub fn seen(&self, d: Vec3A) -> Vec3A {
         let [right, down, forward] = self.rows;
         Vec3A::new(d.dot(right), d.dot(down), d.dot(forward))
@@ -77,7 +76,6 @@ impl Axes {
     ///
     /// On each side it is bounded by the slope of a tangent through the eye (Mara and McGuire: 2D Polyhedral Bounds of a
     /// Clipped, Perspective-Projected 3D Sphere, JCGT 2013).
-    #[inline(never)]
     pub fn window(&self, to: Vec3A, radius: f32) -> Window {
         let to = self.seen(to);
         // A little larger than it is, so that what rounding adds is covered.

@@ -178,7 +178,7 @@ impl Surface<f32> {
     pub fn of(object: &Object<'_>, material: &Material, scene: &Scene) -> Self {
         let emitted = match object {
             Object::Lamp(light) => light.colour,
-            Object::Nothing => scene.background,
+            Object::Background => scene.background,
             _ => material.colour * scene.ambient,
         };
         let (centre, inverse_radius) = match object {
@@ -200,7 +200,7 @@ impl Surface<f32> {
                 _ => 0.0,
             },
             is_lit: match object {
-                Object::Lamp(_) | Object::Nothing => 0.0,
+                Object::Lamp(_) | Object::Background => 0.0,
                 _ => 1.0,
             },
             emitted: emitted.to_array(),
@@ -213,7 +213,7 @@ impl Surface<f32> {
             index: material.index,
             haze: match object {
                 Object::Lamp(_) => 0.0,
-                Object::Nothing => scene.haze + BACKGROUND_HAZE,
+                Object::Background => scene.haze + BACKGROUND_HAZE,
                 _ => scene.haze,
             },
         }

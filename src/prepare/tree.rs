@@ -90,7 +90,7 @@ impl Tree {
     /// All nodes.
     #[inline(always)]
     pub fn nodes(&self) -> &[Node] {
-        &self.nodes[..self.len.min(MAX_NODES)]
+        &self.nodes[..self.len]
     }
 
     /// Where to begin with rays that meet none but these groups: the bound around all says nothing more.
@@ -106,7 +106,7 @@ impl Tree {
     /// Those of solids.
     #[inline(always)]
     pub fn solid(&self) -> &[Node] {
-        &self.nodes[..self.solid.min(MAX_NODES)]
+        &self.nodes[..self.solid]
     }
 
     /// Takes a scene in.
@@ -143,7 +143,7 @@ impl Tree {
     /// Adds the bound around the solids from number `first` to below `end` of a scene, and what is in it.
     fn divide(&mut self, first: usize, end: usize, scene: &Scene) {
         let at = self.len;
-        let balls = self.balls.get_mut(first..end).unwrap_or_default();
+        let balls = &mut self.balls[first..end];
         let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
         for ball in balls.iter() {
             low = low.min(ball.centre);
@@ -183,15 +183,12 @@ impl Tree {
             self.divide(first, first + middle, scene);
             self.divide(first + middle, end, scene);
         }
-        if let Some(bound) = self.nodes.get_mut(at) {
-            bound.skip = (self.len - at) as u16;
-        }
+        self.nodes[at].skip = (self.len - at) as u16;
     }
 
     /// Adds a sphere.
-    #[inline(never)]
     fn push(&mut self, centre: Vec3A, radius: f32, groups: GroupSet) -> &mut Node {
-        let node = &mut self.nodes[self.len.min(MAX_NODES - 1)];
+        let node = &mut self.nodes[self.len];
         self.len += 1;
         let slack = slack(centre, radius);
         *node = Node {

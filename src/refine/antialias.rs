@@ -94,7 +94,7 @@ impl Smoothing {
     ) {
         let n = quality.antialias;
         let (width, height) = (band.width, band.pixels.len() / band.width);
-        for start in steps(0, width, STRETCH) {
+        for start in (0..width).step_by(STRETCH) {
             let end = (start + STRETCH).min(width);
             let (left, top) = (n * start, n * band.top);
             let seen = self.finer.seen(left, top, n * end, top + n * height);
@@ -169,7 +169,7 @@ fn each_edge<S: Simd>(simd: S, a: &[u32], b: &[u32], mut call: impl FnMut(usize)
 fn take(n: usize, worker: &mut Worker, band: &mut Band<'_>) {
     let batch = &mut worker.batch;
     let count = (n * n) as u32;
-    for first in steps(0, batch.len(), n * n) {
+    for first in (0..batch.len()).step_by(n * n) {
         let (x, y, ..) = batch.result(first);
         let mut pixel = 0;
         for channel in [32, 16, 0] {

@@ -5,7 +5,6 @@ use super::tile::{Area, Tile};
 use super::worker::Worker;
 use super::{TILE_HEIGHT, TILE_WIDTH};
 use crate::MAX_HEIGHT;
-use crate::lanes::steps;
 use crate::observe::Observer;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
@@ -57,7 +56,7 @@ pub(crate) fn render<O: Observer>(
     } else {
         TILE_WIDTH
     };
-    for left in steps(0, band.width, width) {
+    for left in (0..band.width).step_by(width) {
         let area = Area {
             left,
             top: band.top,

@@ -105,7 +105,7 @@ fn fill_square<S: Simd, const LEVEL: u32>(
     let number = u16x16::simd_from(simd, [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3]);
     let side = 1 << LEVEL;
     let width_at_once = if side < 8 { side } else { 8 };
-    for left in steps(0, side, width_at_once) {
+    for left in (0..side).step_by(width_at_once) {
         let column = number + left as u16;
         let (mut first, lower) = (upper + across * column, lower + across_below * column);
         let first_down = step::<S, LEVEL>(lower >> 1, first >> 1);

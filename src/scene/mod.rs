@@ -39,9 +39,9 @@ pub const MAX_CAPTIONS: usize = 10;
 pub struct Scene {
     /// Where the picture is taken from.
     pub camera: Camera,
-    /// What a ray sees that hits nothing and does not rise.
+    /// The background at the horizon and below.
     pub background: Vec3A,
-    /// What the background gains straight up; a ray that rises by y sees a share of `y (2 - y)`.
+    /// Added to the background at the zenith, weighted by `y (2 - y)` where a ray of length 1 rises by y.
     pub sky: Vec3A,
     /// Haze, in 1 / scene units: after a way of length t a share of `1 - 1 / (1 + (haze t)^2)` of the light that surfaces
     /// send is lost to what lies behind them. 0 is clear.
@@ -65,8 +65,8 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Nothing, all zeros: memory for a scene, which takes no room in a program's file.
-    pub const NONE: Self = {
+    /// All zeros: memory for a scene, which takes no room in a program's file. It is not a valid one.
+    pub const ZEROED: Self = {
         let material = Material {
             exponent: 0.0,
             index: 0.0,
@@ -200,8 +200,8 @@ pub struct Light {
 }
 
 impl Light {
-    /// What a light with parallel rays stands farther away by: its rays are parallel to within a thousandth across what is
-    /// as large as it is said to be far.
+    /// Factor on the distance of a light with parallel rays: its rays are off by at most 0.001 radians across a scene as
+    /// wide as its distance.
     pub const FAR: f32 = 1000.0;
 
     /// A dark point.

@@ -142,7 +142,6 @@ pub(super) static MARBLE: Material = Material {
         edge: 1.0,
         warp: 1.1,
         grain: 0.9,
-        ..Pattern::NONE
     },
     ..MATT
 };

@@ -202,7 +202,7 @@ impl Prop {
             }
             Circling { radius } => centre += around(number * 0.125 + beat * 0.02) * radius,
         }
-        let material = if column % 2 == 0 {
+        let material = if column.is_multiple_of(2) {
             *self.material
         } else {
             *self.every_other

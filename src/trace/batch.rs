@@ -135,7 +135,7 @@ impl Batch {
     #[inline(always)]
     pub(super) fn finish<S: Isa>(&mut self, simd: S) {
         let n = lanes::<S>();
-        for start in steps(0, self.len.min(BATCH), n) {
+        for start in (0..self.len.min(BATCH)).step_by(n) {
             let start = start % BATCH / n * n;
             let sums = &self.sums[start..start + n];
             sample::from_sums(simd, sums, &mut self.samples[start..start + n]);
@@ -197,7 +197,7 @@ impl Batch {
         let in_order = slots.simd_eq(numbers(simd) + first).all_true();
         if let (true, Some(sums)) = (in_order, self.sums.get_mut(start..start + lanes::<S>())) {
             let (sums, terms) = (sums.as_flattened_mut(), self.terms.as_flattened());
-            for i in steps(0, 4 * lanes::<S>(), lanes::<S>()) {
+            for i in (0..4 * lanes::<S>()).step_by(lanes::<S>()) {
                 let sums = &mut sums[i..i + lanes::<S>()];
                 let terms = &terms[i..i + lanes::<S>()];
                 let new = I::<S>::from_slice(simd, sums) + I::<S>::from_slice(simd, terms);

@@ -51,7 +51,7 @@ pub(crate) fn nearest<S: Isa>(
     candidates.clear();
     let mut hit = Hit {
         t: splat(simd, FARTHEST),
-        object: U::<S>::splat(simd, scene.nothing() as u32),
+        object: U::<S>::splat(simd, scene.background() as u32),
     };
     for (i, plane) in scene.planes().iter().enumerate() {
         let (m, t) = plane_hit(simd, plane, rays.o, rays.d, hit.t);

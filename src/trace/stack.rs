@@ -98,7 +98,7 @@ impl Stack {
         } = rays;
         let mut rows = [o.x, o.y, o.z, d.x, d.y, d.z, *weight, place.bitcast()];
         simd.gather_first(&mut rows, mask);
-        let start = self.len % CAPACITY;
+        let start = self.len;
         for (column, row) in self.columns.iter_mut().zip(&rows) {
             row.store_slice(&mut column[start..start + lanes::<S>()]);
         }
@@ -110,7 +110,7 @@ impl Stack {
     pub fn pop<S: Isa>(&mut self, simd: S) -> (Rays<S>, usize) {
         let count = self.len.min(lanes::<S>());
         self.len -= count;
-        let start = self.len % CAPACITY;
+        let start = self.len;
         let [ox, oy, oz, dx, dy, dz, weight, place] = &self.columns;
         let d: Vec3x<S> = Vec3x {
             x: load(simd, dx, start),

@@ -111,7 +111,7 @@ fn edges_have_the_same_bits_on_any_number_of_threads() {
 
 #[test]
 fn captions_and_marks_of_the_method_are_no_edges() {
-    let mut scene = Scene::NONE;
+    let mut scene = Scene::ZEROED;
     let is_white = |pixels: &[u32]| -> Vec<bool> {
         pixels.iter().map(|&pixel| pixel == 0x00ff_ffff).collect()
     };

@@ -313,7 +313,7 @@ proptest! {
 
     #[test]
     fn the_model_scene_is_right_at_any_time_and_size(
-        time in 0.0..show::LENGTH,
+        time in 0.0..show::MODEL_LENGTH,
         width in 1_usize..200,
         height in 1_usize..200,
     ) {

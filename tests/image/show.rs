@@ -38,7 +38,7 @@ fn brightness(time: f32, frames: f32) -> f64 {
 
 #[test]
 fn a_kick_is_a_flash_in_its_own_frame() {
-    for bar in [grid::MACHINE + 1, grid::FIELD + 1] {
+    for bar in [grid::MACHINE + 1, grid::SWARM + 1] {
         let time = bar as f32 * grid::BAR;
         assert_eq!(pulse(time).kick, 1.0, "a kick, and no cut");
         let [calm, before, flash] = [-2.0, -1.0, 0.0].map(|frames| brightness(time, frames));

@@ -22,7 +22,7 @@ impl Oracle<'_> {
             .chain(lights.map(|(i, l)| (Object::Light(i), lamp(ray, l))));
         hits.filter_map(|(object, t)| Some((object, t?)))
             .min_by(|a, b| a.1.total_cmp(&b.1))
-            .unwrap_or((Object::Nothing, f64::INFINITY))
+            .unwrap_or((Object::Background, f64::INFINITY))
     }
 
     /// Whether a sphere that casts a shadow is hit nearer than `distance`.

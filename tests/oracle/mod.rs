@@ -51,7 +51,7 @@ enum Object {
     Plane(usize),
     Block(usize),
     Light(usize),
-    Nothing,
+    Background,
 }
 
 #[derive(Clone, Copy)]

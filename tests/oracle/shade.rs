@@ -25,7 +25,7 @@ impl Oracle<'_> {
         let p = ray.o + t * ray.d;
         // The material, the normal, and the place as the object's pattern sees it.
         let (material, normal, place): (&Material, _, _) = match object {
-            Object::Nothing => {
+            Object::Background => {
                 self.note(object, &[], path, traced);
                 return self.behind(ray.d);
             }

@@ -36,7 +36,7 @@ impl Property for Patterns {
             }
             prepared.set(&scene, SIZE[0], SIZE[1]);
             for y in 0..SIZE[1] {
-                for x in steps(0, SIZE[0], lanes::<S>()) {
+                for x in (0..SIZE[0]).step_by(lanes::<S>()) {
                     let columns: I<S> = numbers(simd).bitcast();
                     let columns = columns.to_float::<F<S>>() + x as f32;
                     let rays = Rays {
