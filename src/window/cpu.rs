@@ -11,6 +11,13 @@ pub struct Isa {
     pub level: Level,
 }
 
+/// The names of all instruction sets that there are kernels for on this kind of processor, the best first.
+#[cfg(target_arch = "x86_64")]
+pub const NAMES: &[&str] = &["avx512", "avx2", "sse2"];
+/// The names of all instruction sets that there are kernels for on this kind of processor, the best first.
+#[cfg(not(target_arch = "x86_64"))]
+pub const NAMES: &[&str] = &["portable"];
+
 /// The instruction sets that this machine has, the best first.
 pub fn instruction_sets() -> impl Iterator<Item = Isa> {
     let best = Level::new();
@@ -25,6 +32,12 @@ pub fn instruction_sets() -> impl Iterator<Item = Isa> {
     #[cfg(not(target_arch = "x86_64"))]
     let sets = [Some(isa("portable", best))];
     sets.into_iter().flatten()
+}
+
+/// The instruction set with a name, if this machine has it.
+#[must_use]
+pub fn named(name: &str) -> Option<Isa> {
+    instruction_sets().find(|isa| isa.name == name)
 }
 
 /// The best instruction set that this machine has.

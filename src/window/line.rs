@@ -1,92 +1,110 @@
-//! Lines of text, without `format!` (whose machinery is 6 KB) and without std's buffers and locks.
+//! Text to standard output and standard error.
+//!
+//! Values are put into text by `write!` and `format_args!`, as everywhere in Rust. Only what std puts between that and the
+//! system is left out: locks, and errors with a text of their own.
+
+use core::fmt::{self, Arguments, Display, Formatter, Write};
 
 use crate::{
     clock::{self, SECOND},
     system,
 };
 
-/// Standard output.
+/// The file descriptor of standard output.
 pub const OUTPUT: i32 = libc::STDOUT_FILENO;
-/// Standard error.
+/// The file descriptor of standard error.
 pub const ERROR: i32 = libc::STDERR_FILENO;
 
-/// Text for a file, put together piece by piece and written by so many bytes at a time.
-pub struct Line {
+/// A buffered writer to a file descriptor.
+///
+/// It writes when its buffer is full and when it is [flushed](Writer::flush), not when it is dropped. After an error it
+/// writes nothing more, and every call returns the error again.
+pub struct Writer {
     file: i32,
-    written: bool,
+    has_failed: bool,
+    /// Bytes in the buffer.
     length: usize,
-    bytes: [u8; 1024],
+    buffer: [u8; 1024],
 }
 
-impl Line {
-    /// An empty one for a file descriptor.
+impl Writer {
+    /// A writer to an open file descriptor, which stays open.
     #[must_use]
-    pub const fn to(file: i32) -> Line {
-        Line {
+    pub const fn new(file: i32) -> Writer {
+        Writer {
             file,
-            written: true,
+            has_failed: false,
             length: 0,
-            bytes: [0; _],
+            buffer: [0; _],
         }
     }
 
-    /// Adds text in which the bytes 0, 1 and 2 stand for the numbers, in their order, with so many digits after the point,
-    /// and the bytes 3 for the words, of which somebody may have typed any: what isn't printable ASCII becomes `?`.
-    pub fn form(&mut self, text: &str, numbers: &[u64], words: &[&[u8]]) -> &mut Line {
-        let mut numbers = numbers.iter();
-        let mut words = words.iter();
-        for &byte in text.as_bytes() {
-            if byte < 3 {
-                self.decimal(*numbers.next().unwrap_or(&u64::MAX), byte.into());
-            } else if byte == 3 {
-                for &byte in *words.next().unwrap_or(&&[][..]) {
-                    let printable = byte == b' ' || byte.is_ascii_graphic();
-                    self.add(if printable { byte } else { b'?' });
-                }
-            } else {
-                self.add(byte);
-            }
-        }
-        self
-    }
-
-    /// Adds a number that counts units of `10^-digits`: `decimal(2513, 2)` adds `25.13`.
-    #[inline(never)]
-    fn decimal(&mut self, number: u64, digits: i32) {
-        if digits > 0 || number >= 10 {
-            self.decimal(number / 10, digits - 1);
-        }
-        if digits == 1 {
-            self.add(b'.');
-        }
-        self.add(b'0' + (number % 10) as u8);
-    }
-
-    /// Adds a byte.
-    #[inline(never)]
-    fn add(&mut self, byte: u8) {
-        if self.length == self.bytes.len() {
-            self.flush();
-        }
-        if let Some(end) = self.bytes.get_mut(self.length) {
-            *end = byte;
-            self.length += 1;
-        }
-    }
-
-    /// Writes what is left. False if that fails, or has failed.
-    #[inline(never)]
-    pub fn flush(&mut self) -> bool {
-        let bytes = self.bytes.get(..self.length).unwrap_or_default();
-        self.written = self.written && write(self.file, bytes);
+    /// Writes what is in the buffer.
+    ///
+    /// # Errors
+    /// If this or an earlier write failed.
+    pub fn flush(&mut self) -> fmt::Result {
+        let is_written = !self.has_failed && write(self.file, &self.buffer[..self.length]);
+        self.has_failed = !is_written;
         self.length = 0;
-        self.written
+        if is_written { Ok(()) } else { Err(fmt::Error) }
     }
 }
 
-/// Writes a [form](Line::form) to standard error.
-pub fn complain(text: &str, words: &[&[u8]]) {
-    Line::to(ERROR).form(text, &[], words).flush();
+impl Write for Writer {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        let mut rest = text.as_bytes();
+        while !rest.is_empty() {
+            if self.length == self.buffer.len() {
+                self.flush()?;
+            }
+            let room = &mut self.buffer[self.length..];
+            let (fitting, later) = rest.split_at(rest.len().min(room.len()));
+            room[..fitting.len()].copy_from_slice(fitting);
+            self.length += fitting.len();
+            rest = later;
+        }
+        Ok(())
+    }
+}
+
+/// A number of tenths, shown in whole units with one decimal: 594 as `59.4`.
+pub struct Tenths(pub u64);
+
+impl Display for Tenths {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.0 / 10, self.0 % 10)
+    }
+}
+
+/// A number of hundredths, shown in whole units with two decimals: 101 as `1.01`.
+pub struct Hundredths(pub u64);
+
+impl Display for Hundredths {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{:02}", self.0 / 100, self.0 % 100)
+    }
+}
+
+/// Bytes that somebody may have typed, shown so that they can't steer a terminal: `?` for each that is not printable ASCII.
+pub struct Printable<'a>(pub &'a [u8]);
+
+impl Display for Printable<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for &byte in self.0 {
+            let is_printable = byte == b' ' || byte.is_ascii_graphic();
+            f.write_char(if is_printable { byte.into() } else { '?' })?;
+        }
+        Ok(())
+    }
+}
+
+/// Writes a line to standard error: the program's name and a message.
+///
+/// Whether it can be written is not told, for there is no place left to tell it.
+pub fn complain(message: Arguments<'_>) {
+    let mut errors = Writer::new(ERROR);
+    let _ = writeln!(errors, "eightfold: {message}").and_then(|()| errors.flush());
 }
 
 /// Whether a file descriptor is a terminal.
@@ -95,21 +113,13 @@ pub fn terminal(file: i32) -> bool {
     crate::terminal::mode(file).is_some()
 }
 
-/// Says on standard error if standard output could not be written to. Returns whether it could.
-pub fn printed(written: bool) -> bool {
-    if !written {
-        write(ERROR, b"eightfold: can't write to standard output\n");
-    }
-    written
-}
-
 /// Writes everything to a file descriptor, waiting while it is full. False if that fails, or if a
 /// signal that ends the program arrives meanwhile.
 pub fn write(file: i32, mut bytes: &[u8]) -> bool {
     while !bytes.is_empty() {
         let written = system::write(file, bytes);
         if written > 0 {
-            bytes = bytes.get(written as usize..).unwrap_or_default();
+            bytes = &bytes[written as usize..];
             continue;
         }
         // SAFETY: errno is this thread's own.
@@ -125,74 +135,52 @@ pub fn write(file: i32, mut bytes: &[u8]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::Line;
+    use super::{Hundredths, Printable, Tenths, Writer};
+    use core::fmt::{self, Write};
     use std::{
+        format,
         io::{Read, pipe},
         os::fd::AsRawFd,
         string::String,
     };
 
-    /// What a line writes.
-    fn text(fill: impl FnOnce(&mut Line)) -> String {
-        let (mut read, write) = pipe().unwrap();
-        let mut line = Line::to(write.as_raw_fd());
-        fill(&mut line);
-        assert!(line.flush());
-        drop(write);
-        let mut text = String::new();
-        read.read_to_string(&mut text).unwrap();
-        text
-    }
-
     #[test]
-    fn numbers_have_the_digits_asked_for() {
-        for (number, digits, expected) in [
-            (0, 0, "0"),
-            (7, 0, "7"),
-            (1230, 0, "1230"),
-            (0, 2, "0.00"),
-            (7, 2, "0.07"),
-            (123, 2, "1.23"),
-            (2513, 2, "25.13"),
-            (u64::MAX, 1, "1844674407370955161.5"),
-        ] {
-            assert_eq!(text(|line| line.decimal(number, digits)), expected);
+    fn fractions_have_all_their_digits() {
+        for (hundredths, expected) in [(0, "0.00"), (7, "0.07"), (123, "1.23"), (2513, "25.13")] {
+            assert_eq!(format!("{}", Hundredths(hundredths)), expected);
         }
-    }
-
-    #[test]
-    fn values_are_where_the_form_has_them() {
-        let said = text(|line| {
-            let form = "\0 \u{3} in \u{2} s: \u{1} fps\n";
-            line.form(form, &[60, 101, 594], &[b"frames"]);
-        });
-        assert_eq!(said, "60 frames in 1.01 s: 59.4 fps\n");
-    }
-
-    #[test]
-    fn nothing_is_cut_off() {
-        let long = "x".repeat(5000);
-        let said = text(|line| {
-            line.form(&long, &[], &[]).form("y\0", &[1], &[]);
-        });
-        assert_eq!(said, long + "y1");
+        assert_eq!(format!("{}", Tenths(0)), "0.0");
+        assert_eq!(format!("{}", Tenths(u64::MAX)), "1844674407370955161.5");
     }
 
     #[test]
     fn what_was_typed_can_not_steer_a_terminal() {
-        let said = text(|line| {
-            line.form("\u{3}", &[], &[b"a b\x1b[2J\xff\n"]);
-        });
-        assert_eq!(said, "a b?[2J??");
+        let shown = format!("{}", Printable(b"a b\x1b[2J\xff\n"));
+        assert_eq!(shown, "a b?[2J??");
     }
 
     #[test]
-    fn a_closed_file_is_told() {
+    fn text_longer_than_the_buffer_is_written_whole() {
+        let (mut read, write) = pipe().unwrap();
+        let mut writer = Writer::new(write.as_raw_fd());
+        let long = "x".repeat(5000);
+        write!(writer, "{long}y{}", 1).unwrap();
+        writer.flush().unwrap();
+        drop(write);
+        let mut written = String::new();
+        read.read_to_string(&mut written).unwrap();
+        assert_eq!(written, long + "y1");
+    }
+
+    #[test]
+    fn an_error_is_returned_again_by_every_later_call() {
         let (read, write) = pipe().unwrap();
         drop(read);
         // (Rust's programs ignore the signal for this.)
-        let mut line = Line::to(write.as_raw_fd());
-        line.form("x", &[], &[]);
-        assert!(!line.flush() && !line.flush());
+        let mut writer = Writer::new(write.as_raw_fd());
+        assert_eq!(writer.write_str("x"), Ok(()), "it is only in the buffer");
+        assert_eq!(writer.flush(), Err(fmt::Error));
+        assert_eq!(writer.flush(), Err(fmt::Error));
+        assert_eq!(writer.write_str(&"x".repeat(1025)), Err(fmt::Error));
     }
 }

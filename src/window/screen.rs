@@ -14,14 +14,17 @@ pub(crate) fn pixels() -> &'static mut [u32] {
 }
 
 /// A place for frames: [`Window`](crate::window::Window), [`Terminal`](crate::terminal::Terminal) or
-/// [`Unseen`].
+/// [`Headless`].
 pub trait Screen {
     /// Width and height in pixels that the next frame should have, at least 1. There may be more than
     /// [`MOST_PIXELS`]; then the frame has to be smaller, and is stretched.
     fn size(&self) -> (usize, usize);
 
-    /// Where to draw the next frame, of `width` by `height` pixels, `0x00RRGGBB`, row after row. What
-    /// is there already is of no use. Nothing, if these are more than [`MOST_PIXELS`].
+    /// Where to draw the next frame, of `width` by `height` pixels, `0x00RRGGBB`, row after row. What is there already is
+    /// of no use.
+    ///
+    /// # Panics
+    /// If these are more than [`MOST_PIXELS`].
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32];
 
     /// Shows the frame, and looks at what the viewer has done meanwhile.
@@ -38,29 +41,29 @@ pub enum Next {
 }
 
 /// No screen: the frames are drawn and not shown.
-pub struct Unseen {
+pub struct Headless {
     size: (usize, usize),
     pixels: &'static mut [u32],
 }
 
-impl Unseen {
+impl Headless {
     /// As if there were a window of a size in pixels.
     #[must_use]
-    pub fn new(width: usize, height: usize) -> Unseen {
-        Unseen {
+    pub fn new(width: usize, height: usize) -> Headless {
+        Headless {
             size: (width, height),
             pixels: pixels(),
         }
     }
 }
 
-impl Screen for Unseen {
+impl Screen for Headless {
     fn size(&self) -> (usize, usize) {
         self.size
     }
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
-        self.pixels.get_mut(..width * height).unwrap_or_default()
+        &mut self.pixels[..width * height]
     }
 
     fn show(&mut self) -> Next {

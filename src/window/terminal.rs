@@ -3,6 +3,7 @@
 use core::{
     cell::UnsafeCell,
     ffi::c_int,
+    fmt::{self, Write},
     mem::{MaybeUninit, zeroed},
     sync::atomic::{
         AtomicBool, AtomicI32,
@@ -11,13 +12,21 @@ use core::{
 };
 
 use crate::{
-    line::{self, Line},
+    line::{self, Writer},
     screen::{Next, Screen, pixels},
     system::{self, call},
 };
 
 /// The upper half of a cell in the foreground's colour; the lower half shows the background's.
 const UPPER_HALF: &str = "\u{2580}";
+
+/// The code that a foreground colour of 24 bits begins with.
+const FOREGROUND: u8 = 38;
+/// The code that a background colour of 24 bits begins with.
+const BACKGROUND: u8 = 48;
+
+/// Resets the colours and clears the screen.
+const CLEAR: &str = "\x1b[0m\x1b[2J";
 
 /// Takes the alternate screen, hides the cursor, and does not wrap at the right edge.
 const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
@@ -31,7 +40,7 @@ const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 /// that ask a process to end.
 pub struct Terminal {
     escape: Escape,
-    text: Line,
+    text: Writer,
     pixels: &'static mut [u32],
     size: (usize, usize),
     shown: (usize, usize),
@@ -44,37 +53,44 @@ impl Terminal {
         SAVED.take_over();
         Terminal {
             escape: Escape::default(),
-            text: Line::to(line::OUTPUT),
+            text: Writer::new(line::OUTPUT),
             pixels: pixels(),
             size: (0, 0),
             shown: (0, 0),
         }
     }
 
-    /// Writes the picture. False if the terminal does not take it.
-    fn draw(&mut self) -> bool {
+    /// Writes the picture.
+    fn draw(&mut self) -> fmt::Result {
+        if self.shown != self.size {
+            self.shown = self.size;
+            self.text.write_str(CLEAR)?;
+        }
         let (width, height) = self.size;
         for row in 0..height / 2 {
-            // A colour that no pixel has: each row sets its own.
-            let mut colours = [u32::MAX; 2];
-            self.text.form("\x1b[\0;1H", &[row as u64 + 1], &[]);
+            write!(self.text, "\x1b[{};1H", row + 1)?;
+            // The colours of the last cell; no pixel has one with all bits set, so each row begins with its own.
+            let (mut foreground, mut background) = (u32::MAX, u32::MAX);
             for x in 0..width {
-                for (half, last) in colours.iter_mut().enumerate() {
-                    let pixel = self.pixels.get((2 * row + half) * width + x);
-                    let colour = *pixel.unwrap_or(&0);
-                    if *last != colour {
-                        *last = colour;
-                        let channel = |shift: u32| u64::from(colour >> shift & 0xff);
-                        let ground = 38 + 10 * half as u64;
-                        let values = [ground, channel(16), channel(8), channel(0)];
-                        self.text.form("\x1b[\0;2;\0;\0;\0m", &values, &[]);
-                    }
-                }
-                self.text.form(UPPER_HALF, &[], &[]);
+                let upper = self.pixels[2 * row * width + x];
+                let lower = self.pixels[(2 * row + 1) * width + x];
+                set_colour(&mut self.text, FOREGROUND, &mut foreground, upper)?;
+                set_colour(&mut self.text, BACKGROUND, &mut background, lower)?;
+                self.text.write_str(UPPER_HALF)?;
             }
         }
         self.text.flush()
     }
+}
+
+/// Sets a colour of the cells that follow, unless it is set already.
+fn set_colour(text: &mut Writer, which: u8, set: &mut u32, colour: u32) -> fmt::Result {
+    if *set == colour {
+        return Ok(());
+    }
+    *set = colour;
+    let [_, red, green, blue] = colour.to_be_bytes();
+    write!(text, "\x1b[{which};2;{red};{green};{blue}m")
 }
 
 impl Screen for Terminal {
@@ -92,17 +108,13 @@ impl Screen for Terminal {
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
         self.size = (width, height);
-        self.pixels.get_mut(..width * height).unwrap_or_default()
+        &mut self.pixels[..width * height]
     }
 
     fn show(&mut self) -> Next {
-        if self.shown != self.size {
-            self.shown = self.size;
-            self.text.form("\x1b[0m\x1b[2J", &[], &[]);
-        }
-        let shown = self.draw();
+        let drawn = self.draw();
         match signal() {
-            0 if !shown => Next::End(1),
+            0 if drawn.is_err() => Next::End(1),
             0 if self.escape.read(SAVED.keyboard()) => Next::End(0),
             0 => Next::GoOn,
             signal => Next::End(128 + signal),

@@ -178,7 +178,7 @@ impl Screen for Window {
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
         self.drawn = (width, height);
-        self.frames[0].get_mut(..width * height).unwrap_or_default()
+        &mut self.frames[0][..width * height]
     }
 
     fn show(&mut self) -> Next {

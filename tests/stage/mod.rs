@@ -23,6 +23,33 @@ pub fn intro() -> PathBuf {
     BUILT.clone()
 }
 
+/// The qualities that have a name, as errors and `--help` list them.
+pub const QUALITIES: &str = "finest finer fine default fast faster fastest thesis exhaustive";
+
+/// The intro, to be started without a display and without sound.
+pub fn headless() -> Command {
+    let mut command = Command::new(intro());
+    command.env_remove("DISPLAY").arg("--silent");
+    command
+}
+
+/// What a process wrote to standard output and to standard error.
+pub fn texts(output: &Output) -> (String, String) {
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (text(&output.stdout), text(&output.stderr))
+}
+
+/// Starts a tool that a Debian package has, or says which one.
+pub fn tool(name: &str, package: &str) -> Command {
+    let there = env::var_os("PATH")
+        .is_some_and(|path| env::split_paths(&path).any(|folder| folder.join(name).exists()));
+    assert!(
+        there,
+        "this test needs {name}: sudo apt-get install {package}"
+    );
+    Command::new(name)
+}
+
 /// Runs a command to its end. What it writes is text.
 pub fn run(command: &mut Command) -> (Output, String) {
     let output = command.output().expect("the command starts");

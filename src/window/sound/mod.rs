@@ -101,10 +101,8 @@ impl Player {
 }
 
 /// Says why the show goes on without sound.
-#[inline(never)]
-fn say_silent(why: &'static str) {
-    let words = [why.as_bytes(), b"silently"];
-    line::complain("eightfold: \u{3}; playing \u{3}\n", &words);
+fn say_silent(why: &str) {
+    line::complain(format_args!("{why}; playing silently"));
 }
 
 /// Plays until the device is lost, or the process ends.

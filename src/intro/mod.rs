@@ -1,0 +1,67 @@
+//! The intro's program, around the library:
+//!
+//! | what | module |
+//! | --- | --- |
+//! | the command line | [`options`], [`flags`] |
+//! | the qualities that can be asked for | [`qualities`] |
+//! | frames drawn by all threads | [`renderer`] |
+//! | the show on a screen, and how it went | [`playing`], [`tally`] |
+//! | a frame as a file | [`still`] |
+
+mod flags;
+mod options;
+mod playing;
+mod qualities;
+mod renderer;
+mod still;
+mod tally;
+
+use core::fmt::{self, Write};
+
+use eightfold::show;
+use eightfold_window::{
+    arguments::Arguments,
+    clock::SECOND,
+    line::{self, Writer},
+};
+use options::{Options, Request};
+
+/// How long the show is, in nanoseconds.
+const SHOW_LENGTH: u64 = (show::grid::LENGTH as f64 * SECOND as f64) as u64;
+
+/// The exit code of a run that lost its screen, or could not write what it was asked for.
+const FAILURE: i32 = 1;
+
+/// The exit code where the command line asks for what there is not.
+const MISUSE: i32 = 2;
+
+/// The whole program. Returns its exit code, 0 if all went well.
+pub fn run(arguments: Arguments) -> i32 {
+    match Options::parse(arguments) {
+        Ok(Request::Show(options)) => match options.still {
+            Some(time) => still::write(time, &options),
+            None => playing::play(&options),
+        },
+        Ok(Request::Help) => print(flags::write_help),
+        Ok(Request::Version) => print(|output| writeln!(output, "{}", flags::VERSION)),
+        Err(error) => {
+            line::complain(format_args!("{error}"));
+            MISUSE
+        }
+    }
+}
+
+/// Writes text to standard output. Returns the exit code.
+fn print(write: impl FnOnce(&mut Writer) -> fmt::Result) -> i32 {
+    let mut output = Writer::new(line::OUTPUT);
+    exit_code(write(&mut output).and_then(|()| output.flush()))
+}
+
+/// The exit code after something was written to standard output; says on standard error if that failed.
+fn exit_code(written: fmt::Result) -> i32 {
+    if written.is_ok() {
+        return 0;
+    }
+    line::complain(format_args!("can't write to standard output"));
+    FAILURE
+}

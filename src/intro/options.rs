@@ -1,0 +1,222 @@
+//! What the command line asks for.
+
+use core::{
+    fmt::{self, Display, Formatter},
+    str,
+};
+
+use eightfold::{MAX_HEIGHT, MAX_WIDTH};
+use eightfold_window::{
+    arguments::Arguments,
+    clock::SECOND,
+    cpu::{self, Isa},
+    line::Printable,
+};
+
+use super::{SHOW_LENGTH, flags::Flag, qualities};
+
+/// The most threads that have a worker's memory waiting for them.
+pub const MAX_THREADS: usize = 64;
+
+/// The most frames a second that can be asked for.
+const MAX_FPS: usize = 1000;
+
+/// The longest time that can be asked for, about 30 years: any sum of such times in nanoseconds stays far below 2^64.
+const MAX_SECONDS: u64 = 1_000_000_000;
+
+/// What the viewer asks for.
+pub enum Request {
+    /// To play the show, or to write a frame of it.
+    Show(Options),
+    /// To say which flags there are.
+    Help,
+    /// To say which version this is.
+    Version,
+}
+
+/// How to play, or to draw.
+pub struct Options {
+    /// Width and height of the window or the frame in pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
+    pub size: (usize, usize),
+    /// Whether the window starts over the whole screen.
+    pub is_fullscreen: bool,
+    /// Threads that trace, 1 to [`MAX_THREADS`]; `None`: one for each processor.
+    pub threads: Option<usize>,
+    /// The instruction set to trace with.
+    pub isa: Isa,
+    /// Nanoseconds until the end, above 0; `None`: the length of the show.
+    pub length: Option<u64>,
+    /// Whether the show starts again instead of ending.
+    pub is_looping: bool,
+    /// Frames a second to hold, 1 to [`MAX_FPS`].
+    pub fps: u64,
+    /// The one quality to keep to, by its number in [`qualities::all`]; `None`: whichever holds the frame rate.
+    pub quality: Option<usize>,
+    /// Whether frames follow each other without a pause.
+    pub is_uncapped: bool,
+    /// Whether no sound is played.
+    pub is_silent: bool,
+    /// The time in nanoseconds, below [`SHOW_LENGTH`], of the one frame that is written instead of playing.
+    pub still: Option<u64>,
+}
+
+/// Why the command line can't be followed.
+#[derive(Clone, Copy)]
+pub enum Misuse {
+    /// There is no such flag.
+    UnknownFlag(&'static [u8]),
+    /// A flag that takes a value ends the command line.
+    NoValue(&'static Flag),
+    /// A flag can't take this value.
+    BadValue(&'static Flag, &'static [u8]),
+    /// There is an instruction set of this name, but not in this CPU.
+    NotInThisCpu(&'static [u8]),
+    /// Two different qualities to keep to.
+    TwoQualities,
+}
+
+impl Display for Misuse {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match *self {
+            Misuse::UnknownFlag(given) => {
+                write!(f, "no such flag: '{}'; --help lists them", Printable(given))
+            }
+            Misuse::NoValue(flag) => write!(f, "no value: {flag}"),
+            Misuse::BadValue(flag, given) => {
+                write!(f, "can't use '{}': {flag}", Printable(given))
+            }
+            Misuse::NotInThisCpu(name) => write!(f, "this CPU has no {}", Printable(name)),
+            Misuse::TwoQualities => write!(f, "two qualities are asked for, and there can be one"),
+        }
+    }
+}
+
+impl Options {
+    /// What holds where the command line says nothing.
+    fn new() -> Options {
+        Options {
+            size: (1024, 768),
+            is_fullscreen: false,
+            threads: None,
+            isa: cpu::best(),
+            length: None,
+            is_looping: false,
+            fps: 60,
+            quality: None,
+            is_uncapped: false,
+            is_silent: false,
+            still: None,
+        }
+    }
+
+    /// Reads the command line: flags, whose values follow as the next argument or after `=`. Where a flag is there twice,
+    /// the last one holds.
+    pub fn parse(mut arguments: Arguments) -> Result<Request, Misuse> {
+        let mut options = Options::new();
+        while let Some(argument) = arguments.next() {
+            let (name, joined) = split_at_equals(argument);
+            let flag = Flag::find(name).ok_or(Misuse::UnknownFlag(argument))?;
+            let value = match joined {
+                Some(value) if flag.value.is_empty() => return Err(Misuse::BadValue(flag, value)),
+                Some(value) => value,
+                None if flag.value.is_empty() => b"",
+                None => arguments.next().ok_or(Misuse::NoValue(flag))?,
+            };
+            match flag.name {
+                "--help" => return Ok(Request::Help),
+                "--version" => return Ok(Request::Version),
+                _ => options.set(flag, value)?,
+            }
+        }
+        Ok(Request::Show(options))
+    }
+
+    /// Does what a flag says.
+    fn set(&mut self, flag: &'static Flag, value: &'static [u8]) -> Result<(), Misuse> {
+        let bad_value = Misuse::BadValue(flag, value);
+        let text = str::from_utf8(value).map_err(|_| bad_value)?;
+        match flag.name {
+            "--size" => self.size = size(text).ok_or(bad_value)?,
+            "--fullscreen" => self.is_fullscreen = true,
+            "--threads" => self.threads = Some(number(text, MAX_THREADS).ok_or(bad_value)?),
+            "--isa" if !cpu::NAMES.contains(&text) => return Err(bad_value),
+            "--isa" => self.isa = cpu::named(text).ok_or(Misuse::NotInThisCpu(value))?,
+            "--seconds" => {
+                let length = nanoseconds(text).filter(|&length| length > 0);
+                self.length = Some(length.ok_or(bad_value)?);
+            }
+            "--loop" => self.is_looping = true,
+            "--fps" => self.fps = number(text, MAX_FPS).ok_or(bad_value)? as u64,
+            "--quality" => self.keep_to(qualities::find(text).ok_or(bad_value)?)?,
+            "--exhaustive" => self.keep_to(qualities::EXHAUSTIVE)?,
+            "--uncapped" => self.is_uncapped = true,
+            "--silent" => self.is_silent = true,
+            "--still" => {
+                let time = nanoseconds(text).filter(|&time| time < SHOW_LENGTH);
+                self.still = Some(time.ok_or(bad_value)?);
+            }
+            _ => return Err(Misuse::UnknownFlag(flag.name.as_bytes())),
+        }
+        Ok(())
+    }
+
+    /// Keeps to a quality, by its number in [`qualities::all`].
+    fn keep_to(&mut self, quality: usize) -> Result<(), Misuse> {
+        match self.quality {
+            Some(other) if other != quality => Err(Misuse::TwoQualities),
+            _ => {
+                self.quality = Some(quality);
+                Ok(())
+            }
+        }
+    }
+}
+
+/// An argument's parts before and after its first `=`, if it has one.
+fn split_at_equals(argument: &[u8]) -> (&[u8], Option<&[u8]>) {
+    let mut parts = argument.splitn(2, |&byte| byte == b'=');
+    (parts.next().unwrap_or(argument), parts.next())
+}
+
+/// A whole number in decimal digits, 1 to `most`.
+fn number(text: &str, most: usize) -> Option<usize> {
+    // `parse` takes a sign, too.
+    is_digits(text)
+        .then(|| text.parse().ok())?
+        .filter(|number| (1..=most).contains(number))
+}
+
+/// Width and height with an `x` between them, up to the largest frame.
+fn size(text: &str) -> Option<(usize, usize)> {
+    let (width, height) = text.split_once('x')?;
+    Some((number(width, MAX_WIDTH)?, number(height, MAX_HEIGHT)?))
+}
+
+/// Seconds in decimal digits, with or without a fraction, up to [`MAX_SECONDS`], as nanoseconds. What is finer than a
+/// nanosecond is cut off.
+fn nanoseconds(text: &str) -> Option<u64> {
+    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
+    if whole.is_empty() && fraction.is_empty() || !is_digits(whole) || !is_digits(fraction) {
+        return None;
+    }
+    let seconds = if whole.is_empty() {
+        0
+    } else {
+        whole
+            .parse()
+            .ok()
+            .filter(|&seconds| seconds <= MAX_SECONDS)?
+    };
+    let mut time = seconds * SECOND;
+    let mut place = SECOND;
+    for digit in fraction.bytes() {
+        place /= 10;
+        time += u64::from(digit - b'0') * place;
+    }
+    Some(time)
+}
+
+/// Whether there is nothing but decimal digits.
+fn is_digits(text: &str) -> bool {
+    text.bytes().all(|byte| byte.is_ascii_digit())
+}

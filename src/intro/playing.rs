@@ -1,0 +1,132 @@
+//! The show, played on a screen to the sound.
+
+use eightfold::{Governor, MAX_HEIGHT, MAX_WIDTH, sound::Synthesizer};
+use eightfold_window::{
+    clock::{Clock, SECOND},
+    fixed::Fixed,
+    line,
+    screen::{Headless, Next, Screen},
+    sound::{Player, Source},
+    terminal::Terminal,
+    window::{NoWindow, Window},
+};
+
+use super::{SHOW_LENGTH, options::Options, print, qualities, renderer::Renderer, tally::Tally};
+
+/// The soundtrack.
+struct Music(Synthesizer);
+
+static MUSIC: Fixed<Music> = Fixed::new(Music(Synthesizer::new()));
+
+impl Source for Music {
+    fn block(&mut self) -> &[[f32; 2]] {
+        self.0.block()
+    }
+}
+
+/// Plays the show and says how it went. Returns the exit code.
+pub fn play(options: &Options) -> i32 {
+    let mut playing = Playing {
+        options,
+        renderer: Renderer::new(options),
+        tally: Tally::default(),
+    };
+    let code = playing.on_best_screen();
+    let Playing {
+        renderer, tally, ..
+    } = &playing;
+    let reported = print(|output| tally.report(output, renderer.threads(), options.isa.name));
+    if code != 0 { code } else { reported }
+}
+
+/// A run of the show.
+struct Playing<'a> {
+    options: &'a Options,
+    renderer: Renderer,
+    tally: Tally,
+}
+
+impl Playing<'_> {
+    /// Plays on the best screen there is. Returns the exit code.
+    fn on_best_screen(&mut self) -> i32 {
+        let (width, height) = self.options.size;
+        let why = match Window::open(c"Eightfold", width, height) {
+            Ok(mut window) => {
+                if self.options.is_fullscreen {
+                    window.set_fullscreen(true);
+                }
+                return self.on(&mut window);
+            }
+            Err(NoWindow::NoLibrary) => "libX11 is not installed",
+            Err(NoWindow::NoDisplay) => "no X display",
+        };
+        if line::terminal(line::OUTPUT) {
+            line::complain(format_args!("{why}; playing in the terminal"));
+            self.on(&mut Terminal::open())
+        } else {
+            line::complain(format_args!("{why}; playing unseen"));
+            self.on(&mut Headless::new(width, height))
+        }
+    }
+
+    /// Plays on a screen until the show or the viewer ends it. Returns the exit code.
+    fn on(&mut self, screen: &mut dyn Screen) -> i32 {
+        let options = self.options;
+        let qualities = qualities::all();
+        let kept = match options.quality {
+            None if options.is_uncapped => qualities::find("default"),
+            kept => kept,
+        };
+        let length = options.length.unwrap_or(if options.is_looping {
+            u64::MAX
+        } else {
+            SHOW_LENGTH
+        });
+        let mut governor = Governor::new(options.fps);
+        let mut player = if options.is_silent {
+            Player::silent()
+        } else {
+            Player::start(c"default", MUSIC.take())
+        };
+        let clock = Clock::start();
+        // When the next frame should begin.
+        let mut due = 0;
+        loop {
+            let start = clock.time();
+            let heard = player.time();
+            if heard >= length {
+                self.tally.end(start);
+                return 0;
+            }
+            let quality = kept.unwrap_or_else(|| governor.rung());
+            let size = fit(screen.size());
+            let canvas = screen.canvas(size.0, size.1);
+            self.renderer
+                .draw(heard, &qualities[quality].1, size, canvas);
+            let next = screen.show();
+            let shown = clock.time();
+            governor.frame(shown - start);
+            self.tally.count(shown, size, quality);
+            if let Next::End(code) = next {
+                return code;
+            }
+            if !options.is_uncapped {
+                // After a late frame the next ones don't hurry; the last one lasts no longer than the show.
+                due = u64::max(due + SECOND / options.fps, start);
+                let end = start.saturating_add(length - heard);
+                clock.sleep_until(due.min(end));
+            }
+        }
+    }
+}
+
+/// The size of a picture for a screen: the screen's own, or the largest of its shape. No side is 0.
+fn fit((width, height): (usize, usize)) -> (usize, usize) {
+    if width <= MAX_WIDTH && height <= MAX_HEIGHT {
+        (width.max(1), height.max(1))
+    } else if width * MAX_HEIGHT > height * MAX_WIDTH {
+        (MAX_WIDTH, (height * MAX_WIDTH / width).max(1))
+    } else {
+        ((width * MAX_HEIGHT / height).max(1), MAX_HEIGHT)
+    }
+}

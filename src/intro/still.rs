@@ -1,0 +1,49 @@
+//! One frame of the show as a file: binary PPM, which is a line of text with the size, then red, green and blue of each
+//! pixel, a byte each.
+
+use core::fmt::{self, Write};
+
+use eightfold::{MAX_WIDTH, Quality};
+use eightfold_window::{
+    line::{self, Writer},
+    screen::{Headless, Screen},
+};
+
+use super::{MISUSE, exit_code, options::Options, qualities, renderer::Renderer};
+
+/// Writes the frame of a time, in nanoseconds, to standard output. Returns the exit code.
+pub fn write(time: u64, options: &Options) -> i32 {
+    if line::terminal(line::OUTPUT) {
+        line::complain(format_args!(
+            "a terminal can't show a PPM file: --still S > frame.ppm"
+        ));
+        return MISUSE;
+    }
+    let quality = match options.quality {
+        Some(number) => qualities::all()[number].1,
+        None => Quality::DEFAULT,
+    };
+    let (width, height) = options.size;
+    let mut screen = Headless::new(width, height);
+    let pixels = screen.canvas(width, height);
+    Renderer::new(options).draw(time, &quality, options.size, pixels);
+    exit_code(write_ppm(width, height, pixels))
+}
+
+/// Writes pixels, `0x00RRGGBB`, row after row.
+fn write_ppm(width: usize, height: usize, pixels: &[u32]) -> fmt::Result {
+    let mut head = Writer::new(line::OUTPUT);
+    write!(head, "P6\n{width} {height}\n255\n")?;
+    head.flush()?;
+    let mut row = [[0; 3]; MAX_WIDTH];
+    for pixels in pixels.chunks_exact(width) {
+        for (to, pixel) in row.iter_mut().zip(pixels) {
+            let [_, red, green, blue] = pixel.to_be_bytes();
+            *to = [red, green, blue];
+        }
+        if !line::write(line::OUTPUT, row[..width].as_flattened()) {
+            return Err(fmt::Error);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,153 @@
+//! The intro's command line.
+
+mod stage;
+
+use eightfold_window::cpu;
+use stage::{QUALITIES, headless, run, texts};
+
+#[test]
+fn bad_arguments_are_named_in_one_line() {
+    let bad: &[(&[&str], &str)] = &[
+        (&["--bogus"], "--bogus"),
+        (&["bogus"], "bogus"),
+        (&[""], "--help"),
+        (&["-h"], "-h"),
+        (&["--sizes", "10x10"], "--sizes"),
+        (&["--silen"], "--silen"),
+        (&["--silent  play no sound"], "--silent  play no sound"),
+        (&["--loop=1"], "--loop"),
+        (&["=", "1"], "="),
+        (&["--loop\x1b[31m"], "--loop?[31m"),
+        (&["--size"], "--size WxH"),
+        (&["--size", "1024"], "--size WxH"),
+        (&["--size", "0x10"], "--size WxH"),
+        (&["--size", "10x0"], "--size WxH"),
+        (&["--size", "3841x10"], "--size WxH"),
+        (&["--size", "10x2161"], "--size WxH"),
+        (&["--size", "-5x10"], "--size WxH"),
+        (&["--size", "10x10x10"], "--size WxH"),
+        (&["--size", "+10x10"], "--size WxH"),
+        (&["--size=10x"], "--size WxH"),
+        (&["--size="], "--size WxH"),
+        (&["--size", "99999999999999999999999x1"], "--size WxH"),
+        (&["--threads", "0"], "--threads N"),
+        (&["--threads", "65"], "--threads N"),
+        (&["--threads", "two"], "--threads N"),
+        (&["--threads", "184467440737095516170"], "--threads N"),
+        (&["--threads"], "--threads N"),
+        (&["--seconds", "0"], "--seconds S"),
+        (&["--seconds", "0.0"], "--seconds S"),
+        (&["--seconds", "."], "--seconds S"),
+        (&["--seconds", ""], "--seconds S"),
+        (&["--seconds", "-1"], "--seconds S"),
+        (&["--seconds", "1.2.3"], "--seconds S"),
+        (&["--seconds", "nan"], "--seconds S"),
+        (&["--seconds", "inf"], "--seconds S"),
+        (&["--seconds", "1e3"], "--seconds S"),
+        (&["--seconds", "0.0000000001"], "--seconds S"),
+        (&["--seconds", "1000000001"], "--seconds S"),
+        // 2^64 ns, 2^64 s, and a second more of each.
+        (&["--seconds", "18446744073.709551616"], "--seconds S"),
+        (&["--seconds", "18446744074.709551616"], "--seconds S"),
+        (&["--seconds", "18446744073709551616"], "--seconds S"),
+        (&["--seconds", "18446744073709551617"], "--seconds S"),
+        (&["--fps", "0"], "--fps N"),
+        (&["--fps", "1001"], "--fps N"),
+        (&["--fps", "59.9"], "--fps N"),
+        (&["--quality", "best"], "--quality NAME"),
+        (&["--quality", ""], QUALITIES),
+        (&["--quality"], QUALITIES),
+        (&["--quality", "fast faster"], QUALITIES),
+        (&["--quality", "fast", "--exhaustive"], "two qualities"),
+        (&["--exhaustive", "--quality", "thesis"], "two qualities"),
+        (&["--quality", "fast", "--quality=fine"], "two qualities"),
+        (&["--isa", "neon"], "avx512 avx2 sse2"),
+        (&["--isa"], "--isa NAME"),
+        (&["--still", "96"], "--still S"),
+        (&["--still", "-1"], "--still S"),
+        (&["--still"], "--still S"),
+        (&["--loop", "--seconds", "1", "--size", "1x"], "--size WxH"),
+    ];
+    for (arguments, named) in bad {
+        let (output, _) = run(headless().args(*arguments));
+        let (said, errors) = texts(&output);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {errors}");
+        assert_eq!(said, "", "{arguments:?}");
+        assert_eq!(errors.lines().count(), 1, "{arguments:?}: {errors}");
+        assert!(errors.starts_with("eightfold: "), "{arguments:?}: {errors}");
+        assert!(errors.contains(named), "{arguments:?}: {errors}");
+    }
+}
+
+#[test]
+fn questions_are_answered() {
+    let (output, help) = run(headless().arg("--help"));
+    assert_eq!(output.status.code(), Some(0));
+    for option in [
+        "--size",
+        "--fullscreen",
+        "--threads",
+        "--isa",
+        "--seconds",
+        "--loop",
+        "--fps",
+        "--quality",
+        QUALITIES,
+        "--exhaustive",
+        "--uncapped",
+        "--silent",
+        "--still",
+        "--help",
+        "--version",
+    ] {
+        assert!(help.contains(option), "{option}: {help}");
+    }
+    let (output, version) = run(headless().arg("--version"));
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(
+        version,
+        format!("eightfold {}\n", env!("CARGO_PKG_VERSION"))
+    );
+}
+
+#[test]
+fn every_option_does_its_part() {
+    let said = |options: &str| run(headless().args(options.split(' '))).1;
+    assert!(said("--seconds 0.3 --threads 1").contains("threads 1"));
+    assert!(said("--seconds .3 --size 1x1").contains(", 1x1,"));
+    assert!(said("--seconds=.3 --size=2x3").contains(", 2x3,"));
+    assert!(said("--seconds 0.1 --seconds 0.3 --size 2x3").contains("in 0.3"));
+    // A frame may last longer than what is left.
+    assert!(said("--fps 1 --seconds 0.2 --size 16x12").contains("in 0.2"));
+    assert!(
+        said("--seconds 0.3 --size 64x48 --exhaustive --quality exhaustive --loop")
+            .contains("64x48")
+    );
+    let frames = |options: &str| {
+        let said = said(options);
+        let (frames, _) = said.split_once(' ').expect("a number and more");
+        frames.parse::<u32>().expect("a number")
+    };
+    assert!(frames("--seconds 1 --size 64x48") <= 61);
+    assert!(frames("--seconds 1 --size 64x48 --uncapped") > 120);
+    assert!(frames("--seconds 1 --size 64x48 --fps 24") <= 25);
+}
+
+#[test]
+fn instruction_sets_of_the_cpu_can_be_chosen_and_others_are_refused() {
+    let here: Vec<&str> = cpu::instruction_sets().map(|isa| isa.name).collect();
+    let (_, help) = run(headless().arg("--help"));
+    let line = format!("instruction sets of this CPU: {}\n", here.join(" "));
+    assert!(help.contains(&line), "{help}");
+    for &name in cpu::NAMES {
+        let (output, said) =
+            run(headless().args(["--isa", name, "--seconds", "0.2", "--size", "64x48"]));
+        let (_, errors) = texts(&output);
+        if here.contains(&name) {
+            assert!(said.contains(&format!(", {name}, ")), "{said}");
+        } else {
+            assert_eq!(output.status.code(), Some(2));
+            assert_eq!(errors, format!("eightfold: this CPU has no {name}\n"));
+        }
+    }
+}
