@@ -4,7 +4,7 @@ use core::fmt::{self, Display, Formatter, Write};
 
 use eightfold_window::{cpu, line::Writer};
 
-use super::qualities;
+use super::qualities::NAMED;
 
 /// What `--version` says.
 pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
@@ -109,7 +109,7 @@ impl Flag {
     fn write_help(&self, f: &mut dyn Write) -> fmt::Result {
         f.write_str(self.help)?;
         match self.name {
-            "--quality" => write_names(f, qualities::all().map(|(name, _)| name)),
+            "--quality" => write_names(f, NAMED.iter().map(|&(name, _)| name)),
             "--isa" => write_names(f, cpu::NAMES.iter().copied()),
             _ => Ok(()),
         }

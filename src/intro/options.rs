@@ -50,7 +50,7 @@ pub struct Options {
     pub is_looping: bool,
     /// Frames a second to hold, 1 to [`MAX_FPS`].
     pub fps: u64,
-    /// The one quality to keep to, by its number in [`qualities::all`]; `None`: whichever holds the frame rate.
+    /// The one quality to keep to, by its number in [`qualities::NAMED`]; `None`: whichever holds the frame rate.
     pub quality: Option<usize>,
     /// Whether frames follow each other without a pause.
     pub is_uncapped: bool,
@@ -160,7 +160,7 @@ impl Options {
         Ok(())
     }
 
-    /// Keeps to a quality, by its number in [`qualities::all`].
+    /// Keeps to a quality, by its number in [`qualities::NAMED`].
     fn keep_to(&mut self, quality: usize) -> Result<(), Misuse> {
         match self.quality {
             Some(other) if other != quality => Err(Misuse::TwoQualities),

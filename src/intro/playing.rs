@@ -11,7 +11,14 @@ use eightfold_window::{
     window::{NoWindow, Window},
 };
 
-use super::{SHOW_LENGTH, options::Options, print, qualities, renderer::Renderer, tally::Tally};
+use super::{
+    SHOW_LENGTH,
+    options::Options,
+    print,
+    qualities::{self, NAMED},
+    renderer::Renderer,
+    tally::Tally,
+};
 
 /// The soundtrack.
 struct Music(Synthesizer);
@@ -72,11 +79,9 @@ impl Playing<'_> {
     /// Plays on a screen until the show or the viewer ends it. Returns the exit code.
     fn on(&mut self, screen: &mut dyn Screen) -> i32 {
         let options = self.options;
-        let qualities = qualities::all();
-        let kept = match options.quality {
-            None if options.is_uncapped => qualities::find("default"),
-            kept => kept,
-        };
+        let kept = options
+            .quality
+            .or(options.is_uncapped.then_some(qualities::DEFAULT));
         let length = options.length.unwrap_or(if options.is_looping {
             u64::MAX
         } else {
@@ -101,8 +106,7 @@ impl Playing<'_> {
             let quality = kept.unwrap_or_else(|| governor.rung());
             let size = fit(screen.size());
             let canvas = screen.canvas(size.0, size.1);
-            self.renderer
-                .draw(heard, &qualities[quality].1, size, canvas);
+            self.renderer.draw(heard, &NAMED[quality].1, size, canvas);
             let next = screen.show();
             let shown = clock.time();
             governor.frame(shown - start);

@@ -3,13 +3,18 @@
 
 use core::fmt::{self, Write};
 
-use eightfold::{MAX_WIDTH, Quality};
+use eightfold::MAX_WIDTH;
 use eightfold_window::{
     line::{self, Writer},
     screen::{Headless, Screen},
 };
 
-use super::{MISUSE, exit_code, options::Options, qualities, renderer::Renderer};
+use super::{
+    MISUSE, exit_code,
+    options::Options,
+    qualities::{self, NAMED},
+    renderer::Renderer,
+};
 
 /// Writes the frame of a time, in nanoseconds, to standard output. Returns the exit code.
 pub fn write(time: u64, options: &Options) -> i32 {
@@ -19,14 +24,11 @@ pub fn write(time: u64, options: &Options) -> i32 {
         ));
         return MISUSE;
     }
-    let quality = match options.quality {
-        Some(number) => qualities::all()[number].1,
-        None => Quality::DEFAULT,
-    };
+    let (_, quality) = &NAMED[options.quality.unwrap_or(qualities::DEFAULT)];
     let (width, height) = options.size;
     let mut screen = Headless::new(width, height);
     let pixels = screen.canvas(width, height);
-    Renderer::new(options).draw(time, &quality, options.size, pixels);
+    Renderer::new(options).draw(time, quality, options.size, pixels);
     exit_code(write_ppm(width, height, pixels))
 }
 

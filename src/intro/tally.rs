@@ -7,7 +7,7 @@ use eightfold_window::{
     line::{Hundredths, Tenths, Writer},
 };
 
-use super::qualities;
+use super::qualities::NAMED;
 
 /// Counts of a run. All times are in nanoseconds.
 #[derive(Default)]
@@ -23,8 +23,8 @@ pub struct Tally {
     frames_in_second: u64,
     /// Width and height of the last frame.
     size: (usize, usize),
-    /// How long each quality was used, in the order of [`qualities::all`].
-    used: [u64; qualities::COUNT],
+    /// How long each quality was used, in the order of [`NAMED`].
+    used: [u64; NAMED.len()],
 }
 
 impl Tally {
@@ -66,7 +66,7 @@ impl Tally {
             self.size.0,
             self.size.1,
         )?;
-        for ((name, _), &time) in qualities::all().iter().zip(&self.used) {
+        for ((name, _), &time) in NAMED.iter().zip(&self.used) {
             if time > 0 {
                 write!(output, ", {name} {} s", hundredths(time))?;
             }
