@@ -12,8 +12,29 @@ pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 /// The keys, as `--help` says them.
 const KEYS: &str = "keys: F whole screen, W window, Esc end";
 
+/// What a flag is about.
+#[derive(Clone, Copy)]
+pub enum Switch {
+    Size,
+    Fullscreen,
+    Threads,
+    Isa,
+    Seconds,
+    Loop,
+    Fps,
+    Quality,
+    Exhaustive,
+    Uncapped,
+    Silent,
+    Still,
+    Help,
+    Version,
+}
+
 /// A flag of the command line.
 pub struct Flag {
+    /// What it is about.
+    pub switch: Switch,
     /// With its hyphens.
     pub name: &'static str,
     /// What its value looks like; empty if it takes none.
@@ -25,71 +46,85 @@ pub struct Flag {
 /// All flags. What each sets is told in [`Options`](super::options::Options).
 pub const FLAGS: &[Flag] = &[
     Flag {
+        switch: Switch::Size,
         name: "--size",
         value: "WxH",
         help: "size of the window or the frame, 1x1 to 3840x2160 (1024x768)",
     },
     Flag {
+        switch: Switch::Fullscreen,
         name: "--fullscreen",
         value: "",
         help: "start over the whole screen",
     },
     Flag {
+        switch: Switch::Threads,
         name: "--threads",
         value: "N",
         help: "threads that trace, 1 to 64 (one for each processor)",
     },
     Flag {
+        switch: Switch::Isa,
         name: "--isa",
         value: "NAME",
         help: "instruction set to trace with (the best that the CPU has):",
     },
     Flag {
+        switch: Switch::Seconds,
         name: "--seconds",
         value: "S",
         help: "seconds until the end, above 0, such as 7.5 (96, the show)",
     },
     Flag {
+        switch: Switch::Loop,
         name: "--loop",
         value: "",
         help: "start again instead of ending",
     },
     Flag {
+        switch: Switch::Fps,
         name: "--fps",
         value: "N",
         help: "frames a second to hold, 1 to 1000 (60)",
     },
     Flag {
+        switch: Switch::Quality,
         name: "--quality",
         value: "NAME",
         help: "keep to one quality (whichever holds the frame rate):",
     },
     Flag {
+        switch: Switch::Exhaustive,
         name: "--exhaustive",
         value: "",
         help: "trace every pixel, as --quality exhaustive does",
     },
     Flag {
+        switch: Switch::Uncapped,
         name: "--uncapped",
         value: "",
         help: "as many frames as can be, at default quality if none is named",
     },
     Flag {
+        switch: Switch::Silent,
         name: "--silent",
         value: "",
         help: "play no sound",
     },
     Flag {
+        switch: Switch::Still,
         name: "--still",
         value: "S",
         help: "write the frame at so many seconds, 0 to 95.99, to standard output as PPM",
     },
     Flag {
+        switch: Switch::Help,
         name: "--help",
         value: "",
         help: "say this",
     },
     Flag {
+        switch: Switch::Version,
         name: "--version",
         value: "",
         help: "say which version this is",
@@ -108,9 +143,9 @@ impl Flag {
     /// Writes what it does, and the names that it takes if there is a list of them.
     fn write_help(&self, f: &mut dyn Write) -> fmt::Result {
         f.write_str(self.help)?;
-        match self.name {
-            "--quality" => write_names(f, NAMED.iter().map(|&(name, _)| name)),
-            "--isa" => write_names(f, cpu::NAMES.iter().copied()),
+        match self.switch {
+            Switch::Quality => write_names(f, NAMED.iter().map(|&(name, _)| name)),
+            Switch::Isa => write_names(f, cpu::NAMES.iter().copied()),
             _ => Ok(()),
         }
     }

@@ -24,7 +24,7 @@ use eightfold_window::{
     clock::SECOND,
     line::{self, Writer},
 };
-use options::{Options, Request};
+use options::{Options, Task};
 
 /// How long the show is, in nanoseconds.
 const SHOW_LENGTH: u64 = (show::grid::LENGTH as f64 * SECOND as f64) as u64;
@@ -37,17 +37,18 @@ const MISUSE: i32 = 2;
 
 /// The whole program. Returns its exit code, 0 if all went well.
 pub fn run(arguments: Arguments) -> i32 {
-    match Options::parse(arguments) {
-        Ok(Request::Show(options)) => match options.still {
-            Some(time) => still::write(time, &options),
-            None => playing::play(&options),
-        },
-        Ok(Request::Help) => print(flags::write_help),
-        Ok(Request::Version) => print(|output| writeln!(output, "{}", flags::VERSION)),
-        Err(error) => {
-            line::complain(format_args!("{error}"));
-            MISUSE
+    let options = match Options::parse(arguments) {
+        Ok(options) => options,
+        Err(misuse) => {
+            line::complain(format_args!("{misuse}"));
+            return MISUSE;
         }
+    };
+    match options.task {
+        Task::Play => playing::play(&options),
+        Task::Still(time) => still::write(time, &options),
+        Task::Help => print(flags::write_help),
+        Task::Version => print(|output| writeln!(output, "{}", flags::VERSION)),
     }
 }
 

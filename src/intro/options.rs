@@ -13,7 +13,11 @@ use eightfold_window::{
     line::Printable,
 };
 
-use super::{SHOW_LENGTH, flags::Flag, qualities};
+use super::{
+    SHOW_LENGTH,
+    flags::{Flag, Switch},
+    qualities,
+};
 
 /// The most threads that have a worker's memory waiting for them.
 pub const MAX_THREADS: usize = 64;
@@ -24,18 +28,23 @@ const MAX_FPS: usize = 1000;
 /// The longest time that can be asked for, about 30 years: any sum of such times in nanoseconds stays far below 2^64.
 const MAX_SECONDS: u64 = 1_000_000_000;
 
-/// What the viewer asks for.
-pub enum Request {
-    /// To play the show, or to write a frame of it.
-    Show(Options),
-    /// To say which flags there are.
+/// What to do.
+#[derive(Clone, Copy)]
+pub enum Task {
+    /// Play the show.
+    Play,
+    /// Write the frame of a time in nanoseconds, below [`SHOW_LENGTH`].
+    Still(u64),
+    /// Say which flags there are.
     Help,
-    /// To say which version this is.
+    /// Say which version this is.
     Version,
 }
 
-/// How to play, or to draw.
+/// What to do, and how to play or to draw.
 pub struct Options {
+    /// What to do.
+    pub task: Task,
     /// Width and height of the window or the frame in pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
     pub size: (usize, usize),
     /// Whether the window starts over the whole screen.
@@ -56,8 +65,6 @@ pub struct Options {
     pub is_uncapped: bool,
     /// Whether no sound is played.
     pub is_silent: bool,
-    /// The time in nanoseconds, below [`SHOW_LENGTH`], of the one frame that is written instead of playing.
-    pub still: Option<u64>,
 }
 
 /// Why the command line can't be followed.
@@ -95,6 +102,7 @@ impl Options {
     /// What holds where the command line says nothing.
     fn new() -> Options {
         Options {
+            task: Task::Play,
             size: (1024, 768),
             is_fullscreen: false,
             threads: None,
@@ -105,13 +113,12 @@ impl Options {
             quality: None,
             is_uncapped: false,
             is_silent: false,
-            still: None,
         }
     }
 
     /// Reads the command line: flags, whose values follow as the next argument or after `=`. Where a flag is there twice,
-    /// the last one holds.
-    pub fn parse(mut arguments: Arguments) -> Result<Request, Misuse> {
+    /// the last one holds; nothing after a question is read.
+    pub fn parse(mut arguments: Arguments) -> Result<Options, Misuse> {
         let mut options = Options::new();
         while let Some(argument) = arguments.next() {
             let (name, joined) = split_at_equals(argument);
@@ -122,40 +129,40 @@ impl Options {
                 None if flag.value.is_empty() => b"",
                 None => arguments.next().ok_or(Misuse::NoValue(flag))?,
             };
-            match flag.name {
-                "--help" => return Ok(Request::Help),
-                "--version" => return Ok(Request::Version),
-                _ => options.set(flag, value)?,
+            options.set(flag, value)?;
+            if matches!(flag.switch, Switch::Help | Switch::Version) {
+                break;
             }
         }
-        Ok(Request::Show(options))
+        Ok(options)
     }
 
     /// Does what a flag says.
     fn set(&mut self, flag: &'static Flag, value: &'static [u8]) -> Result<(), Misuse> {
         let bad_value = Misuse::BadValue(flag, value);
         let text = str::from_utf8(value).map_err(|_| bad_value)?;
-        match flag.name {
-            "--size" => self.size = size(text).ok_or(bad_value)?,
-            "--fullscreen" => self.is_fullscreen = true,
-            "--threads" => self.threads = Some(number(text, MAX_THREADS).ok_or(bad_value)?),
-            "--isa" if !cpu::NAMES.contains(&text) => return Err(bad_value),
-            "--isa" => self.isa = cpu::named(text).ok_or(Misuse::NotInThisCpu(value))?,
-            "--seconds" => {
+        match flag.switch {
+            Switch::Size => self.size = size(text).ok_or(bad_value)?,
+            Switch::Fullscreen => self.is_fullscreen = true,
+            Switch::Threads => self.threads = Some(number(text, MAX_THREADS).ok_or(bad_value)?),
+            Switch::Isa if !cpu::NAMES.contains(&text) => return Err(bad_value),
+            Switch::Isa => self.isa = cpu::named(text).ok_or(Misuse::NotInThisCpu(value))?,
+            Switch::Seconds => {
                 let length = nanoseconds(text).filter(|&length| length > 0);
                 self.length = Some(length.ok_or(bad_value)?);
             }
-            "--loop" => self.is_looping = true,
-            "--fps" => self.fps = number(text, MAX_FPS).ok_or(bad_value)? as u64,
-            "--quality" => self.keep_to(qualities::find(text).ok_or(bad_value)?)?,
-            "--exhaustive" => self.keep_to(qualities::EXHAUSTIVE)?,
-            "--uncapped" => self.is_uncapped = true,
-            "--silent" => self.is_silent = true,
-            "--still" => {
+            Switch::Loop => self.is_looping = true,
+            Switch::Fps => self.fps = number(text, MAX_FPS).ok_or(bad_value)? as u64,
+            Switch::Quality => self.keep_to(qualities::find(text).ok_or(bad_value)?)?,
+            Switch::Exhaustive => self.keep_to(qualities::EXHAUSTIVE)?,
+            Switch::Uncapped => self.is_uncapped = true,
+            Switch::Silent => self.is_silent = true,
+            Switch::Still => {
                 let time = nanoseconds(text).filter(|&time| time < SHOW_LENGTH);
-                self.still = Some(time.ok_or(bad_value)?);
+                self.task = Task::Still(time.ok_or(bad_value)?);
             }
-            _ => return Err(Misuse::UnknownFlag(flag.name.as_bytes())),
+            Switch::Help => self.task = Task::Help,
+            Switch::Version => self.task = Task::Version,
         }
         Ok(())
     }
