@@ -6,7 +6,7 @@
 //! can't be shared, as with a display on another machine, frames go through the socket.
 
 use core::{
-    ffi::c_int,
+    ffi::{c_int, c_uint},
     mem::size_of,
     ptr::with_exposed_provenance_mut,
     slice::from_raw_parts_mut,
@@ -26,6 +26,15 @@ use crate::{
 
 /// Set when the server refuses a request for another reason than that the window is gone.
 pub(crate) static REFUSED: AtomicBool = AtomicBool::new(false);
+
+/// How pixels come to the server.
+#[derive(Clone, Copy)]
+pub(crate) enum PutImage {
+    /// By the connection to it, as copies.
+    ThroughSocket,
+    /// In memory that it shares, by functions of libXext.
+    Shared(&'static Xext),
+}
 
 impl Window {
     /// Shows the frame in the window, stretched where its size is another.
@@ -55,15 +64,10 @@ impl Window {
         // Steps in units of 2^-32 pixels, rounded up, so that what is just a pixel stays one.
         let step = |from: usize, to: usize| (from << 32) / to.max(1) + 1;
         let (across, down) = (step(from_width, width), step(from_height, height));
-        let mut pixels = to.iter_mut();
-        for y in top..bottom {
-            let row = ((y * down) >> 32) * from_width;
-            for x in 0..width {
-                if let (Some(to), Some(from)) =
-                    (pixels.next(), from.get(row + ((x * across) >> 32)))
-                {
-                    *to = *from;
-                }
+        for (row, y) in to.chunks_exact_mut(width).zip(top..bottom) {
+            let from_row = &from[((y * down) >> 32) * from_width..][..from_width];
+            for (x, pixel) in row.iter_mut().enumerate() {
+                *pixel = from_row[(x * across) >> 32];
             }
         }
     }
@@ -77,9 +81,9 @@ impl Window {
     /// Has the server copy one of the frames to some rows of the window.
     fn put(&mut self, frame: usize, width: usize, top: usize, bottom: usize) {
         let height = bottom - top;
-        let Some(pixels) = self.frames.get_mut(frame) else {
-            return;
-        };
+        let pixels = &mut self.frames[frame];
+        let (display, window, context) = (self.display, self.window, self.context);
+        let (top, columns, rows) = (top as c_int, width as c_uint, height as c_uint);
         // SAFETY: the image is this one's own, and says of the pixels what is so.
         unsafe {
             let image = &mut *self.image;
@@ -87,19 +91,28 @@ impl Window {
             image.height = height as c_int;
             image.bytes_per_line = (width * size_of::<u32>()) as c_int;
             image.data = pixels.as_mut_ptr().cast();
-            (self.put_image)(
-                self.display,
-                self.window,
-                self.context,
-                image,
-                0,
-                0,
-                0,
-                top as c_int,
-                width as u32,
-                height as u32,
-                xlib::False,
-            );
+            match self.put_image {
+                PutImage::ThroughSocket => {
+                    let put = self.x.XPutImage;
+                    put(display, window, context, image, 0, 0, 0, top, columns, rows);
+                }
+                PutImage::Shared(xext) => {
+                    let (put, unannounced) = (xext.XShmPutImage, xlib::False);
+                    put(
+                        display,
+                        window,
+                        context,
+                        image,
+                        0,
+                        0,
+                        0,
+                        top,
+                        columns,
+                        rows,
+                        unannounced,
+                    );
+                }
+            }
         }
     }
 
@@ -139,7 +152,7 @@ impl Window {
             if !attached || REFUSED.load(Relaxed) {
                 return None;
             }
-            self.put_image = shared.XShmPutImage;
+            self.put_image = PutImage::Shared(shared);
             Some(from_raw_parts_mut(memory, 2 * MOST_PIXELS))
         }
     }

@@ -1,4 +1,4 @@
-//! Time that only goes forward, in nanoseconds: whole numbers take fewer bytes than fractions.
+//! Time that only goes forward, in nanoseconds.
 
 use crate::system::call;
 

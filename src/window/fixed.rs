@@ -1,16 +1,14 @@
-//! Memory of fixed size, part of the program itself.
+//! Values too large for a stack, without `unsafe` where they are used.
 
 use core::{
     cell::UnsafeCell,
     sync::atomic::{AtomicBool, Ordering::AcqRel},
 };
 
-use crate::abort::eightfold_abort;
-
-/// A value that lives as long as the program and is lent out once.
+/// A value in a `static` that lives as long as the program and is lent out once.
 ///
-/// In a `static` whose bits are all zero it takes no room in the program's file, and memory only
-/// where it has been written.
+/// If all its bits are zero, it takes no room in the program's file, and memory only where it has been written: of the
+/// memory for the largest frame and the most threads, what a run needs. `Box::new` would copy it from the stack.
 pub struct Fixed<T> {
     taken: AtomicBool,
     value: UnsafeCell<T>,
@@ -30,19 +28,12 @@ impl<T> Fixed<T> {
 
     /// Lends the value out for good.
     ///
-    /// The second time, that is the end of the process.
+    /// # Panics
+    /// If it is lent out already.
     #[allow(clippy::mut_from_ref, reason = "it happens once")]
     pub fn take(&'static self) -> &'static mut T {
-        take_once(&self.taken);
+        assert!(!self.taken.swap(true, AcqRel), "lent out already");
         // SAFETY: the flag lets one caller through, ever.
         unsafe { &mut *self.value.get() }
-    }
-}
-
-/// Sets the flag; apart, so that the check is in the program once.
-#[inline(never)]
-fn take_once(taken: &AtomicBool) {
-    if taken.swap(true, AcqRel) {
-        eightfold_abort();
     }
 }

@@ -33,3 +33,25 @@ impl Press {
         })
     }
 }
+
+/// The first 32 keys of those that were pressed: as many as anybody presses while a frame is drawn.
+#[derive(Default)]
+pub(crate) struct Presses {
+    keys: [Option<Press>; 32],
+    count: usize,
+}
+
+impl Presses {
+    /// Adds a key, if there is room.
+    pub(crate) fn push(&mut self, press: Press) {
+        if let Some(place) = self.keys.get_mut(self.count) {
+            *place = Some(press);
+            self.count += 1;
+        }
+    }
+
+    /// The keys, in order.
+    pub(crate) fn into_iter(self) -> impl Iterator<Item = Press> {
+        self.keys.into_iter().flatten()
+    }
+}

@@ -2,7 +2,7 @@
 
 use core::{
     ffi::{CStr, c_int, c_uint, c_void},
-    mem::{forget, transmute, zeroed},
+    mem::{forget, take, zeroed},
     ptr::null_mut,
     sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
@@ -11,14 +11,14 @@ use minifb::{Scale, WindowOptions};
 use x11_dl::{
     keysym,
     xlib::{self, Functions},
-    xshm::PutImage,
 };
 
 pub use crate::keyboard::Press;
 use crate::{
-    blit,
+    blit::{self, PutImage},
     clock::{self, SECOND},
     fullscreen::Place,
+    keyboard::Presses,
     line, pool,
     screen::{Next, Screen},
     system::call,
@@ -50,8 +50,8 @@ pub struct Window {
     pub(crate) frames: [&'static mut [u32]; 2],
     /// Width and height of that one.
     pub(crate) drawn: (usize, usize),
-    /// Other keys that were pressed.
-    presses: Vec<Press>,
+    /// Other keys that were pressed since they were last asked for.
+    presses: Presses,
 }
 
 /// Why there is no window.
@@ -114,11 +114,10 @@ impl Window {
                 before: None,
                 context: screen.default_gc,
                 image,
-                // (It takes one less, and does not look at the last.)
-                put_image: transmute::<*const (), PutImage>(x.XPutImage as *const ()),
+                put_image: PutImage::ThroughSocket,
                 frames: [&mut [], &mut []],
                 drawn: (0, 0),
-                presses: Vec::new(),
+                presses: Presses::default(),
             }
         };
         window.find_memory();
@@ -165,9 +164,10 @@ impl Window {
 
 /// What the lab asks of its window.
 impl Window {
-    /// The keys pressed since the last call, in order; one that is held comes again and again.
-    pub fn presses(&mut self) -> Vec<Press> {
-        core::mem::take(&mut self.presses)
+    /// The keys pressed since the last call, in order; one that is held comes again and again. Of more than 32 the rest is
+    /// lost.
+    pub fn presses(&mut self) -> impl Iterator<Item = Press> + use<> {
+        take(&mut self.presses).into_iter()
     }
 }
 
@@ -201,8 +201,9 @@ impl Screen for Window {
                         }
                     },
                     xlib::ConfigureNotify => {
-                        let (width, height) = (event.configure.width, event.configure.height);
-                        self.size = (width as usize, height as usize);
+                        // The server knows no size of 0, but anybody can send such an event.
+                        let side = |length: c_int| length.max(1) as usize;
+                        self.size = (side(event.configure.width), side(event.configure.height));
                     }
                     xlib::ClientMessage
                         if event.client_message.data.get_long(0) as xlib::Atom == self.delete =>

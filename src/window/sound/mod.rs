@@ -35,8 +35,8 @@ const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 const SLACK: u64 = 3 * LATENCY as u64 * 1000;
 
 /// By what share of the time a device can be ahead of the clock: a thousandth, more than any quartz. One that plays nothing
-/// has heard at once all that it is given, which is no time to go by. (A power of two takes 9 bytes less to divide by.)
-const FASTEST: u64 = 1 << 10;
+/// has heard at once all that it is given, which is no time to go by.
+const FASTEST: u64 = 1000;
 
 /// What makes sound.
 pub trait Source: Send {

@@ -58,21 +58,6 @@ loaded! {
     fn XSync(*mut Display, Bool) -> c_int;
 }
 
-/// `XShmPutImage`, and `XPutImage` with one argument more.
-pub type PutImage = unsafe extern "C" fn(
-    *mut Display,
-    Drawable,
-    GC,
-    *mut XImage,
-    c_int,
-    c_int,
-    c_int,
-    c_int,
-    c_uint,
-    c_uint,
-    Bool,
-) -> Status;
-
 loaded! {
     /// The functions that are looked up in libXext: pictures in memory that the server shares.
     Xext, XEXT_NAMES:

@@ -36,7 +36,7 @@ pub mod xlib {
 
 /// Pictures in memory that the server shares, in libXext.
 pub mod xshm {
-    pub use crate::functions::{PutImage, Xext};
+    pub use crate::functions::Xext;
     pub use crate::types::XShmSegmentInfo;
 }
 

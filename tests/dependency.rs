@@ -1,0 +1,107 @@
+//! The library in a crate of somebody else, whose workspace knows nothing of this one's.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+/// A crate that depends on this one by its path.
+struct Dependent {
+    folder: tempfile::TempDir,
+}
+
+impl Dependent {
+    /// Makes one. `features` is what its manifest says of the dependency's.
+    fn new(features: &str) -> Dependent {
+        let folder = tempfile::tempdir().expect("a folder");
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let manifest = format!(
+            "[package]\nname = \"dependent\"\nedition = \"2024\"\n\n\
+             [dependencies]\neightfold = {{ path = {root:?}, {features} }}\n\n[workspace]\n"
+        );
+        let files = [
+            ("Cargo.toml", manifest.as_bytes()),
+            ("src/main.rs", PROGRAM.as_bytes()),
+            // So that it takes the versions that are here already.
+            (
+                "Cargo.lock",
+                &fs::read(root.join("Cargo.lock")).expect("it is read"),
+            ),
+        ];
+        fs::create_dir(folder.path().join("src")).expect("a folder");
+        for (name, text) in files {
+            fs::write(folder.path().join(name), text).expect("it is written");
+        }
+        Dependent { folder }
+    }
+
+    /// Runs cargo in it, which has to succeed. Returns what it writes to standard output.
+    fn cargo(&self, arguments: &[&str]) -> String {
+        // Kept, so that only the first run compiles everything.
+        let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("dependent");
+        let output = Command::new(env!("CARGO"))
+            .args(arguments)
+            .current_dir(&self.folder)
+            .env("CARGO_TARGET_DIR", target)
+            .output()
+            .expect("cargo runs");
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "cargo {arguments:?}: {errors}");
+        String::from_utf8(output.stdout).expect("text")
+    }
+
+    /// The names of the crates that are compiled for it, without those that only build scripts need.
+    fn crates(&self) -> Vec<String> {
+        let tree = self.cargo(&["tree", "--prefix", "none", "--edges", "normal"]);
+        let name = |line: &str| line.split(' ').next().expect("a name").to_owned();
+        tree.lines().map(name).collect()
+    }
+}
+
+/// Draws a frame.
+const PROGRAM: &str = "
+use eightfold::{Band, Level, Memory, Quality, Worker, render, show};
+
+fn main() {
+    let mut memory = Memory::new();
+    let mut workers = [Worker::new()];
+    let mut pixels = [0; 64 * 48];
+    render(
+        Level::baseline(),
+        &show::scene(2.0),
+        &Quality::DEFAULT,
+        64,
+        48,
+        &mut memory,
+        &mut workers,
+        &mut pixels,
+        |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
+            for band in bands {
+                job(&mut workers[0], band);
+            }
+        },
+    );
+}
+";
+
+#[test]
+fn without_the_intro_it_needs_no_crate_of_a_window() {
+    let dependent = Dependent::new("default-features = false");
+    dependent.cargo(&["check", "--offline"]);
+    let crates = dependent.crates();
+    assert!(crates.iter().any(|name| name == "eightfold"), "{crates:?}");
+    for name in ["eightfold-window", "minifb", "x11-dl", "libc"] {
+        assert!(!crates.iter().any(|other| other == name), "{crates:?}");
+    }
+}
+
+#[test]
+fn with_default_features_it_compiles_beside_the_original_of_x11_dl() {
+    let dependent = Dependent::new("features = []");
+    // Here, `minifb` has another `x11-dl` than in this workspace: it may have to be downloaded.
+    dependent.cargo(&["check"]);
+    let crates = dependent.crates();
+    let count = |wanted: &str| crates.iter().filter(|name| *name == wanted).count();
+    assert!(count("minifb") > 0 && count("x11-dl") > 1, "{crates:?}");
+}
