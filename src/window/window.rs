@@ -1,13 +1,14 @@
 //! A window on an X display.
 
 use core::{
-    ffi::{CStr, c_int, c_uint, c_void},
-    mem::{forget, take, zeroed},
+    ffi::{CStr, c_int, c_uint},
+    mem::{ManuallyDrop, take, zeroed},
     ptr::null_mut,
     sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
 
 use minifb::{Scale, WindowOptions};
+use raw_window_handle::{HasDisplayHandle, HasWindowHandle, RawDisplayHandle, RawWindowHandle};
 use x11_dl::{
     keysym,
     xlib::{self, Functions},
@@ -16,19 +17,17 @@ use x11_dl::{
 pub use crate::keyboard::Press;
 use crate::{
     blit::{self, PutImage},
-    clock::{self, SECOND},
     fullscreen::Place,
     keyboard::Presses,
-    line, pool,
+    line,
     screen::{Next, Screen},
     system::call,
 };
 
 /// A window that shows frames, with keys: F for the whole screen, W for the window, Esc to end.
 ///
-/// `minifb` makes it. What happens in it is taken from Xlib: a key that is pressed and released between two frames
-/// counts, and the intro is without the 2 KB that know all keys and the mouse. It stays until the process ends, when
-/// the display closes it, at once and for sure.
+/// `minifb` makes it. What happens in it is taken from Xlib, so that a key that is pressed and released between two frames
+/// counts. It stays until the process ends, when the display closes it, at once and for sure.
 pub struct Window {
     pub(crate) x: Functions,
     pub(crate) display: *mut xlib::Display,
@@ -52,6 +51,8 @@ pub struct Window {
     pub(crate) drawn: (usize, usize),
     /// Other keys that were pressed since they were last asked for.
     presses: Presses,
+    /// `minifb`'s own, which would close the display that all the rest goes to.
+    _made: ManuallyDrop<minifb::Window>,
 }
 
 /// Why there is no window.
@@ -78,17 +79,8 @@ impl Window {
             (x.XSetErrorHandler)(refused);
             (x.XSetIOErrorHandler)(lost);
         }
-        let display = x.open_display().ok_or(NoWindow::NoDisplay)?;
-        // SAFETY: it needs nothing, and the title is not kept.
-        if !unsafe { pool::spawn(&mut 0, make, null_mut()) } {
-            return Err(NoWindow::NoDisplay);
-        }
-        let window = loop {
-            if let Some(window) = x.window() {
-                break window;
-            }
-            clock::sleep(SECOND / 1000);
-        };
+        let made = make(title).ok_or(NoWindow::NoDisplay)?;
+        let (display, window) = handles(&made).ok_or(NoWindow::NoDisplay)?;
         // SAFETY: display and window are open, zero is a colour, and what is pointed to outlives the calls. Xlib's picture
         // without pixels belongs to nobody else.
         let mut window = unsafe {
@@ -118,6 +110,7 @@ impl Window {
                 frames: [&mut [], &mut []],
                 drawn: (0, 0),
                 presses: Presses::default(),
+                _made: ManuallyDrop::new(made),
             }
         };
         window.find_memory();
@@ -224,16 +217,26 @@ impl Screen for Window {
     }
 }
 
-/// Has `minifb` make a window: it is there once [`Functions::window`] has it, and this thread ends with that.
-extern "C" fn make(_: *mut c_void) -> *mut c_void {
+/// Has `minifb` open the display and make a window that is not shown yet.
+fn make(title: &CStr) -> Option<minifb::Window> {
     let options = WindowOptions {
         resize: true,
         scale: Scale::X1,
         ..WindowOptions::default()
     };
-    // (An error would have a message that nobody reads; there is a display, so there is none.)
-    forget(minifb::Window::new("", 0, 0, options));
-    null_mut()
+    // `minifb` keeps a picture of this size, which nobody draws to. The window gets its own when it is shown.
+    minifb::Window::new(title.to_str().ok()?, 1, 1, options).ok()
+}
+
+/// What Xlib knows the display and the window by.
+fn handles(made: &minifb::Window) -> Option<(*mut xlib::Display, xlib::Window)> {
+    let RawDisplayHandle::Xlib(display) = made.display_handle().ok()?.as_raw() else {
+        return None;
+    };
+    let RawWindowHandle::Xlib(window) = made.window_handle().ok()?.as_raw() else {
+        return None;
+    };
+    Some((display.display?.as_ptr().cast(), window.window))
 }
 
 /// Takes note of requests that the server refuses. Xlib's own function would end the process.

@@ -1,19 +1,17 @@
 //! Functions as `minifb` finds them: those that the intro needs nothing from answer in place.
 //!
-//! `minifb` makes the window, without a size and not yet to be seen, on a thread of its own, which ends with that: what
-//! `minifb` does later, for pictures and keys, is left out of the program, 1.5 kB. The rest is done by `eightfold-window`,
-//! which opens the display before, so that nothing can fail here, and shows the window after.
+//! `minifb` opens the display and makes the window, which is not shown by that: its picture, its place on the screen and its
+//! keys are the business of `eightfold-window`.
 
 use core::{
     ffi::{c_char, c_int, c_uint, c_ulong, c_void},
     ops::Deref,
     ptr::{dangling_mut, null_mut},
-    sync::atomic::Ordering::Relaxed,
 };
 
 use crate::{
     OpenError,
-    functions::{DISPLAY, Loaded, loaded, made},
+    functions::{Functions, Loaded, loaded},
     types::*,
 };
 
@@ -24,16 +22,20 @@ macro_rules! left_out {
         ///
         /// Left out are input methods (the intro takes keys, not text), Xlib's thread locks (one
         /// thread talks to the server), the mouse, visuals with transparency, and pictures: the window takes its
-        /// parent's depth and visual, for which zero stands. Left out is all that follows [`answer::XCreateWindow`].
+        /// parent's depth and visual, for which zero stands.
         #[derive(Clone, Copy)]
         pub struct Xlib {
             $( pub $name: answer::$name, )*
         }
 
         impl Xlib {
-            /// What `minifb` calls when it makes a window, for which there has to be a display already.
+            /// Opens libX11.
+            ///
+            /// # Errors
+            /// If it is not there, or lacks a function.
             #[inline]
             pub fn open() -> Result<Xlib, OpenError> {
+                Functions::load().ok_or(OpenError)?;
                 Ok(Xlib { $( $name: answer::$name, )* })
             }
         }
@@ -66,24 +68,13 @@ impl Deref for Xlib {
 
     #[inline(always)]
     fn deref(&self) -> &Loaded {
-        // SAFETY: nobody opens a window before the functions are loaded.
+        // SAFETY: there is an `Xlib` only after `load`.
         unsafe { loaded() }
     }
 }
 
 left_out! {
     fn XInitThreads() -> Status = 1;
-    // SAFETY: only `Functions::load` stores it, and it is not null; nobody opens a window before.
-    fn XOpenDisplay(_: *const c_char) -> *mut Display = unsafe {
-        let display = DISPLAY.load(Relaxed);
-        core::hint::assert_unchecked(!display.is_null());
-        display
-    };
-    // SAFETY: it is called with what Xlib's own is.
-    fn XCreateWindow(display: *mut Display, parent: Window, x: c_int, y: c_int, _: c_uint, _: c_uint, _: c_uint, _: c_int, class: c_uint, _: *mut Visual, mask: c_ulong, attributes: *mut XSetWindowAttributes) -> Window = unsafe {
-        made((loaded().XCreateWindow)(display, parent, x, y, 1, 1, 0, 0, class, null_mut(), mask, attributes))
-    };
-    fn XInternAtom(_: *mut Display, _: *const c_char, _: Bool) -> Atom = 0;
     // SAFETY: the display is open.
     fn XDefaultRootWindow(display: *mut Display) -> Window = unsafe { (*(*display).screen()).root };
     fn XMapRaised(_: *mut Display, _: Window) -> c_int = 0;

@@ -5,10 +5,9 @@ use core::{
     ffi::{CStr, c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_void},
     mem::MaybeUninit,
     ops::Deref,
-    ptr::{null, null_mut},
     sync::atomic::{
-        AtomicBool, AtomicPtr, AtomicUsize,
-        Ordering::{Acquire, Relaxed, Release},
+        AtomicBool,
+        Ordering::{Acquire, Release},
     },
 };
 
@@ -78,22 +77,6 @@ unsafe impl<T> Sync for Table<T> {}
 static XLIB_TABLE: Table<Loaded> = Table::new();
 static XEXT_TABLE: Table<Xext> = Table::new();
 
-/// The display that [`Functions::open_display`] has opened.
-pub(crate) static DISPLAY: AtomicPtr<Display> = AtomicPtr::new(null_mut());
-
-/// The window that `minifb` has made, or 0.
-static WINDOW: AtomicUsize = AtomicUsize::new(0);
-
-/// Takes note of the window that `minifb` has made, and ends the thread that it made it on.
-#[cold]
-pub(crate) fn made(window: Window) -> ! {
-    WINDOW.store(window as usize, Release);
-    loop {
-        // SAFETY: only this thread ends. Its stack stays as it is, with all that others may have been told of.
-        unsafe { libc::syscall(libc::SYS_exit, 0) };
-    }
-}
-
 /// The functions of libX11.
 ///
 /// # Safety
@@ -114,20 +97,6 @@ impl Functions {
     pub fn load() -> Option<Functions> {
         XLIB_TABLE.open(c"libX11.so.6", XLIB_NAMES)?;
         Some(Functions(()))
-    }
-
-    /// Connects to the display that the environment names, for `minifb`'s next window. `None` if there is none.
-    pub fn open_display(self) -> Option<*mut Display> {
-        // SAFETY: the null pointer stands for the environment's display.
-        let display = unsafe { (self.XOpenDisplay)(null()) };
-        DISPLAY.store(display, Relaxed);
-        (!display.is_null()).then_some(display)
-    }
-
-    /// The window that `minifb` has made since this was asked last.
-    pub fn window(self) -> Option<Window> {
-        let window = WINDOW.swap(0, Acquire);
-        (window != 0).then_some(window as Window)
     }
 }
 

@@ -40,6 +40,6 @@ pub mod xshm {
     pub use crate::types::XShmSegmentInfo;
 }
 
-/// Why no function can be called: never, where it is asked. What `minifb` would say of it is left out with it.
+/// There is no library, or it lacks a function.
 #[derive(Debug)]
-pub enum OpenError {}
+pub struct OpenError;
