@@ -4,7 +4,8 @@ mod stage;
 
 use eightfold::{Band, Level, Memory, Quality, Worker, render, scene::Scene, show};
 use eightfold_window::{cpu, fixed::Fixed};
-use stage::{headless, intro, run, texts, tool};
+use stage::{headless, intro, run, texts};
+use std::process::Command;
 use std::sync::{LazyLock, Mutex};
 
 /// The tracer's memory, while it is lent out.
@@ -58,7 +59,7 @@ fn drawn(level: Level, time: f32, quality: &Quality, width: usize, height: usize
     static LENT: LazyLock<Mutex<Lent>> =
         LazyLock::new(|| Mutex::new((MEMORY.take(), WORKERS.take())));
     let (memory, workers) = &mut *LENT.lock().expect("no panic before");
-    let mut scene = Box::new(Scene::NONE);
+    let mut scene = Box::new(Scene::ZEROED);
     show::at(time, &mut scene);
     let mut pixels = vec![0; width * height];
     render(
@@ -120,7 +121,7 @@ fn what_can_not_be_written_is_an_error_in_one_line() {
             "{} --silent --still 2 {output}; exit ${{PIPESTATUS[0]}}",
             intro().display()
         );
-        let (output, _) = run(tool("bash", "bash").args(["-c", &script]));
+        let (output, _) = run(Command::new("bash").args(["-c", &script]));
         let (_, errors) = texts(&output);
         assert_eq!(output.status.code(), Some(expected), "{script}: {errors}");
         let line = "eightfold: can't write to standard output\n";
@@ -131,7 +132,7 @@ fn what_can_not_be_written_is_an_error_in_one_line() {
 #[test]
 fn a_terminal_is_refused() {
     let command = format!("{} --still 2; echo code $?", intro().display());
-    let (_, said) = run(tool("script", "bsdutils").args(["-q", "-c", &command, "/dev/null"]));
+    let (_, said) = run(Command::new("script").args(["-q", "-c", &command, "/dev/null"]));
     let lines: Vec<&str> = said.lines().map(str::trim_end).collect();
     let [error, code] = lines[..] else {
         panic!("{said}");

@@ -22,7 +22,7 @@ struct Workspace {
 
 /// Far too large for a stack; what no thread or frame size needs is never touched, so it takes no memory.
 static WORKSPACE: Fixed<Workspace> = Fixed::new(Workspace {
-    scene: Scene::NONE,
+    scene: Scene::ZEROED,
     memory: Memory::new(),
     workers: [const { Worker::new() }; _],
 });

@@ -39,17 +39,6 @@ pub fn texts(output: &Output) -> (String, String) {
     (text(&output.stdout), text(&output.stderr))
 }
 
-/// Starts a tool that a Debian package has, or says which one.
-pub fn tool(name: &str, package: &str) -> Command {
-    let there = env::var_os("PATH")
-        .is_some_and(|path| env::split_paths(&path).any(|folder| folder.join(name).exists()));
-    assert!(
-        there,
-        "this test needs {name}: sudo apt-get install {package}"
-    );
-    Command::new(name)
-}
-
 /// Runs a command to its end. What it writes is text.
 pub fn run(command: &mut Command) -> (Output, String) {
     let output = command.output().expect("the command starts");
