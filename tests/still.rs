@@ -4,7 +4,7 @@ mod stage;
 
 use eightfold::{Band, Level, Memory, Quality, Worker, render, scene::Scene, show};
 use eightfold_window::{cpu, fixed::Fixed};
-use stage::{headless, intro, run, texts};
+use stage::{headless, intro, run, texts, tool};
 use std::process::Command;
 use std::sync::{LazyLock, Mutex};
 
@@ -131,8 +131,11 @@ fn what_can_not_be_written_is_an_error_in_one_line() {
 
 #[test]
 fn a_terminal_is_refused() {
+    if stage::lacks(&["script"]) {
+        return;
+    }
     let command = format!("{} --still 2; echo code $?", intro().display());
-    let (_, said) = run(Command::new("script").args(["-q", "-c", &command, "/dev/null"]));
+    let (_, said) = run(tool("script").args(["-q", "-c", &command, "/dev/null"]));
     let lines: Vec<&str> = said.lines().map(str::trim_end).collect();
     let [error, code] = lines[..] else {
         panic!("{said}");

@@ -29,13 +29,13 @@ macro_rules! left_out {
         }
 
         impl Xlib {
-            /// Opens libX11.
+            /// What `minifb` calls when it makes a window, after [`Functions::load`] found all that it needs.
             ///
-            /// # Errors
-            /// If it is not there, or lacks a function.
+            /// # Panics
+            /// If that did not succeed.
             #[inline]
             pub fn open() -> Result<Xlib, OpenError> {
-                Functions::load().ok_or(OpenError)?;
+                Functions::load().expect("libX11 is loaded");
                 Ok(Xlib { $( $name: answer::$name, )* })
             }
         }

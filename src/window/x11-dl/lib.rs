@@ -40,6 +40,6 @@ pub mod xshm {
     pub use crate::types::XShmSegmentInfo;
 }
 
-/// There is no library, or it lacks a function.
+/// Why no function can be called: never, where it is asked. What `minifb` would say of it is left out with it.
 #[derive(Debug)]
-pub struct OpenError;
+pub enum OpenError {}
