@@ -51,7 +51,7 @@ pub struct Window {
     pub(crate) drawn: (usize, usize),
     /// Other keys that were pressed since they were last asked for.
     presses: Presses,
-    /// `minifb`'s own, which would close the display that all the rest goes to.
+    /// `minifb`'s own. It is not dropped, for it would give back a picture that the stand-in for Xlib never made.
     _made: ManuallyDrop<minifb::Window>,
 }
 
@@ -79,7 +79,7 @@ impl Window {
             (x.XSetErrorHandler)(refused);
             (x.XSetIOErrorHandler)(lost);
         }
-        let made = make(title).ok_or(NoWindow::NoDisplay)?;
+        let made = ManuallyDrop::new(make(title).ok_or(NoWindow::NoDisplay)?);
         let (display, window) = handles(&made).ok_or(NoWindow::NoDisplay)?;
         // SAFETY: display and window are open, zero is a colour, and what is pointed to outlives the calls. Xlib's picture
         // without pixels belongs to nobody else.
@@ -110,7 +110,7 @@ impl Window {
                 frames: [&mut [], &mut []],
                 drawn: (0, 0),
                 presses: Presses::default(),
-                _made: ManuallyDrop::new(made),
+                _made: made,
             }
         };
         window.find_memory();
