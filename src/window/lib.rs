@@ -12,8 +12,7 @@
 //! | memory of fixed size | [`fixed`] |
 //! | lines of text to standard output and error | [`line`] |
 //!
-//! It is compiled for size, and uses of std only what costs few bytes: threads, waiting, time and
-//! output go through libc (what std's own cost is in the size table of the intro's `build.rs`).
+//! Threads, waiting, time and output go through libc.
 //!
 //! It runs on Linux, on any processor of 64 bits.
 
