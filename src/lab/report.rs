@@ -6,7 +6,6 @@ use crate::arguments::{self, BadInput, Size};
 use crate::output;
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use eightfold_window::cpu;
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,7 +26,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FOLDER", default_value = "docs")]
     pictures: PathBuf,
     /// Width and height in pixels; may be given several times, and what takes one size takes the first [default: what
-    /// each command takes, and for speed 1024x768, 1920x1080 and 3840x2160]
+    /// each command takes, and for speed 1024x768 and 1920x1080]
     #[arg(long, value_name = "WxH")]
     size: Vec<Size>,
     /// Frames to measure of each, at times spread evenly [default: what each command takes]
@@ -101,8 +100,8 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
             sizes.concat()
         }
     };
-    let speed_sizes = all(" --size 1024x768 --size 1920x1080 --size 3840x2160");
-    let show_sizes = all(" --size 1280x720 --size 1920x1080");
+    let speed_sizes = all(" --size 1024x768 --size 1920x1080");
+    let show_sizes = all(" --size 1280x720");
     let part = |name, command: String, pictures, is_printed| Part {
         name,
         command: command.split(' ').map(str::to_owned).collect(),
@@ -112,9 +111,6 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     };
     // Tiles that stay readable in a column of text.
     let tile = sizes.first().map_or(" --size 240x135", String::as_str);
-    // As the intro plays it, which has no wider lanes.
-    let has_avx2 = cpu::instruction_sets().any(|isa| isa.name == "avx2");
-    let isa = if has_avx2 { " --isa avx2" } else { "" };
     vec![
         Part {
             flag: "--sheet",
@@ -127,7 +123,7 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
         },
         part(
             "show",
-            format!("bench --scene show{show_sizes} --quality default{isa}{frames}"),
+            format!("bench --scene show{show_sizes} --quality default{frames}"),
             &[],
             true,
         ),
