@@ -3,6 +3,7 @@
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::cpu::{self, Isa};
 use std::fmt;
+use std::path::PathBuf;
 use std::str::FromStr;
 
 /// More threads than any frame has bands for.
@@ -163,6 +164,28 @@ pub fn number(text: &str, most: usize) -> Result<usize, String> {
     number
         .filter(|n| (1..=most).contains(n))
         .ok_or_else(|| format!("takes a number from 1 to {most}"))
+}
+
+/// The name of a picture's file, which is a PNG whatever its name: a suffix that promises another format is refused.
+pub fn png_file(name: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(name);
+    match path.extension() {
+        Some(suffix) if !suffix.eq_ignore_ascii_case("png") => {
+            Err("takes a file's name in .png, which is what is written, or -".to_owned())
+        }
+        _ if name.is_empty() => Err("takes a file's name".to_owned()),
+        _ => Ok(path),
+    }
+}
+
+/// Refuses a time of the last frame that is before that of the first.
+pub fn check_span(from: f32, to: Option<f32>) -> anyhow::Result<()> {
+    match to {
+        Some(to) if to < from => Err(BadInput::error(format!(
+            "--time-to: {to} s is before --time-from, {from} s"
+        ))),
+        _ => Ok(()),
+    }
 }
 
 /// A time in seconds.

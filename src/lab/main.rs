@@ -1,11 +1,16 @@
 //! The lab's program: reads the command line and runs one command.
 
+// Rust's own start puts /dev/null in the place of a standard output that is closed, and what goes there is lost without an
+// error.
+#![no_main]
+
 use clap::{Parser, Subcommand, error::ErrorKind};
 use eightfold_lab::{
-    arguments, bench, capture, figures, interrupt, release, render, report, size, sound, trade,
-    view,
+    arguments, bench, capture, figures, interrupt, output, release, render, report, size, sound,
+    trade, view,
 };
-use std::process::ExitCode;
+use std::env;
+use std::time::Instant;
 
 /// Draws Eightfold's frames and measures what speed costs.
 #[derive(Parser)]
@@ -30,9 +35,13 @@ enum Command {
 }
 
 /// Exit code of a command line that makes no sense, as of most programs.
-const BAD_INPUT: u8 = 2;
+const BAD_INPUT: i32 = 2;
 
-fn main() -> ExitCode {
+eightfold_window::main!(run);
+
+/// The whole program. Returns its exit code.
+fn run(_: eightfold_window::arguments::Arguments) -> i32 {
+    let start = Instant::now();
     let lab = match Lab::try_parse() {
         Ok(lab) => lab,
         Err(error) => return explain(&error),
@@ -50,22 +59,28 @@ fn main() -> ExitCode {
         Command::View(arguments) => view::run(&arguments),
     };
     match done {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => {
+            let is_quiet = env::var_os(output::QUIET).is_some();
+            if let Some(written) = output::written().filter(|_| !is_quiet) {
+                eprintln!("wrote {written}, in {:.1} s", start.elapsed().as_secs_f64());
+            }
+            0
+        }
         Err(error) => {
             eprintln!("error: {error:#}");
             if error.is::<arguments::BadInput>() {
-                ExitCode::from(BAD_INPUT)
+                BAD_INPUT
             } else if error.is::<interrupt::Stopped>() {
-                ExitCode::from(interrupt::EXIT_CODE)
+                interrupt::EXIT_CODE.into()
             } else {
-                ExitCode::FAILURE
+                1
             }
         }
     }
 }
 
 /// Prints the help that was asked for, or says in one line what is wrong.
-fn explain(error: &clap::Error) -> ExitCode {
+fn explain(error: &clap::Error) -> i32 {
     let text = error.render();
     if error.use_stderr() && error.kind() != ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let text = text.to_string();
@@ -77,9 +92,5 @@ fn explain(error: &clap::Error) -> ExitCode {
     } else {
         let _ = error.print();
     }
-    if error.use_stderr() {
-        ExitCode::from(BAD_INPUT)
-    } else {
-        ExitCode::SUCCESS
-    }
+    if error.use_stderr() { BAD_INPUT } else { 0 }
 }

@@ -4,6 +4,7 @@ use anyhow::{Context, Result};
 use std::fs::{self, File, Permissions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use tempfile::NamedTempFile;
 
 /// Writes all of `bytes` to a file, or to standard output where the name is `-`; see [`Sink`].
@@ -24,7 +25,8 @@ pub struct Sink {
 }
 
 enum Place {
-    Output(io::Stdout),
+    /// Standard output, written to as a file: std takes it for written where it is closed.
+    Output(File),
     AsItIs(File),
     Whole(NamedTempFile, PathBuf),
 }
@@ -33,7 +35,7 @@ impl Sink {
     /// Begins a result.
     pub fn open(name: &Path) -> Result<Self> {
         let place = if name == Path::new("-") {
-            Place::Output(io::stdout())
+            Place::Output(standard_output().with_context(|| cannot_write(name))?)
         } else {
             // A link stays a link: what it leads to is written.
             let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
@@ -53,8 +55,7 @@ impl Sink {
     /// Writes some more.
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
         let written = match &mut self.place {
-            Place::Output(out) => out.write_all(bytes).and_then(|()| out.flush()),
-            Place::AsItIs(file) => file.write_all(bytes),
+            Place::Output(file) | Place::AsItIs(file) => file.write_all(bytes),
             Place::Whole(file, _) => file.write_all(bytes),
         };
         written.with_context(|| cannot_write(&self.name))
@@ -66,8 +67,44 @@ impl Sink {
             Place::Whole(file, path) => {
                 persist(file, &path).with_context(|| cannot_write(&self.name))
             }
-            _ => Ok(()),
+            Place::AsItIs(_) => {
+                note(&self.name);
+                Ok(())
+            }
+            Place::Output(_) => Ok(()),
         }
+    }
+}
+
+#[cfg(unix)]
+fn standard_output() -> io::Result<File> {
+    use std::os::fd::AsFd;
+    Ok(io::stdout().as_fd().try_clone_to_owned()?.into())
+}
+
+/// Set for a lab that writes what another one only reads: it does not say what it wrote.
+pub const QUIET: &str = "EIGHTFOLD_LAB_QUIET";
+
+/// The files that have been written: how many, and the first one's name.
+static WRITTEN: Mutex<(usize, String)> = Mutex::new((0, String::new()));
+
+/// Keeps in mind that a file has been written.
+fn note(path: &Path) {
+    let mut written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
+    let (count, first) = &mut *written;
+    if *count == 0 {
+        *first = path.display().to_string();
+    }
+    *count += 1;
+}
+
+/// What this process has written to files, in words; `None` if nothing.
+pub fn written() -> Option<String> {
+    let written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
+    match &*written {
+        (0, _) => None,
+        (1, first) => Some(first.clone()),
+        (count, first) => Some(format!("{count} files, the first is {first}")),
     }
 }
 
@@ -81,6 +118,7 @@ pub fn start_for_another(name: &Path, suffix: &str) -> Result<NamedTempFile> {
 pub fn persist(file: NamedTempFile, path: &Path) -> io::Result<()> {
     file.as_file().sync_all()?;
     file.persist(path)?;
+    note(path);
     Ok(())
 }
 

@@ -13,7 +13,8 @@ use std::thread::available_parallelism;
 /// Draws one frame into a PNG file
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
+    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
+    /// show:colonnade, show:machine, show:field, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Seconds since the scene's start
@@ -34,8 +35,8 @@ pub struct Arguments {
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
-    /// File to write, or - for standard output
-    #[arg(long, value_name = "FILE")]
+    /// File to write as PNG, or - for standard output
+    #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     out: PathBuf,
 }
 

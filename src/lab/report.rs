@@ -189,7 +189,10 @@ impl Part {
     fn measure(&self, folder: &Path, link: &Path) -> Result<String> {
         let lab = env::current_exe().context("cannot find the lab")?;
         let mut command = Command::new(lab);
-        command.args(&self.command).stderr(Stdio::inherit());
+        command
+            .args(&self.command)
+            .env(output::QUIET, "1")
+            .stderr(Stdio::inherit());
         let made = tempfile::tempdir().context("cannot make a folder for pictures")?;
         match self.pictures {
             [] => {}

@@ -95,10 +95,12 @@ impl FromStr for SceneName {
             ("model", ..) => Ok(Self::Model),
             (_, Some(part), _) => Ok(Self::Part(part)),
             (_, _, Some(Ok(count))) if (1..=MAX_SPHERES).contains(&count) => Ok(Self::Field(count)),
-            _ => Err(format!(
-                "takes show, show:NAME with one of {}, model, or field:N with N from 1 to {MAX_SPHERES}",
-                PARTS.join(", ")
-            )),
+            _ => {
+                let parts = PARTS.map(|part| format!("show:{part}")).join(", ");
+                Err(format!(
+                    "takes model, field:N for N small spheres, 1 to {MAX_SPHERES}, show, or one of its scenes: {parts}"
+                ))
+            }
         }
     }
 }

@@ -25,7 +25,8 @@ use std::thread::available_parallelism;
 /// whole show.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
+    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
+    /// show:colonnade, show:machine, show:field, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Width and height in pixels; may be given several times
@@ -109,6 +110,7 @@ fn times(arguments: &Arguments) -> (f32, f32) {
 }
 
 fn plan(arguments: &Arguments) -> Result<Plan> {
+    arguments::check_span(arguments.time_from, arguments.time_to)?;
     let mut threads = arguments.threads.clone();
     if threads.is_empty() {
         threads.push(available_parallelism().map_or(1, usize::from));

@@ -44,7 +44,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", value_parser = video::name)]
     video: Option<PathBuf>,
     /// File for a contact sheet, or - for standard output: a PNG of frames spread evenly over the range, each with its time
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     sheet: Option<PathBuf>,
     /// File for the sound of the same frames, or - for standard output: WAV, 48 kHz, 32-bit floating point
     #[arg(long, value_name = "FILE")]
@@ -69,7 +69,8 @@ pub struct Arguments {
     /// Width and height of a frame in pixels [default: 1024x768, and 320x240 on a contact sheet]
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
-    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
+    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
+    /// show:colonnade, show:machine, show:field, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Show)]
     scene: SceneName,
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest

@@ -23,7 +23,8 @@ use std::thread::available_parallelism;
 /// Writes a PNG for each, and sheet.png with all of them and captions.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
+    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
+    /// show:colonnade, show:machine, show:field, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Seconds since the scene's start

@@ -4,7 +4,7 @@ mod levels;
 mod spectrogram;
 mod waveform;
 
-use crate::{output, picture, wav};
+use crate::{arguments, output, picture, wav};
 use anyhow::Result;
 use clap::Args;
 use cpu_time::ThreadTime;
@@ -20,10 +20,10 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     wav: Option<PathBuf>,
     /// File to draw the waveform into as PNG
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     waveform: Option<PathBuf>,
     /// File to draw the spectrogram into as PNG
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     spectrogram: Option<PathBuf>,
 }
 

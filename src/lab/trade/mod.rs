@@ -17,7 +17,6 @@ use crate::{interrupt, output, progress};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use curves::{Curve, Curves};
-use eightfold::show;
 use eightfold_window::cpu::{self, Isa};
 use measure::{Bench, Plan};
 use row::{Row, mark_front};
@@ -40,7 +39,8 @@ use tally::Tally;
 /// against missed objects, d depth of rays, w least contribution of a ray, a samples a side of the pixels at edges.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
+    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
+    /// show:colonnade, show:machine, show:field, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Width and height in pixels [default: 1024x768, with --quick 512x384]
@@ -56,7 +56,7 @@ pub struct Arguments {
     /// Time of the first frame in seconds
     #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]
     time_from: f32,
-    /// Time of the last frame in seconds [default: 25.13, one orbit]
+    /// Time of the last frame in seconds [default: the scene's end, 25.13 of the model scene, whose orbit it is]
     #[arg(long, value_name = "SECONDS", value_parser = arguments::seconds, allow_negative_numbers = true)]
     time_to: Option<f32>,
     /// Instruction set [default: the best of this machine]
@@ -99,12 +99,12 @@ pub struct Trade {
 /// Measures, writes the files and prints the front.
 pub fn run(arguments: &Arguments) -> Result<()> {
     interrupt::listen();
+    let plan = plan(arguments)?;
     let folder = &arguments.out;
     if !arguments.ladder {
         fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
         output::check(&folder.join("trade.csv"))?;
     }
-    let plan = plan(arguments);
     let mut points = if arguments.ladder {
         sweep::named()
     } else {
@@ -114,6 +114,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         point.antialias(arguments.antialias);
     }
     let trade = measure(arguments, &plan, points);
+    if trade.complete && trade.points.iter().all(Row::is_exact) {
+        bail!(
+            "every setting draws the same at these times: ask for others by --time-from, --time-to or --frames"
+        );
+    }
     let table = if arguments.ladder {
         table::ladder(&trade)
     } else {
@@ -121,23 +126,25 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         table::front_table(&trade)
     };
     output::write(Path::new("-"), table.as_bytes())?;
-    let place = format!("what was measured is in {}", folder.display());
     match (trade.complete, arguments.ladder) {
+        (true, _) => {}
         (false, true) => bail!(Stopped("the table holds what was measured".to_owned())),
-        (false, false) => bail!(Stopped(place)),
-        (true, true) => {}
-        (true, false) => eprintln!("{place}"),
+        (false, false) => {
+            let place = format!("what was measured is in {}", folder.display());
+            bail!(Stopped(place));
+        }
     }
     Ok(())
 }
 
-fn plan(arguments: &Arguments) -> Plan {
+fn plan(arguments: &Arguments) -> Result<Plan> {
+    arguments::check_span(arguments.time_from, arguments.time_to)?;
     let (width, height, frames, flicker_frames, flip_frames) = if arguments.quick {
         (512, 384, 9, 60, 1)
     } else {
         (1024, 768, 51, 300, 2)
     };
-    Plan {
+    Ok(Plan {
         scene: arguments.scene,
         isa: arguments.isa.unwrap_or_else(cpu::best),
         reference: NamedQuality::EXHAUSTIVE
@@ -146,10 +153,10 @@ fn plan(arguments: &Arguments) -> Plan {
         size: arguments.size.unwrap_or(Size { width, height }),
         frames: arguments.frames.unwrap_or(frames),
         time_from: arguments.time_from,
-        time_to: arguments.time_to.unwrap_or(show::MODEL_LENGTH),
+        time_to: arguments.time_to.unwrap_or(arguments.scene.length()),
         flicker_frames,
         flip_frames,
-    }
+    })
 }
 
 fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {

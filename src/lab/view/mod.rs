@@ -25,7 +25,8 @@ use std::time::{Duration, Instant};
 #[derive(Args)]
 #[command(after_help = format!("Keys:\n{KEYS}"))]
 pub struct Arguments {
-    /// The scene: show, show:NAME for one of its scenes, model, or field:N for N small spheres
+    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
+    /// show:colonnade, show:machine, show:field, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Show)]
     scene: SceneName,
     /// Width and height of the window in pixels

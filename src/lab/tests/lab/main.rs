@@ -48,7 +48,15 @@ fn a_frame_is_written_whole() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("frame.png");
     let output = render(&file, &[]);
-    assert!(output.status.success() && output.stderr.is_empty() && output.stdout.is_empty());
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        output.status.success() && output.stdout.is_empty(),
+        "{said}"
+    );
+    assert!(
+        said.starts_with("wrote ") && said.contains("frame.png, in "),
+        "{said}"
+    );
     let (width, pixels) = read_png(&std::fs::read(&file).unwrap());
     assert_eq!((width, pixels.len()), (40, 40 * 30));
     let black = pixels.iter().filter(|&&pixel| pixel == 0).count();
@@ -112,10 +120,16 @@ fn bad_input_is_named_in_one_line() {
         ("--scene", "field:0", "field:N"),
         ("--scene", "field:99999", "field:N"),
         ("--scene", "models", "field:N"),
-        ("--scene", "show:end", "show:NAME"),
+        ("--scene", "show:end", "show:finale"),
         ("--isa", "mmx", "this machine has"),
+        ("--out", "frame.jpg", ".png"),
     ] {
-        let output = lab(&["render", "--out", "-", flag, value]);
+        let out: &[&str] = if flag == "--out" {
+            &[]
+        } else {
+            &["--out", "-"]
+        };
+        let output = lab(&[&["render", flag, value], out].concat());
         assert_one_line(&output, 2, &[flag, value, takes]);
     }
     assert_one_line(&lab(&["render"]), 2, &["--out"]);
@@ -135,6 +149,17 @@ fn a_file_that_cannot_be_written_is_named_in_one_line() {
     let long = folder.path().join("x".repeat(300));
     assert_one_line(&render(&long, &[]), 1, &["cannot write"]);
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn a_closed_standard_output_is_named_in_one_line() {
+    let output = Command::new("sh")
+        .args(["-c", "exec \"$0\" \"$@\" >&-"])
+        .arg(env!("CARGO_BIN_EXE_lab"))
+        .args(["render", "--size", "40x30", "--out", "-"])
+        .output()
+        .unwrap();
+    assert_one_line(&output, 1, &["standard output"]);
 }
 
 #[cfg(target_os = "linux")]

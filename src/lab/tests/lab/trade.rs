@@ -268,9 +268,20 @@ fn bad_input_is_named_in_one_line() {
     ] {
         assert_one_line(&lab(&["trade", flag, value]), 2, &[flag, value, takes]);
     }
+    let backwards = ["trade", "--time-from", "5", "--time-to", "1"];
+    assert_one_line(&lab(&backwards), 2, &["--time-to", "--time-from"]);
     assert_one_line(&lab(&["trade", "--out"]), 2, &["--out"]);
     assert_one_line(&lab(&["trade", "--quickly"]), 2, &["--quickly"]);
     assert_one_line(&lab(&["trade", "--quick", "now"]), 2, &["now"]);
+}
+
+#[test]
+fn frames_in_which_nothing_differs_are_an_error() {
+    // The show begins in the dark.
+    let flags = ["trade", "--ladder", "--scene", "show", "--time-to", "0"];
+    let small = ["--size", "48x36", "--frames", "1"];
+    let output = lab(&[&flags[..], &small[..]].concat());
+    assert_one_line(&output, 1, &["the same", "--time-from"]);
 }
 
 #[test]
