@@ -29,6 +29,10 @@ const INSTEAD: [(&str, &[&str]); 3] = [
         &[
             "__rustc::rust_begin_unwind",
             "alloc::alloc::handle_alloc_error",
+            "alloc::raw_vec::handle_error",
+            "core::option::unwrap_failed",
+            "core::panicking",
+            "core::slice::index::slice_index_fail",
             "core::str::slice_error_fail",
             "rust_eh_personality",
         ],

@@ -8,11 +8,11 @@ pub const ROWS: usize = 3;
 /// A weight for each input, in 65,536ths.
 type Weights = [Lanes; ROWS];
 
-/// What every weight is to begin with. Two sets are added up, so that 30 inputs together are believed half of what they say.
+/// What every weight is to begin with. Two sets are added up, so that all 24 inputs together are believed half of what they say.
 const FIRST_WEIGHT: i16 = 700;
 
-/// How fast weights are learned: of 2, 3, 4, 5, 6 and 8 the best.
-const RATE: i32 = 4;
+/// How fast weights are learned: of 2, 3, 4, 6 and 8 the best.
+const RATE: i32 = 6;
 
 /// The numbers of probabilities and of logits in tables.
 const STEPS: usize = 4096;

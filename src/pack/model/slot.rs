@@ -11,7 +11,7 @@ const NEW: u32 = 0x8000_0100;
 /// What is counted to.
 const LIMIT: u32 = 127;
 
-/// How far a probability moves to what was seen, in 32,768ths of the distance, when so many were seen before: 2 / (2 n + 3). From
+/// How far a probability moves to what was seen, in 32,768ths of the distance, when so many were seen before: 6 / (4 n + 7). From
 /// the limit on, what was seen longer ago counts less and less.
 pub struct Rates([i32; 256]);
 
@@ -20,7 +20,7 @@ impl Rates {
     #[inline(always)]
     pub fn fill(&mut self) {
         for (count, rate) in self.0.iter_mut().enumerate() {
-            *rate = 0x10000 / (2 * count as i32 + 3);
+            *rate = 0x8000 * 6 / (4 * count as i32 + 7);
         }
     }
 }
