@@ -1,11 +1,10 @@
 //! What stands in for functions of std in the intro.
 //!
-//! The intro is linked without std's panic machinery and formatting, which are larger than all the
-//! rest of it: `build.rs` redirects the functions that lead there to these. In other programs nobody
-//! calls them.
+//! The intro is linked without what std needs to explain a panic, which is larger than all the rest of it: `src/pack/build/diet.rs`
+//! redirects the functions that lead there to these. In other programs nobody calls them.
 //!
 //! What must report an error never goes through a panic, so that is only for mistakes in the code.
-//! What a dependency formats or prints nobody gets to see: the intro has messages of its own.
+//! What a dependency prints nobody gets to see: the intro has messages of its own.
 
 use std::time::Instant;
 
