@@ -69,8 +69,6 @@ fn prepare(program: &str) -> Result<(), Error> {
         println!("cargo::warning={program} may be larger than 64 kB: this std has no {missing}");
     }
     fs::write(output.join("diet.s"), assembly)?;
-    println!("cargo::rustc-cfg=diet");
-
     let directory = output.join("linker");
     fs::create_dir_all(&directory)?;
     let own = env::current_exe()?;
@@ -92,6 +90,9 @@ fn prepare(program: &str) -> Result<(), Error> {
     }
     .write(&directory)?;
     compile_stub(&toolchain, &directory.join(linker::STUB))?;
+    let map = beside("map")?;
+    // From here on nothing fails: the one does not go without the other.
+    println!("cargo::rustc-cfg=diet");
     for argument in [
         // At fixed addresses: so it needs no relocations, and the packed file has room for it.
         "-no-pie",
@@ -100,7 +101,7 @@ fn prepare(program: &str) -> Result<(), Error> {
         // Of functions that are redirected there are two; the first counts.
         "-Wl,-z,muldefs",
         "-Wl,--build-id=none",
-        &format!("-Wl,-Map={}", beside("map")?),
+        &format!("-Wl,-Map={map}"),
         &format!("-B{}", directory.display()),
         // The last one says which linker it is.
         &format!("-fuse-ld={}", &LINKER[3..]),
