@@ -74,7 +74,7 @@ impl Quality {
 
     /// What the intro plays: squares of 8 pixels, filled where the corners' colours are close, and the objects hit and the
     /// lights' states there agree.
-    pub const DEFAULT: Self = Self::within(8, 11.0);
+    pub const DEFAULT: Self = Self::within(8, 10.0);
 
     /// The named qualities from the finest to the fastest, with [`Quality::DEFAULT`] among them.
     ///

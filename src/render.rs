@@ -3,7 +3,7 @@
 use crate::observe::Observer;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
-use crate::refine::antialias::Smoothing;
+use crate::refine::antialias::Seams;
 use crate::refine::{self, Band, MAX_BANDS, Worker};
 use crate::scene::Scene;
 use crate::text;
@@ -14,7 +14,7 @@ use fearless_simd::Level;
 /// What the threads share while they render a frame: some MB of fixed size, owned by the caller.
 pub struct Memory {
     prepared: Prepared,
-    smoothing: Smoothing,
+    seams: Seams,
 }
 
 impl Memory {
@@ -23,7 +23,7 @@ impl Memory {
     pub const fn new() -> Self {
         Self {
             prepared: Prepared::new(),
-            smoothing: Smoothing::new(),
+            seams: Seams::new(),
         }
     }
 }
@@ -69,11 +69,19 @@ impl Memory {
         if !quality.is_antialiased() {
             return Counts::NONE;
         }
-        let (prepared, smoothing) = (&self.prepared, &mut self.smoothing);
-        smoothing.set(scene, prepared, quality, width, pixels);
-        let height = prepared.height;
+        self.seams.set(quality, width, pixels);
+        // The scene again, for a picture with a pixel for each sample.
+        let (n, height, offset) = (
+            quality.antialias,
+            self.prepared.height,
+            self.prepared.offset,
+        );
+        self.prepared.offset = offset * n as f32;
+        self.prepared.set(scene, n * width, n * height);
+        self.prepared.offset = offset;
+        let (finer, seams) = (&self.prepared, &self.seams);
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
-            smoothing.smooth(level, quality, worker, band);
+            seams.smooth(level, finer, quality, worker, band);
             text::draw(&scene.captions, height, band);
         };
         frame(quality, width, workers, pixels, &job, run)

@@ -7,12 +7,11 @@
 //! What is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
 //! more closely only where something can be seen.
 
-use super::{Band, MAX_BANDS, Worker};
+use super::{Band, MAX_BANDS, TILE_HEIGHT, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
-use crate::scene::Scene;
 use crate::trace::{BATCH, STEP, trace};
 use fearless_simd::{Level, u8x16, u32x4};
 
@@ -22,109 +21,61 @@ const EDGE: u8 = 16;
 /// Pixels of a stretch of a band along x, whose rays meet the same groups.
 const STRETCH: usize = 64;
 
-/// What the second look at a frame needs.
-pub(crate) struct Smoothing {
-    /// The scene for a picture with a pixel for each sample.
-    finer: Prepared,
-    /// The first and the last row of each band, as they were drawn.
-    seams: [[[u32; MAX_WIDTH]; 2]; MAX_BANDS],
-}
+/// The first and the last row of each band, as they were drawn.
+pub(crate) struct Seams([[[u32; MAX_WIDTH]; 2]; MAX_BANDS]);
 
 /// Whether each pixel of a band is on an edge.
-type Marks = [[bool; MAX_WIDTH]; Quality::MAX_SQUARE];
+type Marks = [[bool; MAX_WIDTH]; TILE_HEIGHT];
 
-impl Smoothing {
+impl Seams {
     /// Room for any frame.
     pub const fn new() -> Self {
-        Self {
-            finer: Prepared::new(),
-            seams: [[[0; MAX_WIDTH]; 2]; MAX_BANDS],
-        }
+        Self([[[0; MAX_WIDTH]; 2]; MAX_BANDS])
     }
 
-    /// Takes in a frame, `width` pixels wide and drawn from a scene as it was prepared.
-    pub fn set(
-        &mut self,
-        scene: &Scene,
-        prepared: &Prepared,
-        quality: &Quality,
-        width: usize,
-        pixels: &[u32],
-    ) {
-        let n = quality.antialias;
-        self.finer.offset = prepared.offset * n as f32;
-        self.finer.set(scene, n * width, n * prepared.height);
+    /// Takes in a frame that is drawn, `width` pixels wide.
+    pub fn set(&mut self, quality: &Quality, width: usize, pixels: &[u32]) {
         let bands = pixels.chunks(Band::rows(quality.square) * width);
-        for (seam, band) in self.seams.iter_mut().zip(bands) {
+        for (seam, band) in self.0.iter_mut().zip(bands) {
             seam[0][..width].copy_from_slice(&band[..width]);
             seam[1][..width].copy_from_slice(&band[band.len() - width..]);
         }
     }
 
-    /// Has the edges of a band of the frame traced by more samples.
+    /// Has the edges of a band of the frame traced by more samples; `finer` is the scene for a picture with a pixel for each
+    /// sample.
     pub fn smooth(
         &self,
         level: Level,
+        finer: &Prepared,
         quality: &Quality,
         worker: &mut Worker,
         band: &mut Band<'_>,
     ) {
         // Marks of the method are no edges.
-        if self.finer.shows_method() {
+        if finer.shows_method() {
             return;
         }
         let mut marks = [[false; _]; _];
-        #[cfg(target_arch = "x86_64")]
-        if let Some(simd) = level.as_sse2() {
-            self.mark(simd, quality, band, &mut marks);
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        fearless_simd::dispatch!(level, simd => self.mark(simd, quality, band, &mut marks));
-        self.trace_marked(level, quality, &marks, worker, band);
-    }
-
-    /// Traces the samples of a band's marked pixels.
-    fn trace_marked(
-        &self,
-        level: Level,
-        quality: &Quality,
-        marks: &Marks,
-        worker: &mut Worker,
-        band: &mut Band<'_>,
-    ) {
-        let n = quality.antialias;
-        let (width, height) = (band.width, band.pixels.len() / band.width);
-        for start in (0..width).step_by(STRETCH) {
-            let end = (start + STRETCH).min(width);
-            let (left, top) = (n * start, n * band.top);
-            let seen = self.finer.seen(left, top, n * end, top + n * height);
-            let mut traced = |worker: &mut Worker| {
-                trace(level, &self.finer, quality, seen, &mut worker.batch);
-                take(n, worker, band);
-            };
-            for (y, marks) in marks.iter().enumerate().take(height) {
-                for x in (start..end).filter(|&x| marks[x]) {
-                    if worker.batch.len() + n * n > BATCH {
-                        traced(worker);
-                    }
-                    for part in 0..n * n {
-                        let (x, y) = (n * x + part % n, top + n * y + part / n);
-                        worker.batch.push(x, y);
-                    }
-                }
-            }
-            traced(worker);
-        }
+        by_isa!(level, simd => self.mark(simd, quality, finer.height, band, &mut marks));
+        trace_marked(level, finer, quality, &marks, worker, band);
     }
 
     /// Marks the pixels of a band that differ from one of their four neighbours.
     #[inline(always)]
-    fn mark<S: Simd>(&self, simd: S, quality: &Quality, band: &Band<'_>, marks: &mut Marks) {
+    fn mark<S: Simd>(
+        &self,
+        simd: S,
+        quality: &Quality,
+        height: usize,
+        band: &Band<'_>,
+        marks: &mut Marks,
+    ) {
         let (width, rows) = (band.width, Band::rows(quality.square));
         let number = band.top / rows;
         let mut lines = band.pixels.chunks_exact(width).enumerate().peekable();
         if let (Some(above), Some((_, line))) = (number.checked_sub(1), lines.peek()) {
-            let above = &self.seams[above][1];
+            let above = &self.0[above][1];
             each_edge(simd, line, above, |x| marks[0][x] = true);
         }
         while let Some((y, line)) = lines.next() {
@@ -137,11 +88,45 @@ impl Smoothing {
                     marks[y][x] = true;
                     marks[y + 1][x] = true;
                 });
-            } else if (band.top + y + 1) * quality.antialias < self.finer.height {
-                let below = &self.seams[number + 1][0];
+            } else if (band.top + y + 1) * quality.antialias < height {
+                let below = &self.0[number + 1][0];
                 each_edge(simd, line, below, |x| marks[y][x] = true);
             }
         }
+    }
+}
+
+/// Traces the samples of a band's marked pixels.
+fn trace_marked(
+    level: Level,
+    finer: &Prepared,
+    quality: &Quality,
+    marks: &Marks,
+    worker: &mut Worker,
+    band: &mut Band<'_>,
+) {
+    let n = quality.antialias;
+    let (width, height) = (band.width, band.pixels.len() / band.width);
+    for start in (0..width).step_by(STRETCH) {
+        let end = (start + STRETCH).min(width);
+        let (left, top) = (n * start, n * band.top);
+        let seen = finer.seen(left, top, n * end, top + n * height);
+        let mut traced = |worker: &mut Worker| {
+            trace(level, finer, quality, seen, &mut worker.batch);
+            take(n, worker, band);
+        };
+        for (y, marks) in marks.iter().enumerate().take(height) {
+            for x in (start..end).filter(|&x| marks[x]) {
+                if worker.batch.len() + n * n > BATCH {
+                    traced(worker);
+                }
+                for part in 0..n * n {
+                    let (x, y) = (n * x + part % n, top + n * y + part / n);
+                    worker.batch.push(x, y);
+                }
+            }
+        }
+        traced(worker);
     }
 }
 

@@ -21,8 +21,10 @@ impl<O: Observer> Tile<'_, O> {
         let method = &self.scene.scene.method;
         let both = method.squares.max(method.points);
         let blends = [0.0, method.squares, method.points, both].map(|mark| {
-            // What is left of the picture, in 256ths, and the white that is added to it.
-            (byte((1.0 - mark) * method.picture), byte(mark))
+            // What is left of the picture, in 256ths, and the white that is added to it; no more than full brightness together,
+            // whatever the numbers are.
+            let white = byte(mark);
+            (byte((1.0 - mark) * method.picture).min(255 - white), white)
         });
         for y in 0..self.area.rows(0) {
             let marks = self.marks(y);
@@ -64,5 +66,5 @@ impl<O: Observer> Tile<'_, O> {
 
 /// A share of 255, rounded.
 fn byte(share: f32) -> u32 {
-    (share * 255.0 + 0.5) as u32
+    u32::from((share * 255.0 + 0.5) as u8)
 }

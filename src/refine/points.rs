@@ -173,7 +173,7 @@ impl<O: Observer> Tile<'_, O> {
 
 /// The corners of some rows of squares that lie in row `y` of a level's points; of pixels, the squares of that row.
 #[inline(always)]
-fn corners(squares: &[Bits], level: usize, y: usize, rows: usize) -> Bits {
+pub(super) fn corners(squares: &[Bits], level: usize, y: usize, rows: usize) -> Bits {
     let row = |y: usize| if y < rows { squares[y] } else { Bits::NONE };
     if level == 0 {
         return row(y);

@@ -42,7 +42,7 @@ fn marks_lie_exactly_where_points_are_traced() {
         let mut count = 0;
         for (i, (&pixel, rays)) in pixels.iter().zip(trail.rays()).enumerate() {
             // What the band above alone traced of the row that both share has no mark.
-            if (i / SIZE.0).is_multiple_of(16) && pixel == 0 {
+            if (i / SIZE.0).is_multiple_of(32) && pixel == 0 {
                 continue;
             }
             let expected = if rays > 0 { WHITE } else { 0 };

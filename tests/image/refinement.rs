@@ -164,7 +164,7 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
             ..Quality::THESIS
         };
         let drawn = draw(cpu::best(), 2, &scene, &quality, width, height);
-        // Tiles of 512 by 16 pixels find the points that they share each for itself.
+        // Tiles of 512 by 32 pixels find the points that they share each for itself.
         let corners = |side: usize, tile: usize| -> usize {
             let parts = (0..side).step_by(tile.max(square));
             parts
@@ -179,7 +179,7 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
         let most = if square == 1 {
             width * height
         } else {
-            corners(width, 512) * corners(height, 16)
+            corners(width, 512) * corners(height, 32)
         };
         let points = drawn.counts.points as usize;
         assert!(

@@ -7,7 +7,7 @@ use glam::DVec3;
 use std::collections::HashMap;
 
 /// Width and height of a tile: each finds its points by itself, those that it shares with the next one as well.
-const TILE: [usize; 2] = [512, 16];
+const TILE: [usize; 2] = [512, 32];
 
 /// A picture by adaptive squares.
 pub struct Squares<'a> {

@@ -17,7 +17,7 @@ pub struct Point {
 
 /// Sides of squares.
 pub const SQUARES: [usize; 6] = [1, 2, 4, 8, 16, 32];
-/// Tolerances around the intro's 11.
+/// Tolerances around the intro's 10.
 const TOLERANCES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 7.0, 9.0, 14.0, 18.0, 26.0, 40.0, 64.0];
 /// Tolerances of squares whose keys agree, or differ.
 const KEYED: [(f32, f32); 8] = [

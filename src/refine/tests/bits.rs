@@ -1,0 +1,52 @@
+//! Rows of bits against rows of truth values.
+
+use super::super::bits::{Bits, WORDS};
+use proptest::prelude::*;
+use std::prelude::v1::*;
+
+extern crate std;
+
+const COUNT: usize = 64 * WORDS;
+
+fn bits() -> impl Strategy<Value = Bits> {
+    any::<[u64; WORDS]>().prop_map(Bits)
+}
+
+fn is_set(bits: Bits) -> Vec<bool> {
+    (0..COUNT).map(|i| bits.has(i)).collect()
+}
+
+proptest! {
+    #[test]
+    fn ends_are_each_bit_and_the_one_after_it(bits in bits()) {
+        let ends = is_set(bits.ends());
+        for (i, &end) in ends.iter().enumerate() {
+            prop_assert_eq!(end, bits.has(i) || i > 0 && bits.has(i - 1));
+        }
+    }
+
+    #[test]
+    fn halves_are_each_bit_twice(bits in bits()) {
+        let halves = is_set(bits.halves());
+        for (i, &half) in halves.iter().enumerate() {
+            prop_assert_eq!(half, bits.has(i / 2));
+        }
+    }
+
+    #[test]
+    fn a_range_has_its_bits_and_no_others(from in 0..COUNT, to in 0..COUNT) {
+        let range = is_set(Bits::range(from..=to));
+        for (i, &is_in) in range.iter().enumerate() {
+            prop_assert_eq!(is_in, (from..=to).contains(&i));
+        }
+        prop_assert_eq!(Bits::first(to).is_empty(), to == 0);
+    }
+
+    #[test]
+    fn every_bit_that_is_set_is_called_for_in_order(bits in bits()) {
+        let mut called = Vec::new();
+        bits.for_each(|i| called.push(i));
+        let expected: Vec<usize> = (0..COUNT).filter(|&i| bits.has(i)).collect();
+        prop_assert_eq!(called, expected);
+    }
+}

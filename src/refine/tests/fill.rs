@@ -1,0 +1,53 @@
+//! Filled squares against interpolation in real numbers.
+
+use super::super::bits::Bits;
+use super::super::fill::{Canvas, Run};
+use super::{channels, isas, sample};
+use proptest::prelude::*;
+
+extern crate std;
+
+proptest! {
+    #[test]
+    fn filled_squares_are_interpolated_to_a_step_and_end_with_the_picture(
+        level in 1_usize..=5,
+        corners in [[sample(), sample()], [sample(), sample()]],
+        is_flat in any::<bool>(),
+        (x, y) in (0_usize..40, 0_usize..40),
+    ) {
+        let (width, height, side) = (50, 45, 1_usize << level);
+        let [above, below] = corners.map(|row| row.map(|sample| sample.0));
+        let mut flat = Bits::NONE;
+        if is_flat {
+            flat.set(0);
+        }
+        for isa in isas() {
+            const UNDRAWN: u32 = u32::MAX;
+            let mut pixels = [UNDRAWN; 50 * 45];
+            let mut canvas = Canvas { pixels: &mut pixels, width, height };
+            let filled = Bits::first(1);
+            canvas.fill(isa, &Run { x, y, level, above: &above, below: &below, filled, flat });
+            for (i, &pixel) in pixels.iter().enumerate() {
+                let (i, j) = (i % width, i / width);
+                let is_in = (x..x + side).contains(&i) && (y..y + side).contains(&j);
+                if !is_in {
+                    prop_assert_eq!(pixel, UNDRAWN);
+                    continue;
+                }
+                let share = |i: usize| if is_flat { 0.0 } else { i as f64 / side as f64 };
+                let (s, t) = (share(i - x), share(j - y));
+                prop_assert_eq!(pixel >> 24, 0);
+                for channel in 0..3 {
+                    let at = |row: usize, column: usize| {
+                        f64::from(channels(corners[row][column])[channel]) / 128.0
+                    };
+                    let row = |row: usize| at(row, 0) * (1.0 - s) + at(row, 1) * s;
+                    let expected = row(0) * (1.0 - t) + row(1) * t;
+                    let drawn = f64::from(pixel >> (8 * channel) & 0xff);
+                    // Rounded, and 31 steps along each side that are each off by half a 256th.
+                    prop_assert!((drawn - expected).abs() <= 0.5 + 62.0 / 512.0);
+                }
+            }
+        }
+    }
+}

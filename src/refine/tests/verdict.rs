@@ -1,0 +1,54 @@
+//! The verdict on rows of squares against that on one at a time.
+
+use super::super::bits::Bits;
+use super::super::verdict::{Rules, Verdict, judge};
+use super::{isas, sample, span, two_rows};
+use crate::quality::Quality;
+use crate::trace::Sample;
+use proptest::prelude::*;
+
+/// The verdict on one square: whether its keys agree, it is flat, filled, patterned.
+fn verdict(quality: &Quality, level: usize, corners: [(Sample, u32); 4]) -> [bool; 4] {
+    let samples = corners.map(|(sample, _)| sample);
+    let agreeing = corners.iter().all(|&(_, key)| key == corners[0].1);
+    let flat = samples.iter().all(|s| s.pixel() == samples[0].pixel());
+    let tolerance = if agreeing {
+        quality.tolerance_agreeing
+    } else {
+        quality.tolerance_differing
+    };
+    let most = (tolerance * 8.0 * 128.0 / (1 << level) as f32) as i32;
+    let patterned = samples.iter().any(|sample| sample.is_patterned());
+    [agreeing, flat, flat || span(&samples) <= most, patterned]
+}
+
+extern crate std;
+
+proptest! {
+    #[test]
+    fn each_square_of_a_row_gets_the_verdict_that_it_gets_alone(
+        level in 1_usize..=5,
+        columns in proptest::collection::vec([(sample(), 0_u32..2), (sample(), 0_u32..2)], 2..17),
+        squares in any::<u64>(),
+        tolerance_agreeing in prop_oneof![0.0_f32..20.0, Just(f32::INFINITY)],
+        tolerance_differing in prop_oneof![0.0_f32..20.0, Just(0.0)],
+    ) {
+        let quality = Quality { tolerance_agreeing, tolerance_differing, ..Quality::DEFAULT };
+        let pyramid = two_rows(level, &columns);
+        let count = columns.len() - 1;
+        let mut squares = Bits([squares; _]);
+        squares = squares & Bits::first(count);
+        for isa in isas() {
+            let rules = Rules::new(&quality, level);
+            let (above, below) = (pyramid.row(level, 0), pyramid.row(level, 1));
+            let all = judge(isa, rules, &squares, above, below);
+            let Verdict { agreeing, flat, filled, patterned } = all;
+            for x in 0..count {
+                let ([a, c], [b, d]) = (columns[x], columns[x + 1]);
+                let alone = verdict(&quality, level, [a, b, c, d]).map(|is| is && squares.has(x));
+                let together = [agreeing, flat, filled, patterned].map(|bits| bits.has(x));
+                prop_assert_eq!(alone, together, "square {} by {:?}", x, isa);
+            }
+        }
+    }
+}
