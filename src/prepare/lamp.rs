@@ -1,8 +1,8 @@
 //! Lights as shadow rays want them.
 
-use super::slack;
+use super::hit_error;
 use super::surface::bounded;
-use super::tree::{MARGIN, MAX_NODES, Node};
+use super::tree::{BvhNode, MARGIN, MAX_NODES};
 use crate::maths::sqrt;
 use crate::scene::{Light, Spot};
 use glam::Vec3A;
@@ -22,13 +22,13 @@ pub(crate) struct Lamp {
     /// Whether it is no more than a point.
     pub is_point: bool,
     /// The solid nodes of the [`super::Tree`].
-    pub casters: [Caster; MAX_NODES],
+    pub shadow_cones: [ShadowCone; MAX_NODES],
 }
 
 /// A sphere as shadow rays want it: what it shades of points without is in a cone around it, a little wider than it needs
 /// be, and not nearer to the lamp than it.
 #[derive(Clone, Copy)]
-pub(crate) struct Caster {
+pub(crate) struct ShadowCone {
     /// The lamp's direction, seen from the centre.
     pub axis: Vec3A,
     /// The square of the chord between the axis and the cone's side on the sphere of radius 1.
@@ -83,7 +83,7 @@ impl Lamp {
         diameter: 0.0,
         max_penumbra: 0.0,
         is_point: false,
-        casters: [Caster::NONE; MAX_NODES],
+        shadow_cones: [ShadowCone::NONE; MAX_NODES],
     };
 
     /// Whether it is a point, and all solids are spheres: then its shadows are hard.
@@ -93,7 +93,7 @@ impl Lamp {
     }
 
     /// Takes a light in, and the nodes that can shade it.
-    pub fn set(&mut self, light: &Light, nodes: &[Node], has_blocks: bool) {
+    pub fn set(&mut self, light: &Light, nodes: &[BvhNode], has_blocks: bool) {
         self.position = light.place();
         self.colour = Vec3A::from_array(light.colour.to_array().map(bounded));
         self.is_point = light.is_plain();
@@ -103,19 +103,19 @@ impl Lamp {
         self.diameter = light.diameter();
         // Below 0 a sphere would shade what its bound does not.
         self.max_penumbra = light.max_penumbra().max(0.0);
-        for (caster, node) in self.casters.iter_mut().zip(nodes) {
+        for (cone, node) in self.shadow_cones.iter_mut().zip(nodes) {
             // A sphere's penumbra is wider, and a bound shades from its nearest point on.
             let radius = if !node.is_block {
                 node.radius + 0.5 * self.max_penumbra
             } else {
                 node.radius
             };
-            caster.set(self.position - node.centre, radius, node);
+            cone.set(self.position - node.centre, radius, node);
         }
     }
 }
 
-impl Caster {
+impl ShadowCone {
     const NONE: Self = Self {
         axis: Vec3A::ZERO,
         chord2: 0.0,
@@ -131,11 +131,11 @@ impl Caster {
         radius: 0.0,
     };
 
-    fn set(&mut self, from_lamp: Vec3A, radius: f32, node: &Node) {
+    fn set(&mut self, from_lamp: Vec3A, radius: f32, node: &BvhNode) {
         let far2 = from_lamp.length_squared();
         // The roundings of the sphere's place and of the way from the lamp.
-        let way = slack(from_lamp, 0.0);
-        let slack2 = 2.0 * node.radius * (node.slack + way);
+        let way = hit_error(from_lamp, 0.0);
+        let r2_error = 2.0 * node.radius * (node.hit_error + way);
         let wide = radius * (1.0 + MARGIN) + way;
         // 2 - 2 cos, by the sine of the angle, which loses no digits.
         let sine2 = wide * wide / far2;
@@ -158,7 +158,12 @@ impl Caster {
             side,
             sine2: side.length_squared() * sine * sine,
             radius: node.radius * (1.0 + MARGIN) + way,
-            r2: node.r2 + if self.around_lamp { slack2 } else { -slack2 },
+            r2: node.r2
+                + if self.around_lamp {
+                    r2_error
+                } else {
+                    -r2_error
+                },
         }
     }
 }

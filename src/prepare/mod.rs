@@ -11,14 +11,14 @@ mod tree;
 
 pub(crate) use air::Air;
 pub(crate) use cone::ROUNDING;
-pub(crate) use lamp::{Caster, Lamp};
+pub(crate) use lamp::{Lamp, ShadowCone};
 pub(crate) use object::Object;
 pub(crate) use outline::Outline;
-use screen::Window;
+use screen::ScreenBounds;
 pub(crate) use screen::{Axes, rectangle};
 pub(crate) use surface::{Row, Surface, SurfaceRow};
 use tree::MAX_GROUPS;
-pub(crate) use tree::{GroupSet, Node, Tree};
+pub(crate) use tree::{BvhNode, GroupSet, Tree};
 
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Method, Scene, camera::Raster};
 use glam::Vec3A;
@@ -29,7 +29,7 @@ use glam::Vec3A;
 /// In roundings of 2^-24: 1.7 of the point's coordinates (the root of 3), 2.5 of its distance from the centre, 1.5 of the
 /// ray's length, and 2.8 of the way from the centre, its square and the discriminant when the next ray is held against
 /// the sphere: at most 8.5. Rays by the hundred million get as far as 5 (`rays_that_leave_a_sphere_do_not_hit_it_again`).
-const SLACK: f32 = 10.0 / (1 << 24) as f32;
+const HIT_ERROR: f32 = 10.0 / (1 << 24) as f32;
 
 /// Objects a ray can hit: spheres, lights (drawn as spheres), planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
@@ -50,9 +50,9 @@ pub(crate) struct Prepared {
     pub height: usize,
     pub tree: Tree,
     /// What each group covers of the picture.
-    windows: [Window; MAX_GROUPS],
+    bounds: [ScreenBounds; MAX_GROUPS],
     /// The same of its mirror image in the first plane.
-    mirrored: [Window; MAX_GROUPS],
+    mirrored_bounds: [ScreenBounds; MAX_GROUPS],
     pub axes: Axes,
     /// What each object covers of the picture, and from number [`Prepared::background`] on what each shadow does.
     pub outlines: [Outline; OUTLINES],
@@ -76,7 +76,7 @@ pub(crate) struct Prepared {
 
 /// The groups that a part of the picture can show.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Seen {
+pub(crate) struct VisibleGroups {
     /// Met by primary rays.
     pub directly: GroupSet,
     /// Met by what the first plane reflects of primary rays.
@@ -101,8 +101,8 @@ impl Prepared {
             raster: Raster::NONE,
             height: 0,
             tree: Tree::NONE,
-            windows: [Window::ZERO; MAX_GROUPS],
-            mirrored: [Window::ZERO; MAX_GROUPS],
+            bounds: [ScreenBounds::ZERO; MAX_GROUPS],
+            mirrored_bounds: [ScreenBounds::ZERO; MAX_GROUPS],
             axes: Axes::NONE,
             outlines: [Outline::NONE; OUTLINES],
             outlined: 0,
@@ -177,11 +177,17 @@ impl Prepared {
     }
 
     /// The groups that rays through the points of a rectangle of the picture can meet.
-    pub fn seen(&self, left: usize, top: usize, right: usize, bottom: usize) -> Seen {
+    pub fn visible_groups(
+        &self,
+        left: usize,
+        top: usize,
+        right: usize,
+        bottom: usize,
+    ) -> VisibleGroups {
         let rect = self.axes.rect(rectangle(left, top, right, bottom));
-        let mut seen = Seen::default();
-        for (i, (window, mirrored)) in self.windows.iter().zip(&self.mirrored).enumerate() {
-            seen.directly |= GroupSet::from(window.meets(rect)) << i;
+        let mut seen = VisibleGroups::default();
+        for (i, (bounds, mirrored)) in self.bounds.iter().zip(&self.mirrored_bounds).enumerate() {
+            seen.directly |= GroupSet::from(bounds.meets(rect)) << i;
             seen.mirrored |= GroupSet::from(mirrored.meets(rect)) << i;
         }
         seen
@@ -209,7 +215,7 @@ impl Prepared {
             self.surfaces[i].set(&Surface::of(&object, material, scene));
         }
         for (lamp, light) in self.lamps.iter_mut().zip(scene.lights.iter()) {
-            lamp.set(light, self.tree.solid(), !scene.blocks.is_empty());
+            lamp.set(light, self.tree.solid_nodes(), !scene.blocks.is_empty());
         }
         for (rectangle, plane) in self.planes.iter_mut().zip(scene.planes.iter()) {
             *rectangle = Rectangle {
@@ -223,8 +229,8 @@ impl Prepared {
 
     /// Takes in what each object covers of the picture; the objects are in already.
     fn set_outlines(&mut self) {
-        self.windows = [Window::NONE; MAX_GROUPS];
-        self.mirrored = [Window::NONE; MAX_GROUPS];
+        self.bounds = [ScreenBounds::NONE; MAX_GROUPS];
+        self.mirrored_bounds = [ScreenBounds::NONE; MAX_GROUPS];
         let floor = self.planes[0].centre.y;
         for node in self.tree.nodes() {
             if node.is_bound {
@@ -234,7 +240,7 @@ impl Prepared {
             let outline = &mut self.outlines[node.number as usize];
             outline.set_sphere(&self.axes, to, node);
             let group = node.groups.trailing_zeros() as usize;
-            self.windows[group].join(outline.window);
+            self.bounds[group].join(outline.bounds);
             if node.is_block {
                 let object = object::of(&self.scene, node.number as usize).0;
                 if let Object::Block(block) = object {
@@ -243,7 +249,7 @@ impl Prepared {
             }
             outline.settle();
             to.y = 2.0 * floor - node.centre.y - self.eye.y;
-            self.mirrored[group].join(self.axes.window(to, node.radius));
+            self.mirrored_bounds[group].join(self.axes.bounds(to, node.radius));
         }
         let first_plane = self.first_plane();
         self.outlined = self.background();
@@ -265,8 +271,8 @@ impl Prepared {
 }
 
 /// What rounding takes a point of a sphere off it by.
-fn slack(centre: Vec3A, radius: f32) -> f32 {
-    SLACK * (centre.abs().max_element() + radius)
+fn hit_error(centre: Vec3A, radius: f32) -> f32 {
+    HIT_ERROR * (centre.abs().max_element() + radius)
 }
 
 impl Rectangle {

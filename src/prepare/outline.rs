@@ -1,8 +1,8 @@
 //! What an object covers of the picture, and what it hides, so that no square is filled over something unseen.
 
 use super::cone::{Cone, ROUNDING};
-use super::screen::{Axes, Rect, Window};
-use super::{Node, Prepared, Rectangle};
+use super::screen::{Axes, Rect, ScreenBounds};
+use super::{BvhNode, Prepared, Rectangle};
 use crate::maths::sqrt;
 use crate::scene::Block;
 use glam::{Vec3A, Vec3Swizzles, Vec4};
@@ -17,7 +17,7 @@ pub(crate) struct Outline {
     /// Of a box or a cylinder, more of them.
     ends: Cone,
     /// Around all of it.
-    pub window: Window,
+    pub bounds: ScreenBounds,
     /// Whether it is a sphere around a box or a cylinder.
     is_block: bool,
     /// A sphere's power of the eye, distance squared minus radius squared: of two spheres the one with the smaller power
@@ -46,7 +46,7 @@ impl Outline {
         object: 0,
         cone: Cone::NONE,
         ends: Cone::NONE,
-        window: Window::ZERO,
+        bounds: ScreenBounds::ZERO,
         is_block: false,
         power: 0.0,
         least: Vec4::ZERO,
@@ -54,12 +54,12 @@ impl Outline {
     };
 
     /// Takes in a sphere, `to` from the eye.
-    pub fn set_sphere(&mut self, axes: &Axes, to: Vec3A, ball: &Node) {
+    pub fn set_sphere(&mut self, axes: &Axes, to: Vec3A, ball: &BvhNode) {
         let radius = ball.radius;
         let distance2 = to.length_squared();
         let distance = sqrt(distance2);
         let power = distance2 - radius * radius;
-        let is_sure = (distance - radius).abs() > TOUCHING * ball.slack;
+        let is_sure = (distance - radius).abs() > TOUCHING * ball.hit_error;
         self.power = if ball.is_block || !is_sure {
             f32::NAN
         } else if power < 0.0 {
@@ -68,7 +68,7 @@ impl Outline {
             power
         };
         self.cone.set_round(axes, &Vec4::W, to, radius);
-        self.window = axes.window(to, radius);
+        self.bounds = axes.bounds(to, radius);
         self.is_block = ball.is_block;
         self.object = ball.number;
         self.set_extent(axes, to, Vec4::splat(radius));
@@ -125,7 +125,7 @@ impl Outline {
     #[inline(always)]
     pub fn settle(&mut self) {
         if !self.most.is_finite() {
-            self.window = Window::NONE;
+            self.bounds = ScreenBounds::NONE;
         }
     }
 
@@ -142,7 +142,7 @@ impl Outline {
     /// Takes in a horizontal rectangle, the object of that number.
     pub fn set_rectangle(&mut self, axes: &Axes, eye: Vec3A, plane: &Rectangle, number: usize) {
         self.cone.set_flat(axes, eye, plane);
-        self.window = Window::ALL;
+        self.bounds = ScreenBounds::ALL;
         self.is_block = false;
         self.power = f32::NAN;
         self.object = number as u16;
@@ -174,7 +174,7 @@ impl Prepared {
     /// The least and the greatest u in a rectangle of the picture that may show what has the outline of a number, if it may.
     pub fn narrowed(&self, outline: usize, mut rect: Rect) -> Option<[f32; 2]> {
         let outline = &self.outlines[outline];
-        outline.window.narrow(&mut rect);
+        outline.bounds.narrow(&mut rect);
         if rect.x <= rect.z {
             outline.cone.narrow(&mut rect, -ROUNDING);
         }
@@ -195,12 +195,12 @@ impl Prepared {
         let mut by = (lamp.position - self.eye).extend(height);
         // Terms below 2, and forward, which is towards the plane.
         by *= (1.0 / by.length()).copysign(height);
-        for node in self.tree.solid() {
+        for node in self.tree.solid_nodes() {
             if node.is_bound || node.is_block {
                 continue;
             }
             let outline = &mut self.outlines[self.outlined];
-            outline.window = Window::ALL;
+            outline.bounds = ScreenBounds::ALL;
             // The place may have been a block's, in another frame.
             outline.is_block = false;
             outline.object = number as u16;
@@ -213,7 +213,7 @@ impl Prepared {
     /// Whether a patch whose corners all see the object `front` cannot see the object `back` anywhere.
     ///
     /// Objects are convex: between what the corners see of it, it is nowhere farther away than that.
-    pub fn hides(&self, front: usize, back: usize) -> bool {
+    pub fn occludes(&self, front: usize, back: usize) -> bool {
         let (f, b) = (&self.outlines[front], &self.outlines[back]);
         front < self.background() && (f.is_before(b) || f.power < b.power)
     }

@@ -26,7 +26,7 @@ pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) ->
 
 /// A rectangle around something in the picture: the least u and v, and the greatest, these two negative.
 #[derive(Clone, Copy)]
-pub(crate) struct Window(Vec4);
+pub(crate) struct ScreenBounds(Vec4);
 
 /// Pixels around a bound, far more than its rounding.
 const MARGIN: f32 = 0.5;
@@ -67,7 +67,7 @@ impl Axes {
     }
 
     /// A vector along the axes.
-    pub fn seen(&self, d: Vec3A) -> Vec3A {
+    pub fn to_camera(&self, d: Vec3A) -> Vec3A {
         let [right, down, forward] = self.rows;
         Vec3A::new(d.dot(right), d.dot(down), d.dot(forward))
     }
@@ -76,13 +76,13 @@ impl Axes {
     ///
     /// On each side it is bounded by the slope of a tangent through the eye (Mara and McGuire: 2D Polyhedral Bounds of a
     /// Clipped, Perspective-Projected 3D Sphere, JCGT 2013).
-    pub fn window(&self, to: Vec3A, radius: f32) -> Window {
-        let to = self.seen(to);
+    pub fn bounds(&self, to: Vec3A, radius: f32) -> ScreenBounds {
+        let to = self.to_camera(to);
         // A little larger than it is, so that what rounding adds is covered.
         let radius = radius * (1.0 + 1e-4);
         let z = to.z;
         if z < -radius {
-            return Window::NONE;
+            return ScreenBounds::NONE;
         }
         let tangent = |c: f32| sqrt(c * c + (z * z - radius * radius));
         let (across, down) = (tangent(to.x), tangent(to.y));
@@ -93,11 +93,11 @@ impl Axes {
         let slope = (c * tangent - z * radius) / ahead - MARGIN * self.pixel;
         // A tangent that points backwards leaves the picture on its side; an eye within has none, nor what is no number.
         let is_slope = ahead.cmpgt(Vec4::ZERO) & slope.cmpeq(slope);
-        Window(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))
+        ScreenBounds(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))
     }
 }
 
-impl Window {
+impl ScreenBounds {
     /// Nothing of the picture.
     pub const NONE: Self = Self(Vec4::INFINITY);
 

@@ -1,8 +1,8 @@
 //! Solids within bounds within bounds: a row of nodes that rays go along, past the solids of the bounds that they miss.
 //! Boxes and cylinders count as spheres around them.
 
+use super::hit_error;
 use super::object::{self, Object};
-use super::slack;
 use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use glam::Vec3A;
 
@@ -23,16 +23,16 @@ pub(crate) const MAX_NODES: usize = 255 + MAX_SOLIDS + MAX_LIGHTS;
 
 /// A sphere of the scene or one around some of them, as its intersection wants it.
 #[derive(Clone, Copy)]
-pub(crate) struct Node {
+pub(crate) struct BvhNode {
     pub centre: Vec3A,
     /// The radius squared; below 0 of a light that is not drawn.
     pub r2: f32,
     /// Larger than that by a share of [`MARGIN`]: rays are held against this one first, with less exact arithmetic.
     pub cull2: f32,
-    /// How far rounding takes a point on it from it, see [`super::SLACK`].
-    pub slack: f32,
-    /// What [`Node::r2`] changes by where the radius changes by that.
-    pub slack2: f32,
+    /// How far rounding takes a point on it from it, see [`super::HIT_ERROR`].
+    pub hit_error: f32,
+    /// What [`BvhNode::r2`] changes by where the radius changes by that.
+    pub r2_error: f32,
     pub radius: f32,
     /// Groups that it holds a part of.
     pub groups: GroupSet,
@@ -61,10 +61,11 @@ struct Ball {
 pub(crate) struct Tree {
     /// The solids, those that lie together one after the other.
     balls: [Ball; MAX_SOLIDS],
-    solids: usize,
-    nodes: [Node; MAX_NODES],
+    solid_count: usize,
+    nodes: [BvhNode; MAX_NODES],
     len: usize,
-    solid: usize,
+    /// The end of the nodes of solids: those of the lights follow.
+    solid_node_end: usize,
 }
 
 /// What a bound is larger by than its spheres need, as a share: more than rounding makes of a ray that comes from a
@@ -81,15 +82,15 @@ impl Tree {
             radius: 0.0,
             number: 0,
         }; MAX_SOLIDS],
-        solids: 0,
-        nodes: [Node::NONE; MAX_NODES],
+        solid_count: 0,
+        nodes: [BvhNode::NONE; MAX_NODES],
         len: 0,
-        solid: 0,
+        solid_node_end: 0,
     };
 
     /// All nodes.
     #[inline(always)]
-    pub fn nodes(&self) -> &[Node] {
+    pub fn nodes(&self) -> &[BvhNode] {
         &self.nodes[..self.len]
     }
 
@@ -99,20 +100,20 @@ impl Tree {
         if self.nodes[0].groups & groups != 0 {
             1
         } else {
-            self.solid
+            self.solid_node_end
         }
     }
 
     /// Those of solids.
     #[inline(always)]
-    pub fn solid(&self) -> &[Node] {
-        &self.nodes[..self.solid]
+    pub fn solid_nodes(&self) -> &[BvhNode] {
+        &self.nodes[..self.solid_node_end]
     }
 
     /// Takes a scene in.
     pub fn set(&mut self, scene: &Scene) {
-        self.solids = scene.solids();
-        for (number, ball) in self.balls.iter_mut().enumerate().take(self.solids) {
+        self.solid_count = scene.solids();
+        for (number, ball) in self.balls.iter_mut().enumerate().take(self.solid_count) {
             let (centre, radius) = match object::of(scene, number).0 {
                 Object::Sphere(sphere) => (sphere.centre, sphere.radius),
                 // A little larger, so that what rounding adds is covered.
@@ -126,8 +127,8 @@ impl Tree {
             };
         }
         self.len = 0;
-        self.divide(0, self.solids, scene);
-        self.solid = self.len;
+        self.divide(0, self.solid_count, scene);
+        self.solid_node_end = self.len;
         for (i, light) in scene.lights.iter().enumerate() {
             let groups = 1 << (SOLID_GROUPS + i);
             let node = self.push(light.position, length(light.radius), groups);
@@ -165,14 +166,14 @@ impl Tree {
             halve(balls, middle, (high - low).max_position());
         }
         // Bits of the groups of the first and the last solid, and all between.
-        let group = |i: usize| i * SOLID_GROUPS / self.solids.max(SOLID_GROUPS);
+        let group = |i: usize| i * SOLID_GROUPS / self.solid_count.max(SOLID_GROUPS);
         let groups = (2 << group(end.max(1) - 1)) - (1 << group(first));
         let bound = self.push(centre, radius, groups);
         bound.is_bound = true;
         if is_leaf {
             for place in first..end {
                 let ball = self.balls[place];
-                let group = 1 << (place * SOLID_GROUPS / self.solids.max(SOLID_GROUPS));
+                let group = 1 << (place * SOLID_GROUPS / self.solid_count.max(SOLID_GROUPS));
                 let node = self.push(ball.centre, ball.radius, group);
                 node.number = ball.number;
                 if let Object::Block(block) = object::of(scene, ball.number as usize).0 {
@@ -187,20 +188,20 @@ impl Tree {
     }
 
     /// Adds a sphere.
-    fn push(&mut self, centre: Vec3A, radius: f32, groups: GroupSet) -> &mut Node {
+    fn push(&mut self, centre: Vec3A, radius: f32, groups: GroupSet) -> &mut BvhNode {
         let node = &mut self.nodes[self.len];
         self.len += 1;
-        let slack = slack(centre, radius);
-        *node = Node {
+        let hit_error = hit_error(centre, radius);
+        *node = BvhNode {
             centre,
             r2: radius * radius,
             cull2: radius * radius * (1.0 + MARGIN),
-            slack,
-            slack2: 2.0 * radius * slack,
+            hit_error,
+            r2_error: 2.0 * radius * hit_error,
             radius,
             groups,
             skip: 1,
-            ..Node::NONE
+            ..BvhNode::NONE
         };
         node
     }
@@ -247,13 +248,13 @@ fn halve(balls: &mut [Ball], middle: usize, axis: usize) {
     }
 }
 
-impl Node {
+impl BvhNode {
     const NONE: Self = Self {
         centre: Vec3A::ZERO,
         r2: 0.0,
         cull2: 0.0,
-        slack: 0.0,
-        slack2: 0.0,
+        hit_error: 0.0,
+        r2_error: 0.0,
         radius: 0.0,
         groups: 0,
         number: 0,

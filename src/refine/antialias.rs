@@ -110,7 +110,7 @@ fn trace_marked(
     for start in (0..width).step_by(STRETCH) {
         let end = (start + STRETCH).min(width);
         let (left, top) = (n * start, n * band.top);
-        let seen = finer.seen(left, top, n * end, top + n * height);
+        let seen = finer.visible_groups(left, top, n * end, top + n * height);
         let mut traced = |worker: &mut Worker| {
             trace(level, finer, quality, seen, &mut worker.batch);
             take(n, worker, band);

@@ -69,7 +69,7 @@ pub(crate) fn render<O: Observer>(
             scene,
             quality,
             observer,
-            seen: scene.seen(
+            seen: scene.visible_groups(
                 area.left,
                 area.top,
                 area.right.next_multiple_of(quality.square),

@@ -157,7 +157,7 @@ impl Square<'_> {
     /// Whether all corners show an object that is in front of another one.
     fn hides(&self, scene: &Prepared, object: usize) -> bool {
         self.only_object()
-            .is_some_and(|front| scene.hides(front, object))
+            .is_some_and(|front| scene.occludes(front, object))
     }
 
     /// Whether a corner that is a pixel shows the plane of a shadow in the shadow.

@@ -7,7 +7,7 @@ use super::verdict::{Rules, Verdict, judge};
 use super::worker::Worker;
 use super::{TILE_HEIGHT, TILE_WIDTH};
 use crate::observe::{Fill, Observer};
-use crate::prepare::{Prepared, Seen};
+use crate::prepare::{Prepared, VisibleGroups};
 use crate::quality::Quality;
 use fearless_simd::Level;
 
@@ -69,7 +69,7 @@ pub(super) struct Tile<'a, O: Observer> {
     pub observer: O,
     pub area: Area,
     /// The groups that the tile can show.
-    pub seen: Seen,
+    pub seen: VisibleGroups,
     pub worker: &'a mut Worker,
     /// The band that the tile is a part of, from its upper to its lower end.
     pub canvas: Canvas<'a>,

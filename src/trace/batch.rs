@@ -152,9 +152,9 @@ impl Batch {
         let y: I<S> = (places >> 16).bitcast();
         Rays {
             o: Vec3x::splat(simd, scene.eye),
-            d: seen_at(simd, scene, x.to_float(), y.to_float()),
+            d: primary_directions(simd, scene, x.to_float(), y.to_float()),
             weight: splat(simd, scene.weight),
-            place: Rays::places(simd, start),
+            slot_path: Rays::slot_paths(simd, start),
         }
     }
 
@@ -215,7 +215,7 @@ impl Batch {
 
 /// The directions in which the eye sees points of the picture, of length 1.
 #[inline(always)]
-pub(super) fn seen_at<S: Isa>(simd: S, scene: &Prepared, x: F<S>, y: F<S>) -> Vec3x<S> {
+pub(super) fn primary_directions<S: Isa>(simd: S, scene: &Prepared, x: F<S>, y: F<S>) -> Vec3x<S> {
     let raster = &scene.raster;
     let d = Vec3x::splat(simd, raster.corner)
         .add_scaled(Vec3x::splat(simd, raster.dx), x)

@@ -3,7 +3,7 @@
 use super::candidates::Candidates;
 use super::stack::Rays;
 use crate::lanes::*;
-use crate::prepare::{Caster, GroupSet, Lamp, Node, Prepared, Rectangle};
+use crate::prepare::{BvhNode, GroupSet, Lamp, Prepared, Rectangle, ShadowCone};
 
 /// A ray that hits nothing ends this far away.
 const FARTHEST: f32 = 1e30;
@@ -16,7 +16,7 @@ const ROUNDING: f32 = 4e-6;
 ///
 /// With `u = 2^-24`, rounding the product `d t_mid` takes the perpendicular `u t_mid` off, and rounding `t_mid` itself
 /// lengthens it along the ray by less than `5 u t_mid`. For a ray that meets a sphere of radius `r`,
-/// `(r + u t)^2 <= r^2 (1 + m) + u^2 t^2 (1 + 1 / m)`: with `m = 0.001`, which [`Node::cull2`] allows for, and the square
+/// `(r + u t)^2 <= r^2 (1 + m) + u^2 t^2 (1 + 1 / m)`: with `m = 0.001`, which [`BvhNode::cull2`] allows for, and the square
 /// of the 5 that is `(1001 + 25) u^2 = 3.6e-12`.
 const UNREFINED: f32 = 4e-12;
 
@@ -100,7 +100,7 @@ impl<S: Isa> Chord<S> {
     /// sphere is small and far away (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere
     /// Intersection, Ray Tracing Gems, 2019).
     #[inline(always)]
-    fn new(simd: S, rays: &Rays<S>, node: &Node) -> Self {
+    fn new(simd: S, rays: &Rays<S>, node: &BvhNode) -> Self {
         let f = Vec3x::splat(simd, node.centre) - rays.o;
         let t_mid = f.dot(rays.d);
         let l = rays.d.scaled_minus(t_mid, f);
@@ -140,7 +140,7 @@ impl<S: Isa> Chord<S> {
     /// Which rays may meet the sphere ahead: all that do, and some that pass it by closely or that start on it and
     /// leave it.
     #[inline(always)]
-    fn may_be_ahead(&self, node: &Node) -> M<S> {
+    fn may_be_ahead(&self, node: &BvhNode) -> M<S> {
         let simd = self.t_mid.token();
         let unsure = if S::FUSES_MUL_ADD {
             splat(simd, 0.0)
@@ -155,7 +155,7 @@ impl<S: Isa> Chord<S> {
     /// Which rays along `d` surely pass by the box or the cylinder in the sphere, or meet it beyond `limit`: they are
     /// farther from its longer axis than it reaches, or end before the sphere.
     #[inline(always)]
-    fn is_off(&self, d: Vec3x<S>, node: &Node, limit: F<S>) -> M<S> {
+    fn is_off(&self, d: Vec3x<S>, node: &BvhNode, limit: F<S>) -> M<S> {
         let simd = self.t_mid.token();
         let axis = Vec3x::splat(simd, node.axis);
         let (along, across) = (d.dot(axis), self.l.dot(axis));
@@ -169,21 +169,21 @@ impl<S: Isa> Chord<S> {
     /// The nearer end of the chord that lies ahead, if it does so nearer than `limit`.
     ///
     /// A ray that starts on the sphere does so but for rounding, a little within or without: it hits nothing of it on
-    /// its way out, and on its way in the far side. So what starts within the sphere's [`Node::slack`] starts on it.
+    /// its way out, and on its way in the far side. So what starts within the sphere's [`BvhNode::hit_error`] starts on it.
     #[inline(always)]
-    fn entry(&self, mask: M<S>, node: &Node, limit: F<S>) -> (M<S>, F<S>) {
+    fn entry(&self, mask: M<S>, node: &BvhNode, limit: F<S>) -> (M<S>, F<S>) {
         let simd = self.t_mid.token();
-        let slack2 = splat(simd, node.slack2);
+        let r2_error = splat(simd, node.r2_error);
         // Half the chord's length squared; below 0, where its root is no number and no comparison holds, the ray passes by.
         let discriminant = splat::<S>(simd, node.r2) - self.l2;
         // From the centre to the start, squared, less the radius squared.
         let start = self.t_mid.mul_add(self.t_mid, -discriminant);
-        let is_inward = self.t_mid.simd_gt(splat(simd, node.slack));
-        let is_ahead = is_inward | start.simd_lt(-slack2);
+        let is_inward = self.t_mid.simd_gt(splat(simd, node.hit_error));
+        let is_ahead = is_inward | start.simd_lt(-r2_error);
         let half = discriminant.sqrt();
         // The near end for those that start outside.
         let sign =
-            U::<S>::splat(simd, 1 << 31) & start.simd_gt(slack2).to_vector().bitcast::<U<S>>();
+            U::<S>::splat(simd, 1 << 31) & start.simd_gt(r2_error).to_vector().bitcast::<U<S>>();
         let t = flipped::<S>(half, sign) + self.t_mid;
         (mask & is_ahead & t.simd_lt(limit), t)
     }
@@ -220,46 +220,45 @@ fn plane_hit<S: Isa>(
 /// Which rays towards a lamp, `distance` away in direction `l`, start in a sphere's shadow or, where there is more to know
 /// than the cone, may do so.
 #[inline(always)]
-fn caster_shades<S: Isa>(simd: S, caster: &Caster, l: Vec3x<S>, distance: F<S>) -> M<S> {
-    let chord = l - Vec3x::splat(simd, caster.axis);
-    chord.dot(chord).simd_lt(splat(simd, caster.chord2))
-        & distance.simd_gt(splat(simd, caster.from))
+fn cone_shades<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) -> M<S> {
+    let chord = l - Vec3x::splat(simd, cone.axis);
+    chord.dot(chord).simd_lt(splat(simd, cone.chord2)) & distance.simd_gt(splat(simd, cone.from))
 }
 
 /// Which rays towards a lamp, so wide and `distance` away in direction `l`, surely pass by a box or a cylinder in a
 /// sphere, or a sphere and its penumbra.
 #[inline(always)]
-fn caster_is_off<S: Isa>(
+fn cone_is_off<S: Isa>(
     simd: S,
-    caster: &Caster,
+    cone: &ShadowCone,
     l: Vec3x<S>,
     distance: F<S>,
     diameter: f32,
 ) -> M<S> {
-    let off = l.dot(Vec3x::splat(simd, caster.side));
-    let f = Vec3x::splat(simd, caster.from_lamp);
+    let off = l.dot(Vec3x::splat(simd, cone.side));
+    let f = Vec3x::splat(simd, cone.from_lamp);
     let way = f.dot(l);
     let across = f.add_scaled(l, -way);
     // Half the penumbra is without the sphere: as much of the lamp's radius as the way there is of that to the lamp. All
     // times the distance, which saves a division.
     let share = (distance - way).max(splat(simd, 0.0));
-    let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * caster.radius);
+    let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
     let past = across.dot(across) * distance * distance;
-    (off * off).simd_gt(splat(simd, caster.sine2)) | past.simd_gt(reach * reach)
+    (off * off).simd_gt(splat(simd, cone.sine2)) | past.simd_gt(reach * reach)
 }
 
 /// Which rays towards a lamp, `distance` away in direction `l`, a sphere blocks, wherever they start.
 ///
-/// It does not block those that start on it and leave it: see [`Caster::r2`].
+/// It does not block those that start on it and leave it: see [`ShadowCone::r2`].
 #[inline(always)]
-fn caster_blocks<S: Isa>(simd: S, caster: &Caster, l: Vec3x<S>, distance: F<S>) -> M<S> {
+fn cone_blocks<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) -> M<S> {
     let zero = splat(simd, 0.0);
     // Seen from the lamp, where every ray of this lamp meets: the way back to the point nearest to the centre.
-    let f = Vec3x::splat(simd, caster.from_lamp);
+    let f = Vec3x::splat(simd, cone.from_lamp);
     let way = f.dot(l);
     let across = f.add_scaled(l, -way);
-    let half2 = splat(simd, caster.r2) - across.dot(across);
-    if caster.around_lamp {
+    let half2 = splat(simd, cone.r2) - across.dot(across);
+    if cone.around_lamp {
         // The chord, of half length sqrt(half2) around there, ends between the lamp and the ray's start.
         let left = (distance - way).max(zero);
         return half2.simd_lt(left * left);
@@ -283,20 +282,20 @@ pub(crate) fn blocked<S: Isa>(
 ) -> M<S> {
     candidates.clear();
     let mut blocked = M::<S>::splat(simd, false);
-    let casters = &lamp.casters[..scene.tree.solid().len()];
+    let shadow_cones = &lamp.shadow_cones[..scene.tree.solid_nodes().len()];
     let mut i = 0;
-    while let Some(caster) = casters.get(i) {
-        let shaded = caster_shades(simd, caster, l, distance);
+    while let Some(cone) = shadow_cones.get(i) {
+        let shaded = cone_shades(simd, cone, l, distance);
         let is_met = shaded.any_true();
-        if is_met && !caster.is_bound && !lamp.is_plain() {
-            let near = shaded & !caster_is_off(simd, caster, l, distance, lamp.diameter);
+        if is_met && !cone.is_bound && !lamp.is_plain() {
+            let near = shaded & !cone_is_off(simd, cone, l, distance, lamp.diameter);
             if near.any_true() {
-                candidates.push::<S>(caster.number, near);
+                candidates.push::<S>(cone.number, near);
             }
-        } else if is_met && !caster.is_bound {
-            blocked |= caster_blocks(simd, caster, l, distance);
+        } else if is_met && !cone.is_bound {
+            blocked |= cone_blocks(simd, cone, l, distance);
         }
-        i += if is_met { 1 } else { caster.skip as usize };
+        i += if is_met { 1 } else { cone.skip as usize };
     }
     for plane in scene.planes() {
         let below = lamp.position.y > plane.centre.y;

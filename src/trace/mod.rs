@@ -40,7 +40,7 @@ pub(crate) use sample::{STEP, Sample};
 pub(crate) use texture::pattern_at_pixels;
 
 use crate::lanes::*;
-use crate::prepare::{GroupSet, Prepared, Seen};
+use crate::prepare::{GroupSet, Prepared, VisibleGroups};
 use crate::quality::Quality;
 use fearless_simd::Level;
 
@@ -91,7 +91,7 @@ pub(crate) fn trace(
     level: Level,
     scene: &Prepared,
     quality: &Quality,
-    seen: Seen,
+    seen: VisibleGroups,
     batch: &mut Batch,
 ) {
     #[cfg(target_arch = "x86_64")]
@@ -111,7 +111,13 @@ pub(crate) fn trace(
 }
 
 #[inline(always)]
-fn trace_by<S: Isa>(simd: S, scene: &Prepared, quality: &Quality, seen: Seen, batch: &mut Batch) {
+fn trace_by<S: Isa>(
+    simd: S,
+    scene: &Prepared,
+    quality: &Quality,
+    seen: VisibleGroups,
+    batch: &mut Batch,
+) {
     simd.vectorize(
         #[inline(always)]
         || {
@@ -125,7 +131,7 @@ fn trace_packets<S: Isa>(
     simd: S,
     scene: &Prepared,
     quality: &Quality,
-    seen: Seen,
+    seen: VisibleGroups,
     batch: &mut Batch,
 ) {
     let mut next = 0;

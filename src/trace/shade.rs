@@ -151,7 +151,7 @@ fn scatter<S: Isa>(
     let least = splat(simd, quality.least_contribution);
     let deepest = U::<S>::splat(simd, 1 << quality.depth);
     let follow = point.solid & rays.paths().simd_lt(deepest);
-    let reflected = rays.reflected_places();
+    let reflected = rays.reflected_slot_paths();
     let mut kr = surface.kr();
     let ShadingPoint {
         p,
@@ -165,7 +165,7 @@ fn scatter<S: Isa>(
         o: p.add_scaled(n, hit_error * -2.0),
         d: point.r,
         weight: zero,
-        place: reflected + 1,
+        slot_path: reflected + 1,
     };
     let glass = follow & surface.kt().simd_gt(zero);
     if glass.any_true() {
@@ -185,7 +185,7 @@ fn scatter<S: Isa>(
         o: p,
         d: point.r,
         weight,
-        place: reflected | marks,
+        slot_path: reflected | marks,
     };
     if through.any_true() {
         stack.push(simd, &transmitted, through);

@@ -12,7 +12,7 @@ pub(crate) struct Rays<S: Isa> {
     pub weight: F<S>,
     /// Where its colour goes and where it stands in its tree: `slot << PATH_BITS | path`. The path of a primary ray is
     /// 1; a ray with path p has the reflected ray 2 p and the transmitted ray 2 p + 1.
-    pub place: U<S>,
+    pub slot_path: U<S>,
 }
 
 /// A place's bit that says that the ray is what the first plane reflects of a primary ray.
@@ -24,26 +24,26 @@ const PATH_BITS: u32 = 8;
 impl<S: Isa> Rays<S> {
     /// The places of the primary rays of the points from number `slot` on.
     #[inline(always)]
-    pub fn places(simd: S, slot: usize) -> U<S> {
+    pub fn slot_paths(simd: S, slot: usize) -> U<S> {
         (numbers(simd) << PATH_BITS) + ((slot as u32) << PATH_BITS | 1)
     }
 
     /// Which points the rays belong to.
     #[inline(always)]
     pub fn slots(&self) -> U<S> {
-        (self.place & !MIRRORED) >> PATH_BITS
+        (self.slot_path & !MIRRORED) >> PATH_BITS
     }
 
     /// Where the rays stand in their trees.
     #[inline(always)]
     pub fn paths(&self) -> U<S> {
-        self.place & ((1 << PATH_BITS) - 1)
+        self.slot_path & ((1 << PATH_BITS) - 1)
     }
 
     /// The places of the reflected rays; those of the transmitted rays are one more.
     #[inline(always)]
-    pub fn reflected_places(&self) -> U<S> {
-        (self.place + self.paths()) & !MIRRORED
+    pub fn reflected_slot_paths(&self) -> U<S> {
+        (self.slot_path + self.paths()) & !MIRRORED
     }
 
     /// Marks of the reflected rays' places where the first plane, the object number `plane`, reflects a primary ray.
@@ -57,7 +57,9 @@ impl<S: Isa> Rays<S> {
     /// Which rays are so marked.
     #[inline(always)]
     pub fn mirrored(&self, simd: S) -> M<S> {
-        self.place.bitcast::<I<S>>().simd_lt(I::<S>::splat(simd, 0))
+        self.slot_path
+            .bitcast::<I<S>>()
+            .simd_lt(I::<S>::splat(simd, 0))
     }
 }
 
@@ -94,9 +96,9 @@ impl Stack {
             o,
             d,
             weight,
-            place,
+            slot_path,
         } = rays;
-        let mut rows = [o.x, o.y, o.z, d.x, d.y, d.z, *weight, place.bitcast()];
+        let mut rows = [o.x, o.y, o.z, d.x, d.y, d.z, *weight, slot_path.bitcast()];
         simd.gather_first(&mut rows, mask);
         let start = self.len;
         for (column, row) in self.columns.iter_mut().zip(&rows) {
@@ -111,7 +113,7 @@ impl Stack {
         let count = self.len.min(lanes::<S>());
         self.len -= count;
         let start = self.len;
-        let [ox, oy, oz, dx, dy, dz, weight, place] = &self.columns;
+        let [ox, oy, oz, dx, dy, dz, weight, slot_path] = &self.columns;
         let d: Vec3x<S> = Vec3x {
             x: load(simd, dx, start),
             y: load(simd, dy, start),
@@ -128,7 +130,7 @@ impl Stack {
             },
             d: d.scaled(correction),
             weight: load(simd, weight, start),
-            place: load(simd, place, start).bitcast(),
+            slot_path: load(simd, slot_path, start).bitcast(),
         };
         (rays, count)
     }

@@ -1,6 +1,6 @@
 //! Procedural textures: what is left of a colour. See [`crate::scene::Pattern`].
 
-use super::batch::seen_at;
+use super::batch::primary_directions;
 use super::block::{self, BlockHit};
 use crate::lanes::*;
 use crate::prepare::{Object, Prepared};
@@ -78,7 +78,7 @@ fn pattern_at_row<S: Isa>(simd: S, scene: &Prepared, object: usize, x: usize, y:
     let (object, material) = scene.object(object);
     let o = Vec3x::splat(simd, scene.eye);
     let x: F<S> = numbers(simd).bitcast::<I<S>>().to_float::<F<S>>() + x as f32;
-    let d = seen_at(simd, scene, x, splat(simd, y as f32));
+    let d = primary_directions(simd, scene, x, splat(simd, y as f32));
     let (point, t) = match object {
         Object::Sphere(sphere) => {
             let from = o - Vec3x::splat(simd, sphere.centre);

@@ -10,7 +10,7 @@ mod shadows;
 
 extern crate std;
 
-use super::batch::seen_at;
+use super::batch::primary_directions;
 use super::block::resolve_blocks;
 use super::candidates::Candidates;
 use super::intersect::{Hit, nearest};
@@ -198,7 +198,7 @@ fn packet<S: Isa>(simd: S, o: Vec3A, d: &[Vec3A]) -> Rays<S> {
             z: F::<S>::from_slice(simd, &z[..lanes::<S>()]),
         },
         weight: splat(simd, 1.0),
-        place: Rays::places(simd, 0),
+        slot_path: Rays::slot_paths(simd, 0),
     }
 }
 

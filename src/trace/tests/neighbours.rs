@@ -46,7 +46,7 @@ fn outcomes<S: Isa>(
             z: F::<S>::from_slice(simd, &dz[..n]),
         },
         weight: F::<S>::from_slice(simd, &weight[..n]),
-        place: Rays::places(simd, 0),
+        slot_path: Rays::slot_paths(simd, 0),
     };
     let hit = hits(simd, scene, &rays);
     let quality = &Quality::THESIS;

@@ -41,9 +41,9 @@ impl Property for Patterns {
                     let columns = columns.to_float::<F<S>>() + x as f32;
                     let rays = Rays {
                         o: Vec3x::splat(simd, prepared.eye),
-                        d: seen_at(simd, &prepared, columns, splat(simd, y as f32)),
+                        d: primary_directions(simd, &prepared, columns, splat(simd, y as f32)),
                         weight: splat(simd, 1.0),
-                        place: Rays::places(simd, 0),
+                        slot_path: Rays::slot_paths(simd, 0),
                     };
                     let hit = hits(simd, &prepared, &rays);
                     let point = shading_point(simd, &prepared, &rays, &hit);
