@@ -11,7 +11,7 @@ pub fn png(width: usize, pixels: &[u32]) -> Result<Vec<u8>, EncodingError> {
     encode(width, pixels, None)
 }
 
-/// As [`png`], with a line in ASCII that says how the picture was made.
+/// As [`png()`], with a line in ASCII that says how the picture was made.
 pub fn png_of(width: usize, pixels: &[u32], made: &str) -> Result<Vec<u8>, EncodingError> {
     encode(width, pixels, Some(made))
 }

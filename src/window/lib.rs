@@ -10,7 +10,7 @@
 //! | threads that share the work of a frame | [`pool`] |
 //! | the best instruction set | [`cpu`] |
 //! | memory of fixed size | [`fixed`] |
-//! | lines of text to standard output and error | [`line`] |
+//! | lines of text to standard output and error | [`mod@line`] |
 //!
 //! Threads, waiting, time and output go through libc.
 //!
