@@ -57,7 +57,13 @@ impl Seams {
             return;
         }
         let mut marks = [[false; _]; _];
-        by_isa!(level, simd => self.mark(simd, quality, finer.height, band, &mut marks));
+        // The time is in tracing, so this is compiled for one instruction set.
+        #[cfg(target_arch = "x86_64")]
+        if let Some(simd) = level.as_sse2() {
+            self.mark(simd, quality, finer.height, band, &mut marks);
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        fearless_simd::dispatch!(level, simd => self.mark(simd, quality, finer.height, band, &mut marks));
         trace_marked(level, finer, quality, &marks, worker, band);
     }
 

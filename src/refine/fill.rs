@@ -2,7 +2,6 @@
 
 use super::bits::Bits;
 use crate::lanes::*;
-use crate::quality::Quality;
 use crate::trace::Sample;
 use fearless_simd::{Level, i16x16, u8x32, u16x16, u32x8, u64x4};
 
@@ -48,15 +47,14 @@ impl Canvas<'_> {
         by_isa!(isa, simd => match run.level {
             1 => self.fill_by::<_, 1>(simd, run),
             2 => self.fill_by::<_, 2>(simd, run),
-            3 => self.fill_by::<_, 3>(simd, run),
-            4 => self.fill_by::<_, 4>(simd, run),
-            _ => self.fill_by::<_, 5>(simd, run),
+            _ => self.fill_by::<_, 3>(simd, run),
         });
     }
 
-    /// Fills squares of `1 << LEVEL` pixels.
+    /// Fills squares of `1 << LEVEL` pixels, or larger ones by parts of that size.
     #[inline(always)]
     fn fill_by<S: Simd, const LEVEL: u32>(&mut self, simd: S, run: &Run<'_>) {
+        let parts = 1 << (run.level as u32 - LEVEL);
         run.filled.for_each(
             #[inline(always)]
             |i| {
@@ -65,32 +63,74 @@ impl Canvas<'_> {
                 if run.flat.has(i) {
                     corners = [corners[0]; 4];
                 }
-                let (x, y, side) = (run.x + (i << LEVEL), run.y, 1 << LEVEL);
-                let start = y * self.width + x;
-                if x + side <= self.width && y + side <= self.height {
-                    let pixels = &mut self.pixels[start..];
-                    fill_square::<S, LEVEL>(simd, corners, pixels, self.width);
-                } else {
-                    let mut whole = [0; MAX_PIXELS];
-                    fill_square::<S, LEVEL>(simd, corners, &mut whole, side);
-                    let rows = self.pixels[start..].chunks_mut(self.width);
-                    let width = side.min(self.width - x);
-                    for (row, whole) in rows.zip(whole.chunks(side)).take(side) {
-                        row[..width].copy_from_slice(&whole[..width]);
+                let (x, y) = (run.x + (i << run.level), run.y);
+                for part in 0..parts * parts {
+                    let [i, j] = [part % parts, part / parts];
+                    let corners = part_corners(corners, [i, j], parts);
+                    let (x, y) = (x + (i << LEVEL), y + (j << LEVEL));
+                    if x < self.width && y < self.height {
+                        self.fill_part::<S, LEVEL>(simd, x, y, corners);
                     }
                 }
             },
         );
     }
+
+    /// Fills a square of `1 << LEVEL` pixels, as far as it is in the picture.
+    #[inline(always)]
+    fn fill_part<S: Simd, const LEVEL: u32>(
+        &mut self,
+        simd: S,
+        x: usize,
+        y: usize,
+        corners: [u64; 4],
+    ) {
+        let side = 1 << LEVEL;
+        let start = y * self.width + x;
+        let is_whole = x + side <= self.width && y + side <= self.height;
+        let mut aside = [0; MAX_PIXELS];
+        let (pixels, width) = if is_whole {
+            (&mut self.pixels[start..], self.width)
+        } else {
+            (&mut aside[..], side)
+        };
+        fill_square::<S, LEVEL>(simd, corners, pixels, width);
+        if !is_whole {
+            let rows = self.pixels[start..].chunks_mut(self.width);
+            let width = side.min(self.width - x);
+            for (row, aside) in rows.zip(aside.chunks(side)).take(side) {
+                row[..width].copy_from_slice(&aside[..width]);
+            }
+        }
+    }
 }
 
-/// Pixels of the largest square.
-const MAX_PIXELS: usize = Quality::MAX_SQUARE * Quality::MAX_SQUARE;
+/// The corners of part (i, j) of a square that has so many along each side.
+#[inline(always)]
+fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], parts: usize) -> [u64; 4] {
+    if parts == 1 {
+        return corners;
+    }
+    [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]].map(|[i, j]| {
+        let [i, j, parts] = [i as u64, j as u64, parts as u64];
+        let [a, b, c, d] = corners;
+        let channel = |shift: u32| {
+            let at = |corner: u64| corner >> shift & 0xffff;
+            let upper = at(a) * (parts - i) + at(b) * i;
+            let lower = at(c) * (parts - i) + at(d) * i;
+            ((upper * (parts - j) + lower * j) / (parts * parts)) << shift
+        };
+        channel(0) | channel(16) | channel(32)
+    })
+}
+
+/// Pixels of the largest square that is filled at once.
+const MAX_PIXELS: usize = 64;
 
 /// Interpolates the corners' colours along both sides of a square of `1 << LEVEL` pixels, at the start of rows of so many.
 ///
 /// All is added up without a carry out of 16 bits, so that differences of any size work. A step is off by half a 256th of an
-/// output step at most, so that the last pixel of a square of 8 is off by 7 of them, and by 31 in one of 32.
+/// output step at most, so that the last pixel of a square of 8 is off by 7 of them.
 #[inline(always)]
 fn fill_square<S: Simd, const LEVEL: u32>(
     simd: S,
@@ -104,22 +144,18 @@ fn fill_square<S: Simd, const LEVEL: u32>(
     let (upper, lower) = (a + a + HALF, c + c + HALF);
     let number = u16x16::simd_from(simd, [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3]);
     let side = 1 << LEVEL;
-    let width_at_once = if side < 8 { side } else { 8 };
-    for left in (0..side).step_by(width_at_once) {
-        let column = number + left as u16;
-        let (mut first, lower) = (upper + across * column, lower + across_below * column);
-        let first_down = step::<S, LEVEL>(lower >> 1, first >> 1);
-        let (mut second, lower) = (first + across * 4, lower + across_below * 4);
-        let second_down = step::<S, LEVEL>(lower >> 1, second >> 1);
-        let mut rest = &mut pixels[left..];
-        for _ in 0..side {
-            let bytes: u8x32<S> = (first >> 8).relaxed_narrow(second >> 8);
-            let eight: [u32; 8] = bytes.bitcast::<u32x8<S>>().into();
-            rest[..width_at_once].copy_from_slice(&eight[..width_at_once]);
-            rest = rest.get_mut(width..).unwrap_or_default();
-            first += first_down;
-            second += second_down;
-        }
+    let (mut first, lower) = (upper + across * number, lower + across_below * number);
+    let first_down = step::<S, LEVEL>(lower >> 1, first >> 1);
+    let (mut second, lower) = (first + across * 4, lower + across_below * 4);
+    let second_down = step::<S, LEVEL>(lower >> 1, second >> 1);
+    let mut rest = pixels;
+    for _ in 0..side {
+        let bytes: u8x32<S> = (first >> 8).relaxed_narrow(second >> 8);
+        let eight: [u32; 8] = bytes.bitcast::<u32x8<S>>().into();
+        rest[..side].copy_from_slice(&eight[..side]);
+        rest = rest.get_mut(width..).unwrap_or_default();
+        first += first_down;
+        second += second_down;
     }
 }
 

@@ -7,7 +7,7 @@ use fearless_simd::{u16x8, u32x4, u64x2};
 /// A traced point's colour: blue, green and red from the low bits up, 16 bits each, in 128ths of an output step. Above
 /// them, 14 bits tell the object that the point shows: its number plus one, or 0 where it is not known; and one bit whether
 /// that has a pattern.
-#[derive(Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
 
 /// Bits below the point of a sample.
