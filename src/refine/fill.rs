@@ -54,7 +54,12 @@ impl Canvas<'_> {
     /// Fills squares of `1 << LEVEL` pixels, or larger ones by parts of that size.
     #[inline(always)]
     fn fill_by<S: Simd, const LEVEL: u32>(&mut self, simd: S, run: &Run<'_>) {
-        let parts = 1 << (run.level as u32 - LEVEL);
+        let parts = if LEVEL < 3 {
+            1
+        } else {
+            1 << (run.level as u32 - LEVEL)
+        };
+        let mut aside = [0; MAX_PIXELS];
         run.filled.for_each(
             #[inline(always)]
             |i| {
@@ -69,7 +74,7 @@ impl Canvas<'_> {
                     let corners = part_corners(corners, [i, j], parts);
                     let (x, y) = (x + (i << LEVEL), y + (j << LEVEL));
                     if x < self.width && y < self.height {
-                        self.fill_part::<S, LEVEL>(simd, x, y, corners);
+                        self.fill_part::<S, LEVEL>(simd, x, y, corners, &mut aside);
                     }
                 }
             },
@@ -84,11 +89,11 @@ impl Canvas<'_> {
         x: usize,
         y: usize,
         corners: [u64; 4],
+        aside: &mut [u32; MAX_PIXELS],
     ) {
         let side = 1 << LEVEL;
         let start = y * self.width + x;
         let is_whole = x + side <= self.width && y + side <= self.height;
-        let mut aside = [0; MAX_PIXELS];
         let (pixels, width) = if is_whole {
             (&mut self.pixels[start..], self.width)
         } else {
