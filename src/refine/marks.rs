@@ -44,7 +44,7 @@ impl<O: Observer> Tile<'_, O> {
         let mut row = [0; TILE_WIDTH];
         for level in 0..=self.quality.square.ilog2() as usize {
             let side = 1 << level;
-            let is_upper = y % side == 0;
+            let is_upper = y.is_multiple_of(side);
             if level > 0 {
                 self.worker.marks.filled[level][y >> level].for_each(|x| {
                     let length = if is_upper { side } else { 1 };

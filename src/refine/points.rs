@@ -21,7 +21,11 @@ impl<O: Observer> Tile<'_, O> {
             let marks = &self.worker.marks;
             let mut points = corners(&marks.squares[level], level, y, self.area.rows(level));
             if !is_first {
-                let known = if y % 2 == 0 { Bits::EVEN } else { Bits::NONE };
+                let known = if y.is_multiple_of(2) {
+                    Bits::EVEN
+                } else {
+                    Bits::NONE
+                };
                 let must = corners(&marks.open[level], level, y, self.area.rows(level));
                 self.take_over(level, y, points & known);
                 points = points & !known;
@@ -86,7 +90,7 @@ impl<O: Observer> Tile<'_, O> {
     fn average(&mut self, level: usize, y: usize, points: Bits, limit: Limit) -> Bits {
         let mut averaged = Bits::NONE;
         // In rows that the level above has, middles lie between two of its columns; else between two rows.
-        let (middles, across, down) = if y % 2 == 0 {
+        let (middles, across, down) = if y.is_multiple_of(2) {
             (!Bits::EVEN, 1, 0)
         } else {
             (Bits::EVEN, 0, 1)

@@ -21,7 +21,7 @@ impl Limit {
         let limit = steps(tolerance, level) * STEP as f32;
         // What is too large for 15 bits is as good as no limit, and what is no number is 0.
         let limit = limit.clamp(0.0, 32_767.0) as u64;
-        Self(limit * 0x0001_0001_0001 | 0x7fff << 48)
+        Self((limit * 0x0001_0001_0001) | (0x7fff << 48))
     }
 
     /// Whether two samples are within it, to a [`STEP`].
@@ -32,8 +32,8 @@ impl Limit {
         const HALF: u64 = 0x3fff_3fff_3fff;
         const GREATER: u64 = 0x8000_8000_8000;
         let [a, b, limit] = [a.0 >> 1 & HALF, b.0 >> 1 & HALF, self.0 >> 1 & HALF];
-        let is_below = (a + limit | GREATER) - b;
-        let is_above = (b + limit | GREATER) - a;
+        let is_below = ((a + limit) | GREATER) - b;
+        let is_above = ((b + limit) | GREATER) - a;
         is_below & is_above & GREATER == GREATER
     }
 }
