@@ -148,7 +148,7 @@ pub fn sections(file: &[u8], names: &[&str]) -> Result<Vec<Range<usize>>, Error>
 }
 
 /// A number of so many bytes; 0 if it is not there.
-fn number(bytes: &[u8], place: usize, size: usize) -> u64 {
+pub fn number(bytes: &[u8], place: usize, size: usize) -> u64 {
     let bytes = bytes.get(place..place + size).unwrap_or_default();
     bytes
         .iter()

@@ -10,7 +10,7 @@
 //! | 4,000 | the stub |
 //! | the rest | what was packed |
 
-use crate::{Error, elf, elf::Segment, pack, stub::Stub, unpack};
+use crate::{Error, elf, elf::Segment, pack, panics, stub::Stub, unpack};
 
 /// Where the system lets programs have memory, unless it is told otherwise (`vm.mmap_min_addr`).
 const LOWEST: u64 = 0x1_0000;
@@ -96,8 +96,8 @@ pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
     Ok(unpack(bytes)?)
 }
 
-/// What Linux and the dynamic linker read of an executable: its headers and segments, without what only unwinding reads. That is
-/// not needed where a panic ends the process.
+/// What Linux and the dynamic linker read of an executable: its headers and segments, without what only unwinding reads, or a
+/// report of a panic. That is not needed where a panic ends the process.
 ///
 /// # Errors
 /// If it is no executable at fixed addresses that a dynamic linker starts.
@@ -116,6 +116,7 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         }
     }
     let mut program = program.to_vec();
+    panics::blank_locations(&mut program)?;
     for section in &unwinding {
         let bytes = program.get_mut(section.clone());
         bytes.ok_or("a section is not in it")?.fill(0);

@@ -38,6 +38,7 @@ mod elf;
 mod encoder;
 mod executable;
 mod model;
+mod panics;
 mod stub;
 #[cfg(test)]
 mod tests;

@@ -27,7 +27,7 @@ use std::{collections::HashSet, fmt::Write, fs, path::PathBuf};
 use object::{Object, ObjectSymbol, SymbolKind, read::archive::ArchiveFile};
 
 use super::toolchain::{TARGET, Toolchain};
-use crate::Error;
+use crate::{Error, panics::ABORT};
 
 /// The crates that functions are redirected in. The last three have functions of the others compiled in.
 const CRATES: [&str; 6] = [
@@ -42,7 +42,7 @@ const CRATES: [&str; 6] = [
 /// What is called instead of functions of std, and those functions: parts of paths. One that std does not have is a warning.
 const INSTEAD: [(&str, &[&str]); 3] = [
     (
-        "eightfold_abort",
+        ABORT,
         &[
             "__rustc::rust_begin_unwind",
             "alloc::alloc::handle_alloc_error",

@@ -1,0 +1,226 @@
+//! Blanks what a panic would have told: where in the source it was.
+//!
+//! Such a `Location` is a record of 24 bytes in `.data.rel.ro`: the address and the length of a file's name in `.rodata`, a line and
+//! a column. Code that panics passes its address along, but where the diet has redirected the panic handler nobody reads it: what is
+//! called instead has no arguments. So each record may be zeros, and so may the names that only such records pointed to. Packed, zeros
+//! take next to nothing: of 70,799 bytes this saves 1,096.
+//!
+//! A program that has std's panic handler stays as it is.
+
+use std::ops::Range;
+
+use object::{Object, ObjectSection, ObjectSymbol};
+
+use crate::{Error, elf::number};
+
+/// What the diet has called in place of functions that panic.
+pub const ABORT: &str = "eightfold_abort";
+
+/// The end of the panic handler's name, which is mangled.
+const HANDLER: &str = "17rust_begin_unwind";
+
+/// Bytes of a `Location`.
+const RECORD: usize = 24;
+
+/// A section: where it is in memory and in the file.
+struct Section {
+    address: u64,
+    range: Range<usize>,
+}
+
+/// The sections that take part.
+struct Sections {
+    /// `.rodata`, with the names of files.
+    names: Section,
+    /// `.data.rel.ro`, with the records.
+    records: Section,
+    code: Section,
+    /// All that may have addresses in it as words of 8 bytes.
+    data: Vec<Section>,
+}
+
+impl Section {
+    fn find(file: &object::File<'_>, name: &str) -> Option<Section> {
+        let section = file.section_by_name(name)?;
+        let (start, size) = section.file_range()?;
+        Some(Section {
+            address: section.address(),
+            range: start as usize..(start + size) as usize,
+        })
+    }
+
+    /// Where in the file so many bytes from an address on are, if they are in this section.
+    fn place(&self, address: u64, length: u64) -> Option<Range<usize>> {
+        let start = address.checked_sub(self.address)?;
+        let end = start.checked_add(length)?;
+        let first = self.range.start;
+        (end <= self.range.len() as u64).then(|| first + start as usize..first + end as usize)
+    }
+}
+
+/// Blanks the locations of panics that are in a program, if its panics go to [`ABORT`], and the names that only they point to.
+///
+/// # Errors
+/// If it is no ELF file.
+pub fn blank_locations(program: &mut [u8]) -> Result<(), Error> {
+    let file = object::File::parse(&*program)?;
+    let section = |name| Section::find(&file, name);
+    let (Some(names), Some(records), Some(code)) = (
+        section(".rodata"),
+        section(".data.rel.ro"),
+        section(".text"),
+    ) else {
+        return Ok(());
+    };
+    if !aborts(&file, program, &code) {
+        return Ok(());
+    }
+    let data = [".rodata", ".data.rel.ro", ".data", ".got"];
+    let sections = Sections {
+        names,
+        records,
+        code,
+        data: data.into_iter().filter_map(section).collect(),
+    };
+    blank(program, &sections);
+    Ok(())
+}
+
+/// Whether all that the panic handler does is a jump to [`ABORT`].
+fn aborts(file: &object::File<'_>, program: &[u8], code: &Section) -> bool {
+    let address = |is_it: fn(&str) -> bool| {
+        let mut symbols = file.symbols();
+        symbols
+            .find(|symbol| symbol.is_definition() && symbol.name().is_ok_and(is_it))
+            .map(|symbol| symbol.address())
+    };
+    let (Some(handler), Some(abort)) = (
+        address(|name| name.ends_with(HANDLER)),
+        address(|name| name == ABORT),
+    ) else {
+        return false;
+    };
+    let jump = code.place(handler, 5).map(|place| &program[place]);
+    matches!(jump, Some([0xe9, offset @ ..]) if abort
+        == (handler + 5).wrapping_add_signed(number(offset, 0, 4) as i32 as i64))
+}
+
+fn blank(program: &mut [u8], sections: &Sections) {
+    let mut names = Vec::new();
+    for place in sections.records.range.clone().step_by(8) {
+        if let Some(name) = location(program, place, sections) {
+            program[place..place + RECORD].fill(0);
+            names.push(name);
+        }
+    }
+    let used = pointed_to(program, sections);
+    for name in names {
+        let start = name.start - sections.names.range.start;
+        if !used[start..start + name.len()].contains(&true) {
+            program[name].fill(0);
+        }
+    }
+}
+
+/// Where the name of a location's file is, if there is a location.
+fn location(program: &[u8], place: usize, sections: &Sections) -> Option<Range<usize>> {
+    if place + RECORD > sections.records.range.end {
+        return None;
+    }
+    let [line, column] = [16, 20].map(|field| number(program, place + field, 4));
+    let (address, length) = (number(program, place, 8), number(program, place + 8, 8));
+    let name = sections.names.place(address, length)?;
+    let text = &program[name.clone()];
+    let is_path = text
+        .iter()
+        .all(|byte| byte.is_ascii_alphanumeric() || b"/._-+<>() ".contains(byte));
+    (line != 0 && column != 0 && is_path && text.ends_with(b".rs")).then_some(name)
+}
+
+/// For each byte of [`Sections::names`], whether something may point to it: an address, or an offset in an instruction. Where
+/// numbers look like some by chance, a name is left that could have been blanked.
+fn pointed_to(program: &[u8], sections: &Sections) -> Vec<bool> {
+    let names = &sections.names;
+    let mut used = vec![false; names.range.len()];
+    let mut point = |address| {
+        if let Some(place) = names.place(address, 1) {
+            used[place.start - names.range.start] = true;
+        }
+    };
+    for section in &sections.data {
+        for place in section.range.clone().step_by(8) {
+            point(number(program, place, 8));
+        }
+    }
+    for (i, place) in sections.code.range.clone().enumerate() {
+        let field = number(program, place, 4);
+        point(field);
+        // An offset is from the end of its instruction. Only a `lea` never has an immediate value of 1, 2 or 4 bytes before that.
+        let is_lea = i >= 2 && program[place - 2] == 0x8d;
+        let ends: &[u64] = if is_lea { &[4] } else { &[4, 5, 6, 8] };
+        for end in ends {
+            let next = sections.code.address + i as u64 + end;
+            point(next.wrapping_add_signed(field as i32 as i64));
+        }
+    }
+    used
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{RECORD, Section, Sections, blank};
+
+    const NAMES: &[u8] = b"src/a.rssrc/b.rssrc/c.rsno path.";
+    /// Where in memory the file is.
+    const BASE: u64 = 0x20_0000;
+    const RECORDS: usize = 32;
+    const CODE: usize = RECORDS + 5 * RECORD;
+
+    fn section(start: usize, end: usize) -> Section {
+        Section {
+            address: BASE + start as u64,
+            range: start..end,
+        }
+    }
+
+    fn record(name: u64, length: u64, line: u32, column: u32) -> Vec<u8> {
+        let words = [BASE + name, length].map(u64::to_le_bytes);
+        let halves = [line, column].map(u32::to_le_bytes);
+        [words.as_flattened(), halves.as_flattened()].concat()
+    }
+
+    /// Names, records and an instruction that reads the address of `src/c.rs`.
+    fn image() -> (Vec<u8>, Sections) {
+        let mut image = NAMES.to_vec();
+        image.extend(record(0, 8, 12, 5));
+        image.extend(record(8, 8, 0, 7));
+        image.extend(record(16, 8, 3, 1));
+        image.extend(record(24, 8, 3, 1));
+        image.extend(record(0, 8, 13, 9));
+        let offset = 16 - (CODE as i32 + 7);
+        image.extend([0x48, 0x8d, 0x35]);
+        image.extend(offset.to_le_bytes());
+        let sections = Sections {
+            names: section(0, RECORDS),
+            records: section(RECORDS, CODE),
+            code: section(CODE, image.len()),
+            data: vec![section(0, RECORDS), section(RECORDS, CODE)],
+        };
+        (image, sections)
+    }
+
+    #[test]
+    fn locations_and_their_names_are_blanked_and_nothing_else() {
+        let (before, sections) = image();
+        let mut after = before.clone();
+        blank(&mut after, &sections);
+        let mut expected = before;
+        // The first name has only locations, the others a record without a line, an instruction, and no path.
+        expected[..8].fill(0);
+        for record in [0, 2, 4] {
+            let start = RECORDS + record * RECORD;
+            expected[start..start + RECORD].fill(0);
+        }
+        assert_eq!(after, expected);
+    }
+}
