@@ -50,6 +50,23 @@
 //! (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). The lab's bench measures how much of the picture is
 //! wrong, and how it flickers.
 //!
+//! # Where the time goes
+//!
+//! Shares of a default frame of the model scene, 1024x768, one thread of an AMD EPYC (Zen 4), by `perf record` at every 0.2 ms
+//! of processor time, the machine not idle; exhaustive frames took 13.4 and 7.7 ms beside.
+//!
+//! | part | AVX2, 2.1 ms | AVX-512, 1.6 ms |
+//! | --- | ---: | ---: |
+//! | tracing | 59 % | 48 % |
+//! | finding points: bits, means, lists of points to trace | 16 % | 20 % |
+//! | filling | 9 % | 13 % |
+//! | guard | 5 % | 6 % |
+//! | taking in what was traced | 3 % | 5 % |
+//! | splitting | 3 % | 3 % |
+//! | verdict | 2 % | 2 % |
+//!
+//! A ray takes half as long again as in an exhaustive frame: neighbours in a packet are farther apart, at edges above all, and
+//! meet several objects.
 
 /// Evaluates an expression by an instruction set, with all that it has.
 macro_rules! by_isa {
