@@ -11,13 +11,17 @@ use crate::trace::Counts;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use fearless_simd::Level;
 
-/// What the threads share while they render a frame: some MB of fixed size, owned by the caller.
+/// What the threads share while they render a frame, of fixed size and owned by the caller: see [`Memory::BYTES`]. That is more
+/// than most threads have stack, so it belongs into a `static`, or is made by a thread with a larger one.
 pub struct Memory {
     prepared: Prepared,
     seams: Seams,
 }
 
 impl Memory {
+    /// How large it is, in bytes: the same for pictures of any size.
+    pub const BYTES: usize = size_of::<Self>();
+
     /// Empty memory.
     #[must_use]
     pub const fn new() -> Self {
@@ -69,7 +73,7 @@ impl Memory {
         if !quality.is_antialiased() {
             return Counts::NONE;
         }
-        self.seams.set(quality, width, pixels);
+        self.seams.set(width, pixels);
         // The scene again, for a picture with a pixel for each sample.
         let (n, height, offset) = (
             quality.antialias,
@@ -84,7 +88,7 @@ impl Memory {
             seams.smooth(level, finer, quality, worker, band);
             text::draw(&scene.captions, height, band);
         };
-        frame(quality, width, workers, pixels, &job, run)
+        frame(width, workers, pixels, &job, run)
     }
 }
 
@@ -169,20 +173,19 @@ pub fn render_observed<O: Observer>(
             text::draw(&scene.captions, height, band);
         }
     };
-    let counts = frame(quality, width, workers, pixels, &job, &mut run);
+    let counts = frame(width, workers, pixels, &job, &mut run);
     counts + memory.smooth(level, scene, quality, width, workers, pixels, &mut run)
 }
 
 /// The bands of a frame, each drawn by the job.
 fn frame(
-    quality: &Quality,
     width: usize,
     workers: &mut [Worker],
     pixels: &mut [u32],
     job: Job<'_>,
     run: &mut dyn Run,
 ) -> Counts {
-    let rows = Band::rows(quality.square);
+    let rows = Band::ROWS;
     let mut bands = [const { Band::none() }; MAX_BANDS];
     let mut count = 0;
     for (band, pixels) in bands.iter_mut().zip(pixels.chunks_mut(rows * width)) {

@@ -11,11 +11,8 @@ use crate::quality::Quality;
 use crate::trace::BATCH;
 use fearless_simd::Level;
 
-/// Rows of a band where every pixel is traced, and of one with squares that fit in.
-const ROWS: usize = 32;
-
 /// Bands of the tallest picture.
-pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(ROWS);
+pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(Band::ROWS);
 
 /// Some rows of the picture.
 pub struct Band<'a> {
@@ -26,6 +23,9 @@ pub struct Band<'a> {
 }
 
 impl Band<'_> {
+    /// Rows of a band; the last one of a picture may have fewer.
+    pub(crate) const ROWS: usize = TILE_HEIGHT;
+
     /// No rows.
     pub(crate) const fn none() -> Self {
         Self {
@@ -33,11 +33,6 @@ impl Band<'_> {
             width: 0,
             pixels: &mut [],
         }
-    }
-
-    /// Rows of a band for squares of a size.
-    pub(crate) const fn rows(square: usize) -> usize {
-        if square > ROWS { square } else { ROWS }
     }
 }
 
@@ -52,7 +47,7 @@ pub(crate) fn render<O: Observer>(
 ) {
     let height = band.pixels.len() / band.width;
     let width = if quality.square == 1 {
-        BATCH / ROWS
+        BATCH / Band::ROWS
     } else {
         TILE_WIDTH
     };
@@ -112,4 +107,4 @@ impl<O: Observer> Tile<'_, O> {
     }
 }
 
-const _: () = assert!(ROWS <= TILE_HEIGHT && Quality::MAX_SQUARE <= TILE_HEIGHT);
+const _: () = assert!(TILE_HEIGHT.is_multiple_of(Quality::MAX_SQUARE));
