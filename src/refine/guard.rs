@@ -112,7 +112,7 @@ impl Area {
         let [from, to] = scene.narrowed(outline, scene.axes.rect(row))?;
         let [from, to] = [from, to].map(|u| scene.axes.column(u) - left as f32);
         // A square that ends where the outline begins shows it on its side.
-        let first = ((from - MARGIN) / side as f32).ceil() as usize;
+        let first = libm::ceilf((from - MARGIN) / side as f32) as usize;
         let last = ((to + MARGIN) / side as f32) as usize;
         let last = last.min(columns - 1).min(TILE_WIDTH - 1);
         Some(first.saturating_sub(1)..=last)
