@@ -73,10 +73,7 @@ macro_rules! by_isa {
     ($isa:expr, $simd:ident => $expression:expr) => {{
         #[cfg(target_arch = "x86_64")]
         match $isa {
-            fearless_simd::Level::Avx512($simd) => {
-                fearless_simd::Simd::vectorize($simd, #[inline(always)] || $expression)
-            }
-            fearless_simd::Level::Avx2($simd) => {
+            isa if let Some($simd) = isa.as_avx2() => {
                 fearless_simd::Simd::vectorize($simd, #[inline(always)] || $expression)
             }
             isa => match isa.as_sse2() {

@@ -27,9 +27,9 @@ impl Press {
             keysym::XK_Right => Press::Right,
             keysym::XK_Home => Press::Home,
             keysym::XK_slash | keysym::XK_F1 => Press::Help,
-            _ => Press::Character(
-                char::from_u32(key).filter(|character| " 123456789ehps".contains(*character))?,
-            ),
+            _ => Press::Character(char::from_u32(key).filter(|character| {
+                matches!(character, ' ' | '1'..='9' | 'e' | 'h' | 'p' | 's')
+            })?),
         })
     }
 }

@@ -16,7 +16,7 @@ use std::prelude::v1::*;
 
 /// The instruction sets of this machine.
 fn isas() -> impl Iterator<Item = Level> {
-    let best = Level::new();
+    let best = eightfold_window::cpu::best().level;
     #[cfg(target_arch = "x86_64")]
     let all = [
         best.as_sse2().map(Level::Sse2),

@@ -22,7 +22,6 @@ use crate::prepare::{GroupSet, Prepared, SurfaceRow};
 use crate::scene::{List, Material, Scene, Sphere};
 use core::cell::RefCell;
 use core::ops::{Deref, DerefMut};
-use fearless_simd::Level;
 use glam::{DVec3, Vec3A};
 use std::boxed::Box;
 use std::vec::Vec;
@@ -34,7 +33,7 @@ trait Property {
 }
 
 fn on_every_instruction_set(property: &impl Property) {
-    let level = Level::new();
+    let level = eightfold_window::cpu::best().level;
     #[cfg(target_arch = "x86_64")]
     {
         if let Some(simd) = level.as_avx512() {
