@@ -125,6 +125,7 @@ fn compile_stub(toolchain: &Toolchain, object: &Path) -> Result<(), Error> {
         .args([
             "-Cpanic=abort",
             "-Copt-level=z",
+            "-Cjump-tables=no",
             "-Crelocation-model=static",
             "-Ccodegen-units=1",
         ])

@@ -48,13 +48,16 @@ impl Lanes {
         Lanes(sse2!(_mm_srai_epi16(self.0, 1)))
     }
 
-    /// The sum of all products of two rows of lanes, modulo 2^32.
+    /// Adds the products of two lanes to these, which are four numbers of 32 bits.
     #[inline(always)]
-    pub fn dot<const N: usize>(a: [Lanes; N], b: [Lanes; N]) -> i32 {
-        let mut sum = sse2!(_mm_setzero_si128());
-        for i in 0..N {
-            sum = sse2!(_mm_add_epi32(sum, _mm_madd_epi16(a[i].0, b[i].0)));
-        }
+    pub fn add_products(self, a: Lanes, b: Lanes) -> Lanes {
+        Lanes(sse2!(_mm_add_epi32(self.0, _mm_madd_epi16(a.0, b.0))))
+    }
+
+    /// The sum of four numbers of 32 bits, modulo 2^32.
+    #[inline(always)]
+    pub fn sum(self) -> i32 {
+        let mut sum = self.0;
         sum = sse2!(_mm_add_epi32(sum, _mm_shuffle_epi32(sum, 0x4e)));
         sum = sse2!(_mm_add_epi32(sum, _mm_shuffle_epi32(sum, 0xb1)));
         sse2!(_mm_cvtsi128_si32(sum))
@@ -91,10 +94,27 @@ mod plain {
             Lanes(self.0.map(|number| number >> 1))
         }
 
-        pub fn dot<const N: usize>(a: [Lanes; N], b: [Lanes; N]) -> i32 {
-            let pairs = a.iter().zip(&b).flat_map(|(a, b)| a.0.iter().zip(&b.0));
-            pairs.fold(0, |sum: i32, (&a, &b)| {
-                sum.wrapping_add(i32::from(a) * i32::from(b))
+        pub fn add_products(self, a: Lanes, b: Lanes) -> Lanes {
+            let product = |i: usize| i32::from(a.0[i]) * i32::from(b.0[i]);
+            let sums = self.wide();
+            let sum = |i| {
+                product(2 * i)
+                    .wrapping_add(product(2 * i + 1))
+                    .wrapping_add(sums[i])
+            };
+            let sums: [i32; 4] = core::array::from_fn(sum);
+            Lanes(core::array::from_fn(|i| {
+                (sums[i / 2] >> (16 * (i % 2))) as i16
+            }))
+        }
+
+        pub fn sum(self) -> i32 {
+            self.wide().into_iter().fold(0, i32::wrapping_add)
+        }
+
+        fn wide(self) -> [i32; 4] {
+            core::array::from_fn(|i| {
+                i32::from(self.0[2 * i] as u16) | i32::from(self.0[2 * i + 1]) << 16
             })
         }
     }
@@ -113,7 +133,7 @@ mod tests {
         core::array::from_fn(|i| {
             let mut one = [0; 8];
             one[i] = 1;
-            Lanes::dot([lanes], [Lanes::new(&one)])
+            Lanes::splat(0).add_products(lanes, Lanes::new(&one)).sum()
         })
     }
 
@@ -121,7 +141,9 @@ mod tests {
         core::array::from_fn(|i| {
             let mut one = [0; 8];
             one[i] = 1;
-            plain::Lanes::dot([lanes], [plain::Lanes::new(&one)])
+            plain::Lanes::splat(0)
+                .add_products(lanes, plain::Lanes::new(&one))
+                .sum()
         })
     }
 
@@ -130,7 +152,9 @@ mod tests {
         fn every_processor_computes_the_same(a: [i16; 8], b: [i16; 8], c: i16) {
             let (x, y) = (Lanes::new(&a), Lanes::new(&b));
             let (p, q) = (plain::Lanes::new(&a), plain::Lanes::new(&b));
-            prop_assert_eq!(Lanes::dot([x, y], [y, y]), plain::Lanes::dot([p, q], [q, q]));
+            let products = Lanes::splat(c).add_products(x, y).add_products(y, y);
+            let plain_products = plain::Lanes::splat(c).add_products(p, q).add_products(q, q);
+            prop_assert_eq!(products.sum(), plain_products.sum());
             prop_assert_eq!(numbers(x.saturating_add(y)), plain_numbers(p.saturating_add(q)));
             prop_assert_eq!(numbers(x.multiply_high(y)), plain_numbers(p.multiply_high(q)));
             prop_assert_eq!(numbers(x.halve()), plain_numbers(p.halve()));

@@ -45,8 +45,8 @@ const RELATIVE_DISPLACEMENT: u32 = 12;
 const IMMEDIATE: u32 = 16;
 /// The offset of a jump or call.
 const RELATIVE_JUMP: u32 = 20;
-/// One more than the highest kind.
-pub const KINDS: usize = 24;
+/// More than the highest kind, and a power of two.
+pub const KINDS: usize = 32;
 
 /// What follows an opcode: 0 nothing, 1 a byte, 2 four bytes, 3 an offset of four bytes; and 4 more if a ModRM byte comes before it.
 const fn operands(map: u32, opcode: u32) -> u32 {
@@ -143,7 +143,7 @@ impl Reader {
     }
 
     /// Reads the next byte.
-    #[inline(always)]
+    #[inline(never)]
     pub fn read(&mut self, byte: u32) {
         let features = &mut self.features;
         features.copy_within(0..7, 1);
