@@ -94,9 +94,8 @@ impl Quality {
     /// | fastest | s8 c40 d3 w0.05 | 5.2 | 4.0 % | 41.3 dB | 12602 | 8.9 | 0.0201 |
     ///
     /// That is by AVX-512; by AVX2 an exhaustive frame takes 1.8 times as long and the default one gains 6. In the dials `s` is
-    /// the square, `c` the tolerance, `d` the depth and `w` the least contribution where they are not the oracle's. They are taken
-    /// from the Pareto front of `cargo lab trade`, where squares of 16 gain nothing over those of 8: where corners of large
-    /// squares save points, objects and shadows between them cost as many.
+    /// the square, `c` the tolerance, `d` the depth and `w` the least contribution where they are not the oracle's. Squares of
+    /// 16 gain nothing over those of 8 at the same error: they save corners, and what is split between those costs as much.
     pub const LADDER: &'static [Self; 7] = &[
         Self::within(8, 2.0),
         Self::within(8, 4.0),

@@ -82,7 +82,7 @@ impl Bits {
         bits
     }
 
-    /// Calls with the number of each bit that is set, from 0 on. (An iterator takes three times as long.)
+    /// Calls with the number of each bit that is set, in order.
     #[inline(always)]
     pub fn for_each(self, mut call: impl FnMut(usize)) {
         for (i, word) in self.0.into_iter().enumerate() {

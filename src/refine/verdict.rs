@@ -7,7 +7,7 @@ use crate::quality::Quality;
 use crate::trace::{STEP, Sample};
 use fearless_simd::Level;
 
-/// The most that the channels of a square's corners may be apart, in [`STEP`]s of a 255th.
+/// The most that the channels of a square's corners may be apart, in 128ths of an output step.
 ///
 /// A [`Sample`] has its channels in 16 bits each, and so has this, as the vector code compares them; what else a sample's word
 /// holds may be anything.
@@ -24,9 +24,9 @@ impl Limit {
         Self((limit * 0x0001_0001_0001) | (0x7fff << 48))
     }
 
-    /// Whether two samples are within it, to a [`STEP`].
+    /// Whether two samples are within it, give or take a 128th of a step.
     ///
-    /// All channels at once: of half of a channel, which leaves room for a sum below the bit that tells what is the greater.
+    /// All channels at once: halves of two channels add up below a word's highest bit, which then tells the greater one.
     #[inline(always)]
     pub fn has(self, a: Sample, b: Sample) -> bool {
         const HALF: u64 = 0x3fff_3fff_3fff;
