@@ -70,17 +70,26 @@
 //! meet several objects.
 
 /// Evaluates an expression by an instruction set, with all that it has.
+///
+/// Where there is AVX-512 it is AVX2 that squares are judged and filled by: a row of a square of 8 is one of its registers, and
+/// wider ones take 1,335 packed bytes of the intro for nothing.
 macro_rules! by_isa {
     ($isa:expr, $simd:ident => $expression:expr) => {{
         #[cfg(target_arch = "x86_64")]
-        match $isa {
-            isa if let Some($simd) = isa.as_avx2() => {
-                fearless_simd::Simd::vectorize($simd, #[inline(always)] || $expression)
-            }
-            isa => match isa.as_sse2() {
-                Some($simd) => fearless_simd::Simd::vectorize($simd, #[inline(always)] || $expression),
-                None => unreachable!("every x86-64 has SSE2"),
-            },
+        if let Some($simd) = $isa.as_avx2() {
+            fearless_simd::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $expression,
+            )
+        } else if let Some($simd) = $isa.as_sse2() {
+            fearless_simd::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $expression,
+            )
+        } else {
+            unreachable!("every x86-64 has SSE2")
         }
         #[cfg(not(target_arch = "x86_64"))]
         {
