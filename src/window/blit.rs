@@ -8,7 +8,7 @@
 use core::{
     ffi::{c_int, c_uint},
     mem::size_of,
-    ptr::with_exposed_provenance_mut,
+    ptr::{null, null_mut},
     slice::from_raw_parts_mut,
     sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
@@ -20,7 +20,6 @@ use x11_dl::{
 
 use crate::{
     screen::{MOST_PIXELS, pixels},
-    system::call,
     window::Window,
 };
 
@@ -130,15 +129,15 @@ impl Window {
         // SAFETY: the display is open and the image is one. The segment is as large as it says, zero to begin with, and
         // stays as long as the process. The server reads it, and writes never.
         unsafe {
-            let id = call!(SYS_shmget, libc::IPC_PRIVATE, size, libc::IPC_CREAT | 0o600);
-            let memory = call!(SYS_shmat, id, 0, 0);
-            if memory == -1 {
+            let id = libc::shmget(libc::IPC_PRIVATE, size, libc::IPC_CREAT | 0o600);
+            let memory = libc::shmat(id, null(), 0);
+            if memory.addr() == usize::MAX {
                 return None;
             }
-            let memory: *mut u32 = with_exposed_provenance_mut(memory as usize);
+            let memory: *mut u32 = memory.cast();
             let segment = Box::leak(Box::new(XShmSegmentInfo {
                 shmseg: 0,
-                shmid: id as c_int,
+                shmid: id,
                 shmaddr: memory.cast(),
                 readOnly: xlib::True,
             }));
@@ -148,7 +147,7 @@ impl Window {
                 && (shared.XShmAttach)(self.display, segment) != 0;
             (self.x.XSync)(self.display, xlib::False);
             // It goes away with the last that is attached, however that ends.
-            call!(SYS_shmctl, id, libc::IPC_RMID, 0);
+            libc::shmctl(id, libc::IPC_RMID, null_mut());
             if !attached || REFUSED.load(Relaxed) {
                 return None;
             }

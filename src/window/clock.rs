@@ -1,6 +1,6 @@
 //! Time that only goes forward, in nanoseconds.
 
-use crate::system::call;
+use core::ptr::null_mut;
 
 /// Nanoseconds in a second.
 pub const SECOND: u64 = 1_000_000_000;
@@ -43,13 +43,7 @@ fn sleep_until(end: u64) {
     };
     // SAFETY: the time outlives the call, and nothing is written to the null pointer.
     unsafe {
-        call!(
-            SYS_clock_nanosleep,
-            libc::CLOCK_MONOTONIC,
-            libc::TIMER_ABSTIME,
-            &raw const end,
-            0,
-        );
+        libc::clock_nanosleep(libc::CLOCK_MONOTONIC, libc::TIMER_ABSTIME, &end, null_mut());
     }
 }
 

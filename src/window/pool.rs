@@ -8,15 +8,13 @@ use core::{
     cell::UnsafeCell,
     ffi::c_void,
     hint::spin_loop,
-    mem::{MaybeUninit, transmute},
+    mem::{MaybeUninit, transmute, zeroed},
     ptr::{null, null_mut},
     sync::atomic::{
         AtomicBool, AtomicU32, AtomicUsize,
         Ordering::{AcqRel, Acquire, Relaxed, Release, SeqCst},
     },
 };
-
-use crate::system::call;
 
 /// Turns of a spinning wait before the thread goes to sleep: about 50 microseconds, several times
 /// what the rest of a frame takes between two runs.
@@ -226,27 +224,14 @@ pub(crate) unsafe fn spawn(
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,
 ) -> bool {
-    // SAFETY: a set of signals is a bit each. The caller vouches for the rest.
+    // SAFETY: zero is a value of a set of signals. The caller vouches for the rest.
     unsafe {
         // Signals are for the caller's thread.
-        let all = u64::MAX;
-        let mut before = 0_u64;
-        let size = size_of::<u64>();
-        call!(
-            SYS_rt_sigprocmask,
-            libc::SIG_SETMASK,
-            &raw const all,
-            &raw mut before,
-            size
-        );
+        let [mut all, mut before]: [libc::sigset_t; 2] = zeroed();
+        libc::sigfillset(&mut all);
+        libc::pthread_sigmask(libc::SIG_SETMASK, &all, &mut before);
         let failed = libc::pthread_create(thread, null(), main, pointer);
-        call!(
-            SYS_rt_sigprocmask,
-            libc::SIG_SETMASK,
-            &raw const before,
-            0,
-            size
-        );
+        libc::pthread_sigmask(libc::SIG_SETMASK, &before, null_mut());
         failed == 0
     }
 }
@@ -265,16 +250,10 @@ extern "C" fn thread_main(shared: *mut c_void) -> *mut c_void {
 
 /// Waits while a word has a value, or wakes so many that wait for it.
 fn futex(word: &AtomicU32, operation: i32, value: u32) {
-    // SAFETY: the word is there; there is no time limit, for which the null pointer stands.
-    unsafe {
-        call!(
-            SYS_futex,
-            word.as_ptr(),
-            operation | libc::FUTEX_PRIVATE_FLAG,
-            value,
-            0,
-        );
-    }
+    let operation = operation | libc::FUTEX_PRIVATE_FLAG;
+    let no_limit = null::<libc::timespec>();
+    // SAFETY: the word is there. (libc has no function of its own for it.)
+    unsafe { libc::syscall(libc::SYS_futex, word.as_ptr(), operation, value, no_limit) };
 }
 
 /// A slice whose elements go to different threads.
@@ -307,16 +286,10 @@ impl<T> Each<T> {
 /// The processors that this process may use, at least 1.
 #[must_use]
 pub fn processors() -> usize {
-    // A bit for each of 8192.
+    // A bit for each of 8192, which are more than `cpu_set_t` has.
     let mut set = [0_u64; 128];
-    let mut count = 0;
     // SAFETY: the set is as long as it says.
-    unsafe { call!(SYS_sched_getaffinity, 0, size_of_val(&set), &raw mut set) };
-    for word in &mut set {
-        while *word != 0 {
-            *word &= *word - 1;
-            count += 1;
-        }
-    }
-    usize::max(count, 1)
+    unsafe { libc::sched_getaffinity(0, size_of_val(&set), set.as_mut_ptr().cast()) };
+    let count: u32 = set.iter().map(|word| word.count_ones()).sum();
+    usize::max(count as usize, 1)
 }

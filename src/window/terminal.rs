@@ -14,7 +14,7 @@ use core::{
 use crate::{
     line::{self, Writer},
     screen::{Next, Screen, pixels},
-    system::{self, call},
+    system,
 };
 
 /// The upper half of a cell in the foreground's colour; the lower half shows the background's.
@@ -98,7 +98,7 @@ impl Screen for Terminal {
         // SAFETY: zero is a value of every field, and `size` is what this request writes to.
         let size = unsafe {
             let mut size: libc::winsize = zeroed();
-            call!(SYS_ioctl, line::OUTPUT, libc::TIOCGWINSZ, &raw mut size);
+            libc::ioctl(line::OUTPUT, libc::TIOCGWINSZ, &raw mut size);
             size
         };
         // Some say nothing of their size.
@@ -140,7 +140,7 @@ impl Escape {
     fn read(&mut self, keyboard: c_int) -> bool {
         let mut typed = [0; 64];
         // SAFETY: it is as long as it says. In this mode, reading doesn't wait.
-        let count = unsafe { call!(SYS_read, keyboard, typed.as_mut_ptr(), typed.len()) };
+        let count = unsafe { libc::read(keyboard, typed.as_mut_ptr().cast(), typed.len()) };
         self.ends(typed.get(..count as usize).unwrap_or_default())
     }
 
@@ -166,7 +166,7 @@ struct Saved {
     active: AtomicBool,
     /// One more than the number of the terminal that keys are read from, or 0.
     keyboard: AtomicI32,
-    mode: UnsafeCell<MaybeUninit<Mode>>,
+    mode: UnsafeCell<MaybeUninit<libc::termios>>,
 }
 
 // SAFETY: `mode` is written before `active` is set, and only read while it is.
@@ -203,31 +203,19 @@ pub(crate) unsafe fn on_signal(signal: c_int, action: libc::sighandler_t) {
     }
 }
 
-/// A terminal's mode, as the system has it: flags for input, output, control and keys, and characters. Without speeds, it is
-/// shorter than libc's.
-#[derive(Clone, Copy, Default)]
-#[repr(C)]
-pub(crate) struct Mode {
-    input: libc::tcflag_t,
-    output: libc::tcflag_t,
-    control: libc::tcflag_t,
-    keys: libc::tcflag_t,
-    line: libc::cc_t,
-    characters: [libc::cc_t; 19],
-}
-
 /// A terminal's mode, if it is a terminal.
-pub(crate) fn mode(file: c_int) -> Option<Mode> {
-    let mut mode = Mode::default();
-    // SAFETY: the mode is as long as the system's, and outlives the call.
-    let known = unsafe { call!(SYS_ioctl, file, libc::TCGETS, &raw mut mode) == 0 };
-    known.then_some(mode)
+pub(crate) fn mode(file: c_int) -> Option<libc::termios> {
+    // SAFETY: zero is a value of every field.
+    let mut mode: libc::termios = unsafe { zeroed() };
+    // SAFETY: the mode is there to be written to.
+    let is_known = unsafe { libc::tcgetattr(file, &mut mode) } == 0;
+    is_known.then_some(mode)
 }
 
 /// Sets a terminal's mode when all has been written, and drops what has been typed.
-fn set_mode(file: c_int, mode: &Mode) {
-    // SAFETY: the mode is as long as the system's, and outlives the call.
-    unsafe { call!(SYS_ioctl, file, libc::TCSETSF, &raw const *mode) };
+fn set_mode(file: c_int, mode: &libc::termios) {
+    // SAFETY: the mode outlives the call.
+    unsafe { libc::tcsetattr(file, libc::TCSAFLUSH, mode) };
 }
 
 impl Saved {
@@ -251,10 +239,10 @@ impl Saved {
                 (*self.mode.get()).write(mode);
                 self.keyboard.store(keyboard + 1, Relaxed);
                 // Keys at once and unseen, Ctrl-C among them; reading does not wait.
-                mode.keys &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
-                mode.input &= !libc::IXON;
-                mode.characters[libc::VMIN] = 0;
-                mode.characters[libc::VTIME] = 0;
+                mode.c_lflag &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
+                mode.c_iflag &= !libc::IXON;
+                mode.c_cc[libc::VMIN] = 0;
+                mode.c_cc[libc::VTIME] = 0;
                 set_mode(keyboard, &mode);
             }
             self.active.store(true, Release);

@@ -21,7 +21,6 @@ use crate::{
     keyboard::Presses,
     line,
     screen::{Next, Screen},
-    system::call,
 };
 
 /// A window that shows frames, with keys: F for the whole screen, W for the window, Esc to end.
@@ -256,6 +255,5 @@ unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEven
 unsafe extern "C" fn lost(_: *mut xlib::Display) -> c_int {
     line::write(line::ERROR, b"eightfold: the display is gone\n");
     // SAFETY: nothing is left to be written or given back.
-    unsafe { call!(SYS_exit_group, 1) };
-    0
+    unsafe { libc::_exit(1) }
 }

@@ -240,44 +240,44 @@ unsafe extern "C" fn clock_gettime(clock: c_int, time: *mut [i64; 2]) -> c_int {
     libc!(c"clock_gettime" as extern "C" fn(c_int, *mut [i64; 2]) -> c_int)(clock, time)
 }
 
-/// Calls of the system by number: those that sleep, or ask for a terminal's mode and size, and all others.
+/// Sleeps until a time of the clock that goes forward only.
 #[unsafe(no_mangle)]
-unsafe extern "C" fn syscall(
-    number: c_long,
-    a: c_long,
-    b: c_long,
-    c: c_long,
-    d: c_long,
-    e: c_long,
-    f: c_long,
-) -> c_long {
-    const IOCTL: c_long = 16;
-    const CLOCK_NANOSLEEP: c_long = 230;
-    const OUTPUT: c_long = 1;
-    const GET_MODE: c_long = 0x5401;
-    const GET_SIZE: c_long = 0x5413;
+unsafe extern "C" fn clock_nanosleep(
+    _: c_int,
+    _: c_int,
+    until: *const [i64; 2],
+    _: *mut c_void,
+) -> c_int {
+    // SAFETY: the caller passes a time.
+    let [seconds, nanoseconds] = unsafe { *until };
+    drop(sleep(
+        world(),
+        (seconds * 1_000_000_000 + nanoseconds) as u64,
+    ));
+    0
+}
+
+const OUTPUT: c_int = 1;
+
+/// Says that standard output is a terminal.
+#[unsafe(no_mangle)]
+extern "C" fn tcgetattr(file: c_int, mode: *mut c_void) -> c_int {
+    if file == OUTPUT {
+        return 0;
+    }
+    libc!(c"tcgetattr" as extern "C" fn(c_int, *mut c_void) -> c_int)(file, mode)
+}
+
+/// Says how large a terminal on standard output is.
+#[unsafe(no_mangle)]
+unsafe extern "C" fn ioctl(file: c_int, request: c_ulong, argument: *mut c_void) -> c_int {
+    const GET_SIZE: c_ulong = 0x5413;
     /// Rows, columns, and nothing about pixels.
     const SIZE: [u16; 4] = [12, 40, 0, 0];
-    match (number, a, b) {
-        (CLOCK_NANOSLEEP, _, _) => {
-            // SAFETY: the caller passes a time.
-            let [seconds, nanoseconds] = unsafe { *(c as *const [i64; 2]) };
-            drop(sleep(
-                world(),
-                (seconds * 1_000_000_000 + nanoseconds) as u64,
-            ));
-            0
-        }
-        (IOCTL, OUTPUT, GET_MODE) => 0,
-        (IOCTL, OUTPUT, GET_SIZE) => {
-            // SAFETY: the caller has room for it.
-            unsafe { *(c as *mut [u16; 4]) = SIZE };
-            0
-        }
-        _ => {
-            type Call =
-                extern "C" fn(c_long, c_long, c_long, c_long, c_long, c_long, c_long) -> c_long;
-            libc!(c"syscall" as Call)(number, a, b, c, d, e, f)
-        }
+    if (file, request) == (OUTPUT, GET_SIZE) {
+        // SAFETY: the caller has room for it.
+        unsafe { *argument.cast() = SIZE };
+        return 0;
     }
+    libc!(c"ioctl" as extern "C" fn(c_int, c_ulong, *mut c_void) -> c_int)(file, request, argument)
 }
