@@ -59,10 +59,14 @@ impl Mixer {
 
     /// Says to the mixer what is to be mixed: pairs of probabilities.
     #[inline(always)]
-    pub fn input(&mut self, pairs: impl Iterator<Item = [u32; 2]>) {
+    pub fn input(&mut self, pairs: impl Iterator<Item = (u32, u32)>) {
+        let logit = |probability: u32| self.logits[probability as usize >> 4 & (STEPS - 1)];
         let inputs = self.inputs.as_flattened_mut().as_chunks_mut().0;
-        for (input, pair) in inputs.iter_mut().zip(pairs) {
-            *input = pair.map(|probability| self.logits[probability as usize >> 4 & (STEPS - 1)]);
+        for (input, (first, second)) in inputs.iter_mut().zip(pairs) {
+            // By two writes: `map` would put both to another place and then read them, for which the processor waits.
+            let [one, other] = input;
+            *one = logit(first);
+            *other = logit(second);
         }
     }
 

@@ -142,7 +142,7 @@ impl Model {
         let contexts = self.hashes.iter().zip(&self.histories);
         self.mixer.input(contexts.map(|(&hash, histories)| {
             let slot = self.table[bucket(hash)].0[nibble & 15];
-            [slot.probability(), histories[slot.history()].probability()]
+            (slot.probability(), histories[slot.history()].probability())
         }));
         let bit = coder.bit(self.mixer.predict(set));
         self.mixer.learn(set, bit);
