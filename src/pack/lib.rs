@@ -113,7 +113,7 @@ impl fmt::Display for Damaged {
 
 impl error::Error for Damaged {}
 
-#[allow(unsafe_code, reason = "17 MB do not fit on a stack")]
+#[allow(unsafe_code, reason = "70 MB do not fit on a stack")]
 fn new_model() -> Box<Model> {
     // SAFETY: it is made of integers, of which zero is a value.
     let mut model = unsafe { Box::<Model>::new_zeroed().assume_init() };

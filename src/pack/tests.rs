@@ -19,7 +19,7 @@ fn bytes() -> impl Strategy<Value = Vec<u8>> {
 }
 
 proptest! {
-    // Each needs 17 MB of memory that is zero.
+    // Each needs 70 MB of memory that is zero.
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]

@@ -45,7 +45,7 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     // SAFETY: nobody has that memory.
     let memory = unsafe { call(MMAP, [0, size, 3, 0x8022, usize::MAX]) };
     if is_error(memory) {
-        fail("eightfold: there are no 20 MB of memory to unpack it\n");
+        fail("eightfold: there are no 70 MB of memory to unpack it\n");
     }
     // SAFETY: there is as much memory, and zeros are a model.
     let (model, file) = unsafe {
