@@ -136,6 +136,37 @@ fn segment_range(file: &[u8]) -> Range<usize> {
     start..start.saturating_add(number(file, 56, 2) as usize * Segment::SIZE)
 }
 
+/// A section: where it is in memory and in the file.
+pub struct Section {
+    pub address: u64,
+    pub range: Range<usize>,
+}
+
+impl Section {
+    /// A section of that name, if there is one.
+    pub fn find(file: &object::File<'_>, name: &str) -> Option<Section> {
+        let section = file.section_by_name(name)?;
+        let (start, size) = section.file_range()?;
+        Some(Section {
+            address: section.address(),
+            range: start as usize..(start + size) as usize,
+        })
+    }
+
+    /// Where in the file so many bytes from an address on are, if they are in this section.
+    pub fn place(&self, address: u64, length: u64) -> Option<Range<usize>> {
+        let start = address.checked_sub(self.address)?;
+        let end = start.checked_add(length)?;
+        let first = self.range.start;
+        (end <= self.range.len() as u64).then(|| first + start as usize..first + end as usize)
+    }
+
+    /// The address of a place in the file.
+    pub fn address_of(&self, place: usize) -> u64 {
+        self.address + (place - self.range.start) as u64
+    }
+}
+
 /// Where sections of these names are in the file.
 pub fn sections(file: &[u8], names: &[&str]) -> Result<Vec<Range<usize>>, Error> {
     let file = object::File::parse(file)?;

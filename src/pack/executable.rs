@@ -116,7 +116,7 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         }
     }
     let mut program = program.to_vec();
-    panics::blank_locations(&mut program)?;
+    panics::simplify(&mut program)?;
     for section in &unwinding {
         let bytes = program.get_mut(section.clone());
         bytes.ok_or("a section is not in it")?.fill(0);

@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | a model of programs, which says how likely the next bit is 1 | `model` |
 //! | bytes packed by it, and back | [`pack`], [`unpack`] |
+//! | what panics have for messages, left out | `panics`, `aborts` |
 //! | an executable packed, and back | [`pack_executable`], [`unpack_executable`] |
 //! | what each byte takes of the packed file | [`costs`] |
 //! | what starts a packed executable | `stub`: a program of its own, with the model in it |
@@ -32,6 +33,7 @@
 
 #![deny(missing_docs, unsafe_code)]
 
+mod aborts;
 pub mod build;
 mod costs;
 mod elf;

@@ -136,6 +136,11 @@ impl Reader {
         self.features.get(number).copied().unwrap_or_default()
     }
 
+    /// Whether the next byte begins an instruction.
+    pub fn is_between_instructions(&self) -> bool {
+        self.feature(KIND) == START
+    }
+
     /// Where an instruction that has just ended has the four bytes of an offset from its end to something else.
     #[inline(always)]
     pub fn ended_offset(&self) -> Option<usize> {
@@ -192,7 +197,7 @@ impl Reader {
                 features[OPCODE] = 0x100;
                 return escape;
             }
-            if byte & 0xf0 == 0x40 || matches!(byte, 0x64 | 0x66 | 0x2e | 0xf2 | 0xf3) {
+            if byte & 0xf0 == 0x40 || matches!(byte, 0x64 | 0x66 | 0x2e | 0xf0 | 0xf2 | 0xf3) {
                 features[PREFIXES] = features[PREFIXES] << 8 | byte;
                 return AFTER_PREFIX;
             }
@@ -202,9 +207,18 @@ impl Reader {
         let after = match operands & 3 {
             0 => START,
             1 => IMMEDIATE,
+            // Two bytes of it, where a prefix says so.
+            2 if features[PREFIXES] & 0xff == 0x66 || features[PREFIXES] >> 8 == 0x66 => {
+                IMMEDIATE + 1
+            }
             2 => IMMEDIATE + 3,
             _ => RELATIVE_JUMP + 3,
         };
+        if features[OPCODE] & !7 == 0xb8 && features[PREFIXES] & 0xf8 == 0x48 {
+            // `mov` of a number of 8 bytes: as a displacement and an immediate value.
+            self.operand = after;
+            return DISPLACEMENT + 3;
+        }
         if operands & 4 == 0 {
             return after;
         }
@@ -273,7 +287,7 @@ mod tests {
     use super::{KIND, REPEATING, Reader, START, operands, operands_by_runs};
 
     /// Instructions with every kind of field, as an assembler writes them; the second is how many bytes each has.
-    const CODE: [(&[u8], &str); 12] = [
+    const CODE: [(&[u8], &str); 16] = [
         (&[0xc3], "ret"),
         (&[0x48, 0x89, 0xd8], "mov rax, rbx"),
         (&[0x8b, 0x44, 0x24, 0x08], "mov eax, [rsp + 8]"),
@@ -286,6 +300,10 @@ mod tests {
         ),
         (&[0xf7, 0xc1, 1, 2, 3, 4], "test ecx, ..."),
         (&[0xf7, 0xd9], "neg ecx"),
+        (&[0x49, 0xb8, 1, 2, 3, 4, 5, 6, 7, 8], "movabs r8, ..."),
+        (&[0x66, 0xb8, 1, 2], "mov ax, ..."),
+        (&[0x66, 0x41, 0xc7, 0x07, 1, 2], "mov word ptr [r15], ..."),
+        (&[0xf0, 0x48, 0x0f, 0xc1, 0x07], "lock xadd [rdi], rax"),
         (&[0xc5, 0xf8, 0x28, 0xc1], "vmovaps xmm0, xmm1"),
         (
             &[0xc4, 0xe3, 0x79, 0x0f, 0xc1, 4],
@@ -317,7 +335,7 @@ mod tests {
             reader.read(byte.into());
             offsets.extend(reader.ended_offset());
         }
-        assert_eq!(offsets, [11, 16, 22, 61]);
+        assert_eq!(offsets, [11, 16, 22, 86]);
     }
 
     #[test]
