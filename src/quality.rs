@@ -106,23 +106,10 @@ impl Quality {
         Self::within(8, 40.0).followed(3, 0.05),
     ];
 
-    /// The quality of a rung of the [`Quality::LADDER`]; [`Quality::EXHAUSTIVE`] beyond it.
-    #[must_use]
-    pub fn on(rung: usize) -> Self {
-        Self::LADDER.get(rung).copied().unwrap_or(Self::EXHAUSTIVE)
-    }
-
-    /// The names of the [`Quality::LADDER`]'s rungs in their order, with spaces between them, as help texts list them.
-    pub const NAMES: &'static str = "finest finer fine default fast faster fastest";
-
-    /// The number of the rung with this name.
-    #[must_use]
-    pub fn rung(name: &[u8]) -> Option<usize> {
-        Self::NAMES
-            .as_bytes()
-            .split(|&byte| byte == b' ')
-            .position(|known| known == name)
-    }
+    /// The names of the [`Quality::LADDER`]'s rungs, in their order.
+    pub const NAMES: [&'static str; Self::LADDER.len()] = [
+        "finest", "finer", "fine", "default", "fast", "faster", "fastest",
+    ];
 
     /// Squares that are filled within a tolerance where the first object hit and each light's state, lit or dark, agree at the
     /// corners; sides are averaged within the same tolerance.

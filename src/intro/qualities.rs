@@ -5,13 +5,13 @@ use eightfold::Quality;
 /// The qualities and their names: the ladder, from the finest rung to the fastest, so that a rung's number is that of its
 /// quality; then the two that the ladder is compared with.
 pub static NAMED: [(&str, Quality); 9] = [
-    ("finest", Quality::LADDER[0]),
-    ("finer", Quality::LADDER[1]),
-    ("fine", Quality::LADDER[2]),
-    ("default", Quality::DEFAULT),
-    ("fast", Quality::LADDER[4]),
-    ("faster", Quality::LADDER[5]),
-    ("fastest", Quality::LADDER[6]),
+    (Quality::NAMES[0], Quality::LADDER[0]),
+    (Quality::NAMES[1], Quality::LADDER[1]),
+    (Quality::NAMES[2], Quality::LADDER[2]),
+    (Quality::NAMES[3], Quality::LADDER[3]),
+    (Quality::NAMES[4], Quality::LADDER[4]),
+    (Quality::NAMES[5], Quality::LADDER[5]),
+    (Quality::NAMES[6], Quality::LADDER[6]),
     ("thesis", Quality::THESIS),
     ("exhaustive", Quality::EXHAUSTIVE),
 ];

@@ -101,7 +101,7 @@ impl NamedQuality {
 
     /// All that have a name: the two to compare with, then the ladder from the finest to the fastest.
     pub fn all() -> impl Iterator<Item = Self> {
-        let ladder = Quality::NAMES.split(' ').zip(Quality::LADDER);
+        let ladder = Quality::NAMES.into_iter().zip(Quality::LADDER);
         let ladder = ladder.map(|(name, &quality)| Self { name, quality });
         [Self::EXHAUSTIVE, Self::THESIS].into_iter().chain(ladder)
     }
