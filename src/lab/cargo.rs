@@ -14,11 +14,17 @@ pub struct Build {
 impl Build {
     /// Builds a package of this workspace and all that it needs, as far as that is not built yet.
     pub fn release(package: &str) -> Result<Self> {
+        Self::release_with(package, &[])
+    }
+
+    /// The same with variables of the environment set.
+    pub fn release_with(package: &str, variables: &[(&str, &str)]) -> Result<Self> {
         let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
         let mut command = Command::new(cargo);
         command
             .args(["build", "--release", "--package", package])
             .args(["--message-format", "json-render-diagnostics"])
+            .envs(variables.iter().copied())
             .stderr(Stdio::inherit());
         // Where the lab itself is built, unless it is started by hand.
         if let Some(folder) = env::var_os("CARGO_MANIFEST_DIR") {
