@@ -10,7 +10,9 @@
 /// of 4 it is twice as much, since an error there covers a quarter of the pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
-    /// Side of the largest square in pixels, a power of two up to [`Quality::MAX_SQUARE`]. At 1 every pixel is traced.
+    /// Side of the largest square in pixels, 1 to [`Quality::MAX_SQUARE`]. At 1 every pixel is traced. A square is split in two
+    /// along each side as long as its side is even, and then into pixels: one of 12 into squares of 6, these into squares of 3.
+    /// Powers of two are filled fastest.
     pub square: usize,
     /// The tolerance where the corners' keys agree, 0 to infinity.
     pub tolerance_agreeing: f32,
@@ -141,10 +143,19 @@ impl Quality {
 
     /// Whether a frame can be drawn by it.
     pub(crate) fn is_valid(&self) -> bool {
-        self.square.is_power_of_two()
-            && self.square <= Self::MAX_SQUARE
+        (1..=Self::MAX_SQUARE).contains(&self.square)
             && self.depth <= Self::MAX_DEPTH
             && self.antialias <= Self::MAX_ANTIALIAS
+    }
+
+    /// Side of the smallest squares that are more than a pixel: what halving leaves of a side before it is odd, or 2.
+    pub(crate) fn least_square(&self) -> usize {
+        (self.square >> self.square.trailing_zeros()).max(2)
+    }
+
+    /// The level of the largest squares, where pixels are level 0 and the smallest squares level 1.
+    pub(crate) fn top_level(&self) -> usize {
+        (self.square / self.least_square()).ilog2() as usize + 1
     }
 
     /// Whether verdicts depend on keys.

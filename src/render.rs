@@ -73,7 +73,7 @@ impl Memory {
         if !quality.is_antialiased() {
             return Counts::NONE;
         }
-        self.seams.set(width, pixels);
+        self.seams.set(quality, width, pixels);
         // The scene again, for a picture with a pixel for each sample.
         let (n, height, offset) = (
             quality.antialias,
@@ -88,7 +88,7 @@ impl Memory {
             seams.smooth(level, finer, quality, worker, band);
             text::draw(&scene.captions, height, band);
         };
-        frame(width, workers, pixels, &job, run)
+        frame(Band::rows(quality), width, workers, pixels, &job, run)
     }
 }
 
@@ -173,19 +173,20 @@ pub fn render_observed<O: Observer>(
             text::draw(&scene.captions, height, band);
         }
     };
-    let counts = frame(width, workers, pixels, &job, &mut run);
+    let rows = Band::rows(quality);
+    let counts = frame(rows, width, workers, pixels, &job, &mut run);
     counts + memory.smooth(level, scene, quality, width, workers, pixels, &mut run)
 }
 
-/// The bands of a frame, each drawn by the job.
+/// The bands of a frame, of so many rows, each drawn by the job.
 fn frame(
+    rows: usize,
     width: usize,
     workers: &mut [Worker],
     pixels: &mut [u32],
     job: Job<'_>,
     run: &mut dyn Run,
 ) -> Counts {
-    let rows = Band::ROWS;
     let mut bands = [const { Band::none() }; MAX_BANDS];
     let mut count = 0;
     for (band, pixels) in bands.iter_mut().zip(pixels.chunks_mut(rows * width)) {

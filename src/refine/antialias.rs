@@ -34,8 +34,8 @@ impl Seams {
     }
 
     /// Takes in a frame that is drawn, `width` pixels wide.
-    pub fn set(&mut self, width: usize, pixels: &[u32]) {
-        let bands = pixels.chunks(Band::ROWS * width);
+    pub fn set(&mut self, quality: &Quality, width: usize, pixels: &[u32]) {
+        let bands = pixels.chunks(Band::rows(quality) * width);
         for (seam, band) in self.0.iter_mut().zip(bands) {
             seam[0][..width].copy_from_slice(&band[..width]);
             seam[1][..width].copy_from_slice(&band[band.len() - width..]);
@@ -77,7 +77,7 @@ impl Seams {
         band: &Band<'_>,
         marks: &mut Marks,
     ) {
-        let (width, rows) = (band.width, Band::ROWS);
+        let (width, rows) = (band.width, Band::rows(quality));
         let number = band.top / rows;
         let mut lines = band.pixels.chunks_exact(width).enumerate().peekable();
         if let (Some(above), Some((_, line))) = (number.checked_sub(1), lines.peek()) {

@@ -12,7 +12,10 @@ use crate::trace::BATCH;
 use fearless_simd::Level;
 
 /// Bands of the tallest picture.
-pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(Band::ROWS);
+pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(FEWEST_ROWS);
+
+/// Rows of the lowest band: of one square whose side is more than half the tallest tile.
+const FEWEST_ROWS: usize = TILE_HEIGHT / 2 + 1;
 
 /// Some rows of the picture.
 pub struct Band<'a> {
@@ -23,8 +26,10 @@ pub struct Band<'a> {
 }
 
 impl Band<'_> {
-    /// Rows of a band; the last one of a picture may have fewer.
-    pub(crate) const ROWS: usize = TILE_HEIGHT;
+    /// Rows of a band, as many as whole squares fit into the tallest tile; the last one of a picture may have fewer.
+    pub(crate) fn rows(quality: &Quality) -> usize {
+        TILE_HEIGHT / quality.square * quality.square
+    }
 
     /// No rows.
     pub(crate) const fn none() -> Self {
@@ -47,9 +52,9 @@ pub(crate) fn render<O: Observer>(
 ) {
     let height = band.pixels.len() / band.width;
     let width = if quality.square == 1 {
-        BATCH / Band::ROWS
+        BATCH / TILE_HEIGHT
     } else {
-        TILE_WIDTH
+        TILE_WIDTH / quality.square * quality.square
     };
     for left in (0..band.width).step_by(width) {
         let area = Area {
@@ -58,6 +63,7 @@ pub(crate) fn render<O: Observer>(
             right: band.width.min(left + width),
             bottom: band.top + height,
             picture: [band.width, scene.height],
+            least: quality.least_square(),
         };
         let mut tile = Tile {
             isa,
@@ -107,4 +113,4 @@ impl<O: Observer> Tile<'_, O> {
     }
 }
 
-const _: () = assert!(TILE_HEIGHT.is_multiple_of(Quality::MAX_SQUARE));
+const _: () = assert!(TILE_HEIGHT == Quality::MAX_SQUARE);

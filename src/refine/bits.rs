@@ -14,7 +14,7 @@ impl Bits {
     /// No bit is set.
     pub const NONE: Self = Self([0; WORDS]);
 
-    /// The bits of even number.
+    /// The bits of even numbers.
     pub const EVEN: Self = Self([0x5555_5555_5555_5555; WORDS]);
 
     /// The bits from 0 to below `count`.
@@ -27,6 +27,18 @@ impl Bits {
             *word = u64::MAX.checked_shr(64 - count).unwrap_or(0);
         }
         bits
+    }
+
+    /// The bits of a divisor's multiples.
+    #[inline(always)]
+    pub fn multiples(divisor: usize) -> Self {
+        if divisor == 2 {
+            Self::EVEN
+        } else {
+            let mut bits = Self::NONE;
+            (0..TILE_WIDTH).step_by(divisor).for_each(|i| bits.set(i));
+            bits
+        }
     }
 
     /// The bits of a range.
@@ -71,14 +83,19 @@ impl Bits {
         bits
     }
 
-    /// The halves of some squares: for each bit two, in a row of squares half as wide.
-    #[inline(always)]
-    pub fn halves(self) -> Self {
+    /// The parts of some squares: for each bit so many, in a row of squares that are narrower by as much.
+    #[inline(never)]
+    pub fn parts(self, count: usize) -> Self {
         let mut bits = Self::NONE;
-        for (pair, word) in bits.0.chunks_exact_mut(2).zip(self.0) {
-            pair[0] = spread(word & 0xffff_ffff) * 3;
-            pair[1] = spread(word >> 32) * 3;
-        }
+        let parts: u64 = (1 << count) - 1;
+        self.for_each(|i| {
+            let (word, shift) = (count * i / 64, count * i % 64);
+            bits.0[word] |= parts << shift;
+            // Those beyond the word, if any: all are shifted out by 64.
+            if let Some(next) = bits.0.get_mut(word + 1) {
+                *next |= parts >> 1 >> (63 - shift);
+            }
+        });
         bits
     }
 
@@ -93,16 +110,6 @@ impl Bits {
             }
         }
     }
-}
-
-/// A word's lower 32 bits, moved to the even places (as in Warren, Hacker's Delight, "Shuffling bits").
-#[inline(always)]
-fn spread(bits: u64) -> u64 {
-    let bits = (bits | bits << 16) & 0x0000_ffff_0000_ffff;
-    let bits = (bits | bits << 8) & 0x00ff_00ff_00ff_00ff;
-    let bits = (bits | bits << 4) & 0x0f0f_0f0f_0f0f_0f0f;
-    let bits = (bits | bits << 2) & 0x3333_3333_3333_3333;
-    (bits | bits << 1) & 0x5555_5555_5555_5555
 }
 
 impl BitAnd for Bits {

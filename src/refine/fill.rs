@@ -23,8 +23,8 @@ pub(super) struct Run<'a> {
     /// Where square number 0 begins.
     pub x: usize,
     pub y: usize,
-    /// The logarithm of their side, 1 to 5.
-    pub level: usize,
+    /// Their side, a power of two and at least 2.
+    pub side: usize,
     /// The samples along their upper and along their lower sides.
     pub above: &'a [u64],
     pub below: &'a [u64],
@@ -44,21 +44,18 @@ impl Canvas<'_> {
 
     /// Fills squares as far as they are in the picture.
     pub fn fill(&mut self, isa: Level, run: &Run<'_>) {
-        by_isa!(isa, simd => match run.level {
-            1 => self.fill_by::<_, 1>(simd, run),
-            2 => self.fill_by::<_, 2>(simd, run),
+        by_isa!(isa, simd => match run.side {
+            2 => self.fill_by::<_, 1>(simd, run),
+            4 => self.fill_by::<_, 2>(simd, run),
             _ => self.fill_by::<_, 3>(simd, run),
         });
     }
 
-    /// Fills squares of `1 << LEVEL` pixels, or larger ones by parts of that size.
+    /// Fills squares of `1 << LEVEL` pixels a side, or larger ones by parts of that size.
     #[inline(always)]
     fn fill_by<S: Simd, const LEVEL: u32>(&mut self, simd: S, run: &Run<'_>) {
-        let parts = if LEVEL < 3 {
-            1
-        } else {
-            1 << (run.level as u32 - LEVEL)
-        };
+        let log = run.side.ilog2();
+        let parts = if LEVEL < 3 { 1 } else { 1 << (log - LEVEL) };
         let mut aside = [0; MAX_PIXELS];
         run.filled.for_each(
             #[inline(always)]
@@ -68,7 +65,7 @@ impl Canvas<'_> {
                 if run.flat.has(i) {
                     corners = [corners[0]; 4];
                 }
-                let (x, y) = (run.x + (i << run.level), run.y);
+                let (x, y) = (run.x + (i << log), run.y);
                 for part in 0..parts * parts {
                     let [i, j] = [part % parts, part / parts];
                     let corners = part_corners(corners, [i, j], parts);

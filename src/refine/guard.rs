@@ -105,7 +105,7 @@ impl Area {
         level: usize,
         y: usize,
     ) -> Option<RangeInclusive<usize>> {
-        let side = 1 << level;
+        let side = self.side(level);
         let columns = self.columns(level);
         let (left, top) = (self.left, self.top + y * side);
         let row = rectangle(left, top, left + columns * side, top + side);
@@ -173,9 +173,10 @@ impl Square<'_> {
 
     /// Where corner number `i` is in the picture.
     fn corner(&self, i: usize) -> [usize; 2] {
+        let side = self.area.side(self.level);
         [
-            self.area.left + ((self.x + i % 2) << self.level),
-            self.area.top + ((self.y + i / 2) << self.level),
+            self.area.left + (self.x + i % 2) * side,
+            self.area.top + (self.y + i / 2) * side,
         ]
     }
 

@@ -42,19 +42,19 @@ impl<O: Observer> Tile<'_, O> {
     /// The marks of a row of pixels.
     fn marks(&self, y: usize) -> [u8; TILE_WIDTH] {
         let mut row = [0; TILE_WIDTH];
-        for level in 0..=self.quality.square.ilog2() as usize {
-            let side = 1 << level;
+        for level in 0..=self.quality.top_level() {
+            let side = self.area.side(level);
             let is_upper = y.is_multiple_of(side);
             if level > 0 {
-                self.worker.marks.filled[level][y >> level].for_each(|x| {
+                self.worker.marks.filled[level][y / side].for_each(|x| {
                     let length = if is_upper { side } else { 1 };
-                    let sides = row.iter_mut().skip(x << level).take(length);
+                    let sides = row.iter_mut().skip(x * side).take(length);
                     sides.for_each(|mark| *mark |= SIDE);
                 });
             }
             if is_upper {
-                self.worker.marks.traced[level][y >> level].for_each(|x| {
-                    if let Some(mark) = row.get_mut(x << level) {
+                self.worker.marks.traced[level][y / side].for_each(|x| {
+                    if let Some(mark) = row.get_mut(x * side) {
                         *mark |= POINT;
                     }
                 });

@@ -1,4 +1,5 @@
-//! Squares of one object with a pattern: light is interpolated, and the pattern is seen at every pixel.
+//! Squares that are filled by light, a pixel at a time: those of one object with a pattern, where the light is interpolated and
+//! the pattern is seen at every pixel, and those whose side is no power of two.
 //!
 //! A traced point shows `rest + share * full` (see [`Layers`]). Both layers are interpolated, and the share is what the pattern
 //! leaves where the pixel's own ray meets the object, which is known. So edges of a pattern stay as sharp as traced, wherever
@@ -6,10 +7,10 @@
 
 use super::pyramid::Pyramid;
 use super::tile::Tile;
-use super::verdict::steps;
+use super::verdict::{Verdict, steps};
 use crate::observe::Observer;
 use crate::quality::Quality;
-use crate::trace::{Layers, pattern_at_pixels};
+use crate::trace::{Layers, STEP, Sample, pattern_at_pixels};
 use glam::Vec3A;
 
 /// The output's brightest step.
@@ -19,7 +20,7 @@ impl<O: Observer> Tile<'_, O> {
     /// Fills the square (x, y) of a level, whose corners all show one object with a pattern, unless their layers are too far
     /// apart; says whether they are not.
     pub(super) fn fill_pattern(&mut self, level: usize, [x, y]: [usize; 2], agree: bool) -> bool {
-        let side = 1 << level;
+        let side = self.area.side(level);
         let pyramid = &self.worker.pyramid;
         let (above, below) = (Pyramid::place(level, x, y), Pyramid::place(level, x, y + 1));
         let corners = [above, above + 1, below, below + 1].map(|place| pyramid.layers(place));
@@ -28,24 +29,54 @@ impl<O: Observer> Tile<'_, O> {
         } else {
             self.quality.tolerance_differing
         };
-        if span(&corners) > steps(tolerance, level) {
+        if span(&corners) > steps(tolerance, side) {
             return false;
         }
         let corner = pyramid.sample(above);
         let object = corner.object() - 1;
-        let (left, top) = (self.area.left + (x << level), y << level);
+        self.interpolate(level, [x, y], corners, Some(object));
+        // The corner as it was traced, to the last bit.
+        let (left, top) = (self.area.left + x * side, y * side);
+        self.canvas.put(left, top, corner.pixel());
+        true
+    }
+
+    /// Fills the squares of a row that passed the verdict, whatever their side is.
+    pub(super) fn fill_any(&mut self, level: usize, y: usize, verdict: &Verdict) {
+        verdict.filled.for_each(|x| {
+            let mut corners = self.worker.pyramid.corners(level, x, y);
+            if verdict.flat.has(x) {
+                corners = [corners[0]; 4];
+            }
+            self.interpolate(level, [x, y], corners.map(Layers::of), None);
+        });
+    }
+
+    /// Interpolates the corners' layers along both sides of the square (x, y) of a level, as far as it is in the picture. Where
+    /// an object is given, its pattern is seen at every pixel.
+    #[inline(never)]
+    fn interpolate(
+        &mut self,
+        level: usize,
+        [x, y]: [usize; 2],
+        [a, b, c, d]: [Layers; 4],
+        object: Option<usize>,
+    ) {
+        let side = self.area.side(level);
+        let (left, top) = (self.area.left + x * side, y * side);
         let (right, bottom) = (
             self.canvas.width.min(left + side),
             self.canvas.height.min(top + side),
         );
-        let [a, b, c, d] = corners;
         let part = 1.0 / side as f32;
         let (mut first, mut step) = (a, (b - a) * part);
         let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
         let mut shares = [[0.0; 4]; Quality::MAX_SQUARE / 4];
         for y in top..bottom {
-            for (x, shares) in (left..right).step_by(4).zip(&mut shares) {
-                *shares = pattern_at_pixels(self.scene, object, x, self.area.top + y);
+            if let Some(object) = object {
+                for (x, shares) in (left..right).step_by(4).zip(&mut shares) {
+                    *shares = pattern_at_pixels(self.scene, object, x, self.area.top + y);
+                }
             }
             let row = y * self.canvas.width;
             let row = &mut self.canvas.pixels[row + left..row + right];
@@ -57,9 +88,6 @@ impl<O: Observer> Tile<'_, O> {
             first = first + first_down;
             step = step + step_down;
         }
-        // The corner as it was traced, to the last bit.
-        self.canvas.put(left, top, corner.pixel());
-        true
     }
 }
 
@@ -69,6 +97,15 @@ fn span(&[a, b, c, d]: &[Layers; 4]) -> f32 {
 }
 
 impl Layers {
+    /// A sample's colour, without a pattern.
+    fn of(sample: Sample) -> Self {
+        let channel = |shift: u32| (sample.0 >> shift & 0xffff) as f32 / STEP as f32;
+        Self {
+            rest: Vec3A::new(channel(0), channel(16), channel(32)),
+            full: Vec3A::ZERO,
+        }
+    }
+
     /// The pixel where a pattern leaves a share.
     #[inline(always)]
     fn pixel(self, share: f32) -> u32 {

@@ -1,11 +1,13 @@
 //! Which points a level needs, and how they become known: from the level above, as a mean of two, or traced.
 
+use super::TILE_WIDTH;
 use super::bits::{Bits, WORDS};
 use super::pyramid::Pyramid;
 use super::tile::{Marks, Tile};
 use super::verdict::Limit;
 use super::worker::Worker;
 use crate::observe::Observer;
+use crate::quality::Quality;
 use crate::trace::{BATCH, Counts, trace};
 
 /// Points side by side that are traced before those to the right of them, all rows.
@@ -15,21 +17,24 @@ const BLOCK_MASK: u64 = (1 << BLOCK) - 1;
 impl<O: Observer> Tile<'_, O> {
     /// Finds the points of a level: the corners of all its squares, or the squares themselves where they are pixels.
     pub(super) fn find_points(&mut self, level: usize, is_first: bool) {
-        let rows = self.area.rows(level) + usize::from(level > 0);
-        let limit = Limit::new(self.quality.tolerance_side, level + 1);
+        let squares = self.area.rows(level);
+        let rows = squares + usize::from(level > 0);
+        let parts = self.area.parts(level);
+        let limit = Limit::new(self.quality.tolerance_side, self.area.side(level + 1));
+        let known_columns = Bits::multiples(parts);
         for y in 0..rows {
             let marks = &self.worker.marks;
-            let mut points = corners(&marks.squares[level], level, y, self.area.rows(level));
+            let mut points = corners(&marks.squares[level], level, y, squares);
             if !is_first {
-                let known = if y.is_multiple_of(2) {
-                    Bits::EVEN
+                let known = if y.is_multiple_of(parts) {
+                    known_columns
                 } else {
                     Bits::NONE
                 };
-                let must = corners(&marks.open[level], level, y, self.area.rows(level));
+                let must = corners(&marks.open[level], level, y, squares);
                 self.take_over(level, y, points & known);
                 points = points & !known;
-                if self.quality.tolerance_side > 0.0 {
+                if parts == 2 && self.quality.tolerance_side > 0.0 {
                     let middles = points & !must;
                     points = points & !self.average(level, y, middles, limit);
                 }
@@ -41,6 +46,7 @@ impl<O: Observer> Tile<'_, O> {
 
     /// Traces the points of a level that are marked, block by block: rays of neighbours meet the same objects.
     fn trace_marked(&mut self, level: usize, rows: usize) {
+        let side = self.area.side(level);
         for word in 0..WORDS {
             let marked = |marks: &Marks, y: usize| marks.traced[level][y].0[word];
             let marks = &self.worker.marks;
@@ -53,7 +59,7 @@ impl<O: Observer> Tile<'_, O> {
                     let mut rest = marked(&self.worker.marks, y) >> shift & BLOCK_MASK;
                     while rest != 0 {
                         let x = 64 * word + shift + rest.trailing_zeros() as usize;
-                        let (x, y) = (self.area.left + (x << level), self.area.top + (y << level));
+                        let (x, y) = (self.area.left + x * side, self.area.top + y * side);
                         self.worker.batch.push(x, y);
                         if self.worker.batch.is_full() {
                             self.trace(level);
@@ -66,12 +72,14 @@ impl<O: Observer> Tile<'_, O> {
         self.trace(level);
     }
 
-    /// Takes points over from the level above, which has them at half their numbers.
+    /// Takes points over from the level above, where their numbers are divided by a square's parts along a side.
     fn take_over(&mut self, level: usize, y: usize, points: Bits) {
         let has_patterns = self.scene.has_patterns();
+        let parts = Divisor::new(self.area.parts(level));
+        let row = Pyramid::place(level + 1, 0, parts.divide(y));
         points.for_each(|x| {
             let pyramid = &mut self.worker.pyramid;
-            let from = Pyramid::place(level + 1, x / 2, y / 2);
+            let from = row + parts.divide(x);
             let (sample, key) = (pyramid.sample(from), pyramid.key(from));
             if level == 0 {
                 self.canvas.put(self.area.left + x, y, sample.pixel());
@@ -122,6 +130,7 @@ impl<O: Observer> Tile<'_, O> {
         self.trace_batch();
         let Worker { batch, pyramid, .. } = &mut *self.worker;
         let has_patterns = self.scene.has_patterns();
+        let side = Divisor::new(self.area.side(level));
         for i in 0..batch.len() {
             let (x, y, mut sample, key) = batch.result(i);
             let y = y - self.area.top;
@@ -129,7 +138,7 @@ impl<O: Observer> Tile<'_, O> {
                 self.canvas.put(x, y, sample.pixel());
                 continue;
             }
-            let place = Pyramid::place(level, (x - self.area.left) >> level, y >> level);
+            let place = Pyramid::place(level, side.divide(x - self.area.left), side.divide(y));
             if has_patterns && self.scene.has_pattern(sample.object() - 1) {
                 sample = sample.patterned();
                 pyramid.put_layers(place, batch.layers(i));
@@ -174,6 +183,30 @@ impl<O: Observer> Tile<'_, O> {
         batch.counts = counts;
     }
 }
+
+/// Divides by a side: a multiplication, as points are divided one by one.
+#[derive(Clone, Copy)]
+pub(super) struct Divisor {
+    /// More than `2^16 / side`, by 1 at most.
+    inverse: usize,
+}
+
+impl Divisor {
+    #[inline(always)]
+    pub fn new(side: usize) -> Self {
+        Self {
+            inverse: (1 << 16) / side + 1,
+        }
+    }
+
+    /// The quotient of a number of pixels, rounded down: exact below 2^16 / [`Quality::MAX_SQUARE`], which is 2,048.
+    #[inline(always)]
+    pub fn divide(self, pixels: usize) -> usize {
+        (pixels * self.inverse) >> 16
+    }
+}
+
+const _: () = assert!(TILE_WIDTH < (1 << 16) / Quality::MAX_SQUARE);
 
 /// The corners of some rows of squares that lie in row `y` of a level's points; of pixels, the squares of that row.
 #[inline(always)]

@@ -4,7 +4,8 @@ use super::{TILE_HEIGHT, TILE_WIDTH};
 use crate::lanes::MAX_LANES;
 use crate::trace::{Layers, Sample};
 
-/// Levels of the pyramid: squares of 1, 2, 4, 8, 16 and 32 pixels. A level's number is the logarithm of its side.
+/// Levels of the pyramid. Level 0 has single pixels, and level `n` squares of at least `1 << n` pixels a side: where the largest
+/// has 32, they are of 1, 2, 4, 8, 16 and 32; where it has 24, of 1, 3, 6, 12 and 24.
 pub(super) const LEVELS: usize = 6;
 
 /// The grids of all levels but that of single pixels, which are drawn as they are traced.
@@ -27,7 +28,7 @@ pub(super) struct Row<'a> {
     pub keys: &'a [u32],
 }
 
-/// Points of a row.
+/// Points of a row, or more than these.
 const fn columns(level: usize) -> usize {
     (TILE_WIDTH >> level) + 1
 }

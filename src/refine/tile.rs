@@ -1,11 +1,11 @@
 //! A tile at work: level by level, points are traced, squares judged, filled or split.
 
+use super::TILE_HEIGHT;
 use super::bits::Bits;
 use super::fill::{Canvas, Run};
 use super::pyramid::LEVELS;
 use super::verdict::{Rules, Verdict, judge};
 use super::worker::Worker;
-use super::{TILE_HEIGHT, TILE_WIDTH};
 use crate::observe::{Fill, Observer};
 use crate::prepare::{Prepared, VisibleGroups};
 use crate::quality::Quality;
@@ -20,19 +20,37 @@ pub(super) struct Area {
     pub bottom: usize,
     /// Width and height of the picture.
     pub picture: [usize; 2],
+    /// Side of the smallest squares that are more than a pixel: see [`Quality::least_square`].
+    pub least: usize,
 }
 
 impl Area {
-    /// Squares of a level side by side; the last ones may end beyond the picture.
+    /// Side of a level's squares in pixels.
+    #[inline(never)]
+    pub fn side(&self, level: usize) -> usize {
+        if level == 0 {
+            1
+        } else {
+            self.least << (level - 1)
+        }
+    }
+
+    /// How many of a level's squares lie along a side of one of the level above.
     #[inline(always)]
+    pub fn parts(&self, level: usize) -> usize {
+        if level == 0 { self.least } else { 2 }
+    }
+
+    /// Squares of a level side by side; the last ones may end beyond the picture.
+    #[inline(never)]
     pub fn columns(&self, level: usize) -> usize {
-        (self.right - self.left).div_ceil(1 << level)
+        (self.right - self.left).div_ceil(self.side(level))
     }
 
     /// Squares of a level on top of each other.
-    #[inline(always)]
+    #[inline(never)]
     pub fn rows(&self, level: usize) -> usize {
-        (self.bottom - self.top).div_ceil(1 << level)
+        (self.bottom - self.top).div_ceil(self.side(level))
     }
 }
 
@@ -78,7 +96,7 @@ pub(super) struct Tile<'a, O: Observer> {
 impl<O: Observer> Tile<'_, O> {
     /// Draws it, from the largest squares down to pixels.
     pub fn draw(&mut self) {
-        let top = self.quality.square.ilog2() as usize;
+        let top = self.quality.top_level();
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
         let open = if self.quality.guarded {
@@ -120,20 +138,15 @@ impl<O: Observer> Tile<'_, O> {
         let squares = marks.squares[level][y] & !marks.open[level][y];
         let pyramid = &self.worker.pyramid;
         let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
-        let rules = Rules::new(self.quality, level);
+        let side = self.area.side(level);
+        let rules = Rules::new(self.quality, side);
         let mut verdict = judge(self.isa, rules, &squares, above, below);
         let patterned = self.fill_patterned(level, y, &mut verdict);
-        let pyramid = &self.worker.pyramid;
-        let run = Run {
-            x: self.area.left,
-            y: y << level,
-            level,
-            above: pyramid.row(level, y).samples,
-            below: pyramid.row(level, y + 1).samples,
-            filled: verdict.filled,
-            flat: verdict.flat,
-        };
-        self.canvas.fill(self.isa, &run);
+        if side.is_power_of_two() {
+            self.fill_by_isa(level, y, &verdict);
+        } else {
+            self.fill_any(level, y, &verdict);
+        }
         if O::LISTENS {
             verdict.filled.for_each(|x| {
                 let fill = if verdict.flat.has(x) {
@@ -145,6 +158,22 @@ impl<O: Observer> Tile<'_, O> {
             });
         }
         self.worker.marks.filled[level][y] = verdict.filled | patterned;
+    }
+
+    /// Fills the squares of a row that passed the verdict, whose side is a power of two.
+    fn fill_by_isa(&mut self, level: usize, y: usize, verdict: &Verdict) {
+        let side = self.area.side(level);
+        let pyramid = &self.worker.pyramid;
+        let run = Run {
+            x: self.area.left,
+            y: y * side,
+            side,
+            above: pyramid.row(level, y).samples,
+            below: pyramid.row(level, y + 1).samples,
+            filled: verdict.filled,
+            flat: verdict.flat,
+        };
+        self.canvas.fill(self.isa, &run);
     }
 
     /// Fills those squares of a row whose corners all show one object with a pattern, if their light allows it, and returns
@@ -169,12 +198,13 @@ impl<O: Observer> Tile<'_, O> {
     /// Lists the parts of a row's squares that were not filled, as far as they are in the picture.
     fn split_row(&mut self, level: usize, y: usize) {
         let part = level - 1;
+        let parts = self.area.parts(part);
         let (columns, rows) = (self.area.columns(part), self.area.rows(part));
         let marks = &mut self.worker.marks;
         let split = marks.squares[level][y] & !marks.filled[level][y];
-        let squares = split.halves() & Bits::first(columns);
-        let open = marks.open[level][y].halves() & Bits::first(columns);
-        for row in 2 * y..rows.min(2 * y + 2) {
+        let squares = split.parts(parts) & Bits::first(columns);
+        let open = marks.open[level][y].parts(parts) & Bits::first(columns);
+        for row in parts * y..rows.min(parts * y + parts) {
             marks.squares[part][row] = squares;
             marks.open[part][row] = open;
         }
@@ -185,9 +215,8 @@ impl<O: Observer> Tile<'_, O> {
 
     /// Tells the observer of a square that has been drawn.
     fn tell(&self, level: usize, x: usize, y: usize, fill: Fill) {
-        let (x, y) = (self.area.left + (x << level), self.area.top + (y << level));
-        self.observer.square(x, y, 1 << level, 1 << level, fill);
+        let side = self.area.side(level);
+        let (x, y) = (self.area.left + x * side, self.area.top + y * side);
+        self.observer.square(x, y, side, side, fill);
     }
 }
-
-const _: () = assert!(TILE_WIDTH.is_multiple_of(Quality::MAX_SQUARE));

@@ -15,10 +15,10 @@ use fearless_simd::Level;
 pub(super) struct Limit(u64);
 
 impl Limit {
-    /// For squares of `1 << level` pixels a side, by a tolerance for squares of 8: an error in one of 4 covers a quarter of the
-    /// pixels, so it may be twice as large.
-    pub fn new(tolerance: f32, level: usize) -> Self {
-        let limit = steps(tolerance, level) * STEP as f32;
+    /// For squares of a side, by a tolerance for squares of 8: an error in one of 4 covers a quarter of the pixels, so it may be
+    /// twice as large.
+    pub fn new(tolerance: f32, side: usize) -> Self {
+        let limit = steps(tolerance, side) * STEP as f32;
         // What is too large for 15 bits is as good as no limit, and what is no number is 0.
         let limit = limit.clamp(0.0, 32_767.0) as u64;
         Self((limit * 0x0001_0001_0001) | (0x7fff << 48))
@@ -38,12 +38,12 @@ impl Limit {
     }
 }
 
-/// A tolerance in output steps for squares of `1 << level` pixels a side.
-pub(super) fn steps(tolerance: f32, level: usize) -> f32 {
-    tolerance * 8.0 / (1 << level) as f32
+/// A tolerance in output steps for squares of a side, by one for squares of 8.
+pub(super) fn steps(tolerance: f32, side: usize) -> f32 {
+    tolerance * 8.0 / side as f32
 }
 
-/// The rules that squares of a level are judged by.
+/// The rules that squares of one side are judged by.
 #[derive(Clone, Copy)]
 pub(super) struct Rules {
     /// How far corners may be apart whose keys agree.
@@ -53,11 +53,11 @@ pub(super) struct Rules {
 }
 
 impl Rules {
-    /// A quality's rules for a level.
-    pub fn new(quality: &Quality, level: usize) -> Self {
+    /// A quality's rules for squares of a side.
+    pub fn new(quality: &Quality, side: usize) -> Self {
         Self {
-            agreeing: Limit::new(quality.tolerance_agreeing, level),
-            differing: Limit::new(quality.tolerance_differing, level),
+            agreeing: Limit::new(quality.tolerance_agreeing, side),
+            differing: Limit::new(quality.tolerance_differing, side),
         }
     }
 }

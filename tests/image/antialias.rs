@@ -94,7 +94,16 @@ fn what_differs_from_no_neighbour_keeps_its_bits() {
 #[test]
 fn edges_have_the_same_bits_on_any_number_of_threads() {
     for scene in [show::scene(3.0), show::field(100, 3.0)] {
-        for quality in [Quality::EXHAUSTIVE, Quality::THESIS, Quality::LADDER[6]] {
+        let odd = Quality {
+            square: 17,
+            ..Quality::DEFAULT
+        };
+        for quality in [
+            Quality::EXHAUSTIVE,
+            Quality::THESIS,
+            Quality::LADDER[6],
+            odd,
+        ] {
             let quality = with(2, quality);
             let one = picture(&scene, &quality, 1, 1);
             for threads in [2, 3, 7] {

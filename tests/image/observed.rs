@@ -21,7 +21,11 @@ fn qualities() -> impl Iterator<Item = Quality> {
         square: 2,
         ..Quality::DEFAULT
     };
-    let named = [Quality::EXHAUSTIVE, Quality::THESIS, large, small];
+    let odd = Quality {
+        square: 12,
+        ..Quality::THESIS
+    };
+    let named = [Quality::EXHAUSTIVE, Quality::THESIS, large, small, odd];
     named.into_iter().chain(*Quality::LADDER)
 }
 

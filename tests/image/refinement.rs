@@ -3,7 +3,7 @@
 use crate::cpu;
 use crate::drawn::{Drawn, draw, draw_by_all};
 use crate::error::Difference;
-use crate::oracle::squares::Squares;
+use crate::oracle::squares::{Squares, TILE};
 use eightfold::scene::{Camera, Scene};
 use eightfold::{Quality, show};
 use glam::{Vec3A, vec3a};
@@ -105,16 +105,19 @@ fn what_corners_compare_follows_the_quality() {
 }
 
 #[test]
-fn squares_of_every_power_of_two_follow_the_rules() {
+fn squares_of_every_side_follow_the_rules() {
     let scene = show::scene(1.0);
-    for square in [1, 2, 4, 8, 16, 32] {
-        let quality = Quality {
-            square,
-            ..bare(Quality::THESIS)
-        };
-        let squares = Squares::new(&scene, &quality, 203, 149);
-        for (isa, drawn) in draw_by_all(&scene, &quality, 203, 149) {
-            assert_as_refined(&drawn, &squares, &format!("{square} by {}", isa.name));
+    for square in 1..=Quality::MAX_SQUARE {
+        for rules in [Quality::THESIS, Quality::DEFAULT] {
+            let quality = Quality {
+                square,
+                ..bare(rules)
+            };
+            let squares = Squares::new(&scene, &quality, 203, 149);
+            for (isa, drawn) in draw_by_all(&scene, &quality, 203, 149) {
+                let what = format!("{quality:?} by {}", isa.name);
+                assert_as_refined(&drawn, &squares, &what);
+            }
         }
     }
 }
@@ -124,7 +127,7 @@ fn a_point_has_the_same_bits_whatever_is_traced_beside_it() {
     for (name, scene) in scenes() {
         for isa in cpu::instruction_sets() {
             let exhaustive = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, 331, 217);
-            for square in [2, 4, 8, 16, 32] {
+            for square in [2, 3, 4, 5, 8, 12, 16, 17, 32] {
                 let quality = Quality {
                     square,
                     ..Quality::THESIS
@@ -156,7 +159,7 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
         field_of_view: 0.13,
     };
     let (width, height) = (700, 70);
-    for square in [1, 2, 4, 8, 16, 32] {
+    for square in [1, 2, 3, 4, 5, 8, 12, 16, 17, 32] {
         let quality = Quality {
             square,
             tolerance_agreeing: 0.0,
@@ -164,22 +167,18 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
             ..Quality::THESIS
         };
         let drawn = draw(cpu::best(), 2, &scene, &quality, width, height);
-        // Tiles of 512 by 32 pixels find the points that they share each for itself.
+        // Tiles find the points that they share each for itself.
+        let [tile_width, tile_height] = TILE.map(|side| side / square * square);
         let corners = |side: usize, tile: usize| -> usize {
-            let parts = (0..side).step_by(tile.max(square));
+            let parts = (0..side).step_by(tile);
             parts
-                .map(|start| {
-                    (side - start)
-                        .min(tile.max(square))
-                        .next_multiple_of(square)
-                        + 1
-                })
+                .map(|start| (side - start).min(tile).next_multiple_of(square) + 1)
                 .sum()
         };
         let most = if square == 1 {
             width * height
         } else {
-            corners(width, 512) * corners(height, 32)
+            corners(width, tile_width) * corners(height, tile_height)
         };
         let points = drawn.counts.points as usize;
         assert!(

@@ -8,7 +8,23 @@ use crate::studio::{Studio, on_heap};
 use eightfold::scene::Scene;
 use eightfold::{Memory, Quality, Worker, render, show};
 
-const QUALITIES: [Quality; 3] = [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT];
+const QUALITIES: [Quality; 7] = [
+    Quality::EXHAUSTIVE,
+    Quality::THESIS,
+    Quality::DEFAULT,
+    of_side(3),
+    of_side(5),
+    of_side(12),
+    of_side(17),
+];
+
+/// The default quality by squares of another side.
+const fn of_side(square: usize) -> Quality {
+    Quality {
+        square,
+        ..Quality::DEFAULT
+    }
+}
 
 /// The show's scene at a time in seconds.
 fn of_the_show(time: f32) -> Scene {

@@ -57,7 +57,7 @@ fn the_widest_and_the_tallest_are_right_to_the_last_row_and_column() {
 #[test]
 fn squares_of_every_size_draw_the_widest_and_the_tallest() {
     let scene = show::scene(0.5);
-    for square in [1, 2, 4, 8, 16, 32] {
+    for square in [1, 2, 3, 4, 5, 8, 12, 16, 17, 32] {
         let quality = Quality {
             square,
             ..Quality::THESIS

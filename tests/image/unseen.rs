@@ -256,9 +256,14 @@ fn bold_sketch() -> impl Strategy<Value = Sketch> {
     })
 }
 
-/// All named qualities that do not trace every pixel.
+/// All named qualities that do not trace every pixel, and the default one by squares of other sides than powers of two.
 fn qualities() -> impl Iterator<Item = Quality> {
-    Quality::LADDER.iter().copied().chain([Quality::THESIS])
+    let of_side = |square| Quality {
+        square,
+        ..Quality::DEFAULT
+    };
+    let named = Quality::LADDER.iter().copied().chain([Quality::THESIS]);
+    named.chain([3, 5, 12, 17].map(of_side))
 }
 
 /// Asserts that each colour of the exhaustive picture but the background's is shown at one of its pixels: a gap between

@@ -6,8 +6,9 @@ use eightfold::scene::Scene;
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Width and height of a tile: each finds its points by itself, those that it shares with the next one as well.
-const TILE: [usize; 2] = [512, 32];
+/// The most that a tile is wide and high: it has as many whole squares as fit in. Each finds its points by itself, those that it
+/// shares with the next one as well.
+pub const TILE: [usize; 2] = [512, 32];
 
 /// A picture by adaptive squares.
 pub struct Squares<'a> {
@@ -20,7 +21,7 @@ pub struct Squares<'a> {
 }
 
 impl<'a> Squares<'a> {
-    /// Draws it; squares start at the quality's size, a power of two.
+    /// Draws it; squares start at the quality's size.
     pub fn new(scene: &'a Scene, quality: &'a Quality, width: usize, height: usize) -> Self {
         let mut squares = Self {
             oracle: Oracle::new(scene, quality, width, height),
@@ -29,7 +30,7 @@ impl<'a> Squares<'a> {
             averaged: HashMap::new(),
             picture: vec![0; width * height],
         };
-        let [tile_width, tile_height] = TILE.map(|side| side.max(quality.square));
+        let [tile_width, tile_height] = TILE.map(|side| side / quality.square * quality.square);
         for top in (0..height).step_by(tile_height) {
             for left in (0..width).step_by(tile_width) {
                 for y in (top..height.min(top + tile_height)).step_by(quality.square) {
@@ -71,6 +72,10 @@ impl<'a> Squares<'a> {
         let flat = others.iter().all(|b| b.pixel() == a.pixel());
         if flat || spread(&corners) <= self.allowed(&corners, side) {
             self.fill(x, y, side, corners);
+        } else if side % 2 == 1 {
+            for i in 0..side * side {
+                self.check(x + i % side, y + i / side, 1);
+            }
         } else {
             let half = side / 2;
             let [a, b, c, d] = corners;

@@ -168,7 +168,7 @@ fn squares(trade: &Trade) -> Chart {
     Chart {
         title: "Error and speed by the side of the squares".to_owned(),
         note: format!(
-            "{}; beside each point its speed in exhaustive frames",
+            "{}; beside each point its speed in exhaustive frames; sides that are no powers of two are filled pixel by pixel",
             note(trade)
         ),
         x: Axis::log(

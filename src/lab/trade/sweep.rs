@@ -15,8 +15,8 @@ pub struct Point {
     pub quality: Quality,
 }
 
-/// Sides of squares.
-pub const SQUARES: [usize; 6] = [1, 2, 4, 8, 16, 32];
+/// Sides of squares: powers of two, some between them, and 17, which is split into pixels at once.
+pub const SQUARES: [usize; 13] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 17, 20, 24, 32];
 /// Tolerances around the intro's 10.
 const TOLERANCES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 7.0, 9.0, 14.0, 18.0, 26.0, 40.0, 64.0];
 /// Tolerances of squares whose keys agree, or differ.

@@ -78,7 +78,7 @@ proptest! {
         limit in 0_i32..=32_767,
     ) {
         // A tolerance for squares of 8, in 128ths of a step.
-        let has = Limit::new(limit as f32 / 128.0, 3).has(a, b);
+        let has = Limit::new(limit as f32 / 128.0, 8).has(a, b);
         // It may take what is one more for what is as much, since it compares halves.
         prop_assert!(has || span(&[a, b]) > limit - 1);
         prop_assert!(!has || span(&[a, b]) <= limit + 1);

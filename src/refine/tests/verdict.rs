@@ -8,7 +8,7 @@ use crate::trace::Sample;
 use proptest::prelude::*;
 
 /// The verdict on one square: whether its keys agree, it is flat, filled, patterned.
-fn verdict(quality: &Quality, level: usize, corners: [(Sample, u32); 4]) -> [bool; 4] {
+fn verdict(quality: &Quality, side: usize, corners: [(Sample, u32); 4]) -> [bool; 4] {
     let samples = corners.map(|(sample, _)| sample);
     let agreeing = corners.iter().all(|&(_, key)| key == corners[0].1);
     let flat = samples.iter().all(|s| s.pixel() == samples[0].pixel());
@@ -17,7 +17,7 @@ fn verdict(quality: &Quality, level: usize, corners: [(Sample, u32); 4]) -> [boo
     } else {
         quality.tolerance_differing
     };
-    let most = (tolerance * 8.0 * 128.0 / (1 << level) as f32) as i32;
+    let most = (tolerance * 8.0 * 128.0 / side as f32) as i32;
     let patterned = samples.iter().any(|sample| sample.is_patterned());
     [agreeing, flat, flat || span(&samples) <= most, patterned]
 }
@@ -28,6 +28,7 @@ proptest! {
     #[test]
     fn each_square_of_a_row_gets_the_verdict_that_it_gets_alone(
         level in 1_usize..=5,
+        side in 2_usize..=Quality::MAX_SQUARE,
         columns in proptest::collection::vec([(sample(), 0_u32..2), (sample(), 0_u32..2)], 2..17),
         squares in any::<u64>(),
         tolerance_agreeing in prop_oneof![0.0_f32..20.0, Just(f32::INFINITY)],
@@ -39,13 +40,13 @@ proptest! {
         let mut squares = Bits([squares; _]);
         squares = squares & Bits::first(count);
         for isa in isas() {
-            let rules = Rules::new(&quality, level);
+            let rules = Rules::new(&quality, side);
             let (above, below) = (pyramid.row(level, 0), pyramid.row(level, 1));
             let all = judge(isa, rules, &squares, above, below);
             let Verdict { agreeing, flat, filled, patterned } = all;
             for x in 0..count {
                 let ([a, c], [b, d]) = (columns[x], columns[x + 1]);
-                let alone = verdict(&quality, level, [a, b, c, d]).map(|is| is && squares.has(x));
+                let alone = verdict(&quality, side, [a, b, c, d]).map(|is| is && squares.has(x));
                 let together = [agreeing, flat, filled, patterned].map(|bits| bits.has(x));
                 prop_assert_eq!(alone, together, "square {} by {:?}", x, isa);
             }
