@@ -11,8 +11,9 @@ use crate::trace::Counts;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use fearless_simd::Level;
 
-/// What the threads share while they render a frame, of fixed size and owned by the caller: see [`Memory::BYTES`]. That is more
-/// than most threads have stack, so it belongs into a `static`, or is made by a thread with a larger one.
+/// What the threads share while they render a frame, of fixed size and owned by the caller: at most 460,000 bytes, see
+/// [`Memory::BYTES`]. So `Box::new(Memory::new())` works on the stack of a thread, which it passes over on its way; it may live in
+/// a `static` as well, which takes no room in a program's file.
 pub struct Memory {
     prepared: Prepared,
     seams: Seams,
@@ -25,9 +26,12 @@ impl Memory {
     /// Empty memory.
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            prepared: Prepared::new(),
-            seams: Seams::new(),
+        // Put together by the compiler: unoptimised code would make each part on the stack first.
+        const {
+            Self {
+                prepared: Prepared::new(),
+                seams: Seams::new(),
+            }
         }
     }
 }
@@ -73,7 +77,7 @@ impl Memory {
         if !quality.is_antialiased() {
             return Counts::NONE;
         }
-        self.seams.set(quality, width, pixels);
+        self.seams.set(level, quality, width, pixels);
         // The scene again, for a picture with a pixel for each sample.
         let (n, height, offset) = (
             quality.antialias,

@@ -147,7 +147,7 @@ impl Studio {
             quality,
             trail.width,
             trail.height,
-            &mut self.memory[0],
+            &mut self.memory,
             &mut self.workers,
             pixels,
             trail,

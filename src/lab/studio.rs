@@ -6,8 +6,7 @@ use eightfold_window::pool::Pool;
 
 /// Memory for one frame at a time, and threads that start once.
 pub struct Studio {
-    /// One, behind a pointer.
-    pub memory: Vec<Memory>,
+    pub memory: Box<Memory>,
     /// One for each thread.
     pub workers: Vec<Worker>,
     pub pool: Pool,
@@ -23,15 +22,15 @@ impl Studio {
             "the system has no threads to spare"
         );
         Self {
-            memory: on_heap(1, Memory::new),
-            workers: on_heap(threads, Worker::new),
+            memory: Box::new(Memory::new()),
+            workers: std::iter::repeat_with(Worker::new).take(threads).collect(),
             pool,
         }
     }
 
     /// Has frames take their samples beside the pixels' centres; see [`Memory::set_offset`].
     pub fn set_offset(&mut self, x: f32, y: f32) {
-        self.memory[0].set_offset(x, y);
+        self.memory.set_offset(x, y);
     }
 
     /// Draws a frame `width` pixels wide that fills `pixels`, and says how much work it was.
@@ -49,7 +48,7 @@ impl Studio {
             quality,
             width,
             pixels.len() / width,
-            &mut self.memory[0],
+            &mut self.memory,
             &mut self.workers,
             pixels,
             |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
@@ -57,17 +56,4 @@ impl Studio {
             },
         )
     }
-}
-
-/// So many new items on the heap. They are larger than a thread's usual stack, which they pass over on their way, so
-/// a thread with a larger one makes them.
-pub fn on_heap<T: Send + 'static>(count: usize, new: fn() -> T) -> Vec<T> {
-    // Room for a few copies: unoptimised code makes one for each function the item passes through.
-    let stack = 4 * size_of::<T>() + (1 << 20);
-    std::thread::Builder::new()
-        .stack_size(stack)
-        .spawn(move || std::iter::repeat_with(new).take(count).collect())
-        .expect("the system has a thread to spare")
-        .join()
-        .expect("nothing in there panics")
 }

@@ -12,7 +12,7 @@
 use super::Rectangle;
 use super::screen::{Axes, Rect};
 use crate::maths::sqrt;
-use glam::{Vec3A, Vec4, Vec4Swizzles};
+use glam::{Vec3, Vec3A, Vec4, Vec4Swizzles};
 
 /// Tangents from each end that a rectangle is narrowed by: the first ones touch a cone on their side of it, later ones in the
 /// rectangle.
@@ -36,30 +36,56 @@ const WIDE: f32 = 1.0 + 1e-6;
 /// More than both sides of a round cone's inequality change by for a step along u or v, which is up to the root of 2.
 const STEEPEST: f32 = 1.5;
 
+/// The cone around a sphere, whatever rays it is to hold.
+#[derive(Clone, Copy)]
+pub(super) struct RoundCone {
+    /// Where the sphere's centre is, from the tip. (Not aligned, to be small: there is one for each lamp and sphere.)
+    to: Vec3,
+    /// The cosine and the sine of the angle at the tip, over the length of `to`. The cosine is no number if the tip is inside.
+    cosine: f32,
+    sine: f32,
+}
+
+impl RoundCone {
+    /// Nothing, all zeros.
+    pub const NONE: Self = Self {
+        to: Vec3::ZERO,
+        cosine: 0.0,
+        sine: 0.0,
+    };
+
+    /// The cone around a sphere whose centre is at `to`, and the square of its cosine; all rays are inside where there is none.
+    pub fn around(to: Vec3A, radius: f32) -> (Self, f32) {
+        let distance2 = to.length_squared();
+        let radius = radius * WIDE;
+        let cosine2 = (distance2 - radius * radius) / distance2;
+        let cone = Self {
+            to: to.into(),
+            // `to` is as long as the distance, which the sine has once more.
+            cosine: sqrt(cosine2 / distance2),
+            sine: radius / distance2,
+        };
+        (cone, cosine2)
+    }
+
+    /// The rays of the picture that are inside; `rays` are what a step along u is, one along v, and (0, 0).
+    #[inline(never)]
+    pub fn seen_by(&self, rays: &[Vec3A; 3]) -> Cone {
+        let to = Vec3A::from(self.to);
+        let terms = rays.map(|ray| (to.cross(ray) * self.cosine).extend(to.dot(ray) * self.sine));
+        Cone {
+            terms,
+            is_flat: false,
+        }
+    }
+}
+
 impl Cone {
     /// Nothing, all zeros.
     pub const NONE: Self = Self {
         terms: [Vec4::ZERO; 3],
         is_flat: false,
     };
-
-    /// Takes in the cone around a sphere whose centre is at `to`. The rays are `w = d * by.w + by.xyz * d.y` of
-    /// the picture's rays d; `by` is of length 1. Returns the square of the cosine; all rays are inside where there is
-    /// none.
-    pub fn set_round(&mut self, axes: &Axes, by: &Vec4, to: Vec3A, radius: f32) -> f32 {
-        let distance2 = to.length_squared();
-        let radius = radius * WIDE;
-        let cosine2 = (distance2 - radius * radius) / distance2;
-        // `to` is as long as the distance, which the sine has once more.
-        let cosine = sqrt(cosine2 / distance2);
-        let sine = radius / distance2;
-        for (terms, &ray) in self.terms.iter_mut().zip(&axes.rows) {
-            let ray = ray * by.w + Vec3A::from_vec4(*by) * ray.y;
-            *terms = (to.cross(ray) * cosine).extend(to.dot(ray) * sine);
-        }
-        self.is_flat = false;
-        cosine2
-    }
 
     /// Takes in the cone between the eye and a horizontal rectangle.
     pub fn set_flat(&mut self, axes: &Axes, eye: Vec3A, plane: &Rectangle) {

@@ -5,7 +5,7 @@ use super::surface::bounded;
 use super::tree::{BvhNode, MARGIN, MAX_NODES};
 use crate::maths::sqrt;
 use crate::scene::{Light, Spot};
-use glam::Vec3A;
+use glam::{Vec3, Vec3A};
 
 /// A point light.
 pub(crate) struct Lamp {
@@ -26,11 +26,11 @@ pub(crate) struct Lamp {
 }
 
 /// A sphere as shadow rays want it: what it shades of points without is in a cone around it, a little wider than it needs
-/// be, and not nearer to the lamp than it.
+/// be, and not nearer to the lamp than it. (Its vectors are not aligned: so it is 64 bytes, and it is most of a frame's memory.)
 #[derive(Clone, Copy)]
 pub(crate) struct ShadowCone {
     /// The lamp's direction, seen from the centre.
-    pub axis: Vec3A,
+    pub axis: Vec3,
     /// The square of the chord between the axis and the cone's side on the sphere of radius 1.
     pub chord2: f32,
     /// Nothing nearer to the lamp than this is shaded.
@@ -43,14 +43,14 @@ pub(crate) struct ShadowCone {
     /// Whether the lamp is inside.
     pub around_lamp: bool,
     /// The lamp seen from the centre.
-    pub from_lamp: Vec3A,
+    pub from_lamp: Vec3,
     /// The radius squared, less what rounding can add to the discriminant of a ray that leaves the sphere; where the
     /// lamp is inside, more by as much.
     pub r2: f32,
     /// What a box or a cylinder shades lies between two planes through the lamp: the normal of that which holds its longer
     /// axis, of any length, and the square of the sine of the angle from there to both, as many times as large as the
     /// normal's. 0 of what is none.
-    pub side: Vec3A,
+    pub side: Vec3,
     pub sine2: f32,
     /// The radius, and what rounding adds to it.
     pub radius: f32,
@@ -117,16 +117,16 @@ impl Lamp {
 
 impl ShadowCone {
     const NONE: Self = Self {
-        axis: Vec3A::ZERO,
+        axis: Vec3::ZERO,
         chord2: 0.0,
         from: 0.0,
         is_bound: false,
         skip: 0,
         number: 0,
         around_lamp: false,
-        from_lamp: Vec3A::ZERO,
+        from_lamp: Vec3::ZERO,
         r2: 0.0,
-        side: Vec3A::ZERO,
+        side: Vec3::ZERO,
         sine2: 0.0,
         radius: 0.0,
     };
@@ -146,7 +146,7 @@ impl ShadowCone {
         let sine = sqrt(node.thin2) / from.max(0.0) + ROUNDING;
         let side = node.axis.cross(from_lamp);
         *self = Self {
-            axis: from_lamp.normalize_or(Vec3A::Y),
+            axis: from_lamp.normalize_or(Vec3A::Y).into(),
             // Not a number where there is no angle.
             chord2: chord2.min(ALL_AROUND),
             from,
@@ -154,8 +154,8 @@ impl ShadowCone {
             skip: node.skip,
             number: node.number,
             around_lamp: self.around_lamp,
-            from_lamp,
-            side,
+            from_lamp: from_lamp.into(),
+            side: side.into(),
             sine2: side.length_squared() * sine * sine,
             radius: node.radius * (1.0 + MARGIN) + way,
             r2: node.r2

@@ -6,21 +6,26 @@ mod lamp;
 mod object;
 mod outline;
 mod screen;
+mod shadow;
 mod surface;
 mod tree;
 
 pub(crate) use air::Air;
+use cone::Cone;
 pub(crate) use cone::ROUNDING;
 pub(crate) use lamp::{Lamp, ShadowCone};
 pub(crate) use object::Object;
-pub(crate) use outline::Outline;
+use outline::Outline;
 use screen::ScreenBounds;
 pub(crate) use screen::{Axes, rectangle};
+use shadow::Shadows;
 pub(crate) use surface::{Row, Surface, SurfaceRow};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{BvhNode, GroupSet, Tree};
 
-use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Method, Scene, camera::Raster};
+use crate::scene::{
+    MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Method, Scene, camera::Raster,
+};
 use glam::Vec3A;
 
 /// How far rounding takes a point that was computed to be on a sphere from it, as a share of the sphere's largest
@@ -54,16 +59,20 @@ pub(crate) struct Prepared {
     /// The same of its mirror image in the first plane.
     mirrored_bounds: [ScreenBounds; MAX_GROUPS],
     pub axes: Axes,
-    /// What each object covers of the picture, and from number [`Prepared::background`] on what each shadow does.
-    pub outlines: [Outline; OUTLINES],
-    /// The end of those.
+    /// What each object covers of the picture.
+    outlines: [Outline; MAX_OBJECTS],
+    /// More of the rays that meet each box or cylinder.
+    block_ends: [Cone; MAX_BLOCKS],
+    /// What has outlines of numbers from [`Prepared::background`] on.
+    shadows: Shadows,
+    /// The end of the numbers of outlines.
     pub outlined: usize,
     pub solids: usize,
     lamps: [Lamp; MAX_LIGHTS],
     pub lamp_count: usize,
     planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
-    surfaces: [SurfaceRow; MAX_OBJECTS],
+    surfaces: [Surface<f32>; MAX_OBJECTS],
     /// Whether an object's pattern has edges.
     has_edges: [bool; MAX_OBJECTS],
     /// Whether any object has a pattern.
@@ -104,14 +113,16 @@ impl Prepared {
             bounds: [ScreenBounds::ZERO; MAX_GROUPS],
             mirrored_bounds: [ScreenBounds::ZERO; MAX_GROUPS],
             axes: Axes::NONE,
-            outlines: [Outline::NONE; OUTLINES],
+            outlines: [Outline::NONE; MAX_OBJECTS],
+            block_ends: [Cone::NONE; MAX_BLOCKS],
+            shadows: Shadows::NONE,
             outlined: 0,
             solids: 0,
             lamps: [const { Lamp::NONE }; MAX_LIGHTS],
             lamp_count: 0,
             planes: [Rectangle::NONE; MAX_PLANES],
             plane_count: 0,
-            surfaces: [SurfaceRow::ZERO; MAX_OBJECTS],
+            surfaces: [const { Surface::<f32>::ZERO }; MAX_OBJECTS],
             has_edges: [false; MAX_OBJECTS],
             has_patterns: false,
             weight: 0.0,
@@ -133,7 +144,7 @@ impl Prepared {
 
     /// The surface of the object number `i`.
     #[inline(always)]
-    pub fn surface(&self, i: usize) -> &SurfaceRow {
+    pub fn surface(&self, i: usize) -> &Surface<f32> {
         &self.surfaces[i]
     }
 
@@ -212,7 +223,7 @@ impl Prepared {
             let (object, material) = object::of(scene, i);
             self.has_patterns |= material.pattern.depth != 0.0;
             self.has_edges[i] = object::has_edges(material);
-            self.surfaces[i].set(&Surface::of(&object, material, scene));
+            self.surfaces[i].set(&object, material, scene);
         }
         for (lamp, light) in self.lamps.iter_mut().zip(scene.lights.iter()) {
             lamp.set(light, self.tree.solid_nodes(), !scene.blocks.is_empty());
@@ -244,7 +255,9 @@ impl Prepared {
             if node.is_block {
                 let object = object::of(&self.scene, node.number as usize).0;
                 if let Object::Block(block) = object {
-                    outline.set_block(&self.axes, to, block);
+                    let ends =
+                        &mut self.block_ends[node.number as usize - self.scene.spheres.len()];
+                    outline.set_block(ends, &self.axes, to, block);
                 }
             }
             outline.settle();
@@ -252,14 +265,11 @@ impl Prepared {
             self.mirrored_bounds[group].join(self.axes.bounds(to, node.radius));
         }
         let first_plane = self.first_plane();
-        self.outlined = self.background();
-        for i in 0..self.plane_count {
-            let (plane, number) = (self.planes[i], first_plane + i);
-            self.outlines[number].set_rectangle(&self.axes, self.eye, &plane, number);
-            for lamp in 0..self.lamp_count {
-                self.add_shadows(&plane, number, lamp);
-            }
+        let planes = &self.planes[..self.plane_count];
+        for (outline, plane) in self.outlines[first_plane..].iter_mut().zip(planes) {
+            outline.set_rectangle(&self.axes, self.eye, plane);
         }
+        self.set_shadows();
     }
 
     /// Moves the samples to their offset.

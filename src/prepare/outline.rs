@@ -1,6 +1,6 @@
 //! What an object covers of the picture, and what it hides, so that no square is filled over something unseen.
 
-use super::cone::{Cone, ROUNDING};
+use super::cone::{Cone, ROUNDING, RoundCone};
 use super::screen::{Axes, Rect, ScreenBounds};
 use super::{BvhNode, Prepared, Rectangle};
 use crate::maths::sqrt;
@@ -10,15 +10,11 @@ use glam::{Vec3A, Vec3Swizzles, Vec4};
 /// An object's outline.
 #[derive(Clone, Copy)]
 pub(crate) struct Outline {
-    /// The number of the object that is seen: of a shadow, that of the plane.
-    pub object: u16,
     /// The rays that meet it, all of them where the eye is inside, or nearly.
-    pub cone: Cone,
-    /// Of a box or a cylinder, more of them.
-    ends: Cone,
+    cone: Cone,
     /// Around all of it.
     pub bounds: ScreenBounds,
-    /// Whether it is a sphere around a box or a cylinder.
+    /// Whether it is a box or a cylinder, of which [`Prepared::block_ends`] has more.
     is_block: bool,
     /// A sphere's power of the eye, distance squared minus radius squared: of two spheres the one with the smaller power
     /// is in front wherever both are, since the plane of equal powers parts what can be seen of them (Aurenhammer: Power
@@ -38,14 +34,9 @@ const CORNER: f32 = 2e-4;
 /// sure.
 const TOUCHING: f32 = 4.0;
 
-/// The square of the least cosine of a shadow's cone: the lamp of a flatter one touches the sphere by 0.1 % of the radius.
-const LEAST_COSINE2: f32 = 0.0025;
-
 impl Outline {
     pub const NONE: Self = Self {
-        object: 0,
         cone: Cone::NONE,
-        ends: Cone::NONE,
         bounds: ScreenBounds::ZERO,
         is_block: false,
         power: 0.0,
@@ -67,18 +58,18 @@ impl Outline {
         } else {
             power
         };
-        self.cone.set_round(axes, &Vec4::W, to, radius);
+        self.cone = RoundCone::around(to, radius).0.seen_by(&axes.rows);
         self.bounds = axes.bounds(to, radius);
         self.is_block = ball.is_block;
-        self.object = ball.number;
         self.set_extent(axes, to, Vec4::splat(radius));
     }
 
-    /// Takes in the block that the sphere is around, `to` from the eye.
+    /// Takes in the block that the sphere is around, `to` from the eye; `ends` are the rays between its sides that `cone` has
+    /// no room for.
     ///
     /// Its sides are the planes through the eye and an edge that have all of it on one side: two for each of its axes, at
     /// most. Across its axis a cylinder counts as the box around it.
-    pub fn set_block(&mut self, axes: &Axes, to: Vec3A, block: &Block) {
+    pub fn set_block(&mut self, ends: &mut Cone, axes: &Axes, to: Vec3A, block: &Block) {
         let inward = block.axes.transpose();
         let slack = CORNER * (to.abs() + block.half).element_sum();
         // Along each axis, in a lane, it is a rectangle across the other two.
@@ -91,7 +82,7 @@ impl Outline {
         // Along a cylinder, the points where lines touch a circle, as shares of the way to its middle and across.
         let touched = 1.0 - half.x * half.x / (a.y * a.y + b.y * b.y);
         let apart = sqrt(touched - touched * touched);
-        for (cone, way) in [(&mut self.cone, 1.0), (&mut self.ends, -1.0)] {
+        for (cone, way) in [(&mut self.cone, 1.0), (ends, -1.0)] {
             // The corner where the rectangle ends, one way round or the other.
             let is_below = Vec3A::select(is_beside, a * way, b).cmplt(Vec3A::ZERO);
             let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
@@ -139,13 +130,12 @@ impl Outline {
         (below | above).any()
     }
 
-    /// Takes in a horizontal rectangle, the object of that number.
-    pub fn set_rectangle(&mut self, axes: &Axes, eye: Vec3A, plane: &Rectangle, number: usize) {
+    /// Takes in a horizontal rectangle.
+    pub fn set_rectangle(&mut self, axes: &Axes, eye: Vec3A, plane: &Rectangle) {
         self.cone.set_flat(axes, eye, plane);
         self.bounds = ScreenBounds::ALL;
         self.is_block = false;
         self.power = f32::NAN;
-        self.object = number as u16;
         // Forward it is nowhere before or behind anything.
         let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
         self.set_extent(axes, plane.centre - eye, extent);
@@ -172,42 +162,21 @@ impl Rectangle {
 
 impl Prepared {
     /// The least and the greatest u in a rectangle of the picture that may show what has the outline of a number, if it may.
-    pub fn narrowed(&self, outline: usize, mut rect: Rect) -> Option<[f32; 2]> {
-        let outline = &self.outlines[outline];
-        outline.bounds.narrow(&mut rect);
-        if rect.x <= rect.z {
-            outline.cone.narrow(&mut rect, -ROUNDING);
-        }
-        if outline.is_block && rect.x <= rect.z {
-            outline.ends.narrow(&mut rect, -ROUNDING);
+    pub fn narrowed(&self, number: usize, mut rect: Rect) -> Option<[f32; 2]> {
+        if number < self.background() {
+            let outline = &self.outlines[number];
+            outline.bounds.narrow(&mut rect);
+            if rect.x <= rect.z {
+                outline.cone.narrow(&mut rect, -ROUNDING);
+            }
+            if outline.is_block && rect.x <= rect.z {
+                let ends = &self.block_ends[number - self.scene.spheres.len()];
+                ends.narrow(&mut rect, -ROUNDING);
+            }
+        } else {
+            self.shadow_cone(number).narrow(&mut rect, -ROUNDING);
         }
         (rect.x <= rect.z).then_some([rect.x, rect.z])
-    }
-
-    /// Takes in the shadows of spheres on a plane, an object's number and all; of a lamp that is more than a point, or that is
-    /// in a sphere or nearly so, there are none. What is on the other side of the plane counts as well.
-    pub(super) fn add_shadows(&mut self, plane: &Rectangle, number: usize, lamp: usize) {
-        let lamp = &self.lamps[lamp];
-        if !lamp.is_point {
-            return;
-        }
-        let height = self.eye.y - plane.centre.y;
-        let mut by = (lamp.position - self.eye).extend(height);
-        // Terms below 2, and forward, which is towards the plane.
-        by *= (1.0 / by.length()).copysign(height);
-        for node in self.tree.solid_nodes() {
-            if node.is_bound || node.is_block {
-                continue;
-            }
-            let outline = &mut self.outlines[self.outlined];
-            outline.bounds = ScreenBounds::ALL;
-            // The place may have been a block's, in another frame.
-            outline.is_block = false;
-            outline.object = number as u16;
-            let to = node.centre - lamp.position;
-            let cosine2 = outline.cone.set_round(&self.axes, &by, to, node.radius);
-            self.outlined += usize::from(cosine2 > LEAST_COSINE2);
-        }
     }
 
     /// Whether a patch whose corners all see the object `front` cannot see the object `back` anywhere.

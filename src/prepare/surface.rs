@@ -45,7 +45,7 @@ pub(crate) struct Surface<T> {
 /// A number in as many lanes as there can be.
 pub(crate) type Row = [f32; MAX_LANES];
 
-/// A surface's numbers in all lanes: a packet that hits one object needs no more than its address.
+/// Surfaces of a packet's lanes, a number of each lane in a row.
 pub(crate) type SurfaceRow = Surface<Row>;
 
 /// Numbers of a surface.
@@ -53,6 +53,27 @@ const NUMBERS: usize = 19;
 
 /// The largest number of a surface of a valid scene, and what is above: no product of a few overflows.
 const LARGEST: f32 = 2e9;
+
+impl<T: Copy> Surface<T> {
+    /// A surface whose numbers are all the same.
+    const fn filled(number: T) -> Self {
+        Self {
+            centre: [number; 3],
+            inverse_radius: number,
+            upright: number,
+            is_lit: number,
+            emitted: [number; 3],
+            diffuse: [number; 3],
+            ks: number,
+            exponent: number,
+            highlight_start: number,
+            kr: number,
+            kt: number,
+            index: number,
+            haze: number,
+        }
+    }
+}
 
 impl<T> Surface<T> {
     /// Its numbers, in the order of the fields.
@@ -140,29 +161,13 @@ impl<T> Surface<T> {
 
 impl SurfaceRow {
     /// Nothing, all zeros.
-    pub const ZERO: Self = {
-        const ROW: Row = [0.0; MAX_LANES];
-        Self {
-            centre: [ROW; 3],
-            inverse_radius: ROW,
-            upright: ROW,
-            is_lit: ROW,
-            emitted: [ROW; 3],
-            diffuse: [ROW; 3],
-            ks: ROW,
-            exponent: ROW,
-            highlight_start: ROW,
-            kr: ROW,
-            kt: ROW,
-            index: ROW,
-            haze: ROW,
-        }
-    };
+    pub const ZERO: Self = Self::filled([0.0; MAX_LANES]);
 
-    /// Spreads a surface over lanes.
+    /// Spreads a surface over all lanes. (It is done for few packets: not worth a copy for each instruction set.)
+    #[inline(never)]
     pub fn set(&mut self, surface: &Surface<f32>) {
         for (row, &number) in self.rows_mut().into_iter().zip(surface.rows()) {
-            *row = [bounded(number); MAX_LANES];
+            *row = [number; MAX_LANES];
         }
     }
 }
@@ -174,8 +179,19 @@ pub(super) fn bounded(number: f32) -> f32 {
 }
 
 impl Surface<f32> {
-    /// The surface of an object of a scene.
-    pub fn of(object: &Object<'_>, material: &Material, scene: &Scene) -> Self {
+    /// Nothing, all zeros.
+    pub const ZERO: Self = Self::filled(0.0);
+
+    /// Takes in the surface of an object of a scene, its numbers [`bounded`].
+    pub fn set(&mut self, object: &Object<'_>, material: &Material, scene: &Scene) {
+        *self = Self::of(object, material, scene);
+        for number in self.rows_mut() {
+            *number = bounded(*number);
+        }
+    }
+
+    /// The surface of an object of a scene, as its numbers come.
+    fn of(object: &Object<'_>, material: &Material, scene: &Scene) -> Self {
         let emitted = match object {
             Object::Lamp(light) => light.colour,
             Object::Background => scene.background,

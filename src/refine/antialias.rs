@@ -18,27 +18,49 @@ use fearless_simd::{Level, u8x16, u32x4};
 /// The least difference of neighbours, in a channel and 255ths, that is an edge.
 const EDGE: u8 = 16;
 
-/// Pixels of a stretch of a band along x, whose rays meet the same groups.
-const STRETCH: usize = 64;
+/// Pixels of a stretch of a band along x, whose rays meet the same groups: as many as a word has marks.
+const STRETCH: usize = u64::BITS as usize;
 
-/// The first and the last row of each band, as they were drawn.
-pub(crate) struct Seams([[[u32; MAX_WIDTH]; 2]; MAX_BANDS]);
+/// Evaluates an expression by SSE2: the time is in tracing, so edges are found by one instruction set.
+macro_rules! by_sse2 {
+    ($level:ident, $simd:ident => $expression:expr) => {{
+        #[cfg(target_arch = "x86_64")]
+        if let Some($simd) = $level.as_sse2() {
+            $expression;
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        fearless_simd::dispatch!($level, $simd => $expression);
+    }};
+}
 
-/// Whether each pixel of a band is on an edge.
-type Marks = [[bool; MAX_WIDTH]; TILE_HEIGHT];
+/// A bit for each pixel of a row, number 0 in the lowest bit of the first word: whether it is on an edge.
+type RowMarks = [u64; MAX_WIDTH.div_ceil(STRETCH)];
+
+/// The pixels of a band that are on edges.
+type Marks = [RowMarks; TILE_HEIGHT];
+
+/// Where a band's last row differs by an edge from the row below it, the first of the next band, as both were drawn.
+///
+/// By the time that a band is looked at again, its neighbours may have been already. (Bits: the rows themselves would take 2 MB.)
+pub(crate) struct Seams([RowMarks; MAX_BANDS]);
 
 impl Seams {
-    /// Room for any frame.
+    /// Of no frame.
     pub const fn new() -> Self {
-        Self([[[0; MAX_WIDTH]; 2]; MAX_BANDS])
+        Self([[0; _]; MAX_BANDS])
     }
 
     /// Takes in a frame that is drawn, `width` pixels wide.
-    pub fn set(&mut self, quality: &Quality, width: usize, pixels: &[u32]) {
-        let bands = pixels.chunks(Band::rows(quality) * width);
-        for (seam, band) in self.0.iter_mut().zip(bands) {
-            seam[0][..width].copy_from_slice(&band[..width]);
-            seam[1][..width].copy_from_slice(&band[band.len() - width..]);
+    pub fn set(&mut self, level: Level, quality: &Quality, width: usize, pixels: &[u32]) {
+        let rows = Band::rows(quality) * width;
+        // The last band has none below it.
+        let ends = (rows..pixels.len()).step_by(rows).map(Some);
+        for (seam, end) in self.0.iter_mut().zip(ends.chain([None])) {
+            *seam = [0; _];
+            if let Some(end) = end {
+                let (above, below) = (&pixels[end - width..end], &pixels[end..end + width]);
+                by_sse2!(level, simd => each_edge(simd, above, below, |x| set(seam, x)));
+            }
         }
     }
 
@@ -56,50 +78,42 @@ impl Seams {
         if finer.shows_method() {
             return;
         }
-        let mut marks = [[false; _]; _];
-        // The time is in tracing, so this is compiled for one instruction set.
-        #[cfg(target_arch = "x86_64")]
-        if let Some(simd) = level.as_sse2() {
-            self.mark(simd, quality, finer.height, band, &mut marks);
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        fearless_simd::dispatch!(level, simd => self.mark(simd, quality, finer.height, band, &mut marks));
+        let mut marks = [[0; _]; _];
+        by_sse2!(level, simd => self.mark(simd, quality, band, &mut marks));
         trace_marked(level, finer, quality, &marks, worker, band);
     }
 
     /// Marks the pixels of a band that differ from one of their four neighbours.
     #[inline(always)]
-    fn mark<S: Simd>(
-        &self,
-        simd: S,
-        quality: &Quality,
-        height: usize,
-        band: &Band<'_>,
-        marks: &mut Marks,
-    ) {
-        let (width, rows) = (band.width, Band::rows(quality));
-        let number = band.top / rows;
-        let mut lines = band.pixels.chunks_exact(width).enumerate().peekable();
-        if let (Some(above), Some((_, line))) = (number.checked_sub(1), lines.peek()) {
-            let above = &self.0[above][1];
-            each_edge(simd, line, above, |x| marks[0][x] = true);
+    fn mark<S: Simd>(&self, simd: S, quality: &Quality, band: &Band<'_>, marks: &mut Marks) {
+        let number = band.top / Band::rows(quality);
+        if let Some(above) = number.checked_sub(1) {
+            marks[0] = self.0[above];
         }
+        let mut lines = band.pixels.chunks_exact(band.width).enumerate().peekable();
         while let Some((y, line)) = lines.next() {
             each_edge(simd, line, &line[1..], |x| {
-                marks[y][x] = true;
-                marks[y][x + 1] = true;
+                set(&mut marks[y], x);
+                set(&mut marks[y], x + 1);
             });
             if let Some((_, below)) = lines.peek() {
                 each_edge(simd, line, below, |x| {
-                    marks[y][x] = true;
-                    marks[y + 1][x] = true;
+                    set(&mut marks[y], x);
+                    set(&mut marks[y + 1], x);
                 });
-            } else if (band.top + y + 1) * quality.antialias < height {
-                let below = &self.0[number + 1][0];
-                each_edge(simd, line, below, |x| marks[y][x] = true);
+            } else {
+                for (mark, seam) in marks[y].iter_mut().zip(&self.0[number]) {
+                    *mark |= seam;
+                }
             }
         }
     }
+}
+
+/// Marks a pixel of a row.
+#[inline(always)]
+fn set(row: &mut RowMarks, x: usize) {
+    row[x / STRETCH] |= 1 << (x % STRETCH);
 }
 
 /// Traces the samples of a band's marked pixels.
@@ -111,9 +125,10 @@ fn trace_marked(
     worker: &mut Worker,
     band: &mut Band<'_>,
 ) {
+    worker.batch.begin();
     let n = quality.antialias;
     let (width, height) = (band.width, band.pixels.len() / band.width);
-    for start in (0..width).step_by(STRETCH) {
+    for (word, start) in (0..width).step_by(STRETCH).enumerate() {
         let end = (start + STRETCH).min(width);
         let (left, top) = (n * start, n * band.top);
         let seen = finer.visible_groups(left, top, n * end, top + n * height);
@@ -122,7 +137,10 @@ fn trace_marked(
             take(n, worker, band);
         };
         for (y, marks) in marks.iter().enumerate().take(height) {
-            for x in (start..end).filter(|&x| marks[x]) {
+            let mut rest = marks[word];
+            while rest != 0 {
+                let x = start + rest.trailing_zeros() as usize;
+                rest &= rest - 1;
                 if worker.batch.len() + n * n > BATCH {
                     traced(worker);
                 }

@@ -7,7 +7,7 @@ use super::bits::Bits;
 use super::pyramid::Pyramid;
 use super::tile::Area;
 use super::{TILE_HEIGHT, TILE_WIDTH};
-use crate::prepare::{OUTLINES, Outline, Prepared, ROUNDING, rectangle};
+use crate::prepare::{OUTLINES, Prepared, ROUNDING, rectangle};
 use core::ops::RangeInclusive;
 use glam::{Vec2Swizzles, vec2};
 
@@ -131,13 +131,12 @@ struct Square<'a> {
 impl Square<'_> {
     /// Whether its corners show what has an outline, or that it cannot be seen.
     fn shows(&self, scene: &Prepared, number: usize) -> bool {
-        let outline = &scene.outlines[number];
-        let object = outline.object as usize;
+        let object = scene.outlined_object(number);
         if number == object {
             self.shows_object(object) || self.hides(scene, object)
         } else {
             // Where no corner shows the plane of a shadow it cannot be seen, or is looked for itself.
-            !self.shows_object(object) || self.shows_shadow(scene, outline)
+            !self.shows_object(object) || self.shows_shadow(scene, number, object)
         }
     }
 
@@ -160,14 +159,15 @@ impl Square<'_> {
             .is_some_and(|front| scene.occludes(front, object))
     }
 
-    /// Whether a corner that is a pixel shows the plane of a shadow in the shadow.
-    fn shows_shadow(&self, scene: &Prepared, shadow: &Outline) -> bool {
+    /// Whether a corner that is a pixel shows a plane in a shadow on it, which has the outline of a number.
+    fn shows_shadow(&self, scene: &Prepared, number: usize, plane: usize) -> bool {
+        let cone = scene.shadow_cone(number);
         (0..4).any(|i| {
             let [x, y] = self.corner(i);
             let at = scene.axes.rect(rectangle(x, y, x, y));
-            self.objects[i] == shadow.object as usize + 1
+            self.objects[i] == plane + 1
                 && self.is_pixel(i)
-                && shadow.cone.meets(&vec2(at.x, at.y).xyxy(), ROUNDING)
+                && cone.meets(&vec2(at.x, at.y).xyxy(), ROUNDING)
         })
     }
 

@@ -5,7 +5,8 @@ use super::pyramid::Pyramid;
 use super::tile::Marks;
 use crate::trace::{Batch, Counts};
 
-/// What one thread works in, of fixed size, owned by the caller and reused from tile to tile: see [`Worker::BYTES`].
+/// What one thread works in, of fixed size, owned by the caller and reused from tile to tile: at most 430,000 bytes, see
+/// [`Worker::BYTES`].
 pub struct Worker {
     pub(super) batch: Batch,
     pub(super) pyramid: Pyramid,
@@ -20,11 +21,14 @@ impl Worker {
     /// Empty working memory.
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            batch: Batch::new(),
-            pyramid: Pyramid::new(),
-            marks: Marks::new(),
-            guard: CoverageGuard::new(),
+        // Put together by the compiler: unoptimised code would make each part on the stack first.
+        const {
+            Self {
+                batch: Batch::new(),
+                pyramid: Pyramid::new(),
+                marks: Marks::new(),
+                guard: CoverageGuard::new(),
+            }
         }
     }
 

@@ -3,9 +3,10 @@
 use super::candidates::Candidates;
 use super::shade::Contribution;
 use super::stack::{Rays, Stack};
+use super::surface::SurfaceRows;
 use super::{Counts, Layers, Sample, sample};
 use crate::lanes::*;
-use crate::prepare::{Prepared, SurfaceRow};
+use crate::prepare::Prepared;
 use fearless_simd::i32x4;
 use glam::Vec3A;
 
@@ -43,8 +44,8 @@ pub(crate) struct Batch {
     pub stack: Stack,
     /// What the packet at work may meet beyond spheres and planes, or on its way to a lamp.
     pub candidates: Candidates,
-    /// The surfaces of a packet that hits several.
-    pub mixed: SurfaceRow,
+    /// The surfaces of the packet at work.
+    pub(super) surfaces: SurfaceRows,
     /// What was done since it was last reset.
     pub counts: Counts,
 }
@@ -63,9 +64,14 @@ impl Batch {
             pixels: [0; BATCH],
             stack: Stack::new(),
             candidates: Candidates::NONE,
-            mixed: SurfaceRow::ZERO,
+            surfaces: SurfaceRows::NONE,
             counts: Counts::NONE,
         }
+    }
+
+    /// Begins a part of a picture: forgets what it keeps of other frames.
+    pub fn begin(&mut self) {
+        self.surfaces.clear();
     }
 
     /// Points in it.

@@ -221,7 +221,7 @@ fn plane_hit<S: Isa>(
 /// than the cone, may do so.
 #[inline(always)]
 fn cone_shades<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) -> M<S> {
-    let chord = l - Vec3x::splat(simd, cone.axis);
+    let chord = l - Vec3x::splat_unaligned(simd, cone.axis);
     chord.dot(chord).simd_lt(splat(simd, cone.chord2)) & distance.simd_gt(splat(simd, cone.from))
 }
 
@@ -235,8 +235,8 @@ fn cone_is_off<S: Isa>(
     distance: F<S>,
     diameter: f32,
 ) -> M<S> {
-    let off = l.dot(Vec3x::splat(simd, cone.side));
-    let f = Vec3x::splat(simd, cone.from_lamp);
+    let off = l.dot(Vec3x::splat_unaligned(simd, cone.side));
+    let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
     let way = f.dot(l);
     let across = f.add_scaled(l, -way);
     // Half the penumbra is without the sphere: as much of the lamp's radius as the way there is of that to the lamp. All
@@ -254,7 +254,7 @@ fn cone_is_off<S: Isa>(
 fn cone_blocks<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) -> M<S> {
     let zero = splat(simd, 0.0);
     // Seen from the lamp, where every ray of this lamp meets: the way back to the point nearest to the centre.
-    let f = Vec3x::splat(simd, cone.from_lamp);
+    let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
     let way = f.dot(l);
     let across = f.add_scaled(l, -way);
     let half2 = splat(simd, cone.r2) - across.dot(across);

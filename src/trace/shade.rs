@@ -82,13 +82,13 @@ pub(super) fn shade<S: Isa>(
     batch: &mut Batch,
 ) -> Contribution<S> {
     let Batch {
-        mixed,
+        surfaces,
         stack,
         counts,
         candidates,
         ..
     } = batch;
-    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, mixed);
+    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, surfaces);
     let solid = active & surface.is_lit().simd_gt(splat(simd, 0.0));
     let air = AirLanes::along(simd, scene, &rays.d, hit.t, &surface);
     // What the light that leaves the surface is multiplied by on its way to the eye.

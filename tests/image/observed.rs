@@ -78,7 +78,7 @@ fn the_points_heard_of_cast_all_the_rays() {
             quality,
             width,
             height,
-            &mut studio.memory[0],
+            &mut studio.memory,
             &mut studio.workers,
             &mut pixels,
             &heard,

@@ -4,7 +4,7 @@ use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::worst_channel;
 use crate::oracle::frame::Frame;
-use crate::studio::{Studio, on_heap};
+use crate::studio::Studio;
 use eightfold::scene::Scene;
 use eightfold::{Memory, Quality, Worker, render, show};
 
@@ -59,19 +59,17 @@ fn any_order_of_bands_gives_the_same_bits() {
     let level = cpu::best().level;
     for quality in QUALITIES {
         let forward = draw(cpu::best(), 1, &scene, &quality, 301, 203);
-        let mut memory = on_heap(1, Memory::new);
-        let mut workers = on_heap(2, Worker::new);
+        let mut memory = Box::new(Memory::new());
+        let mut workers: Vec<Worker> = std::iter::repeat_with(Worker::new).take(2).collect();
         let mut pixels = vec![0; 301 * 203];
-        let memory = &mut memory[0];
-        let workers = &mut workers;
         render(
             level,
             &scene,
             &quality,
             301,
             203,
-            memory,
-            workers,
+            &mut memory,
+            &mut workers,
             &mut pixels,
             |workers, bands, job| {
                 for (i, band) in bands.iter_mut().rev().enumerate() {

@@ -16,9 +16,9 @@ use super::candidates::Candidates;
 use super::intersect::{Hit, nearest};
 use super::point::ShadingPoint;
 use super::stack::Rays;
-use super::surface::SurfaceLanes;
+use super::surface::{SurfaceLanes, SurfaceRows};
 use crate::lanes::*;
-use crate::prepare::{GroupSet, Prepared, SurfaceRow};
+use crate::prepare::{GroupSet, Prepared};
 use crate::scene::{List, Material, Scene, Sphere};
 use core::cell::RefCell;
 use core::ops::{Deref, DerefMut};
@@ -158,20 +158,9 @@ impl Drop for Ready {
     }
 }
 
-/// Memory for a scene, on the heap. It is nearly as large as the stack of a test, and whether it passes over the stack
-/// on its way is up to the optimiser, so a thread with a stack that has room for a few of it makes it.
-fn memory() -> Box<Prepared> {
-    std::thread::Builder::new()
-        .stack_size(4 * size_of::<Prepared>() + (1 << 20))
-        .spawn(|| Box::new(Prepared::new()))
-        .expect("the system has a thread to spare")
-        .join()
-        .expect("nothing in there panics")
-}
-
 fn prepared(scene: &Scene) -> Ready {
     let unused = UNUSED.with_borrow_mut(Vec::pop);
-    let mut memory = unused.unwrap_or_else(memory);
+    let mut memory = unused.unwrap_or_else(|| Box::new(Prepared::new()));
     memory.set(scene, 8, 8);
     Ready {
         memory: Some(memory),
@@ -219,8 +208,8 @@ fn shading_point<S: Isa>(
     hit: &Hit<S>,
 ) -> ShadingPoint<S> {
     let active = first(simd, lanes::<S>());
-    let mut mixed = SurfaceRow::ZERO;
-    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, &mut mixed);
+    let mut rows = SurfaceRows::NONE;
+    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, &mut rows);
     ShadingPoint::new(simd, scene, rays, hit, &surface, active)
 }
 

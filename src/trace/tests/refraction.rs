@@ -33,6 +33,7 @@ fn scattered<S: Isa>(
 ) -> [[Option<(Vec3A, f32)>; MAX_LANES]; 2] {
     let hit = hits(simd, scene, rays);
     let active = first(simd, lanes::<S>());
+    batch.begin();
     let _ = shade(simd, scene, &Quality::EXHAUSTIVE, rays, &hit, active, batch);
     let mut all = [[None; MAX_LANES]; 2];
     while batch.stack.len() > 0 {

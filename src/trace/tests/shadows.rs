@@ -61,6 +61,7 @@ impl Property for OwnShadow {
             let hit = hits(simd, &scene, &rays);
             let active = first(simd, lanes::<S>());
             let quality = &Quality::EXHAUSTIVE;
+            batch.begin();
             let node = shade(simd, &scene, quality, &rays, &hit, active, &mut batch);
             for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                 if hit.object.as_slice()[i] != 0 {

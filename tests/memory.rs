@@ -1,0 +1,65 @@
+//! The memory that the library asks its caller for is small enough for the stack of any thread that makes it.
+
+use eightfold::{Band, Level, Memory, Quality, Worker, render, show};
+use std::{iter, thread};
+
+/// What threads have that nobody asked for another size: the least of the systems in use.
+const STACK: usize = 2 << 20;
+
+/// Runs something on such a thread.
+fn on_small_stack<T: Send + 'static>(job: fn() -> T) -> T {
+    let thread = thread::Builder::new().stack_size(STACK).spawn(job);
+    let thread = thread.expect("the system has a thread to spare");
+    thread.join().expect("it does not panic")
+}
+
+#[test]
+fn memory_is_made_on_two_megabytes_of_stack() {
+    on_small_stack(|| Box::new(Memory::new()));
+    on_small_stack(|| Box::new(Worker::new()));
+    on_small_stack(|| iter::repeat_with(Memory::new).take(2).collect::<Vec<_>>());
+    on_small_stack(|| iter::repeat_with(Worker::new).take(2).collect::<Vec<_>>());
+}
+
+#[test]
+fn a_frame_is_drawn_on_two_megabytes_of_stack() {
+    let pixels = on_small_stack(|| {
+        let mut pixels = vec![0; 64 * 48];
+        render(
+            Level::baseline(),
+            &show::scene(2.0),
+            &Quality {
+                antialias: 2,
+                ..Quality::DEFAULT
+            },
+            64,
+            48,
+            &mut Box::new(Memory::new()),
+            &mut [Worker::new()],
+            &mut pixels,
+            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
+                for band in bands {
+                    job(&mut workers[0], band);
+                }
+            },
+        );
+        pixels
+    });
+    assert!(pixels.iter().any(|&pixel| pixel != pixels[0]));
+}
+
+#[test]
+fn memory_is_as_small_as_its_docs_say() {
+    for (bytes, source) in [
+        (Memory::BYTES, include_str!("../src/render.rs")),
+        (Worker::BYTES, include_str!("../src/refine/worker.rs")),
+    ] {
+        let (_, said) = source
+            .split_once("at most ")
+            .expect("the docs have a bound");
+        let (said, _) = said.split_once(" bytes").expect("it is in bytes");
+        let bound: usize = said.replace(',', "").parse().expect("a number");
+        // And not much smaller, so that the docs are of use.
+        assert!((bound * 9 / 10..=bound).contains(&bytes), "{bytes}, {said}");
+    }
+}
