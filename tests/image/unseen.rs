@@ -332,8 +332,11 @@ fn spheres_between_corners_are_shown_and_the_bare_rules_miss_them() {
     let exhaustive = draw(Quality::EXHAUSTIVE);
     for quality in qualities() {
         assert_eq!(missed(&exhaustive, &draw(quality)), 0, "{quality:?}");
-        let bare = missed(&exhaustive, &draw(bare(quality)));
-        assert!(bare > 200, "{bare} missed by the bare {quality:?}");
+        // They lie between the corners of squares of 8.
+        if quality.square == 8 {
+            let bare = missed(&exhaustive, &draw(bare(quality)));
+            assert!(bare > 200, "{bare} missed by the bare {quality:?}");
+        }
     }
 }
 
