@@ -105,7 +105,7 @@ impl Default for Memory {
 /// A job on a band, to be run by a worker.
 pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 
-/// What has a job done on bands. (`dyn FnMut` has the same as `FnOnce` too, 140 bytes.)
+/// What has a job done on bands: the caller's function, behind a pointer, so that what draws is compiled once, in this library.
 trait Run {
     fn run(&mut self, workers: &mut [Worker], bands: &mut [Band<'_>], job: Job<'_>);
 }
@@ -135,19 +135,10 @@ pub fn render(
     memory: &mut Memory,
     workers: &mut [Worker],
     pixels: &mut [u32],
-    run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
+    mut run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
 ) -> Counts {
-    render_observed(
-        level,
-        scene,
-        quality,
-        width,
-        height,
-        memory,
-        workers,
-        pixels,
-        (),
-        run,
+    plain(
+        level, scene, quality, width, height, memory, workers, pixels, &mut run,
     )
 }
 
@@ -169,6 +160,52 @@ pub fn render_observed<O: Observer>(
     observer: O,
     mut run: impl FnMut(&mut [Worker], &mut [Band<'_>], Job<'_>),
 ) -> Counts {
+    observed(
+        level, scene, quality, width, height, memory, workers, pixels, observer, &mut run,
+    )
+}
+
+/// A frame that nobody observes.
+#[allow(clippy::too_many_arguments, reason = "what to draw, where, by whom")]
+fn plain(
+    level: Level,
+    scene: &Scene,
+    quality: &Quality,
+    width: usize,
+    height: usize,
+    memory: &mut Memory,
+    workers: &mut [Worker],
+    pixels: &mut [u32],
+    run: &mut dyn Run,
+) -> Counts {
+    observed(
+        level,
+        scene,
+        quality,
+        width,
+        height,
+        memory,
+        workers,
+        pixels,
+        (),
+        run,
+    )
+}
+
+/// A frame, with an observer.
+#[allow(clippy::too_many_arguments, reason = "what to draw, where, by whom")]
+fn observed<O: Observer>(
+    level: Level,
+    scene: &Scene,
+    quality: &Quality,
+    width: usize,
+    height: usize,
+    memory: &mut Memory,
+    workers: &mut [Worker],
+    pixels: &mut [u32],
+    observer: O,
+    run: &mut dyn Run,
+) -> Counts {
     memory.begin(scene, quality, width, height, pixels.len());
     let prepared = &memory.prepared;
     let job = |worker: &mut Worker, band: &mut Band<'_>| {
@@ -178,8 +215,8 @@ pub fn render_observed<O: Observer>(
         }
     };
     let rows = Band::rows(quality);
-    let counts = frame(rows, width, workers, pixels, &job, &mut run);
-    counts + memory.smooth(level, scene, quality, width, workers, pixels, &mut run)
+    let counts = frame(rows, width, workers, pixels, &job, run);
+    counts + memory.smooth(level, scene, quality, width, workers, pixels, run)
 }
 
 /// The bands of a frame, of so many rows, each drawn by the job.
