@@ -11,7 +11,7 @@ use crate::trace::Counts;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use fearless_simd::Level;
 
-/// What the threads share while they render a frame, of fixed size and owned by the caller: at most 460,000 bytes, see
+/// What the threads share while they render a frame, of fixed size and owned by the caller: at most 480,000 bytes, see
 /// [`Memory::BYTES`]. So `Box::new(Memory::new())` works on the stack of a thread, which it passes over on its way; it may live in
 /// a `static` as well, which takes no room in a program's file.
 pub struct Memory {
