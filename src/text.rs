@@ -65,8 +65,8 @@ fn distance(at: Vec2, letter: u8) -> f32 {
 
 /// A pixel with a share of it covered, and a share of it, no larger, white.
 fn write(pixel: u32, covered: f32, white: f32) -> u32 {
-    // In 256ths, to the nearest.
-    let [covered, white] = [covered, white].map(|share| (256.0 * share + 0.5) as u32);
+    // In 256ths, to the nearest. (A brightness that a scene may not have, above 1, is as much as 1.)
+    let [covered, white] = [covered, white].map(|share| ((256.0 * share + 0.5) as u32).min(256));
     let channel = |shift: u32| {
         let picture = (pixel >> shift) & 0xff;
         (picture * (256 - covered) + 255 * white) >> 8 << shift
