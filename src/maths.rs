@@ -3,20 +3,16 @@
 //! `core` has no such functions, so these are either correctly rounded, as the square root is everywhere, or sums and
 //! products alone: the same bits on every platform.
 
+use crate::lanes::*;
 use core::f64::consts::TAU;
-#[cfg(target_arch = "x86_64")]
-use fearless_simd::{f32x4, prelude::*};
+use fearless_simd::f32x4;
 
 /// The square root, correctly rounded.
 #[must_use]
 #[inline(always)]
 pub(crate) fn sqrt(x: f32) -> f32 {
     // An instruction, where `libm`'s is a call and a loop.
-    #[cfg(target_arch = "x86_64")]
-    if let Some(simd) = fearless_simd::Level::baseline().as_sse2() {
-        return f32x4::splat(simd, x).sqrt().as_slice()[0];
-    }
-    libm::sqrtf(x)
+    f32x4::splat(baseline(), x).sqrt().as_slice()[0]
 }
 
 /// The sine of an angle in radians, to within 1e-6 for angles to 1e6; not a number for what is none.

@@ -77,7 +77,7 @@ impl Memory {
         if !quality.is_antialiased() {
             return Counts::NONE;
         }
-        self.seams.set(level, quality, width, pixels);
+        self.seams.set(quality, width, pixels);
         // The scene again, for a picture with a pixel for each sample.
         let (n, height, offset) = (
             quality.antialias,

@@ -1,6 +1,7 @@
 //! What the instruction sets do in different ways.
 
 use super::*;
+use fearless_simd::Level;
 
 /// An instruction set that rays are traced by.
 pub(crate) trait Isa: Simd {
@@ -26,15 +27,70 @@ pub(crate) trait Isa: Simd {
     }
 }
 
+cfg_select! {
+    all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2", target_feature = "fxsr") => {
+        pub(crate) type Baseline = fearless_simd::Sse2;
+
+        fn baseline_of(level: Level) -> Option<Baseline> {
+            level.as_sse2()
+        }
+    }
+    all(target_arch = "aarch64", target_feature = "neon") => {
+        pub(crate) type Baseline = fearless_simd::Neon;
+
+        fn baseline_of(level: Level) -> Option<Baseline> {
+            level.as_neon()
+        }
+    }
+    all(target_arch = "wasm32", target_feature = "simd128") => {
+        pub(crate) type Baseline = fearless_simd::WasmSimd128;
+
+        fn baseline_of(level: Level) -> Option<Baseline> {
+            level.as_wasm_simd128()
+        }
+    }
+    _ => {
+        /// Lanes as numbers one after the other.
+        pub(crate) type Baseline = fearless_simd::Fallback;
+
+        fn baseline_of(_: Level) -> Option<Baseline> {
+            Some(Baseline::new())
+        }
+    }
+}
+
+/// The instruction set that every CPU of the target has.
+#[inline(always)]
+pub(crate) fn baseline() -> Baseline {
+    baseline_of(Level::baseline()).expect("the least level has what every CPU has")
+}
+
+cfg_select! {
+    target_arch = "x86_64" => {
+        /// AVX2, where the level has it.
+        #[inline(always)]
+        pub(crate) fn avx2(level: Level) -> Option<fearless_simd::Avx2> {
+            level.as_avx2()
+        }
+    }
+    _ => {
+        /// None: other CPUs have no such thing.
+        #[inline(always)]
+        pub(crate) fn avx2(_: Level) -> Option<Baseline> {
+            None
+        }
+    }
+}
+
+impl Isa for Baseline {
+    const FUSES_MUL_ADD: bool = cfg!(target_arch = "aarch64");
+}
+
 #[cfg(target_arch = "x86_64")]
 mod x86_64 {
     use super::*;
     use core::arch::x86_64::*;
-    use fearless_simd::{Avx2, Sse2, f32x8, kernel};
-
-    impl Isa for Sse2 {
-        const FUSES_MUL_ADD: bool = false;
-    }
+    use fearless_simd::{Avx2, f32x8, kernel};
 
     impl Isa for Avx2 {
         const FUSES_MUL_ADD: bool = true;
@@ -76,14 +132,4 @@ mod x86_64 {
             }
         }
     }
-}
-
-#[cfg(target_arch = "aarch64")]
-impl Isa for fearless_simd::Neon {
-    const FUSES_MUL_ADD: bool = true;
-}
-
-#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
-impl Isa for fearless_simd::Fallback {
-    const FUSES_MUL_ADD: bool = false;
 }

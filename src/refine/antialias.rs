@@ -21,18 +21,6 @@ const EDGE: u8 = 16;
 /// Pixels of a stretch of a band along x, whose rays meet the same groups: as many as a word has marks.
 const STRETCH: usize = u64::BITS as usize;
 
-/// Evaluates an expression by SSE2: the time is in tracing, so edges are found by one instruction set.
-macro_rules! by_sse2 {
-    ($level:ident, $simd:ident => $expression:expr) => {{
-        #[cfg(target_arch = "x86_64")]
-        if let Some($simd) = $level.as_sse2() {
-            $expression;
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        fearless_simd::dispatch!($level, $simd => $expression);
-    }};
-}
-
 /// A bit for each pixel of a row, number 0 in the lowest bit of the first word: whether it is on an edge.
 type RowMarks = [u64; MAX_WIDTH.div_ceil(STRETCH)];
 
@@ -51,7 +39,7 @@ impl Seams {
     }
 
     /// Takes in a frame that is drawn, `width` pixels wide.
-    pub fn set(&mut self, level: Level, quality: &Quality, width: usize, pixels: &[u32]) {
+    pub fn set(&mut self, quality: &Quality, width: usize, pixels: &[u32]) {
         let rows = Band::rows(quality) * width;
         // The last band has none below it.
         let ends = (rows..pixels.len()).step_by(rows).map(Some);
@@ -59,7 +47,7 @@ impl Seams {
             *seam = [0; _];
             if let Some(end) = end {
                 let (above, below) = (&pixels[end - width..end], &pixels[end..end + width]);
-                by_sse2!(level, simd => each_edge(simd, above, below, |x| set(seam, x)));
+                each_edge(baseline(), above, below, |x| set(seam, x));
             }
         }
     }
@@ -79,7 +67,7 @@ impl Seams {
             return;
         }
         let mut marks = [[0; _]; _];
-        by_sse2!(level, simd => self.mark(simd, quality, band, &mut marks));
+        self.mark(baseline(), quality, band, &mut marks);
         trace_marked(level, finer, quality, &marks, worker, band);
     }
 

@@ -79,25 +79,19 @@
 /// wider ones take 1,335 packed bytes of the intro for nothing.
 macro_rules! by_isa {
     ($isa:expr, $simd:ident => $expression:expr) => {{
-        #[cfg(target_arch = "x86_64")]
-        if let Some($simd) = $isa.as_avx2() {
-            fearless_simd::Simd::vectorize(
-                $simd,
-                #[inline(always)]
-                || $expression,
-            )
-        } else if let Some($simd) = $isa.as_sse2() {
+        if let Some($simd) = crate::lanes::avx2($isa) {
             fearless_simd::Simd::vectorize(
                 $simd,
                 #[inline(always)]
                 || $expression,
             )
         } else {
-            unreachable!("every x86-64 has SSE2")
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        {
-            fearless_simd::dispatch!($isa, $simd => $expression)
+            let $simd = crate::lanes::baseline();
+            fearless_simd::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $expression,
+            )
         }
     }};
 }

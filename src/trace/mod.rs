@@ -5,18 +5,6 @@
 //! few lanes idle. Colours are summed in fixed point: integer sums do not depend on the order in which rays come back,
 //! so a point has the same bits whatever points it is traced with.
 
-/// Evaluates an expression by the instruction set that every CPU has.
-macro_rules! with_baseline {
-    ($simd:ident => $expression:expr) => {{
-        #[cfg(target_arch = "x86_64")]
-        if let Some($simd) = fearless_simd::Level::baseline().as_sse2() {
-            $expression;
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        fearless_simd::dispatch!(fearless_simd::Level::baseline(), $simd => $expression);
-    }};
-}
-
 mod air;
 mod batch;
 mod block;
@@ -94,20 +82,15 @@ pub(crate) fn trace(
     seen: VisibleGroups,
     batch: &mut Batch,
 ) {
-    #[cfg(target_arch = "x86_64")]
     match level {
+        #[cfg(target_arch = "x86_64")]
         Level::Avx512(simd) => trace_by(simd, scene, quality, seen, batch),
+        #[cfg(target_arch = "x86_64")]
         Level::Avx2(simd) => trace_by(simd, scene, quality, seen, batch),
-        level => {
-            if let Some(simd) = level.as_sse2() {
-                trace_by(simd, scene, quality, seen, batch);
-            }
-        }
+        _ => trace_by(baseline(), scene, quality, seen, batch),
     }
-    #[cfg(not(target_arch = "x86_64"))]
-    fearless_simd::dispatch!(level, simd => trace_by(simd, scene, quality, seen, batch));
     // A thousandth of the time, so once for all instruction sets.
-    with_baseline!(simd => batch.finish(simd));
+    batch.finish(baseline());
 }
 
 #[inline(always)]

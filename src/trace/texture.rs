@@ -63,12 +63,10 @@ impl<S: Isa> TexturePoint<S> {
 /// it, where the eye sees the object of a number there; any share where it sees none of it.
 pub(crate) fn pattern_at_pixels(scene: &Prepared, object: usize, x: usize, y: usize) -> [f32; 4] {
     let mut shares = [0.0; 4];
-    with_baseline!(simd => {
-        let found = pattern_at_row(simd, scene, object, x, y);
-        for (share, &found) in shares.iter_mut().zip(found.as_slice()) {
-            *share = found;
-        }
-    });
+    let found = pattern_at_row(baseline(), scene, object, x, y);
+    for (share, &found) in shares.iter_mut().zip(found.as_slice()) {
+        *share = found;
+    }
     shares
 }
 

@@ -48,15 +48,12 @@ fn on_every_instruction_set(property: &impl Property) {
                 || property.hold(simd, "avx2"),
             );
         }
-        if let Some(simd) = level.as_sse2() {
-            simd.vectorize(
-                #[inline(always)]
-                || property.hold(simd, "sse2"),
-            );
-        }
     }
-    #[cfg(not(target_arch = "x86_64"))]
-    fearless_simd::dispatch!(level, simd => property.hold(simd, "portable"));
+    let simd = baseline();
+    simd.vectorize(
+        #[inline(always)]
+        || property.hold(simd, "the least"),
+    );
 }
 
 /// Numbers that look random (Steele, Lea and Flood's SplitMix).
