@@ -7,6 +7,8 @@ use fearless_simd::Level;
 pub(crate) trait Isa: Simd {
     /// Whether [`SimdFloat::mul_add`] is one operation with one rounding; else it is a product and a sum, both rounded.
     const FUSES_MUL_ADD: bool;
+    /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] are their second operand where the first is not a number.
+    const LIMITS_REPLACE_NAN: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
     /// Moves the lanes in `mask` to the first places, in their order; the others hold what may be.
     ///

@@ -51,6 +51,33 @@ pub(crate) fn flipped<S: Simd>(c: F<S>, flip: U<S>) -> F<S> {
     (c.bitcast::<U<S>>() ^ flip).bitcast()
 }
 
+/// The greater number of each lane; `least` where `v` is not a number, on every instruction set. (That of `max` is whichever
+/// suits the processor.)
+#[inline(always)]
+pub(crate) fn at_least<S: Isa>(v: F<S>, least: F<S>) -> F<S> {
+    if S::LIMITS_REPLACE_NAN {
+        v.max(least)
+    } else {
+        v.simd_gt(least).select(v, least)
+    }
+}
+
+/// The lesser number of each lane; `most` where `v` is not a number.
+#[inline(always)]
+pub(crate) fn at_most<S: Isa>(v: F<S>, most: F<S>) -> F<S> {
+    if S::LIMITS_REPLACE_NAN {
+        v.min(most)
+    } else {
+        v.simd_lt(most).select(v, most)
+    }
+}
+
+/// The numbers from `least` to `most`; `least` where `v` is not a number.
+#[inline(always)]
+pub(crate) fn clamp<S: Isa>(v: F<S>, least: F<S>, most: F<S>) -> F<S> {
+    at_most::<S>(at_least::<S>(v, least), most)
+}
+
 /// The lanes' numbers, from 0.
 #[inline(always)]
 pub(crate) fn numbers<S: Simd>(simd: S) -> U<S> {

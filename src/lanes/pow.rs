@@ -85,7 +85,7 @@ mod tests {
     extern crate std;
 
     use super::*;
-    use fearless_simd::{Level, dispatch};
+    use fearless_simd::dispatch;
 
     /// Asserts the error that [`pow`] states, for a number and an exponent per lane.
     #[inline(always)]
@@ -127,8 +127,8 @@ mod tests {
         dispatch!(best, simd => hold_everywhere(simd));
         #[cfg(target_arch = "x86_64")]
         for level in [
-            best.as_avx2().map(Level::Avx2),
-            best.as_sse2().map(Level::Sse2),
+            best.as_avx2().map(fearless_simd::Level::Avx2),
+            best.as_sse2().map(fearless_simd::Level::Sse2),
         ] {
             let Some(level) = level else { continue };
             dispatch!(level, simd => hold_everywhere(simd));

@@ -26,7 +26,7 @@ impl<S: Isa> AirLanes<S> {
         if scene.air.is_clear {
             return None;
         }
-        let rise = d.y.max(splat(simd, 0.0));
+        let rise = at_least::<S>(d.y, splat(simd, 0.0));
         let gradient = rise * (rise * -1.0 + 2.0);
         let way = t * surface.haze();
         Some(Self {

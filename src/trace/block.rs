@@ -51,14 +51,14 @@ pub(super) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S
         let off2: F<S> = x * x + z * z;
         let chord2 = -off2 + block.half.x * block.half.x;
         is_met = chord2.simd_ge(zero);
-        let half = (chord2.max(zero) / a).sqrt();
-        near = near.max(middle - half);
-        far = far.min(middle + half);
+        let half = (at_least::<S>(chord2, zero) / a).sqrt();
+        near = at_least::<S>(near, middle - half);
+        far = at_most::<S>(far, middle + half);
     } else {
         for (o, d, half) in [(o.x, d.x, block.half.x), (o.z, d.z, block.half.z)] {
             let (enters, leaves) = slab(simd, o, d, half);
-            near = near.max(enters);
-            far = far.min(leaves);
+            near = at_least::<S>(near, enters);
+            far = at_most::<S>(far, leaves);
         }
     }
     let t = near.simd_gt(zero).select(near, far);
@@ -107,7 +107,7 @@ impl<S: Isa> BlockHit<S> {
             x = (x * x + z * z).sqrt();
             z = x;
         }
-        let farthest = x.max(y).max(z);
+        let farthest = at_least::<S>(at_least::<S>(x, y), z);
         let zero = splat(simd, 0.0);
         let face: Vec3x<S> = Vec3x {
             x: x.simd_ge(farthest).select(own.x, zero),

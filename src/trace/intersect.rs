@@ -148,7 +148,7 @@ impl<S: Isa> Chord<S> {
             self.t_mid * splat(simd, -UNREFINED)
         };
         // The far end lies ahead where the middle does, or half the chord is longer than the way back to the middle.
-        let back2 = self.t_mid.min(unsure) * self.t_mid;
+        let back2 = at_most::<S>(self.t_mid, unsure) * self.t_mid;
         (splat(simd, node.cull2) - self.l2).simd_ge(back2)
     }
 
@@ -162,7 +162,7 @@ impl<S: Isa> Chord<S> {
         // The square of the way from the axis, times that of the sine of the angle between them, a little less for rounding.
         let sine2 = splat::<S>(simd, 1.0 - ROUNDING) - along * along;
         let beyond = self.l2 - node.thin2;
-        let is_off = (beyond * sine2.max(splat(simd, 0.0))).simd_gt(across * across);
+        let is_off = (beyond * at_least::<S>(sine2, splat(simd, 0.0))).simd_gt(across * across);
         is_off | self.t_mid.simd_gt(limit + node.radius)
     }
 
@@ -241,7 +241,7 @@ fn cone_is_off<S: Isa>(
     let across = f.add_scaled(l, -way);
     // Half the penumbra is without the sphere: as much of the lamp's radius as the way there is of that to the lamp. All
     // times the distance, which saves a division.
-    let share = (distance - way).max(splat(simd, 0.0));
+    let share = at_least::<S>(distance - way, splat(simd, 0.0));
     let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
     let past = across.dot(across) * distance * distance;
     (off * off).simd_gt(splat(simd, cone.sine2)) | past.simd_gt(reach * reach)
@@ -260,11 +260,11 @@ fn cone_blocks<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) 
     let half2 = splat(simd, cone.r2) - across.dot(across);
     if cone.around_lamp {
         // The chord, of half length sqrt(half2) around there, ends between the lamp and the ray's start.
-        let left = (distance - way).max(zero);
+        let left = at_least::<S>(distance - way, zero);
         return half2.simd_lt(left * left);
     }
     // The chord has a part between the lamp and the ray's start.
-    let short = (way - distance).max(-way).max(zero);
+    let short = at_least::<S>(at_least::<S>(way - distance, -way), zero);
     half2.simd_gt(short * short)
 }
 

@@ -68,7 +68,7 @@ pub(super) fn gather<S: Isa>(
                     distance: lit.select(distance, zero),
                 };
                 let passing = light_transmittance(simd, scene, lamp, &ways, candidates);
-                lit &= passing.x.max(passing.y).max(passing.z).simd_gt(zero);
+                lit &= at_least::<S>(at_least::<S>(passing.x, passing.y), passing.z).simd_gt(zero);
                 colour = colour * passing;
             }
             diffuse = diffuse.add_scaled(colour, lit.select(nl, zero));
@@ -137,7 +137,7 @@ fn light_transmittance<S: Isa>(
         }
         let covered = candidate.lanes(simd).select(covered, zero);
         passing = passing - (passing * Vec3x::splat(simd, absorbed)).scaled(covered);
-        let most = passing.x.max(passing.y).max(passing.z);
+        let most = at_least::<S>(at_least::<S>(passing.x, passing.y), passing.z);
         if most.simd_le(zero).all_true() {
             break;
         }
@@ -153,21 +153,25 @@ fn light_transmittance<S: Isa>(
 fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, ways: &Ways<S>) -> F<S> {
     let centre = sphere.centre;
     let to_centre = Vec3x::splat(simd, centre) - ways.o;
-    let a = to_centre
-        .dot(ways.l)
-        .max(splat(simd, 0.0))
-        .min(ways.distance);
+    let a = at_least::<S>(to_centre.dot(ways.l), splat(simd, 0.0));
+    let a = at_most::<S>(a, ways.distance);
     let off = to_centre.add_scaled(ways.l, -a);
     // What starts on the sphere by rounding starts on it.
     let error = 2e-6 * (centre.abs().max_element() + sphere.radius);
-    let b = (a * lamp.diameter / ways.distance).min(splat(simd, lamp.max_penumbra));
+    let b = at_most::<S>(
+        a * lamp.diameter / ways.distance,
+        splat(simd, lamp.max_penumbra),
+    );
     let depth = -off.dot(off).sqrt() + (sphere.radius - error);
-    smooth_step(simd, depth / b.max(splat(simd, f32::MIN_POSITIVE)) + 0.5)
+    smooth_step(
+        simd,
+        depth / at_least::<S>(b, splat(simd, f32::MIN_POSITIVE)) + 0.5,
+    )
 }
 
 /// From 0 at 0 to 1 at 1, level at both ends and beyond.
 #[inline(always)]
 fn smooth_step<S: Isa>(simd: S, v: F<S>) -> F<S> {
-    let v = v.max(splat(simd, 0.0)).min(splat(simd, 1.0));
+    let v = clamp::<S>(v, splat(simd, 0.0), splat(simd, 1.0));
     v * v * (v * -2.0 + 3.0)
 }

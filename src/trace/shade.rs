@@ -49,7 +49,7 @@ impl<S: Isa> Contribution<S> {
 /// A number in fixed point, rounded.
 #[inline(always)]
 fn fixed<S: Isa>(simd: S, c: F<S>) -> I<S> {
-    let c = c.max(splat(simd, 0.0)).min(splat(simd, BRIGHTEST));
+    let c = clamp::<S>(c, splat(simd, 0.0), splat(simd, BRIGHTEST));
     // Half of one is added so that cutting off rounds.
     c.mul_add(splat(simd, FIXED_POINT), splat(simd, 0.5))
         .to_int()
@@ -176,7 +176,7 @@ fn scatter<S: Isa>(
         kr = (glass & total).select(kr + surface.kt(), kr);
         transmitted.weight = weight * surface.kt();
         through = glass & !total & transmitted.weight.simd_ge(least);
-        let along = -eta.mul_add(dn, k.max(zero).sqrt());
+        let along = -eta.mul_add(dn, at_least::<S>(k, zero).sqrt());
         transmitted.d = rays.d.scaled(eta).add_scaled(n, along);
     }
     let weight = weight * kr;

@@ -108,7 +108,7 @@ fn sphere_distance<S: Isa>(simd: S, radius: f32, from: &Vec3x<S>, d: &Vec3x<S>) 
     let back: F<S> = from.dot(*d);
     let across = from.add_scaled(*d, -back);
     let half2 = -across.dot(across) + radius * radius;
-    let half = half2.max(zero).sqrt();
+    let half = at_least::<S>(half2, zero).sqrt();
     let (near, far) = (-back - half, half - back);
     near.simd_gt(zero).select(near, far)
 }
@@ -131,14 +131,13 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     ] {
         // A triangle wave of length 1, between -1 and 1, highest at 0.
         let wave = (v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)).abs() * -4.0 + 1.0;
-        // The second operand stays where the first is not a number, here and below.
-        height = wave.abs().min(height);
+        height = at_most::<S>(wave.abs(), height);
         sign ^= wave.bitcast::<U<S>>();
     }
     // A wave falls from 1 to -1 in half its length: no edge is narrower than a pixel.
     let steepest = pixels * (0.5 / pattern.waves.max_element());
-    let edge = steepest.min(splat(simd, pattern.edge));
-    let height = (height * edge).min(splat(simd, 1.0));
+    let edge = at_most::<S>(steepest, splat(simd, pattern.edge));
+    let height = at_most::<S>(height * edge, splat(simd, 1.0));
     let height = flipped::<S>(height, sign & (1 << 31));
     (height - 1.0) * (0.5 * pattern.depth) + 1.0
 }

@@ -33,9 +33,9 @@ trait Property {
 }
 
 fn on_every_instruction_set(property: &impl Property) {
-    let level = eightfold_window::cpu::best().level;
     #[cfg(target_arch = "x86_64")]
     {
+        let level = eightfold_window::cpu::best().level;
         if let Some(simd) = level.as_avx512() {
             simd.vectorize(
                 #[inline(always)]
