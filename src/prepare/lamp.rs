@@ -94,9 +94,9 @@ impl Lamp {
 
     /// Takes a light in, and the nodes that can shade it.
     pub fn set(&mut self, light: &Light, nodes: &[BvhNode], has_blocks: bool) {
-        self.position = light.place();
+        self.position = light.shadow_position();
         self.colour = Vec3A::from_array(light.colour.to_array().map(bounded));
-        self.is_point = light.is_plain();
+        self.is_point = light.is_point();
         self.is_plain = self.is_point && !has_blocks;
         self.is_cone = light.spot.is_some();
         self.cone = light.spot.unwrap_or(ALL_BRIGHT);

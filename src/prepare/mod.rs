@@ -107,7 +107,7 @@ impl Prepared {
             scene: Scene::ZEROED,
             air: Air::ZERO,
             eye: Vec3A::ZERO,
-            raster: Raster::NONE,
+            raster: Raster::ZERO,
             height: 0,
             tree: Tree::NONE,
             bounds: [ScreenBounds::ZERO; MAX_GROUPS],

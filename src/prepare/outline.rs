@@ -4,7 +4,7 @@ use super::cone::{Cone, ROUNDING, RoundCone};
 use super::screen::{Axes, Rect, ScreenBounds};
 use super::{BvhNode, Prepared, Rectangle};
 use crate::maths::sqrt;
-use crate::scene::Block;
+use crate::scene::{Block, Shape};
 use glam::{Vec3A, Vec3Swizzles, Vec4};
 
 /// An object's outline.
@@ -88,7 +88,7 @@ impl Outline {
             let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
             let is_left = (y * way).cmplt(Vec3A::ZERO);
             let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
-            if block.round {
+            if block.shape == Shape::Cylinder {
                 x.y = a.y * touched + b.y * apart * way;
                 y.y = b.y * touched - a.y * apart * way;
             }

@@ -3,7 +3,7 @@
 
 use super::hit_error;
 use super::object::{self, Object};
-use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
+use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene, Shape};
 use glam::Vec3A;
 
 /// Groups of solids, of which a part of the picture shows some: up to that many each are a group of their own.
@@ -276,7 +276,11 @@ impl BvhNode {
             thin2 += half2.y;
         } else {
             self.axis = block.axes.y_axis;
-            thin2 += if block.round { 0.0 } else { half2.z };
+            thin2 += if block.shape == Shape::Cylinder {
+                0.0
+            } else {
+                half2.z
+            };
         }
         self.thin2 = thin2 * (1.0 + 2.0 * MARGIN);
     }

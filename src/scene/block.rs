@@ -1,20 +1,32 @@
-//! Boxes and cylinders, turned as one likes.
+//! Boxes and cylinders with any orientation.
 
 use super::Material;
 use glam::{Mat3A, Vec3A};
 
-/// A box, or a cylinder with flat ends; hollow where its material is transparent.
+/// A box, or a cylinder with flat ends. If its material is transparent, rays enter and leave it, refracted at each side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Block {
-    /// Centre.
+    /// The centre, in scene units.
     pub centre: Vec3A,
-    /// Half its extent along each of its own axes, above 0. A cylinder stands along its y; its radius is `half.x`, and
-    /// `half.z` is the same.
+    /// Half the extent along each of the block's own axes, [`MIN_LENGTH`](super::MIN_LENGTH) to
+    /// [`MAX_LENGTH`](super::MAX_LENGTH). A cylinder stands along its own y axis; `half.x` is its radius, and `half.z` has to be
+    /// the same.
     pub half: Vec3A,
-    /// Its own axes in the scene, each of length 1 and square to the others; the identity is a box along the scene's.
+    /// The block's own axes in scene coordinates: three perpendicular vectors of length 1. The identity aligns it with the
+    /// scene's axes.
     pub axes: Mat3A,
-    /// Round about its y axis: a cylinder, not a box.
-    pub round: bool,
-    /// Surface.
+    /// Whether it is a box or a cylinder.
+    pub shape: Shape,
+    /// The surface.
     pub material: Material,
+}
+
+/// The shape of a [`Block`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shape {
+    /// A box.
+    #[default]
+    Box,
+    /// A cylinder about the block's own y axis.
+    Cylinder,
 }

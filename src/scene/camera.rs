@@ -3,16 +3,16 @@
 use crate::maths::{cos, sin};
 use glam::Vec3A;
 
-/// A pinhole camera with square pixels; a pixel's sample is its centre.
+/// A pinhole camera with square pixels. Each pixel is sampled at its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where it stands.
+    /// The position of the pinhole, in scene units.
     pub eye: Vec3A,
-    /// The point in the middle of the picture; not the eye.
+    /// The point shown in the middle of the picture. It has to differ from `eye`.
     pub look_at: Vec3A,
-    /// The direction that is up in the picture; not along the line of sight.
+    /// The direction that is up in the picture, of any length. It must not be parallel to the line of sight.
     pub up: Vec3A,
-    /// Vertical field of view in radians, above 0 and below pi.
+    /// Vertical field of view in radians, greater than 0 and less than pi.
     pub field_of_view: f32,
 }
 
@@ -27,20 +27,21 @@ impl Default for Camera {
     }
 }
 
-/// The picture plane of a camera: pixel (x, y) looks along `corner + x dx + y dy`, not normalised.
+/// The picture plane of a camera, in scene coordinates. The ray through pixel (x, y) of the picture has the direction
+/// `corner + x dx + y dy`, which is not normalised.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Raster {
-    /// Through the centre of the upper left pixel.
+    /// The direction through the centre of the upper left pixel.
     pub corner: Vec3A,
-    /// One pixel to the right.
+    /// The step from a pixel to its right neighbour.
     pub dx: Vec3A,
-    /// One pixel down.
+    /// The step from a pixel to the one below it.
     pub dy: Vec3A,
 }
 
 impl Raster {
-    /// No picture.
-    pub const NONE: Self = Self {
+    /// All zeros: memory before a frame is prepared.
+    pub const ZERO: Self = Self {
         corner: Vec3A::ZERO,
         dx: Vec3A::ZERO,
         dy: Vec3A::ZERO,
@@ -48,7 +49,7 @@ impl Raster {
 }
 
 impl Camera {
-    /// The picture plane for a picture of `width` by `height` pixels, at distance 1 from the eye.
+    /// The picture plane, at distance 1 from the eye, of a picture of `width` by `height` pixels.
     #[must_use]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
         let forward = unit(self.look_at - self.eye, Vec3A::NEG_Z);
@@ -66,10 +67,10 @@ impl Camera {
     }
 }
 
-/// A vector of length 1 along another, or something else where that has no direction.
+/// `v` scaled to length 1, or `otherwise` if `v` is zero, infinite or NaN.
 fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     let length = v.length();
-    // Both less than nothing and not a number.
+    // NaN fails both comparisons.
     if length > 0.0 && length < f32::INFINITY {
         v * (1.0 / length)
     } else {
@@ -77,8 +78,9 @@ fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     }
 }
 
-/// A number of pixels, below 2^24. By way of `i32`, which one instruction converts.
+/// A number of pixels below 2^24 as an `f32`, which is exact. The conversion goes through `i32`, for which there is one
+/// instruction; for `usize` there is none.
 #[inline(always)]
-pub(crate) fn pixels(number: usize) -> f32 {
-    number as i32 as f32
+pub(crate) fn pixels(count: usize) -> f32 {
+    count as i32 as f32
 }

@@ -2,26 +2,26 @@
 
 use super::List;
 
-/// Letters a caption can hold: the longest line in use has 28.
+/// The most letters in a caption. The longest in the show has 28.
 pub const MAX_LETTERS: usize = 32;
 
-/// A line of text, in the middle of the picture's width.
+/// A line of text, centred in the picture's width.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Caption {
-    /// Capitals and digits in ASCII; anything else is a space.
+    /// ASCII capitals and digits. Any other byte is a space.
     pub letters: List<u8, MAX_LETTERS>,
-    /// How far down the middle of the line is, as a share of the picture's height.
+    /// The middle of the line, as a share of the picture's height from the top, 0 to 1.
     pub middle: f32,
-    /// Height of a letter, as a share of the picture's height; of a picture narrower than 16:9, of the height that it would
-    /// have with that.
+    /// The height of a letter, 0 to 1, as a share of the picture's height. In a picture narrower than 16:9 it is a share of the
+    /// height that a 16:9 picture of the same width has, so that lines are not cut off.
     pub size: f32,
-    /// 0 is not seen, 1 is white.
+    /// From 0, invisible, to 1, white.
     pub brightness: f32,
 }
 
 impl Caption {
-    /// Nothing, all zeros.
-    pub(crate) const NONE: Self = Self {
+    /// All zeros: an empty line.
+    pub(crate) const ZERO: Self = Self {
         letters: List::over(0),
         middle: 0.0,
         size: 0.0,

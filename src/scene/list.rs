@@ -1,8 +1,8 @@
-//! A list of fixed capacity: the library never allocates.
+//! A list of fixed capacity, since the library cannot allocate.
 
 use core::ops::{Deref, DerefMut};
 
-/// Up to `N` items in place; behaves as the slice of those pushed.
+/// Up to `N` items, stored in place. It dereferences to the slice of the items pushed.
 #[derive(Clone, Copy, Debug)]
 pub struct List<T, const N: usize> {
     items: [T; N],
@@ -10,7 +10,7 @@ pub struct List<T, const N: usize> {
 }
 
 impl<T: Copy + Default, const N: usize> List<T, N> {
-    /// A list of a slice's items; those beyond the capacity are left out.
+    /// A list of the first `N` items of a slice; the others are left out.
     #[must_use]
     pub fn of(items: &[T]) -> Self {
         let mut list = Self::default();
@@ -20,7 +20,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         list
     }
 
-    /// An empty list over some item.
+    /// An empty list whose unused memory holds copies of an item.
     pub(crate) const fn over(item: T) -> Self {
         Self {
             items: [item; N],
@@ -28,17 +28,17 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         }
     }
 
-    /// Leaves no item.
+    /// Removes all items.
     pub fn clear(&mut self) {
         self.len = 0;
     }
 
-    /// Appends an item and says whether there was room for it.
+    /// Appends an item. Returns false, and leaves the list as it is, if the list is full.
     pub fn push(&mut self, item: T) -> bool {
-        let Some(place) = self.items.get_mut(self.len) else {
+        let Some(slot) = self.items.get_mut(self.len) else {
             return false;
         };
-        *place = item;
+        *slot = item;
         self.len += 1;
         true
     }

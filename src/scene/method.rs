@@ -1,18 +1,18 @@
-//! The method, made visible.
+//! The overlay that explains the rendering method.
 
-/// How bright a picture shows its own making, 0 to 1 each.
+/// How brightly a frame shows the points that were traced, the squares that were filled, and the picture itself; 0 to 1 each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Method {
-    /// Marks on the points that were traced.
+    /// Brightness of a white dot on every point that was traced.
     pub points: f32,
-    /// Outlines of the squares that were filled.
+    /// Brightness of the outlines of the squares that were filled.
     pub squares: f32,
-    /// The picture itself.
+    /// Brightness of the picture itself; 1 leaves it as it is.
     pub picture: f32,
 }
 
 impl Method {
-    /// The plain picture.
+    /// The picture without an overlay.
     pub const PLAIN: Self = Self {
         points: 0.0,
         squares: 0.0,
@@ -21,7 +21,7 @@ impl Method {
 }
 
 impl Default for Method {
-    /// The plain picture.
+    /// [`Method::PLAIN`].
     fn default() -> Self {
         Self::PLAIN
     }

@@ -1,7 +1,7 @@
-//! What is drawn: a camera, a few primitives with their materials, and lights.
+//! The scene description: a camera, spheres, planes, boxes and cylinders with their materials, lights and captions.
 //!
-//! Right-handed coordinates, y up; lengths in scene units; colours linear RGB, 0 to 1. [`Scene::validate`] says whether
-//! all numbers are in their ranges.
+//! Coordinates are right-handed with y up. Lengths are in scene units, angles in radians, colours in linear RGB with 1 as the
+//! brightest that is shown. [`Scene::validate`] checks that every number is in the range that its documentation gives.
 
 mod block;
 pub(crate) mod camera;
@@ -11,7 +11,7 @@ mod method;
 mod pattern;
 mod validate;
 
-pub use block::Block;
+pub use block::{Block, Shape};
 pub use camera::Camera;
 pub use caption::{Caption, MAX_LETTERS};
 use glam::{Mat3A, Vec3A};
@@ -20,52 +20,53 @@ pub use method::Method;
 pub use pattern::Pattern;
 pub use validate::{Flaw, MAX_LENGTH, MIN_LENGTH};
 
-/// Spheres a scene can hold: the largest scene in use, a field of 256, with room to grow.
+/// The most spheres in a scene. The show uses up to 256.
 pub const MAX_SPHERES: usize = 320;
-/// Planes a scene can hold.
+/// The most planes in a scene.
 pub const MAX_PLANES: usize = 8;
-/// Boxes and cylinders a scene can hold.
+/// The most boxes and cylinders in a scene.
 pub const MAX_BLOCKS: usize = 64;
-/// Spheres, boxes and cylinders.
+/// The most solids in a scene: spheres, boxes and cylinders.
 pub(crate) const MAX_SOLIDS: usize = MAX_SPHERES + MAX_BLOCKS;
-/// Lights a scene can hold.
+/// The most lights in a scene.
 pub const MAX_LIGHTS: usize = 4;
 
-/// Captions a scene can hold: as many as the show has.
+/// The most captions in a scene: as many as the whole show has.
 pub const MAX_CAPTIONS: usize = 10;
 
-/// Everything one frame shows.
+/// Everything that one frame shows.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Scene {
-    /// Where the picture is taken from.
+    /// The camera.
     pub camera: Camera,
-    /// The background at the horizon and below.
+    /// The colour of the background at the horizon and below.
     pub background: Vec3A,
-    /// Added to the background at the zenith, weighted by `y (2 - y)` where a ray of length 1 rises by y.
+    /// Added to the background at the zenith; it may be negative. For a ray whose direction, of length 1, rises by y it is
+    /// weighted by `y (2 - y)`.
     pub sky: Vec3A,
-    /// Haze, in 1 / scene units: after a way of length t a share of `1 - 1 / (1 + (haze t)^2)` of the light that surfaces
-    /// send is lost to what lies behind them. 0 is clear.
+    /// The density of the haze, in 1 / scene units, 0 to 1000; 0 is clear air. Over a distance t a surface's light fades to the
+    /// share `1 / (1 + (haze t)^2)`, and the background makes up for the rest.
     pub haze: f32,
-    /// How far the picture is faded: 0 as it is, 1 black, below 0 brighter.
+    /// How far the picture is faded to black, -10 to 1: 0 leaves it as it is, 1 is black, negative values brighten it.
     pub fade: f32,
-    /// Light that reaches every surface alike.
+    /// Ambient light, which reaches every surface equally.
     pub ambient: Vec3A,
-    /// How the picture shows its own making.
+    /// The overlay that explains the rendering method.
     pub method: Method,
-    /// Spheres, in no particular order.
+    /// Spheres, in any order.
     pub spheres: List<Sphere, MAX_SPHERES>,
-    /// Horizontal bounded planes.
+    /// Horizontal rectangles.
     pub planes: List<Plane, MAX_PLANES>,
     /// Boxes and cylinders.
     pub blocks: List<Block, MAX_BLOCKS>,
     /// Lights.
     pub lights: List<Light, MAX_LIGHTS>,
-    /// What is written over the picture.
+    /// Text over the picture.
     pub captions: List<Caption, MAX_CAPTIONS>,
 }
 
 impl Scene {
-    /// All zeros: memory for a scene, which takes no room in a program's file. It is not a valid one.
+    /// All zeros: memory for a scene that takes no space in an executable file. It is not a valid scene.
     pub const ZEROED: Self = {
         let material = Material {
             exponent: 0.0,
@@ -104,45 +105,46 @@ impl Scene {
                 centre: Vec3A::ZERO,
                 half: Vec3A::ZERO,
                 axes: Mat3A::ZERO,
-                round: false,
+                shape: Shape::Box,
                 material,
             }),
             lights: List::over(Light::DARK),
-            captions: List::over(Caption::NONE),
+            captions: List::over(Caption::ZERO),
         }
     };
 
-    /// Spheres, boxes and cylinders.
+    /// The number of spheres, boxes and cylinders.
     pub(crate) fn solids(&self) -> usize {
         self.spheres.len() + self.blocks.len()
     }
 }
 
-/// How a surface answers light, by Phong's model.
+/// How a surface reflects light, by Phong's model, and how it continues rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Material {
-    /// Colour of the surface; highlights take the light's colour instead.
+    /// The colour of the surface. Highlights have the light's colour.
     pub colour: Vec3A,
-    /// Diffuse coefficient, 0 to 1.
+    /// The diffuse coefficient, 0 to 1.
     pub kd: f32,
-    /// Specular coefficient, 0 to 1.
+    /// The specular coefficient, 0 to 1.
     pub ks: f32,
-    /// Exponent of the highlight, 1 to 1000; larger is smaller and sharper.
+    /// The exponent of the highlight, 1 to 1000. Larger exponents make smaller, sharper highlights.
     pub exponent: f32,
-    /// Share of the reflected ray, 0 to 1.
+    /// The weight of the reflected ray, 0 to 1.
     pub kr: f32,
-    /// Share of the transmitted ray, 0 to 1; above 0 the surface is transparent.
+    /// The weight of the transmitted ray, 0 to 1. The surface is transparent if it is above 0.
     pub kt: f32,
-    /// Refractive index of the inside against the outside, 0.1 to 10; used where `kt` is above 0.
+    /// The refractive index of the inside relative to the outside, 0.1 to 10. It matters only if `kt` is above 0.
     pub index: f32,
-    /// How the surface lets the light of lamps with a size pass, as a colour; black throws a full shadow.
+    /// The colour of the object's shadow by lights with a [`Light::size`]: the share of each channel that it lets through, 0
+    /// to 1. Black casts a full shadow.
     pub tint: Vec3A,
-    /// What varies its colour.
+    /// The texture.
     pub pattern: Pattern,
 }
 
 impl Material {
-    /// Black.
+    /// Black, without highlights, reflection or transmission.
     pub const BLACK: Self = Self {
         colour: Vec3A::ZERO,
         kd: 0.0,
@@ -159,52 +161,53 @@ impl Material {
 /// A sphere.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sphere {
-    /// Centre.
+    /// The centre, in scene units.
     pub centre: Vec3A,
-    /// Radius, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    /// The radius, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub radius: f32,
-    /// Surface.
+    /// The surface.
     pub material: Material,
 }
 
-/// A horizontal rectangle, seen from above and from below.
+/// A horizontal rectangle, visible from above and from below.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Plane {
-    /// Middle of the rectangle.
+    /// The centre, in scene units.
     pub centre: Vec3A,
-    /// Half its extent along x, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    /// Half the extent along x, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub half_x: f32,
-    /// Half its extent along z, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    /// Half the extent along z, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub half_z: f32,
-    /// Surface.
+    /// The surface.
     pub material: Material,
 }
 
-/// A light without attenuation.
+/// A light whose brightness does not fall off with distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Light {
-    /// Where the light comes from.
+    /// The position, in scene units.
     pub position: Vec3A,
-    /// Colour times brightness.
+    /// The colour times the brightness, each channel from 0 up.
     pub colour: Vec3A,
-    /// Radius of the sphere it is drawn as, which casts no shadow, [`MIN_LENGTH`] to [`MAX_LENGTH`]; 0 is not seen.
+    /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`], or 0 for a light that is invisible. The
+    /// sphere casts no shadow.
     pub radius: f32,
-    /// Its rays are as good as parallel: it stands [`Light::FAR`] times as far away as `position` says, as large as it
-    /// looks from there.
+    /// Whether its rays are nearly parallel, like the sun's: `position` and `size` are multiplied by [`Light::FAR`], and the light
+    /// is not drawn.
     pub parallel: bool,
-    /// Its diameter as shadows see it: spheres throw penumbras, and tinted ones colour theirs. 0 is a point, whose
-    /// shadows are hard and full.
+    /// The diameter of the light as far as shadows are concerned, 0 to [`MAX_LENGTH`]. Above 0 the shadows of spheres have
+    /// penumbrae, and a material's `tint` colours its shadow. 0 is a point, whose shadows are hard and black.
     pub size: f32,
-    /// What narrows it to a cone.
+    /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,
 }
 
 impl Light {
-    /// Factor on the distance of a light with parallel rays: its rays are off by at most 0.001 radians across a scene as
-    /// wide as its distance.
+    /// The factor on the position of a light with parallel rays. Across a scene as wide as the light's distance its rays differ in
+    /// direction by at most 0.001 radians.
     pub const FAR: f32 = 1000.0;
 
-    /// A dark point.
+    /// A black, invisible point.
     pub const DARK: Self = Self {
         position: Vec3A::ZERO,
         colour: Vec3A::ZERO,
@@ -214,8 +217,8 @@ impl Light {
         spot: None,
     };
 
-    /// Where it stands.
-    pub(crate) fn place(&self) -> Vec3A {
+    /// The position that shadow rays aim at: that of parallel rays is far away.
+    pub(crate) fn shadow_position(&self) -> Vec3A {
         if self.parallel {
             self.position * Self::FAR
         } else {
@@ -223,7 +226,7 @@ impl Light {
         }
     }
 
-    /// Its diameter where it stands.
+    /// The diameter at [`Light::shadow_position`].
     pub(crate) fn diameter(&self) -> f32 {
         if self.parallel {
             self.size * Self::FAR
@@ -232,8 +235,8 @@ impl Light {
         }
     }
 
-    /// The widest that a penumbra is taken to be at what throws it: for parallel rays that is reached four times as far
-    /// away as `position` says.
+    /// The largest width of a penumbra where its shadow is cast. Penumbrae of parallel rays would grow without end: theirs stay
+    /// as wide as at four times the distance of `position`.
     pub(crate) fn max_penumbra(&self) -> f32 {
         if self.parallel {
             4.0 * self.size
@@ -242,20 +245,22 @@ impl Light {
         }
     }
 
-    /// Whether it is no more than a point.
-    pub(crate) fn is_plain(&self) -> bool {
+    /// Whether it is a point that shines in all directions: its shadows are hard.
+    pub(crate) fn is_point(&self) -> bool {
         self.size == 0.0 && !self.parallel && self.spot.is_none()
     }
 }
 
-/// A cone of light with a soft edge.
+/// The cone of a spotlight, with a soft edge.
+///
+/// Its brightness depends on the cosine of the angle between `aim` and the direction of the light: 0 up to `dark`, 1 from
+/// `bright` on, and `s^2 (3 - 2 s)` between them, where s rises linearly from 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spot {
-    /// Where it points, of length 1.
+    /// The direction in which it points, of length 1.
     pub aim: Vec3A,
-    /// The cosines of the angles from `aim` beyond which it is dark, and within which it is bright; the first is smaller.
-    /// Between them brightness is `s^2 (3 - 2 s)`, s rising from 0 to 1 with the cosine.
+    /// The cosine at the outer edge, from -1 to below `bright`.
     pub dark: f32,
-    /// See `dark`.
+    /// The cosine at the inner edge, up to 1.
     pub bright: f32,
 }

@@ -1,34 +1,36 @@
-//! What varies the colour of a surface from place to place.
+//! Procedural textures: stripes, checkers and marble.
 
 use glam::Vec3A;
 
-/// A procedural texture: the colour is darkened where a pattern of waves says so.
+/// A procedural texture that darkens the colour of a surface.
 ///
-/// At a place `p`, in scene units from the object's centre along its own axes (a sphere and a plane have the scene's),
-/// each axis has a triangle wave of height 1 that is highest at 0 and repeats `waves` times a unit; the pattern has the
-/// sign of their product and the height of the lowest of them, steepened and cut to -1 to 1. So waves along one axis are stripes, along two or three checkers: fields
-/// of half a wave's length. Noise that bends the first axis makes marble of stripes.
+/// It is a function of the point's coordinates in scene units, measured from the object's centre along the object's own axes;
+/// those of spheres and planes are the scene's. Along each axis runs a triangle wave between -1 and 1, with `waves` periods per
+/// unit and a maximum at 0. The pattern has the smallest of the three magnitudes and the sign of the three waves' product; it is
+/// multiplied by `edge` and clamped to -1 to 1. Waves along one axis give stripes, waves along two or three give checkers, with
+/// fields half a period wide. Noise that shifts the pattern along x turns stripes into marble.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pattern {
-    /// Waves in a scene unit along x, y and z; 0 where nothing changes along an axis.
+    /// Periods per scene unit along x, y and z, 0 to 1000. The pattern does not change along an axis with 0.
     pub waves: Vec3A,
-    /// Share of the colour that the darkest places lose, 0 to 1; 0 is no pattern.
+    /// The share of the colour that the darkest points lose, 0 to 1. With 0 there is no pattern.
     pub depth: f32,
-    /// How steep edges are, above 0: 1 is the wave itself, which has none, large is black and white. At a distance edges are
-    /// at most as steep as a pixel is wide, and what is finer than pixels is even.
+    /// The steepness of the transitions between light and dark, up to 1000: 1 is the triangle wave itself, larger values make
+    /// sharper edges. Far from the eye the transitions are widened to at least one pixel, and waves shorter than a pixel average
+    /// out, so that the pattern does not alias.
     pub edge: f32,
-    /// Waves by which the coarsest noise shifts the pattern along x, at most. Finer ones follow, each of half the size and
-    /// strength, down to [`Pattern::LEAST_WARP`]; at that or below there is none.
+    /// The amplitude of the noise that shifts the pattern along x, in periods, 0 to 1000. Octaves of half the size and half the
+    /// amplitude follow as long as their amplitude is above [`Pattern::LEAST_WARP`].
     pub warp: f32,
-    /// Cells of the coarsest noise in a scene unit.
+    /// Cells of the noise's coarsest octave per scene unit, 0 to 1000.
     pub grain: f32,
 }
 
 impl Pattern {
-    /// Noise of this strength and below is left out.
+    /// Octaves of noise with this amplitude or less are left out: a fifth of a period is hardly visible.
     pub const LEAST_WARP: f32 = 0.2;
 
-    /// An even colour.
+    /// No pattern: the colour is uniform.
     pub const NONE: Self = Self {
         waves: Vec3A::ZERO,
         depth: 0.0,

@@ -1,51 +1,50 @@
-//! Spheres, boxes and cylinders that stand in rows, and how they move.
+//! Spheres, boxes and cylinders that stand in rows, and how they move. Coordinates are the scene's.
 
 use super::Set;
 use super::material;
 use crate::maths::{cos, round, sin, smooth_step};
-use crate::scene::{Block, Material, Scene, Sphere};
+use crate::scene::{self, Block, Material, Scene, Sphere};
 use core::f32::consts::TAU;
 use glam::{Mat3A, Vec3A, vec3a};
 
-/// Some things alike.
+/// One object, or a grid of objects that are alike.
 struct Prop {
     shape: Shape,
     material: &'static Material,
-    /// What every other one along x is made of.
+    /// The material of every other object along x.
     every_other: &'static Material,
     motion: Motion,
-    /// The centre of the first one, in scene units.
+    /// The centre of the first object, in scene units.
     centre: Vec3A,
-    /// The extent along its own axes, in scene units; of a sphere, the diameter.
+    /// The extent along the object's own axes, in scene units. A sphere's three extents are its diameter.
     size: Vec3A,
-    /// How many side by side along x, and of these rows along z.
+    /// The number of objects along x, and of such rows along z.
     count: [u8; 2],
-    /// From each to the next along x, and from row to row along z.
+    /// The distance between neighbours along x and along z, in scene units.
     spacing: [f32; 2],
 }
 
 #[derive(Clone, Copy)]
 enum Shape {
-    Ball,
-    Box,
-    /// Stands on an end.
-    Cylinder,
+    Sphere,
+    Block(scene::Shape),
 }
 
 #[derive(Clone, Copy)]
 enum Motion {
     Still,
-    /// Floats up and down, by a phase in radians.
+    /// Floats up and down; `phase` is in radians.
     Bouncing {
         phase: f32,
     },
-    /// Strikes, each of a row on its own beat of the bar.
+    /// Strikes down on the beat; the objects of a row take turns, one on each beat of the bar.
     Striking,
-    /// Blocks on a wheel about z, so far from the axle. The wheel makes a quarter of a turn on each beat, in a jerk.
+    /// Sits on a wheel about the z axis at `radius` scene units from the axle, eight objects to a full circle. The wheel jerks
+    /// on by a quarter of a turn on each beat.
     Turning {
         radius: f32,
     },
-    /// Spheres on a wheel about y, so far from its middle, slowly.
+    /// Circles slowly about the y axis at `radius` scene units from it, eight objects to a full circle.
     Circling {
         radius: f32,
     },
@@ -55,37 +54,37 @@ use Motion::{Bouncing, Circling, Striking, Turning};
 
 #[rustfmt::skip]
 static MODEL: [Prop; 4] = [
-    ball(&material::RED, [-2.2, 1.0, 0.5], 2.0),
-    ball(&material::MIRROR, [0.0, 1.2, 1.8], 2.4),
-    ball(&material::BLUE, [2.2, 1.0, 0.3], 2.0),
-    ball(&material::GLASS, [0.6, 0.5, -1.6], 1.0).moving(Bouncing { phase: 0.0 }),
+    sphere(&material::RED, [-2.2, 1.0, 0.5], 2.0),
+    sphere(&material::MIRROR, [0.0, 1.2, 1.8], 2.4),
+    sphere(&material::BLUE, [2.2, 1.0, 0.3], 2.0),
+    sphere(&material::GLASS, [0.6, 0.5, -1.6], 1.0).moving(Bouncing { phase: 0.0 }),
 ];
 
 #[rustfmt::skip]
 static COLONNADE: [Prop; 8] = [
-    // Columns from the floor up, and the beams on them.
+    // The columns: plinths, shafts, capitals, and the beams on them.
     cuboid(&material::MARBLE, [-2.6, 0.2, -6.0], [1.5, 0.4, 1.5]).repeat([2, 7], [5.2, 3.2]),
     cylinder(&material::MARBLE, [-2.6, 2.7, -6.0], [0.9, 4.6, 0.9]).repeat([2, 7], [5.2, 3.2]),
     cuboid(&material::MARBLE, [-2.6, 5.2, -6.0], [1.4, 0.4, 1.4]).repeat([2, 7], [5.2, 3.2]),
     cuboid(&material::MARBLE, [-2.6, 5.7, -2.6], [1.1, 0.6, 11.2]).repeat([2, 2], [5.2, 11.2]),
-    // What floats between them.
-    ball(&material::CRYSTAL, [0.0, 1.7, 6.0], 1.8).moving(Bouncing { phase: 0.0 }),
-    ball(&material::GOLD, [-0.9, 0.7, 1.4], 1.0).moving(Bouncing { phase: 1.0 }),
-    ball(&material::SCARLET, [0.9, 1.0, 3.2], 0.9).moving(Bouncing { phase: 2.0 }),
-    ball(&material::SILVER, [-0.2, 3.2, 9.0], 1.4).moving(Bouncing { phase: 3.0 }),
+    // Spheres that float between the columns.
+    sphere(&material::CRYSTAL, [0.0, 1.7, 6.0], 1.8).moving(Bouncing { phase: 0.0 }),
+    sphere(&material::GOLD, [-0.9, 0.7, 1.4], 1.0).moving(Bouncing { phase: 1.0 }),
+    sphere(&material::SCARLET, [0.9, 1.0, 3.2], 0.9).moving(Bouncing { phase: 2.0 }),
+    sphere(&material::SILVER, [-0.2, 3.2, 9.0], 1.4).moving(Bouncing { phase: 3.0 }),
 ];
 
 #[rustfmt::skip]
 static MACHINE: [Prop; 9] = [
     // The wheel: axle, hub, spokes, rim.
     cuboid(&material::STEEL, [0.0, 2.2, 1.2], [0.4, 0.4, 5.2]).moving(Turning { radius: 0.0 }),
-    ball(&material::GOLD, [0.0, 2.2, 1.2], 1.2),
-    cuboid(&material::STEEL, [0.0, 2.2, 1.2], [0.2, 1.7, 0.2]).repeat([8, 1], [0.0, 0.0]).moving(Turning { radius: 1.0 }),
-    cuboid(&material::SCARLET, [0.0, 2.2, 1.2], [1.2, 0.3, 0.6]).repeat([8, 1], [0.0, 0.0]).alternating(&material::GOLD).moving(Turning { radius: 1.9 }),
-    // The frame it is in.
+    sphere(&material::GOLD, [0.0, 2.2, 1.2], 1.2),
+    cuboid(&material::STEEL, [0.0, 2.2, 1.2], [0.2, 1.7, 0.2]).copies(8).moving(Turning { radius: 1.0 }),
+    cuboid(&material::SCARLET, [0.0, 2.2, 1.2], [1.2, 0.3, 0.6]).copies(8).alternating(&material::GOLD).moving(Turning { radius: 1.9 }),
+    // The posts that carry the axle, each with a knob.
     cuboid(&material::STRIPED, [-3.4, 2.1, 1.2], [0.7, 4.2, 1.2]).repeat([2, 1], [6.8, 0.0]),
-    ball(&material::GOLD, [-3.4, 4.6, 1.2], 1.0).repeat([2, 1], [6.8, 0.0]),
-    // Pistons: anvils, heads, rods.
+    sphere(&material::GOLD, [-3.4, 4.6, 1.2], 1.0).repeat([2, 1], [6.8, 0.0]),
+    // The pistons: anvils, heads, rods.
     cuboid(&material::STEEL, [-2.2, 0.3, -1.6], [1.1, 0.6, 1.1]).repeat([4, 1], [1.5, 0.0]),
     cylinder(&material::SCARLET, [-2.2, 0.9, -1.6], [0.8, 0.6, 0.8]).repeat([4, 1], [1.5, 0.0]).alternating(&material::GOLD).moving(Striking),
     cylinder(&material::STEEL, [-2.2, 2.2, -1.6], [0.3, 2.0, 0.3]).repeat([4, 1], [1.5, 0.0]).moving(Striking),
@@ -93,32 +92,28 @@ static MACHINE: [Prop; 9] = [
 
 #[rustfmt::skip]
 static FINALE: [Prop; 2] = [
-    // A ball of glass, and balls around it.
-    ball(&material::GLASS, [0.0, 1.3, 0.0], 2.6),
-    ball(&material::SCARLET, [0.0, 0.4, 0.0], 0.8).repeat([8, 1], [0.0, 0.0]).alternating(&material::GOLD).moving(Circling { radius: 3.2 }),
+    // A large glass sphere, and small spheres that circle it.
+    sphere(&material::GLASS, [0.0, 1.3, 0.0], 2.6),
+    sphere(&material::SCARLET, [0.0, 0.4, 0.0], 0.8).copies(8).alternating(&material::GOLD).moving(Circling { radius: 3.2 }),
 ];
 
-/// A ball of a diameter.
-const fn ball(material: &'static Material, centre: [f32; 3], diameter: f32) -> Prop {
-    prop(
-        Shape::Ball,
-        material,
-        centre,
-        [diameter, diameter, diameter],
-    )
+/// A sphere.
+const fn sphere(material: &'static Material, centre: [f32; 3], diameter: f32) -> Prop {
+    let size = [diameter, diameter, diameter];
+    prop(Shape::Sphere, material, centre, size)
 }
 
-/// A box of an extent.
+/// A box, aligned with the scene's axes.
 const fn cuboid(material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
-    prop(Shape::Box, material, centre, size)
+    prop(Shape::Block(scene::Shape::Box), material, centre, size)
 }
 
-/// A cylinder of an extent.
+/// An upright cylinder.
 const fn cylinder(material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
-    prop(Shape::Cylinder, material, centre, size)
+    prop(Shape::Block(scene::Shape::Cylinder), material, centre, size)
 }
 
-/// One thing that stands still.
+/// One object that does not move.
 const fn prop(shape: Shape, material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
     Prop {
         shape,
@@ -132,7 +127,7 @@ const fn prop(shape: Shape, material: &'static Material, centre: [f32; 3], size:
     }
 }
 
-/// Adds the props of a set to a scene as they are so many beats after its begin.
+/// Adds a set's props to the scene, as they are `beat` beats after the set's first bar.
 pub(super) fn add(set: Set, beat: f32, scene: &mut Scene) {
     let props: &[Prop] = match set {
         Set::Model => &MODEL,
@@ -152,7 +147,7 @@ pub(super) fn add(set: Set, beat: f32, scene: &mut Scene) {
 }
 
 impl Prop {
-    /// The same, so many along x and z, so far apart.
+    /// The same objects in a grid: `count` along x and z, `spacing` scene units apart.
     const fn repeat(self, count: [u8; 2], spacing: [f32; 2]) -> Self {
         Self {
             count,
@@ -161,7 +156,12 @@ impl Prop {
         }
     }
 
-    /// The same, but for the material of every other one along x.
+    /// Several objects in one position, which their motion spreads out.
+    const fn copies(self, count: u8) -> Self {
+        self.repeat([count, 1], [0.0, 0.0])
+    }
+
+    /// The same objects with another material for every other one along x.
     const fn alternating(self, every_other: &'static Material) -> Self {
         Self {
             every_other,
@@ -169,12 +169,12 @@ impl Prop {
         }
     }
 
-    /// The same, in motion.
+    /// The same objects, in motion.
     const fn moving(self, motion: Motion) -> Self {
         Self { motion, ..self }
     }
 
-    /// Adds one of them.
+    /// Adds the object in a column and a row of the grid.
     fn add(&self, column: u8, row: u8, beat: f32, scene: &mut Scene) {
         let number = f32::from(column);
         let [dx, dz] = self.spacing;
@@ -189,7 +189,7 @@ impl Prop {
             Striking => {
                 let since = beat + 4.0 - number;
                 let since = since - 4.0 * whole(since * 0.25);
-                // Down at once, up in three beats.
+                // Up in the three beats after the strike, down in the last quarter before the next.
                 centre.y += 0.9 * (smooth_step(since / 3.0) - smooth_step((since - 3.75) * 4.0));
             }
             Turning { radius } => {
@@ -208,31 +208,30 @@ impl Prop {
             *self.every_other
         };
         let half = self.size * 0.5;
-        if let Shape::Ball = self.shape {
-            scene.spheres.push(Sphere {
+        match self.shape {
+            Shape::Sphere => scene.spheres.push(Sphere {
                 centre,
                 radius: half.x,
                 material,
-            });
-        } else {
-            scene.blocks.push(Block {
+            }),
+            Shape::Block(shape) => scene.blocks.push(Block {
                 centre,
                 half,
                 axes,
-                round: matches!(self.shape, Shape::Cylinder),
+                shape,
                 material,
-            });
-        }
+            }),
+        };
     }
 }
 
-/// The level direction that makes so many turns from the z axis to the x axis.
+/// The horizontal direction at an angle, in turns, from the z axis towards the x axis.
 pub(super) fn around(turns: f32) -> Vec3A {
     vec3a(sin(TAU * turns), 0.0, cos(TAU * turns))
 }
 
-/// The whole beats of a time, and one less at the beat itself, when all that is done on it is about to begin: for times
-/// between half beats it is the floor, and there a tie rounds to even.
+/// The floor of a time in beats, but one less on the beat itself, when the movement that it triggers is about to begin; a tie
+/// half-way between two beats rounds to even.
 fn whole(beat: f32) -> f32 {
     round(beat - 0.5)
 }

@@ -5,7 +5,7 @@ use super::intersect::Hit;
 use super::stack::Rays;
 use crate::lanes::*;
 use crate::prepare::{Object, Prepared};
-use crate::scene::Block;
+use crate::scene::{Block, Shape};
 use glam::{Mat3A, Vec3A};
 
 /// Added to directions along a block's axes, so that a ray along a side is not divided by 0.
@@ -41,7 +41,7 @@ pub(super) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S
     let zero = splat(simd, 0.0);
     let (mut near, mut far) = slab(simd, o.y, d.y, block.half.y);
     let mut is_met = M::<S>::splat(simd, true);
-    if block.round {
+    if block.shape == Shape::Cylinder {
         let a: F<S> = d.x * d.x + d.z * d.z;
         let b: F<S> = d.x * o.x + d.z * o.z;
         let middle = -b / a;
@@ -103,7 +103,7 @@ impl<S: Isa> BlockHit<S> {
         // How far out they are across each pair of faces, which are at 1.
         let faces = own * Vec3x::splat(simd, block.half.recip());
         let (mut x, y, mut z) = (faces.x.abs(), faces.y.abs(), faces.z.abs());
-        if block.round {
+        if block.shape == Shape::Cylinder {
             x = (x * x + z * z).sqrt();
             z = x;
         }

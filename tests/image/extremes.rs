@@ -6,7 +6,7 @@ use crate::drawn::{draw, draw_by_all};
 use crate::error::Difference;
 use crate::oracle::frame::Frame;
 use crate::studio::Studio;
-use eightfold::scene::{Block, Camera, Caption, List, Material, Scene, Spot};
+use eightfold::scene::{Block, Camera, Caption, List, Material, Scene, Shape, Spot};
 use eightfold::{Counts, Quality, show};
 use glam::{Mat3A, Vec3A, vec3a};
 
@@ -227,12 +227,12 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
 /// The model scene with a box, a cylinder, and a lamp that is a ball and a cone.
 fn rich() -> Scene {
     let mut scene = show::scene(1.0);
-    for (round, x) in [(false, -3.5), (true, 3.8)] {
+    for (shape, x) in [(Shape::Box, -3.5), (Shape::Cylinder, 3.8)] {
         scene.blocks.push(Block {
             centre: vec3a(x, 0.8, -1.0),
             half: vec3a(0.4, 0.8, 0.4),
             axes: Mat3A::IDENTITY,
-            round,
+            shape,
             material: scene.spheres[0].material,
         });
     }

@@ -3,7 +3,9 @@
 use crate::drawn::{draw, draw_by_all};
 use crate::error::Difference;
 use eightfold::Quality;
-use eightfold::scene::{Block, Camera, Light, List, Material, Pattern, Plane, Scene, Sphere};
+use eightfold::scene::{
+    Block, Camera, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere,
+};
 use glam::{Mat3A, Vec3A, vec3a};
 
 /// A floor, a sphere, a box and a cylinder, with checkers, stripes and marble far finer than squares allow for; the marble's
@@ -21,11 +23,11 @@ fn scene(depth: f32, marble: f32) -> Scene {
         },
         ..Material::BLACK
     };
-    let block = |x: f32, round: bool, material: Material| Block {
+    let block = |x: f32, shape: Shape, material: Material| Block {
         centre: vec3a(x, 1.0, 0.0),
         half: vec3a(0.7, 1.0, 0.7),
         axes: Mat3A::from_rotation_y(0.4),
-        round,
+        shape,
         material,
     };
     Scene {
@@ -49,8 +51,12 @@ fn scene(depth: f32, marble: f32) -> Scene {
             material: material(Vec3A::splat(3.0), 20.0, 0.0),
         }]),
         blocks: List::of(&[
-            block(-1.2, false, material(vec3a(0.0, 4.0, 0.0), 20.0, 0.0)),
-            block(1.2, true, material(vec3a(1.0, 2.0, 1.0), marble, 1.0)),
+            block(-1.2, Shape::Box, material(vec3a(0.0, 4.0, 0.0), 20.0, 0.0)),
+            block(
+                1.2,
+                Shape::Cylinder,
+                material(vec3a(1.0, 2.0, 1.0), marble, 1.0),
+            ),
         ]),
         lights: List::of(&[Light {
             position: vec3a(-3.0, 6.0, -4.0),

@@ -8,7 +8,9 @@ use crate::drawn::draw;
 use crate::oracle::frame::Frame;
 use crate::oracle::squares::Squares;
 use crate::refinement::{assert_as_refined, bare};
-use eightfold::scene::{Block, Camera, Light, List, Material, Pattern, Plane, Scene, Sphere, Spot};
+use eightfold::scene::{
+    Block, Camera, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
+};
 use eightfold::{Quality, show};
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
@@ -179,21 +181,35 @@ fn painted() -> impl Strategy<Value = Material> {
     })
 }
 
+pub fn shape() -> impl Strategy<Value = Shape> {
+    any::<bool>().prop_map(|is_round| {
+        if is_round {
+            Shape::Cylinder
+        } else {
+            Shape::Box
+        }
+    })
+}
+
 fn block() -> impl Strategy<Value = Block> {
     (
         place(4.0, 3.0),
         [0.2_f32..1.5, 0.2..1.5, 0.2..1.5],
         ([-1.0_f32..1.0, -1.0..1.0, -1.0..1.0], 0.1_f32..1.0),
-        any::<bool>(),
+        shape(),
         painted(),
     )
-        .prop_map(|(centre, half, ([x, y, z], w), round, material)| {
+        .prop_map(|(centre, half, ([x, y, z], w), shape, material)| {
             let half = Vec3A::from(half);
             Block {
                 centre,
-                half: if round { half.with_z(half.x) } else { half },
+                half: if shape == Shape::Cylinder {
+                    half.with_z(half.x)
+                } else {
+                    half
+                },
                 axes: Mat3A::from_quat(Quat::from_xyzw(x, y, z, w).normalize()),
-                round,
+                shape,
                 material,
             }
         })

@@ -4,7 +4,7 @@ use crate::cpu;
 use crate::drawn::draw;
 use crate::error::Difference;
 use crate::studio::Studio;
-use eightfold::scene::{Block, Camera, List, Scene, Sphere};
+use eightfold::scene::{Block, Camera, List, Scene, Shape, Sphere};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality, show};
 use glam::{Mat3A, Vec3A};
 use std::panic::catch_unwind;
@@ -113,18 +113,20 @@ fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
         });
         scene
     };
-    let block = |r: f32, round: bool| {
+    let block = |r: f32, shape: Shape| {
         let mut scene = of_length(r);
         scene.blocks.push(Block {
             centre: Vec3A::NEG_Z * r,
             half: Vec3A::splat(r),
             axes: Mat3A::from_rotation_x(0.5),
-            round,
+            shape,
             material,
         });
         scene
     };
-    let scenes: [&dyn Fn(f32) -> Scene; 3] = [&sphere, &|r| block(r, false), &|r| block(r, true)];
+    let scenes: [&dyn Fn(f32) -> Scene; 3] = [&sphere, &|r| block(r, Shape::Box), &|r| {
+        block(r, Shape::Cylinder)
+    }];
     for scene in scenes {
         for isa in cpu::instruction_sets() {
             let picture = |r| draw(isa, 1, &scene(r), &Quality::EXHAUSTIVE, 96, 72).pixels;

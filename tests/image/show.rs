@@ -16,7 +16,7 @@ fn at(time: f32) -> Scene {
 
 #[test]
 fn the_show_is_valid_all_along() {
-    for i in 0..=(grid::LENGTH * 10.0) as usize {
+    for i in 0..=(grid::SHOW_LENGTH * 10.0) as usize {
         let time = i as f32 / 10.0;
         assert_eq!(at(time).validate(), Ok(()), "{time} s");
     }
@@ -51,7 +51,7 @@ fn a_kick_is_a_flash_in_its_own_frame() {
 fn a_scene_does_not_depend_on_the_one_that_it_replaces() {
     for cut in grid::CUTS {
         let time = (cut as f32 + 0.7) * grid::BAR;
-        let mut scene = at(grid::LENGTH - time);
+        let mut scene = at(grid::SHOW_LENGTH - time);
         show::at(time, &mut scene);
         assert_eq!(
             format!("{:?}", scene.spheres.to_vec()),
@@ -68,7 +68,7 @@ fn a_scene_does_not_depend_on_the_one_that_it_replaces() {
 #[test]
 fn the_camera_jumps_on_bars_alone_and_at_every_cut() {
     let mut jumps = Vec::new();
-    let frames = (grid::LENGTH * 60.0) as usize;
+    let frames = (grid::SHOW_LENGTH * 60.0) as usize;
     for i in 1..frames {
         let eye = |i: usize| at(i as f32 / 60.0).camera.eye;
         if (eye(i) - eye(i - 1)).length() > 0.4 {

@@ -7,7 +7,9 @@
 use crate::cpu;
 use crate::error::Difference;
 use crate::studio::Studio;
-use eightfold::scene::{Block, Camera, Light, Material, Pattern, Plane, Scene, Sphere, Spot};
+use eightfold::scene::{
+    Block, Camera, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
+};
 use eightfold::{Counts, Quality, show};
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use std::env;
@@ -115,13 +117,21 @@ fn valid(random: &mut Random) -> Scene {
 fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
     for _ in 0..random.below(9) {
         let half = scale * random.vector(Vec3A::splat(0.05), Vec3A::splat(1.5));
-        let round = random.below(2) == 0;
+        let shape = if random.below(2) == 0 {
+            Shape::Cylinder
+        } else {
+            Shape::Box
+        };
         let turn = random.vector(Vec3A::splat(-3.0), Vec3A::splat(3.0));
         scene.blocks.push(Block {
             centre: scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),
-            half: if round { half.with_z(half.x) } else { half },
+            half: if shape == Shape::Cylinder {
+                half.with_z(half.x)
+            } else {
+                half
+            },
             axes: Mat3A::from_quat(Quat::from_scaled_axis(turn.into())),
-            round,
+            shape,
             material: material(random),
         });
     }

@@ -8,7 +8,7 @@ use crate::extremes::scaled;
 use crate::random::config;
 use crate::refinement::bare;
 use crate::studio::Studio;
-use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use eightfold::{Quality, show};
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
@@ -42,7 +42,7 @@ struct Body {
     spot: Spot,
     half: Vec3A,
     turned: Quat,
-    round: bool,
+    shape: Shape,
 }
 
 /// Cubes, rods and slabs, upright or not.
@@ -53,14 +53,18 @@ fn body() -> impl Strategy<Value = Body> {
         2 => ([-1.0_f32..1.0, -1.0..1.0, -1.0..1.0], 0.1_f32..1.0)
             .prop_map(|([x, y, z], w)| Quat::from_xyzw(x, y, z, w).normalize()),
     ];
-    (spot(), (share(), share(), share()), turned, any::<bool>()).prop_map(
-        |(spot, (x, y, z), turned, round)| Body {
-            spot,
-            half: vec3a(x, y, if round { x } else { z }).normalize(),
-            turned,
-            round,
-        },
+    (
+        spot(),
+        (share(), share(), share()),
+        turned,
+        super::random::shape(),
     )
+        .prop_map(|(spot, (x, y, z), turned, shape)| Body {
+            spot,
+            half: vec3a(x, y, if shape == Shape::Cylinder { x } else { z }).normalize(),
+            turned,
+            shape,
+        })
 }
 
 /// Bodies of half a pixel to far more than the picture, near the eye and around it too: some are as thin as a hair.
@@ -69,7 +73,7 @@ fn bold_body() -> impl Strategy<Value = Body> {
     (body(), -0.3_f32..3.5, -1.5_f32..1.5, thin).prop_map(|(mut body, pixels, distance, thin)| {
         body.spot.radius = 10.0_f32.powf(pixels);
         body.spot.distance = 10.0_f32.powf(distance);
-        body.half *= if body.round {
+        body.half *= if body.shape == Shape::Cylinder {
             vec3a(thin, 1.0, thin)
         } else {
             vec3a(1.0, thin, 1.0)
@@ -191,7 +195,7 @@ impl Sketch {
                     centre,
                     half: body.half * radius,
                     axes: Mat3A::from_quat(body.turned),
-                    round: body.round,
+                    shape: body.shape,
                     material: material(next(), self.step),
                 }
             })
@@ -367,7 +371,7 @@ proptest! {
 
     #[test]
     fn every_object_of_the_show_is_shown_at_any_time_and_size(
-        time in 0.0..show::grid::LENGTH,
+        time in 0.0..show::grid::SHOW_LENGTH,
         width in 1_usize..160,
         height in 1_usize..120,
     ) {

@@ -1,7 +1,7 @@
 //! Where a ray hits, by the formulas of any textbook.
 
 use super::{Object, Oracle, Ray};
-use eightfold::scene::{Block, Light, Plane};
+use eightfold::scene::{Block, Light, Plane, Shape};
 use glam::{DVec3, Vec3A};
 
 /// Hits nearer than this are none: what the roots of a ray along a sphere are off by, the root of f64's rounding.
@@ -53,18 +53,19 @@ fn lamp(ray: Ray, light: &Light) -> Option<f64> {
 pub(super) fn block(ray: Ray, it: &Block) -> Option<(f64, DVec3)> {
     let axes = glam::Mat3::from(it.axes).as_dmat3();
     let half = it.half.as_dvec3();
+    let is_cylinder = it.shape == Shape::Cylinder;
     let o = axes.transpose() * (ray.o - it.centre.as_dvec3());
     let d = axes.transpose() * ray.d;
     let mut hits: Vec<(f64, DVec3)> = Vec::new();
     // Each side's plane, and whether it is hit between the other sides.
     for i in 0..3 {
-        if it.round && i != 1 {
+        if is_cylinder && i != 1 {
             continue;
         }
         for side in [-1.0, 1.0] {
             let t = (side * half[i] - o[i]) / d[i];
             let p = o + t * d;
-            let is_inside = if it.round {
+            let is_inside = if is_cylinder {
                 p.x * p.x + p.z * p.z <= half.x * half.x
             } else {
                 (0..3).all(|j| j == i || p[j].abs() <= half[j])
@@ -74,7 +75,7 @@ pub(super) fn block(ray: Ray, it: &Block) -> Option<(f64, DVec3)> {
             }
         }
     }
-    if it.round {
+    if is_cylinder {
         let a = d.x * d.x + d.z * d.z;
         let b = o.x * d.x + o.z * d.z;
         let root = (b * b - a * (o.x * o.x + o.z * o.z - half.x * half.x)).sqrt();

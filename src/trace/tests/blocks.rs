@@ -2,7 +2,7 @@
 //! place.
 
 use super::*;
-use crate::scene::Block;
+use crate::scene::{Block, Shape};
 use glam::{Mat3A, Quat, Vec3A};
 
 const BLOCKS: usize = 2000;
@@ -15,15 +15,19 @@ fn block(random: &mut Random) -> (Block, f64) {
     let scale = 10_f64.powf(random.between(-3.0, 3.0));
     let mut length = || (scale * 10_f64.powf(random.between(-1.0, 1.0))) as f32;
     let (x, y, z) = (length(), length(), length());
-    let round = random.bits().is_multiple_of(2);
+    let shape = if random.bits().is_multiple_of(2) {
+        Shape::Cylinder
+    } else {
+        Shape::Box
+    };
     let centre = (scale * random.vector(-3.0, 1.5)).as_vec3a();
     let [a, b, c] = random.direction().as_vec3a().to_array();
     let turn = Quat::from_xyzw(a, b, c, random.between(-1.0, 1.0) as f32);
     let block = Block {
         centre,
-        half: Vec3A::new(x, y, if round { x } else { z }),
+        half: Vec3A::new(x, y, if shape == Shape::Cylinder { x } else { z }),
         axes: Mat3A::from_quat(turn.normalize()),
-        round,
+        shape,
         ..Block::default()
     };
     let largest = (centre.abs() + block.half).max_element();
@@ -36,7 +40,7 @@ fn outside(block: &Block, p: Vec3A) -> f64 {
     let own = axes.transpose() * (p.as_dvec3() - block.centre.as_dvec3());
     let half = block.half.as_dvec3();
     let mut out = own.abs() - half;
-    if block.round {
+    if block.shape == Shape::Cylinder {
         out.x = own.x.hypot(own.z) - half.x;
         out.z = out.x;
     }
@@ -137,12 +141,16 @@ impl Property for FarBlocks {
             let (any, _) = block(&mut random);
             let mut length = || 10_f64.powf(random.between(-4.0, 4.0)) as f32;
             let half = Vec3A::new(length(), length(), length());
-            let round = kind == 2;
+            let shape = if kind == 2 {
+                Shape::Cylinder
+            } else {
+                Shape::Box
+            };
             let block = Block {
                 centre: Vec3A::ZERO,
-                half: if round { half.with_z(half.x) } else { half },
+                half: if kind == 2 { half.with_z(half.x) } else { half },
                 axes: if kind == 0 { Mat3A::IDENTITY } else { any.axes },
-                round,
+                shape,
                 ..any
             };
             let scene = prepared(&Scene {
@@ -194,7 +202,7 @@ fn a_cylinder_seen_along_its_axis_is_its_end() {
         blocks: List::of(&[Block {
             half: Vec3A::ONE,
             axes: Mat3A::from_cols(Vec3A::X, Vec3A::Z, Vec3A::NEG_Y),
-            round: true,
+            shape: Shape::Cylinder,
             ..Block::default()
         }]),
         ..Scene::default()

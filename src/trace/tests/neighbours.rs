@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::quality::Quality;
-use crate::scene::{Block, Light, Spot};
+use crate::scene::{Block, Light, Shape, Spot};
 use crate::show;
 use crate::trace::Batch;
 use crate::trace::shade::shade;
@@ -155,12 +155,12 @@ impl Property for Neighbours {
 /// A scene with a box, a cylinder, haze, a pattern, a lamp with a size and one with a cone.
 fn rich() -> Scene {
     let mut scene = show::scene(1.0);
-    for (x, round) in [(-1.0, false), (1.2, true)] {
+    for (x, shape) in [(-1.0, Shape::Box), (1.2, Shape::Cylinder)] {
         scene.blocks.push(Block {
             centre: Vec3A::new(x, 0.7, 2.5),
             half: Vec3A::new(0.6, 0.7, 0.6),
             axes: Mat3A::from_rotation_z(0.3),
-            round,
+            shape,
             material: scene.spheres[0].material,
         });
     }
