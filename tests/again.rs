@@ -6,7 +6,7 @@ mod stage;
 mod simulated;
 
 use eightfold::show::grid;
-use eightfold::sound::{LENGTH, RATE, Synthesizer};
+use eightfold::sound::{RATE, SONG_LENGTH, Synthesizer};
 use std::process::{Command, Stdio};
 
 /// Frames a second, and of the show. Of a fiftieth, all is whole nanoseconds.
@@ -62,7 +62,7 @@ fn the_second_time_is_as_the_first_in_sound_and_picture() {
     let line = "eightfold: no X display; playing in the terminal\n";
     assert!(output.status.success() && errors == line, "{errors}");
 
-    let mut song = vec![[0.0; 2]; LENGTH as usize];
+    let mut song = vec![[0.0; 2]; SONG_LENGTH as usize];
     Box::<Synthesizer>::default().play(&mut song);
     let wanted = song.iter().cycle();
     let heard = played.iter().flat_map(|(_, block)| block);
@@ -71,7 +71,7 @@ fn the_second_time_is_as_the_first_in_sound_and_picture() {
         assert_eq!(heard, wanted, "sample {number}");
     }
     // The second time is heard from where it is seen.
-    let (start, _) = played[LENGTH as usize / 48];
+    let (start, _) = played[SONG_LENGTH as usize / 48];
     let drift = start.abs_diff(96 * SECOND);
     assert!(drift <= SECOND / FPS as u64, "{start} ns");
 

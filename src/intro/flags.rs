@@ -1,4 +1,4 @@
-//! The flags of the command line, and what `--help` says.
+//! The flags of the command line, and the text of `--help`.
 
 use core::fmt::{self, Display, Formatter, Write};
 
@@ -6,14 +6,14 @@ use eightfold_window::{cpu, line::Writer};
 
 use super::qualities::NAMED;
 
-/// What `--version` says.
+/// The text of `--version`.
 pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 
-/// The keys, as `--help` says them.
-const KEYS: &str = "keys: F whole screen, W window, Esc end";
+/// The keys, as `--help` lists them.
+const KEYS: &str = "keys: F fullscreen, W window, Esc end";
 
-/// What a flag is about.
-#[derive(Clone, Copy)]
+/// What a flag sets, in the order of [`FLAGS`].
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Switch {
     Size,
     Fullscreen,
@@ -33,17 +33,17 @@ pub enum Switch {
 
 /// A flag of the command line.
 pub struct Flag {
-    /// What it is about.
+    /// What it sets.
     pub switch: Switch,
-    /// With its hyphens.
+    /// The flag itself, with its hyphens.
     pub name: &'static str,
-    /// What its value looks like; empty if it takes none.
+    /// The name of its value in `--help`; empty if it takes none.
     pub value: &'static str,
-    /// What it does, with the range of its value, and in brackets what holds without it.
+    /// What it does, the range of its value, and the default in brackets.
     help: &'static str,
 }
 
-/// All flags. What each sets is told in [`Options`](super::options::Options).
+/// All flags. [`Options`](super::options::Options) documents what they set.
 pub const FLAGS: &[Flag] = &[
     Flag {
         switch: Switch::Size,
@@ -55,7 +55,7 @@ pub const FLAGS: &[Flag] = &[
         switch: Switch::Fullscreen,
         name: "--fullscreen",
         value: "",
-        help: "start over the whole screen",
+        help: "start in fullscreen",
     },
     Flag {
         switch: Switch::Threads,
@@ -67,7 +67,7 @@ pub const FLAGS: &[Flag] = &[
         switch: Switch::Isa,
         name: "--isa",
         value: "NAME",
-        help: "instruction set to trace with (the best that the CPU has):",
+        help: "instruction set to trace with (the best of this CPU):",
     },
     Flag {
         switch: Switch::Seconds,
@@ -103,7 +103,7 @@ pub const FLAGS: &[Flag] = &[
         switch: Switch::Uncapped,
         name: "--uncapped",
         value: "",
-        help: "as many frames as can be, at default quality if none is named",
+        help: "draw frames without a pause, at default quality unless one is named",
     },
     Flag {
         switch: Switch::Silent,
@@ -115,32 +115,48 @@ pub const FLAGS: &[Flag] = &[
         switch: Switch::Still,
         name: "--still",
         value: "S",
-        help: "write the frame at so many seconds, 0 to 95.99, to standard output as PPM",
+        help: "write the frame at S seconds, 0 to 95.99, to standard output as PPM",
     },
     Flag {
         switch: Switch::Help,
         name: "--help",
         value: "",
-        help: "say this",
+        help: "print this help",
     },
     Flag {
         switch: Switch::Version,
         name: "--version",
         value: "",
-        help: "say which version this is",
+        help: "print the version",
     },
 ];
 
-/// The width of the column that the flags and their values have in `--help`.
+/// The width, in characters, of the column with the flags and their values in `--help`.
 const COLUMN: usize = 16;
 
+// The table fits the enumeration and the column.
+const _: () = {
+    assert!(FLAGS.len() == Switch::Version as usize + 1);
+    let mut i = 0;
+    while i < FLAGS.len() {
+        let flag = &FLAGS[i];
+        assert!(
+            flag.switch as usize == i,
+            "a flag for each switch, in order"
+        );
+        assert!(flag.name.len() + flag.value.len() <= COLUMN);
+        assert!(!flag.help.is_empty());
+        i += 1;
+    }
+};
+
 impl Flag {
-    /// The flag with a name.
+    /// The flag of a given name.
     pub fn find(name: &[u8]) -> Option<&'static Flag> {
         FLAGS.iter().find(|flag| flag.name.as_bytes() == name)
     }
 
-    /// Writes what it does, and the names that it takes if there is a list of them.
+    /// Writes what it does, and the values that it accepts if these are names.
     fn write_help(&self, f: &mut dyn Write) -> fmt::Result {
         f.write_str(self.help)?;
         match self.switch {
@@ -151,7 +167,7 @@ impl Flag {
     }
 }
 
-/// The flag, its value, and what `--help` says of it: for errors.
+/// The flag's line of `--help`, for error messages.
 impl Display for Flag {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)?;
@@ -163,7 +179,7 @@ impl Display for Flag {
     }
 }
 
-/// Writes what `--help` says.
+/// Writes the text of `--help`.
 pub fn write_help(output: &mut Writer) -> fmt::Result {
     writeln!(output, "{VERSION}")?;
     for flag in FLAGS {
@@ -177,7 +193,7 @@ pub fn write_help(output: &mut Writer) -> fmt::Result {
     writeln!(output, "\n{KEYS}")
 }
 
-/// Writes names, each after a space.
+/// Writes names, each preceded by a space.
 fn write_names(f: &mut dyn Write, names: impl IntoIterator<Item = &'static str>) -> fmt::Result {
     names.into_iter().try_for_each(|name| write!(f, " {name}"))
 }

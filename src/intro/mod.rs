@@ -1,12 +1,12 @@
-//! The intro's program, around the library:
+//! The intro: a program around the library.
 //!
 //! | what | module |
 //! | --- | --- |
 //! | the command line | [`options`], [`flags`] |
-//! | the qualities that can be asked for | [`qualities`] |
-//! | frames drawn by all threads | [`renderer`] |
-//! | the show on a screen, and how it went | [`playing`], [`tally`] |
-//! | a frame as a file | [`still`] |
+//! | the named qualities | [`qualities`] |
+//! | drawing a frame on all threads | [`renderer`] |
+//! | playing the show on a screen, and its statistics | [`playing`], [`tally`] |
+//! | writing one frame as a file | [`still`] |
 
 mod flags;
 mod options;
@@ -26,16 +26,16 @@ use eightfold_window::{
 };
 use options::{Options, Task};
 
-/// How long the show is, in nanoseconds.
-const SHOW_LENGTH: u64 = (show::grid::LENGTH as f64 * SECOND as f64) as u64;
+/// The length of the show in nanoseconds.
+const SHOW_NANOSECONDS: u64 = (show::grid::SHOW_LENGTH as f64 * SECOND as f64) as u64;
 
-/// The exit code of a run that lost its screen, or could not write what it was asked for.
+/// The exit code of a run that lost its screen or could not write its output.
 const FAILURE: i32 = 1;
 
-/// The exit code where the command line asks for what there is not.
+/// The exit code for an invalid command line.
 const MISUSE: i32 = 2;
 
-/// The whole program. Returns its exit code, 0 if all went well.
+/// Runs the program. Returns its exit code, 0 for success.
 pub fn run(arguments: Arguments) -> i32 {
     let options = match Options::parse(arguments) {
         Ok(options) => options,
@@ -58,7 +58,7 @@ fn print(write: impl FnOnce(&mut Writer) -> fmt::Result) -> i32 {
     exit_code(write(&mut output).and_then(|()| output.flush()))
 }
 
-/// The exit code after something was written to standard output; says on standard error if that failed.
+/// The exit code after an attempt to write to standard output. A failure is reported on standard error.
 fn exit_code(written: fmt::Result) -> i32 {
     if written.is_ok() {
         return 0;

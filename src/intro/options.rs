@@ -1,4 +1,4 @@
-//! What the command line asks for.
+//! The options, parsed from the command line.
 
 use core::{
     fmt::{self, Display, Formatter},
@@ -14,71 +14,71 @@ use eightfold_window::{
 };
 
 use super::{
-    SHOW_LENGTH,
+    SHOW_NANOSECONDS,
     flags::{Flag, Switch},
     qualities,
 };
 
-/// The most threads that have a worker's memory waiting for them.
+/// The most threads: the program has memory for the workers of so many.
 pub const MAX_THREADS: usize = 64;
 
-/// The most frames a second that can be asked for.
+/// The largest value of `--fps`.
 const MAX_FPS: usize = 1000;
 
-/// The longest time that can be asked for, about 30 years: any sum of such times in nanoseconds stays far below 2^64.
+/// The largest number of seconds, about 30 years: sums of such times in nanoseconds stay far below 2^64.
 const MAX_SECONDS: u64 = 1_000_000_000;
 
-/// What to do.
+/// What the program has to do.
 #[derive(Clone, Copy)]
 pub enum Task {
     /// Play the show.
     Play,
-    /// Write the frame of a time in nanoseconds, below [`SHOW_LENGTH`].
+    /// Write the frame at a time in nanoseconds, below [`SHOW_NANOSECONDS`].
     Still(u64),
-    /// Say which flags there are.
+    /// Print the help.
     Help,
-    /// Say which version this is.
+    /// Print the version.
     Version,
 }
 
-/// What to do, and how to play or to draw.
+/// What to do, and how to play or draw.
 pub struct Options {
-    /// What to do.
+    /// The task.
     pub task: Task,
-    /// Width and height of the window or the frame in pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
+    /// The width and height of the window or the frame in pixels, at most [`MAX_WIDTH`] and [`MAX_HEIGHT`].
     pub size: (usize, usize),
-    /// Whether the window starts over the whole screen.
+    /// Whether the window starts in fullscreen.
     pub is_fullscreen: bool,
-    /// Threads that trace, 1 to [`MAX_THREADS`]; `None`: one for each processor.
+    /// The number of threads that draw, 1 to [`MAX_THREADS`]; `None` means one for each processor.
     pub threads: Option<usize>,
     /// The instruction set to trace with.
     pub isa: Isa,
-    /// Nanoseconds until the end, above 0; `None`: the length of the show.
+    /// The time until the end in nanoseconds, above 0; `None` means the length of the show.
     pub length: Option<u64>,
     /// Whether the show starts again instead of ending.
     pub is_looping: bool,
-    /// Frames a second to hold, 1 to [`MAX_FPS`].
+    /// The frame rate to hold, in frames per second, 1 to [`MAX_FPS`].
     pub fps: u64,
-    /// The one quality to keep to, by its number in [`qualities::NAMED`]; `None`: whichever holds the frame rate.
+    /// The fixed quality, as an index in [`qualities::NAMED`]; with `None` the governor chooses.
     pub quality: Option<usize>,
     /// Whether frames follow each other without a pause.
     pub is_uncapped: bool,
-    /// Whether no sound is played.
+    /// Whether the show is played without sound.
     pub is_silent: bool,
 }
 
-/// Why the command line can't be followed.
+/// What is wrong with the command line.
 #[derive(Clone, Copy)]
 pub enum Misuse {
-    /// There is no such flag.
+    /// An unknown flag.
     UnknownFlag(&'static [u8]),
-    /// A flag that takes a value ends the command line.
+    /// A flag without its value, at the end of the command line.
     NoValue(&'static Flag),
-    /// A flag can't take this value.
+    /// A value that the flag does not accept.
     BadValue(&'static Flag, &'static [u8]),
-    /// There is an instruction set of this name, but not in this CPU.
+    /// An instruction set that this CPU does not have.
     NotInThisCpu(&'static [u8]),
-    /// Two different qualities to keep to.
+    /// Two different qualities.
     TwoQualities,
 }
 
@@ -99,7 +99,7 @@ impl Display for Misuse {
 }
 
 impl Options {
-    /// What holds where the command line says nothing.
+    /// The defaults.
     fn new() -> Options {
         Options {
             task: Task::Play,
@@ -116,8 +116,8 @@ impl Options {
         }
     }
 
-    /// Reads the command line: flags, whose values follow as the next argument or after `=`. Where a flag is there twice,
-    /// the last one holds; nothing after a question is read.
+    /// Parses the command line. A flag's value is the next argument, or follows after `=`. If a flag appears twice, the last one
+    /// counts. Nothing after `--help` or `--version` is parsed.
     pub fn parse(mut arguments: Arguments) -> Result<Options, Misuse> {
         let mut options = Options::new();
         while let Some(argument) = arguments.next() {
@@ -158,7 +158,7 @@ impl Options {
             Switch::Uncapped => self.is_uncapped = true,
             Switch::Silent => self.is_silent = true,
             Switch::Still => {
-                let time = nanoseconds(text).filter(|&time| time < SHOW_LENGTH);
+                let time = nanoseconds(text).filter(|&time| time < SHOW_NANOSECONDS);
                 self.task = Task::Still(time.ok_or(bad_value)?);
             }
             Switch::Help => self.task = Task::Help,
@@ -167,7 +167,7 @@ impl Options {
         Ok(())
     }
 
-    /// Keeps to a quality, by its number in [`qualities::NAMED`].
+    /// Sets the fixed quality to an index in [`qualities::NAMED`].
     fn keep_to(&mut self, quality: usize) -> Result<(), Misuse> {
         match self.quality {
             Some(other) if other != quality => Err(Misuse::TwoQualities),
@@ -179,28 +179,27 @@ impl Options {
     }
 }
 
-/// An argument's parts before and after its first `=`, if it has one.
+/// The parts of an argument before and after its first `=`; without one, the whole argument and `None`.
 fn split_at_equals(argument: &[u8]) -> (&[u8], Option<&[u8]>) {
     let mut parts = argument.splitn(2, |&byte| byte == b'=');
     (parts.next().unwrap_or(argument), parts.next())
 }
 
-/// A whole number in decimal digits, 1 to `most`.
+/// Parses a whole number in decimal digits, 1 to `most`.
 fn number(text: &str, most: usize) -> Option<usize> {
-    // `parse` takes a sign, too.
+    // `parse` alone would accept a sign.
     is_digits(text)
         .then(|| text.parse().ok())?
         .filter(|number| (1..=most).contains(number))
 }
 
-/// Width and height with an `x` between them, up to the largest frame.
+/// Parses a width and a height with an `x` between them, up to the largest frame.
 fn size(text: &str) -> Option<(usize, usize)> {
     let (width, height) = text.split_once('x')?;
     Some((number(width, MAX_WIDTH)?, number(height, MAX_HEIGHT)?))
 }
 
-/// Seconds in decimal digits, with or without a fraction, up to [`MAX_SECONDS`], as nanoseconds. What is finer than a
-/// nanosecond is cut off.
+/// Parses a time in seconds, with or without a decimal fraction, up to [`MAX_SECONDS`]. Returns it in nanoseconds, rounded down.
 fn nanoseconds(text: &str) -> Option<u64> {
     let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
     if whole.is_empty() && fraction.is_empty() || !is_digits(whole) || !is_digits(fraction) {
@@ -215,15 +214,15 @@ fn nanoseconds(text: &str) -> Option<u64> {
             .filter(|&seconds| seconds <= MAX_SECONDS)?
     };
     let mut time = seconds * SECOND;
-    let mut place = SECOND;
+    let mut unit = SECOND;
     for digit in fraction.bytes() {
-        place /= 10;
-        time += u64::from(digit - b'0') * place;
+        unit /= 10;
+        time += u64::from(digit - b'0') * unit;
     }
     Some(time)
 }
 
-/// Whether there is nothing but decimal digits.
+/// Whether a text consists of decimal digits alone; an empty one does.
 fn is_digits(text: &str) -> bool {
     text.bytes().all(|byte| byte.is_ascii_digit())
 }

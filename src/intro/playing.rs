@@ -1,4 +1,4 @@
-//! The show, played on a screen to the sound.
+//! Playing the show on a screen, in time with its sound.
 
 use eightfold::{Governor, MAX_HEIGHT, MAX_WIDTH, sound::Synthesizer};
 use eightfold_window::{
@@ -12,7 +12,7 @@ use eightfold_window::{
 };
 
 use super::{
-    SHOW_LENGTH,
+    SHOW_NANOSECONDS,
     options::Options,
     print,
     qualities::{self, NAMED},
@@ -31,7 +31,7 @@ impl Source for Music {
     }
 }
 
-/// Plays the show and says how it went. Returns the exit code.
+/// Plays the show and prints its statistics. Returns the exit code.
 pub fn play(options: &Options) -> i32 {
     let mut playing = Playing {
         options,
@@ -54,7 +54,7 @@ struct Playing<'a> {
 }
 
 impl Playing<'_> {
-    /// Plays on the best screen there is. Returns the exit code.
+    /// Plays in a window, else in the terminal, else without a screen. Returns the exit code.
     fn on_best_screen(&mut self) -> i32 {
         let (width, height) = self.options.size;
         let why = match Window::open(c"Eightfold", width, height) {
@@ -71,12 +71,12 @@ impl Playing<'_> {
             line::complain(format_args!("{why}; playing in the terminal"));
             self.on(&mut Terminal::open())
         } else {
-            line::complain(format_args!("{why}; playing unseen"));
+            line::complain(format_args!("{why}; playing without a screen"));
             self.on(&mut Headless::new(width, height))
         }
     }
 
-    /// Plays on a screen until the show or the viewer ends it. Returns the exit code.
+    /// Plays on a screen until the show ends or the viewer ends it. Returns the exit code.
     fn on(&mut self, screen: &mut dyn Screen) -> i32 {
         let options = self.options;
         let kept = options
@@ -85,7 +85,7 @@ impl Playing<'_> {
         let length = options.length.unwrap_or(if options.is_looping {
             u64::MAX
         } else {
-            SHOW_LENGTH
+            SHOW_NANOSECONDS
         });
         let mut governor = Governor::new(options.fps);
         let mut player = if options.is_silent {
@@ -94,7 +94,7 @@ impl Playing<'_> {
             Player::start(c"default", MUSIC.take())
         };
         let clock = Clock::start();
-        // When the next frame should begin.
+        // The time at which the next frame should begin.
         let mut due = 0;
         loop {
             let start = clock.time();
@@ -115,7 +115,7 @@ impl Playing<'_> {
                 return code;
             }
             if !options.is_uncapped {
-                // After a late frame the next ones don't hurry; the last one lasts no longer than the show.
+                // After a late frame the following ones do not try to catch up. The last frame is not shown beyond the end.
                 due = u64::max(due + SECOND / options.fps, start);
                 let end = start.saturating_add(length - heard);
                 clock.sleep_until(due.min(end));
@@ -124,7 +124,8 @@ impl Playing<'_> {
     }
 }
 
-/// The size of a picture for a screen: the screen's own, or the largest of its shape. No side is 0.
+/// The size of the picture for a screen of a given size: the same, or the largest supported size of the same aspect ratio. No side
+/// is 0.
 fn fit((width, height): (usize, usize)) -> (usize, usize) {
     if width <= MAX_WIDTH && height <= MAX_HEIGHT {
         (width.max(1), height.max(1))

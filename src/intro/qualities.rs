@@ -1,9 +1,9 @@
-//! The qualities that can be asked for by name.
+//! The qualities that have a name.
 
 use eightfold::Quality;
 
-/// The qualities and their names: the ladder, from the finest rung to the fastest, so that a rung's number is that of its
-/// quality; then the two that the ladder is compared with.
+/// The named qualities. First comes the ladder, from the finest rung to the fastest, so that a rung's number is its index here;
+/// then the two qualities that the ladder is compared with.
 pub static NAMED: [(&str, Quality); 9] = [
     (Quality::NAMES[0], Quality::LADDER[0]),
     (Quality::NAMES[1], Quality::LADDER[1]),
@@ -16,13 +16,13 @@ pub static NAMED: [(&str, Quality); 9] = [
     ("exhaustive", Quality::EXHAUSTIVE),
 ];
 
-/// The number in [`NAMED`] of what is played without a pause if nothing is said.
+/// The index in [`NAMED`] of the quality for stills and for `--uncapped`, unless another is named.
 pub const DEFAULT: usize = 3;
 
-/// The number in [`NAMED`] of the quality that traces every pixel.
+/// The index in [`NAMED`] of the quality that traces every pixel.
 pub const EXHAUSTIVE: usize = 8;
 
-/// The number of the quality with a name.
+/// The index in [`NAMED`] of a quality by its name.
 pub fn find(name: &str) -> Option<usize> {
     NAMED.iter().position(|&(known, _)| known == name)
 }

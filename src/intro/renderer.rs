@@ -1,4 +1,4 @@
-//! Frames of the show, drawn by all threads.
+//! Draws frames of the show on all threads.
 
 use eightfold::{Band, Memory, Quality, Worker, render, scene::Scene, show};
 use eightfold_window::{
@@ -9,25 +9,25 @@ use eightfold_window::{
 };
 
 use super::{
-    SHOW_LENGTH,
+    SHOW_NANOSECONDS,
     options::{MAX_THREADS, Options},
 };
 
-/// What a frame is made in.
+/// The working memory for a frame.
 struct Workspace {
     scene: Scene,
     memory: Memory,
     workers: [Worker; MAX_THREADS],
 }
 
-/// Far too large for a stack; what no thread or frame size needs is never touched, so it takes no memory.
+/// Too large for the stack. Pages of workers that no thread uses are never touched, so they take no physical memory.
 static WORKSPACE: Fixed<Workspace> = Fixed::new(Workspace {
     scene: Scene::ZEROED,
     memory: Memory::new(),
     workers: [const { Worker::new() }; _],
 });
 
-/// Draws frames of the show. There is one in a process.
+/// Draws frames of the show. There can be one in a process.
 pub struct Renderer {
     isa: Isa,
     pool: Pool,
@@ -35,7 +35,7 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// Starts the threads.
+    /// Starts the threads and takes the working memory.
     pub fn new(options: &Options) -> Renderer {
         let threads = options.threads.unwrap_or_else(pool::processors);
         Renderer {
@@ -45,12 +45,12 @@ impl Renderer {
         }
     }
 
-    /// Threads that draw, with the caller's.
+    /// The number of threads that draw, the caller's included.
     pub fn threads(&self) -> usize {
         self.pool.threads()
     }
 
-    /// Draws the frame of a time, in nanoseconds, to `width * height` pixels. After its end the show begins again.
+    /// Draws the frame at a time, in nanoseconds, to `width * height` pixels. The show repeats.
     pub fn draw(
         &mut self,
         time: u64,
@@ -63,8 +63,8 @@ impl Renderer {
             memory,
             workers,
         } = &mut *self.workspace;
-        // Through f64, which holds every nanosecond of the show, so that the time is rounded only once.
-        let seconds = ((time % SHOW_LENGTH) as f64 / SECOND as f64) as f32;
+        // An f64 represents every nanosecond of the show exactly, so the time is rounded only once.
+        let seconds = ((time % SHOW_NANOSECONDS) as f64 / SECOND as f64) as f32;
         show::at(seconds, scene);
         let pool = &mut self.pool;
         render(

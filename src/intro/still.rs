@@ -1,5 +1,5 @@
-//! One frame of the show as a file: binary PPM, which is a line of text with the size, then red, green and blue of each
-//! pixel, a byte each.
+//! Writes one frame of the show as a binary PPM file: a header with the size, then a byte each for red, green and blue of every
+//! pixel.
 
 use core::fmt::{self, Write};
 
@@ -16,7 +16,7 @@ use super::{
     renderer::Renderer,
 };
 
-/// Writes the frame of a time, in nanoseconds, to standard output. Returns the exit code.
+/// Writes the frame at a time, in nanoseconds, to standard output. Returns the exit code.
 pub fn write(time: u64, options: &Options) -> i32 {
     if line::terminal(line::OUTPUT) {
         line::complain(format_args!(
@@ -32,7 +32,7 @@ pub fn write(time: u64, options: &Options) -> i32 {
     exit_code(write_ppm(width, height, pixels))
 }
 
-/// Writes pixels, `0x00RRGGBB`, row after row.
+/// Writes a picture of `0x00RRGGBB` pixels in row-major order.
 fn write_ppm(width: usize, height: usize, pixels: &[u32]) -> fmt::Result {
     let mut head = Writer::new(line::OUTPUT);
     write!(head, "P6\n{width} {height}\n255\n")?;

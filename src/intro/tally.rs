@@ -1,4 +1,4 @@
-//! How a run went.
+//! Statistics of a run.
 
 use core::fmt::{self, Write};
 
@@ -9,26 +9,26 @@ use eightfold_window::{
 
 use super::qualities::NAMED;
 
-/// Counts of a run. All times are in nanoseconds.
+/// Statistics of a run. All times are in nanoseconds.
 #[derive(Default)]
 pub struct Tally {
     frames: u64,
-    /// From the start to the last frame, or to the end.
+    /// The time from the start to the last frame, or to the end.
     time: u64,
-    /// Frames of the slowest second that is over.
+    /// The number of frames in the slowest complete second.
     slowest: Option<u64>,
-    /// The second that is running, counted from the start.
+    /// The current second, counted from the start.
     second: u64,
-    /// Frames in that second so far.
+    /// Frames in the current second so far.
     frames_in_second: u64,
-    /// Width and height of the last frame.
+    /// The width and height of the last frame in pixels.
     size: (usize, usize),
-    /// How long each quality was used, in the order of [`NAMED`].
+    /// The time for which each quality of [`NAMED`] was used.
     used: [u64; NAMED.len()],
 }
 
 impl Tally {
-    /// Counts a frame by the time when it was shown, its size, and the number of its quality.
+    /// Counts a frame: the time at which it was shown, its size, and the index of its quality in [`NAMED`].
     pub fn count(&mut self, time: u64, size: (usize, usize), quality: usize) {
         self.frames += 1;
         self.size = size;
@@ -36,7 +36,7 @@ impl Tally {
         self.time = time;
         let second = time / SECOND;
         if second != self.second {
-            // A frame that took longer than a second leaves a second without any.
+            // If a frame took longer than a second, there was a second without frames.
             let is_next = second == self.second + 1;
             let frames = if is_next { self.frames_in_second } else { 0 };
             self.slowest = Some(self.slowest.map_or(frames, |slowest| slowest.min(frames)));
@@ -46,12 +46,12 @@ impl Tally {
         self.frames_in_second += 1;
     }
 
-    /// Takes note that the run has ended by itself.
+    /// Notes the time at which the show ended.
     pub fn end(&mut self, time: u64) {
         self.time = time;
     }
 
-    /// Says in one line how it went, with so many threads and an instruction set of this name.
+    /// Writes the statistics in one line, with the number of threads and the name of the instruction set.
     pub fn report(&self, output: &mut Writer, threads: usize, isa: &str) -> fmt::Result {
         let mean = self.frames * 10 * SECOND / self.time.max(1);
         let worst = self.slowest.map_or(mean, |frames| frames * 10);

@@ -39,7 +39,7 @@ impl SceneName {
                 // There is nothing before the show and after it.
                 let time = self.start().unwrap_or(0.0) + time;
                 let mut scene = Scene::default();
-                show::at(time.clamp(0.0, grid::LENGTH), &mut scene);
+                show::at(time.clamp(0.0, grid::SHOW_LENGTH), &mut scene);
                 scene
             }
         }
@@ -64,7 +64,7 @@ impl SceneName {
     /// Seconds until it ends, or begins again.
     pub fn length(self) -> f32 {
         match self {
-            Self::Show => grid::LENGTH,
+            Self::Show => grid::SHOW_LENGTH,
             Self::Part(part) => {
                 let end = grid::CUTS.get(part + 1).unwrap_or(&grid::BARS);
                 (end - grid::CUTS[part]) as f32 * grid::BAR

@@ -1,4 +1,4 @@
-//! Where things are: the air, the floor and the lamps of each scene.
+//! The background, the haze, the floor and the lights of each set.
 
 use super::Set;
 use super::material;
@@ -7,22 +7,23 @@ use glam::{Vec3A, vec3a};
 
 /// The surroundings of a [`Set`].
 struct Environment {
-    /// The background's colour at the horizon.
+    /// See [`Scene::background`].
     background: Vec3A,
-    /// What it gains at the zenith.
+    /// See [`Scene::sky`].
     sky: Vec3A,
-    /// Ambient light.
+    /// See [`Scene::ambient`].
     ambient: Vec3A,
-    /// Haze, in 1 / scene units.
+    /// See [`Scene::haze`].
     haze: f32,
+    /// The material of the floor, a square about the origin at y = 0.
     floor: &'static Material,
-    /// Half the floor's side, in scene units.
+    /// Half the side of the floor, in scene units.
     floor_half: f32,
-    /// The lamps. The aim of a cone is of any length here.
+    /// The lights. Here a spotlight's aim may have any length.
     lights: &'static [Light],
 }
 
-/// So far that haze hides where the floor ends.
+/// Half the side of a floor that seems endless: haze hides its edge.
 const FAR: f32 = 100.0;
 
 static TITLE: Environment = Environment {
@@ -33,8 +34,8 @@ static TITLE: Environment = Environment {
     floor: &material::NIGHT,
     floor_half: FAR,
     lights: &[
-        lamp([7.0, 8.0, -9.0], [1.25, 0.95, 0.62]),
-        lamp([-9.0, 4.0, -5.0], [0.30, 0.48, 0.95]),
+        point([7.0, 8.0, -9.0], [1.25, 0.95, 0.62]),
+        point([-9.0, 4.0, -5.0], [0.30, 0.48, 0.95]),
     ],
 };
 
@@ -48,11 +49,11 @@ static MODEL: Environment = Environment {
     lights: &[
         Light {
             radius: 0.15,
-            ..lamp([-4.0, 6.0, -4.0], [0.90, 0.85, 0.80])
+            ..point([-4.0, 6.0, -4.0], [0.90, 0.85, 0.80])
         },
         Light {
             radius: 0.15,
-            ..lamp([5.0, 5.0, -2.0], [0.35, 0.40, 0.50])
+            ..point([5.0, 5.0, -2.0], [0.35, 0.40, 0.50])
         },
     ],
 };
@@ -77,7 +78,7 @@ static COLONNADE: Environment = Environment {
                 dark: 0.96,
                 bright: 0.98,
             }),
-            ..lamp([0.0, 9.0, 6.0], [0.45, 0.50, 0.65])
+            ..point([0.0, 9.0, 6.0], [0.45, 0.50, 0.65])
         },
     ],
 };
@@ -97,11 +98,11 @@ static MACHINE: Environment = Environment {
                 dark: 0.70,
                 bright: 0.95,
             }),
-            ..lamp([-5.0, 9.0, -6.0], [1.20, 1.01, 0.79])
+            ..point([-5.0, 9.0, -6.0], [1.20, 1.01, 0.79])
         },
         Light {
             radius: 0.2,
-            ..lamp([8.0, 7.0, 2.0], [0.35, 0.50, 0.95])
+            ..point([8.0, 7.0, 2.0], [0.35, 0.50, 0.95])
         },
     ],
 };
@@ -116,9 +117,9 @@ static SWARM: Environment = Environment {
     lights: &[
         Light {
             size: 1.25,
-            ..lamp([-8.0, 12.0, -6.0], [1.00, 0.86, 0.70])
+            ..point([-8.0, 12.0, -6.0], [1.00, 0.86, 0.70])
         },
-        lamp([10.0, 6.0, 4.0], [0.16, 0.26, 0.55]),
+        point([10.0, 6.0, 4.0], [0.16, 0.26, 0.55]),
     ],
 };
 
@@ -134,12 +135,12 @@ static FINALE: Environment = Environment {
             size: 0.3,
             ..sun([4.0, 2.2, 6.0], [0.85, 0.50, 0.28])
         },
-        lamp([-6.0, 8.0, -8.0], [0.30, 0.36, 0.55]),
+        point([-6.0, 8.0, -8.0], [0.30, 0.36, 0.55]),
     ],
 };
 
-/// A lamp that is not seen and throws hard shadows.
-const fn lamp(position: [f32; 3], colour: [f32; 3]) -> Light {
+/// An invisible point light, whose shadows are hard.
+const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {
     Light {
         position: Vec3A::from_array(position),
         colour: Vec3A::from_array(colour),
@@ -147,15 +148,15 @@ const fn lamp(position: [f32; 3], colour: [f32; 3]) -> Light {
     }
 }
 
-/// A lamp whose rays are parallel.
+/// An invisible light whose rays are parallel.
 const fn sun(position: [f32; 3], colour: [f32; 3]) -> Light {
     Light {
         parallel: true,
-        ..lamp(position, colour)
+        ..point(position, colour)
     }
 }
 
-/// Takes the air, the floor and the lamps of a set into a scene.
+/// Replaces a scene's background, haze, planes and lights by those of a set.
 pub(super) fn apply(set: Set, scene: &mut Scene) {
     let environment = match set {
         Set::Title => &TITLE,

@@ -1,6 +1,6 @@
-//! A field of small spheres: the model scene's floor and lights, with as many spheres on it as one likes.
+//! A field of small spheres: the model scene's floor and lights with any number of spheres on the floor.
 //!
-//! Shows how the time of a frame grows with the number of objects.
+//! It serves to measure how the time of a frame grows with the number of objects.
 
 use super::model::{ORBIT_SPEED, model};
 use super::path::orbit;
@@ -8,21 +8,22 @@ use super::random::Random;
 use crate::scene::{MAX_SPHERES, Material, Scene, Sphere};
 use glam::{Vec3A, vec3a};
 
-/// The side of a full field, in scene units; the floor's is 24.
+/// The side of a full field, in scene units. The floor's side is 24.
 const SIDE: f32 = 16.0;
-/// The most room for one sphere: a few spheres stay in the middle of the picture.
+/// The largest side of the cell that one sphere has for itself, in scene units, so that a few spheres stay in the middle of the
+/// picture.
 const CELL: f32 = 4.0;
-/// The smallest radius and what chance adds to it: 320 spheres of the largest still fit the field side by side.
+/// The smallest radius, and the largest random addition to it, in scene units. Even 320 of the largest spheres fit side by side.
 const RADIUS: (f32, f32) = (0.2, 0.2);
-/// Chance begins here; another number is another field.
+/// The seed of the random numbers: another seed gives another field.
 const SEED: u32 = 2008;
 
-/// `count` spheres, or as many as a scene holds, at `time` seconds. None touch; six of ten are plastic, two mirrors and
-/// two glass, by chance. The same count gives the same spheres.
+/// The field at `time` seconds with `count` spheres, at most [`MAX_SPHERES`]. No two touch. Each is plastic with probability 0.6,
+/// a mirror with 0.2 and glass with 0.2. The same count always gives the same spheres.
 #[must_use]
 pub fn field(count: usize, time: f32) -> Scene {
     let count = count.min(MAX_SPHERES);
-    // Each sphere has a cell of a square grid for itself.
+    // Each sphere lies in its own cell of a square grid.
     let cells = (1..).find(|n| n * n >= count).unwrap_or(1);
     let cell = (SIDE / cells as f32).min(CELL);
     let mut random = Random(SEED);
@@ -30,13 +31,13 @@ pub fn field(count: usize, time: f32) -> Scene {
     model(time, &mut scene);
     scene.spheres.clear();
     for i in 0..count {
-        let radius = RADIUS.0 + RADIUS.1 * random.share();
-        let mut place = |cell_number: usize| {
+        let radius = RADIUS.0 + RADIUS.1 * random.fraction();
+        let mut coordinate = |cell_number: usize| {
             let room = cell - 2.0 * radius;
             let start = (cell_number as f32 - 0.5 * cells as f32) * cell;
-            start + radius + room * random.share()
+            start + radius + room * random.fraction()
         };
-        let centre = vec3a(place(i % cells), radius, place(i / cells));
+        let centre = vec3a(coordinate(i % cells), radius, coordinate(i / cells));
         scene.spheres.push(Sphere {
             centre,
             radius,
@@ -47,10 +48,10 @@ pub fn field(count: usize, time: f32) -> Scene {
     scene
 }
 
-/// One of the model scene's kinds, in a colour of its own.
+/// A random material of one of the model scene's kinds, in a random colour.
 fn material(random: &mut Random) -> Material {
-    let kind = random.share();
-    let mut channel = || 0.12 + 0.8 * random.share();
+    let kind = random.fraction();
+    let mut channel = || 0.12 + 0.8 * random.fraction();
     let colour = vec3a(channel(), channel(), channel());
     if kind < 0.6 {
         Material {

@@ -1,15 +1,15 @@
-//! What things are made of.
+//! The materials of the show.
 
 use crate::scene::{Material, Pattern};
 use glam::{Vec3A, vec3a};
 
-/// Neither mirrors nor is transparent.
+/// The base of the others: opaque and without reflection.
 const MATT: Material = Material {
     index: 1.5,
     ..Material::BLACK
 };
 
-/// How glass tints its shadow, which passes a share of `kt` of the light.
+/// The tint of the shadow of bluish glass with transmission coefficient `kt`.
 const fn tint(kt: f32) -> Vec3A {
     vec3a(0.65 * kt, 0.88 * kt, 1.1 * kt)
 }
@@ -24,7 +24,7 @@ pub(super) static PAPER: Material = Material {
     ..MATT
 };
 
-/// A sphere of the model scene.
+/// Red plastic of the model scene.
 pub(super) static RED: Material = Material {
     colour: vec3a(0.9, 0.15, 0.12),
     kd: 0.7,
@@ -34,7 +34,7 @@ pub(super) static RED: Material = Material {
     ..MATT
 };
 
-/// A sphere of the model scene.
+/// The mirror of the model scene.
 pub(super) static MIRROR: Material = Material {
     colour: vec3a(0.9, 0.9, 0.95),
     kd: 0.2,
@@ -44,7 +44,7 @@ pub(super) static MIRROR: Material = Material {
     ..MATT
 };
 
-/// A sphere of the model scene.
+/// Blue plastic of the model scene.
 pub(super) static BLUE: Material = Material {
     colour: vec3a(0.15, 0.35, 0.9),
     kd: 0.7,
@@ -54,7 +54,7 @@ pub(super) static BLUE: Material = Material {
     ..MATT
 };
 
-/// A sphere of the model scene.
+/// Glass with faint reflections.
 pub(super) static GLASS: Material = Material {
     colour: vec3a(0.95, 0.95, 0.95),
     kd: 0.05,
@@ -66,7 +66,7 @@ pub(super) static GLASS: Material = Material {
     ..MATT
 };
 
-/// Glass that mirrors nothing: what little there would be takes a fifth of the time of a frame that the ball fills.
+/// Glass without reflections: they would be faint and take a fifth of the time of a frame that the sphere fills.
 pub(super) static CRYSTAL: Material = Material {
     colour: vec3a(0.95, 0.95, 0.95),
     kd: 0.05,
@@ -77,7 +77,7 @@ pub(super) static CRYSTAL: Material = Material {
     ..MATT
 };
 
-/// Metal.
+/// Gold.
 pub(super) static GOLD: Material = Material {
     colour: vec3a(0.98, 0.73, 0.38),
     kd: 0.6,
@@ -87,7 +87,7 @@ pub(super) static GOLD: Material = Material {
     ..MATT
 };
 
-/// Metal.
+/// Silver.
 pub(super) static SILVER: Material = Material {
     colour: vec3a(0.85, 0.88, 0.95),
     kd: 0.4,
@@ -97,7 +97,7 @@ pub(super) static SILVER: Material = Material {
     ..MATT
 };
 
-/// Cast metal, which mirrors nothing: that took a quarter of the machine's time, and was hardly seen.
+/// Cast steel without reflections: they took a quarter of the machine's time and were hardly visible.
 pub(super) static STEEL: Material = Material {
     colour: vec3a(0.55, 0.62, 0.75),
     kd: 0.55,
@@ -106,7 +106,7 @@ pub(super) static STEEL: Material = Material {
     ..MATT
 };
 
-/// Plastic.
+/// Scarlet plastic.
 pub(super) static SCARLET: Material = Material {
     colour: vec3a(0.8, 0.11, 0.08),
     kd: 0.8,
@@ -115,7 +115,7 @@ pub(super) static SCARLET: Material = Material {
     ..MATT
 };
 
-/// Plastic.
+/// Yellow plastic with dark, level stripes.
 pub(super) static STRIPED: Material = Material {
     colour: vec3a(0.9, 0.62, 0.1),
     kd: 0.8,
@@ -130,7 +130,7 @@ pub(super) static STRIPED: Material = Material {
     ..MATT
 };
 
-/// Stone.
+/// Veined marble.
 pub(super) static MARBLE: Material = Material {
     colour: vec3a(0.92, 0.86, 0.78),
     kd: 0.8,
@@ -146,7 +146,7 @@ pub(super) static MARBLE: Material = Material {
     ..MATT
 };
 
-/// Stone.
+/// Polished sandstone tiles in a checker pattern.
 pub(super) static SANDSTONE: Material = Material {
     colour: vec3a(0.62, 0.52, 0.44),
     kd: 0.8,
@@ -162,7 +162,7 @@ pub(super) static SANDSTONE: Material = Material {
     ..MATT
 };
 
-/// Stone.
+/// Polished slate tiles in a checker pattern.
 pub(super) static SLATE: Material = Material {
     colour: vec3a(0.62, 0.62, 0.66),
     kd: 0.8,
@@ -178,7 +178,7 @@ pub(super) static SLATE: Material = Material {
     ..MATT
 };
 
-/// A floor as smooth as water.
+/// The finale's floor, which reflects like water.
 pub(super) static DUSK: Material = Material {
     colour: vec3a(0.2, 0.2, 0.27),
     kd: 0.8,
@@ -188,7 +188,7 @@ pub(super) static DUSK: Material = Material {
     ..MATT
 };
 
-/// A floor as smooth as water.
+/// The floor of the title and the swarm, which reflects like dark water.
 pub(super) static NIGHT: Material = Material {
     colour: vec3a(0.22, 0.24, 0.34),
     kd: 0.8,

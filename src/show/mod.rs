@@ -1,4 +1,4 @@
-//! What is played, as a function of time.
+//! The show: the scene as a function of time. So are the model scene and the field, which serve measurements.
 
 mod captions;
 mod environment;
@@ -18,11 +18,11 @@ pub use field::field;
 pub use model::{MODEL_LENGTH, model, scene};
 pub use timeline::at;
 
-/// What is set up for a scene of the show: its air, floor, lamps and props.
+/// What a shot is filmed in: background, haze, floor, lights and props.
 #[derive(Clone, Copy)]
 enum Set {
     Title,
-    /// The model scene, which the method is explained by too.
+    /// The model scene, on which the method is explained, too.
     Model,
     Colonnade,
     Machine,

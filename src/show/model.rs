@@ -1,6 +1,6 @@
-//! The model scene: four spheres, a plane and two lights, circled once.
+//! The model scene: four spheres, a plane and two lights, around which the camera circles.
 //!
-//! The scene of every measurement, after the test scene of the 2008 thesis.
+//! It follows the test scene of the 2008 thesis. Unless another is named, every measurement uses it.
 
 use super::path::orbit;
 use super::{Set, environment, props};
@@ -11,10 +11,10 @@ use glam::vec3a;
 /// Seconds of one orbit: a full turn at 0.25 radians a second.
 pub const MODEL_LENGTH: f32 = 8.0 * core::f32::consts::PI;
 
-/// Radians a second.
+/// The camera's angular speed, in radians per second.
 pub(super) const ORBIT_SPEED: f32 = 0.25;
 
-/// The model scene at `time` seconds; it repeats every [`MODEL_LENGTH`].
+/// Sets a scene to the model scene at `time` seconds. The camera's way repeats every [`MODEL_LENGTH`].
 pub fn model(time: f32, scene: &mut Scene) {
     environment::apply(Set::Model, scene);
     scene.spheres.clear();
@@ -26,7 +26,7 @@ pub fn model(time: f32, scene: &mut Scene) {
     scene.captions.clear();
 }
 
-/// [`model`] by value.
+/// The model scene at `time` seconds, see [`model`].
 #[must_use]
 pub fn scene(time: f32) -> Scene {
     let mut scene = Scene::default();

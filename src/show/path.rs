@@ -1,25 +1,25 @@
-//! Where the camera goes.
+//! The camera's movements, in scene coordinates.
 
 use crate::maths::{cos, sin};
 use crate::scene::{Camera, Method, Scene};
 use glam::{Vec3A, vec3a};
 
-/// A moment of a shot: what the camera looks at, and where it stands from there.
+/// The camera and the overlay at the start or the end of a shot. The camera's position is relative to the point it looks at.
 #[derive(Clone, Copy)]
 pub(super) struct Keyframe {
-    /// In scene units.
+    /// The point in the middle of the picture, in scene units.
     look_at: Vec3A,
-    /// Radians about the y axis; at 0 the camera looks along z.
+    /// The angle about the y axis in radians. At 0 the camera looks along z.
     angle: f32,
-    /// The level distance from what it looks at, in scene units.
+    /// The horizontal distance, in scene units.
     distance: f32,
-    /// The height above what it looks at, in scene units.
+    /// The height, in scene units.
     height: f32,
-    /// How the picture shows its own making.
+    /// The overlay.
     method: Method,
 }
 
-/// A keyframe of the plain picture.
+/// A keyframe without an overlay.
 pub(super) const fn key(look_at: [f32; 3], angle: f32, distance: f32, height: f32) -> Keyframe {
     Keyframe {
         look_at: Vec3A::from_array(look_at),
@@ -31,8 +31,8 @@ pub(super) const fn key(look_at: [f32; 3], angle: f32, distance: f32, height: f3
 }
 
 impl Keyframe {
-    /// The same, with points, squares and picture so bright, 0 to 1 each.
-    pub const fn marked(self, points: f32, squares: f32, picture: f32) -> Self {
+    /// The same keyframe with an overlay, see [`Method`].
+    pub const fn overlaid(self, points: f32, squares: f32, picture: f32) -> Self {
         Self {
             method: Method {
                 points,
@@ -44,8 +44,9 @@ impl Keyframe {
     }
 }
 
-/// From one keyframe, at `u` = 0, to another, at 1, evenly: about a circle, a spiral or along a line.
-pub(super) fn go([from, to]: &[Keyframe; 2], u: f32, scene: &mut Scene) {
+/// Sets a scene's camera and overlay to the linear interpolation between two keyframes, 0 to 1 from the first to the second. The
+/// camera moves on a circle, a spiral or a line.
+pub(super) fn interpolate([from, to]: &[Keyframe; 2], u: f32, scene: &mut Scene) {
     let between = |from: f32, to: f32| from + (to - from) * u;
     scene.camera = orbit(
         from.look_at + (to.look_at - from.look_at) * u,
@@ -60,7 +61,7 @@ pub(super) fn go([from, to]: &[Keyframe; 2], u: f32, scene: &mut Scene) {
     };
 }
 
-/// A camera that looks at a point from a level distance, at an angle about it and from a height above it.
+/// A camera that looks at a point; the other arguments are those of a [`Keyframe`].
 pub(super) fn orbit(look_at: Vec3A, angle: f32, distance: f32, height: f32) -> Camera {
     let away = vec3a(distance * sin(angle), height, -distance * cos(angle));
     Camera {

@@ -1,11 +1,11 @@
-//! Chance that repeats.
+//! Pseudorandom numbers that repeat for each seed.
 
-/// Numbers that look random: Steele, Lea and Flood's SplitMix with the 32-bit mixer of Wellons and Mulvey.
+/// A generator with its state: SplitMix of Steele, Lea and Flood with the 32-bit mixer of Wellons and Mulvey.
 pub(super) struct Random(pub u32);
 
 impl Random {
-    /// The next one, 0 to below 1.
-    pub fn share(&mut self) -> f32 {
+    /// The next number, from 0 to below 1, uniformly distributed.
+    pub fn fraction(&mut self) -> f32 {
         self.0 = self.0.wrapping_add(0x9e37_79b9);
         let mut h = self.0;
         h = (h ^ (h >> 16)).wrapping_mul(0x7feb_352d);

@@ -1,70 +1,74 @@
-//! What each instrument sounds like.
+//! The instruments' parameters.
 
 use super::RATE;
 use super::song::TRACKS;
 use core::f32::consts::PI;
 
-/// Where an instrument's notes come from. Notes are MIDI's: 69 is 440 Hz, and 12 are an octave.
+/// How a pattern's digits choose an instrument's notes. Notes have MIDI numbers: 69 is 440 Hz, and 12 make an octave.
 pub(super) enum Notes {
-    /// Always this one; digits say how loud.
+    /// Always this note; the digit is its loudness, 1 to 15.
     Drum(u8),
-    /// Notes of the melody's scale.
+    /// The digit's note of the melody's scale.
     Scale,
-    /// Notes of the bar's chord, from its root up, 1 to 4, then an octave higher; so many semitones up.
+    /// A note of the bar's chord, this many semitones up: digits 1 to 4 are the chord's notes from the root up, 5 to 8 the same an
+    /// octave higher, and so on.
     Tone(u8),
-    /// Four of these at once, the digit's and those above.
+    /// Four notes at once: the one that [`Notes::Tone`] gives, and the three above it.
     Chord(u8),
 }
 
-/// An instrument's sound.
+/// The parameters of an instrument's sound.
 pub(super) struct Instrument {
     pub notes: Notes,
-    /// How loud the sawtooth, the sine and the noise are, before [`LOUDNESS`].
+    /// The amplitude of the sawtooth oscillators, before [`LOUDNESS`].
     pub saw: f32,
+    /// The amplitude of the sine oscillators, before [`LOUDNESS`].
     pub sine: f32,
+    /// The amplitude of the noise, before [`LOUDNESS`].
     pub noise: f32,
-    /// How far the outer oscillators are out of tune, as a share of the pitch.
+    /// The detuning of the outermost oscillators, as a share of the pitch.
     pub detune: f32,
-    /// How far above its note the pitch begins, as a share of the pitch.
+    /// How far above its note the pitch starts, as a share of the pitch.
     pub bend: f32,
-    /// By how much of a turn another sine shifts the sine's phase, at first.
+    /// The modulation index at the start of a note: the amplitude, in turns, with which another sine modulates the sine's phase.
     pub index: f32,
-    /// The other sine's pitch, as a multiple.
+    /// The modulating sine's pitch, as a multiple of the note's.
     pub ratio: f32,
-    /// How fast it gets loud: 1 / samples to 1 - 1/e.
+    /// The attack rate: 1 / the number of samples in which the level rises by 1 - 1/e of the way.
     pub attack: f32,
-    /// How fast it fades while a note is held: 1 / samples to 1/e.
+    /// The decay rate while the note is held: 1 / the number of samples in which the level falls to 1/e.
     pub decay: f32,
-    /// How fast it fades afterwards, likewise.
+    /// The release rate after that, in the same unit.
     pub release: f32,
-    /// How long a note is held, in beats.
+    /// The time for which a note is held, in beats.
     pub gate: f32,
-    /// How fast pitch, index and filter go from where they begin to where they end: 1 / samples to 1/e.
+    /// The rate at which pitch, modulation index and filter move from their start to their end: 1 / the number of samples in
+    /// which the difference falls to 1/e.
     pub sweep: f32,
-    /// The filter's frequency at first, as an angle: pi for the sampling rate.
-    pub from: f32,
-    /// The filter's frequency in the end.
-    pub to: f32,
-    /// By how much light opens the filter: in full light, by 1 more than this.
+    /// The filter's cutoff frequency at the start of a note, as an angle: pi stands for the sampling rate.
+    pub cutoff_start: f32,
+    /// The cutoff frequency that it moves to, as an angle.
+    pub cutoff_end: f32,
+    /// How much the bar's brightness opens the filter: at full brightness the cutoff is multiplied by 1 + this.
     pub light: f32,
-    /// The filter's damping: 2 for none of its own tone, towards 0 for a whistle.
+    /// The filter's damping: 2 has no resonance, values towards 0 whistle.
     pub damping: f32,
-    /// How much of the filter is a high pass; the rest of it is a low pass.
+    /// The share of high pass in the filter's output, 0 to 1; the rest is low pass.
     pub high: f32,
-    /// How much of the way to its note the pitch goes every [block](super::synthesizer::BLOCK).
+    /// The share of the way to its note that the pitch glides in each [block](super::synthesizer::BLOCK).
     pub glide: f32,
-    /// How much goes to the echo.
+    /// The amplitude of what is sent to the echo.
     pub echo: f32,
-    /// How much goes to the room.
+    /// The amplitude of what is sent to the reverberation.
     pub room: f32,
-    /// How much quieter it is on a kick.
+    /// The share by which a kick makes it quieter, 0 to 1.
     pub duck: f32,
 }
 
-/// How loud it all is.
+/// The factor on all amplitudes. With it the loudness of the soundtrack is between -16 and -12 LUFS, which a test checks.
 pub(super) const LOUDNESS: f32 = 0.44;
 
-/// A frequency in Hz as the filter's angle.
+/// A frequency in Hz as an angle of the filter.
 const fn hz(frequency: f32) -> f32 {
     frequency * PI / RATE as f32
 }
@@ -74,7 +78,7 @@ const fn s(time: f32) -> f32 {
     1.0 / (time * RATE as f32)
 }
 
-/// No sound at all.
+/// The base of the others: no sound.
 const SILENT: Instrument = Instrument {
     notes: Notes::Scale,
     saw: 0.0,
@@ -89,8 +93,8 @@ const SILENT: Instrument = Instrument {
     release: 0.0,
     gate: 0.0,
     sweep: 0.0,
-    from: 0.0,
-    to: 0.0,
+    cutoff_start: 0.0,
+    cutoff_end: 0.0,
     light: 0.0,
     damping: 0.0,
     high: 0.0,
@@ -113,8 +117,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.05),
         gate: 0.5,
         sweep: s(0.03),
-        from: hz(9000.0),
-        to: hz(120.0),
+        cutoff_start: hz(9000.0),
+        cutoff_end: hz(120.0),
         damping: 1.4,
         room: 0.01,
         ..SILENT
@@ -130,8 +134,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.06),
         gate: 0.5,
         sweep: s(0.02),
-        from: hz(1100.0),
-        to: hz(900.0),
+        cutoff_start: hz(1100.0),
+        cutoff_end: hz(900.0),
         damping: 0.9,
         high: 0.9,
         room: 0.125,
@@ -146,8 +150,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.02),
         gate: 0.25,
         sweep: s(0.02),
-        from: hz(7000.0),
-        to: hz(7000.0),
+        cutoff_start: hz(7000.0),
+        cutoff_end: hz(7000.0),
         damping: 1.2,
         high: 1.0,
         room: 0.025,
@@ -163,8 +167,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.03),
         gate: 0.4,
         sweep: s(0.02),
-        from: hz(6000.0),
-        to: hz(6000.0),
+        cutoff_start: hz(6000.0),
+        cutoff_end: hz(6000.0),
         damping: 1.2,
         high: 1.0,
         echo: 0.04,
@@ -184,8 +188,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.05),
         gate: 0.4,
         sweep: s(0.1),
-        from: hz(900.0),
-        to: hz(180.0),
+        cutoff_start: hz(900.0),
+        cutoff_end: hz(180.0),
         light: 3.0,
         damping: 0.9,
         room: 0.01,
@@ -203,8 +207,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.5),
         gate: 4.0,
         sweep: s(1.5),
-        from: hz(500.0),
-        to: hz(700.0),
+        cutoff_start: hz(500.0),
+        cutoff_end: hz(700.0),
         light: 7.0,
         damping: 1.2,
         glide: 0.03,
@@ -212,7 +216,7 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         duck: 0.6,
         ..SILENT
     },
-    // The same, a little more out of tune, with its notes to other sides.
+    // The same, a little more detuned. The song starts its chords on another note, so that the notes swap sides in stereo.
     Instrument {
         notes: Notes::Chord(24),
         saw: 0.1,
@@ -223,8 +227,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.5),
         gate: 4.0,
         sweep: s(1.5),
-        from: hz(500.0),
-        to: hz(700.0),
+        cutoff_start: hz(500.0),
+        cutoff_end: hz(700.0),
         light: 7.0,
         damping: 1.2,
         glide: 0.03,
@@ -242,8 +246,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.1),
         gate: 0.5,
         sweep: s(0.07),
-        from: hz(1800.0),
-        to: hz(350.0),
+        cutoff_start: hz(1800.0),
+        cutoff_end: hz(350.0),
         light: 6.0,
         damping: 0.5,
         echo: 0.45,
@@ -262,8 +266,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.25),
         gate: 1.5,
         sweep: s(0.4),
-        from: hz(3000.0),
-        to: hz(1400.0),
+        cutoff_start: hz(3000.0),
+        cutoff_end: hz(1400.0),
         light: 2.0,
         damping: 0.9,
         glide: 0.04,
@@ -284,8 +288,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.6),
         gate: 2.0,
         sweep: s(0.25),
-        from: hz(8000.0),
-        to: hz(4000.0),
+        cutoff_start: hz(8000.0),
+        cutoff_end: hz(4000.0),
         light: 0.5,
         damping: 1.4,
         echo: 0.4,
@@ -303,8 +307,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.08),
         gate: 0.35,
         sweep: s(0.1),
-        from: hz(3000.0),
-        to: hz(500.0),
+        cutoff_start: hz(3000.0),
+        cutoff_end: hz(500.0),
         light: 2.0,
         damping: 0.7,
         echo: 0.25,
@@ -321,8 +325,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.6),
         gate: 8.0,
         sweep: s(2.0),
-        from: hz(150.0),
-        to: hz(6000.0),
+        cutoff_start: hz(150.0),
+        cutoff_end: hz(6000.0),
         damping: 0.5,
         high: 0.3,
         echo: 0.1,
@@ -341,8 +345,8 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         release: s(0.7),
         gate: 4.0,
         sweep: s(0.12),
-        from: hz(900.0),
-        to: hz(120.0),
+        cutoff_start: hz(900.0),
+        cutoff_end: hz(120.0),
         damping: 1.4,
         room: 0.2,
         ..SILENT

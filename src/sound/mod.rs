@@ -1,15 +1,15 @@
-//! The soundtrack: a song and the synthesizer that plays it, 48 kHz stereo.
+//! The soundtrack: a song and the synthesizer that plays it, in stereo at 48 kHz.
 //!
 //! | what | module |
 //! | --- | --- |
-//! | patterns, arrangement, harmony | `song` |
-//! | what each instrument sounds like | `instruments` |
-//! | an instrument's oscillators, envelopes, filter | `voice` |
-//! | echo and room, in buffers of fixed size | `space` |
-//! | all of them together, block by block | [`Synthesizer`] |
-//! | what the picture takes from the sound | [`pulse()`] |
+//! | patterns, arrangement and harmony | `song` |
+//! | the parameters of each instrument | `instruments` |
+//! | oscillators, envelopes and filter of one instrument | `voice` |
+//! | echo and reverberation | `space` |
+//! | the mix of all of them, block by block | [`Synthesizer`] |
+//! | the beat, for the picture | [`pulse()`] |
 //!
-//! A sample is a function of the song and its position, whichever blocks it is asked for in.
+//! A sample depends on its position in the song alone, not on how many samples are asked for at once.
 
 mod instruments;
 mod pulse;
@@ -23,14 +23,14 @@ pub use synthesizer::Synthesizer;
 
 use crate::grid;
 
-/// Samples in a second, for each ear.
+/// The sampling rate, in samples per second and channel.
 pub const RATE: u32 = 48_000;
 
-/// Samples of a sixteenth, the song's shortest step: 6,000.
+/// The length of a sixteenth, the song's shortest step, in samples: 6,000.
 pub const STEP: u32 = RATE * 60 / grid::BEATS_PER_MINUTE / (STEPS_PER_BAR / grid::BEATS_PER_BAR);
 
-/// Sixteenths of a bar.
+/// Sixteenths in a bar.
 const STEPS_PER_BAR: u32 = 16;
 
-/// Samples of the whole song: 96 s.
-pub const LENGTH: u32 = STEP * STEPS_PER_BAR * grid::BARS;
+/// The length of the song in samples: 96 s.
+pub const SONG_LENGTH: u32 = STEP * STEPS_PER_BAR * grid::BARS;

@@ -1,25 +1,25 @@
-//! What the picture takes from the sound.
+//! The beat of the song, for movements and flashes of the picture.
 
 use super::{STEPS_PER_BAR, song};
 use crate::grid;
 use crate::maths::exp2;
 
-/// Where the song is, and how hard its kick has just hit.
+/// A position in the song, and how loud its kick drum is there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulse {
-    /// The bar, from 0.
+    /// The bar, counted from 0.
     pub bar: u32,
-    /// The beats since the bar began, 0 to below 4.
+    /// The beats since the start of the bar, 0 to below 4.
     pub beat: f32,
-    /// 1 where a kick begins on a beat, half of that a twelfth of a second later, and so on; 0 in a beat without one.
+    /// 1 at the start of a beat with a kick, halved every twelfth of a second from there; 0 in a beat without one.
     pub kick: f32,
 }
 
-/// The song at `time` seconds, from 0 on; nothing hits after its end.
+/// The pulse at `time` seconds, from 0 up. After the end of the song there is no kick.
 #[must_use]
 pub fn pulse(time: f32) -> Pulse {
-    /// How many times a kick gets half as strong in a beat: it is a tenth of a percent when the next one comes.
-    const HALVES: f32 = 6.0;
+    /// How often a kick halves within a beat, so that 1.6 % of it are left at the next.
+    const HALVINGS: f32 = 6.0;
     const STEPS_PER_BEAT: u32 = STEPS_PER_BAR / grid::BEATS_PER_BAR;
     let beats = time / grid::BEAT;
     let beat = beats as u32;
@@ -28,6 +28,6 @@ pub fn pulse(time: f32) -> Pulse {
     Pulse {
         bar: beat / grid::BEATS_PER_BAR,
         beat: (beat % grid::BEATS_PER_BAR) as f32 + since,
-        kick: f32::from(digit) / 15.0 * exp2(-HALVES * since),
+        kick: f32::from(digit) / 15.0 * exp2(-HALVINGS * since),
     }
 }

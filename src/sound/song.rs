@@ -1,22 +1,22 @@
-//! The song: what is played when.
+//! The song: which instrument plays which note when.
 //!
-//! It is in A minor. The title's eight notes come back in every scene but one; the melody of the colonnade comes back in
-//! the swarm, loud, and resolves in the finale. The last bar of each scene leads into the next one.
+//! It is in A minor. The title's eight notes return in every scene but one; the melody of the colonnade returns in the swarm,
+//! louder, and resolves in the finale. The last bar of each scene leads into the next one.
 //!
-//! All of it is text, read when it is compiled. Spaces are for the eye.
+//! The song is written as text, which the compiler parses. Spaces separate the scenes and the beats for the reader.
 
 use super::STEPS_PER_BAR;
 use crate::grid;
 
-/// Instruments, each with one voice.
+/// The number of tracks; each is played by one instrument with one voice.
 pub(super) const TRACKS: usize = 13;
 
-/// The track of the kick drum, which the others make room for.
+/// The track of the kick drum, on which the others get quieter.
 pub(super) const KICK: usize = 0;
 
 const BARS: usize = grid::BARS as usize;
 
-/// Chords as MIDI notes: the bass, and three voices that move little from one to the next; 33 is A1, 55 Hz.
+/// The chords as MIDI notes: the bass, and three upper voices, which move little from chord to chord. 33 is A1, 55 Hz.
 static CHORDS: [[u8; 4]; 8] = [
     [33, 36, 40, 43], // a: A minor 7
     [29, 36, 40, 45], // f: F major 7
@@ -28,36 +28,36 @@ static CHORDS: [[u8; 4]; 8] = [
     [33, 37, 40, 47], // A: A major add 9
 ];
 
-/// The letters of [`CHORDS`].
+/// The names of the [`CHORDS`].
 const CHORD_NAMES: &[u8] = b"afcgdEeA";
 
-/// The number of the chord of each bar.
+/// The index in [`CHORDS`] of each bar's chord.
 #[rustfmt::skip]
-static HARMONY: [u8; BARS] = places(
+static HARMONY: [u8; BARS] = indices_of(
     b"aaffdE aaffcgdE afcgafdE fgeafgEE aaaafE fgeafg afgAAA", CHORD_NAMES);
 
-/// How bright each bar gets, of 15: filters open with it.
+/// The brightness of each bar, 0 to 15: filters open with it.
 #[rustfmt::skip]
-static LIGHT: [u8; BARS] = places(
+static LIGHT: [u8; BARS] = indices_of(
     b"012246 44556788 66778898 54456789 abbcde ddeeff b86421", DIGITS);
 
-/// The notes of the melody, 1 to f: A minor from A4 up.
+/// The MIDI notes of the melody's digits 1 to f: A minor from A4 up. Digit 0 has none.
 static SCALE: [u8; 16] = [
     0, 69, 71, 72, 74, 76, 77, 79, 81, 83, 84, 86, 88, 89, 91, 93,
 ];
 
-/// What a track plays.
+/// What a track plays: for each bar a pattern of sixteen digits, one for each step.
 ///
-/// A step's digit, 1 to f, is how hard a drum is hit; for the rest, a note of the chord (1 to 4, an octave higher 5 to 8),
-/// or of the scale. 0 is none.
+/// A digit from 1 to 15 starts a note; what it means depends on the instrument's [`Notes`](super::instruments::Notes). With 0 no
+/// note starts.
 struct Part {
-    /// The number of the pattern of each bar, from 1; 0 is silence.
+    /// The number of each bar's pattern, counted from 1; 0 is silence.
     bars: [u8; BARS],
-    /// The digits of each pattern's steps.
+    /// The digits of each pattern.
     patterns: &'static [[u8; STEPS]],
 }
 
-/// Sixteenths of a bar.
+/// Steps in a bar.
 const STEPS: usize = STEPS_PER_BAR as usize;
 
 #[rustfmt::skip]
@@ -101,7 +101,7 @@ static PARTS: [Part; TRACKS] = [
             pattern(b".111 .111 .111 .115"),
         ],
     },
-    // Pad, and the same with its notes to other sides.
+    // Pad, and the same with its notes on other sides.
     Part {
         bars: bars(b"aaaaaa aaaaaaaa aaaaaaaa aaaaaaaa ...... aaaaaa aaaa.."),
         patterns: &[pattern(b"1... .... .... ....")],
@@ -145,7 +145,7 @@ static PARTS: [Part; TRACKS] = [
         bars: bars(b"...... ........ ........ ........ aaaaaa aaaaaa ......"),
         patterns: &[pattern(b"2..2 ..2. ..2. 2...")],
     },
-    // Swells, two bars up to a cut and down from there.
+    // Swells, which grow for two bars up to a cut.
     Part {
         bars: bars(b"....a. ......a. ......a. ......a. ....a. ....a. ......"),
         patterns: &[pattern(b"f... .... .... ....")],
@@ -157,10 +157,10 @@ static PARTS: [Part; TRACKS] = [
     },
 ];
 
-/// Digits of steps and of light.
+/// Hexadecimal digits, for [`LIGHT`].
 const DIGITS: &[u8] = b"0123456789abcdef";
 
-/// The digit of a track at a step of the song, 0 for none; there is none after its end.
+/// The digit of a track at a step of the song; 0 after the end of the song.
 pub(super) fn step(track: usize, step: u32) -> u8 {
     let part = &PARTS[track];
     match part.bars.get((step / STEPS_PER_BAR) as usize) {
@@ -169,7 +169,7 @@ pub(super) fn step(track: usize, step: u32) -> u8 {
     }
 }
 
-/// How bright a bar gets, 0 to 1, and its chord.
+/// A bar's brightness, 0 to 1, and the notes of its chord.
 pub(super) fn mood(bar: u32) -> (f32, [u8; 4]) {
     let bar = bar as usize;
     let chord = CHORDS[usize::from(HARMONY[bar])];
@@ -181,8 +181,8 @@ pub(super) fn scale(digit: u8) -> u8 {
     SCALE[usize::from(digit)]
 }
 
-/// Where a letter stands among others.
-const fn place(letter: u8, among: &[u8]) -> u8 {
+/// The index of a letter in a list that contains it.
+const fn index_of(letter: u8, among: &[u8]) -> u8 {
     let mut i = 0;
     while among[i] != letter {
         i += 1;
@@ -190,27 +190,27 @@ const fn place(letter: u8, among: &[u8]) -> u8 {
     i as u8
 }
 
-/// The numbers of a part's patterns, one for each bar: `a` is its first one.
+/// Parses the pattern numbers of a part's bars: `a` stands for the first pattern, `.` for silence.
 const fn bars(text: &[u8]) -> [u8; BARS] {
-    places(text, b".abcdefghijklmnopqrstuvwxyz")
+    indices_of(text, b".abcdefghijklmnopqrstuvwxyz")
 }
 
-/// A pattern's sixteen digits.
+/// Parses a pattern's sixteen digits; `.` stands for 0.
 const fn pattern(text: &[u8]) -> [u8; STEPS] {
-    places(text, b".123456789abcdef")
+    indices_of(text, b".123456789abcdef")
 }
 
-/// The places of as many letters among others; spaces are left out.
-const fn places<const N: usize>(text: &[u8], among: &[u8]) -> [u8; N] {
-    let mut places = [0; N];
+/// The indices of a text's letters in a list; spaces are skipped.
+const fn indices_of<const N: usize>(text: &[u8], among: &[u8]) -> [u8; N] {
+    let mut indices = [0; N];
     let (mut i, mut count) = (0, 0);
     while i < text.len() {
         if text[i] != b' ' {
-            places[count] = place(text[i], among);
+            indices[count] = index_of(text[i], among);
             count += 1;
         }
         i += 1;
     }
-    assert!(count == N, "a letter for each place");
-    places
+    assert!(count == N, "the text has to have N letters");
+    indices
 }

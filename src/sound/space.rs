@@ -1,30 +1,31 @@
-//! Echo and room.
+//! Echo and reverberation.
 
-use super::{STEP, voice::Sum};
+use super::{STEP, voice::Mix};
 use glam::{Vec4, Vec4Swizzles};
 
-/// Samples that the echo remembers: a ring, longer than [`DELAY`]; a power of two, by which places are cheaply had.
+/// The length of the echo's ring buffer in samples: longer than [`DELAY`], and a power of two, so that taking the remainder is
+/// cheap.
 const ECHO: usize = 1 << 15;
 
-/// Samples until the echo: three sixteenths, so that it falls between the beats.
+/// The delay of the echo in samples: three sixteenths, so that it falls between the beats.
 const DELAY: usize = 3 * STEP as usize;
 
-/// How much of an echo is in the next one.
+/// The amplitude of each echo relative to the one before.
 const FEEDBACK: f32 = 0.5;
 
-/// Samples that the room remembers: a ring, longer than the longest of [`LENGTHS`].
+/// The length of the reverberation's ring buffers in samples: longer than the longest of [`LENGTHS`].
 const ROOM: usize = 1 << 12;
 
-/// Samples of the room's delays, 30 to 83 ms: primes, so that their echoes hardly ever meet.
+/// The reverberation's delays in samples, 30 to 83 ms: primes, so that their echoes rarely coincide.
 const LENGTHS: [usize; 6] = [1433, 1801, 2269, 2749, 3323, 4001];
 
-/// What goes round in the room once more: at 54 ms a round, 2.5 s to -60 dB.
+/// The feedback of the delays. With 54 ms per round on average, it takes 2.5 s to fall by 60 dB.
 const DECAY: f32 = 0.86;
 
-/// How much of a sound passes a wall at once: a low pass at 5 kHz.
+/// The coefficient of the one-pole low pass in each delay's feedback: 5 kHz.
 const WALL: f32 = 0.5;
 
-/// Echo and room. At rest, all of it is zero.
+/// Echo, and reverberation by a feedback delay network. In silence all of its state is zero. For the lanes see [`Mix`].
 pub(super) struct Space {
     echo: [Vec4; ECHO],
     room: [[Vec4; LENGTHS.len()]; ROOM],
@@ -38,25 +39,25 @@ impl Space {
         walls: [Vec4::ZERO; LENGTHS.len()],
     };
 
-    /// Everything that is heard of a sample, the one at a position.
-    pub fn play(&mut self, position: usize, sum: &Sum) -> Vec4 {
-        // Each echo comes from the other side.
+    /// Adds echo and reverberation to the sample at a position of the song.
+    pub fn play(&mut self, position: usize, mix: &Mix) -> Vec4 {
+        // Echoes alternate between left and right.
         let echo = self.echo[(position + ECHO - DELAY) % ECHO];
-        self.echo[position % ECHO] = sum.echo + echo.yxwz() * FEEDBACK;
+        self.echo[position % ECHO] = mix.echo + echo.yxwz() * FEEDBACK;
         let mut taps = Vec4::ZERO;
         for (line, &length) in LENGTHS.iter().enumerate() {
             taps += self.room[(position + ROOM - length) % ROOM][line];
         }
-        // A reflection in the diagonal of all delays mixes each with each and keeps the energy; the lanes
-        // take turns.
+        // A Householder reflection mixes all delays with each other and preserves the energy. Rotating the lanes spreads the
+        // sound between left and right.
         let reflected = taps * (-2.0 / LENGTHS.len() as f32);
-        let sent = sum.room + echo * 0.5;
+        let sent = mix.room + echo * 0.5;
         for (line, &length) in LENGTHS.iter().enumerate() {
             let tap = self.room[(position + ROOM - length) % ROOM][line];
             let wall = &mut self.walls[line];
             *wall += (sent + (tap + reflected) * DECAY - *wall) * WALL;
             self.room[position % ROOM][line] = wall.yzwx();
         }
-        sum.dry + echo + taps * 0.5
+        mix.dry + echo + taps * 0.5
     }
 }

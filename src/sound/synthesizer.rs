@@ -1,42 +1,41 @@
-//! The synthesizer: plays the song, block by block.
+//! The synthesizer, which plays the song block by block.
 
 use super::instruments::INSTRUMENTS;
 use super::space::Space;
-use super::voice::{Mood, Sum, Voice};
-use super::{LENGTH, STEP, STEPS_PER_BAR, song};
+use super::voice::{Mix, Mood, Voice};
+use super::{SONG_LENGTH, STEP, STEPS_PER_BAR, song};
 use glam::{Vec4, Vec4Swizzles};
 
-/// Samples that are made at once, a millisecond: what changes slowly changes this often.
+/// The samples of a block: a millisecond. Slow changes, such as those of the filters, are made once per block.
 pub(super) const BLOCK: usize = 48;
 
-/// How late every other sixteenth comes, in blocks: a little swing.
+/// The delay of every other sixteenth, in blocks: a slight swing.
 const SWING: u32 = 8;
 
-/// How much of the way to a bar's brightness it goes in a block: in a second, two thirds.
-const DAWN: f32 = 0.001;
+/// The share of the way to the bar's brightness that is covered in a block: 63 % in a second.
+const BRIGHTENING: f32 = 0.001;
 
-/// No sample is louder: -1.3 dB of full scale.
+/// The largest sample: -1.3 dB of full scale.
 const CEILING: f32 = 0.86;
 
-/// Plays the song.
-///
-/// 1 MB of fixed size, all zero at first, which belongs to the caller.
+/// Plays the song. It takes 1 MB of memory, which is all zeros at the start.
 pub struct Synthesizer {
     mood: Mood,
-    /// The mean of what is heard, which is taken off it.
+    /// A running mean of the output, which is subtracted from it to remove the DC offset.
     mean: Vec4,
-    /// Where the next block begins.
+    /// The position of the next block in the song, in samples.
     position: u32,
-    /// The next step, and blocks until it comes.
+    /// The next step of the song.
     step: u32,
+    /// The blocks until then.
     wait: u32,
-    /// The last number of the noise.
+    /// The state of the noise generator.
     seed: i32,
-    /// How much of the block has been taken.
+    /// The samples of the block that [`Synthesizer::play`] has returned.
     taken: usize,
     block: [[f32; 2]; BLOCK],
     voices: [Voice; song::TRACKS],
-    sums: [Sum; BLOCK],
+    mixes: [Mix; BLOCK],
     space: Space,
 }
 
@@ -51,7 +50,7 @@ impl Synthesizer {
                 next_kick: Vec4::ZERO,
                 light: Vec4::ZERO,
             },
-            sums: [Sum::SILENCE; BLOCK],
+            mixes: [Mix::SILENCE; BLOCK],
             space: Space::ZERO,
             mean: Vec4::ZERO,
             seed: 0,
@@ -63,7 +62,7 @@ impl Synthesizer {
         }
     }
 
-    /// The next samples, left and right, each at most -1 dB of full scale. After the song's end comes its start.
+    /// Writes the next samples, left and right, each below -1 dB of full scale. The song repeats.
     pub fn play(&mut self, samples: &mut [[f32; 2]]) {
         for sample in samples {
             if self.taken == 0 {
@@ -74,56 +73,56 @@ impl Synthesizer {
         }
     }
 
-    /// Goes to a sample of the song, counted from its start.
+    /// Moves to a position of the song, in samples from its start.
     ///
-    /// What is heard there depends on all that was before, so it is played, unheard: a second of it takes some
-    /// milliseconds.
+    /// Since the sound there depends on everything before it, the song is synthesized up to there, which takes some milliseconds
+    /// for each second of it.
     pub fn seek(&mut self, position: u32) {
         *self = const { Self::new() };
-        for _ in 0..position % LENGTH {
+        for _ in 0..position % SONG_LENGTH {
             self.play(&mut [[0.0; 2]]);
         }
     }
 
-    /// The next millisecond, instead of [`Self::play`]. After the song's end comes its start.
+    /// The next block of a millisecond: a faster alternative to [`Synthesizer::play`]. The song repeats.
     pub fn block(&mut self) -> &[[f32; 2]] {
-        if self.position == LENGTH {
+        if self.position == SONG_LENGTH {
             *self = const { Self::new() };
         }
         self.follow();
         for (voice, instrument) in self.voices.iter_mut().zip(&INSTRUMENTS) {
-            voice.play(instrument, &self.mood, &mut self.sums);
+            voice.play(instrument, &self.mood, &mut self.mixes);
         }
-        for (sum, sample) in self.sums.iter_mut().zip(&mut self.block) {
-            let heard = self.space.play(self.position as usize, sum);
+        for (mix, sample) in self.mixes.iter_mut().zip(&mut self.block) {
+            let heard = self.space.play(self.position as usize, mix);
             self.position += 1;
-            *sum = Sum::SILENCE;
-            for noise in &mut sum.noise {
+            *mix = Mix::SILENCE;
+            for noise in &mut mix.noise {
                 *noise = random(&mut self.seed);
             }
             self.mean += (heard - self.mean) * 0.001;
             let heard = heard - self.mean;
-            *sample = bend(heard + heard.zwxy());
+            *sample = limit(heard + heard.zwxy());
         }
         &self.block
     }
 
-    /// Begins the notes and the mood of the next block.
+    /// Updates the mood and starts the notes of the next block.
     fn follow(&mut self) {
-        /// Blocks of a step.
+        /// Blocks in a step.
         const BLOCKS: u32 = STEP / BLOCK as u32;
-        /// How much of a kick is left after a block: half after 50 of them.
+        /// The factor on the kick's level from block to block: it halves in 50 ms.
         const FADE: f32 = 0.986;
         let mood = &mut self.mood;
         let (light, chord) = song::mood(self.position / (STEP * STEPS_PER_BAR));
-        mood.light += (light - mood.light) * DAWN;
+        mood.light += (light - mood.light) * BRIGHTENING;
         mood.kick = mood.next_kick;
         mood.next_kick *= FADE;
         if self.wait == 0 {
             for (track, voice) in self.voices.iter_mut().enumerate() {
                 let digit = song::step(track, self.step);
                 if digit > 0 {
-                    voice.begin(&INSTRUMENTS[track], digit, chord);
+                    voice.start(&INSTRUMENTS[track], digit, chord);
                     if track == song::KICK {
                         mood.next_kick = Vec4::ONE;
                     }
@@ -146,15 +145,15 @@ impl Default for Synthesizer {
     }
 }
 
-/// A number from -1 to 1 that looks random, by the generator of Knuth and Lewis ("Numerical Recipes").
+/// A pseudorandom number from -1 to 1, by the linear congruential generator of Knuth and Lewis ("Numerical Recipes").
 fn random(seed: &mut i32) -> f32 {
     *seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
     *seed as f32 / (1_u32 << 31) as f32
 }
 
-/// Bends left and right, the first two lanes, into range: what is quiet stays as it is, nothing gets above the ceiling.
-fn bend(heard: Vec4) -> [f32; 2] {
-    // x - x^3 / (3 top^2) goes up to 2/3 of the top, where it is level.
+/// A soft limiter for left and right, the first two lanes: quiet sounds pass unchanged, and nothing exceeds [`CEILING`].
+fn limit(heard: Vec4) -> [f32; 2] {
+    // x - x^3 / (3 top^2) rises to 2/3 of the top, with slope 0 there.
     const TOP: f32 = 1.5 * CEILING;
     let x = heard.clamp(Vec4::splat(-TOP), Vec4::splat(TOP));
     let y = x - x * x * x * (1.0 / (3.0 * TOP * TOP));

@@ -1,4 +1,4 @@
-//! A voice: four oscillators, two envelopes, a filter.
+//! The voice of one instrument: four oscillators, an amplitude envelope, a sweep and a filter.
 
 use super::instruments::{Instrument, LOUDNESS, Notes};
 use super::song;
@@ -6,18 +6,21 @@ use super::synthesizer::BLOCK;
 use crate::maths::{ROUND_TO_INTEGER, exp2};
 use glam::{Vec4, vec4};
 
-/// Sums of what voices play, for one sample. Lanes 0 and 2 are to the left, 1 and 3 to the right.
+/// The sum of all voices for one sample. Lanes 0 and 2 are heard on the left, 1 and 3 on the right.
 #[derive(Clone, Copy)]
-pub(super) struct Sum {
+pub(super) struct Mix {
+    /// What is heard directly.
     pub dry: Vec4,
+    /// What is sent to the echo.
     pub echo: Vec4,
+    /// What is sent to the reverberation.
     pub room: Vec4,
-    /// Noise for all voices, -1 to 1.
+    /// Noise from -1 to 1, the same for all voices.
     pub noise: [f32; 4],
 }
 
-impl Sum {
-    pub const SILENCE: Sum = Sum {
+impl Mix {
+    pub const SILENCE: Mix = Mix {
         dry: Vec4::ZERO,
         echo: Vec4::ZERO,
         room: Vec4::ZERO,
@@ -25,51 +28,52 @@ impl Sum {
     };
 }
 
-/// What all voices follow in a block.
+/// What influences all voices in a block. Each number is the same in all four lanes.
 pub(super) struct Mood {
-    /// How loud the kick is where the block begins, 0 to 1, and where the next one does.
+    /// The kick's level at the start of the block, 0 to 1.
     pub kick: Vec4,
+    /// The kick's level at the start of the next block.
     pub next_kick: Vec4,
-    /// How bright it is, 0 to 1.
+    /// The brightness, 0 to 1.
     pub light: Vec4,
 }
 
-/// The state of an instrument: all zero before its first note.
-///
-/// What is one number is in all four lanes too.
+/// The state of an instrument's four oscillators, one in each lane; all zeros before the first note.
 #[derive(Clone, Copy)]
 pub(super) struct Voice {
-    /// Where the oscillators are, in turns from -1/2 to 1/2.
+    /// The oscillators' phases, in turns from -1/2 to 1/2.
     phase: Vec4,
-    /// Where those are that shift the phase of the sines.
-    shift: Vec4,
-    /// Turns a sample, and what they glide to.
+    /// The phases of the sines that modulate the phase of the sine oscillators, in turns.
+    modulator: Vec4,
+    /// The oscillators' pitches, in turns per sample.
     pitch: Vec4,
-    goal: Vec4,
-    /// The filter's two memories.
+    /// The pitches of the note, to which `pitch` glides.
+    target: Vec4,
+    /// The filter's state: its band-pass and its low-pass integrator.
     band: Vec4,
     low: Vec4,
+    /// The amplitude envelope, the same in all lanes.
     level: Vec4,
-    /// What the level rises to.
+    /// The level at the end of the attack.
     peak: Vec4,
-    /// 1 where a note begins, falling to 0.
+    /// The sweep's envelope: 1 at the start of a note, falling to 0.
     sweep: Vec4,
-    /// Blocks since the note began.
+    /// Blocks since the note started.
     age: f32,
 }
 
-/// Quieter than this is silent: -100 dB.
+/// Below this level, -100 dB, a voice is not computed.
 const SILENCE: f32 = 1e-5;
 
-/// How the oscillators are out of tune, in parts of the outer ones'.
+/// The oscillators' detuning, as multiples of [`Instrument::detune`].
 const DETUNES: Vec4 = vec4(1.0, -1.0, -0.4, 0.4);
 
 impl Voice {
     pub const ZERO: Voice = Voice {
         phase: Vec4::ZERO,
-        shift: Vec4::ZERO,
+        modulator: Vec4::ZERO,
         pitch: Vec4::ZERO,
-        goal: Vec4::ZERO,
+        target: Vec4::ZERO,
         band: Vec4::ZERO,
         low: Vec4::ZERO,
         level: Vec4::ZERO,
@@ -78,8 +82,8 @@ impl Voice {
         age: 0.0,
     };
 
-    /// Begins a note: a pattern's digit, 1 to 15, in a bar's chord.
-    pub fn begin(&mut self, instrument: &Instrument, digit: u8, chord: [u8; 4]) {
+    /// Starts the note of a pattern's digit, 1 to 15, in a bar with the given chord.
+    pub fn start(&mut self, instrument: &Instrument, digit: u8, chord: [u8; 4]) {
         let tone = |number: u8| chord[usize::from(number % 4)] + number / 4 * 12;
         let first = digit - 1;
         let notes = match instrument.notes {
@@ -92,11 +96,11 @@ impl Voice {
         let pitch =
             notes.map(|note| exp2((f32::from(note) - 69.0) / 12.0) * (440.0 / super::RATE as f32));
         let pitch = Vec4::from_array(pitch);
-        self.goal = pitch + pitch * DETUNES * instrument.detune;
+        self.target = pitch + pitch * DETUNES * instrument.detune;
         let mut peak = 1.0;
         if let Notes::Drum(_) = instrument.notes {
             peak = f32::from(digit) / 15.0;
-            // Every hit sounds the same.
+            // So that every hit sounds the same.
             self.phase = Vec4::ZERO;
         }
         self.peak = Vec4::splat(peak);
@@ -104,14 +108,14 @@ impl Voice {
         self.age = 0.0;
     }
 
-    /// Adds a block.
-    pub fn play(&mut self, instrument: &Instrument, mood: &Mood, sums: &mut [Sum; BLOCK]) {
-        /// Blocks of a beat.
+    /// Adds a block of the voice's sound to the mix.
+    pub fn play(&mut self, instrument: &Instrument, mood: &Mood, mixes: &mut [Mix; BLOCK]) {
+        /// Blocks in a beat.
         const BEAT: f32 = (super::STEP * 4) as f32 / BLOCK as f32;
-        /// Of the way to its peak a level rises 1 - 1/e^2.
-        const RISEN: f32 = 2.0 / BLOCK as f32;
+        /// The attack lasts for two time constants: the level rises to 1 - 1/e^2 of its peak.
+        const ATTACK: f32 = 2.0 / BLOCK as f32;
         self.age += 1.0;
-        let (peak, rate) = if self.age * instrument.attack < RISEN {
+        let (peak, rate) = if self.age * instrument.attack < ATTACK {
             (self.peak, instrument.attack)
         } else if self.age < instrument.gate * BEAT {
             (Vec4::ZERO, instrument.decay)
@@ -121,45 +125,45 @@ impl Voice {
         if self.level.x + peak.x < SILENCE {
             return;
         }
-        self.pitch += (self.goal - self.pitch) * instrument.glide;
+        self.pitch += (self.target - self.pitch) * instrument.glide;
         let filter = Filter::new(instrument, self.sweep, mood.light);
         let mut voice = *self;
         let mut duck = 1.0 - instrument.duck * mood.kick;
         let duck_slope = instrument.duck * (mood.next_kick - mood.kick) * (1.0 / BLOCK as f32);
-        for sum in sums {
+        for mix in mixes {
             voice.level += (peak - voice.level) * rate;
             voice.sweep -= voice.sweep * instrument.sweep;
             let turn = voice.pitch + voice.pitch * instrument.bend * voice.sweep;
             voice.phase = wrap(voice.phase + turn);
-            voice.shift = wrap(voice.shift + turn * instrument.ratio);
-            let shift = sine(voice.shift) * instrument.index * voice.sweep;
+            voice.modulator = wrap(voice.modulator + turn * instrument.ratio);
+            let shift = sine(voice.modulator) * instrument.index * voice.sweep;
             let sound = saw(voice.phase, turn) * instrument.saw
                 + sine(wrap(voice.phase + shift)) * instrument.sine
-                + Vec4::from_array(sum.noise) * instrument.noise;
+                + Vec4::from_array(mix.noise) * instrument.noise;
             let sound = filter.pass(instrument, sound * LOUDNESS, &mut voice) * voice.level * duck;
             duck -= duck_slope;
-            sum.dry += sound;
-            sum.echo += sound * instrument.echo;
-            sum.room += sound * instrument.room;
+            mix.dry += sound;
+            mix.echo += sound * instrument.echo;
+            mix.room += sound * instrument.room;
         }
         *self = voice;
     }
 }
 
-/// A phase as turns from -1/2 to 1/2.
+/// Wraps a phase to -1/2 to 1/2 turns.
 #[inline(always)]
 fn wrap(phase: Vec4) -> Vec4 {
     phase - (phase + ROUND_TO_INTEGER - ROUND_TO_INTEGER)
 }
 
-/// Nearly a sine of an angle in turns from -1/2 to 1/2: two parabolas, all overtones below -28 dB.
+/// Approximately the sine of an angle from -1/2 to 1/2 turns, by two parabolas. Its amplitude is 1, its overtones are below -28 dB.
 #[inline(always)]
 fn sine(phase: Vec4) -> Vec4 {
     phase * (8.0 - phase.abs() * 16.0)
 }
 
-/// A sawtooth that goes up by so many turns a sample. Its step is two parabolas (PolyBLEP), which keeps most of what
-/// would alias out of it.
+/// A sawtooth whose phase advances by `turn` turns per sample. Two parabolas smooth its step (PolyBLEP), which suppresses most of
+/// the aliasing.
 #[inline(always)]
 fn saw(phase: Vec4, turn: Vec4) -> Vec4 {
     let per_turn = turn.recip();
@@ -168,7 +172,8 @@ fn saw(phase: Vec4, turn: Vec4) -> Vec4 {
     phase + phase + after * after - before * before
 }
 
-/// A state-variable filter, 12 dB an octave, by trapezoids (Simper, "Linear trapezoidal integrated SVF", 2011).
+/// The coefficients of a state-variable filter with 12 dB per octave, integrated by the trapezoidal rule (Simper, "Linear
+/// trapezoidal integrated SVF", 2011).
 struct Filter {
     a1: Vec4,
     a2: Vec4,
@@ -176,11 +181,13 @@ struct Filter {
 }
 
 impl Filter {
+    /// The filter of a block, at the given sweep and brightness.
     #[inline(always)]
     fn new(instrument: &Instrument, sweep: Vec4, light: Vec4) -> Filter {
-        let to = instrument.to;
-        let angle = (to + (instrument.from - to) * sweep) * (light * instrument.light + 1.0);
-        // Up to 15 kHz; the tangent to within 4 %.
+        let end = instrument.cutoff_end;
+        let angle =
+            (end + (instrument.cutoff_start - end) * sweep) * (light * instrument.light + 1.0);
+        // The cutoff is at most 15 kHz. The tangent is approximated to within 4 %.
         let x = angle.min(Vec4::ONE);
         let g = x / (1.0 + x * x * (-1.0 / 3.0));
         let damping = instrument.damping;
@@ -192,6 +199,7 @@ impl Filter {
         }
     }
 
+    /// Filters a sample; the filter's state is the voice's.
     #[inline(always)]
     fn pass(&self, instrument: &Instrument, sound: Vec4, voice: &mut Voice) -> Vec4 {
         let rest = sound - voice.low;

@@ -4,7 +4,7 @@ mod levels;
 mod onsets;
 mod sameness;
 
-use eightfold::sound::{LENGTH, Synthesizer};
+use eightfold::sound::{SONG_LENGTH, Synthesizer};
 use std::sync::OnceLock;
 
 /// Samples of a bar.
@@ -14,7 +14,7 @@ const BAR: usize = 96_000;
 fn song() -> &'static [[f32; 2]] {
     static SONG: OnceLock<Vec<[f32; 2]>> = OnceLock::new();
     SONG.get_or_init(|| {
-        let mut samples = vec![[0.0; 2]; LENGTH as usize];
+        let mut samples = vec![[0.0; 2]; SONG_LENGTH as usize];
         Box::<Synthesizer>::default().play(&mut samples);
         samples
     })

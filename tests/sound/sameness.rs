@@ -2,7 +2,7 @@
 
 use super::{BAR, song};
 use eightfold::show::grid;
-use eightfold::sound::{LENGTH, Synthesizer};
+use eightfold::sound::{SONG_LENGTH, Synthesizer};
 
 /// Whether all bits are the same.
 fn same(a: &[[f32; 2]], b: &[[f32; 2]]) -> bool {
@@ -62,7 +62,7 @@ fn a_bar_gone_to_sounds_as_a_bar_played_to() {
 #[test]
 fn after_the_end_comes_the_start() {
     let mut synthesizer = Box::<Synthesizer>::default();
-    synthesizer.seek(LENGTH - 100);
+    synthesizer.seek(SONG_LENGTH - 100);
     let mut samples = vec![[0.0; 2]; 10_000];
     synthesizer.play(&mut samples);
     assert!(same(&samples[..100], &song()[song().len() - 100..]));

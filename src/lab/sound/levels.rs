@@ -4,7 +4,7 @@ use crate::scenes::PARTS;
 use anyhow::Result;
 use ebur128::{EbuR128, Mode};
 use eightfold::show::grid::{BARS, CUTS};
-use eightfold::sound::{LENGTH, RATE};
+use eightfold::sound::{RATE, SONG_LENGTH};
 use std::fmt::Write;
 
 /// Levels of samples.
@@ -51,7 +51,7 @@ pub fn markdown(samples: &[[f32; 2]]) -> Result<String> {
     let mut text = String::from(
         "| bar |     scene | peak dBFS |  LUFS |\n| --: | --------: | --------: | ----: |\n",
     );
-    for (bar, samples) in (0..).zip(samples.chunks_exact((LENGTH / BARS) as usize)) {
+    for (bar, samples) in (0..).zip(samples.chunks_exact((SONG_LENGTH / BARS) as usize)) {
         let levels = Levels::of(samples)?;
         let scene = CUTS
             .iter()

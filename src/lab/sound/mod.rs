@@ -8,7 +8,7 @@ use crate::{arguments, output, picture, wav};
 use anyhow::Result;
 use clap::Args;
 use cpu_time::ThreadTime;
-use eightfold::sound::{LENGTH, RATE};
+use eightfold::sound::{RATE, SONG_LENGTH};
 use std::path::{Path, PathBuf};
 
 /// Makes the soundtrack, and prints its levels bar by bar
@@ -37,12 +37,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         output::check(file)?;
     }
     let start = ThreadTime::now();
-    let samples = wav::record(0..LENGTH);
+    let samples = wav::record(0..SONG_LENGTH);
     let time = start.elapsed().as_secs_f64();
     let table = format!(
         "{}\nMade in {time:.2} s: {:.1} % of one core while it plays.\n",
         levels::markdown(&samples)?,
-        100.0 * time * f64::from(RATE) / f64::from(LENGTH),
+        100.0 * time * f64::from(RATE) / f64::from(SONG_LENGTH),
     );
     if arguments.wav.as_deref() == Some(Path::new("-")) {
         eprint!("{table}");

@@ -2,7 +2,7 @@
 
 use super::{assert_one_line, lab, read_png};
 use eightfold::show::grid;
-use eightfold::sound::{LENGTH, RATE};
+use eightfold::sound::{RATE, SONG_LENGTH};
 
 #[test]
 fn every_bar_has_a_row_and_files_are_whole() {
@@ -38,7 +38,7 @@ fn every_bar_has_a_row_and_files_are_whole() {
     );
     assert_eq!(number(4) as usize, bytes.len() - 8);
     assert_eq!(number(24), RATE);
-    assert_eq!(bytes.len(), 58 + LENGTH as usize * 8);
+    assert_eq!(bytes.len(), 58 + SONG_LENGTH as usize * 8);
     let side = |at: usize| f32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
     let loudest = (58..bytes.len())
         .step_by(4)

@@ -49,7 +49,7 @@ fn frames_are_the_pictures_of_their_times() {
 #[test]
 fn without_a_range_it_is_the_whole_show() {
     for (scene, seconds) in [
-        ("show", grid::LENGTH),
+        ("show", grid::SHOW_LENGTH),
         ("show:machine", 12.0),
         ("model", eightfold::show::MODEL_LENGTH.ceil()),
     ] {
