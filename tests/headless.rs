@@ -20,7 +20,10 @@ fn without_display_and_terminal_it_plays_all_the_same() {
     let (said, errors) = texts(&output);
     assert_eq!(output.status.code(), Some(0), "{errors}");
     assert!(start.elapsed() >= Duration::from_millis(500));
-    assert_eq!(errors, "eightfold: no X display; playing unseen\n");
+    assert_eq!(
+        errors,
+        "eightfold: no X display; playing without a screen\n"
+    );
     assert_eq!(said.lines().count(), 1, "{said}");
     assert!(said.contains("320x200, threads 3"), "{said}");
 }
@@ -47,7 +50,7 @@ fn the_soundtrack_is_played() {
         .env("ALSA_CONFIG_PATH", &configuration));
     assert_eq!(
         texts(&output).1,
-        "eightfold: no X display; playing unseen\n"
+        "eightfold: no X display; playing without a screen\n"
     );
     let heard = fs::read(out).unwrap();
     let mut samples = vec![[0.0; 2]; heard.len() / 8];
@@ -91,7 +94,7 @@ fn displays_that_are_not_there_are_no_display() {
         let (_, errors) = texts(&output);
         assert_eq!(output.status.code(), Some(0), "{display}: {errors}");
         assert!(
-            errors.contains("no X display; playing unseen"),
+            errors.contains("no X display; playing without a screen"),
             "{display}: {errors}"
         );
     }

@@ -213,7 +213,10 @@ fn a_display_without_pixels_of_32_bits_is_as_good_as_none() {
     );
     let (_, code, output, errors) = intro.end();
     assert_eq!(code, Some(0), "{output}{errors}");
-    assert_eq!(errors, "eightfold: no X display; playing unseen\n");
+    assert_eq!(
+        errors,
+        "eightfold: no X display; playing without a screen\n"
+    );
 }
 
 #[test]
