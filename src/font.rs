@@ -1,11 +1,11 @@
-//! A font of straight strokes on a grid of 3 by 5 points, for text of any size and for letters built of spheres.
+//! A vector font of straight strokes on a grid of 3 by 5 points, for captions and for the title's letters of spheres.
 
 use glam::{Vec2, vec2};
 
-/// Grid units from a letter's left side to the next one's.
+/// The distance between the left sides of neighbouring letters, in grid units.
 pub(crate) const ADVANCE: f32 = 3.0;
 
-/// Capitals: the points that the pen goes through; a space lifts it. The points are
+/// The capitals, each as the points that a pen visits; a space lifts the pen. The points of the grid are
 ///
 /// ```text
 /// a b c
@@ -44,7 +44,7 @@ static CAPITALS: [&str; 26] = [
     "acmo", // Z
 ];
 
-/// Digits, likewise.
+/// The digits, written in the same way.
 #[rustfmt::skip]
 static DIGITS: [&str; 10] = [
     "bdjnlfb", // 0
@@ -59,8 +59,8 @@ static DIGITS: [&str; 10] = [
     "nlfbdig", // 9
 ];
 
-/// The straight strokes of a capital or a digit in ASCII, each from one end to the other, in grid units right and down from
-/// the letter's upper left; none of any other letter.
+/// The strokes of an ASCII capital or digit, each with its two ends in grid units to the right of the letter's upper left and below
+/// it. Other bytes have none.
 pub(crate) fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     let points = match letter {
         b'A'..=b'Z' => CAPITALS[usize::from(letter - b'A')],
@@ -71,13 +71,13 @@ pub(crate) fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
         .as_bytes()
         .windows(2)
         .filter(|ends| !ends.contains(&b' '))
-        .map(|ends| (place(ends[0]), place(ends[1])))
+        .map(|ends| (position(ends[0]), position(ends[1])))
 }
 
-/// Where a point of the grid is.
-fn place(point: u8) -> Vec2 {
-    let number = point - b'a';
-    vec2(f32::from(number % 3), f32::from(number / 3))
+/// The position of a point of the grid, in grid units.
+fn position(point: u8) -> Vec2 {
+    let index = point - b'a';
+    vec2(f32::from(index % 3), f32::from(index / 3))
 }
 
 #[cfg(test)]

@@ -1,58 +1,62 @@
-//! The quality that holds the frame rate.
+//! Chooses the quality that holds the frame rate.
 //!
-//! A function of how long frames take, and of nothing else: it has no clock, so the same times always lead to the same
-//! qualities.
+//! The choice depends on nothing but how long the frames took. The governor has no clock of its own, so the same times always lead
+//! to the same qualities.
 
 use crate::quality::Quality;
 
 /// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
 
-/// Rungs of the ladder.
+/// The number of rungs of the ladder.
 const RUNGS: usize = Quality::LADDER.len();
 
-/// Late frames in a row that are too many: 0.1 s at 60 a second. One that takes as long as several counts as several.
+/// The number of late frames after which it steps down: 0.1 s at 60 frames per second. A frame that takes as long as several
+/// counts as several.
 const TOO_LATE: u64 = 6;
 
-/// The most late frames that one counts as, so that a single one is never too many: something else came between.
-const ONE_IS_AT_MOST: u64 = 4;
+/// The most late frames that one frame counts as, so that a single one, which something else may have delayed, never causes a step.
+const MAX_LATENESS: u64 = 4;
 
-/// Time for which a finer rung has to look possible before it is tried. With what [`Governor::mean`] takes to follow,
-/// half a second at 30 frames a second.
+/// The time in nanoseconds for which a finer rung has to look possible before it is tried. Together with the delay of
+/// [`Governor::mean`] it takes half a second at 30 frames per second.
 const CALM: u64 = SECOND / 5;
 
-/// Frames after a change in which the new rung is compared with the one before.
+/// The number of frames after a step down in which the new rung's times are compared with the old one's.
 const COMPARED: u64 = 8;
 
-/// Walks the [`Quality::LADDER`] so that frames come in time: down when they are late, and up again once the next
-/// finer rung would leave a sixth of the time unused, to judge by what the step down from it had saved.
+/// Steps along the [`Quality::LADDER`] to hold a frame rate: down when frames are late, and up again once the next finer rung would
+/// leave a sixth of the time unused. How long frames would take there is estimated from what the step down saved.
 ///
-/// While the load stays the same it stays on a rung, however the times spread; when it changes, it takes its first step
-/// within half a second, or within two frames if they are longer.
+/// Under a constant load it stays on one rung, even if the times vary. When the load changes, it takes its first step within half
+/// a second, or within two frames if these are longer.
+///
+/// All times are in nanoseconds.
 pub struct Governor {
-    /// Time that a frame may take, in nanoseconds, as all times are.
+    /// The time that a frame may take.
     budget: u64,
+    /// The current rung, an index in the ladder.
     rung: usize,
-    /// What late frames since the last change count as; frames in time are taken off again.
+    /// The number of late frames since the last step, less the number of frames in time.
     late: u64,
-    /// Frames in which the next finer rung has looked possible.
+    /// The number of successive frames in which the next finer rung has looked possible.
     calm: u64,
-    /// Frames since the last change.
+    /// Frames since the last step.
     age: u64,
-    /// The time of a frame on this rung: a mean of the last ones, mostly the last four.
+    /// The time of a frame on this rung: an exponential moving average, mostly of the last four.
     mean: u64,
-    /// That of the next finer rung when it was left, or 0 when this one was come to from below.
+    /// The mean on the next finer rung when it was left; 0 if the last step was up.
     before: u64,
-    /// For each rung the mean time below which the next finer one looks possible.
+    /// For each rung, the mean time below which the next finer one looks possible.
     room: [u64; RUNGS],
 }
 
 impl Governor {
-    /// Starts on the finest rung, to hold so many frames a second, at least 1.
+    /// A governor that holds a number of frames per second, at least 1. It starts on the finest rung.
     #[must_use]
-    pub fn new(frames_a_second: u64) -> Self {
+    pub fn new(frames_per_second: u64) -> Self {
         Self {
-            budget: (SECOND / frames_a_second.max(1)).max(1),
+            budget: (SECOND / frames_per_second.max(1)).max(1),
             rung: 0,
             late: 0,
             calm: 0,
@@ -63,16 +67,16 @@ impl Governor {
         }
     }
 
-    /// The number of the rung for the next frame.
+    /// The rung for the next frame, as an index in [`Quality::LADDER`].
     #[must_use]
     pub fn rung(&self) -> usize {
         self.rung
     }
 
-    /// Takes note of how long the last frame took, until it was shown, in nanoseconds.
+    /// Records how long the last frame took until it was shown, in nanoseconds.
     pub fn frame(&mut self, time: u64) {
         let budget = self.budget;
-        let time = time.min(ONE_IS_AT_MOST * budget);
+        let time = time.min(MAX_LATENESS * budget);
         self.age += 1;
         self.mean = if self.age == 1 {
             time
@@ -81,7 +85,7 @@ impl Governor {
         };
         let hold = (CALM / budget).max(2);
         let too_late = TOO_LATE.min(hold);
-        // The last sixteenth is for what the clock and the system take.
+        // A sixteenth of the budget is left to the system.
         if time > budget / 16 * 15 {
             let frames = (time / budget).max(1).min(too_late - 1);
             self.late = (self.late + frames).min(too_late);

@@ -1,7 +1,6 @@
-//! Roots, sines, rounding and easing of single numbers.
+//! Scalar functions that `core` lacks: roots, sines, powers of two, rounding and easing.
 //!
-//! `core` has no such functions, so these are either correctly rounded, as the square root is everywhere, or sums and
-//! products alone: the same bits on every platform.
+//! They give the same bits on every platform: they are correctly rounded, or computed from sums and products alone.
 
 use crate::lanes::*;
 use core::f64::consts::TAU;
@@ -11,19 +10,19 @@ use fearless_simd::f32x4;
 #[must_use]
 #[inline(always)]
 pub(crate) fn sqrt(x: f32) -> f32 {
-    // An instruction, where `libm`'s is a call and a loop.
+    // A single instruction; `libm` calls a function with a loop.
     f32x4::splat(baseline(), x).sqrt().as_slice()[0]
 }
 
-/// The sine of an angle in radians, to within 1e-6 for angles to 1e6; not a number for what is none.
+/// The sine of an angle in radians. The error is below 1e-6 for angles up to 1e6; for NaN and infinity the result is NaN.
 ///
-/// `libm`'s is as good for larger angles too, by 2.8 kB of digits of pi that no packer makes smaller.
+/// `libm` is accurate for larger angles, too, but needs a table with 2.8 kB of digits of pi, which cannot be compressed.
 #[must_use]
 pub(crate) fn sin(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU)
 }
 
-/// The cosine of an angle in radians, as good as [`sin`].
+/// The cosine of an angle in radians, as accurate as [`sin`].
 #[must_use]
 pub(crate) fn cos(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU + 0.25)
@@ -32,7 +31,7 @@ pub(crate) fn cos(angle: f32) -> f32 {
 /// The sine of an angle in turns.
 fn sin_turns(turns: f64) -> f32 {
     let half = if turns < 0.0 { -0.5 } else { 0.5 };
-    // Half a turn to either side, then a quarter: sin(1/2 - t) = sin(t).
+    // Reduced to -1/2 to 1/2 turns, then to -1/4 to 1/4 by sin(1/2 - t) = sin(t).
     let t = turns - (turns + half) as i64 as f64;
     let t = if t > 0.25 {
         0.5 - t
@@ -41,7 +40,7 @@ fn sin_turns(turns: f64) -> f32 {
     } else {
         t
     };
-    // Taylor's series; the first term left out is below 6e-8.
+    // Taylor's series. The first omitted term is below 6e-8.
     let x = t * TAU;
     let x2 = x * x;
     let mut sum = 1.0;
@@ -57,18 +56,18 @@ pub(crate) fn exp2(x: f32) -> f32 {
     libm::exp2f(x)
 }
 
-/// 1.5 * 2^23: what is added to a number between -2^22 and 2^22 is rounded to the nearest integer, which is in the low bits
-/// of the sum; taking it off again leaves that integer as a number.
+/// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds that to the nearest integer, which then is in the low bits of
+/// the sum. Subtracting it again gives the integer as a float.
 pub(crate) const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
-/// The nearest integer to a number between -2^22 and 2^22; a tie rounds to even.
+/// Rounds a number between -2^22 and 2^22 to the nearest integer; a tie rounds to even.
 #[must_use]
 #[inline(always)]
 pub(crate) fn round(x: f32) -> f32 {
     (x + ROUND_TO_INTEGER) - ROUND_TO_INTEGER
 }
 
-/// Hermite's smooth step: 0 up to 0, 1 from 1 on, level at both ends.
+/// Hermite's smooth step: 0 for `u` up to 0, 1 from 1 on, and `u^2 (3 - 2 u)` between, with slope 0 at both ends.
 #[must_use]
 pub(crate) fn smooth_step(u: f32) -> f32 {
     let u = u.clamp(0.0, 1.0);

@@ -1,33 +1,34 @@
-//! What happens to a frame's points and squares, told to whoever wants to draw or count it.
+//! Reports which points of a frame are traced and how its squares are filled, to draw or count them.
 //!
-//! The refiner is generic over who listens. The intro's listener is `()`, of which nothing is left when it is compiled.
+//! The refiner is generic over the observer. For the intro's observer, `()`, the compiler removes all calls.
 
 use crate::trace::Counts;
 
-/// Listens to how a frame comes about, from all threads at once and in no particular order.
+/// Is told about the points and squares of a frame, by all threads concurrently and in no particular order.
 ///
-/// Places are in pixels from the upper left; points may lie a square's side beyond the picture to the right and below.
+/// Coordinates are pixels of the picture, from its upper left. Points may lie up to one square's side beyond the right and the lower
+/// edge of the picture.
 pub trait Observer: Copy + Sync {
-    /// Whether it is told anything.
+    /// Whether the methods are called at all.
     const LISTENS: bool = true;
 
-    /// The point at (x, y) was traced. What is counted is that point's work alone.
+    /// The point at (x, y) was traced; `work` counts this point alone.
     fn point(self, x: usize, y: usize, work: Counts);
 
-    /// The square of `w` by `h` pixels at (x, y) was drawn.
+    /// The square of `w` by `h` pixels with its upper left at (x, y) was drawn.
     fn square(self, x: usize, y: usize, w: usize, h: usize, fill: Fill);
 }
 
-/// How a square got its pixels.
+/// How the pixels of a square were computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fill {
-    /// One colour.
+    /// All have the same colour.
     Flat,
-    /// Colours between those of its corners.
+    /// Colours are interpolated between the corners.
     Bilinear,
-    /// Light between that of its corners, and a pattern at each pixel.
+    /// The light is interpolated between the corners, and the pattern is evaluated at each pixel.
     Patterned,
-    /// Each pixel has a point of its own.
+    /// Each pixel has its own traced or averaged point.
     Points,
 }
 

@@ -1,7 +1,7 @@
-//! Captions: strokes drawn over the rows of a finished band.
+//! Draws captions over the rows of a finished band.
 //!
-//! A pixel's share of a stroke is taken from its centre's distance to it, so edges are smooth at any size. Each row is drawn
-//! by whoever drew its band: the bits are the same for any number of threads.
+//! The coverage of a pixel is computed from the distance of its centre to the nearest stroke, so edges are antialiased at any size.
+//! Captions are placed in pixels of the picture, and drawn in rows of the band. Letters are measured in units of the font's grid.
 
 use crate::font::{ADVANCE, strokes};
 use crate::maths::{round, sqrt};
@@ -11,61 +11,62 @@ use crate::scene::camera::pixels;
 use glam::{Vec2, vec2};
 
 /// Half the width of a stroke, in grid units.
-const HALF: f32 = 0.22;
+const HALF_WIDTH: f32 = 0.22;
 
-/// How far the dark edge about a stroke reaches, in grid units: it is read on white, and ends where the next letter begins.
-const EDGE: f32 = 0.28;
+/// The width of the dark outline around a stroke, in grid units: it makes text readable on white, and just does not reach the next
+/// letter.
+const OUTLINE: f32 = 0.28;
 
-/// Draws captions over a band of a picture of some height.
+/// Draws captions over a band of a picture that is `height` pixels high.
 pub(crate) fn draw(captions: &[Caption], height: usize, band: &mut Band<'_>) {
     let (w, h) = (pixels(band.width), pixels(height));
     for caption in captions {
         if caption.brightness == 0.0 {
             continue;
         }
-        // Pixels of a unit of the letters' grid; a letter is four high and two wide.
+        // The size of a grid unit in pixels. A letter is four units high and two wide.
         let unit = 0.25 * caption.size * h.min(w * (9.0 / 16.0));
         let middle = caption.middle * h - pixels(band.top);
         for (y, row) in band.pixels.chunks_exact_mut(band.width.max(1)).enumerate() {
             let y = (pixels(y) + 0.5 - middle) / unit;
-            // A letter, and room for the strokes' width.
+            // Beyond half a letter and half a stroke's width there is nothing to draw.
             if y.abs() > 2.5 {
                 continue;
             }
             for (x, pixel) in row.iter_mut().enumerate() {
-                // From the middle of the first letter.
+                // In grid units from the middle of the first letter.
                 let letters = pixels(caption.letters.len()) - 1.0;
                 let x = (pixels(x) + 0.5 - 0.5 * w) / unit + 0.5 * ADVANCE * letters;
-                let number = round(x / ADVANCE);
-                if number < 0.0 {
+                let index = round(x / ADVANCE);
+                if index < 0.0 {
                     continue;
                 }
-                let Some(&letter) = caption.letters.get(number as usize) else {
+                let Some(&letter) = caption.letters.get(index as usize) else {
                     break;
                 };
-                let at = vec2(x - number * ADVANCE + 1.0, y + 2.0);
-                let inside = (HALF - distance(at, letter)) * unit + 0.5;
+                let at = vec2(x - index * ADVANCE + 1.0, y + 2.0);
+                let inside = (HALF_WIDTH - distance(at, letter)) * unit + 0.5;
                 let share = |inside: f32| inside.clamp(0.0, 1.0) * caption.brightness;
-                *pixel = write(*pixel, share(inside + EDGE * unit), share(inside));
+                *pixel = blend(*pixel, share(inside + OUTLINE * unit), share(inside));
             }
         }
     }
 }
 
-/// From a point to the nearest of a letter's strokes, in grid units, or 1 if it is farther away.
+/// The distance from a point to the nearest of a letter's strokes, in grid units, at most 1.
 fn distance(at: Vec2, letter: u8) -> f32 {
     let mut distance2 = 1.0_f32;
     for (from, to) in strokes(letter) {
-        let (at, way) = (at - from, to - from);
-        let along = (at.dot(way) / way.length_squared()).clamp(0.0, 1.0);
-        distance2 = distance2.min((at - way * along).length_squared());
+        let (at, stroke) = (at - from, to - from);
+        let along = (at.dot(stroke) / stroke.length_squared()).clamp(0.0, 1.0);
+        distance2 = distance2.min((at - stroke * along).length_squared());
     }
     sqrt(distance2)
 }
 
-/// A pixel with a share of it covered, and a share of it, no larger, white.
-fn write(pixel: u32, covered: f32, white: f32) -> u32 {
-    // In 256ths, to the nearest. (A brightness that a scene may not have, above 1, is as much as 1.)
+/// Blends a pixel to black by its share that is `covered`, and adds the share that is `white`, which is no larger.
+fn blend(pixel: u32, covered: f32, white: f32) -> u32 {
+    // Rounded to 256ths. A brightness above 1, which no valid scene has, counts as 1.
     let [covered, white] = [covered, white].map(|share| ((256.0 * share + 0.5) as u32).min(256));
     let channel = |shift: u32| {
         let picture = (pixel >> shift) & 0xff;
