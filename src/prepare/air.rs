@@ -1,24 +1,24 @@
-//! The air and the sky.
+//! Haze and background.
 
 use crate::scene::Scene;
 use glam::Vec3A;
 
-/// What lies between surfaces and rays' starts, and behind everything.
+/// The haze between surfaces and rays' origins, and the background behind everything. Colours are linear RGB.
 pub(crate) struct Air {
-    /// Whether there is neither haze nor a sky whose colour changes with height.
+    /// Whether there is no haze, and the background has one colour: then nothing here needs to be evaluated.
     pub is_clear: bool,
-    /// The background at the horizon and below, linear RGB.
+    /// The background at the horizon and below.
     pub horizon: Vec3A,
-    /// Added at the zenith.
+    /// Added to it at the zenith, see [`Scene::sky`].
     pub sky: Vec3A,
 }
 
-/// Haze of the background, in 1 / scene units: thick enough to hide it at the distance that stands for "no hit", 1e30, and so
-/// thin that it hides nothing at any distance in a scene.
+/// The density of haze added for the background, in 1 / scene units. It is dense enough to hide everything at the distance that
+/// stands for "no hit", 1e30, so that the sky replaces it, and too thin to be visible at any distance within a scene.
 pub(super) const BACKGROUND_HAZE: f32 = 1e-20;
 
 impl Air {
-    /// Black and clear, all zeros but for `is_clear`, which is set with a scene.
+    /// All zeros: memory before a frame is prepared.
     pub const ZERO: Self = Self {
         is_clear: false,
         horizon: Vec3A::ZERO,

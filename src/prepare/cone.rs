@@ -47,8 +47,8 @@ pub(super) struct RoundCone {
 }
 
 impl RoundCone {
-    /// Nothing, all zeros.
-    pub const NONE: Self = Self {
+    /// All zeros.
+    pub const ZERO: Self = Self {
         to: Vec3::ZERO,
         cosine: 0.0,
         sine: 0.0,

@@ -1,4 +1,4 @@
-//! Lights as shadow rays want them.
+//! Lights, prepared for shading and for shadow rays. Coordinates are the scene's.
 
 use super::hit_error;
 use super::surface::bounded;
@@ -7,70 +7,76 @@ use crate::maths::sqrt;
 use crate::scene::{Light, Spot};
 use glam::{Vec3, Vec3A};
 
-/// A point light.
+/// A light of the scene with everything that shading needs of it.
 pub(crate) struct Lamp {
+    /// See [`Light::shadow_position`].
     pub position: Vec3A,
     pub colour: Vec3A,
     is_plain: bool,
-    /// Whether it is a cone.
+    /// Whether it is a spotlight.
     pub is_cone: bool,
-    /// Its cone, or one that is bright all around.
+    /// The spotlight's cone, or one that is bright in all directions.
     pub cone: Spot,
-    /// Its diameter, and the widest that a penumbra is taken to be at what throws it.
+    /// See [`Light::diameter`].
     pub diameter: f32,
+    /// See [`Light::max_penumbra`].
     pub max_penumbra: f32,
-    /// Whether it is no more than a point.
+    /// See [`Light::is_point`].
     pub is_point: bool,
-    /// The solid nodes of the [`super::Tree`].
+    /// The shadow cones of the [`super::Tree`]'s solid nodes, in the same order.
     pub shadow_cones: [ShadowCone; MAX_NODES],
 }
 
-/// A sphere as shadow rays want it: what it shades of points without is in a cone around it, a little wider than it needs
-/// be, and not nearer to the lamp than it. (Its vectors are not aligned: so it is 64 bytes, and it is most of a frame's memory.)
+/// The shadow of a node's sphere by one lamp. Points outside the sphere that lie in its shadow are inside a cone about the sphere
+/// with its apex at the lamp, and no nearer to the lamp than the sphere. The cone is slightly wider than necessary, to cover rounding.
+///
+/// Its vectors are unaligned, so that it fits a cache line of 64 bytes: a frame has up to 2,572 of these.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadowCone {
-    /// The lamp's direction, seen from the centre.
+    /// The direction from the sphere's centre to the lamp, of length 1.
     pub axis: Vec3,
-    /// The square of the chord between the axis and the cone's side on the sphere of radius 1.
+    /// On the unit sphere, the squared length of the chord between the axis and the side of the cone.
     pub chord2: f32,
-    /// Nothing nearer to the lamp than this is shaded.
+    /// The distance from the lamp at which the shadow may begin.
     pub from: f32,
+    /// See [`BvhNode::is_bound`].
     pub is_bound: bool,
-    /// How many nodes to go on by where it is missed.
+    /// See [`BvhNode::skip`].
     pub skip: u16,
-    /// The solid's number.
+    /// See [`BvhNode::number`].
     pub number: u16,
-    /// Whether the lamp is inside.
+    /// Whether the lamp is inside the sphere.
     pub around_lamp: bool,
-    /// The lamp seen from the centre.
+    /// The vector from the sphere's centre to the lamp.
     pub from_lamp: Vec3,
-    /// The radius squared, less what rounding can add to the discriminant of a ray that leaves the sphere; where the
-    /// lamp is inside, more by as much.
+    /// The squared radius minus a bound on the rounding error of the discriminant, so that a ray that leaves the sphere is not
+    /// shadowed by it. If the lamp is inside, the bound is added instead.
     pub r2: f32,
-    /// What a box or a cylinder shades lies between two planes through the lamp: the normal of that which holds its longer
-    /// axis, of any length, and the square of the sine of the angle from there to both, as many times as large as the
-    /// normal's. 0 of what is none.
+    /// The shadow of a box or a cylinder lies between two planes through the lamp, at the same angle on both sides of the plane that
+    /// contains the longer axis. This is that plane's normal, of any length; for a sphere it is 0.
     pub side: Vec3,
+    /// The squared sine of that angle, times the squared length of `side`.
     pub sine2: f32,
-    /// The radius, and what rounding adds to it.
+    /// The radius plus a bound on rounding errors.
     pub radius: f32,
 }
 
-/// More than rounding makes of a scalar product of directions.
+/// A bound on the rounding error of the dot product of two directions.
 const ROUNDING: f32 = 1e-6;
 
-/// A cone that everything is well within.
+/// A cone that contains all directions with a margin.
 const ALL_BRIGHT: Spot = Spot {
     aim: Vec3A::ZERO,
     dark: -2.0,
     bright: -1.0,
 };
 
-/// More than the square of any chord of the sphere of radius 1.
+/// More than the squared length of any chord of the unit sphere, which is at most 4.
 const ALL_AROUND: f32 = 5.0;
 
 impl Lamp {
-    pub const NONE: Self = Self {
+    /// All zeros: memory before a frame is prepared.
+    pub const ZERO: Self = Self {
         position: Vec3A::ZERO,
         colour: Vec3A::ZERO,
         is_plain: false,
@@ -83,16 +89,16 @@ impl Lamp {
         diameter: 0.0,
         max_penumbra: 0.0,
         is_point: false,
-        shadow_cones: [ShadowCone::NONE; MAX_NODES],
+        shadow_cones: [ShadowCone::ZERO; MAX_NODES],
     };
 
-    /// Whether it is a point, and all solids are spheres: then its shadows are hard.
+    /// Whether it is a point light and all solids are spheres: then shadows are hard, and a faster test decides.
     #[inline(always)]
     pub fn is_plain(&self) -> bool {
         self.is_plain
     }
 
-    /// Takes a light in, and the nodes that can shade it.
+    /// Prepares a light, and the shadows of the tree's solid nodes.
     pub fn set(&mut self, light: &Light, nodes: &[BvhNode], has_blocks: bool) {
         self.position = light.shadow_position();
         self.colour = Vec3A::from_array(light.colour.to_array().map(bounded));
@@ -101,10 +107,10 @@ impl Lamp {
         self.is_cone = light.spot.is_some();
         self.cone = light.spot.unwrap_or(ALL_BRIGHT);
         self.diameter = light.diameter();
-        // Below 0 a sphere would shade what its bound does not.
+        // Below 0, the shadow of a sphere would not be inside that of its bound.
         self.max_penumbra = light.max_penumbra().max(0.0);
         for (cone, node) in self.shadow_cones.iter_mut().zip(nodes) {
-            // A sphere's penumbra is wider, and a bound shades from its nearest point on.
+            // The cone has to contain the penumbra, too.
             let radius = if !node.is_block {
                 node.radius + 0.5 * self.max_penumbra
             } else {
@@ -116,7 +122,8 @@ impl Lamp {
 }
 
 impl ShadowCone {
-    const NONE: Self = Self {
+    /// All zeros: memory before a frame is prepared.
+    const ZERO: Self = Self {
         axis: Vec3::ZERO,
         chord2: 0.0,
         from: 0.0,
@@ -131,23 +138,24 @@ impl ShadowCone {
         radius: 0.0,
     };
 
+    /// Prepares the shadow of a node; `radius` includes the penumbra.
     fn set(&mut self, from_lamp: Vec3A, radius: f32, node: &BvhNode) {
-        let far2 = from_lamp.length_squared();
-        // The roundings of the sphere's place and of the way from the lamp.
-        let way = hit_error(from_lamp, 0.0);
-        let r2_error = 2.0 * node.radius * (node.hit_error + way);
-        let wide = radius * (1.0 + MARGIN) + way;
-        // 2 - 2 cos, by the sine of the angle, which loses no digits.
-        let sine2 = wide * wide / far2;
+        let distance2 = from_lamp.length_squared();
+        // A bound on the rounding errors of the sphere's centre and of the vector from the lamp.
+        let error = hit_error(from_lamp, 0.0);
+        let r2_error = 2.0 * node.radius * (node.hit_error + error);
+        let wide = radius * (1.0 + MARGIN) + error;
+        // The squared chord is 2 - 2 cos. Computed from the sine it loses no digits.
+        let sine2 = wide * wide / distance2;
         let chord2 = 2.0 * sine2 / (1.0 + sqrt(1.0 - sine2));
-        self.around_lamp = far2 < node.r2;
-        // Nearer to the lamp than `from` there is none of it.
-        let from = sqrt(far2) * (1.0 - MARGIN) - wide;
+        self.around_lamp = distance2 < node.r2;
+        // No part of the sphere is nearer to the lamp than this.
+        let from = sqrt(distance2) * (1.0 - MARGIN) - wide;
         let sine = sqrt(node.thin2) / from.max(0.0) + ROUNDING;
         let side = node.axis.cross(from_lamp);
         *self = Self {
             axis: from_lamp.normalize_or(Vec3A::Y).into(),
-            // Not a number where there is no angle.
+            // NaN if the lamp is inside.
             chord2: chord2.min(ALL_AROUND),
             from,
             is_bound: node.is_bound,
@@ -157,7 +165,7 @@ impl ShadowCone {
             from_lamp: from_lamp.into(),
             side: side.into(),
             sine2: side.length_squared() * sine * sine,
-            radius: node.radius * (1.0 + MARGIN) + way,
+            radius: node.radius * (1.0 + MARGIN) + error,
             r2: node.r2
                 + if self.around_lamp {
                     r2_error

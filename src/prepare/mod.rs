@@ -1,4 +1,4 @@
-//! What every ray of a frame uses, computed once a frame.
+//! Computes, once per frame, everything that does not change from ray to ray.
 
 mod air;
 mod cone;
@@ -19,7 +19,7 @@ use outline::Outline;
 use screen::ScreenBounds;
 pub(crate) use screen::{Axes, rectangle};
 use shadow::Shadows;
-pub(crate) use surface::{Row, Surface, SurfaceRow};
+pub(crate) use surface::{PerLane, Surface, SurfaceRow};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{BvhNode, GroupSet, Tree};
 
@@ -28,71 +28,71 @@ use crate::scene::{
 };
 use glam::Vec3A;
 
-/// How far rounding takes a point that was computed to be on a sphere from it, as a share of the sphere's largest
-/// coordinate.
+/// A bound on how far rounding moves a computed point of a sphere off it, as a share of the sphere's largest coordinate.
 ///
-/// In roundings of 2^-24: 1.7 of the point's coordinates (the root of 3), 2.5 of its distance from the centre, 1.5 of the
-/// ray's length, and 2.8 of the way from the centre, its square and the discriminant when the next ray is held against
-/// the sphere: at most 8.5. Rays by the hundred million get as far as 5 (`rays_that_leave_a_sphere_do_not_hit_it_again`).
+/// In units of 2^-24 the errors are 1.7 for the point's coordinates (the root of 3), 2.5 for its distance from the centre, 1.5 for the
+/// ray's length, and 2.8 for the vector from the centre, its square and the discriminant when the next ray is tested against the
+/// sphere: 8.5 in total. Hundreds of millions of rays had at most 5 (`rays_that_leave_a_sphere_do_not_hit_it_again`).
 const HIT_ERROR: f32 = 10.0 / (1 << 24) as f32;
 
-/// Objects a ray can hit: spheres, lights (drawn as spheres), planes, and the background.
+/// The most objects that rays can hit: solids, lights (shown as spheres), planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 
-/// Room for what can be seen for itself: objects, and the shadows that spheres throw on planes.
-pub(crate) const OUTLINES: usize = MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
+/// The most outlines: one for each object, and one for the shadow of each sphere on each plane by each light.
+pub(crate) const MAX_OUTLINES: usize = MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
-/// One frame's scene in the order the kernels want it.
+/// The scene of one frame, prepared for the kernels.
 ///
-/// Objects are numbered as they are in the scene: solids, lights, planes, background.
+/// Objects are numbered: spheres come first, then boxes and cylinders, lights, planes, and the background.
 pub(crate) struct Prepared {
-    /// The scene as it was given.
+    /// A copy of the scene.
     pub scene: Scene,
     pub air: Air,
     pub eye: Vec3A,
     pub raster: Raster,
-    /// Rows of the picture.
+    /// The height of the picture in pixels.
     pub height: usize,
     pub tree: Tree,
-    /// What each group covers of the picture.
+    /// For each group of the tree, a rectangle around it in the picture.
     bounds: [ScreenBounds; MAX_GROUPS],
-    /// The same of its mirror image in the first plane.
+    /// The same for its mirror image in the first plane.
     mirrored_bounds: [ScreenBounds; MAX_GROUPS],
     pub axes: Axes,
-    /// What each object covers of the picture.
+    /// The outline of each object in the picture.
     outlines: [Outline; MAX_OBJECTS],
-    /// More of the rays that meet each box or cylinder.
+    /// For each block, the sides of its cone for which the outline has no room.
     block_ends: [Cone; MAX_BLOCKS],
-    /// What has outlines of numbers from [`Prepared::background`] on.
+    /// The shadows on planes. Their outlines have the numbers from [`Prepared::background`] up.
     shadows: Shadows,
-    /// The end of the numbers of outlines.
+    /// The number of outlines.
     pub outlined: usize,
+    /// The number of spheres and blocks.
     pub solids: usize,
     lamps: [Lamp; MAX_LIGHTS],
     pub lamp_count: usize,
     planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
     surfaces: [Surface<f32>; MAX_OBJECTS],
-    /// Whether an object's pattern has edges.
+    /// For each object, whether its pattern has edges.
     has_edges: [bool; MAX_OBJECTS],
     /// Whether any object has a pattern.
     has_patterns: bool,
-    /// What primary rays weigh.
+    /// The weight of primary rays: below 1 where the picture is faded.
     pub weight: f32,
-    /// Where samples are, from the centres of their pixels, in pixels.
+    /// The offset of the samples from the centres of their pixels, in pixels.
     pub offset: glam::Vec2,
 }
 
-/// The groups that a part of the picture can show.
+/// The groups of the tree that rays through a part of the picture can meet.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct VisibleGroups {
-    /// Met by primary rays.
+    /// Those that primary rays can meet.
     pub directly: GroupSet,
-    /// Met by what the first plane reflects of primary rays.
+    /// Those that the reflections of primary rays in the first plane can meet.
     pub mirrored: GroupSet,
 }
 
-/// A horizontal rectangle.
+/// A horizontal rectangle, in scene coordinates.
 #[derive(Clone, Copy)]
 pub(crate) struct Rectangle {
     pub centre: Vec3A,
@@ -101,7 +101,7 @@ pub(crate) struct Rectangle {
 }
 
 impl Prepared {
-    /// An empty frame, all zeros.
+    /// All zeros: memory before a frame is prepared.
     pub const fn new() -> Self {
         Self {
             scene: Scene::ZEROED,
@@ -109,18 +109,18 @@ impl Prepared {
             eye: Vec3A::ZERO,
             raster: Raster::ZERO,
             height: 0,
-            tree: Tree::NONE,
+            tree: Tree::ZERO,
             bounds: [ScreenBounds::ZERO; MAX_GROUPS],
             mirrored_bounds: [ScreenBounds::ZERO; MAX_GROUPS],
             axes: Axes::NONE,
             outlines: [Outline::NONE; MAX_OBJECTS],
             block_ends: [Cone::NONE; MAX_BLOCKS],
-            shadows: Shadows::NONE,
+            shadows: Shadows::ZERO,
             outlined: 0,
             solids: 0,
-            lamps: [const { Lamp::NONE }; MAX_LIGHTS],
+            lamps: [const { Lamp::ZERO }; MAX_LIGHTS],
             lamp_count: 0,
-            planes: [Rectangle::NONE; MAX_PLANES],
+            planes: [Rectangle::ZERO; MAX_PLANES],
             plane_count: 0,
             surfaces: [const { Surface::<f32>::ZERO }; MAX_OBJECTS],
             has_edges: [false; MAX_OBJECTS],
@@ -142,13 +142,13 @@ impl Prepared {
         &self.planes[..self.plane_count]
     }
 
-    /// The surface of the object number `i`.
+    /// The surface of object number `i`.
     #[inline(always)]
     pub fn surface(&self, i: usize) -> &Surface<f32> {
         &self.surfaces[i]
     }
 
-    /// The object number `i`, and its material.
+    /// Object number `i` and its material.
     pub fn object(&self, i: usize) -> (Object<'_>, &Material) {
         object::of(&self.scene, i)
     }
@@ -159,35 +159,35 @@ impl Prepared {
         !self.scene.blocks.is_empty()
     }
 
-    /// Whether a pattern varies the colour of any object.
+    /// Whether any object has a pattern.
     #[inline(always)]
     pub fn has_patterns(&self) -> bool {
         self.has_patterns
     }
 
-    /// Whether a pattern with edges varies the colour of the object number `i`.
+    /// Whether the pattern of object number `i` has edges.
     #[inline(always)]
     pub fn has_pattern(&self, i: usize) -> bool {
         self.has_edges[i]
     }
 
-    /// Whether more than the plain picture is shown.
+    /// Whether the picture has an overlay.
     #[inline(always)]
     pub fn shows_method(&self) -> bool {
         self.scene.method != Method::default()
     }
 
-    /// The number of the first plane.
+    /// The object number of the first plane.
     pub fn first_plane(&self) -> usize {
         self.solids + self.lamp_count
     }
 
-    /// The number of the background.
+    /// The object number of the background.
     pub fn background(&self) -> usize {
         self.first_plane() + self.plane_count
     }
 
-    /// The groups that rays through the points of a rectangle of the picture can meet.
+    /// The groups that rays through a rectangle of the picture, given in pixels, can meet.
     pub fn visible_groups(
         &self,
         left: usize,
@@ -196,15 +196,15 @@ impl Prepared {
         bottom: usize,
     ) -> VisibleGroups {
         let rect = self.axes.rect(rectangle(left, top, right, bottom));
-        let mut seen = VisibleGroups::default();
+        let mut groups = VisibleGroups::default();
         for (i, (bounds, mirrored)) in self.bounds.iter().zip(&self.mirrored_bounds).enumerate() {
-            seen.directly |= GroupSet::from(bounds.meets(rect)) << i;
-            seen.mirrored |= GroupSet::from(mirrored.meets(rect)) << i;
+            groups.directly |= GroupSet::from(bounds.meets(rect)) << i;
+            groups.mirrored |= GroupSet::from(mirrored.meets(rect)) << i;
         }
-        seen
+        groups
     }
 
-    /// Takes a scene in, for pictures of `width` by `height` pixels.
+    /// Prepares a scene for a picture of `width` by `height` pixels.
     pub fn set(&mut self, scene: &Scene, width: usize, height: usize) {
         self.scene = *scene;
         self.air = Air::of(scene);
@@ -238,7 +238,7 @@ impl Prepared {
         self.set_outlines();
     }
 
-    /// Takes in what each object covers of the picture; the objects are in already.
+    /// Prepares the outlines, after the objects.
     fn set_outlines(&mut self) {
         self.bounds = [ScreenBounds::NONE; MAX_GROUPS];
         self.mirrored_bounds = [ScreenBounds::NONE; MAX_GROUPS];
@@ -272,7 +272,7 @@ impl Prepared {
         self.set_shadows();
     }
 
-    /// Moves the samples to their offset.
+    /// Shifts the samples by their offset.
     fn move_samples(&mut self) {
         let Raster { corner, dx, dy } = &mut self.raster;
         *corner += *dx * self.offset.x + *dy * self.offset.y;
@@ -280,13 +280,14 @@ impl Prepared {
     }
 }
 
-/// What rounding takes a point of a sphere off it by.
+/// A bound on how far rounding moves a point of a sphere off it, see [`HIT_ERROR`].
 fn hit_error(centre: Vec3A, radius: f32) -> f32 {
     HIT_ERROR * (centre.abs().max_element() + radius)
 }
 
 impl Rectangle {
-    const NONE: Self = Self {
+    /// All zeros.
+    const ZERO: Self = Self {
         centre: Vec3A::ZERO,
         half_x: 0.0,
         half_z: 0.0,

@@ -1,19 +1,20 @@
-//! What a ray hits.
+//! The objects of a scene by number.
 
 use crate::scene::{Block, Light, Material, Plane, Scene, Sphere};
 
-/// An object of a scene.
+/// An object that a ray can hit.
 pub(crate) enum Object<'a> {
     Sphere(&'a Sphere),
     Block(&'a Block),
     Plane(&'a Plane),
-    /// What a light is drawn as.
-    Lamp(&'a Light),
-    /// What is behind everything.
+    /// The sphere that shows a light.
+    Light(&'a Light),
+    /// What a ray hits that hits nothing else.
     Background,
 }
 
-/// The object number `i` of a scene, and its material: spheres, then boxes and cylinders, lights, planes, background.
+/// The object number `i` of a scene, and its material. Spheres have the first numbers; blocks, lights, planes and the background
+/// follow.
 pub(super) fn of(scene: &Scene, mut i: usize) -> (Object<'_>, &Material) {
     if let Some(sphere) = scene.spheres.get(i) {
         return (Object::Sphere(sphere), &sphere.material);
@@ -24,7 +25,7 @@ pub(super) fn of(scene: &Scene, mut i: usize) -> (Object<'_>, &Material) {
     }
     i -= scene.blocks.len();
     if let Some(light) = scene.lights.get(i) {
-        return (Object::Lamp(light), &Material::BLACK);
+        return (Object::Light(light), &Material::BLACK);
     }
     match scene.planes.get(i - scene.lights.len()) {
         Some(plane) => (Object::Plane(plane), &plane.material),
@@ -32,11 +33,12 @@ pub(super) fn of(scene: &Scene, mut i: usize) -> (Object<'_>, &Material) {
     }
 }
 
-/// Waves that are not steepened have no edges: they change as slowly as light does, and squares with them are filled by their
-/// corners' colours. (The show's colonnade, of marble, takes two thirds of the time by it.)
-const SOFT: f32 = 1.0;
+/// The largest [`Pattern::edge`](crate::scene::Pattern::edge) of a pattern without edges. Such a pattern changes as slowly as light
+/// does, so squares that show it are filled from their corners' colours. With the show's colonnade, of marble, that saves a third
+/// of the time.
+const MAX_SOFT_EDGE: f32 = 1.0;
 
-/// Whether the pattern of a material has edges, which a square must not be filled across.
+/// Whether a material's pattern has edges, across which squares must not be filled.
 pub(super) fn has_edges(material: &Material) -> bool {
-    material.pattern.depth != 0.0 && material.pattern.edge > SOFT
+    material.pattern.depth != 0.0 && material.pattern.edge > MAX_SOFT_EDGE
 }

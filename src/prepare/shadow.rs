@@ -1,31 +1,32 @@
-//! The shadows of spheres on planes, as parts of the picture.
+//! The shadows of spheres on planes, as cones in the picture.
 //!
-//! A cone around a sphere, seen from a lamp, depends on these two alone; a linear image of the picture's rays, on the lamp and
-//! the plane (see `cone`). So what each sphere, lamp and plane make is put together where it is asked for: kept, it would take
-//! a dozen times the memory of all else.
+//! The cone of a lamp about a sphere does not depend on the plane, and the linear map from the camera's rays to the lamp's rays
+//! (see `cone`) does not depend on the sphere. Both are stored, and combined when a shadow is needed: storing all combinations
+//! would take a dozen times the memory of everything else.
 
 use super::cone::{Cone, RoundCone};
 use super::{Prepared, Rectangle};
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS};
 use glam::Vec3A;
 
-/// The square of the least cosine of a shadow's cone: the lamp of a flatter one touches the sphere by 0.1 % of the radius.
-const LEAST_COSINE2: f32 = 0.0025;
+/// The smallest squared cosine of a shadow's cone. Wider cones, whose lamp is within 0.1 % of the radius from the sphere, are left
+/// out.
+const MIN_COSINE2: f32 = 0.0025;
 
-/// Spheres that throw shadows, each with a lamp: as many as there can be of both.
+/// The largest number of pairs of a sphere and a lamp.
 const MAX_CASTERS: usize = MAX_LIGHTS * MAX_SOLIDS;
 
-/// What throws shadows.
+/// The shadows of spheres on planes.
 pub(super) struct Shadows {
-    /// Spheres by the light of a lamp; on every plane each has a shadow.
+    /// Pairs of a sphere and a lamp. Each casts a shadow on every plane.
     casters: [Caster; MAX_CASTERS],
     count: usize,
-    /// The rays from a lamp to where the picture's rays meet a plane, but for their lengths: what a step along u is, one along v,
-    /// and (0, 0).
+    /// For each plane and lamp, the linear map from the camera's rays (u, v, 1) to the lamp's rays through the points where they
+    /// meet the plane, up to a factor: its columns for u, v and 1.
     rays: [[[Vec3A; 3]; MAX_LIGHTS]; MAX_PLANES],
 }
 
-/// A sphere by the light of a lamp.
+/// A sphere that casts shadows by the light of one lamp.
 #[derive(Clone, Copy)]
 struct Caster {
     cone: RoundCone,
@@ -34,10 +35,10 @@ struct Caster {
 }
 
 impl Shadows {
-    /// None, all zeros.
-    pub const NONE: Self = Self {
+    /// All zeros: no shadows.
+    pub const ZERO: Self = Self {
         casters: [Caster {
-            cone: RoundCone::NONE,
+            cone: RoundCone::ZERO,
             lamp: 0,
         }; MAX_CASTERS],
         count: 0,
@@ -46,8 +47,8 @@ impl Shadows {
 }
 
 impl Prepared {
-    /// Takes in what throws shadows; objects and lamps are in already. By a lamp that is more than a point there are none, nor of
-    /// a sphere that the lamp is in, or nearly so. What is on the other side of a plane counts as well.
+    /// Prepares the shadows, after objects and lamps. Lamps that are not points have none, nor do spheres that contain a lamp or
+    /// nearly touch it. Spheres on the far side of a plane are not left out.
     pub(super) fn set_shadows(&mut self) {
         self.shadows.count = 0;
         for (number, lamp) in self.lamps[..self.lamp_count].iter().enumerate() {
@@ -63,7 +64,7 @@ impl Prepared {
                     cone,
                     lamp: number as u8,
                 };
-                self.shadows.count += usize::from(cosine2 > LEAST_COSINE2);
+                self.shadows.count += usize::from(cosine2 > MIN_COSINE2);
             }
             let planes = &self.planes[..self.plane_count];
             for (plane, rays) in planes.iter().zip(&mut self.shadows.rays) {
@@ -73,7 +74,7 @@ impl Prepared {
         self.outlined = self.background() + self.plane_count * self.shadows.count;
     }
 
-    /// The object that is seen where something has the outline of a number: of a shadow, the plane.
+    /// The object that an outline, given by its number, belongs to: for a shadow, the plane.
     pub fn outlined_object(&self, number: usize) -> usize {
         match number.checked_sub(self.background()) {
             None => number,
@@ -81,7 +82,7 @@ impl Prepared {
         }
     }
 
-    /// The rays of the picture that may meet the shadow with the outline of a number.
+    /// The cone of camera rays that may meet a shadow, given by the number of its outline.
     #[inline(never)]
     pub fn shadow_cone(&self, number: usize) -> Cone {
         let Shadows {
@@ -97,11 +98,11 @@ impl Prepared {
     }
 }
 
-/// The rays from a lamp to where rays from the eye meet a plane.
+/// The rays from a lamp to the points where rays from the eye meet a plane, up to a common factor.
 fn rays_to(plane: &Rectangle, lamp: Vec3A, eye: Vec3A, rays: &[Vec3A; 3]) -> [Vec3A; 3] {
     let height = eye.y - plane.centre.y;
     let mut by = (lamp - eye).extend(height);
-    // Terms below 2, and forward, which is towards the plane.
+    // Scaled so that all terms are below 2, with the sign that makes them point towards the plane.
     by *= (1.0 / by.length()).copysign(height);
     rays.map(|ray| ray * by.w + Vec3A::from_vec4(by) * ray.y)
 }

@@ -1,4 +1,4 @@
-//! What shading needs of an object.
+//! The surface parameters of an object, prepared for shading.
 
 use super::air::BACKGROUND_HAZE;
 use super::object::Object;
@@ -6,56 +6,56 @@ use crate::lanes::MAX_LANES;
 use crate::scene::{Material, Scene};
 use glam::Vec3A;
 
-/// A highlight below this is not computed: 1/40 of what 8 bits can show.
-const FAINT: f32 = 1e-4;
+/// Highlights below this are not computed: 1/40 of a step of 8-bit output.
+const MIN_HIGHLIGHT: f32 = 1e-4;
 
-/// More than any r.v.
+/// More than any value of r.v.
 const NO_HIGHLIGHT: f32 = 2.0;
 
-/// An object's surface: of numbers, or of [`Row`]s.
+/// An object's surface, with each parameter either one number or a [`PerLane`] of them. Lengths are in scene units.
 pub(crate) struct Surface<T> {
     /// The centre of a sphere or a plane.
     pub centre: [T; 3],
-    /// 1 / radius of a sphere, 0 of what is none. The normal at p is `(p - centre) / radius + (0, upright, 0)`.
+    /// 1 / radius for a sphere, otherwise 0. The normal at p is `(p - centre) / radius + (0, upright, 0)`.
     pub inverse_radius: T,
-    /// 1 for a plane, 0 for a sphere.
+    /// 1 for a plane or a block, 0 for a sphere.
     pub upright: T,
-    /// 1 where lamps shine on it, 0 for lamps and the background.
+    /// 1 for surfaces on which lights shine, 0 for the lights' own spheres and the background.
     pub is_lit: T,
-    /// The light that needs no lamp: ambient light reflected, or what a lamp or the background emits.
+    /// The radiance that does not depend on lights: reflected ambient light, or the light's or the background's own colour.
     pub emitted: [T; 3],
     /// The colour times the diffuse coefficient.
     pub diffuse: [T; 3],
-    /// Specular coefficient.
+    /// The specular coefficient.
     pub ks: T,
-    /// Exponent of the highlight.
+    /// The exponent of the highlight.
     pub exponent: T,
-    /// The r.v below which there is no highlight.
+    /// The smallest r.v with a visible highlight.
     pub highlight_start: T,
-    /// Share of the reflected ray.
+    /// The weight of the reflected ray.
     pub kr: T,
-    /// Share of the transmitted ray.
+    /// The weight of the transmitted ray.
     pub kt: T,
-    /// Refractive index.
+    /// The refractive index.
     pub index: T,
-    /// Haze between it and a ray's start, in 1 / scene units.
+    /// The density of the haze in front of it, in 1 / scene units.
     pub haze: T,
 }
 
-/// A number in as many lanes as there can be.
-pub(crate) type Row = [f32; MAX_LANES];
+/// One number for each lane of the widest instruction set.
+pub(crate) type PerLane = [f32; MAX_LANES];
 
-/// Surfaces of a packet's lanes, a number of each lane in a row.
-pub(crate) type SurfaceRow = Surface<Row>;
+/// The surfaces that the lanes of a packet hit.
+pub(crate) type SurfaceRow = Surface<PerLane>;
 
-/// Numbers of a surface.
-const NUMBERS: usize = 19;
+/// The number of parameters of a surface.
+const PARAMETERS: usize = 19;
 
-/// The largest number of a surface of a valid scene, and what is above: no product of a few overflows.
+/// More than any parameter of a valid scene, and so small that products of a few such numbers do not overflow.
 const LARGEST: f32 = 2e9;
 
 impl<T: Copy> Surface<T> {
-    /// A surface whose numbers are all the same.
+    /// A surface with the same number for all parameters.
     const fn filled(number: T) -> Self {
         Self {
             centre: [number; 3],
@@ -75,11 +75,10 @@ impl<T: Copy> Surface<T> {
     }
 }
 
-impl<T> Surface<T> {
-    /// Its numbers, in the order of the fields.
-    #[inline(always)]
-    pub fn rows(&self) -> [&T; NUMBERS] {
-        let Self {
+/// The parameters of a surface as an array of references, shared or mutable as the surface's is, in the order of the fields.
+macro_rules! parameters {
+    ($surface:expr) => {{
+        let Surface {
             centre: [x, y, z],
             inverse_radius,
             upright,
@@ -93,7 +92,7 @@ impl<T> Surface<T> {
             kt,
             index,
             haze,
-        } = self;
+        } = $surface;
         [
             x,
             y,
@@ -115,96 +114,69 @@ impl<T> Surface<T> {
             index,
             haze,
         ]
+    }};
+}
+
+impl<T> Surface<T> {
+    /// Its parameters, in the order of the fields.
+    #[inline(always)]
+    pub fn parameters(&self) -> [&T; PARAMETERS] {
+        parameters!(self)
     }
 
-    /// The same, to be written.
+    /// Its parameters, to be written.
     #[inline(always)]
-    pub fn rows_mut(&mut self) -> [&mut T; NUMBERS] {
-        let Self {
-            centre: [x, y, z],
-            inverse_radius,
-            upright,
-            is_lit,
-            emitted: [red, green, blue],
-            diffuse: [diffuse_red, diffuse_green, diffuse_blue],
-            ks,
-            exponent,
-            highlight_start,
-            kr,
-            kt,
-            index,
-            haze,
-        } = self;
-        [
-            x,
-            y,
-            z,
-            inverse_radius,
-            upright,
-            is_lit,
-            red,
-            green,
-            blue,
-            diffuse_red,
-            diffuse_green,
-            diffuse_blue,
-            ks,
-            exponent,
-            highlight_start,
-            kr,
-            kt,
-            index,
-            haze,
-        ]
+    pub fn parameters_mut(&mut self) -> [&mut T; PARAMETERS] {
+        parameters!(self)
     }
 }
 
 impl SurfaceRow {
-    /// Nothing, all zeros.
+    /// All zeros: memory before a frame is prepared.
     pub const ZERO: Self = Self::filled([0.0; MAX_LANES]);
 
-    /// Spreads a surface over all lanes. (It is done for few packets: not worth a copy for each instruction set.)
+    /// Copies a surface to all lanes. Few packets need that, so it is compiled only once, not for each instruction set.
     #[inline(never)]
     pub fn set(&mut self, surface: &Surface<f32>) {
-        for (row, &number) in self.rows_mut().into_iter().zip(surface.rows()) {
+        for (row, &number) in self.parameters_mut().into_iter().zip(surface.parameters()) {
             *row = [number; MAX_LANES];
         }
     }
 }
 
-/// A number of a surface; what is not a number, or is beyond [`LARGEST`], counts as 0: it would spoil the sum of a point even
-/// where it is multiplied by 0.
+/// A number, or 0 if it is NaN or its magnitude exceeds [`LARGEST`]: such a number would spoil the sum of a point even if it were
+/// multiplied by 0.
 pub(super) fn bounded(number: f32) -> f32 {
     if number.abs() <= LARGEST { number } else { 0.0 }
 }
 
 impl Surface<f32> {
-    /// Nothing, all zeros.
+    /// All zeros: memory before a frame is prepared.
     pub const ZERO: Self = Self::filled(0.0);
 
-    /// Takes in the surface of an object of a scene, its numbers [`bounded`].
+    /// Prepares the surface of an object, with all numbers [`bounded`].
     pub fn set(&mut self, object: &Object<'_>, material: &Material, scene: &Scene) {
         *self = Self::of(object, material, scene);
-        for number in self.rows_mut() {
+        for number in self.parameters_mut() {
             *number = bounded(*number);
         }
     }
 
-    /// The surface of an object of a scene, as its numbers come.
+    /// The surface of an object, without bounds on its numbers.
     fn of(object: &Object<'_>, material: &Material, scene: &Scene) -> Self {
         let emitted = match object {
-            Object::Lamp(light) => light.colour,
+            Object::Light(light) => light.colour,
             Object::Background => scene.background,
             _ => material.colour * scene.ambient,
         };
         let (centre, inverse_radius) = match object {
             Object::Sphere(sphere) => (sphere.centre, 1.0 / sphere.radius),
             Object::Plane(plane) => (plane.centre, 0.0),
-            // Where a block is hit, `trace::block` knows.
+            // Blocks: `trace::block` computes the point that is hit.
             _ => (Vec3A::ZERO, 0.0),
         };
-        let highlight_start = if material.ks > FAINT {
-            root_below(FAINT / material.ks, material.exponent)
+        let highlight_start = if material.ks > MIN_HIGHLIGHT {
+            root_below(MIN_HIGHLIGHT / material.ks, material.exponent)
         } else {
             NO_HIGHLIGHT
         };
@@ -216,7 +188,7 @@ impl Surface<f32> {
                 _ => 0.0,
             },
             is_lit: match object {
-                Object::Lamp(_) | Object::Background => 0.0,
+                Object::Light(_) | Object::Background => 0.0,
                 _ => 1.0,
             },
             emitted: emitted.to_array(),
@@ -228,7 +200,7 @@ impl Surface<f32> {
             kt: material.kt,
             index: material.index,
             haze: match object {
-                Object::Lamp(_) => 0.0,
+                Object::Light(_) => 0.0,
                 Object::Background => scene.haze + BACKGROUND_HAZE,
                 _ => scene.haze,
             },
@@ -236,10 +208,11 @@ impl Surface<f32> {
     }
 }
 
-/// At most the root of degree `h`, 1 to 1000, of a number from [`FAINT`] to 1, and at least 0.8 times that.
+/// A lower bound of the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1: at least 0.8 times the
+/// root.
 ///
-/// A number's bits are nearly its logarithm: `e + m` for `2^e (1 + m)`, which is below it by up to 0.09, and the way
-/// back is above by up to a factor of 1.07.
+/// The bits of a float approximate its logarithm: they give `e + m` for `2^e (1 + m)`, which is too small by up to 0.09. The inverse
+/// is too large by up to a factor of 1.07.
 fn root_below(x: f32, h: f32) -> f32 {
     const ONE: f32 = (1 << 23) as f32;
     const BIAS: f32 = 127.0;
@@ -249,14 +222,14 @@ fn root_below(x: f32, h: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{FAINT, root_below};
+    use super::{MIN_HIGHLIGHT, root_below};
 
     #[test]
     fn roots_are_below_by_a_fifth_at_most() {
         for h in [1.0, 1.5, 2.0, 5.0, 10.0, 40.0, 100.0, 1000.0] {
             for i in 1..100_000 {
-                // From the least that it is asked for, where ks is 1.
-                let x = FAINT.max(i as f32 / 100_000.0);
+                // The smallest argument that occurs, for ks = 1.
+                let x = MIN_HIGHLIGHT.max(i as f32 / 100_000.0);
                 let root = libm::powf(x, 1.0 / h);
                 let below = root_below(x, h);
                 assert!(

@@ -1,89 +1,94 @@
-//! Solids within bounds within bounds: a row of nodes that rays go along, past the solids of the bounds that they miss.
-//! Boxes and cylinders count as spheres around them.
+//! The bounding volume hierarchy: a tree of spheres, stored as an array in depth-first order. A ray walks along the array, and
+//! skips the descendants of each bounding sphere that it misses. Boxes and cylinders are leaves by their bounding spheres.
+//! Coordinates are the scene's.
 
 use super::hit_error;
 use super::object::{self, Object};
 use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene, Shape};
 use glam::Vec3A;
 
-/// Groups of solids, of which a part of the picture shows some: up to that many each are a group of their own.
+/// The number of groups that solids are divided into. Up to so many solids have a group of their own. For each part of the picture
+/// it is known which groups it can show.
 const SOLID_GROUPS: usize = 32;
 
-/// Groups of a frame: those of solids, which lie together, then one for each light.
+/// The number of groups: those of solids, in the tree's order, then one for each light.
 pub(crate) const MAX_GROUPS: usize = SOLID_GROUPS + MAX_LIGHTS;
 
-/// Some of the groups, a bit each.
+/// A set of groups, one bit each.
 pub(crate) type GroupSet = u64;
 
-/// The most spheres of a leaf: a bound costs a ray as much as a sphere does.
+/// The most solids below the lowest bounds. More bounds would not pay: testing a bound costs as much as testing a sphere.
 const LEAF: usize = 4;
 
-/// Bounds of the largest tree, whose leaves are of two at least, and its solids and lights.
+/// The nodes of the largest tree: at most 255 bounds, since the lowest ones hold two solids at least, and the solids and lights.
 pub(crate) const MAX_NODES: usize = 255 + MAX_SOLIDS + MAX_LIGHTS;
 
-/// A sphere of the scene or one around some of them, as its intersection wants it.
+/// A node of the tree: a sphere, or the bounding sphere of a block, of a light or of several nodes.
 #[derive(Clone, Copy)]
 pub(crate) struct BvhNode {
     pub centre: Vec3A,
-    /// The radius squared; below 0 of a light that is not drawn.
+    /// The squared radius; negative for lights that are not drawn, so that no ray hits them.
     pub r2: f32,
-    /// Larger than that by a share of [`MARGIN`]: rays are held against this one first, with less exact arithmetic.
+    /// The squared radius enlarged by [`MARGIN`], for a first test with less exact arithmetic.
     pub cull2: f32,
-    /// How far rounding takes a point on it from it, see [`super::HIT_ERROR`].
+    /// A bound on the distance by which rounding moves a point off the sphere, see [`super::HIT_ERROR`].
     pub hit_error: f32,
-    /// What [`BvhNode::r2`] changes by where the radius changes by that.
+    /// The change of `r2` if the radius changes by `hit_error`.
     pub r2_error: f32,
     pub radius: f32,
-    /// Groups that it holds a part of.
+    /// The groups of the solids in it.
     pub groups: GroupSet,
-    /// The object's number.
+    /// The object's number; of no meaning for a bound.
     pub number: u16,
-    /// How many nodes to go on by where it is missed.
+    /// The number of nodes to advance by if it is missed.
     pub skip: u16,
+    /// Whether it is a bound around other nodes.
     pub is_bound: bool,
-    /// Whether it is around a box or a cylinder.
+    /// Whether it is the bounding sphere of a box or a cylinder.
     pub is_block: bool,
-    /// The longer of that one's own y and z axes, of length 1, and the square of how far from there it reaches.
+    /// For a block, the longer of its own y and z axes, of length 1.
     pub axis: Vec3A,
+    /// For a block, the squared radius of the cylinder around that axis that contains it.
     pub thin2: f32,
 }
 
-/// A solid, or a sphere around it.
+/// The bounding sphere of a solid.
 #[derive(Clone, Copy)]
 struct Ball {
     centre: Vec3A,
     radius: f32,
-    /// The number in the scene.
+    /// The object's number.
     number: u16,
 }
 
-/// The nodes: a bound around all solids, its parts after it, and so on down to the solids; then the lights.
+/// The hierarchy: a bound around all solids, followed by its descendants in depth-first order, then the lights.
 pub(crate) struct Tree {
-    /// The solids, those that lie together one after the other.
+    /// The bounding spheres of the solids, in the tree's order.
     balls: [Ball; MAX_SOLIDS],
     solid_count: usize,
     nodes: [BvhNode; MAX_NODES],
     len: usize,
-    /// The end of the nodes of solids: those of the lights follow.
+    /// The index after the last node of the solids, where the lights begin.
     solid_node_end: usize,
 }
 
-/// What a bound is larger by than its spheres need, as a share: more than rounding makes of a ray that comes from a
-/// thousand radii away, so that no ray hits a sphere and misses its bound.
+/// The share by which bounds are enlarged. It is more than the rounding error of a ray that comes from a thousand radii away, so that
+/// no ray hits a sphere and misses its bound.
 pub(super) const MARGIN: f32 = 1e-3;
 
-/// A radius far beyond [`MAX_LENGTH`], whose square is finite.
-const EVERYTHING: f32 = 1e18;
+/// The radius of a bound around everything: far larger than [`MAX_LENGTH`], with a finite square.
+const UNBOUNDED: f32 = 1e18;
 
 impl Tree {
-    pub const NONE: Self = Self {
+    /// All zeros: memory before a frame is prepared.
+    pub const ZERO: Self = Self {
         balls: [Ball {
             centre: Vec3A::ZERO,
             radius: 0.0,
             number: 0,
         }; MAX_SOLIDS],
         solid_count: 0,
-        nodes: [BvhNode::NONE; MAX_NODES],
+        nodes: [BvhNode::ZERO; MAX_NODES],
         len: 0,
         solid_node_end: 0,
     };
@@ -94,7 +99,8 @@ impl Tree {
         &self.nodes[..self.len]
     }
 
-    /// Where to begin with rays that meet none but these groups: the bound around all says nothing more.
+    /// The index of the first node to test for rays that can only meet the given groups. The bound around all solids is left out,
+    /// since such rays probably meet it.
     #[inline(always)]
     pub fn start(&self, groups: GroupSet) -> usize {
         if self.nodes[0].groups & groups != 0 {
@@ -104,36 +110,36 @@ impl Tree {
         }
     }
 
-    /// Those of solids.
+    /// The nodes of the solids.
     #[inline(always)]
     pub fn solid_nodes(&self) -> &[BvhNode] {
         &self.nodes[..self.solid_node_end]
     }
 
-    /// Takes a scene in.
+    /// Builds the tree of a scene.
     pub fn set(&mut self, scene: &Scene) {
         self.solid_count = scene.solids();
         for (number, ball) in self.balls.iter_mut().enumerate().take(self.solid_count) {
             let (centre, radius) = match object::of(scene, number).0 {
                 Object::Sphere(sphere) => (sphere.centre, sphere.radius),
-                // A little larger, so that what rounding adds is covered.
+                // Enlarged to cover rounding.
                 Object::Block(block) => (block.centre, block.half.length() * (1.0 + 1e-4)),
                 _ => (Vec3A::ZERO, 0.0),
             };
             *ball = Ball {
                 centre,
-                radius: length(radius),
+                radius: valid_radius(radius),
                 number: number as u16,
             };
         }
         self.len = 0;
-        self.divide(0, self.solid_count, scene);
+        self.add_bound(0, self.solid_count, scene);
         self.solid_node_end = self.len;
         for (i, light) in scene.lights.iter().enumerate() {
             let groups = 1 << (SOLID_GROUPS + i);
-            let node = self.push(light.position, length(light.radius), groups);
+            let node = self.push(light.position, valid_radius(light.radius), groups);
             node.number = (scene.solids() + i) as u16;
-            // What is not drawn no ray comes near to.
+            // No ray hits a light that is not drawn.
             if light.parallel || light.radius == 0.0 {
                 node.r2 = -1.0;
                 node.cull2 = -1.0;
@@ -141,8 +147,8 @@ impl Tree {
         }
     }
 
-    /// Adds the bound around the solids from number `first` to below `end` of a scene, and what is in it.
-    fn divide(&mut self, first: usize, end: usize, scene: &Scene) {
+    /// Adds a bound around the balls from `first` to below `end`, and recursively its descendants.
+    fn add_bound(&mut self, first: usize, end: usize, scene: &Scene) {
         let at = self.len;
         let balls = &mut self.balls[first..end];
         let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
@@ -156,24 +162,24 @@ impl Tree {
             radius = radius.max(centre.distance(ball.centre) + ball.radius);
         }
         radius *= 1.0 + MARGIN;
-        // A bound that is no number is around everything: whatever it holds that is one is found.
+        // If any coordinate is NaN or infinite, the bound contains everything, so that the other solids in it are found.
         if !(centre.abs().element_sum() + radius).is_finite() {
-            (centre, radius) = (Vec3A::ZERO, EVERYTHING);
+            (centre, radius) = (Vec3A::ZERO, UNBOUNDED);
         }
         let middle = balls.len() / 2;
         let is_leaf = balls.len() <= LEAF;
         if !is_leaf {
-            halve(balls, middle, (high - low).max_position());
+            partition(balls, middle, (high - low).max_position());
         }
-        // Bits of the groups of the first and the last solid, and all between.
+        // The groups from the first solid's to the last one's.
         let group = |i: usize| i * SOLID_GROUPS / self.solid_count.max(SOLID_GROUPS);
         let groups = (2 << group(end.max(1) - 1)) - (1 << group(first));
         let bound = self.push(centre, radius, groups);
         bound.is_bound = true;
         if is_leaf {
-            for place in first..end {
-                let ball = self.balls[place];
-                let group = 1 << (place * SOLID_GROUPS / self.solid_count.max(SOLID_GROUPS));
+            for i in first..end {
+                let ball = self.balls[i];
+                let group = 1 << (i * SOLID_GROUPS / self.solid_count.max(SOLID_GROUPS));
                 let node = self.push(ball.centre, ball.radius, group);
                 node.number = ball.number;
                 if let Object::Block(block) = object::of(scene, ball.number as usize).0 {
@@ -181,13 +187,13 @@ impl Tree {
                 }
             }
         } else {
-            self.divide(first, first + middle, scene);
-            self.divide(first + middle, end, scene);
+            self.add_bound(first, first + middle, scene);
+            self.add_bound(first + middle, end, scene);
         }
         self.nodes[at].skip = (self.len - at) as u16;
     }
 
-    /// Adds a sphere.
+    /// Appends the node of a sphere.
     fn push(&mut self, centre: Vec3A, radius: f32, groups: GroupSet) -> &mut BvhNode {
         let node = &mut self.nodes[self.len];
         self.len += 1;
@@ -201,36 +207,37 @@ impl Tree {
             radius,
             groups,
             skip: 1,
-            ..BvhNode::NONE
+            ..BvhNode::ZERO
         };
         node
     }
 }
 
-/// What is longer than the radius around the largest box.
-const LONGEST: f32 = 2.0 * MAX_LENGTH;
+/// More than the radius of the bounding sphere of the largest box.
+const MAX_RADIUS: f32 = 2.0 * MAX_LENGTH;
 
-/// A radius; one out of its range, or that is no number, counts as 0.
-fn length(radius: f32) -> f32 {
-    if (0.0..LONGEST).contains(&radius) {
+/// A radius, or 0 if it is out of its range or NaN.
+fn valid_radius(radius: f32) -> f32 {
+    if (0.0..MAX_RADIUS).contains(&radius) {
         radius
     } else {
         0.0
     }
 }
 
-/// Puts the balls that come first along an axis among the first `middle` (Hoare: Find, Communications of the ACM, 1961).
-fn halve(balls: &mut [Ball], middle: usize, axis: usize) {
-    let place = |ball: &Ball| ball.centre.as_ref()[axis];
+/// Reorders balls so that none of the first `middle` lies beyond any of the others along an axis (Hoare: Algorithm 65, Find,
+/// Communications of the ACM, 1961).
+fn partition(balls: &mut [Ball], middle: usize, axis: usize) {
+    let coordinate = |ball: &Ball| ball.centre.as_ref()[axis];
     let (mut first, mut end) = (0, balls.len());
     while first + 1 < end {
-        let pivot = place(&balls[middle]);
+        let pivot = coordinate(&balls[middle]);
         let (mut i, mut j) = (first, end);
         while i < j {
-            while place(&balls[i]) < pivot {
+            while coordinate(&balls[i]) < pivot {
                 i += 1;
             }
-            while pivot < place(&balls[j - 1]) {
+            while pivot < coordinate(&balls[j - 1]) {
                 j -= 1;
             }
             if i < j {
@@ -249,7 +256,8 @@ fn halve(balls: &mut [Ball], middle: usize, axis: usize) {
 }
 
 impl BvhNode {
-    const NONE: Self = Self {
+    /// All zeros.
+    const ZERO: Self = Self {
         centre: Vec3A::ZERO,
         r2: 0.0,
         cull2: 0.0,
@@ -265,7 +273,7 @@ impl BvhNode {
         thin2: 0.0,
     };
 
-    /// Takes in what it is around: what is long stands or lies.
+    /// Prepares the node for the box or cylinder in it. Long ones extend along y, if they stand, or along z, if they lie.
     #[inline(always)]
     fn set_block(&mut self, block: &Block) {
         self.is_block = true;
@@ -285,7 +293,7 @@ impl BvhNode {
         self.thin2 = thin2 * (1.0 + 2.0 * MARGIN);
     }
 
-    /// How many nodes to go on by.
+    /// The number of nodes to advance by.
     #[inline(always)]
     pub fn step(&self, is_met: bool) -> usize {
         if is_met { 1 } else { self.skip as usize }

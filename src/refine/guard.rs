@@ -7,13 +7,13 @@ use super::bits::Bits;
 use super::pyramid::Pyramid;
 use super::tile::Area;
 use super::{TILE_HEIGHT, TILE_WIDTH};
-use crate::prepare::{OUTLINES, Prepared, ROUNDING, rectangle};
+use crate::prepare::{MAX_OUTLINES, Prepared, ROUNDING, rectangle};
 use core::ops::RangeInclusive;
 use glam::{Vec2Swizzles, vec2};
 
 /// What may be seen in a tile that no corner has shown so far, by the numbers of their outlines.
 pub(super) struct CoverageGuard {
-    outlines: [u16; OUTLINES],
+    outlines: [u16; MAX_OUTLINES],
     count: usize,
 }
 
@@ -23,7 +23,7 @@ const MARGIN: f32 = 0.02;
 impl CoverageGuard {
     pub const fn new() -> Self {
         Self {
-            outlines: [0; OUTLINES],
+            outlines: [0; MAX_OUTLINES],
             count: 0,
         }
     }
@@ -36,7 +36,7 @@ impl CoverageGuard {
             .axes
             .rect(corner + glam::vec4(0.0, 0.0, width, height));
         self.count = 0;
-        for outline in 0..scene.outlined.min(OUTLINES) {
+        for outline in 0..scene.outlined.min(MAX_OUTLINES) {
             if scene.narrowed(outline, rect).is_some() {
                 self.outlines[self.count] = outline as u16;
                 self.count += 1;

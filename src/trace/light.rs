@@ -128,7 +128,7 @@ fn light_transmittance<S: Isa>(
                 t.simd_lt(ways.distance).select(splat(simd, 1.0), zero)
             }
             Object::Sphere(sphere) => sphere_covers(simd, lamp, sphere, ways),
-            Object::Plane(_) | Object::Lamp(_) | Object::Background => continue,
+            Object::Plane(_) | Object::Light(_) | Object::Background => continue,
         };
         // The tint of what blocks the light passes. What is not a number counts as none: it would spoil what is not blocked.
         let mut absorbed = Vec3A::ONE;

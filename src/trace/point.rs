@@ -121,7 +121,7 @@ impl<S: Isa> ShadingPoint<S> {
                     let from = *o - Vec3x::splat(simd, plane.centre);
                     TexturePoint::on_plane(simd, from.add_scaled(*d, hit.t))
                 }
-                Object::Lamp(_) | Object::Background => continue,
+                Object::Light(_) | Object::Background => continue,
             };
             let pattern = &material.pattern;
             if pattern.depth > 0.0 {

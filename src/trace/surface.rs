@@ -1,7 +1,7 @@
 //! The surfaces that a packet hits.
 
 use crate::lanes::*;
-use crate::prepare::{Prepared, Row, SurfaceRow};
+use crate::prepare::{PerLane, Prepared, SurfaceRow};
 
 /// Surfaces that are kept in all lanes: more than a picture's tile shows of most scenes. Packets of primary and of secondary rays
 /// take turns and so do their objects: with one, the model scene's frame takes 3 % more instructions.
@@ -65,8 +65,8 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
             let (number, same) = object_at(simd, objects, &mut rest);
             let mask: U<S> = same.to_vector().bitcast();
             let new = scene.surface(number);
-            let rows = mixed.rows_mut().into_iter().zip(first.rows());
-            for ((row, &first), &new) in rows.zip(new.rows()) {
+            let rows = mixed.parameters_mut().into_iter().zip(first.parameters());
+            for ((row, &first), &new) in rows.zip(new.parameters()) {
                 // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
                 let old: F<S> = if is_first {
                     splat(simd, first)
@@ -83,12 +83,12 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     }
 
     #[inline(always)]
-    fn number(&self, row: &Row) -> F<S> {
+    fn number(&self, row: &PerLane) -> F<S> {
         load(self.simd, row)
     }
 
     #[inline(always)]
-    fn vector(&self, [x, y, z]: &[Row; 3]) -> Vec3x<S> {
+    fn vector(&self, [x, y, z]: &[PerLane; 3]) -> Vec3x<S> {
         Vec3x {
             x: self.number(x),
             y: self.number(y),
@@ -174,6 +174,6 @@ pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (usiz
 
 /// A packet's lanes of a row.
 #[inline(always)]
-fn load<S: Isa>(simd: S, row: &Row) -> F<S> {
+fn load<S: Isa>(simd: S, row: &PerLane) -> F<S> {
     F::<S>::from_slice(simd, &row[..lanes::<S>()])
 }

@@ -96,7 +96,7 @@ fn pattern_at_row<S: Isa>(simd: S, scene: &Prepared, object: usize, x: usize, y:
             let out = from.add_scaled(d, t);
             (TexturePoint::on_plane(simd, out), t)
         }
-        Object::Lamp(_) | Object::Background => return splat(simd, 1.0),
+        Object::Light(_) | Object::Background => return splat(simd, 1.0),
     };
     point.reflectance(simd, scene, &material.pattern, &d, t)
 }
