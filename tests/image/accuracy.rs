@@ -2,9 +2,9 @@
 
 use crate::drawn::{Drawn, draw_by_all};
 use crate::error::{Difference, worst_channel};
-use crate::oracle::frame::Frame;
 use eightfold::scene::{Camera, Light, List, Material, Scene, Sphere};
 use eightfold::{Quality, show};
+use eightfold_oracle::frame::Frame;
 use glam::{Vec3A, vec3a};
 
 /// Asserts that a picture is the oracle's: on average within 0.01 of 255; over 8 in at most 0.02 % of the pixels, or in

@@ -4,10 +4,10 @@
 use crate::accuracy::assert_as_traced;
 use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
-use crate::oracle::frame::Frame;
 use eightfold::Quality;
 use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use eightfold::show::{self, grid};
+use eightfold_oracle::frame::Frame;
 use glam::{DVec3, Vec3A, vec3a};
 
 #[test]

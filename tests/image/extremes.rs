@@ -4,10 +4,10 @@ use crate::accuracy::assert_as_traced;
 use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::Difference;
-use crate::oracle::frame::Frame;
 use crate::studio::Studio;
 use eightfold::scene::{Block, Camera, Caption, List, Material, Scene, Shape, Spot};
 use eightfold::{Counts, Quality, show};
+use eightfold_oracle::frame::Frame;
 use glam::{Mat3A, Vec3A, vec3a};
 
 const QUALITIES: [Quality; 3] = [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT];

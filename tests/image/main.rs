@@ -3,8 +3,6 @@
 use eightfold_lab::{error, flicker, flip, missed, overlay, picture, studio};
 use eightfold_window::cpu;
 
-#[path = "../oracle/mod.rs"]
-mod oracle;
 #[path = "../reader/mod.rs"]
 mod reader;
 #[path = "../stage/mod.rs"]

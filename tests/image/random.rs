@@ -5,13 +5,13 @@
 use crate::accuracy::assert_as_traced;
 use crate::cpu;
 use crate::drawn::draw;
-use crate::oracle::frame::Frame;
-use crate::oracle::squares::Squares;
 use crate::refinement::{assert_as_refined, bare};
 use eightfold::scene::{
     Block, Camera, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
 };
 use eightfold::{Quality, show};
+use eightfold_oracle::frame::Frame;
+use eightfold_oracle::squares::Squares;
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
 use proptest::prelude::*;

@@ -3,9 +3,9 @@
 use crate::cpu;
 use crate::drawn::{Drawn, draw, draw_by_all};
 use crate::error::Difference;
-use crate::oracle::squares::{Squares, TILE};
 use eightfold::scene::{Camera, Scene};
 use eightfold::{Quality, show};
+use eightfold_oracle::squares::{Squares, TILE};
 use glam::{Vec3A, vec3a};
 
 /// Asserts that a picture is the oracle's by adaptive squares: as many points to 0.2 %, or 24, and the same pixels but

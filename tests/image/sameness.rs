@@ -3,10 +3,10 @@
 use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::worst_channel;
-use crate::oracle::frame::Frame;
 use crate::studio::Studio;
 use eightfold::scene::Scene;
 use eightfold::{Memory, Quality, Worker, render, show};
+use eightfold_oracle::frame::Frame;
 
 const QUALITIES: [Quality; 7] = [
     Quality::EXHAUSTIVE,

@@ -5,12 +5,12 @@ use crate::accuracy::assert_as_traced;
 use crate::cpu::{self, Isa};
 use crate::drawn::{Drawn, draw};
 use crate::error::{Difference, worst_channel};
-use crate::oracle::frame::Frame;
 use crate::reader::read_ppm;
 use crate::stage::intro;
 use eightfold::scene::{Method, Scene};
 use eightfold::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality, show};
 use eightfold_lab::arguments::NamedQuality;
+use eightfold_oracle::frame::Frame;
 use std::process::Command;
 
 /// A frame of the show, as the program that ships is asked for it.

@@ -1,20 +1,20 @@
-//! A whole picture by the oracle.
+//! A whole picture, traced by the oracle.
 
 use super::{Oracle, Traced};
 use eightfold::Quality;
 use eightfold::scene::Scene;
 use std::thread::available_parallelism;
 
-/// Every pixel of a picture, and a margin of one around it.
+/// All pixels of a picture, and a margin of one pixel around it.
 pub struct Frame {
     pub width: usize,
     pub height: usize,
-    /// Rows of `width + 2`.
+    /// Row by row, with `width + 2` points per row.
     points: Vec<Traced>,
 }
 
 impl Frame {
-    /// Traces them all.
+    /// Traces all points, on all processors.
     pub fn new(scene: &Scene, quality: &Quality, width: usize, height: usize) -> Self {
         let oracle = Oracle::new(scene, quality, width, height);
         let mut points = vec![Traced::default(); (width + 2) * (height + 2)];
@@ -38,26 +38,26 @@ impl Frame {
         }
     }
 
-    /// The point at a pixel of the picture.
+    /// The result for a pixel of the picture.
     pub fn at(&self, x: usize, y: usize) -> &Traced {
         &self.points[(y + 1) * (self.width + 2) + x + 1]
     }
 
-    /// The points of the picture, row after row.
-    fn pixels_of<T>(&self, of: impl Fn(usize, usize) -> T) -> Vec<T> {
-        let places = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
-        places.map(|(x, y)| of(x, y)).collect()
+    /// A value for each pixel of the picture, row by row.
+    fn map_pixels<T>(&self, of: impl Fn(usize, usize) -> T) -> Vec<T> {
+        let pixels = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
+        pixels.map(|(x, y)| of(x, y)).collect()
     }
 
-    /// The picture, `0x00RRGGBB`.
+    /// The picture as `0x00RRGGBB` pixels, row by row.
     pub fn picture(&self) -> Vec<u32> {
-        self.pixels_of(|x, y| self.at(x, y).pixel())
+        self.map_pixels(|x, y| self.at(x, y).pixel())
     }
 
-    /// Which pixels lie on silhouettes: where the ray trees of the 3x3 pixels around it differ, so that the least
-    /// rounding can make a ray meet something else.
+    /// Which pixels lie on silhouettes: the ray trees of the 3x3 pixels around them differ, so that the smallest rounding error can
+    /// make a ray hit another object.
     pub fn silhouettes(&self) -> Vec<bool> {
-        self.pixels_of(|x, y| {
+        self.map_pixels(|x, y| {
             let tree = self.at(x, y).tree;
             let row = |y: usize| &self.points[y * (self.width + 2)..][x..x + 3];
             (y..y + 3).any(|y| row(y).iter().any(|point| point.tree != tree))
@@ -66,6 +66,6 @@ impl Frame {
 
     /// The sum of a count over the picture.
     pub fn total(&self, count: impl Fn(&Traced) -> u64) -> u64 {
-        self.pixels_of(|x, y| count(self.at(x, y))).iter().sum()
+        self.map_pixels(|x, y| count(self.at(x, y))).iter().sum()
     }
 }

@@ -1,19 +1,20 @@
-//! What reaches a place of a light.
+//! The light that reaches a point.
 
 use super::intersect::{block, is_within};
 use super::{Oracle, Ray};
 use eightfold::scene::{Light, Sphere};
 use glam::DVec3;
 
-/// A light seen from a place.
-pub(super) struct Seen {
-    /// Towards it, of length 1.
+/// The direction and the distance of a light from a point.
+pub(super) struct ToLight {
+    /// The direction, of length 1.
     pub l: DVec3,
+    /// In scene units.
     pub distance: f64,
 }
 
-impl Seen {
-    /// From `p`.
+impl ToLight {
+    /// From the point `p`.
     pub fn new(light: &Light, p: DVec3) -> Self {
         let far = if light.parallel {
             f64::from(Light::FAR)
@@ -30,9 +31,9 @@ impl Seen {
 }
 
 impl Oracle<'_> {
-    /// The share of a light that reaches `p` through its cone and past all that throws shadows, as a colour.
-    pub(super) fn reaching(&self, light: &Light, seen: &Seen, p: DVec3) -> DVec3 {
-        let Seen { l, distance } = *seen;
+    /// The share of a light, as a colour, that its cone and all shadows let reach `p`.
+    pub(super) fn reaching(&self, light: &Light, to_light: &ToLight, p: DVec3) -> DVec3 {
+        let ToLight { l, distance } = *to_light;
         let ray = Ray { o: p, d: l };
         let cone = light.spot.map_or(1.0, |spot| {
             let (dark, bright) = (f64::from(spot.dark), f64::from(spot.bright));
@@ -55,7 +56,7 @@ impl Oracle<'_> {
             }
         }
         for s in self.scene.spheres.iter() {
-            let passing = penumbra(s, p, seen, light);
+            let passing = penumbra(s, p, to_light, light);
             let tint = s.material.tint.as_dvec3();
             share *= tint + passing * (DVec3::ONE - tint);
         }
@@ -63,32 +64,32 @@ impl Oracle<'_> {
     }
 }
 
-/// The share of a light with a size that a sphere lets pass (after Parker, Shirley and Smits: Single Sample Soft Shadows,
+/// The share of a light with a size that a sphere does not block (after Parker, Shirley and Smits: Single Sample Soft Shadows,
 /// 1998).
 ///
-/// From `p` the light is a cone; where it passes the sphere, `a` away, it is as wide as `b = a size / distance`. The
-/// sphere's edge crosses it from one side to the other as the shadow goes from none to full.
-fn penumbra(sphere: &Sphere, p: DVec3, seen: &Seen, light: &Light) -> f64 {
+/// The rays from `p` to the light form a cone. At the distance `a`, where it passes the sphere, it is `b = a size / distance` wide.
+/// As the sphere's edge crosses the cone from one side to the other, the share goes from 1 to 0.
+fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {
     let centre = sphere.centre.as_dvec3();
     let radius = f64::from(sphere.radius);
-    // What lies on the surface by rounding lies on it.
-    let slack = 2e-6 * (centre.abs().max_element() + radius);
+    // A point that is off the surface by no more than rounding lies on it.
+    let error = 2e-6 * (centre.abs().max_element() + radius);
     let to_centre = centre - p;
-    let a = to_centre.dot(seen.l).clamp(0.0, seen.distance);
-    let off = (to_centre - a * seen.l).length() + slack - radius;
+    let a = to_centre.dot(to_light.l).clamp(0.0, to_light.distance);
+    let off = (to_centre - a * to_light.l).length() + error - radius;
     let far = if light.parallel {
         f64::from(Light::FAR)
     } else {
         1.0
     };
-    let b = a * far * f64::from(light.size) / seen.distance;
+    let b = a * far * f64::from(light.size) / to_light.distance;
     if b == 0.0 {
         return f64::from(u8::from(off > 0.0));
     }
     smooth(off / b + 0.5)
 }
 
-/// From 0 at 0 to 1 at 1, level at both ends and beyond.
+/// Hermite's smooth step: 0 up to 0, 1 from 1 on.
 fn smooth(tau: f64) -> f64 {
     let tau = tau.clamp(0.0, 1.0);
     tau * tau * (3.0 - 2.0 * tau)

@@ -3,8 +3,9 @@
 use eightfold::scene::Pattern;
 use glam::DVec3;
 
-/// What is left of a colour at `p`, in the object's own axes, where a pixel covers `footprint` scene units.
-pub(super) fn left_of_colour(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
+/// The share that a pattern leaves of a colour at `p`, given along the object's own axes, where a pixel covers `footprint` scene
+/// units.
+pub(super) fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
     if pattern.depth == 0.0 {
         return 1.0;
     }
@@ -14,19 +15,19 @@ pub(super) fn left_of_colour(pattern: &Pattern, p: DVec3, footprint: f64) -> f64
     let waves_there = v.to_array().map(wave);
     let sign: f64 = waves_there.into_iter().map(f64::signum).product();
     let lowest = waves_there.into_iter().map(f64::abs).fold(1.0, f64::min);
-    // A wave falls from 1 to -1 in half its length: no edge is narrower than a pixel.
+    // A wave falls from 1 to -1 within half a period. Edges are at least a pixel wide.
     let steepest = 0.5 / (footprint * waves.abs().max_element());
     let edge = f64::from(pattern.edge).min(steepest);
     let height = (sign * lowest * edge).clamp(-1.0, 1.0);
     1.0 - f64::from(pattern.depth) * (0.5 - 0.5 * height)
 }
 
-/// A triangle wave of length 1, between -1 and 1, highest at 0.
+/// A triangle wave of period 1 between -1 and 1, with a maximum at 0.
 fn wave(v: f64) -> f64 {
     1.0 - 4.0 * (v - v.round()).abs()
 }
 
-/// Noise by which the pattern is shifted, in waves: it is the same along a slope through the three axes.
+/// The noise that shifts the pattern, in periods. It is two-dimensional, constant along one oblique direction.
 fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
     let (u, v) = (p.x + 0.6 * p.z, p.y + 0.8 * p.z);
     let mut grain = f64::from(pattern.grain);
@@ -40,7 +41,7 @@ fn turbulence(pattern: &Pattern, p: DVec3) -> f64 {
     sum
 }
 
-/// Numbers by chance at whole coordinates, -1 to 1, and smooth between them.
+/// Value noise: random numbers from -1 to 1 at integer coordinates, interpolated smoothly.
 fn noise(p: [f64; 2]) -> f64 {
     let cell = p.map(|v| v.floor());
     let s = [0, 1].map(|i| {
@@ -50,16 +51,16 @@ fn noise(p: [f64; 2]) -> f64 {
     let mut sum = 0.0;
     for corner in [[0, 0], [1, 0], [0, 1], [1, 1]] {
         let share = |i: usize| if corner[i] == 1 { s[i] } else { 1.0 - s[i] };
-        let place = [0, 1].map(|i| (cell[i] as i32).wrapping_add(corner[i]) as u32);
-        sum += share(0) * share(1) * chance(place);
+        let point = [0, 1].map(|i| (cell[i] as i32).wrapping_add(corner[i]) as u32);
+        sum += share(0) * share(1) * random(point);
     }
     sum
 }
 
-/// A number from -1 to 1 by whole coordinates. Those count from the bits of 1.5 * 2^23, where f32 has whole numbers in
-/// its low bits.
-fn chance(place: [u32; 2]) -> f64 {
-    let [u, v] = place.map(|n| n.wrapping_add(0x4b40_0000));
+/// The pseudorandom number, -1 to 1, of integer coordinates. They are hashed as offsets to the bits of the float 1.5 * 2^23, as the
+/// library has them.
+fn random(point: [u32; 2]) -> f64 {
+    let [u, v] = point.map(|n| n.wrapping_add(0x4b40_0000));
     let h = u
         .wrapping_mul(0x9e37_79b9)
         .wrapping_add(v.wrapping_mul(0x85eb_ca6b));

@@ -1,14 +1,14 @@
-//! Light at a hit by Phong's model, and the rays that leave it.
+//! Shading by Phong's model, and secondary rays.
 
 use super::intersect::block;
-use super::light::Seen;
-use super::pattern::left_of_colour;
+use super::light::ToLight;
+use super::pattern::reflectance;
 use super::{Object, Oracle, Ray, Traced};
 use eightfold::scene::Material;
 use glam::DVec3;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// A light at a hit: shadowed or facing away, lit, lit with a highlight.
+/// The state of a light at a hit: shadowed or behind the surface, lit, or lit with a highlight.
 #[derive(Clone, Copy, Hash, PartialEq, Eq)]
 enum State {
     Dark,
@@ -17,14 +17,14 @@ enum State {
 }
 
 impl Oracle<'_> {
-    /// The colour along a ray. `weight` is the product of the coefficients on its way, `path` its place in the tree:
-    /// 1 for a primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of path p.
+    /// The colour that a ray sees. `weight` is the product of the coefficients along its path. `path` identifies its node in the ray
+    /// tree: 1 for a primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of the node p.
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
         let (object, t) = self.nearest(ray);
         let p = ray.o + t * ray.d;
-        // The material, the normal, and the place as the object's pattern sees it.
-        let (material, normal, place): (&Material, _, _) = match object {
+        // The material, the outward normal, and the hit from the centre along the object's own axes.
+        let (material, normal, own): (&Material, _, _) = match object {
             Object::Background => {
                 self.note(object, &[], path, traced);
                 return self.behind(ray.d);
@@ -55,11 +55,11 @@ impl Oracle<'_> {
         let n = if inside { -normal } else { normal };
         let footprint = t * self.pixel / -ray.d.dot(n);
         let painted = &Material {
-            colour: material.colour * left_of_colour(&material.pattern, place, footprint) as f32,
+            colour: material.colour * reflectance(&material.pattern, own, footprint) as f32,
             ..*material
         };
-        // Of what the surface sends, haze lets so much pass.
-        let passing = 1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2));
+        // The transmittance of the haze.
+        let transmittance = 1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2));
 
         let mut colour = self.scene.ambient.as_dvec3() * painted.colour.as_dvec3();
         let within = match object {
@@ -79,14 +79,14 @@ impl Oracle<'_> {
             n,
             inside,
             material,
-            weight * passing as f32,
+            weight * transmittance as f32,
             path,
             traced,
         );
-        self.behind(ray.d).lerp(colour, passing)
+        self.behind(ray.d).lerp(colour, transmittance)
     }
 
-    /// What lies behind everything in a direction.
+    /// The background in a direction.
     fn behind(&self, d: DVec3) -> DVec3 {
         let rise = d.y.max(0.0);
         self.scene.background.as_dvec3() + rise * (2.0 - rise) * self.scene.sky.as_dvec3()
@@ -133,7 +133,8 @@ impl Oracle<'_> {
         colour
     }
 
-    /// What a light adds to a hit at `p` with normal `n`, on the inside of a sphere of a radius or not.
+    /// The state of a light at a hit at `p` with normal `n`, and the light that it adds. `within` is the radius if the hit is on the
+    /// inside of a sphere.
     #[allow(clippy::too_many_arguments, reason = "a light and a hit")]
     fn lit(
         &self,
@@ -146,16 +147,16 @@ impl Oracle<'_> {
         traced: &mut Traced,
     ) -> (State, DVec3) {
         let light = &self.scene.lights[light];
-        let seen = Seen::new(light, p);
-        let l = seen.l;
+        let to_light = ToLight::new(light, p);
+        let l = to_light.l;
         let nl = n.dot(l);
         if nl <= 0.0 {
             return (State::Dark, DVec3::ZERO);
         }
         traced.shadow_rays += 1;
-        // A sphere shades itself from within.
-        let is_beyond = within.is_some_and(|radius| 2.0 * nl * radius < seen.distance);
-        let share = self.reaching(light, &seen, p);
+        // Inside a sphere, lights beyond its far side are blocked by the sphere itself.
+        let is_beyond = within.is_some_and(|radius| 2.0 * nl * radius < to_light.distance);
+        let share = self.reaching(light, &to_light, p);
         if is_beyond || share == DVec3::ZERO {
             return (State::Dark, DVec3::ZERO);
         }
@@ -173,7 +174,7 @@ impl Oracle<'_> {
         )
     }
 
-    /// Adds a node of the ray tree to what stands for it.
+    /// Adds a node of the ray tree to the hashes.
     fn note(&self, object: Object, states: &[State], path: u32, traced: &mut Traced) {
         let lit: Vec<bool> = states.iter().map(|&s| s != State::Dark).collect();
         traced.tree ^= hash(&(path, object, lit));
@@ -186,7 +187,7 @@ impl Oracle<'_> {
     }
 }
 
-/// The secondary rays on the way to a place in the tree.
+/// The depth of a node of the ray tree.
 fn depth(path: u32) -> u32 {
     path.ilog2()
 }

@@ -1,4 +1,4 @@
-//! Adaptive squares, by the book: recursive, one after the other.
+//! Adaptive squares, as the thesis describes them: recursive, one square at a time. Coordinates are pixels of the picture.
 
 use super::{Oracle, Traced};
 use eightfold::Quality;
@@ -6,22 +6,25 @@ use eightfold::scene::Scene;
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// The most that a tile is wide and high: it has as many whole squares as fit in. Each finds its points by itself, those that it
-/// shares with the next one as well.
+/// The largest width and height of a tile in pixels. A tile has as many whole squares as fit in. Points on the border between two
+/// tiles are traced by both.
 pub const TILE: [usize; 2] = [512, 32];
 
-/// A picture by adaptive squares.
+/// A picture drawn by adaptive squares.
 pub struct Squares<'a> {
     oracle: Oracle<'a>,
-    /// The points of a tile that is done are counted only.
+    /// The number of points traced in the tiles that are done.
     points: usize,
+    /// The traced points of the current tile.
     traced: HashMap<(usize, usize), Traced>,
+    /// The averaged midpoints of the current tile.
     averaged: HashMap<(usize, usize), Traced>,
+    /// The picture as `0x00RRGGBB` pixels, row by row.
     pub picture: Vec<u32>,
 }
 
 impl<'a> Squares<'a> {
-    /// Draws it; squares start at the quality's size.
+    /// Draws a picture.
     pub fn new(scene: &'a Scene, quality: &'a Quality, width: usize, height: usize) -> Self {
         let mut squares = Self {
             oracle: Oracle::new(scene, quality, width, height),
@@ -45,11 +48,12 @@ impl<'a> Squares<'a> {
         squares
     }
 
-    /// Points traced, each once in a tile.
+    /// The number of points traced.
     pub fn points(&self) -> usize {
         self.points
     }
 
+    /// The averaged or traced point at (x, y).
     fn at(&mut self, x: usize, y: usize) -> Traced {
         if let Some(averaged) = self.averaged.get(&(x, y)) {
             return *averaged;
@@ -58,6 +62,7 @@ impl<'a> Squares<'a> {
         *self.traced.entry((x, y)).or_insert_with(trace)
     }
 
+    /// Fills or splits the square of a given side at (x, y).
     fn check(&mut self, x: usize, y: usize, side: usize) {
         if x >= self.oracle.width || y >= self.oracle.height {
             return;
@@ -98,7 +103,7 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// The spread that the quality allows a square.
+    /// The largest spread of the corners' colours with which the quality fills a square.
     fn allowed(&self, corners: &[Traced; 4], side: usize) -> f64 {
         let quality = self.oracle.quality;
         let agree = corners.iter().all(|corner| corner.key == corners[0].key);
@@ -110,7 +115,7 @@ impl<'a> Squares<'a> {
         f64::from(spread) * 8.0 / side as f64
     }
 
-    /// The spread that the quality allows a side whose middle is averaged.
+    /// The largest spread with which the quality averages the midpoint of a side; negative if it averages none.
     fn allowed_side(&self, side: usize) -> f64 {
         let tolerance = f64::from(self.oracle.quality.tolerance_side);
         if tolerance > 0.0 {
@@ -120,12 +125,12 @@ impl<'a> Squares<'a> {
         }
     }
 
-    /// Whether keys are compared.
+    /// Whether the quality compares keys.
     fn has_keys(&self) -> bool {
         self.oracle.quality.tolerance_agreeing != self.oracle.quality.tolerance_differing
     }
 
-    /// Colours between those of the corners; equal ones give one colour.
+    /// Interpolates a square's colours between its corners.
     fn fill(&mut self, x: usize, y: usize, side: usize, corners: [Traced; 4]) {
         let [a, b, c, d] = corners.map(shown);
         for v in 0..side.min(self.oracle.height - y) {
@@ -142,7 +147,7 @@ impl<'a> Squares<'a> {
     }
 }
 
-/// A point's colour, cut to what can be shown.
+/// A point's colour, clamped to 0 to 1.
 fn shown(point: Traced) -> DVec3 {
     point.colour.clamp(DVec3::ZERO, DVec3::ONE)
 }

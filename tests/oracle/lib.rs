@@ -1,7 +1,7 @@
-//! The tracer's scalar twin: one ray at a time, in f64, by plain recursion.
+//! A second ray tracer, with which the tests compare the library's pictures and the lab finds out what a pixel shows.
 //!
-//! It draws a `Scene` by the rules of the model scene and shares no code with the tracer: what both agree on is right
-//! unless both understood the rules wrongly.
+//! It traces one ray at a time, recursively and in f64, by textbook formulas. It shares no code with the library, so where both
+//! agree they are right, unless both misunderstood the same rule.
 
 pub mod frame;
 mod intersect;
@@ -14,55 +14,61 @@ use eightfold::Quality;
 use eightfold::scene::Scene;
 use glam::DVec3;
 
-/// Traces points of one picture of a scene.
+/// Traces points of one picture of a scene. Points are given in pixels of the picture.
 pub struct Oracle<'a> {
     scene: &'a Scene,
     quality: &'a Quality,
     width: usize,
     height: usize,
-    /// Pixel (x, y) looks along `corner + x dx + y dy`.
+    /// The ray through pixel (x, y) has the direction `corner + x dx + y dy`.
     corner: DVec3,
     dx: DVec3,
     dy: DVec3,
-    /// The side of a pixel at distance 1.
+    /// The side of a pixel at distance 1, in scene units.
     pixel: f64,
 }
 
-/// What came of a point.
+/// The result of tracing a point.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Traced {
     /// Linear RGB, not clamped.
     pub colour: DVec3,
-    /// Stands for the whole ray tree: the object each ray hit, and whether each light shone there.
+    /// A hash of the whole ray tree: the object that each ray hit, and which lights were lit there.
     pub tree: u64,
-    /// Stands for what the quality compares: objects and lights' states (dark, lit, with a highlight), each to its
-    /// depth.
+    /// A hash of what the quality compares: objects and lights' states (dark, lit, lit with a highlight), each up to its depth.
     pub key: u64,
-    /// Primary and secondary rays.
+    /// The number of primary and secondary rays.
     pub rays: u64,
-    /// Rays towards lights.
+    /// The number of shadow rays.
     pub shadow_rays: u64,
 }
 
-/// An object of the scene, by kind and place in its list.
-#[derive(Clone, Copy, Debug, Hash, PartialEq, Eq)]
-enum Object {
+/// An object of the scene, by its kind and its index in its list.
+#[derive(Clone, Copy, Debug, Hash, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Object {
+    /// A sphere.
     Sphere(usize),
+    /// A plane.
     Plane(usize),
+    /// A box or a cylinder.
     Block(usize),
+    /// The sphere that shows a light.
     Light(usize),
+    /// What a ray hits that hits nothing else.
     Background,
 }
 
 #[derive(Clone, Copy)]
 struct Ray {
+    /// The origin.
     o: DVec3,
-    /// Of length 1.
+    /// The direction, of length 1.
     d: DVec3,
 }
 
 impl<'a> Oracle<'a> {
-    /// For pictures of so many pixels. Of the quality, the depths, the highlight and the least contribution count.
+    /// An oracle for a picture of a given size in pixels. Of the quality it uses the depths, the highlight and the least
+    /// contribution.
     pub fn new(scene: &'a Scene, quality: &'a Quality, width: usize, height: usize) -> Self {
         let camera = &scene.camera;
         let eye = camera.eye.as_dvec3();
@@ -83,13 +89,23 @@ impl<'a> Oracle<'a> {
         }
     }
 
-    /// Traces the point at pixel (x, y), which may lie outside the picture.
-    pub fn trace(&self, x: isize, y: isize) -> Traced {
+    /// The object that the centre of pixel (x, y) shows, which may lie outside the picture.
+    pub fn object_at(&self, x: isize, y: isize) -> Object {
+        self.nearest(self.primary_ray(x, y)).0
+    }
+
+    /// The ray through the centre of a pixel.
+    fn primary_ray(&self, x: isize, y: isize) -> Ray {
         let d = self.corner + self.dx * x as f64 + self.dy * y as f64;
-        let ray = Ray {
+        Ray {
             o: self.scene.camera.eye.as_dvec3(),
             d: d.normalize(),
-        };
+        }
+    }
+
+    /// Traces the point at the centre of pixel (x, y), which may lie outside the picture.
+    pub fn trace(&self, x: isize, y: isize) -> Traced {
+        let ray = self.primary_ray(x, y);
         let mut traced = Traced::default();
         let weight = 1.0 - self.scene.fade;
         traced.colour = f64::from(weight) * self.follow(ray, weight, 1, &mut traced);
