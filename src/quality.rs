@@ -84,7 +84,7 @@ impl Quality {
     /// per frame with an error of more than 8/255 in a channel, `flicker` the number of 8x8 blocks per frame whose mean error changes
     /// by more than that from one frame to the next. FLIP is computed for 67 pixels per degree.
     ///
-    /// | name | parameters | speed | traced | PSNR | over | flicker | FLIP |
+    /// | name | dials | speed | traced | PSNR | over | flicker | FLIP |
     /// | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |
     /// | finest | s8 c2 | 2.9 | 7.7 % | 53.8 dB | 283 | 0.1 | 0.0032 |
     /// | finer | s8 c4 | 3.5 | 5.9 % | 51.2 dB | 565 | 0.3 | 0.0051 |
@@ -95,7 +95,7 @@ impl Quality {
     /// | fastest | s8 c40 d3 w0.05 | 5.2 | 4.0 % | 41.3 dB | 12602 | 8.9 | 0.0201 |
     ///
     /// These figures are for AVX-512. With AVX2 an exhaustive frame takes 1.8 times as long, and the default quality is 6 times as
-    /// fast. Among the parameters `s` is the square, `c` the tolerance, and where they are not those of [`Quality::EXHAUSTIVE`], `d`
+    /// fast. In the dials `s` is the square, `c` the tolerance, and where they are not those of [`Quality::EXHAUSTIVE`], `d`
     /// is the depth and `w` the least contribution. At the same error squares of 16 are no faster than squares of 8: they need fewer
     /// corners, but more of them are split.
     pub const LADDER: &'static [Self; 7] = &[

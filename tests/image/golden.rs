@@ -8,10 +8,10 @@
 use crate::cpu;
 use crate::drawn::draw_by_all;
 use crate::error::Difference;
+use crate::generator::placed::between_corners;
 use crate::picture::png;
 use crate::reader::read_png;
 use crate::shipped::Still;
-use crate::unseen::between_corners;
 use eightfold::scene::Scene;
 use eightfold::{Quality, show};
 use eightfold_lab::arguments::NamedQuality;

@@ -1,4 +1,4 @@
-//! What the pictures are held to, on every instruction set of the machine.
+//! Properties of the pictures, each checked on every instruction set of the machine.
 
 use eightfold_lab::{error, flicker, flip, missed, overlay, picture, studio};
 use eightfold_window::cpu;
@@ -10,24 +10,25 @@ mod stage;
 
 mod accuracy;
 mod antialias;
-mod details;
+mod any_scene;
 mod drawn;
-mod errors;
+mod error_measures;
 mod extremes;
+mod generator;
 mod golden;
 mod limits;
 mod method;
+mod nothing_missed;
 mod observed;
 mod patterned;
-mod random;
+mod penumbra;
 mod ranges;
 mod refinement;
 mod reflected;
 mod sameness;
+mod shadows_shown;
 mod shipped;
 mod show;
 mod sizes;
 mod soak;
-mod unseen;
-mod unshaded;
-mod wrong;
+mod wrong_pixels;

@@ -1,11 +1,11 @@
-//! What mirrors and glass show between the corners of squares no guard looks for: how much of it is missed.
+//! Small reflections, which the guard does not look for, are missed by no more than a stated share.
 //!
-//! Measured: 34 % of the pixels of small reflections, most of them narrower than a square, by the finest quality, the default
-//! one and the rules of 2008 alike; the largest patches are of 77 pixels.
+//! Measured: 34 % of the pixels of small reflections, most of them narrower than a square, are wrong by the finest quality, the default
+//! quality and the rules of 2008 alike. The largest patches have 77 pixels.
 
 use crate::cpu;
 use crate::drawn::draw;
-use crate::wrong::{largest_patch, wrong};
+use crate::wrong_pixels::{largest_patch, wrong_pixels};
 use eightfold::Quality;
 use eightfold::scene::{Camera, List, Material, Plane, Scene, Sphere};
 use glam::{Vec3A, vec3a};
@@ -13,8 +13,7 @@ use glam::{Vec3A, vec3a};
 const WIDTH: usize = 320;
 const HEIGHT: usize = 240;
 
-/// Spheres of several sizes in rows in the air over a mirror, which shows nothing else; most reflections are some pixels
-/// wide, a few of them less than one.
+/// Rows of spheres of several sizes above a mirror. Most reflections are a few pixels wide, some less than one.
 fn scene(turn: f32) -> Scene {
     let sphere = |i: usize| Sphere {
         centre: vec3a((i % 8) as f32 - 3.5, 1.5, 0.5 - (i / 8) as f32) * 1.3,
@@ -47,8 +46,8 @@ fn scene(turn: f32) -> Scene {
     }
 }
 
-/// The scene without what is reflected: its spheres are seen, and the mirror is black.
-fn directly(scene: &Scene) -> Scene {
+/// The scene without reflections: the mirror is black.
+fn without_reflections(scene: &Scene) -> Scene {
     let mut scene = *scene;
     scene.planes[0].material.kr = 0.0;
     scene
@@ -56,7 +55,7 @@ fn directly(scene: &Scene) -> Scene {
 
 #[test]
 fn reflections_between_corners_are_missed_by_no_more_than_is_stated() {
-    // Of the pixels of reflections, and pixels of a patch.
+    // The largest share of the reflections' pixels, and the largest patch in pixels.
     let (most, largest) = (0.35, 90);
     for quality in [Quality::LADDER[0], Quality::DEFAULT, Quality::THESIS] {
         let (mut reflected, mut missed, mut patch) = (0, 0, 0);
@@ -66,10 +65,10 @@ fn reflections_between_corners_are_missed_by_no_more_than_is_stated() {
                 draw(cpu::best(), 2, scene, &quality, WIDTH, HEIGHT).pixels
             };
             let exhaustive = draw(&scene, Quality::EXHAUSTIVE);
-            let bare = draw(&directly(&scene), Quality::EXHAUSTIVE);
-            let wrong = wrong(&exhaustive, &draw(&scene, quality));
+            let bare = draw(&without_reflections(&scene), Quality::EXHAUSTIVE);
+            let wrong = wrong_pixels(&exhaustive, &draw(&scene, quality));
             let pixels = exhaustive.iter().zip(&bare).zip(&wrong);
-            // In the mirror, and not in the pixels of what is seen directly.
+            // Pixels that a reflection changes.
             let missing: Vec<bool> = pixels
                 .map(|((a, b), &wrong)| {
                     reflected += usize::from(a != b);

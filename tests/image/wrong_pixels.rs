@@ -1,20 +1,20 @@
-//! How wrong pictures by squares can be: pixels that are off, and the largest patch of them.
+//! In random scenes few pixels are wrong by the default quality, and they lie in small patches.
 
 use crate::cpu;
 use crate::drawn::draw;
 use crate::error::worst_channel;
-use crate::random::{config, sketch, sphere};
+use crate::generator::{config, sketch, sphere};
 use eightfold::Quality;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-/// Which pixels have a channel more than 8 of 255 off.
-pub fn wrong(exhaustive: &[u32], drawn: &[u32]) -> Vec<bool> {
+/// Which pixels are wrong by more than 8/255 in a channel.
+pub fn wrong_pixels(exhaustive: &[u32], drawn: &[u32]) -> Vec<bool> {
     let pairs = exhaustive.iter().zip(drawn);
     pairs.map(|(&a, &b)| worst_channel(a, b) > 8).collect()
 }
 
-/// Pixels of the largest patch, joined by their sides.
+/// The number of pixels of the largest patch of wrong pixels that are neighbours.
 pub fn largest_patch(mut wrong: Vec<bool>, width: usize) -> usize {
     let mut largest = 0;
     for start in 0..wrong.len() {
@@ -47,10 +47,10 @@ proptest! {
         let scene = sketch.scene();
         let (width, height) = (320, 240);
         let draw = |quality| draw(cpu::best(), 2, &scene, &quality, width, height).pixels;
-        let wrong = wrong(&draw(Quality::EXHAUSTIVE), &draw(Quality::DEFAULT));
+        let wrong = wrong_pixels(&draw(Quality::EXHAUSTIVE), &draw(Quality::DEFAULT));
         let share = wrong.iter().filter(|&&wrong| wrong).count() as f64 / wrong.len() as f64;
         let patch = largest_patch(wrong, width);
-        // The most in 400 scenes: 4.3 % and 396, part of a shadow or of a reflection.
+        // 400 scenes had at most 4.3 % and a patch of 396, part of a shadow or of a reflection.
         prop_assert!(share <= 0.05, "{share} of the pixels");
         prop_assert!(patch <= 512, "a patch of {patch} pixels");
     }

@@ -1,23 +1,21 @@
-//! Properties of whatever scene: the tracer against the oracle on scenes by chance.
+//! Random scenes for all tests of pictures.
 //!
-//! Chance is seeded, so that a run repeats; `PROPTEST_CASES` asks for more cases.
+//! The functions of this file make proptest's strategies, which shrink a failing scene; [`placed`] makes strategies for scenes whose
+//! objects are placed by where they are in the picture, and [`seeded`] makes scenes from a number, for long runs. All are seeded, so
+//! that a run repeats.
 
-use crate::accuracy::assert_as_traced;
-use crate::cpu;
-use crate::drawn::draw;
-use crate::refinement::{assert_as_refined, bare};
+pub mod placed;
+pub mod seeded;
+
 use eightfold::scene::{
     Block, Camera, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
 };
-use eightfold::{Quality, show};
-use eightfold_oracle::frame::Frame;
-use eightfold_oracle::squares::Squares;
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-/// Seeded; `PROPTEST_CASES` cases, or this many.
+/// A configuration with a fixed seed and the given number of cases, or with `PROPTEST_CASES` of them if that is set.
 pub fn config(cases: u32) -> ProptestConfig {
     let asked = std::env::var("PROPTEST_CASES").ok();
     ProptestConfig {
@@ -29,16 +27,17 @@ pub fn config(cases: u32) -> ProptestConfig {
     }
 }
 
+/// A colour.
 fn colour() -> impl Strategy<Value = Vec3A> {
     [0.0_f32..1.0, 0.0..1.0, 0.0..1.0].prop_map(Vec3A::from)
 }
 
 /// A point in a box about the origin, above the ground.
-fn place(half: f32, height: f32) -> impl Strategy<Value = Vec3A> {
+fn point(half: f32, height: f32) -> impl Strategy<Value = Vec3A> {
     (-half..half, 0.2..height, -half..half).prop_map(|(x, y, z)| vec3a(x, y, z))
 }
 
-/// Plastic, mirror or glass; what it sends on is at most what it gets.
+/// Plastic, mirror or glass; `kr + kt` is at most 1.
 fn material() -> impl Strategy<Value = Material> {
     let glass = prop_oneof![Just(0.0_f32), 0.2_f32..0.9];
     let index = prop_oneof![1.05_f32..2.4, 0.5_f32..0.95];
@@ -62,14 +61,16 @@ fn material() -> impl Strategy<Value = Material> {
         })
 }
 
+/// A sphere near the origin.
 pub fn sphere() -> impl Strategy<Value = Sphere> {
-    (place(4.0, 3.0), 0.2_f32..1.5, material()).prop_map(|(centre, radius, material)| Sphere {
+    (point(4.0, 3.0), 0.2_f32..1.5, material()).prop_map(|(centre, radius, material)| Sphere {
         centre,
         radius,
         material,
     })
 }
 
+/// A rectangle below the origin.
 fn plane() -> impl Strategy<Value = Plane> {
     ((-2.0_f32..0.0, 1.0_f32..20.0, 1.0_f32..20.0), material()).prop_map(
         |((y, half_x, half_z), material)| Plane {
@@ -81,8 +82,9 @@ fn plane() -> impl Strategy<Value = Plane> {
     )
 }
 
+/// A point light.
 fn light() -> impl Strategy<Value = Light> {
-    (place(8.0, 9.0), colour(), 0.05_f32..0.4).prop_map(|(position, colour, radius)| Light {
+    (point(8.0, 9.0), colour(), 0.05_f32..0.4).prop_map(|(position, colour, radius)| Light {
         position,
         colour,
         radius,
@@ -90,10 +92,11 @@ fn light() -> impl Strategy<Value = Light> {
     })
 }
 
+/// A camera that looks at the origin from outside.
 fn camera() -> impl Strategy<Value = Camera> {
     (
         (0.0_f32..6.3, 7.0_f32..14.0, 0.5_f32..6.0),
-        place(1.0, 1.0),
+        point(1.0, 1.0),
         0.3_f32..1.6,
     )
         .prop_map(
@@ -106,7 +109,7 @@ fn camera() -> impl Strategy<Value = Camera> {
         )
 }
 
-/// A scene in few words, for the message about a failure.
+/// The parts of a scene of spheres and planes: it prints shorter than the scene when a test fails.
 #[derive(Clone, Debug)]
 pub struct Sketch {
     camera: Camera,
@@ -118,6 +121,7 @@ pub struct Sketch {
 }
 
 impl Sketch {
+    /// The scene.
     pub fn scene(&self) -> Scene {
         Scene {
             camera: self.camera,
@@ -131,7 +135,7 @@ impl Sketch {
     }
 }
 
-/// Some spheres, which may pass through each other, planes and lights.
+/// Spheres, which may intersect, planes and point lights.
 pub fn sketch(
     spheres: impl Strategy<Value = Vec<Sphere>>,
     planes: usize,
@@ -155,7 +159,7 @@ pub fn sketch(
         )
 }
 
-/// Stripes, checkers, marble or an even colour.
+/// Stripes, checkers, marble or a uniform colour.
 fn pattern() -> impl Strategy<Value = Pattern> {
     let waves = || prop_oneof![Just(0.0_f32), 0.2_f32..2.0];
     (
@@ -172,7 +176,7 @@ fn pattern() -> impl Strategy<Value = Pattern> {
         })
 }
 
-/// What has a pattern, and lets some light pass.
+/// A material with a pattern and, if it is transparent, a tint.
 fn painted() -> impl Strategy<Value = Material> {
     (material(), pattern(), colour()).prop_map(|(material, pattern, tint)| Material {
         tint: if material.kt > 0.0 { tint } else { Vec3A::ZERO },
@@ -181,6 +185,7 @@ fn painted() -> impl Strategy<Value = Material> {
     })
 }
 
+/// A box or a cylinder.
 pub fn shape() -> impl Strategy<Value = Shape> {
     any::<bool>().prop_map(|is_round| {
         if is_round {
@@ -191,9 +196,10 @@ pub fn shape() -> impl Strategy<Value = Shape> {
     })
 }
 
+/// A box or a cylinder near the origin.
 fn block() -> impl Strategy<Value = Block> {
     (
-        place(4.0, 3.0),
+        point(4.0, 3.0),
         [0.2_f32..1.5, 0.2..1.5, 0.2..1.5],
         ([-1.0_f32..1.0, -1.0..1.0, -1.0..1.0], 0.1_f32..1.0),
         shape(),
@@ -215,8 +221,8 @@ fn block() -> impl Strategy<Value = Block> {
         })
 }
 
-/// A point, a ball, parallel rays; a cone of any of them. It is above everything.
-fn lamp() -> impl Strategy<Value = Light> {
+/// A light of any kind: a point or one with a size, near or with parallel rays, a spotlight or not. It is above everything.
+fn any_light() -> impl Strategy<Value = Light> {
     let spot = (0.3_f32..0.8, 0.05_f32..0.2);
     (
         ([-9.0_f32..9.0, 6.0..12.0, -9.0..9.0], colour()),
@@ -241,107 +247,59 @@ fn lamp() -> impl Strategy<Value = Light> {
         })
 }
 
-/// Everything a scene can have.
+/// The parts of a scene with objects, materials and lights of all kinds.
 #[derive(Clone, Debug)]
-struct Rich {
+pub struct Rich {
     sketch: Sketch,
     blocks: Vec<Block>,
-    lamps: Vec<Light>,
+    lights: Vec<Light>,
     floor: Material,
     sky: Vec3A,
-    air: (f32, f32),
+    haze: f32,
+    fade: f32,
 }
 
 impl Rich {
-    fn scene(&self) -> Scene {
+    /// The scene.
+    pub fn scene(&self) -> Scene {
         let mut scene = self.sketch.scene();
         if let Some(plane) = scene.planes.first_mut() {
             plane.material = self.floor;
         }
         Scene {
             blocks: List::of(&self.blocks),
-            lights: List::of(&self.lamps),
+            lights: List::of(&self.lights),
             sky: self.sky - scene.background,
-            haze: self.air.0,
-            fade: self.air.1,
+            haze: self.haze,
+            fade: self.fade,
             ..scene
         }
     }
 }
 
-fn rich() -> impl Strategy<Value = Rich> {
+/// Objects, materials and lights of all kinds.
+pub fn rich() -> impl Strategy<Value = Rich> {
     (
         sketch(vec(painted_sphere(), 0..6), 2),
         vec(block(), 0..8),
-        vec(lamp(), 0..=3),
+        vec(any_light(), 0..=3),
         (painted(), colour()),
         (prop_oneof![Just(0.0_f32), 0.01_f32..0.1], -0.2_f32..0.9),
     )
-        .prop_map(|(sketch, blocks, lamps, (floor, sky), air)| Rich {
-            sketch,
-            blocks,
-            lamps,
-            floor,
-            sky,
-            air,
-        })
+        .prop_map(
+            |(sketch, blocks, lights, (floor, sky), (haze, fade))| Rich {
+                sketch,
+                blocks,
+                lights,
+                floor,
+                sky,
+                haze,
+                fade,
+            },
+        )
 }
 
+/// A sphere with a pattern.
 fn painted_sphere() -> impl Strategy<Value = Sphere> {
     (sphere(), painted()).prop_map(|(sphere, material)| Sphere { material, ..sphere })
-}
-
-proptest! {
-    #![proptest_config(config(48))]
-
-    #[test]
-    fn any_scene_is_as_the_oracle_sees_it(sketch in sketch(vec(sphere(), 0..12), 2)) {
-        let scene = sketch.scene();
-        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 96, 72);
-        for isa in cpu::instruction_sets() {
-            let drawn = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 96, 72);
-            assert_as_traced(&drawn, &frame, isa.name);
-        }
-    }
-
-    #[test]
-    fn any_rich_scene_is_as_the_oracle_sees_it(rich in rich()) {
-        let scene = rich.scene();
-        scene.validate().unwrap();
-        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 96, 72);
-        for isa in cpu::instruction_sets() {
-            let drawn = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 96, 72);
-            assert_as_traced(&drawn, &frame, isa.name);
-        }
-    }
-
-    #[test]
-    fn any_scene_is_refined_by_the_rules(sketch in sketch(vec(sphere(), 0..12), 2)) {
-        let scene = sketch.scene();
-        for quality in [Quality::THESIS, Quality::DEFAULT].map(bare) {
-            let squares = Squares::new(&scene, &quality, 96, 72);
-            for isa in cpu::instruction_sets() {
-                let drawn = draw(isa, 1, &scene, &quality, 96, 72);
-                assert_as_refined(&drawn, &squares, isa.name);
-            }
-        }
-    }
-
-    #[test]
-    fn the_model_scene_is_right_at_any_time_and_size(
-        time in 0.0..show::MODEL_LENGTH,
-        width in 1_usize..200,
-        height in 1_usize..200,
-    ) {
-        let scene = show::scene(time);
-        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
-        let thesis = bare(Quality::THESIS);
-        let squares = Squares::new(&scene, &thesis, width, height);
-        for isa in cpu::instruction_sets() {
-            let drawn = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, width, height);
-            assert_as_traced(&drawn, &frame, isa.name);
-            let drawn = draw(isa, 2, &scene, &thesis, width, height);
-            assert_as_refined(&drawn, &squares, isa.name);
-        }
-    }
 }

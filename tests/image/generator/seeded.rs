@@ -1,0 +1,230 @@
+//! Random scenes and qualities made from a seed, without a framework, for long runs.
+
+use eightfold::Quality;
+use eightfold::scene::{
+    Block, Camera, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
+};
+use glam::{Mat3A, Quat, Vec3A, vec3a};
+
+/// A generator of pseudorandom numbers with its state (Steele, Lea and Flood's SplitMix).
+pub struct Random(pub u64);
+
+impl Random {
+    /// 64 random bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut h = self.0;
+        h = (h ^ (h >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        h = (h ^ (h >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        h ^ (h >> 31)
+    }
+
+    /// A whole number below `end`.
+    pub fn below(&mut self, end: usize) -> usize {
+        (self.bits() % end as u64) as usize
+    }
+
+    /// A number from `low` to `high`.
+    pub fn between(&mut self, low: f32, high: f32) -> f32 {
+        low + (high - low) * ((self.bits() >> 40) as f32 / (1 << 24) as f32)
+    }
+
+    /// A vector in a box.
+    pub fn vector(&mut self, low: Vec3A, high: Vec3A) -> Vec3A {
+        let mut number = || self.between(0.0, 1.0);
+        low + (high - low) * vec3a(number(), number(), number())
+    }
+}
+
+/// Plastic, mirror or glass; `kr + kt` is at most 1.
+fn material(random: &mut Random) -> Material {
+    let kt = [0.0, 0.0, random.between(0.1, 1.0)][random.below(3)];
+    Material {
+        colour: random.vector(Vec3A::ZERO, Vec3A::ONE),
+        kd: random.between(0.0, 1.0),
+        ks: random.between(0.0, 1.0),
+        exponent: 10_f32.powf(random.between(0.0, 3.0)),
+        kr: (1.0 - kt) * random.between(0.0, 1.0),
+        kt,
+        index: [random.between(0.5, 0.99), random.between(1.01, 3.0)][random.below(2)],
+        ..Material::BLACK
+    }
+}
+
+/// A valid scene, from an empty one to one with as many objects as a scene can hold.
+pub fn scene(random: &mut Random) -> Scene {
+    let scale = 10_f32.powf(random.between(-3.0, 3.0));
+    let mut scene = Scene {
+        background: random.vector(Vec3A::ZERO, Vec3A::ONE),
+        ambient: random.vector(Vec3A::ZERO, Vec3A::splat(0.3)),
+        ..Scene::default()
+    };
+    let most = [4, 12, 40, 320][random.below(4)];
+    let smallest = [-0.5, -3.0][random.below(2)];
+    for _ in 0..random.below(most + 1) {
+        scene.spheres.push(Sphere {
+            centre: scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),
+            radius: scale * 10_f32.powf(random.between(smallest, 0.2)),
+            material: material(random),
+        });
+    }
+    for _ in 0..random.below(4) {
+        scene.planes.push(Plane {
+            centre: scale * vec3a(0.0, random.between(-3.0, 1.0), 0.0),
+            half_x: scale * random.between(0.5, 20.0),
+            half_z: scale * random.between(0.5, 20.0),
+            material: material(random),
+        });
+    }
+    for _ in 0..random.below(5) {
+        scene.lights.push(Light {
+            position: scale * random.vector(vec3a(-8.0, -1.0, -8.0), vec3a(8.0, 9.0, 8.0)),
+            colour: random.vector(Vec3A::ZERO, Vec3A::splat(1.5)),
+            radius: scale * random.between(0.01, 0.5),
+            ..Light::DARK
+        });
+    }
+    scene.camera = Camera {
+        eye: scale * random.vector(vec3a(-9.0, -1.0, -9.0), vec3a(9.0, 7.0, 9.0)),
+        look_at: scale * random.vector(Vec3A::splat(-1.0), Vec3A::ONE),
+        up: Vec3A::Y,
+        field_of_view: random.between(0.1, 2.5),
+    };
+    if random.below(3) == 0 {
+        enrich(&mut scene, random, scale);
+    }
+    scene
+}
+
+/// Adds boxes, cylinders, patterns, haze and lights of all kinds to a scene of a given scale.
+fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
+    for _ in 0..random.below(9) {
+        let half = scale * random.vector(Vec3A::splat(0.05), Vec3A::splat(1.5));
+        let shape = if random.below(2) == 0 {
+            Shape::Cylinder
+        } else {
+            Shape::Box
+        };
+        let turn = random.vector(Vec3A::splat(-3.0), Vec3A::splat(3.0));
+        scene.blocks.push(Block {
+            centre: scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),
+            half: if shape == Shape::Cylinder {
+                half.with_z(half.x)
+            } else {
+                half
+            },
+            axes: Mat3A::from_quat(Quat::from_scaled_axis(turn.into())),
+            shape,
+            material: material(random),
+        });
+    }
+    let mut materials: Vec<&mut Material> = Vec::new();
+    materials.extend(scene.spheres.iter_mut().map(|s| &mut s.material));
+    materials.extend(scene.planes.iter_mut().map(|p| &mut p.material));
+    materials.extend(scene.blocks.iter_mut().map(|b| &mut b.material));
+    for material in materials.into_iter().step_by(3) {
+        material.tint = random.vector(Vec3A::ZERO, Vec3A::ONE);
+        material.pattern = Pattern {
+            waves: (random.vector(Vec3A::ZERO, Vec3A::splat(3.0)) / scale).min(Vec3A::splat(1e3)),
+            depth: random.between(0.1, 1.0),
+            edge: random.between(0.5, 40.0),
+            warp: random.between(0.0, 2.0),
+            grain: (random.between(0.1, 3.0) / scale).min(1e3),
+        };
+    }
+    scene.sky = random.vector(Vec3A::ZERO, Vec3A::splat(0.5));
+    scene.haze = random.between(0.0, 0.2) / scale;
+    scene.fade = random.between(-0.5, 1.0);
+    for light in scene.lights.iter_mut() {
+        light.size = scale * [0.0, random.between(0.0, 2.0)][random.below(2)];
+        light.parallel = random.below(3) == 0;
+        light.spot = (random.below(2) == 0).then(|| Spot {
+            aim: -light.position.normalize_or(Vec3A::Y),
+            dark: 0.6,
+            bright: random.between(0.61, 0.99),
+        });
+    }
+}
+
+/// Replaces a random number of a scene by an invalid one.
+pub fn corrupt(scene: &mut Scene, random: &mut Random) {
+    let numbers = [
+        f32::NAN,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        f32::MAX,
+        -1.0,
+        0.0,
+        1e-40,
+        1e20,
+    ];
+    let number = numbers[random.below(numbers.len())];
+    let Scene {
+        camera,
+        spheres,
+        planes,
+        blocks,
+        lights,
+        sky,
+        haze,
+        fade,
+        ..
+    } = scene;
+    let (a, b, c) = (
+        random.bits() as usize,
+        random.bits() as usize,
+        random.bits() as usize,
+    );
+    let mut fields: Vec<&mut f32> = vec![
+        &mut camera.eye[a % 3],
+        &mut camera.look_at[b % 3],
+        &mut camera.up[c % 3],
+        &mut camera.field_of_view,
+        &mut sky[a % 3],
+        haze,
+        fade,
+    ];
+    for block in blocks.iter_mut() {
+        let m = &mut block.material;
+        fields.extend([&mut block.centre[a % 3], &mut block.half[b % 3]]);
+        fields.extend([&mut block.axes.x_axis[c % 3], &mut m.tint[a % 3]]);
+        fields.extend([&mut m.pattern.waves[b % 3], &mut m.pattern.edge]);
+        fields.extend([&mut m.pattern.warp, &mut m.pattern.grain]);
+    }
+    for sphere in spheres.iter_mut() {
+        let m = &mut sphere.material;
+        fields.extend([&mut sphere.centre[a % 3], &mut sphere.radius]);
+        fields.extend([&mut m.colour[b % 3], &mut m.kd, &mut m.ks, &mut m.exponent]);
+        fields.extend([&mut m.kr, &mut m.kt, &mut m.index]);
+    }
+    for plane in planes.iter_mut() {
+        fields.extend([&mut plane.centre[a % 3], &mut plane.half_x]);
+        fields.extend([&mut plane.half_z, &mut plane.material.kr]);
+    }
+    for light in lights.iter_mut() {
+        fields.extend([&mut light.position[a % 3], &mut light.colour[b % 3]]);
+        fields.extend([&mut light.radius, &mut light.size]);
+        if let Some(spot) = &mut light.spot {
+            fields.extend([&mut spot.aim[c % 3], &mut spot.dark, &mut spot.bright]);
+        }
+    }
+    let i = random.below(fields.len());
+    *fields[i] = number;
+}
+
+/// A named quality, or any valid one.
+pub fn quality(random: &mut Random) -> Quality {
+    let named = [Quality::THESIS, Quality::DEFAULT];
+    let any = Quality {
+        square: 1 + random.below(Quality::MAX_SQUARE),
+        tolerance_agreeing: [0.0, 9.0, f32::INFINITY][random.below(3)],
+        tolerance_differing: [0.0, 4.0, f32::NAN][random.below(3)],
+        tolerance_side: [0.0, 9.0][random.below(2)],
+        key_depth: random.below(9) as u32,
+        state_depth: random.below(9) as u32,
+        depth: random.below(Quality::MAX_DEPTH as usize + 1) as u32,
+        least_contribution: [0.0, 0.01, 0.2, f32::NAN][random.below(4)],
+        ..Quality::DEFAULT
+    };
+    [named[0], named[1], any][random.below(3)]
+}

@@ -1,0 +1,100 @@
+//! The approximate penumbra of a sphere is close to the one that many shadow rays find.
+
+use crate::cpu;
+use crate::drawn::draw;
+use eightfold::Quality;
+use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use glam::{DVec3, Vec3A, vec3a};
+
+const SPHERE: Sphere = Sphere {
+    centre: vec3a(0.0, 1.5, 0.0),
+    radius: 0.6,
+    material: Material::BLACK,
+};
+
+const LIGHT: Light = Light {
+    position: vec3a(1.0, 6.0, 0.5),
+    colour: Vec3A::ONE,
+    size: 1.0,
+    ..Light::DARK
+};
+
+/// The share of the round light that is visible past the sphere from a point, by many rays.
+fn visible_share(p: DVec3) -> f64 {
+    const RINGS: usize = 40;
+    let to_light = LIGHT.position.as_dvec3() - p;
+    let axis = to_light.normalize();
+    let (u, v) = axis.any_orthonormal_pair();
+    let (mut visible, mut all) = (0, 0);
+    for i in 0..RINGS * RINGS {
+        let radius =
+            0.5 * f64::from(LIGHT.size) * ((i as f64 + 0.5) / (RINGS * RINGS) as f64).sqrt();
+        let angle = 2.399_963 * i as f64;
+        let target = to_light + radius * (angle.cos() * u + angle.sin() * v);
+        let d = target.normalize();
+        let to_centre = SPHERE.centre.as_dvec3() - p;
+        let off = to_centre - to_centre.dot(d) * d;
+        visible += usize::from(off.length() > f64::from(SPHERE.radius));
+        all += 1;
+    }
+    visible as f64 / all as f64
+}
+
+#[test]
+fn a_penumbra_is_within_a_tenth_of_what_many_rays_find() {
+    // A white floor from above: its brightness is the cosine of the angle to the light times the light's visible share.
+    let floor = Plane {
+        half_x: 9.0,
+        half_z: 9.0,
+        material: Material {
+            colour: Vec3A::ONE,
+            kd: 1.0,
+            ..Material::BLACK
+        },
+        ..Plane::default()
+    };
+    let eye = vec3a(0.0, 30.0, 0.0);
+    let scene = Scene {
+        camera: Camera {
+            eye,
+            look_at: Vec3A::ZERO,
+            up: Vec3A::X,
+            field_of_view: 0.2,
+        },
+        spheres: List::of(&[SPHERE]),
+        planes: List::of(&[floor]),
+        lights: List::of(&[LIGHT]),
+        ..Scene::default()
+    };
+    let size = 200;
+    let raster = scene.camera;
+    let drawn = draw(cpu::best(), 1, &scene, &Quality::EXHAUSTIVE, size, size);
+    let half = (0.5 * raster.field_of_view).tan() * eye.y;
+    let (mut sum, mut largest, mut count) = (0.0, 0.0_f64, 0);
+    for (i, &pixel) in drawn.pixels.iter().enumerate() {
+        let coordinate = |i: usize| (i as f32 + 0.5) / size as f32 * 2.0 - 1.0;
+        // In the picture z points to the right and x up.
+        let p = vec3a(
+            -coordinate(i / size) * half,
+            0.0,
+            coordinate(i % size) * half,
+        )
+        .as_dvec3();
+        let to_sphere = (p - SPHERE.centre.as_dvec3().with_y(0.0)).length();
+        if to_sphere < 0.65 {
+            continue;
+        }
+        let cosine = (LIGHT.position.as_dvec3() - p).normalize().y;
+        let share = f64::from(pixel & 0xff) / 255.0 / cosine;
+        let off = (share - visible_share(p)).abs();
+        sum += off;
+        largest = largest.max(off);
+        count += 1;
+    }
+    let mean = sum / f64::from(count);
+    println!("penumbra: mean {mean:.4}, largest {largest:.3} of the light");
+    assert!(
+        mean < 0.01 && largest < 0.1,
+        "mean {mean}, largest {largest}"
+    );
+}
