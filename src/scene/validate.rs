@@ -1,25 +1,24 @@
-//! Checks that a scene's numbers are within the ranges that the tracer supports.
+//! Which scenes are within the tracer's limits.
 
 use super::{Camera, Material, Method, Scene, Shape};
 use core::fmt;
 use glam::Vec3A;
 
-/// The largest coordinate and the largest extent, in scene units. Squares of such lengths, and small multiples of these, do not
-/// overflow an `f32`.
+/// The largest coordinate and the largest extent, in scene units: their squares, times a few, stay finite in f32.
 pub const MAX_LENGTH: f32 = 1e9;
-/// The smallest radius and the smallest extent, in scene units. Squares of such lengths are normal numbers, not denormals.
+/// The smallest radius and the smallest extent: their squares stay normal numbers.
 pub const MIN_LENGTH: f32 = 1e-9;
 
-/// A field of a scene that is out of its range.
+/// The first thing about a scene that is out of its range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Flaw {
-    /// The kind of object: "camera", "sphere" and so on.
+    /// What has it: "camera", "sphere" and so on.
     pub object: &'static str,
-    /// The index of the object in its list; 0 for the camera and the scene itself.
+    /// Its place in its list, 0 where there is but one.
     pub number: usize,
-    /// The name of the field.
+    /// The field.
     pub field: &'static str,
-    /// What the field has to be.
+    /// What the field takes.
     pub takes: &'static str,
 }
 
@@ -37,30 +36,30 @@ impl fmt::Display for Flaw {
 
 impl core::error::Error for Flaw {}
 
-const POSITION: &str = "coordinates from -1e9 to 1e9";
+const PLACE: &str = "coordinates from -1e9 to 1e9";
 const EXTENT: &str = "a length from 1e-9 to 1e9";
 const COLOUR: &str = "numbers from 0 on, such as 1 0.5 0";
-const DIRECTION: &str = "a direction of length 1";
+const UNIT: &str = "a direction of length 1";
 const HAZE: &str = "a number from 0 to 1000";
 const SHARE: &str = "a number from 0 to 1";
 
 impl Scene {
-    /// Checks that every number of the scene is in the range that its documentation gives.
+    /// Whether every number of the scene is in the range that its documentation says, the first that is not otherwise.
     ///
-    /// For a valid scene the picture is as accurate as [`crate::limits`] says. An invalid scene is drawn as well, in bounded time,
-    /// but nothing is said about the picture.
+    /// A scene that is valid gives the picture that [`crate::limits`] promises. One that is not gives some picture, in
+    /// bounded time.
     ///
     /// # Errors
-    /// The first field that is out of its range.
+    /// What is out of its range.
     pub fn validate(&self) -> Result<(), Flaw> {
         self.camera.validate()?;
         let scene = Part("scene", 0);
         scene.hold("background", COLOUR, is_colour(self.background))?;
-        let zenith = self.background + self.sky;
+        let straight_up = self.background + self.sky;
         scene.hold(
             "sky",
-            "at least minus the background's colour",
-            is_colour(zenith),
+            "no more than the background loses",
+            is_colour(straight_up),
         )?;
         scene.hold("haze", HAZE, (0.0..=1e3).contains(&self.haze))?;
         scene.hold(
@@ -87,27 +86,27 @@ impl Scene {
         }
         for (i, sphere) in self.spheres.iter().enumerate() {
             let part = Part("sphere", i);
-            part.hold("centre", POSITION, is_position(sphere.centre))?;
+            part.hold("centre", PLACE, is_place(sphere.centre))?;
             part.hold("radius", EXTENT, is_extent(sphere.radius))?;
             sphere.material.validate(&part)?;
         }
         for (i, plane) in self.planes.iter().enumerate() {
             let part = Part("plane", i);
-            part.hold("centre", POSITION, is_position(plane.centre))?;
+            part.hold("centre", PLACE, is_place(plane.centre))?;
             part.hold("half_x", EXTENT, is_extent(plane.half_x))?;
             part.hold("half_z", EXTENT, is_extent(plane.half_z))?;
             plane.material.validate(&part)?;
         }
         for (i, light) in self.lights.iter().enumerate() {
             let part = Part("light", i);
-            part.hold("position", POSITION, is_position(light.position))?;
+            part.hold("position", PLACE, is_place(light.position))?;
             part.hold("colour", COLOUR, is_colour(light.colour))?;
             let is_radius = light.radius == 0.0 || is_extent(light.radius);
             part.hold("radius", "0, or a length from 1e-9 to 1e9", is_radius)?;
             let is_size = (0.0..=MAX_LENGTH).contains(&light.size);
             part.hold("size", "a length from 0 to 1e9", is_size)?;
             if let Some(spot) = light.spot {
-                part.hold("aim", DIRECTION, is_unit(spot.aim))?;
+                part.hold("aim", UNIT, is_unit(spot.aim))?;
                 let is_cone = spot.dark >= -1.0 && spot.dark < spot.bright && spot.bright <= 1.0;
                 part.hold(
                     "spot",
@@ -118,19 +117,15 @@ impl Scene {
         }
         for (i, block) in self.blocks.iter().enumerate() {
             let part = Part("block", i);
-            part.hold("centre", POSITION, is_position(block.centre))?;
+            part.hold("centre", PLACE, is_place(block.centre))?;
             let is_block = block.half.to_array().into_iter().all(is_extent);
             part.hold("half", EXTENT, is_block)?;
-            let is_round = block.shape == Shape::Box || block.half.x == block.half.z;
-            part.hold("half", "the same x and z for a cylinder", is_round)?;
+            let is_even = block.shape == Shape::Box || block.half.x == block.half.z;
+            part.hold("half", "the same along x and z of a cylinder", is_even)?;
             let [x, y, z] = [0, 1, 2].map(|i| block.axes.col(i));
-            let is_perpendicular = x.dot(y).abs().max(y.dot(z).abs()).max(z.dot(x).abs()) < 1e-4;
-            let are_axes = is_unit(x) && is_unit(y) && is_unit(z) && is_perpendicular;
-            part.hold(
-                "axes",
-                "three perpendicular directions of length 1",
-                are_axes,
-            )?;
+            let is_square = x.dot(y).abs().max(y.dot(z).abs()).max(z.dot(x).abs()) < 1e-4;
+            let are_axes = is_unit(x) && is_unit(y) && is_unit(z) && is_square;
+            part.hold("axes", "three of length 1, square to each other", are_axes)?;
             block.material.validate(&part)?;
         }
         Ok(())
@@ -140,12 +135,12 @@ impl Scene {
 impl Camera {
     fn validate(&self) -> Result<(), Flaw> {
         let part = Part("camera", 0);
-        part.hold("eye", POSITION, is_position(self.eye))?;
-        part.hold("look_at", POSITION, is_position(self.look_at))?;
+        part.hold("eye", PLACE, is_place(self.eye))?;
+        part.hold("look_at", PLACE, is_place(self.look_at))?;
         let forward = (self.look_at - self.eye).normalize_or_zero();
         let is_ahead = forward != Vec3A::ZERO;
         part.hold("look_at", "a point that is not the eye", is_ahead)?;
-        // Less than a thousandth of a radian from the line of sight, rounding would decide how the picture is turned.
+        // Within a thousandth of the line of sight, rounding decides where the picture's sides are.
         let across = forward.cross(self.up.normalize_or_zero()).length();
         let takes = "a direction that is not along the line of sight";
         part.hold("up", takes, across > 1e-3)?;
@@ -181,11 +176,10 @@ impl Material {
     }
 }
 
-/// An object of a scene: its kind, and its index in its list.
+/// A part of a scene, by its kind and its place in its list.
 struct Part(&'static str, usize);
 
 impl Part {
-    /// Reports a flaw of a field unless a condition holds.
     fn hold(&self, field: &'static str, takes: &'static str, holds: bool) -> Result<(), Flaw> {
         let flaw = Flaw {
             object: self.0,
@@ -197,7 +191,7 @@ impl Part {
     }
 }
 
-fn is_position(v: Vec3A) -> bool {
+fn is_place(v: Vec3A) -> bool {
     v.to_array().iter().all(|c| c.abs() <= MAX_LENGTH)
 }
 
@@ -209,7 +203,7 @@ fn is_extent(length: f32) -> bool {
     (MIN_LENGTH..=MAX_LENGTH).contains(&length)
 }
 
-/// Channels may be above 1, as those of bright lights are, but products of a few of them must not overflow.
+/// Bright lights are above 1; nothing is above what f32 can multiply.
 fn is_colour(v: Vec3A) -> bool {
     v.to_array().iter().all(|c| (0.0..=1e9).contains(c))
 }
