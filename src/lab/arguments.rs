@@ -1,4 +1,4 @@
-//! What several commands take: a size, a quality, threads, an instruction set.
+//! Arguments that several commands share: sizes, qualities, threads, instruction sets, times.
 
 use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::cpu::{self, Isa};
@@ -6,17 +6,18 @@ use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-/// More threads than any frame has bands for.
+/// The largest number of threads: more than a frame has bands for them.
 const MAX_THREADS: usize = 256;
-/// More frames than anybody waits for; what is kept of each has room.
+/// The largest number of frames, so that what is kept of each fits in memory.
 const MAX_FRAMES: usize = 100_000;
 
-/// Flags that make no sense together: a line that names them and says what they take.
+/// An error in the command line that the parser cannot find, such as flags that contradict each other. It holds the message: the flag and
+/// what it takes.
 #[derive(Debug)]
 pub struct BadInput(String);
 
 impl BadInput {
-    /// As an error of a command.
+    /// The error with a message.
     pub fn error(line: String) -> anyhow::Error {
         Self(line).into()
     }
@@ -38,7 +39,7 @@ pub struct Size {
 }
 
 impl Size {
-    /// Pixels of a frame.
+    /// The number of pixels.
     pub fn area(self) -> usize {
         self.width * self.height
     }
@@ -82,8 +83,8 @@ impl NamedQuality {
         name: "thesis",
         quality: Quality::THESIS,
     };
-    /// The default one where squares are filled whatever may be seen between their corners: what the guard costs is measured
-    /// by it, and it can be asked for nowhere else.
+    /// The default quality without the guard against missed objects. It serves to measure what the guard costs, and cannot be asked for
+    /// by name.
     pub const UNGUARDED: Self = Self {
         name: "unguarded",
         quality: Quality {
@@ -92,14 +93,14 @@ impl NamedQuality {
         },
     };
 
-    /// The quality with so many samples a side of the pixels at edges, under its name.
+    /// The same quality with a number of samples per side for pixels at edges.
     pub fn antialiased(mut self, samples: usize) -> Self {
-        // One is what all have.
+        // One sample is no antialiasing.
         self.quality.antialias = if samples > 1 { samples } else { 0 };
         self
     }
 
-    /// All that have a name: the two to compare with, then the ladder from the finest to the fastest.
+    /// All named qualities: the two that serve for comparison, then the ladder from the finest to the fastest rung.
     pub fn all() -> impl Iterator<Item = Self> {
         let ladder = Quality::NAMES.into_iter().zip(Quality::LADDER);
         let ladder = ladder.map(|(name, &quality)| Self { name, quality });
@@ -126,7 +127,7 @@ impl fmt::Display for NamedQuality {
     }
 }
 
-/// An instruction set that this machine has.
+/// Parses the name of an instruction set that this machine has.
 pub fn instruction_set(name: &str) -> Result<Isa, String> {
     let mut known = cpu::instruction_sets();
     known.find(|set| set.name == name).ok_or_else(|| {
@@ -135,17 +136,17 @@ pub fn instruction_set(name: &str) -> Result<Isa, String> {
     })
 }
 
-/// A number of threads.
+/// Parses a number of threads.
 pub fn threads(text: &str) -> Result<usize, String> {
     number(text, MAX_THREADS)
 }
 
-/// A number of frames.
+/// Parses a number of frames.
 pub fn frames(text: &str) -> Result<usize, String> {
     number(text, MAX_FRAMES)
 }
 
-/// The number of a frame, from 0 on.
+/// Parses the number of a frame, counted from 0.
 pub fn frame(text: &str) -> Result<usize, String> {
     let number = text.parse().ok();
     number
@@ -153,12 +154,12 @@ pub fn frame(text: &str) -> Result<usize, String> {
         .ok_or_else(|| format!("takes the number of a frame, 0 to {MAX_FRAMES}"))
 }
 
-/// Samples a side for antialiasing.
+/// Parses a number of samples per side for antialiasing.
 pub fn antialias(text: &str) -> Result<usize, String> {
     number(text, Quality::MAX_ANTIALIAS)
 }
 
-/// A number from 1 to `most`.
+/// Parses a number from 1 to `most`.
 pub fn number(text: &str, most: usize) -> Result<usize, String> {
     let number = text.parse().ok();
     number
@@ -166,7 +167,7 @@ pub fn number(text: &str, most: usize) -> Result<usize, String> {
         .ok_or_else(|| format!("takes a number from 1 to {most}"))
 }
 
-/// The name of a picture's file, which is a PNG whatever its name: a suffix that promises another format is refused.
+/// Parses the name of a PNG file. Another extension than `.png` is an error, since nothing else is written.
 pub fn png_file(name: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(name);
     match path.extension() {
@@ -178,7 +179,7 @@ pub fn png_file(name: &str) -> Result<PathBuf, String> {
     }
 }
 
-/// Refuses a time of the last frame that is before that of the first.
+/// Checks that the last frame's time is not before the first's.
 pub fn check_span(from: f32, to: Option<f32>) -> anyhow::Result<()> {
     match to {
         Some(to) if to < from => Err(BadInput::error(format!(
@@ -188,7 +189,7 @@ pub fn check_span(from: f32, to: Option<f32>) -> anyhow::Result<()> {
     }
 }
 
-/// A time in seconds.
+/// Parses a time in seconds.
 pub fn seconds(text: &str) -> Result<f32, String> {
     let number = text.parse().ok();
     number

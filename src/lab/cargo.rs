@@ -1,4 +1,4 @@
-//! What `cargo build --release` makes: the intro, and the library in it.
+//! Builds packages in release mode, and finds the files that cargo has made.
 
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
@@ -6,18 +6,19 @@ use std::env;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-/// A finished build of a package, as cargo tells of it.
+/// A finished build of a package, as cargo reports it.
 pub struct Build {
+    /// The lines of cargo's output in JSON.
     messages: Vec<Value>,
 }
 
 impl Build {
-    /// Builds a package of this workspace and all that it needs, as far as that is not built yet.
+    /// Builds a package of this workspace with everything it depends on.
     pub fn release(package: &str) -> Result<Self> {
         Self::release_with(package, &[])
     }
 
-    /// The same with variables of the environment set.
+    /// The same with environment variables.
     pub fn release_with(package: &str, variables: &[(&str, &str)]) -> Result<Self> {
         let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
         let mut command = Command::new(cargo);
@@ -26,7 +27,7 @@ impl Build {
             .args(["--message-format", "json-render-diagnostics"])
             .envs(variables.iter().copied())
             .stderr(Stdio::inherit());
-        // Where the lab itself is built, unless it is started by hand.
+        // Under `cargo run` this is the lab's own package; without cargo, the current directory has to be in the workspace.
         if let Some(folder) = env::var_os("CARGO_MANIFEST_DIR") {
             command.current_dir(folder);
         }
@@ -40,7 +41,7 @@ impl Build {
         Ok(Self { messages })
     }
 
-    /// The program of a name.
+    /// The path of a program.
     pub fn program(&self, name: &str) -> Result<PathBuf> {
         let path = self
             .artifact("bin", name)
@@ -49,7 +50,7 @@ impl Build {
             .with_context(|| format!("cargo does not say where it has built {name}"))
     }
 
-    /// The compiled library of a name, which programs are linked with.
+    /// The path of a compiled library.
     pub fn library(&self, name: &str) -> Result<PathBuf> {
         let files = self
             .artifact("lib", name)
@@ -61,7 +62,7 @@ impl Build {
             .with_context(|| format!("cargo does not say where it has built lib{name}"))
     }
 
-    /// The folder that the build script of the package with a program has written to.
+    /// The output folder of the build script in the package of a program.
     pub fn script_folder(&self, program: &str) -> Result<PathBuf> {
         let package = self
             .artifact("bin", program)

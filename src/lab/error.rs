@@ -1,20 +1,20 @@
-//! How far one picture is from another.
+//! The error of a picture against a reference.
 
-/// The difference of two pictures of the same size, in steps of 1/255.
+/// The difference between two pictures of the same size. Differences of channels are in steps of 1/255.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
-    /// Mean over all channels of all pixels.
+    /// The mean over all channels of all pixels.
     pub mean: f64,
-    /// Largest of any channel.
+    /// The largest in any channel.
     pub largest: u32,
-    /// Pixels with a channel that differs by more than 8.
+    /// The number of pixels that differ by more than 8 in a channel.
     pub over_8: usize,
-    /// Peak signal-to-noise ratio in dB; infinite where nothing differs.
+    /// The peak signal-to-noise ratio in dB; infinite if nothing differs.
     pub psnr: f64,
 }
 
 impl Difference {
-    /// Between two pictures in `0x00RRGGBB`.
+    /// The difference between two pictures of `0x00RRGGBB` pixels.
     pub fn between(a: &[u32], b: &[u32]) -> Self {
         assert_eq!(a.len(), b.len(), "pictures of different sizes");
         let (mut sum, mut squares, mut largest, mut over_8) = (0_u64, 0_u64, 0, 0);
@@ -38,12 +38,12 @@ impl Difference {
     }
 }
 
-/// The difference of two pixels' largest channel.
+/// The largest difference between two pixels in any channel.
 pub fn worst_channel(a: u32, b: u32) -> u32 {
     channels(a, b).into_iter().fold(0, u32::max)
 }
 
-/// The differences of two pixels' channels.
+/// The differences between two pixels in red, green and blue.
 fn channels(a: u32, b: u32) -> [u32; 3] {
     [16, 8, 0].map(|shift| (a >> shift & 0xff).abs_diff(b >> shift & 0xff))
 }

@@ -1,26 +1,24 @@
-//! Flicker: errors that come and go from one frame to the next.
-//!
-//! An error that stays where it is, or moves with what is shown, goes unseen more easily than one that jumps.
+//! Flicker: errors that appear or disappear from one frame to the next, which are more visible than errors that stay.
 
-/// Side of the blocks that errors are taken over, in pixels: the adaptive squares' usual side.
+/// The side, in pixels, of the blocks over which errors are averaged: that of the default quality's squares.
 const BLOCK: usize = 8;
 
-/// How far a block's error has to move from one frame to the next to be counted, of 255.
+/// The change of a block's error between two frames above which it counts, in steps of 1/255.
 const JUMP: f32 = 8.0;
 
-/// Counts the blocks whose error jumps while frames go by.
+/// Counts the blocks whose error changes abruptly from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct Flicker {
-    /// The errors of the last frame's blocks.
+    /// The errors of the blocks in the last frame.
     last: Vec<f32>,
-    /// Frames seen.
+    /// The number of frames so far.
     pub frames: usize,
-    /// Blocks whose error has moved by more than 8 of 255, over all pairs of frames.
+    /// The number of blocks whose error changed by more than [`JUMP`], summed over all pairs of successive frames.
     pub jumps: usize,
 }
 
 impl Flicker {
-    /// Looks at the next frame, `width` pixels wide, beside the exhaustive one.
+    /// Takes the next frame, `width` pixels wide, and the exhaustive one of the same moment.
     pub fn next(&mut self, width: usize, exhaustive: &[u32], pixels: &[u32]) {
         let errors = block_errors(width, exhaustive, pixels);
         let pairs = self.last.iter().zip(&errors);
@@ -29,14 +27,13 @@ impl Flicker {
         self.frames += 1;
     }
 
-    /// Blocks that jump from a frame to the next, on average; `None` before the second frame.
+    /// The mean number of such blocks per pair of frames; `None` before the second frame.
     pub fn per_frame(&self) -> Option<f64> {
         (self.frames > 1).then(|| self.jumps as f64 / (self.frames - 1) as f64)
     }
 }
 
-/// The error of each block of 8x8 pixels, row after row: the mean over its pixels of the largest channel's difference, of
-/// 255.
+/// The error of each block, row by row: the mean, over its pixels, of the largest difference in a channel, in steps of 1/255.
 fn block_errors(width: usize, exhaustive: &[u32], pixels: &[u32]) -> Vec<f32> {
     let columns = width.div_ceil(BLOCK);
     let mut errors = Vec::new();
@@ -59,7 +56,8 @@ fn block_errors(width: usize, exhaustive: &[u32], pixels: &[u32]) -> Vec<f32> {
     errors
 }
 
-/// Without a branch or a table, since this runs for each pixel of hundreds of frames.
+/// The largest difference between two pixels in any channel. It is written without branches, since it runs for each pixel of
+/// hundreds of frames.
 fn largest_difference(a: u32, b: u32) -> u32 {
     let channel = |shift: u32| (a >> shift & 0xff).abs_diff(b >> shift & 0xff);
     channel(16).max(channel(8)).max(channel(0))

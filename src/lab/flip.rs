@@ -1,22 +1,22 @@
-//! How far apart a viewer sees two pictures: FLIP, the difference evaluator of rendering research.
+//! FLIP: a measure of the difference that a viewer perceives between two pictures.
 //!
 //! Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild, "FLIP: A Difference Evaluator for Alternating
-//! Images", 2020. It models a viewer who switches between the two pictures: colours are filtered by what the eye resolves
-//! at a distance, and edges and points that differ weigh more.
+//! Images", 2020. It models a viewer who alternates between the pictures: colours are filtered by what the eye can resolve
+//! at a given distance, and differences in edges and points weigh more.
 
 use nv_flip::{FlipImageRgb8, flip};
 
-/// Pixels in a degree of the viewer's field: FLIP's own default, a screen of 3840 pixels on 0.7 m seen from 0.7 m.
+/// Pixels per degree of the visual field: FLIP's default, for a screen of 3840 pixels on 0.7 m at a distance of 0.7 m.
 pub const PIXELS_PER_DEGREE: f32 = 67.0;
 
-/// What FLIP says of two pictures: 0 where no difference is seen, up to 1.
+/// The FLIP error of a picture, from 0, no visible difference, to 1.
 pub struct Flip {
-    /// Of each pixel.
+    /// The error of each pixel, row by row.
     pub errors: Vec<f32>,
 }
 
 impl Flip {
-    /// Between two pictures in `0x00RRGGBB` of the same size.
+    /// Compares two pictures of `0x00RRGGBB` pixels and the same size.
     pub fn between(width: usize, reference: &[u32], test: &[u32]) -> Self {
         let map = flip(
             image(width, reference),
@@ -28,13 +28,13 @@ impl Flip {
         }
     }
 
-    /// The mean of all pixels.
+    /// The mean over all pixels.
     pub fn mean(&self) -> f64 {
         let sum: f64 = self.errors.iter().map(|&error| f64::from(error)).sum();
         sum / self.errors.len() as f64
     }
 
-    /// The least error that 99 of 100 pixels do not exceed.
+    /// The 99th percentile over all pixels.
     pub fn p99(&self) -> f64 {
         let mut errors = self.errors.clone();
         let rank = (errors.len() * 99).div_ceil(100) - 1;

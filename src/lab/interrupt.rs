@@ -1,4 +1,4 @@
-//! Ctrl-C: what is at work ends early and writes what it has; the second time the program ends at once.
+//! Ctrl-C: the first one makes a command end early and write its results so far, the second one ends the program at once.
 
 use std::fmt;
 use std::process;
@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 
 static STOPPED: AtomicBool = AtomicBool::new(false);
 
-/// Exit code of a program ended by Ctrl-C, as shells have it.
+/// The exit code after Ctrl-C, by the convention of shells.
 pub const EXIT_CODE: u8 = 130;
 
-/// From here on Ctrl-C, or being asked to end, is noted and not obeyed at once.
+/// From here on Ctrl-C and SIGTERM only set a flag, see [`is_stopped`].
 pub fn listen() {
-    // It fails only where it has been called before.
+    // It can only fail if it has been called before.
     let _ = ctrlc::set_handler(|| {
         if STOPPED.swap(true, SeqCst) {
             process::exit(i32::from(EXIT_CODE));
@@ -19,12 +19,12 @@ pub fn listen() {
     });
 }
 
-/// Whether it is time to end.
+/// Whether the command has to end.
 pub fn is_stopped() -> bool {
     STOPPED.load(SeqCst)
 }
 
-/// Says that what was asked for was not done to its end, and what is left of it.
+/// The error of a command that ended early. It says where the results so far are.
 #[derive(Debug)]
 pub struct Stopped(pub String);
 

@@ -1,6 +1,7 @@
-//! The lab: draws frames and measures what speed costs.
+//! The lab draws frames, and measures what speed costs in accuracy.
 //!
-//! A library of commands and of the instruments that they and the tests share, and a thin program, `cargo lab`.
+//! This library has a module for each command of `cargo lab`, and the measures and file formats that these and the tests share. The
+//! program itself only parses the command line.
 
 pub mod arguments;
 pub mod bench;
@@ -11,7 +12,6 @@ pub mod figures;
 pub mod flicker;
 pub mod flip;
 pub mod interrupt;
-
 pub mod machine;
 pub mod missed;
 pub mod output;

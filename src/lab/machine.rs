@@ -1,9 +1,9 @@
-//! The machine that is measured on.
+//! The machine on which is measured.
 
 use std::fs;
 use std::thread::available_parallelism;
 
-/// The processor's name, where the system tells, and how many there are.
+/// The processor's name, if the system tells it, and the number of processors.
 pub fn machine() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let models = info.lines().filter_map(|line| line.split_once(':'));

@@ -1,7 +1,6 @@
-//! The lab's program: reads the command line and runs one command.
+//! The lab's program: parses the command line and runs one command.
 
-// Rust's own start puts /dev/null in the place of a standard output that is closed, and what goes there is lost without an
-// error.
+// Rust's own `main` replaces a closed standard output by /dev/null, where results would be lost without an error.
 #![no_main]
 
 use clap::{Parser, Subcommand, error::ErrorKind};
@@ -34,12 +33,12 @@ enum Command {
     View(view::Arguments),
 }
 
-/// Exit code of a command line that makes no sense, as of most programs.
+/// The exit code for an invalid command line, the same as in most programs.
 const BAD_INPUT: i32 = 2;
 
 eightfold_window::main!(run);
 
-/// The whole program. Returns its exit code.
+/// Runs the program. Returns its exit code.
 fn run(_: eightfold_window::arguments::Arguments) -> i32 {
     let start = Instant::now();
     let lab = match Lab::try_parse() {
@@ -79,12 +78,12 @@ fn run(_: eightfold_window::arguments::Arguments) -> i32 {
     }
 }
 
-/// Prints the help that was asked for, or says in one line what is wrong.
+/// Prints the help, or one line that says what is wrong.
 fn explain(error: &clap::Error) -> i32 {
     let text = error.render();
     if error.use_stderr() && error.kind() != ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let text = text.to_string();
-        // What follows is the usage, and where to find more of it.
+        // The usage and a pointer to the help follow.
         let wrong = text.split("\n\nUsage:").next().unwrap_or(&text);
         let wrong = wrong.split("\n\nFor more").next().unwrap_or(wrong);
         let words: Vec<&str> = wrong.split_whitespace().collect();

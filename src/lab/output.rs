@@ -1,4 +1,4 @@
-//! Where results go: whole files, or nothing.
+//! Writes results: a file appears whole, or not at all.
 
 use anyhow::{Context, Result};
 use std::fs::{self, File, Permissions};
@@ -7,71 +7,73 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use tempfile::NamedTempFile;
 
-/// Writes all of `bytes` to a file, or to standard output where the name is `-`; see [`Sink`].
+/// Writes `bytes` to a file, or to standard output if the name is `-`; see [`Sink`].
 pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
     let mut sink = Sink::open(name)?;
     sink.write(bytes)?;
     sink.finish()
 }
 
-/// A result on its way to a file, or to standard output where the name is `-`.
+/// A result that is being written to a file, or to standard output if the name is `-`.
 ///
-/// A file appears under its name when it is whole and on the disk, and not before: what stood there stays until then,
-/// and for good if something fails. What is no ordinary file (a device, a pipe) is written to as it is.
+/// The file gets its name once it is complete and on the disk. Until then, and if anything fails, a file of that name stays as it was.
+/// Devices and pipes are written to directly.
 pub struct Sink {
-    /// As the user gave it.
+    /// The name as the user gave it.
     name: PathBuf,
-    place: Place,
+    target: Target,
 }
 
-enum Place {
-    /// Standard output, written to as a file: std takes it for written where it is closed.
+enum Target {
+    /// Standard output, as a file: if it is closed, the standard library would report success.
     Output(File),
-    AsItIs(File),
+    /// A device or a pipe.
+    Direct(File),
+    /// A temporary file, and the path that it gets when it is complete.
     Whole(NamedTempFile, PathBuf),
 }
 
 impl Sink {
-    /// Begins a result.
+    /// Opens a result for writing.
     pub fn open(name: &Path) -> Result<Self> {
-        let place = if name == Path::new("-") {
-            Place::Output(standard_output().with_context(|| cannot_write(name))?)
+        let target = if name == Path::new("-") {
+            Target::Output(standard_output().with_context(|| cannot_write(name))?)
         } else {
-            // A link stays a link: what it leads to is written.
+            // A symbolic link stays: the file that it points to is replaced.
             let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
             let opened = match fs::metadata(&path) {
-                Ok(there) if !there.is_file() => open_as_it_is(&path).map(Place::AsItIs),
+                Ok(there) if !there.is_file() => open_directly(&path).map(Target::Direct),
                 there => {
                     let permissions = there.ok().map(|there| there.permissions());
-                    start(&path, permissions, PART).map(|file| Place::Whole(file, path))
+                    start(&path, permissions, PART).map(|file| Target::Whole(file, path))
                 }
             };
             opened.with_context(|| cannot_write(name))?
         };
         let name = name.to_owned();
-        Ok(Self { name, place })
+        Ok(Self { name, target })
     }
 
     /// Writes some more.
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
-        let written = match &mut self.place {
-            Place::Output(file) | Place::AsItIs(file) => file.write_all(bytes),
-            Place::Whole(file, _) => file.write_all(bytes),
+        let written = match &mut self.target {
+            Target::Output(file) | Target::Direct(file) => file.write_all(bytes),
+            Target::Whole(file, _) => file.write_all(bytes),
         };
         written.with_context(|| cannot_write(&self.name))
     }
 
-    /// Gives the result its name, now that it is whole.
+    /// Completes the result: the file gets its name.
     pub fn finish(self) -> Result<()> {
-        match self.place {
-            Place::Whole(file, path) => {
+        match self.target {
+            Target::Whole(file, path) => {
                 persist(file, &path).with_context(|| cannot_write(&self.name))
             }
-            Place::AsItIs(_) => {
+            Target::Direct(_) => {
                 note(&self.name);
                 Ok(())
             }
-            Place::Output(_) => Ok(()),
+            Target::Output(_) => Ok(()),
         }
     }
 }
@@ -82,13 +84,13 @@ fn standard_output() -> io::Result<File> {
     Ok(io::stdout().as_fd().try_clone_to_owned()?.into())
 }
 
-/// Set for a lab that writes what another one only reads: it does not say what it wrote.
+/// The environment variable that keeps the lab from printing what it wrote, for one that runs inside of another.
 pub const QUIET: &str = "EIGHTFOLD_LAB_QUIET";
 
-/// The files that have been written: how many, and the first one's name.
+/// The number of files written, and the name of the first.
 static WRITTEN: Mutex<(usize, String)> = Mutex::new((0, String::new()));
 
-/// Keeps in mind that a file has been written.
+/// Records that a file has been written.
 fn note(path: &Path) {
     let mut written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
     let (count, first) = &mut *written;
@@ -98,7 +100,7 @@ fn note(path: &Path) {
     *count += 1;
 }
 
-/// What this process has written to files, in words; `None` if nothing.
+/// The files that this process has written, in words; `None` if there are none.
 pub fn written() -> Option<String> {
     let written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
     match &*written {
@@ -108,13 +110,12 @@ pub fn written() -> Option<String> {
     }
 }
 
-/// A file that another program fills under the name of `path()`, and that appears under its own name by
-/// [`persist`]; until then its name ends in `suffix`.
+/// A temporary file that another program writes to. Its name ends in `suffix` until [`persist`] gives it its own.
 pub fn start_for_another(name: &Path, suffix: &str) -> Result<NamedTempFile> {
     start(name, None, suffix).with_context(|| cannot_write(name))
 }
 
-/// Gives a whole file its name, once it is on the disk.
+/// Gives a complete file its name, once it is on the disk.
 pub fn persist(file: NamedTempFile, path: &Path) -> io::Result<()> {
     file.as_file().sync_all()?;
     file.persist(path)?;
@@ -122,7 +123,7 @@ pub fn persist(file: NamedTempFile, path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// What goes before the reason.
+/// The message in front of the reason.
 fn cannot_write(name: &Path) -> String {
     if name == Path::new("-") {
         "cannot write to standard output".to_owned()
@@ -131,29 +132,29 @@ fn cannot_write(name: &Path) -> String {
     }
 }
 
-/// Whether a name could be written to, to be known before much work is done for it.
+/// Checks that a file can be written, before much work is done for it.
 pub fn check(name: &Path) -> Result<()> {
     if name == Path::new("-") {
         return Ok(());
     }
     let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
     let checked = match fs::metadata(&path) {
-        Ok(there) if there.is_dir() => open_as_it_is(&path).map(drop),
-        // Who listens at a pipe's other end would hear it being opened.
+        Ok(there) if there.is_dir() => open_directly(&path).map(drop),
+        // Opening a pipe would wake up its reader.
         Ok(there) if !there.is_file() => Ok(()),
         _ => start(&path, None, PART).map(drop),
     };
     checked.with_context(|| cannot_write(name))
 }
 
-fn open_as_it_is(path: &Path) -> io::Result<File> {
+fn open_directly(path: &Path) -> io::Result<File> {
     File::options().write(true).open(path)
 }
 
-/// How the name of a file that is not whole yet ends.
+/// The suffix of incomplete files.
 const PART: &str = ".part";
 
-/// An empty file next to where it will be; gone when it is dropped.
+/// An empty temporary file next to its final path. It is deleted when dropped.
 fn start(path: &Path, permissions: Option<Permissions>, suffix: &str) -> io::Result<NamedTempFile> {
     if path.file_name().is_none() {
         return Err(io::Error::new(
@@ -167,7 +168,7 @@ fn start(path: &Path, permissions: Option<Permissions>, suffix: &str) -> io::Res
     };
     let mut builder = tempfile::Builder::new();
     builder.prefix(".lab-").suffix(suffix);
-    // Readable by others, as their umask has it, unless the file was there and said otherwise.
+    // The permissions of the file that is replaced, or those of any new file.
     #[cfg(unix)]
     builder.permissions(
         permissions.unwrap_or_else(|| std::os::unix::fs::PermissionsExt::from_mode(0o666)),

@@ -1,4 +1,5 @@
-//! What a frame was made of, drawn over it: the points traced, the squares, the rays of each point, the error.
+//! Pictures of how a frame was drawn: its points, its squares, the rays of each point, its error. Coordinates are pixels of the
+//! picture.
 
 use crate::error::worst_channel;
 use crate::studio::Studio;
@@ -8,33 +9,33 @@ use eightfold::{Band, Counts, Level, Quality, Worker, render_observed};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-/// How a frame came about.
-pub struct Trail {
+/// Records the points and squares of a frame.
+pub struct FrameTrace {
     width: usize,
     height: usize,
-    /// For each pixel the rays of the point traced there, shadow rays among them; 0: not traced.
+    /// For each pixel, the number of rays, shadow rays included, of the point traced there; 0 if none was.
     rays: Vec<AtomicU32>,
-    /// For each pixel the square whose upper left corner it is, `w << 16 | h << 8 | fill`; 0: none.
+    /// For each pixel, the square with its upper left corner there, as `w << 16 | h << 8 | fill`; 0 if there is none.
     squares: Vec<AtomicU32>,
 }
 
-/// A square as it was drawn, cut to the picture.
+/// A square of the frame, clipped to the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Drawn {
     pub x: usize,
     pub y: usize,
     pub w: usize,
     pub h: usize,
-    /// Its larger side before it was cut.
+    /// The larger side before clipping.
     pub side: usize,
     pub fill: Fill,
 }
 
-/// The kinds of fill by number, so that 0 is none.
+/// The kinds of fill, numbered from 1.
 const FILLS: [Fill; 4] = [Fill::Flat, Fill::Bilinear, Fill::Patterned, Fill::Points];
 
-impl Trail {
-    /// Of a frame of this size, before it is drawn.
+impl FrameTrace {
+    /// An empty record for a frame of this size.
     pub fn new(width: usize, height: usize) -> Self {
         let zeros = || (0..width * height).map(|_| AtomicU32::new(0)).collect();
         Self {
@@ -45,19 +46,19 @@ impl Trail {
         }
     }
 
-    /// Forgets the frame.
+    /// Empties the record.
     pub fn clear(&mut self) {
         for count in self.rays.iter_mut().chain(&mut self.squares) {
             *count.get_mut() = 0;
         }
     }
 
-    /// For each pixel the rays of the point traced there, with its shadow rays; 0 where none was.
+    /// For each pixel, the number of rays, shadow rays included, of the point traced there; 0 if none was.
     pub fn rays(&self) -> impl Iterator<Item = u32> {
         self.rays.iter().map(|rays| rays.load(Relaxed))
     }
 
-    /// The squares that make up the picture, row by row of their upper left corners.
+    /// The squares of the picture, in the order of their upper left corners.
     pub fn squares(&self) -> impl Iterator<Item = Drawn> {
         let words = self.squares.iter().map(|word| word.load(Relaxed));
         words
@@ -77,7 +78,7 @@ impl Trail {
             })
     }
 
-    /// Darkens the frame but for the points that were traced, which become white.
+    /// Darkens the frame and makes traced points white.
     pub fn draw_points(&self, pixels: &mut [u32]) {
         for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
             *pixel = if rays > 0 {
@@ -88,11 +89,11 @@ impl Trail {
         }
     }
 
-    /// Replaces the frame by its squares, each in the colour of its size, with an edge to the left and above.
+    /// Replaces the frame by its squares, coloured by size, with dark left and upper edges.
     pub fn draw_squares(&self, pixels: &mut [u32]) {
         for square in self.squares() {
             let colour = square_colour(square.side);
-            // An edge would be all there is of a smaller one.
+            // A smaller square would be all edge.
             let edge = if square.side > 2 {
                 (colour >> 1) & 0x007f_7f7f
             } else {
@@ -106,7 +107,7 @@ impl Trail {
         }
     }
 
-    /// Replaces the frame by the rays of each point traced, from black for none to white for `most` or more.
+    /// Replaces the frame by the number of rays of each point, from black for none to white for `most` and more.
     pub fn draw_heat(&self, pixels: &mut [u32], most: u32) {
         for (pixel, rays) in pixels.iter_mut().zip(self.rays()) {
             *pixel = heat(rays as f32 / most as f32);
@@ -114,7 +115,7 @@ impl Trail {
     }
 }
 
-impl Observer for &Trail {
+impl Observer for &FrameTrace {
     fn point(self, x: usize, y: usize, work: Counts) {
         if x < self.width && y < self.height {
             let rays = (work.rays + work.shadow_rays) as u32;
@@ -132,25 +133,25 @@ impl Observer for &Trail {
 }
 
 impl Studio {
-    /// Draws a frame like [`Studio::draw`], and notes in an empty trail how it came about.
+    /// Draws a frame like [`Studio::draw`], and records it in an empty trace.
     pub fn draw_observed(
         &mut self,
         level: Level,
         scene: &Scene,
         quality: &Quality,
-        trail: &Trail,
+        trace: &FrameTrace,
         pixels: &mut [u32],
     ) -> Counts {
         render_observed(
             level,
             scene,
             quality,
-            trail.width,
-            trail.height,
+            trace.width,
+            trace.height,
             &mut self.memory,
             &mut self.workers,
             pixels,
-            trail,
+            trace,
             |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
                 self.pool.run(workers, bands, job);
             },
@@ -160,21 +161,21 @@ impl Studio {
 
 const WHITE: u32 = 0x00ff_ffff;
 
-/// The colour of a square of this side: the darker, the larger, so that what cost much is bright.
+/// The colour of a square with this side: small squares, which cost more, are brighter.
 pub fn square_colour(side: usize) -> u32 {
     let halvings = (Quality::MAX_SQUARE / side.max(1)).max(1).ilog2();
     heat(0.12 + 0.83 * halvings as f32 / Quality::MAX_SQUARE.ilog2() as f32)
 }
 
-/// Replaces a frame by how far it is from the exhaustive one: from black for not at all to white for `most` of 255 or
-/// more in a channel.
+/// Replaces a frame by its error against the exhaustive frame, from black for none to white for `most` steps of 1/255 and more in a
+/// channel.
 pub fn draw_error(pixels: &mut [u32], exhaustive: &[u32], most: u32) {
     for (pixel, &exhaustive) in pixels.iter_mut().zip(exhaustive) {
         *pixel = heat(worst_channel(*pixel, exhaustive) as f32 / most as f32);
     }
 }
 
-/// A share of 1 as a colour, darkest for 0, brightest for 1 and more: the scale called magma, which the eye sees as even.
+/// The colour for a number from 0, darkest, to 1, brightest: the perceptually uniform colour map "magma".
 pub fn heat(share: f32) -> u32 {
     static SCALE: LazyLock<Vec<u32>> = LazyLock::new(|| {
         let bytes = nv_flip::magma_lut().to_vec();

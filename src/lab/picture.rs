@@ -1,23 +1,22 @@
-//! Pictures as PNG files.
+//! Writes and checks PNG files.
 
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
 use std::io::Cursor;
 
-/// The keyword of the text in a picture that says how it was made.
+/// The keyword of the text chunk that describes how the picture was made.
 const KEYWORD: &str = "Source";
 
-/// A picture in `0x00RRGGBB`, row after row, as the bytes of a PNG file.
+/// Encodes a picture of `0x00RRGGBB` pixels, row by row, as a PNG file.
 pub fn png(width: usize, pixels: &[u32]) -> Result<Vec<u8>, EncodingError> {
     encode(width, pixels, None)
 }
 
-/// As [`png()`], with a line in ASCII that says how the picture was made.
+/// The same as [`png()`], with a line of ASCII text that describes how the picture was made.
 pub fn png_of(width: usize, pixels: &[u32], made: &str) -> Result<Vec<u8>, EncodingError> {
     encode(width, pixels, Some(made))
 }
 
-/// Whether these are the bytes of a whole PNG file that says it was made so: every pixel is there, and every checksum
-/// fits.
+/// Whether these bytes are a complete PNG file with the given description: all pixels are there, and all checksums are right.
 pub fn is_whole(bytes: &[u8], made: &str) -> bool {
     let Ok(mut reader) = png::Decoder::new(Cursor::new(bytes)).read_info() else {
         return false;

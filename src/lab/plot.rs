@@ -1,4 +1,4 @@
-//! Charts as SVG and as PNG, with a font of their own: the machine needs none.
+//! Draws charts as SVG and PNG. The font comes with the program, so that the system needs none.
 
 use crate::{output, picture};
 use anyhow::{Result, anyhow};
@@ -11,21 +11,22 @@ use plotters::style::{FontStyle, register_font};
 use std::path::Path;
 use std::sync::Once;
 
-/// Width and height of a chart in the units of an SVG.
+/// The width and height of a chart, in units of the SVG.
 const SIZE: (u32, u32) = (960, 600);
-/// Pixels of a PNG for each of those units: charts are looked at on screens of many pixels too.
+/// Pixels of the PNG per unit, for high-resolution screens.
 const PIXELS: u32 = 2;
-/// Each of them is the mean of so many by so many, which smooths what the bitmap leaves jagged.
+/// Samples per pixel along each axis: the bitmap backend does not antialias.
 const SAMPLES: u32 = 2;
-/// Width of the legend beside a chart, and of a legend with a list.
+/// The width of the legend beside a chart, in units.
 const LEGEND: u32 = 130;
+/// The width of a legend with a list under it.
 const LIST: u32 = 210;
 
 const INK: RGBColor = RGBColor(34, 34, 34);
 const PALE: RGBColor = RGBColor(225, 225, 225);
-/// For what others are held to.
+/// The colour of the reference.
 pub const DARK: RGBColor = RGBColor(90, 90, 90);
-/// What few will take for another: after Okabe and Ito's colours for all kinds of sight.
+/// Colours that people with colour blindness can distinguish, too (Okabe and Ito).
 pub const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -34,54 +35,55 @@ pub const COLOURS: [RGBColor; 6] = [
     RGBColor(230, 159, 0),
     RGBColor(86, 180, 233),
 ];
-/// For what stays in the background.
+/// The colour of points in the background.
 pub const GREY: RGBColor = RGBColor(170, 170, 170);
 
-/// A chart: two axes, what is drawn between them, and a list to the right.
+/// A chart with two axes, a legend, and a list under the legend.
 pub struct Chart {
     pub title: String,
+    /// The line under the title.
     pub note: String,
     pub x: Axis,
     pub y: Axis,
     pub series: Vec<Series>,
     pub labels: Vec<Label>,
-    /// Lines under the legend, to the right of the chart.
+    /// The lines of text under the legend.
     pub list: Vec<String>,
 }
 
-/// Text beside a point.
+/// A text beside a point of the chart.
 #[derive(Clone)]
 pub struct Label {
     pub x: f64,
     pub y: f64,
     pub text: String,
-    /// Below and to the left, not above and to the right.
+    /// Whether it is below the point and to its left, instead of above and to its right.
     pub is_below: bool,
 }
 
-/// One of the two axes.
+/// An axis of a chart.
 pub struct Axis {
     pub label: String,
     pub from: f64,
     pub to: f64,
-    /// Each tenfold is as long as the next.
+    /// Whether the scale is logarithmic; `from` and `to` are then logarithms to base 10.
     pub is_log: bool,
     pub ticks: Vec<f64>,
 }
 
-/// Points of one colour.
+/// A series of points in one colour.
 pub struct Series {
-    /// What the legend calls it.
+    /// The name in the legend.
     pub name: String,
     pub colour: RGBColor,
     pub points: Vec<(f64, f64)>,
     pub has_line: bool,
-    /// Radius of the points' marks; 0: none.
+    /// The radius of the points' marks; 0 for none.
     pub mark: u32,
 }
 
 impl Axis {
-    /// Even steps that take in all values, at most `most` of them.
+    /// A linear axis that contains all values, with about `most` steps of a round size.
     pub fn linear(label: &str, values: impl Iterator<Item = f64>, most: usize) -> Self {
         let (low, high) = range(values);
         let rough = ((high - low) / most as f64).max(1e-9);
@@ -104,12 +106,12 @@ impl Axis {
         }
     }
 
-    /// The same axis, without what lies beyond the last value.
+    /// The same axis, ending at `last`.
     pub fn up_to(self, last: f64) -> Self {
         Self { to: last, ..self }
     }
 
-    /// Ticks at the given values, which have to be above 0.
+    /// A logarithmic axis that contains all values, with the given ticks. All have to be above 0.
     pub fn log(label: &str, values: impl Iterator<Item = f64>, ticks: Vec<f64>) -> Self {
         let (low, high) = range(values);
         Self {
@@ -121,29 +123,29 @@ impl Axis {
         }
     }
 
-    /// Where a value is along the axis.
-    fn place(&self, value: f64) -> f64 {
+    /// The coordinate of a value along the axis.
+    fn coordinate(&self, value: f64) -> f64 {
         if self.is_log { value.log10() } else { value }
     }
 
     fn scale(&self) -> Scale {
-        let ticks = self.ticks.iter().map(|&tick| self.place(tick));
+        let ticks = self.ticks.iter().map(|&tick| self.coordinate(tick));
         Scale {
-            places: (self.from..self.to).into(),
+            range: (self.from..self.to).into(),
             ticks: ticks
                 .filter(|tick| (self.from..=self.to).contains(tick))
                 .collect(),
         }
     }
 
-    /// A tick's text.
-    fn text(&self, place: f64) -> String {
+    /// The text at a coordinate of the axis.
+    fn text(&self, coordinate: f64) -> String {
         let value = if self.is_log {
-            10_f64.powf(place)
+            10_f64.powf(coordinate)
         } else {
-            place
+            coordinate
         };
-        // Ten digits take back what the logarithm has rounded.
+        // Removes the rounding error of the logarithm.
         let value = (value * 1e6).round() / 1e6;
         if value >= 1e6 {
             format!("{} M", (value / 1e5).round() / 10.0)
@@ -229,18 +231,18 @@ impl Chart {
             .draw()?;
         self.draw_grid(&mut chart, scale)?;
         for series in &self.series {
-            let places = series.points.iter();
-            let places: Vec<(f64, f64)> = places
+            let points = series.points.iter();
+            let points: Vec<(f64, f64)> = points
                 .filter(|(x, y)| x.is_finite() && y.is_finite())
-                .map(|&(x, y)| (self.x.place(x), self.y.place(y)))
+                .map(|&(x, y)| (self.x.coordinate(x), self.y.coordinate(y)))
                 .collect();
             let (colour, mark) = (series.colour, series.mark * scale);
             if series.has_line {
                 let style = colour.stroke_width(2 * scale);
-                chart.draw_series(LineSeries::new(places.iter().copied(), style))?;
+                chart.draw_series(LineSeries::new(points.iter().copied(), style))?;
             }
-            let marks = places.into_iter();
-            chart.draw_series(marks.map(|place| Circle::new(place, mark, colour.filled())))?;
+            let marks = points.into_iter();
+            chart.draw_series(marks.map(|point| Circle::new(point, mark, colour.filled())))?;
         }
         for label in &self.labels {
             let (horizontal, vertical, offset) = if label.is_below {
@@ -249,14 +251,14 @@ impl Chart {
                 (HPos::Left, VPos::Bottom, at(5, -3, scale))
             };
             let style = text(12, scale, FontStyle::Normal).pos(Pos::new(horizontal, vertical));
-            let place = (self.x.place(label.x), self.y.place(label.y));
+            let point = (self.x.coordinate(label.x), self.y.coordinate(label.y));
             let text = Text::new(label.text.clone(), offset, style);
-            chart.draw_series([EmptyElement::at(place) + text])?;
+            chart.draw_series([EmptyElement::at(point) + text])?;
         }
         Ok(())
     }
 
-    /// What the colours stand for, and the list under it.
+    /// Draws the legend, and the list under it.
     fn draw_legend<DB: DrawingBackend>(
         &self,
         area: &DrawingArea<DB, Shift>,
@@ -278,7 +280,7 @@ impl Chart {
         Ok(())
     }
 
-    /// A pale line at each tick.
+    /// Draws a pale line at each tick.
     fn draw_grid<DB: DrawingBackend>(
         &self,
         chart: &mut Cartesian<'_, DB>,
@@ -286,15 +288,15 @@ impl Chart {
     ) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
         let style = PALE.stroke_width(scale);
         let (x, y) = (&self.x, &self.y);
-        let inside = |axis: &Axis, place: f64| axis.from < place && place <= axis.to;
-        let columns = x.ticks.iter().map(|&tick| x.place(tick));
-        let rows = y.ticks.iter().map(|&tick| y.place(tick));
+        let inside = |axis: &Axis, tick: f64| axis.from < tick && tick <= axis.to;
+        let columns = x.ticks.iter().map(|&tick| x.coordinate(tick));
+        let rows = y.ticks.iter().map(|&tick| y.coordinate(tick));
         let columns = columns
-            .filter(|&place| inside(x, place))
-            .map(|place| PathElement::new([(place, y.from), (place, y.to)], style));
+            .filter(|&tick| inside(x, tick))
+            .map(|tick| PathElement::new([(tick, y.from), (tick, y.to)], style));
         let rows = rows
-            .filter(|&place| inside(y, place))
-            .map(|place| PathElement::new([(x.from, place), (x.to, place)], style));
+            .filter(|&tick| inside(y, tick))
+            .map(|tick| PathElement::new([(x.from, tick), (x.to, tick)], style));
         chart.draw_series(columns.chain(rows))?;
         Ok(())
     }
@@ -302,9 +304,9 @@ impl Chart {
 
 type Cartesian<'a, DB> = ChartContext<'a, DB, Cartesian2d<Scale, Scale>>;
 
-/// An axis as the chart library takes it: with ticks where they are wanted.
+/// An axis for the chart library, with explicit ticks.
 struct Scale {
-    places: RangedCoordf64,
+    range: RangedCoordf64,
     ticks: Vec<f64>,
 }
 
@@ -313,7 +315,7 @@ impl Ranged for Scale {
     type FormatOption = DefaultFormatting;
 
     fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
-        self.places.map(value, limit)
+        self.range.map(value, limit)
     }
 
     fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
@@ -321,11 +323,11 @@ impl Ranged for Scale {
     }
 
     fn range(&self) -> std::ops::Range<f64> {
-        self.places.range()
+        self.range.range()
     }
 }
 
-/// Text of so many units.
+/// A text style of a size in units.
 pub fn text(size: u32, scale: u32, style: FontStyle) -> TextStyle<'static> {
     let size = f64::from(size * scale);
     FontDesc::new(FontFamily::SansSerif, size, style).color(&INK)
@@ -335,7 +337,7 @@ fn at(x: i32, y: i32, scale: u32) -> (i32, i32) {
     (x * scale as i32, y * scale as i32)
 }
 
-/// Makes the charts' font known; to be called before any text is drawn.
+/// Registers the font. This has to be called before any text is drawn.
 pub fn register_fonts() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
@@ -344,12 +346,12 @@ pub fn register_fonts() {
             (FontStyle::Bold, ttf_noto_sans::BOLD),
         ] {
             let registered = register_font("sans-serif", style, font);
-            assert!(registered.is_ok(), "the font is one");
+            assert!(registered.is_ok(), "the font is valid");
         }
     });
 }
 
-/// Pixels, `0x00RRGGBB`, of which each is the mean of `by` times `by` of a bitmap `width` wide.
+/// Reduces an RGB bitmap, `width` pixels wide: each `0x00RRGGBB` pixel of the result is the mean of `by` times `by` pixels.
 pub fn smoothed(rgb: &[u8], width: usize, by: usize) -> Vec<u32> {
     let columns = width / by;
     let rows = rgb.len() / (3 * width * by);

@@ -1,9 +1,10 @@
-//! How far a command is, for somebody who watches.
+//! Progress bars.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, stderr};
 
-/// A bar on a terminal, none elsewhere. It has no thread of its own, which would disturb what is measured.
+/// A progress bar if standard error is a terminal, otherwise a hidden one. It has no thread of its own, which would disturb
+/// measurements.
 pub fn bar(steps: usize) -> ProgressBar {
     if !stderr().is_terminal() {
         return ProgressBar::hidden();

@@ -1,9 +1,9 @@
-//! Frames a second.
+//! Frame rates.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// Frames a second, as a fraction.
+/// A frame rate in frames per second, as a fraction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rate {
     pub num: u32,
@@ -11,12 +11,12 @@ pub struct Rate {
 }
 
 impl Rate {
-    /// Frames a second that nobody needs more of.
+    /// The largest frame rate.
     const MOST: u32 = 1000;
-    /// The largest part of a fraction; 1001 is the one that is in use.
+    /// The largest numerator and denominator. The largest denominator in common use is 1001.
     const LARGEST: u32 = 1_000_000;
 
-    /// As a number.
+    /// The rate as a number.
     pub fn hertz(self) -> f64 {
         f64::from(self.num) / f64::from(self.den)
     }

@@ -1,4 +1,4 @@
-//! `lab release`: the intro and what is to be read with it, in one file.
+//! `lab release`: packs the intro and its text file into a zip.
 
 use crate::{cargo, output};
 use anyhow::{Context, Result, bail};
@@ -25,17 +25,18 @@ pub struct Arguments {
 /// The limit of a 64 kB intro, in bytes.
 const LIMIT: usize = 65_536;
 
-/// What is to be read before it is played.
+/// The text file that comes with the intro.
 const NFO: &[u8] = include_bytes!("../eightfold.nfo");
 
-/// Zopfli with 15 rounds, its own usual number: the smallest that deflate gets, in a second.
+/// The zip library's level for zopfli with 15 iterations, its default: nearly the smallest that deflate can produce, in a second.
 const LEVEL: i64 = 24;
 
-/// May be read by everybody, and the program run.
+/// Unix permissions of the text file: readable by everybody.
 const TEXT: u32 = 0o644;
+/// Unix permissions of the program: executable by everybody.
 const PROGRAM: u32 = 0o755;
 
-/// Builds, checks and packs.
+/// Builds the intro, checks its size and packs it.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let path = match &arguments.intro {
         Some(path) => path.clone(),
@@ -71,17 +72,17 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
 }
 
-/// Where a zip goes: `target` for `target/release/eightfold`.
+/// The default path of the zip: in `target` for `target/release/eightfold`.
 fn beside(program: &Path) -> PathBuf {
     let folder = program.parent().and_then(Path::parent);
     folder.unwrap_or(Path::new("")).join("eightfold.zip")
 }
 
-/// A zip of files: their names, bytes, and who may read and run them.
+/// Packs files, given by name, contents and permissions, into a zip.
 fn pack(files: &[(&str, &[u8], u32)]) -> Result<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     for &(name, bytes, permissions) in files {
-        // Of no time but the first that a zip knows.
+        // A constant time, the earliest in a zip, so that the same files always give the same zip.
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Deflated)
             .compression_level(Some(LEVEL))

@@ -1,4 +1,4 @@
-//! `lab render`: one frame as a PNG file.
+//! `lab render`: draws one frame into a PNG file.
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::scenes::SceneName;
@@ -14,7 +14,7 @@ use std::thread::available_parallelism;
 #[derive(Args)]
 pub struct Arguments {
     /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:field, show:finale
+    /// show:colonnade, show:machine, show:swarm, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Seconds since the scene's start
@@ -40,7 +40,7 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// Draws the frame and writes it.
+/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let threads = arguments
         .threads

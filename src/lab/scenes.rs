@@ -1,18 +1,18 @@
-//! Scenes by name: the show, the scenes that it is made of, and those that stand alone.
+//! Scenes by name: the show, its scenes, and the scenes that serve measurements.
 
 use eightfold::scene::{MAX_SPHERES, Method, Scene};
 use eightfold::show::{self, grid};
 use std::fmt;
 use std::str::FromStr;
 
-/// The scenes of the show, which begin at [`grid::CUTS`].
-pub const PARTS: [&str; grid::CUTS.len()] = [
+/// The names of the show's scenes, which begin at [`grid::CUTS`].
+pub const SHOW_SCENES: [&str; grid::CUTS.len()] = [
     "title",
     "model",
     "method",
     "colonnade",
     "machine",
-    "field",
+    "swarm",
     "finale",
 ];
 
@@ -21,22 +21,22 @@ pub const PARTS: [&str; grid::CUTS.len()] = [
 pub enum SceneName {
     /// The whole show.
     Show,
-    /// The scene of the show with this place in [`PARTS`].
-    Part(usize),
-    /// The scene of every measurement.
+    /// A scene of the show, as an index in [`SHOW_SCENES`].
+    ShowScene(usize),
+    /// The model scene.
     Model,
-    /// A field of so many small spheres.
+    /// A field with a number of small spheres.
     Field(usize),
 }
 
 impl SceneName {
-    /// What is drawn `time` seconds after its start.
+    /// The scene `time` seconds after its start.
     pub fn at(self, time: f32) -> Scene {
         match self {
             Self::Model => show::scene(time),
             Self::Field(count) => show::field(count, time),
-            Self::Show | Self::Part(_) => {
-                // There is nothing before the show and after it.
+            Self::Show | Self::ShowScene(_) => {
+                // Before the show and after it, its first and its last moment are drawn.
                 let time = self.start().unwrap_or(0.0) + time;
                 let mut scene = Scene::default();
                 show::at(time.clamp(0.0, grid::SHOW_LENGTH), &mut scene);
@@ -45,27 +45,27 @@ impl SceneName {
         }
     }
 
-    /// As [`Self::at`], without the marks of how it is drawn: those of one quality are no errors of another.
-    pub fn unmarked(self, time: f32) -> Scene {
+    /// The same without the overlay that explains the method: since it differs between qualities, it would count as an error.
+    pub fn without_overlay(self, time: f32) -> Scene {
         let mut scene = self.at(time);
         scene.method = Method::default();
         scene
     }
 
-    /// When it starts in the show, in seconds, if it is played to the soundtrack.
+    /// The time at which it starts in the show, in seconds; `None` if it is not part of the show.
     pub fn start(self) -> Option<f32> {
         match self {
             Self::Show => Some(0.0),
-            Self::Part(part) => Some(grid::CUTS[part] as f32 * grid::BAR),
+            Self::ShowScene(part) => Some(grid::CUTS[part] as f32 * grid::BAR),
             Self::Model | Self::Field(_) => None,
         }
     }
 
-    /// Seconds until it ends, or begins again.
+    /// Its length in seconds.
     pub fn length(self) -> f32 {
         match self {
             Self::Show => grid::SHOW_LENGTH,
-            Self::Part(part) => {
+            Self::ShowScene(part) => {
                 let end = grid::CUTS.get(part + 1).unwrap_or(&grid::BARS);
                 (end - grid::CUTS[part]) as f32 * grid::BAR
             }
@@ -73,10 +73,10 @@ impl SceneName {
         }
     }
 
-    /// The scenes of the show in their order, or this one alone.
-    pub fn parts(self) -> Vec<Self> {
+    /// For the show, all its scenes in order; otherwise this scene alone.
+    pub fn split(self) -> Vec<Self> {
         match self {
-            Self::Show => (0..PARTS.len()).map(Self::Part).collect(),
+            Self::Show => (0..SHOW_SCENES.len()).map(Self::ShowScene).collect(),
             _ => vec![self],
         }
     }
@@ -88,15 +88,15 @@ impl FromStr for SceneName {
     fn from_str(name: &str) -> Result<Self, String> {
         let part = name
             .strip_prefix("show:")
-            .and_then(|name| PARTS.iter().position(|part| *part == name));
+            .and_then(|name| SHOW_SCENES.iter().position(|part| *part == name));
         let count = name.strip_prefix("field:").map(str::parse::<usize>);
         match (name, part, count) {
             ("show", ..) => Ok(Self::Show),
             ("model", ..) => Ok(Self::Model),
-            (_, Some(part), _) => Ok(Self::Part(part)),
+            (_, Some(part), _) => Ok(Self::ShowScene(part)),
             (_, _, Some(Ok(count))) if (1..=MAX_SPHERES).contains(&count) => Ok(Self::Field(count)),
             _ => {
-                let parts = PARTS.map(|part| format!("show:{part}")).join(", ");
+                let parts = SHOW_SCENES.map(|part| format!("show:{part}")).join(", ");
                 Err(format!(
                     "takes model, field:N for N small spheres, 1 to {MAX_SPHERES}, show, or one of its scenes: {parts}"
                 ))
@@ -109,7 +109,7 @@ impl fmt::Display for SceneName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Show => write!(f, "show"),
-            Self::Part(part) => write!(f, "show:{}", PARTS[*part]),
+            Self::ShowScene(part) => write!(f, "show:{}", SHOW_SCENES[*part]),
             Self::Model => write!(f, "model"),
             Self::Field(count) => write!(f, "field:{count}"),
         }

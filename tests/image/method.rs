@@ -4,7 +4,7 @@
 
 use crate::cpu;
 use crate::drawn::draw;
-use crate::overlay::Trail;
+use crate::overlay::FrameTrace;
 use crate::studio::Studio;
 use eightfold::observe::Fill;
 use eightfold::scene::{Method, Scene};
@@ -27,20 +27,20 @@ fn marked(points: f32, squares: f32) -> Scene {
 }
 
 /// Draws on two threads, and hears how.
-fn draw_heard(scene: &Scene, quality: &Quality) -> (Vec<u32>, Trail) {
+fn draw_heard(scene: &Scene, quality: &Quality) -> (Vec<u32>, FrameTrace) {
     let (width, height) = SIZE;
-    let trail = Trail::new(width, height);
+    let trace = FrameTrace::new(width, height);
     let mut pixels = vec![0; width * height];
-    Studio::new(2).draw_observed(cpu::best().level, scene, quality, &trail, &mut pixels);
-    (pixels, trail)
+    Studio::new(2).draw_observed(cpu::best().level, scene, quality, &trace, &mut pixels);
+    (pixels, trace)
 }
 
 #[test]
 fn marks_lie_exactly_where_points_are_traced() {
     for quality in Quality::LADDER {
-        let (pixels, trail) = draw_heard(&marked(1.0, 0.0), quality);
+        let (pixels, trace) = draw_heard(&marked(1.0, 0.0), quality);
         let mut count = 0;
-        for (i, (&pixel, rays)) in pixels.iter().zip(trail.rays()).enumerate() {
+        for (i, (&pixel, rays)) in pixels.iter().zip(trace.rays()).enumerate() {
             // What the band above alone traced of the row that both share has no mark.
             if (i / SIZE.0).is_multiple_of(32) && pixel == 0 {
                 continue;
@@ -56,9 +56,9 @@ fn marks_lie_exactly_where_points_are_traced() {
 #[test]
 fn lines_are_the_upper_and_left_sides_of_filled_squares() {
     let (width, height) = SIZE;
-    let (pixels, trail) = draw_heard(&marked(0.0, 1.0), &Quality::DEFAULT);
+    let (pixels, trace) = draw_heard(&marked(0.0, 1.0), &Quality::DEFAULT);
     let mut expected = vec![0; width * height];
-    for square in trail.squares().filter(|square| square.fill != Fill::Points) {
+    for square in trace.squares().filter(|square| square.fill != Fill::Points) {
         for y in square.y..square.y + square.h {
             for x in square.x..square.x + square.w {
                 if x == square.x || y == square.y {

@@ -3,7 +3,7 @@
 //! Of the feature `lab`, as observers are.
 
 use crate::cpu;
-use crate::overlay::{Trail, draw_error, heat};
+use crate::overlay::{FrameTrace, draw_error, heat};
 use crate::studio::Studio;
 use eightfold::observe::{Fill, Observer};
 use eightfold::{Band, Counts, Quality, Worker, render_observed, show};
@@ -42,8 +42,8 @@ fn a_frame_is_the_same_whoever_listens() {
         for quality in qualities().chain([smooth]) {
             // Counts too: no point depends on what was traced in a frame before.
             let (mut heard, mut unheard) = (vec![0; width * height], vec![1; width * height]);
-            let trail = Trail::new(width, height);
-            let counts = studio.draw_observed(isa.level, &scene, &quality, &trail, &mut heard);
+            let trace = FrameTrace::new(width, height);
+            let counts = studio.draw_observed(isa.level, &scene, &quality, &trace, &mut heard);
             assert_eq!(
                 counts,
                 studio.draw(isa.level, &scene, &quality, width, &mut unheard)
@@ -60,13 +60,13 @@ fn the_points_heard_of_cast_all_the_rays() {
     let scene = show::scene(2.5);
     let mut studio = Studio::new(2);
     let mut pixels = vec![0; width * height];
-    let trail = Trail::new(width, height);
+    let trace = FrameTrace::new(width, height);
     let level = cpu::best().level;
-    let counts = studio.draw_observed(level, &scene, &Quality::EXHAUSTIVE, &trail, &mut pixels);
-    let rays: u64 = trail.rays().map(u64::from).sum();
+    let counts = studio.draw_observed(level, &scene, &Quality::EXHAUSTIVE, &trace, &mut pixels);
+    let rays: u64 = trace.rays().map(u64::from).sum();
     assert_eq!(rays, counts.rays + counts.shadow_rays);
     assert_eq!(
-        trail.rays().filter(|&rays| rays > 0).count(),
+        trace.rays().filter(|&rays| rays > 0).count(),
         width * height
     );
 
@@ -113,11 +113,11 @@ fn squares_cover_each_pixel_once() {
     let scene = show::scene(1.0);
     let mut studio = Studio::new(2);
     for quality in qualities().filter(|quality| quality.square > 1) {
-        let trail = Trail::new(width, height);
+        let trace = FrameTrace::new(width, height);
         let mut pixels = vec![0; width * height];
-        studio.draw_observed(cpu::best().level, &scene, &quality, &trail, &mut pixels);
+        studio.draw_observed(cpu::best().level, &scene, &quality, &trace, &mut pixels);
         let mut covered = vec![0; width * height];
-        for square in trail.squares() {
+        for square in trace.squares() {
             assert!(square.side <= quality.square, "{square:?} by {quality:?}");
             for y in square.y..square.y + square.h {
                 for x in square.x..square.x + square.w {

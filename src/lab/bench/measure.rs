@@ -163,7 +163,7 @@ impl Way {
         width: usize,
         picture: &mut [u32],
     ) -> Counts {
-        let mut scene = scene.unmarked(time);
+        let mut scene = scene.without_overlay(time);
         if self.hard_shadows {
             for light in scene.lights.iter_mut() {
                 light.size = 0.0;

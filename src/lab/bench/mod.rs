@@ -26,7 +26,7 @@ use std::thread::available_parallelism;
 #[derive(Args)]
 pub struct Arguments {
     /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:field, show:finale
+    /// show:colonnade, show:machine, show:swarm, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Width and height in pixels; may be given several times
@@ -130,7 +130,7 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
             hard_shadows,
         })
     });
-    let parts = arguments.scene.parts().into_iter();
+    let parts = arguments.scene.split().into_iter();
     let shots: Vec<Shot> = parts.filter_map(|part| shot(arguments, part)).collect();
     if shots.is_empty() {
         let scene = arguments.scene;

@@ -70,7 +70,7 @@ pub struct Arguments {
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
     /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:field, show:finale
+    /// show:colonnade, show:machine, show:swarm, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Show)]
     scene: SceneName,
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest

@@ -5,7 +5,7 @@ mod sheet;
 use crate::arguments::{self, NamedQuality, Size};
 use crate::error::Difference;
 use crate::flip::Flip;
-use crate::overlay::{Trail, heat};
+use crate::overlay::{FrameTrace, heat};
 use crate::scenes::SceneName;
 use crate::studio::Studio;
 use crate::{output, picture};
@@ -24,7 +24,7 @@ use std::thread::available_parallelism;
 #[derive(Args)]
 pub struct Arguments {
     /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:field, show:finale
+    /// show:colonnade, show:machine, show:swarm, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Seconds since the scene's start
@@ -60,28 +60,28 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 struct Frames {
     exhaustive: Vec<u32>,
     /// Of the exhaustive frame.
-    all: Trail,
+    all: FrameTrace,
     picture: Vec<u32>,
-    trail: Trail,
+    trace: FrameTrace,
 }
 
 fn draw(arguments: &Arguments) -> Vec<Figure> {
     let Size { width, height } = arguments.size;
     let mut studio = Studio::new(available_parallelism().map_or(1, usize::from));
-    let scene = arguments.scene.unmarked(arguments.time);
+    let scene = arguments.scene.without_overlay(arguments.time);
     let mut draw = |quality: &Quality| {
-        let trail = Trail::new(width, height);
+        let trace = FrameTrace::new(width, height);
         let mut pixels = vec![0; width * height];
-        studio.draw_observed(cpu::best().level, &scene, quality, &trail, &mut pixels);
-        (pixels, trail)
+        studio.draw_observed(cpu::best().level, &scene, quality, &trace, &mut pixels);
+        (pixels, trace)
     };
     let (exhaustive, all) = draw(&Quality::EXHAUSTIVE);
-    let (picture, trail) = draw(&arguments.quality.quality);
+    let (picture, trace) = draw(&arguments.quality.quality);
     let frames = Frames {
         exhaustive,
         all,
         picture,
-        trail,
+        trace,
     };
     figures(width, &frames)
 }
@@ -91,7 +91,7 @@ fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
         exhaustive,
         all,
         picture,
-        trail,
+        trace,
     } = frames;
     let over = |draw: &dyn Fn(&mut [u32])| {
         let mut pixels = picture.clone();
@@ -99,10 +99,10 @@ fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
         pixels
     };
     let area = picture.len() as f64;
-    let traced = trail.rays().filter(|&rays| rays > 0).count() as f64 / area;
-    let rays = |trail: &Trail| trail.rays().map(u64::from).sum::<u64>() as f64;
+    let traced = trace.rays().filter(|&rays| rays > 0).count() as f64 / area;
+    let rays = |trace: &FrameTrace| trace.rays().map(u64::from).sum::<u64>() as f64;
     let most = all.rays().max().unwrap_or(1);
-    let squares = trail.squares().count();
+    let squares = trace.squares().count();
     let difference = Difference::between(exhaustive, picture);
     let flip = Flip::between(width, exhaustive, picture);
     let figure = |name, title, caption, pixels| Figure {
@@ -116,7 +116,7 @@ fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
             "points",
             "The points traced",
             format!("{:.1} % of all pixels, white", 100.0 * traced),
-            over(&|pixels| trail.draw_points(pixels)),
+            over(&|pixels| trace.draw_points(pixels)),
         ),
         figure(
             "picture",
@@ -128,16 +128,16 @@ fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
             "squares",
             "The squares by size",
             format!("{squares} squares, the brighter the smaller"),
-            over(&|pixels| trail.draw_squares(pixels)),
+            over(&|pixels| trace.draw_squares(pixels)),
         ),
         figure(
             "rays",
             "Rays of each point traced",
             format!(
                 "{:.1} % of all rays; the brightest: {most} rays",
-                100.0 * rays(trail) / rays(all)
+                100.0 * rays(trace) / rays(all)
             ),
-            over(&|pixels| trail.draw_heat(pixels, most)),
+            over(&|pixels| trace.draw_heat(pixels, most)),
         ),
         figure(
             "rays-exhaustive",

@@ -1,6 +1,6 @@
 //! How loud it is, bar by bar.
 
-use crate::scenes::PARTS;
+use crate::scenes::SHOW_SCENES;
 use anyhow::Result;
 use ebur128::{EbuR128, Mode};
 use eightfold::show::grid::{BARS, CUTS};
@@ -56,7 +56,7 @@ pub fn markdown(samples: &[[f32; 2]]) -> Result<String> {
         let scene = CUTS
             .iter()
             .position(|&cut| cut == bar)
-            .map_or("", |cut| PARTS[cut]);
+            .map_or("", |cut| SHOW_SCENES[cut]);
         writeln!(
             text,
             "| {bar:3} | {scene:>9} | {:9.1} | {:5.1} |",

@@ -96,7 +96,7 @@ impl<'a> Bench<'a> {
         let mut tallies: Vec<Tally> = points.into_iter().map(Tally::new).collect();
         let plan = self.plan;
         // One frame that does not count: threads and memory come to life.
-        self.time_exhaustive(&plan.scene.unmarked(plan.time_from));
+        self.time_exhaustive(&plan.scene.without_overlay(plan.time_from));
         // The first frame is drawn in any case, so that there is something to tell of each point.
         for frame in 0..plan.frames {
             if frame > 0 && interrupt::is_stopped() {
@@ -121,7 +121,7 @@ impl<'a> Bench<'a> {
     /// Draws a frame of each point, in groups between exhaustive frames, and compares.
     fn against_the_clock(&mut self, tallies: &mut [Tally], time: f32) {
         let Size { width, height } = self.plan.size;
-        let scene = self.plan.scene.unmarked(time);
+        let scene = self.plan.scene.without_overlay(time);
         let visible = Visible::new(&scene, width, height);
         let mut before = self.time_exhaustive(&scene);
         for group in tallies.chunks_mut(GROUP) {
@@ -146,7 +146,7 @@ impl<'a> Bench<'a> {
         if interrupt::is_stopped() {
             return;
         }
-        let scene = self.plan.scene.unmarked(time);
+        let scene = self.plan.scene.without_overlay(time);
         self.draw_exhaustive(&scene);
         let width = self.plan.size.width;
         for group in tallies.chunks_mut(GROUP) {
@@ -159,7 +159,7 @@ impl<'a> Bench<'a> {
     }
 
     fn for_flip(&mut self, tallies: &mut [Tally], time: f32) {
-        let scene = self.plan.scene.unmarked(time);
+        let scene = self.plan.scene.without_overlay(time);
         self.draw_exhaustive(&scene);
         let width = self.plan.size.width;
         for group in tallies.chunks_mut(GROUP) {

@@ -40,7 +40,7 @@ use tally::Tally;
 #[derive(Args)]
 pub struct Arguments {
     /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:field, show:finale
+    /// show:colonnade, show:machine, show:swarm, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
     scene: SceneName,
     /// Width and height in pixels [default: 1024x768, with --quick 512x384]

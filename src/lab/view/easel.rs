@@ -3,7 +3,7 @@
 use super::controls::{Controls, Look, MOST_ERROR, MOST_RAYS};
 use crate::arguments::Size;
 use crate::error::Difference;
-use crate::overlay::{Trail, draw_error};
+use crate::overlay::{FrameTrace, draw_error};
 use crate::scenes::SceneName;
 use crate::studio::Studio;
 use eightfold::Quality;
@@ -24,8 +24,8 @@ pub struct Easel {
     /// The same moment with every pixel traced, and whether it is there.
     exhaustive: Vec<u32>,
     has_exhaustive: bool,
-    trail: Trail,
-    trail_size: Size,
+    trace: FrameTrace,
+    trace_size: Size,
     scratch: Vec<u32>,
     pub sight: Sight,
 }
@@ -52,8 +52,8 @@ impl Easel {
             picture: Vec::new(),
             exhaustive: Vec::new(),
             has_exhaustive: false,
-            trail: Trail::new(0, 0),
-            trail_size: Size {
+            trace: FrameTrace::new(0, 0),
+            trace_size: Size {
                 width: 0,
                 height: 0,
             },
@@ -103,20 +103,20 @@ impl Easel {
             Look::Error => return draw_error(&mut self.picture, &self.exhaustive, MOST_ERROR),
             Look::Points | Look::Squares | Look::Heat => {}
         }
-        if self.trail_size == size {
-            self.trail.clear();
+        if self.trace_size == size {
+            self.trace.clear();
         } else {
-            self.trail = Trail::new(size.width, size.height);
-            self.trail_size = size;
+            self.trace = FrameTrace::new(size.width, size.height);
+            self.trace_size = size;
         }
         self.scratch.resize(size.area(), 0);
         let (level, quality) = (self.isa.level, &controls.quality.quality);
         self.studio
-            .draw_observed(level, scene, quality, &self.trail, &mut self.scratch);
+            .draw_observed(level, scene, quality, &self.trace, &mut self.scratch);
         match controls.look {
-            Look::Points => self.trail.draw_points(&mut self.picture),
-            Look::Squares => self.trail.draw_squares(&mut self.picture),
-            _ => self.trail.draw_heat(&mut self.picture, MOST_RAYS),
+            Look::Points => self.trace.draw_points(&mut self.picture),
+            Look::Squares => self.trace.draw_squares(&mut self.picture),
+            _ => self.trace.draw_heat(&mut self.picture, MOST_RAYS),
         }
     }
 }

@@ -26,7 +26,7 @@ use std::time::{Duration, Instant};
 #[command(after_help = format!("Keys:\n{KEYS}"))]
 pub struct Arguments {
     /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:field, show:finale
+    /// show:colonnade, show:machine, show:swarm, show:finale
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Show)]
     scene: SceneName,
     /// Width and height of the window in pixels
