@@ -1,32 +1,32 @@
-//! A PNG file per frame.
+//! Writes one PNG file per frame.
 
-use super::crew::Crew;
 use super::film::Film;
+use super::frame_queue::FrameQueue;
 use crate::{output, picture, progress};
 use anyhow::{Context, Result};
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// The name of a frame's file. The numbers have six digits, so that names sort as frames follow each other.
+/// The path of a frame's file. Numbers have six digits, so that sorting by name sorts by number.
 fn path(folder: &Path, frame: usize) -> PathBuf {
     folder.join(format!("frame-{frame:06}.png"))
 }
 
-/// Draws the frames whose files are not there yet, whole and of the same film.
-pub fn write(crew: &Crew<'_>, frames: Range<usize>, folder: &Path) -> Result<()> {
-    let film = crew.film;
+/// Draws the frames whose files are missing, incomplete or of another film.
+pub fn write(queue: &FrameQueue<'_>, frames: Range<usize>, folder: &Path) -> Result<()> {
+    let film = queue.film;
     fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
     let count = frames.len();
     let bar = progress::bar(count);
-    let missing = missing(crew, frames, folder)?;
+    let missing = missing(queue, frames, folder)?;
     let kept = count - missing.len();
     bar.inc(kept as u64);
-    // A bar that reckoned with what was there already would promise too much.
+    // The estimate of the time left must not count frames that were there already.
     bar.reset_eta();
     let make =
         |frame, pixels: &[u32]| output::write(&path(folder, frame), &png(film, frame, pixels)?);
-    let done = crew.draw(&missing, make, |()| {
+    let done = queue.draw(&missing, make, |()| {
         bar.inc(1);
         Ok(())
     });
@@ -40,18 +40,18 @@ pub fn write(crew: &Crew<'_>, frames: Range<usize>, folder: &Path) -> Result<()>
     Ok(())
 }
 
-/// A frame's file: how it was made is in there.
+/// Encodes a frame, with a description of how it was made.
 fn png(film: &Film, frame: usize, pixels: &[u32]) -> Result<Vec<u8>> {
     let made = film.describe(frame);
     Ok(picture::png_of(film.size.width, pixels, &made)?)
 }
 
-/// The frames whose files are not there, whole and of the same film.
+/// The frames whose files are missing, incomplete or of another film.
 ///
-/// The first and the last of those that are there are drawn again: if they come out otherwise, the tracer has changed
-/// since, and the frames would not fit together.
-fn missing(crew: &Crew<'_>, frames: Range<usize>, folder: &Path) -> Result<Vec<usize>> {
-    let film = crew.film;
+/// The first and the last of the existing frames are drawn again. If they differ, the tracer has changed in between, and all frames are
+/// drawn.
+fn missing(queue: &FrameQueue<'_>, frames: Range<usize>, folder: &Path) -> Result<Vec<usize>> {
+    let film = queue.film;
     let is_whole = |&frame: &usize| {
         let bytes = fs::read(path(folder, frame));
         bytes.is_ok_and(|bytes| picture::is_whole(&bytes, &film.describe(frame)))
@@ -65,7 +65,7 @@ fn missing(crew: &Crew<'_>, frames: Range<usize>, folder: &Path) -> Result<Vec<u
         Ok(bytes == png(film, frame, pixels)?)
     };
     let mut all_fit = true;
-    crew.draw(&[first, last], is_the_same, |fits| {
+    queue.draw(&[first, last], is_the_same, |fits| {
         all_fit &= fits;
         Ok(())
     })?;

@@ -1,4 +1,4 @@
-//! The film: which picture has which number.
+//! The film: the picture for each frame number.
 
 use crate::arguments::{NamedQuality, Size};
 use crate::rate::Rate;
@@ -8,41 +8,41 @@ use eightfold::sound::RATE;
 use eightfold_window::cpu::Isa;
 use std::ops::Range;
 
-/// All that a frame depends on, besides its number: the same bits wherever it is drawn.
+/// Everything that determines a frame's pixels, except its number.
 pub struct Film {
     pub scene: SceneName,
     pub rate: Rate,
     pub size: Size,
     pub quality: NamedQuality,
-    /// A pixel is the mean of so many samples in each direction, 1 to [`MAX_SUPERSAMPLE`].
+    /// The number of samples per pixel along each axis, 1 to [`MAX_SUPERSAMPLE`].
     pub supersample: usize,
     pub isa: Isa,
 }
 
-/// The most samples of a pixel in a direction: 256 of them show every step of an edge in 8 bits.
+/// The most samples per pixel along each axis: 256 samples give every step of an edge in 8 bits.
 pub const MAX_SUPERSAMPLE: usize = 16;
 
-/// A picture while it is drawn.
+/// The working memory for a picture.
 pub struct Canvas {
     studio: Studio,
     pixels: Vec<u32>,
-    /// Red, green and blue of each pixel, added up over its samples.
+    /// The sums of red, green and blue over the samples of each pixel.
     sums: Vec<[u16; 3]>,
 }
 
 impl Film {
-    /// When a frame is, in seconds.
+    /// The time of a frame in seconds.
     pub fn time(&self, frame: usize) -> f32 {
         (frame as f64 * f64::from(self.rate.den) / f64::from(self.rate.num)) as f32
     }
 
-    /// Frames until the scene's end.
+    /// The number of frames of the scene.
     pub fn length(&self) -> usize {
         let seconds = f64::from(self.scene.length());
         (seconds * f64::from(self.rate.num) / f64::from(self.rate.den)).ceil() as usize
     }
 
-    /// The samples of the soundtrack that are heard while some frames are seen; none where nothing is played to the scene.
+    /// The range of the soundtrack, in samples, that belongs to a range of frames; `None` if the scene has no sound.
     pub fn samples(&self, frames: &Range<usize>) -> Option<Range<u32>> {
         let start = (self.scene.start()? * RATE as f32) as u32;
         let position = |frame: usize| {
@@ -53,9 +53,9 @@ impl Film {
         Some(position(frames.start)..position(frames.end))
     }
 
-    /// What a frame's picture is, in a line: equal lines say equal pictures.
+    /// A line that describes a frame: equal lines mean equal pictures.
     ///
-    /// AVX2 and AVX-512 draw the same bits; other instruction sets have no multiplication and addition in one.
+    /// AVX2 and AVX-512 draw the same bits. Other instruction sets lack fused multiply-add.
     pub fn describe(&self, frame: usize) -> String {
         let lanes = match self.isa.name {
             "avx512" | "avx2" => "fused",
@@ -72,7 +72,7 @@ impl Film {
         )
     }
 
-    /// Draws a frame: `0x00RRGGBB`, row after row.
+    /// Draws a frame as `0x00RRGGBB` pixels, row by row.
     pub fn draw<'a>(&self, frame: usize, canvas: &'a mut Canvas) -> &'a [u32] {
         let scene = self.scene.at(self.time(frame));
         let n = self.supersample;
@@ -83,7 +83,7 @@ impl Film {
         } = canvas;
         pixels.resize(self.size.area(), 0);
         sums.clear();
-        // Samples in the middle of n by n parts of a pixel, each the pictures of which are one of their own.
+        // The samples are the centres of n by n parts of the pixel. Each sample position makes a picture of its own.
         let offset = |part: usize| (part as f32 + 0.5) / n as f32 - 0.5;
         for y in 0..n {
             for x in 0..n {
@@ -103,7 +103,7 @@ impl Film {
 }
 
 impl Canvas {
-    /// For one thread.
+    /// Working memory for one thread.
     pub fn new() -> Self {
         Self {
             studio: Studio::new(1),
@@ -113,7 +113,7 @@ impl Canvas {
     }
 }
 
-/// Adds a picture up. 256 samples of at most 255 fit.
+/// Adds a picture to the sums. 256 samples of at most 255 fit into 16 bits.
 fn add(sums: &mut Vec<[u16; 3]>, pixels: &[u32]) {
     sums.resize(pixels.len(), [0; 3]);
     for (sum, pixel) in sums.iter_mut().zip(pixels) {
@@ -124,7 +124,7 @@ fn add(sums: &mut Vec<[u16; 3]>, pixels: &[u32]) {
     }
 }
 
-/// The mean of `count` pictures, rounded.
+/// Divides the sums by the number of pictures, with rounding.
 fn mean(sums: &[[u16; 3]], count: u16, pixels: &mut [u32]) {
     for (pixel, sum) in pixels.iter_mut().zip(sums) {
         let [r, g, b] =

@@ -1,8 +1,8 @@
-//! `lab capture`: frames of the show as pictures, as a stream, as a video, as a contact sheet, and their sound.
+//! `lab capture`: writes frames of the show as pictures, a stream, a video or a contact sheet, and their sound.
 
-mod crew;
 mod files;
 mod film;
+mod frame_queue;
 mod sheet;
 mod sound;
 mod stream;
@@ -14,9 +14,9 @@ use crate::rate::Rate;
 use crate::scenes::SceneName;
 use anyhow::Result;
 use clap::{ArgGroup, Args};
-use crew::Crew;
 use eightfold_window::cpu::{self, Isa};
 use film::{Film, MAX_SUPERSAMPLE};
+use frame_queue::FrameQueue;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
@@ -87,7 +87,7 @@ pub struct Arguments {
     isa: Option<Isa>,
 }
 
-/// How to share the work, for `--help`.
+/// The part of `--help` about sharing the work.
 const PARTS: &str = "\
 Parts of a capture, on one machine or on many that share a folder:
 
@@ -104,29 +104,29 @@ What is made of frames, by ffmpeg:
     ffmpeg -framerate 60 -i frames/frame-%06d.png -vf scale=out_color_matrix=bt709 -pix_fmt yuv420p show.mp4
     cargo lab capture --y4m - | ffmpeg -colorspace bt709 -i - show.webm";
 
-/// Draws what was asked for.
+/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let film = film(arguments)?;
     let frames = range(arguments, &film)?;
     if let Some(name) = &arguments.audio {
         sound::write(&film, &frames, name)?;
     }
-    let crew = Crew {
+    let queue = FrameQueue {
         film: &film,
         threads: arguments
             .threads
             .unwrap_or_else(|| available_parallelism().map_or(1, usize::from)),
     };
     if let Some(folder) = &arguments.png {
-        files::write(&crew, frames, folder)
+        files::write(&queue, frames, folder)
     } else if let Some(name) = &arguments.y4m {
-        stream::write(&crew, frames, name)
+        stream::write(&queue, frames, name)
     } else if let Some(name) = &arguments.video {
-        video::write(&crew, frames, name)
+        video::write(&queue, frames, name)
     } else if let Some(name) = &arguments.sheet {
-        sheet::write(&crew, frames, arguments.frames, name)
+        sheet::write(&queue, frames, arguments.frames, name)
     } else {
-        // The sound alone.
+        // Only the sound was asked for.
         Ok(())
     }
 }
@@ -176,7 +176,7 @@ fn film(arguments: &Arguments) -> Result<Film> {
     })
 }
 
-/// What frames are drawn by everywhere, unless asked otherwise.
+/// The default instruction set: the best one, if it draws the same bits as those of other machines.
 fn usual_isa() -> Result<Isa> {
     let best = cpu::best();
     if best.name == "sse2" {
@@ -187,7 +187,7 @@ fn usual_isa() -> Result<Isa> {
     Ok(best)
 }
 
-/// The frames to draw, at least one.
+/// The range of frames to draw, which is not empty.
 fn range(arguments: &Arguments, film: &Film) -> Result<Range<usize>> {
     let length = film.length();
     let (from, to) = (arguments.from, arguments.to.unwrap_or(length).min(length));
@@ -207,7 +207,7 @@ fn range(arguments: &Arguments, film: &Film) -> Result<Range<usize>> {
     Ok(from..to)
 }
 
-/// Samples of a pixel in each direction.
+/// Parses the number of samples per pixel along each axis.
 fn supersample(text: &str) -> Result<usize, String> {
     arguments::number(text, MAX_SUPERSAMPLE)
 }

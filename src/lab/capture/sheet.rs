@@ -1,6 +1,6 @@
-//! A contact sheet: frames spread evenly over a film, side by side, each with its time.
+//! Writes a contact sheet: frames at even intervals, side by side, each with its time. Coordinates are pixels of the sheet.
 
-use super::crew::Crew;
+use super::frame_queue::FrameQueue;
 use crate::arguments::{BadInput, Size};
 use crate::plot::{register_fonts, smoothed, text};
 use crate::{output, picture, progress};
@@ -10,19 +10,19 @@ use plotters::style::FontStyle;
 use std::ops::Range;
 use std::path::Path;
 
-/// Pixels between frames, and around them.
+/// Pixels between frames and around them.
 const GAP: usize = 8;
-/// Rows of pixels under a frame for its time.
+/// The height in pixels of the strip with the time under a frame.
 const CAPTION: usize = 18;
-/// What is between them: a dark grey that no frame is lost in.
+/// The background: a dark grey, against which even black frames stand out.
 const PAPER: u32 = 0x0020_2020;
-/// Text is drawn larger and reduced, which smooths it.
+/// The factor by which text is drawn larger and then reduced, to antialias it.
 const SAMPLES: usize = 2;
-/// The longest side of a sheet in pixels: what viewers and graphics cards show.
+/// The largest side of a sheet in pixels: viewers and graphics cards support no more.
 const LONGEST: usize = 16_384;
 
 /// Writes a sheet of `count` frames.
-pub fn write(crew: &Crew<'_>, range: Range<usize>, count: usize, name: &Path) -> Result<()> {
+pub fn write(queue: &FrameQueue<'_>, range: Range<usize>, count: usize, name: &Path) -> Result<()> {
     if count > range.len() {
         let length = range.len();
         return Err(BadInput::error(format!(
@@ -30,7 +30,7 @@ pub fn write(crew: &Crew<'_>, range: Range<usize>, count: usize, name: &Path) ->
         )));
     }
     let columns = columns(count);
-    let tile = crew.film.size;
+    let tile = queue.film.size;
     let sheet = Size {
         width: GAP + columns * (tile.width + GAP),
         height: GAP + count.div_ceil(columns) * (tile.height + CAPTION + GAP),
@@ -44,15 +44,15 @@ pub fn write(crew: &Crew<'_>, range: Range<usize>, count: usize, name: &Path) ->
     let frames: Vec<usize> = (0..count).map(|i| spread(&range, i, count)).collect();
     let mut pixels = vec![PAPER; sheet.area()];
     let bar = progress::bar(count);
-    let mut place = 0;
-    let done = crew.draw(
+    let mut index = 0;
+    let done = queue.draw(
         &frames,
         |number, pixels| {
-            let time = caption(crew.film.time(number), tile.width)?;
+            let time = caption(queue.film.time(number), tile.width)?;
             Ok([pixels, &time].concat())
         },
         |frame| {
-            let (column, row) = (place % columns, place / columns);
+            let (column, row) = (index % columns, index / columns);
             let (left, top) = (
                 GAP + column * (tile.width + GAP),
                 GAP + row * (tile.height + CAPTION + GAP),
@@ -60,7 +60,7 @@ pub fn write(crew: &Crew<'_>, range: Range<usize>, count: usize, name: &Path) ->
             for (y, line) in frame.chunks_exact(tile.width).enumerate() {
                 pixels[(top + y) * sheet.width + left..][..tile.width].copy_from_slice(line);
             }
-            place += 1;
+            index += 1;
             bar.inc(1);
             Ok(())
         },
@@ -77,7 +77,7 @@ pub fn write(crew: &Crew<'_>, range: Range<usize>, count: usize, name: &Path) ->
     Ok(())
 }
 
-/// A time in seconds, as a strip of pixels for below a frame.
+/// The strip of pixels with a time in seconds.
 fn caption(time: f32, width: usize) -> Result<Vec<u32>> {
     register_fonts();
     let (columns, rows) = (width * SAMPLES, CAPTION * SAMPLES);
@@ -93,13 +93,13 @@ fn caption(time: f32, width: usize) -> Result<Vec<u32>> {
     Ok(smoothed(&rgb, columns, SAMPLES))
 }
 
-/// The frame in the middle of part `i` of `count` equal parts of a range.
+/// The frame in the middle of part `i` if a range is divided into `count` equal parts.
 fn spread(range: &Range<usize>, i: usize, count: usize) -> usize {
     range.start + (2 * i + 1) * range.len() / (2 * count)
 }
 
-/// Columns for so many frames: among numbers from as many columns as rows to twice that, one that leaves the fewest
-/// places empty, and of these the least.
+/// The number of columns for a number of frames. Between as many columns as rows and twice that, it leaves the fewest tiles empty; among
+/// equals it is the smallest.
 fn columns(count: usize) -> usize {
     let least = (count as f64).sqrt().ceil() as usize;
     let empty = |&columns: &usize| count.next_multiple_of(columns) - count;

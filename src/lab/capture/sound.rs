@@ -1,4 +1,4 @@
-//! The sound of frames.
+//! The sound that belongs to frames.
 
 use super::film::Film;
 use crate::{output, wav};
@@ -6,7 +6,7 @@ use anyhow::Result;
 use std::ops::Range;
 use std::path::Path;
 
-/// Writes what is heard while some frames are seen as a WAV file, if anything is.
+/// Writes the sound of a range of frames as a WAV file, if the scene has any.
 pub fn write(film: &Film, frames: &Range<usize>, name: &Path) -> Result<()> {
     match bytes(film, frames) {
         Some(bytes) => output::write(name, &bytes),
@@ -14,7 +14,7 @@ pub fn write(film: &Film, frames: &Range<usize>, name: &Path) -> Result<()> {
     }
 }
 
-/// What is heard while some frames are seen, as the bytes of a WAV file; none where nothing is played to the scene.
+/// The sound of a range of frames as a WAV file; `None` if the scene has none.
 pub fn bytes(film: &Film, frames: &Range<usize>) -> Option<Vec<u8>> {
     let samples = film.samples(frames)?;
     Some(wav::wav(&wav::record(samples)))

@@ -1,7 +1,7 @@
-//! Frames as one Y4M stream.
+//! Writes frames as a Y4M stream.
 
-use super::crew::Crew;
 use super::film::{Canvas, Film};
+use super::frame_queue::FrameQueue;
 use super::y4m;
 use crate::output::Sink;
 use crate::progress;
@@ -11,28 +11,28 @@ use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::Path;
 
-/// Writes a stream to a file, or to standard output where the name is `-`; leaves a file that holds it already.
-pub fn write(crew: &Crew<'_>, frames: Range<usize>, name: &Path) -> Result<()> {
-    if is_there(crew.film, &frames, name).unwrap_or(false) {
-        eprintln!("{}: kept, it is whole", name.display());
+/// Writes a stream to a file, or to standard output if the name is `-`. A file that already holds the stream is kept.
+pub fn write(queue: &FrameQueue<'_>, frames: Range<usize>, name: &Path) -> Result<()> {
+    if is_there(queue.film, &frames, name).unwrap_or(false) {
+        eprintln!("{}: kept, since it is complete", name.display());
         return Ok(());
     }
     let mut sink = Sink::open(name)?;
-    send(crew, frames, |bytes| sink.write(bytes))?;
+    send(queue, frames, |bytes| sink.write(bytes))?;
     sink.finish()
 }
 
-/// Hands over a stream, piece by piece.
+/// Passes a stream to a function, piece by piece.
 pub fn send(
-    crew: &Crew<'_>,
+    queue: &FrameQueue<'_>,
     frames: Range<usize>,
     mut write: impl FnMut(&[u8]) -> Result<()> + Send,
 ) -> Result<()> {
-    let film = crew.film;
+    let film = queue.film;
     let bar = progress::bar(frames.len());
     write(&y4m::header(film.size, film.rate))?;
     let frames: Vec<usize> = frames.collect();
-    let done = crew.draw(
+    let done = queue.draw(
         &frames,
         |_, pixels| Ok(y4m::frame(pixels)),
         |bytes| {
@@ -45,8 +45,8 @@ pub fn send(
     done
 }
 
-/// Whether a file holds just this stream: its header, its length, and its first and last frame, which are drawn to be
-/// compared. A file under its final name has been written to its end, so those between are there too.
+/// Whether a file holds exactly this stream. The header, the length and the first and last frame are compared. A file under its final
+/// name is complete, so the frames between are there, too.
 fn is_there(film: &Film, frames: &Range<usize>, name: &Path) -> io::Result<bool> {
     let header = y4m::header(film.size, film.rate);
     let bytes = y4m::frame_bytes(film.size);

@@ -1,7 +1,7 @@
-//! Frames and their sound as a film that players know, by ffmpeg.
+//! Writes frames and their sound as a video, with ffmpeg.
 
-use super::crew::Crew;
 use super::film::Film;
+use super::frame_queue::FrameQueue;
 use super::{sound, stream};
 use crate::output;
 use anyhow::{Context, Error, Result, anyhow, bail};
@@ -12,10 +12,10 @@ use std::process::{Child, ChildStderr, Command, Stdio};
 use std::thread;
 use tempfile::NamedTempFile;
 
-/// The containers that hold H.264 for every player.
+/// The extensions of containers in which all players support H.264.
 const SUFFIXES: [&str; 2] = [".mp4", ".mkv"];
 
-/// A file name that tells a container.
+/// Parses a file name with one of these extensions.
 pub fn name(text: &str) -> Result<PathBuf, String> {
     suffix(text)
         .map(|_| text.into())
@@ -26,20 +26,20 @@ fn suffix(name: &str) -> Option<&'static str> {
     SUFFIXES.into_iter().find(|suffix| name.ends_with(suffix))
 }
 
-/// Writes a video, by `ffmpeg`.
-pub fn write(crew: &Crew<'_>, frames: Range<usize>, name: &Path) -> Result<()> {
+/// Writes a video.
+pub fn write(queue: &FrameQueue<'_>, frames: Range<usize>, name: &Path) -> Result<()> {
     let suffix = suffix(&name.to_string_lossy()).unwrap_or(SUFFIXES[0]);
     let file = output::start_for_another(name, suffix)?;
-    let sound = sound(crew.film, &frames)?;
+    let sound = sound(queue.film, &frames)?;
     let mut ffmpeg = start(sound.as_ref().map(NamedTempFile::path), file.path())?;
     let complaints = ffmpeg.stderr.take().expect("a pipe was asked for");
     let complaints = thread::spawn(move || last_line(complaints));
     let mut pipe = ffmpeg.stdin.take().expect("a pipe was asked for");
-    let sent = stream::send(crew, frames, |bytes| Ok(pipe.write_all(bytes)?));
+    let sent = stream::send(queue, frames, |bytes| Ok(pipe.write_all(bytes)?));
     drop(pipe);
     let status = ffmpeg.wait().context("ffmpeg is lost")?;
     let complaint = complaints.join().unwrap_or_default();
-    // It calls it a success when a full disk cuts off the end of what it wrote.
+    // ffmpeg reports success even if a full disk cuts off the end of the file.
     if !status.success() || complaint.is_some() {
         let complaint = complaint.as_deref().unwrap_or("it does not say why");
         bail!("ffmpeg cannot write {}: {complaint}", name.display());
@@ -48,7 +48,7 @@ pub fn write(crew: &Crew<'_>, frames: Range<usize>, name: &Path) -> Result<()> {
     output::persist(file, name).with_context(|| format!("cannot write {}", name.display()))
 }
 
-/// The sound of some frames as a file, for as long as it is held.
+/// A temporary file with the sound of a range of frames.
 fn sound(film: &Film, frames: &Range<usize>) -> Result<Option<NamedTempFile>> {
     let Some(bytes) = sound::bytes(film, frames) else {
         return Ok(None);
@@ -61,10 +61,10 @@ fn sound(film: &Film, frames: &Range<usize>) -> Result<Option<NamedTempFile>> {
     write().map(Some).context("cannot write the sound")
 }
 
-/// Starts ffmpeg on a stream from its standard input, and a file with its sound.
+/// Starts ffmpeg. It reads a Y4M stream from its standard input, and the sound from a file.
 ///
-/// H.264 in 4:2:0, which every player knows, labelled with the colours that it has: what is not labelled is guessed.
-/// A rate factor of 16 shows no loss to the eye, and 192 kbit/s of AAC have none to the ear.
+/// The video is H.264 in 4:2:0, which all players support. It is labelled with its colour space, which players would otherwise guess.
+/// At a rate factor of 16 no loss is visible, and at 192 kbit/s of AAC none is audible.
 fn start(sound: Option<&Path>, out: &Path) -> Result<Child> {
     let colours = ["-colorspace", "bt709", "-color_primaries", "bt709"];
     let transfer = ["-color_trc", "bt709", "-color_range", "tv"];
@@ -90,7 +90,7 @@ fn start(sound: Option<&Path>, out: &Path) -> Result<Child> {
         .map_err(explain)
 }
 
-/// Why ffmpeg does not start, and what to do.
+/// The error for a failed start of ffmpeg, with advice.
 fn explain(error: io::Error) -> Error {
     if error.kind() == io::ErrorKind::NotFound {
         anyhow!(
@@ -102,7 +102,7 @@ fn explain(error: io::Error) -> Error {
     }
 }
 
-/// The last line of what ffmpeg says, if it says anything: nothing but errors, by its log level.
+/// The last line of ffmpeg's messages, if there are any. At its log level these are errors.
 fn last_line(mut complaints: ChildStderr) -> Option<String> {
     let mut text = Vec::new();
     let _ = complaints.read_to_end(&mut text);

@@ -1,50 +1,52 @@
 //! YUV4MPEG2, the stream of raw pictures that video programs read.
 //!
-//! A header of one line, then for each frame the line `FRAME` and three planes. The colours are those of HDTV (BT.709,
-//! limited range), in full resolution (4:4:4): what players take a stream of more than 576 rows or 1280 columns for.
-//! The format itself has no word for the matrix; ffmpeg takes BT.601 for what it is not told, so it has to be told.
+//! The stream has a header of one line, then for each frame the line `FRAME` and three planes. The colours are those of HDTV (BT.709,
+//! limited range) in full resolution (4:4:4). The format cannot express the matrix. Players assume BT.709 for large pictures; ffmpeg
+//! assumes BT.601 and has to be told.
 
 use crate::arguments::Size;
 use crate::rate::Rate;
 
-/// What a stream begins with.
+/// The header of a stream.
 pub fn header(size: Size, rate: Rate) -> Vec<u8> {
     let (Size { width, height }, Rate { num, den }) = (size, rate);
     format!("YUV4MPEG2 W{width} H{height} F{num}:{den} Ip A1:1 C444 XCOLORRANGE=LIMITED\n")
         .into_bytes()
 }
 
-/// What stands before each picture.
+/// The line in front of each picture.
 const MARK: &[u8] = b"FRAME\n";
 
-/// Bytes of a frame.
+/// The bytes of a frame in the stream.
 pub fn frame_bytes(size: Size) -> usize {
     MARK.len() + 3 * size.area()
 }
 
-/// A picture in `0x00RRGGBB` as a frame.
+/// Encodes a picture of `0x00RRGGBB` pixels as a frame.
 pub fn frame(pixels: &[u32]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(MARK.len() + 3 * pixels.len());
     bytes.extend_from_slice(MARK);
-    for plane in [LUMA, BLUENESS, REDNESS] {
+    for plane in [LUMA, CB, CR] {
         bytes.extend(pixels.iter().map(|&pixel| plane.of(pixel)));
     }
     bytes
 }
 
-/// A plane's byte of a colour, by weights of red, green and blue in 65536ths.
+/// A plane of the stream: how its byte is computed from a colour.
 #[derive(Clone, Copy)]
 struct Plane {
+    /// The weights of red, green and blue, in 1/65536.
     weights: [i32; 3],
-    /// The byte of black.
+    /// The byte for black.
     base: i32,
 }
 
-/// Shares of red and blue in brightness (Rec. ITU-R BT.709-6, 3.2); the rest is green's.
+/// The weights of red and blue in luma (Rec. ITU-R BT.709-6, 3.2); green has the rest.
 const RED: f64 = 0.2126;
 const BLUE: f64 = 0.0722;
-/// Steps from black to white, and from one end of a colour difference to the other (BT.709-6, 4.6).
+/// The range of luma, from black to white (BT.709-6, 4.6).
 const LUMA_STEPS: f64 = 219.0;
+/// The range of a colour difference (BT.709-6, 4.6).
 const CHROMA_STEPS: f64 = 224.0;
 
 const LUMA: Plane = Plane {
@@ -55,16 +57,16 @@ const LUMA: Plane = Plane {
     ],
     base: 16,
 };
-const BLUENESS: Plane = Plane {
+const CB: Plane = Plane {
     weights: difference(BLUE, RED, [2, 0, 1]),
     base: 128,
 };
-const REDNESS: Plane = Plane {
+const CR: Plane = Plane {
     weights: difference(RED, BLUE, [0, 2, 1]),
     base: 128,
 };
 
-/// A weight in 65536ths of a step, for channels of 255 steps.
+/// A weight in 1/65536, for channels from 0 to 255.
 const fn fixed(weight: f64) -> i32 {
     let scaled = weight * 65536.0 / 255.0;
     (if scaled < 0.0 {
@@ -74,23 +76,25 @@ const fn fixed(weight: f64) -> i32 {
     }) as i32
 }
 
-/// The weights of a colour's difference to the brightness. It and another colour have these shares in the brightness;
-/// `places` are those of the colour, the other one, and green. The weights' sum is 0, so that greys have no colour.
-const fn difference(share: f64, other: f64, places: [usize; 3]) -> [i32; 3] {
+/// The weights of a colour difference: a colour minus luma. `share` and `other` are the weights in luma of the colour itself and of the
+/// other one besides green; `indices` are the indices of the colour, the other one and green. The weights add up to 0, so that greys have no
+/// colour difference.
+const fn difference(share: f64, other: f64, indices: [usize; 3]) -> [i32; 3] {
     let scale = CHROMA_STEPS / (2.0 * (1.0 - share));
     let mut weights = [0; 3];
-    weights[places[0]] = fixed(scale * (1.0 - share));
-    weights[places[1]] = fixed(-scale * other);
-    weights[places[2]] = -weights[places[0]] - weights[places[1]];
+    weights[indices[0]] = fixed(scale * (1.0 - share));
+    weights[indices[1]] = fixed(-scale * other);
+    weights[indices[2]] = -weights[indices[0]] - weights[indices[1]];
     weights
 }
 
 impl Plane {
+    /// The byte of a pixel.
     fn of(self, pixel: u32) -> u8 {
         let [_, rgb @ ..] = pixel.to_be_bytes();
         let [r, g, b] = rgb.map(i32::from);
         let [red, green, blue] = self.weights;
-        // Half a step, so that cutting off rounds.
+        // Half a step is added to round to the nearest.
         (self.base + ((red * r + green * g + blue * b + 0x8000) >> 16)) as u8
     }
 }

@@ -1,4 +1,4 @@
-//! `lab figures`: the thesis' figures, and more of the kind.
+//! `lab figures`: the figures of the thesis for any frame, and some more.
 
 mod sheet;
 
@@ -41,7 +41,7 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// Draws the pictures and writes them, and all on one sheet.
+/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let folder = &arguments.out;
     fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
@@ -56,10 +56,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     output::write(&folder.join("sheet.png"), &png)
 }
 
-/// What was drawn of a frame: every pixel traced, and as the quality has it.
+/// A frame, exhaustive and by the quality, each with its trace.
 struct Frames {
     exhaustive: Vec<u32>,
-    /// Of the exhaustive frame.
+    /// The trace of the exhaustive frame.
     all: FrameTrace,
     picture: Vec<u32>,
     trace: FrameTrace,
@@ -164,7 +164,7 @@ fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
     ]
 }
 
-/// The FLIP error that is shown brightest: beyond the 99th percentile of the coarsest named quality.
+/// The FLIP error that is shown in white: more than the 99th percentile of the coarsest named quality.
 const FLIP_SHOWN: f32 = 0.25;
 
 fn psnr(difference: &Difference) -> String {

@@ -1,4 +1,4 @@
-//! `lab size`: what the intro's bytes are.
+//! `lab size`: lists what the intro's bytes are spent on.
 
 mod packed;
 mod program;
@@ -26,31 +26,34 @@ pub struct Arguments {
     functions: usize,
 }
 
-/// The share of the file from which on a section is listed by itself.
+/// The smallest share of the file with which a section is listed by itself.
 const LISTED: f64 = 0.005;
 
-/// Bytes before and after packing, and how many there are of what has them.
+/// The bytes of some parts of the program.
 #[derive(Clone, Copy, Default)]
-struct Sum {
+struct ByteCount {
+    /// Before packing.
     bytes: u64,
+    /// After packing.
     packed: f64,
+    /// The number of parts.
     count: usize,
 }
 
-impl Sum {
+impl ByteCount {
     fn add(&mut self, bytes: u64, packed: f64) {
         self.bytes += bytes;
         self.packed += packed;
         self.count += 1;
     }
 
-    /// The cells of a table that all have.
+    /// The cells that all tables have in common.
     fn cells(self) -> String {
         format!("{} | {:.0}", self.bytes, self.packed)
     }
 }
 
-/// Builds the intro, and prints the tables.
+/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let build = Build::release("eightfold")?;
     let shipped = read(&build.program("eightfold")?)?;
@@ -58,10 +61,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let program = Program::parse(&linked)?;
     let packed = Packed::new(&linked)?;
     let mut text = String::new();
-    tell_sections(&mut text, &program, &packed, shipped.len())?;
+    write_sections(&mut text, &program, &packed, shipped.len())?;
     let functions = by_name(&program, &packed);
-    tell_crates(&mut text, &functions)?;
-    tell_functions(&mut text, &functions, arguments.functions)?;
+    write_crates(&mut text, &functions)?;
+    write_functions(&mut text, &functions, arguments.functions)?;
     output::write(Path::new("-"), text.as_bytes())
 }
 
@@ -69,12 +72,12 @@ fn read(path: &Path) -> Result<Vec<u8>> {
     fs::read(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// A function's or constant's readable name, and its crate.
+/// The demangled name of a function or constant, and its crate.
 type Named<'a> = (&'a str, &'a str);
 
-/// What symbols name, a crate's instances of one together, the largest first.
-fn by_name<'a>(program: &'a Program, packed: &Packed) -> Vec<(Named<'a>, Sum)> {
-    let mut sums: BTreeMap<Named<'_>, Sum> = BTreeMap::new();
+/// Functions and constants, the largest first. The instances of a generic function in one crate count together.
+fn by_name<'a>(program: &'a Program, packed: &Packed) -> Vec<(Named<'a>, ByteCount)> {
+    let mut sums: BTreeMap<Named<'_>, ByteCount> = BTreeMap::new();
     for Part {
         name,
         of,
@@ -88,14 +91,14 @@ fn by_name<'a>(program: &'a Program, packed: &Packed) -> Vec<(Named<'a>, Sum)> {
     largest_first(sums)
 }
 
-/// Equally large ones by name.
-fn largest_first<K: Ord>(sums: BTreeMap<K, Sum>) -> Vec<(K, Sum)> {
-    let mut sums: Vec<(K, Sum)> = sums.into_iter().collect();
+/// Sorts by size, then by name.
+fn largest_first<K: Ord>(sums: BTreeMap<K, ByteCount>) -> Vec<(K, ByteCount)> {
+    let mut sums: Vec<(K, ByteCount)> = sums.into_iter().collect();
     sums.sort_by(|(_, a), (_, b)| b.packed.total_cmp(&a.packed));
     sums
 }
 
-fn tell_sections(
+fn write_sections(
     text: &mut String,
     program: &Program,
     packed: &Packed,
@@ -103,7 +106,7 @@ fn tell_sections(
 ) -> Result<()> {
     writeln!(text, "| section | bytes | packed | share |")?;
     writeln!(text, "| --- | ---: | ---: | ---: |")?;
-    let mut row = |name: &str, sum: Sum| {
+    let mut row = |name: &str, sum: ByteCount| {
         let share = 100.0 * sum.packed / shipped as f64;
         writeln!(text, "| {name} | {} | {share:.1} % |", sum.cells())
     };
@@ -117,7 +120,7 @@ fn tell_sections(
         }
         others.bytes -= bytes;
         others.packed -= cost;
-        let mut sum = Sum::default();
+        let mut sum = ByteCount::default();
         sum.add(bytes, cost);
         row(&part.name, sum)?;
     }
@@ -126,7 +129,7 @@ fn tell_sections(
         others,
     )?;
     let size = shipped as f64 - packed.all().packed;
-    let unpacker = Sum {
+    let unpacker = ByteCount {
         bytes: size.round() as u64,
         packed: size,
         count: 1,
@@ -136,8 +139,8 @@ fn tell_sections(
     Ok(())
 }
 
-fn tell_crates(text: &mut String, named: &[(Named<'_>, Sum)]) -> Result<()> {
-    let mut crates: BTreeMap<&str, Sum> = BTreeMap::new();
+fn write_crates(text: &mut String, named: &[(Named<'_>, ByteCount)]) -> Result<()> {
+    let mut crates: BTreeMap<&str, ByteCount> = BTreeMap::new();
     for ((_, of), sum) in named {
         let all = crates.entry(of).or_default();
         all.bytes += sum.bytes;
@@ -154,7 +157,7 @@ fn tell_crates(text: &mut String, named: &[(Named<'_>, Sum)]) -> Result<()> {
     Ok(())
 }
 
-fn tell_functions(text: &mut String, named: &[(Named<'_>, Sum)], most: usize) -> Result<()> {
+fn write_functions(text: &mut String, named: &[(Named<'_>, ByteCount)], most: usize) -> Result<()> {
     writeln!(text, "| function | crate | instances | bytes | packed |")?;
     writeln!(text, "| --- | --- | ---: | ---: | ---: |")?;
     let (listed, others) = named.split_at(most.min(named.len()));
@@ -168,7 +171,7 @@ fn tell_functions(text: &mut String, named: &[(Named<'_>, Sum)], most: usize) ->
         )?;
     }
     if !others.is_empty() {
-        let mut rest = Sum::default();
+        let mut rest = ByteCount::default();
         for (_, sum) in others {
             rest.add(sum.bytes, sum.packed);
         }

@@ -1,21 +1,21 @@
-//! What each byte of the linked program costs in the file that ships.
+//! The cost of each byte of the linked program in the packed file.
 
-use super::Sum;
+use super::ByteCount;
 use anyhow::{Context, Result, anyhow};
 use eightfold_pack::{costs, strip};
 use object::{Object, ObjectSegment};
 use std::ops::Range;
 
-/// The image that is packed: the linked program without what is not loaded.
+/// The packed image: those parts of the linked program that are loaded.
 pub struct Packed {
-    /// Segments: their addresses, and where their first byte is in the image.
+    /// The addresses of each segment, and the offset of its first byte in the image.
     segments: Vec<(Range<u64>, usize)>,
-    /// For each byte of the image, and for its end: the packed bytes before it.
+    /// For each offset in the image, and for its end, the packed bytes before it.
     before: Vec<f64>,
 }
 
 impl Packed {
-    /// Packs a linked program and keeps account.
+    /// Packs a linked program and records the cost of each byte.
     pub fn new(linked: &[u8]) -> Result<Self> {
         let image = strip(linked).map_err(|error| anyhow!("{error}"))?;
         let file = object::File::parse(&*image).context("what is packed is no program")?;
@@ -35,24 +35,24 @@ impl Packed {
         })
     }
 
-    /// How many bytes of these addresses are in the image, and how many they are packed.
+    /// The number of bytes at these addresses in the image, and their packed size.
     pub fn of(&self, addresses: &Range<u64>) -> (u64, f64) {
         let (mut bytes, mut packed) = (0, 0.0);
         for (segment, offset) in &self.segments {
             let start = addresses.start.max(segment.start);
             let end = addresses.end.min(segment.end);
             if start < end {
-                let place = |address: u64| offset + (address - segment.start) as usize;
+                let index = |address: u64| offset + (address - segment.start) as usize;
                 bytes += end - start;
-                packed += self.before[place(end)] - self.before[place(start)];
+                packed += self.before[index(end)] - self.before[index(start)];
             }
         }
         (bytes, packed)
     }
 
-    /// The whole image.
-    pub fn all(&self) -> Sum {
-        Sum {
+    /// The size of the whole image.
+    pub fn all(&self) -> ByteCount {
+        ByteCount {
             bytes: self.before.len() as u64 - 1,
             packed: self.before.last().copied().unwrap_or_default(),
             count: 1,

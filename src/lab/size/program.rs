@@ -1,28 +1,28 @@
-//! What is in the intro's program, as it was linked: an ELF file with symbols.
+//! Reads the sections and symbols of the linked program, an ELF file.
 
 use anyhow::{Result, ensure};
 use object::{Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Something in the program: a section, or what a symbol names.
+/// A part of the program: a section, a function or a constant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Readable, without a hash.
+    /// The name, demangled and without a hash.
     pub name: String,
-    /// The crate that it was compiled with; empty for a section, and for what is not of Rust.
+    /// The crate in which it was compiled; empty for sections, and for code that is not Rust.
     pub of: String,
     pub addresses: Range<u64>,
 }
 
-/// Sections, and functions and constants by their symbols, each in the order of addresses.
+/// The sections and symbols of a program, sorted by address.
 pub struct Program {
     pub sections: Vec<Part>,
     pub symbols: Vec<Part>,
 }
 
 impl Program {
-    /// Reads an ELF file.
+    /// Parses an ELF file.
     pub fn parse(elf: &[u8]) -> Result<Self> {
         let file = object::File::parse(elf)?;
         let mut sections: Vec<Part> = file
@@ -41,7 +41,7 @@ impl Program {
     }
 }
 
-/// Whether a section takes room in the file and is loaded from there: what is not loaded has no address.
+/// Whether a section is loaded from the file. Sections that are not loaded have no address.
 fn is_loaded<'data>(section: &impl ObjectSection<'data>) -> bool {
     let is_zero = matches!(
         section.kind(),
@@ -50,7 +50,7 @@ fn is_loaded<'data>(section: &impl ObjectSection<'data>) -> bool {
     section.address() != 0 && section.size() > 0 && !is_zero
 }
 
-/// What symbols name, each address once: one function may have several names.
+/// The functions and constants. Each address appears once, though one function may have several symbols.
 fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
     let mut symbols: BTreeMap<u64, Part> = BTreeMap::new();
     let mut unit = None;
@@ -78,14 +78,14 @@ fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
     symbols.into_values().collect()
 }
 
-/// The crate of a codegen unit, `eightfold.0123456789abcdef-cgu.0`. The symbols of a unit follow its name; those that other
-/// units use follow a file that is none.
+/// The crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. A unit's private symbols follow its name in the symbol
+/// table; shared symbols follow a name that is no codegen unit.
 fn crate_of_unit(file: &str) -> Option<&str> {
     let (name, _) = file.split_once('.')?;
     file.contains("-cgu.").then_some(name)
 }
 
-/// The crate that a readable name begins with, as in `<eightfold::Intro as core::fmt::Debug>::fmt`.
+/// The crate with which a demangled name begins, as in `<eightfold::Intro as core::fmt::Debug>::fmt`.
 fn crate_of_path(name: &str) -> &str {
     let name = name.trim_start_matches(['<', '&', '*', '(', '[']);
     let name = name.strip_prefix("mut ").unwrap_or(name);

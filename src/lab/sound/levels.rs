@@ -1,4 +1,4 @@
-//! How loud it is, bar by bar.
+//! Measures the loudness, bar by bar.
 
 use crate::scenes::SHOW_SCENES;
 use anyhow::Result;
@@ -7,14 +7,15 @@ use eightfold::show::grid::{BARS, CUTS};
 use eightfold::sound::{RATE, SONG_LENGTH};
 use std::fmt::Write;
 
-/// Levels of samples.
+/// The levels of a piece of sound.
 struct Levels {
-    /// The largest sample, and the largest between samples, in dB of full scale.
+    /// The largest sample, in dB of full scale.
     peak: f64,
+    /// The largest level between samples, in dB of full scale.
     true_peak: f64,
-    /// In LUFS; without end where all is silent.
+    /// In LUFS; minus infinity for silence.
     loudness: f64,
-    /// The mean of the samples, of the side where it is larger.
+    /// The magnitude of the samples' mean, in the channel where it is larger.
     mean: f64,
 }
 
@@ -22,23 +23,23 @@ impl Levels {
     fn of(samples: &[[f32; 2]]) -> Result<Self> {
         let mut meter = EbuR128::new(2, RATE, Mode::I | Mode::TRUE_PEAK)?;
         meter.add_frames_f32(samples.as_flattened())?;
-        let sides = [0, 1];
+        let channels = [0, 1];
         let decibels = |peaks: [f64; 2]| 20.0 * peaks[0].max(peaks[1]).log10();
-        let peak = |side: usize| {
+        let peak = |channel: usize| {
             samples.iter().fold(0.0, |peak, sample| {
-                f64::max(peak, sample[side].abs().into())
+                f64::max(peak, sample[channel].abs().into())
             })
         };
-        let mean = |side| {
+        let mean = |channel| {
             samples
                 .iter()
-                .map(|sample| f64::from(sample[side]))
+                .map(|sample| f64::from(sample[channel]))
                 .sum::<f64>()
                 / samples.len() as f64
         };
-        let means = sides.map(|side: usize| mean(side).abs());
+        let means = channels.map(|channel: usize| mean(channel).abs());
         Ok(Self {
-            peak: decibels(sides.map(peak)),
+            peak: decibels(channels.map(peak)),
             true_peak: decibels([meter.true_peak(0)?, meter.true_peak(1)?]),
             loudness: meter.loudness_global()?,
             mean: means[0].max(means[1]),
@@ -46,7 +47,7 @@ impl Levels {
     }
 }
 
-/// A Markdown table of the levels of the song's bars, and a line for the whole.
+/// A Markdown table of the levels of the song's bars, and a line for the whole song.
 pub fn markdown(samples: &[[f32; 2]]) -> Result<String> {
     let mut text = String::from(
         "| bar |     scene | peak dBFS |  LUFS |\n| --: | --------: | --------: | ----: |\n",

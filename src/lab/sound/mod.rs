@@ -1,4 +1,4 @@
-//! `lab sound`: what the soundtrack is like, in figures and pictures.
+//! `lab sound`: measures the soundtrack and draws its waveform and its spectrogram.
 
 mod levels;
 mod spectrogram;
@@ -27,10 +27,10 @@ pub struct Arguments {
     spectrogram: Option<PathBuf>,
 }
 
-/// Pixels of a waveform and of a spectrogram: 40 to a bar.
+/// The size of the pictures in pixels: 40 columns per bar.
 const SIZE: (usize, usize) = (1920, 480);
 
-/// Makes the sound, measures and draws it.
+/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let files = [&arguments.wav, &arguments.waveform, &arguments.spectrogram];
     for file in files.into_iter().flatten() {

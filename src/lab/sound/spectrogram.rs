@@ -1,19 +1,19 @@
-//! The spectrogram as a picture: time to the right, pitch upwards by octaves.
+//! Draws the spectrogram: time to the right, frequency upwards on a logarithmic scale.
 
 use eightfold::sound::RATE;
 use rustfft::{FftPlanner, num_complex::Complex};
 use std::f32::consts::{PI, TAU};
 
-/// Samples of a window: 0.17 s, fine enough for semitones down to 110 Hz.
+/// The length of the analysis window in samples: 0.17 s, which resolves semitones down to 110 Hz.
 const WINDOW: usize = 8192;
 
-/// The lowest and the highest frequency drawn, in Hz: below and above what is heard.
+/// The lowest and the highest frequency drawn, in Hz: about the limits of hearing.
 const FREQUENCIES: (f32, f32) = (25.0, 22_000.0);
 
-/// What is drawn black, in dB below the loudest sine there could be; that is white.
+/// The level that is drawn black, in dB of a sine of full scale, which is drawn white.
 const FLOOR: f32 = -100.0;
 
-/// Colours from the floor to the top.
+/// The colour map, from the floor to full scale.
 const COLOURS: [[f32; 3]; 6] = [
     [0.0, 0.0, 0.0],
     [30.0, 12.0, 80.0],
@@ -23,7 +23,7 @@ const COLOURS: [[f32; 3]; 6] = [
     [255.0, 255.0, 220.0],
 ];
 
-/// Draws samples, from the first column to the last.
+/// Draws the spectrogram of samples.
 pub fn draw(samples: &[[f32; 2]], width: usize, height: usize) -> Vec<u32> {
     let transform = FftPlanner::new().plan_fft_forward(WINDOW);
     let mut pixels = vec![0; width * height];
@@ -35,7 +35,7 @@ pub fn draw(samples: &[[f32; 2]], width: usize, height: usize) -> Vec<u32> {
             let sample = position
                 .and_then(|at| samples.get(at))
                 .map_or(0.0, |[left, right]| 0.5 * (left + right));
-            // Hann's window.
+            // The Hann window.
             let weight = 0.5 - 0.5 * (TAU * i as f32 / WINDOW as f32).cos();
             *value = Complex::new(sample * weight, 0.0);
         }
@@ -48,27 +48,28 @@ pub fn draw(samples: &[[f32; 2]], width: usize, height: usize) -> Vec<u32> {
     pixels
 }
 
-/// The frequency at a share of the height from the top.
+/// The frequency at a height, given as a share from the top.
 fn frequency(share: f32) -> f32 {
     let (lowest, highest) = FREQUENCIES;
     highest * (lowest / highest).powf(share)
 }
 
-/// The loudest of some frequencies in dB, 0 for a sine of full scale.
+/// The largest level between two frequencies in dB, 0 for a sine of full scale.
 fn level(spectrum: &[Complex<f32>], edges: [f32; 2]) -> f32 {
     let [first, last] = edges.map(|edge| (edge * WINDOW as f32 / RATE as f32) as usize);
     let most = spectrum[first..=last]
         .iter()
         .map(|value| value.norm())
         .fold(0.0, f32::max);
-    // Half of a sine's height at each of two frequencies, times the mean of the window.
+    // A sine has half of its amplitude at the positive frequency. The window's mean is one half, too.
     20.0 * (most * 4.0 / WINDOW as f32).log10()
 }
 
+/// The colour of a level in dB.
 fn colour(level: f32) -> u32 {
-    let place = (1.0 - level / FLOOR).clamp(0.0, 0.999_9) * (COLOURS.len() - 1) as f32;
-    let (below, share) = (place as usize, place.fract());
-    // Eased, so that no edge is seen where two colours meet.
+    let position = (1.0 - level / FLOOR).clamp(0.0, 0.999_9) * (COLOURS.len() - 1) as f32;
+    let (below, share) = (position as usize, position.fract());
+    // Smooth, so that no edge is visible where two colours meet.
     let share = 0.5 - 0.5 * (share * PI).cos();
     let mix = |channel: usize| {
         let (a, b) = (COLOURS[below][channel], COLOURS[below + 1][channel]);

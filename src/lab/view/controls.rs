@@ -1,9 +1,9 @@
-//! What the viewer has chosen by keys: time, quality, and what is shown of a frame.
+//! What the viewer selects with keys: time, quality and overlay.
 
 use crate::arguments::NamedQuality;
 use eightfold_window::window::Press;
 
-/// The keys, for whoever asks.
+/// The list of keys, for the help.
 pub const KEYS: &str = "\
 Space         pauses and plays on
 Left, Right   a frame back or on, and pauses
@@ -14,30 +14,30 @@ S             the squares: the smaller, the brighter
 H             the heat map: rays for each point traced, from black for none to white for 24 and more
 E             the error against exhaustive, from black for none to white for 32 of 255 and more
               P, S, H, E again: the picture
-F, W          the whole screen, the window
+F, W          fullscreen, window
 ?, F1         these keys
 Esc           the end";
 
-/// Rays of a point that are shown in white: as many as any takes where glass and mirrors meet in the model scene.
+/// The number of rays of a point that is shown in white: about the largest in the model scene, where glass and mirror meet.
 pub const MOST_RAYS: u32 = 24;
-/// Error that is shown in white, of 255: four times what counts as large in the lab's tables.
+/// The error that is shown in white, in steps of 1/255: four times what the lab's tables count as large.
 pub const MOST_ERROR: u32 = 32;
 
-/// What is shown of a frame.
+/// What is drawn over the frame, or instead of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Look {
-    Picture,
+pub enum Overlay {
+    None,
     Points,
     Squares,
     Heat,
     Error,
 }
 
-impl Look {
-    /// As it is called in the title.
+impl Overlay {
+    /// Its name in the window's title.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Picture => "picture",
+            Self::None => "picture",
             Self::Points => "points",
             Self::Squares => "squares",
             Self::Heat => "heat map",
@@ -45,7 +45,7 @@ impl Look {
         }
     }
 
-    /// Of a key.
+    /// The overlay that a key selects.
     fn of(key: char) -> Option<Self> {
         match key {
             'p' => Some(Self::Points),
@@ -57,27 +57,27 @@ impl Look {
     }
 }
 
-/// What is chosen.
+/// What is selected.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controls {
-    /// Where in the show it is, in frames: between two of them while it plays.
+    /// The position in the show, in frames; while it plays it lies between frames.
     pub frame: f64,
-    /// Frames of the show, after which it begins again.
+    /// The length of the show in frames. The show repeats.
     pub length: f64,
     pub is_paused: bool,
     pub quality: NamedQuality,
-    pub look: Look,
+    pub overlay: Overlay,
 }
 
 impl Controls {
-    /// Lets so many frames go by, unless it is paused.
+    /// Advances by a number of frames, unless paused.
     pub fn advance(&mut self, frames: f64) {
         if !self.is_paused {
             self.frame = (self.frame + frames) % self.length;
         }
     }
 
-    /// Does what a key says. True if it asks for the list of keys.
+    /// Applies a key. Returns true if it asks for the list of keys.
     pub fn press(&mut self, press: Press) -> bool {
         match press {
             Press::Help => return true,
@@ -90,23 +90,23 @@ impl Controls {
         false
     }
 
-    /// Stands still at a frame.
+    /// Pauses at a frame.
     fn step(&mut self, frame: f64) {
         self.is_paused = true;
         self.frame = frame;
     }
 
-    /// A quality by its number, or a look: the same key once more leaves it.
+    /// Selects a quality by its number, or an overlay. The key of the current overlay removes it.
     fn choose(&mut self, key: char) {
         let number = key.to_digit(10).map(|digit| digit as usize);
         if let Some(quality) = number.and_then(|number| NamedQuality::all().nth(number - 1)) {
             self.quality = quality;
         }
-        if let Some(look) = Look::of(key) {
-            self.look = if self.look == look {
-                Look::Picture
+        if let Some(overlay) = Overlay::of(key) {
+            self.overlay = if self.overlay == overlay {
+                Overlay::None
             } else {
-                look
+                overlay
             };
         }
     }
@@ -114,7 +114,7 @@ impl Controls {
 
 #[cfg(test)]
 mod tests {
-    use super::{Controls, Look};
+    use super::{Controls, Overlay};
     use crate::arguments::NamedQuality;
     use eightfold_window::window::Press;
 
@@ -124,7 +124,7 @@ mod tests {
             length: 10.0,
             is_paused: false,
             quality: NamedQuality::THESIS,
-            look: Look::Picture,
+            overlay: Overlay::None,
         }
     }
 
@@ -176,17 +176,17 @@ mod tests {
     }
 
     #[test]
-    fn a_look_is_left_by_its_own_key() {
+    fn the_key_of_an_overlay_removes_it() {
         let mut controls = controls(0.0);
-        for (key, look) in [
-            ('p', Look::Points),
-            ('s', Look::Squares),
-            ('h', Look::Heat),
-            ('e', Look::Error),
-            ('e', Look::Picture),
+        for (key, overlay) in [
+            ('p', Overlay::Points),
+            ('s', Overlay::Squares),
+            ('h', Overlay::Heat),
+            ('e', Overlay::Error),
+            ('e', Overlay::None),
         ] {
             controls.press(Press::Character(key));
-            assert_eq!(controls.look, look);
+            assert_eq!(controls.overlay, overlay);
         }
         assert!(controls.press(Press::Help));
     }

@@ -1,19 +1,19 @@
-//! `lab view`: the show in a window, with time, quality and what is seen of a frame under control.
+//! `lab view`: plays the show in a window, in which keys select time, quality and overlay.
 
 mod controls;
-mod easel;
+mod frame_viewer;
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use anyhow::{Result, bail};
 use clap::Args;
-use controls::{Controls, KEYS, Look};
-use easel::{Easel, Sight};
+use controls::{Controls, KEYS, Overlay};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::cpu::{self, Isa};
 use eightfold_window::screen::{Next, Screen};
 use eightfold_window::window::{NoWindow, Window};
+use frame_viewer::{Figures, FrameViewer};
 use std::ffi::CString;
 use std::thread::{available_parallelism, sleep};
 use std::time::{Duration, Instant};
@@ -57,11 +57,11 @@ pub struct Arguments {
     isa: Option<Isa>,
 }
 
-/// How often the title is written anew while the show plays: often enough to follow, seldom enough to read. For each
-/// an exhaustive frame is drawn.
+/// The time between updates of the title while the show plays: short enough to follow, long enough to read. Each update draws an
+/// exhaustive frame.
 const TITLE_EVERY: Duration = Duration::from_millis(500);
 
-/// Plays until the viewer ends it.
+/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Size { width, height } = arguments.size;
     let window = match Window::open(c"Eightfold", width, height) {
@@ -81,11 +81,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         length,
         is_paused: arguments.paused,
         quality: arguments.quality,
-        look: Look::Picture,
+        overlay: Overlay::None,
     };
     View {
         window,
-        easel: Easel::new(threads, isa, arguments.scene, rate),
+        viewer: FrameViewer::new(threads, isa, arguments.scene, rate),
         controls,
         rate,
     }
@@ -93,12 +93,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// The window, and what is in it.
+/// The window and its contents.
 struct View {
     window: Window,
-    easel: Easel,
+    viewer: FrameViewer,
     controls: Controls,
-    /// Frames a second of the show.
+    /// The frame rate of the show, in frames per second.
     rate: f64,
 }
 
@@ -115,7 +115,7 @@ impl View {
             last = now;
             let counted = now - counted_from;
             let is_due = counted >= TITLE_EVERY;
-            // While time stands still, there is enough of it.
+            // While the show is paused there is time to measure.
             let measure = is_due || self.controls.is_paused;
             let is_new = self.draw(measure);
             if let Next::End(_) = self.window.show() {
@@ -135,7 +135,7 @@ impl View {
         }
     }
 
-    /// Does what keys say.
+    /// Applies the pressed keys.
     fn take_presses(&mut self) {
         for press in self.window.presses() {
             if self.controls.press(press) {
@@ -144,43 +144,43 @@ impl View {
         }
     }
 
-    /// Draws the frame into the window. True if it is another one than before.
+    /// Draws the frame into the window. Returns true if it is not the same as before.
     fn draw(&mut self, measure: bool) -> bool {
         let size = fit(self.window.size());
-        let is_new = self.easel.draw(&self.controls, size, measure);
+        let is_new = self.viewer.draw(&self.controls, size, measure);
         let canvas = self.window.canvas(size.width, size.height);
-        canvas.copy_from_slice(&self.easel.picture);
+        canvas.copy_from_slice(&self.viewer.picture);
         is_new
     }
 
-    /// What is seen, how fast it comes and how right it is.
+    /// The title: what is shown, how fast it is drawn, and its error.
     fn title(&self, fps: Option<f64>) -> String {
         let Controls {
             frame,
             quality,
-            look,
+            overlay,
             is_paused,
             ..
         } = self.controls;
-        let Sight { time, points, psnr } = self.easel.sight;
+        let Figures { time, points, psnr } = self.viewer.figures;
         let seconds = frame / self.rate;
         let state = if is_paused { ", paused" } else { "" };
         let fps = fps.map_or("-".to_owned(), |fps| format!("{fps:.0}"));
-        let right = if psnr.is_finite() {
+        let error = if psnr.is_finite() {
             format!("{psnr:.1} dB")
         } else {
             "exact".to_owned()
         };
         format!(
-            "Eightfold: {quality}, {} at {seconds:.2} s{state}; {fps} fps, {:.2} ms a frame, {:.1} % traced, {right}",
-            look.name(),
+            "Eightfold: {quality}, {} at {seconds:.2} s{state}; {fps} fps, {:.2} ms a frame, {:.1} % traced, {error}",
+            overlay.name(),
             time.as_secs_f64() * 1e3,
             points * 1e2,
         )
     }
 }
 
-/// The size of a picture for a window: the window's own, or the largest of its shape.
+/// The size of the picture for a window: the same, or the largest supported size of the same aspect ratio.
 fn fit((width, height): (usize, usize)) -> Size {
     let across = MAX_WIDTH as f64 / width as f64;
     let down = MAX_HEIGHT as f64 / height as f64;
@@ -192,7 +192,7 @@ fn fit((width, height): (usize, usize)) -> Size {
     }
 }
 
-/// A time in the show.
+/// Parses a time in the show.
 fn from_start(text: &str) -> Result<f32, String> {
     let seconds = arguments::seconds(text).ok();
     seconds

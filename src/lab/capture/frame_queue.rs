@@ -1,4 +1,4 @@
-//! Frames drawn side by side, handed over in their order.
+//! Draws frames in parallel, and hands them over in order.
 
 use super::film::{Canvas, Film};
 use anyhow::{Error, Result};
@@ -6,33 +6,33 @@ use std::collections::BTreeMap;
 use std::sync::{Condvar, Mutex, MutexGuard};
 use std::thread;
 
-/// Threads that draw a frame each.
-pub struct Crew<'a> {
+/// Draws frames of a film on several threads, one frame per thread.
+pub struct FrameQueue<'a> {
     pub film: &'a Film,
     pub threads: usize,
 }
 
-/// Frames that may be under way for each thread: one to be drawn, one to wait for its turn.
+/// The number of unfinished frames per thread: one is being drawn, one may wait for its turn.
 const AHEAD: usize = 2;
 
-/// How far the work is.
+/// The state that the threads share.
 struct State<T, H> {
-    /// The place in the list of the next frame to draw.
+    /// The index of the next frame to draw.
     next: usize,
-    /// Frames drawn whose turn has not come.
+    /// Results, by index, that wait for their turn.
     drawn: BTreeMap<usize, T>,
-    /// Frames handed over.
+    /// The number of results handed over.
     handed: usize,
     hand_over: H,
     error: Option<Error>,
 }
 
-impl Crew<'_> {
-    /// Draws frames by number, makes something of each picture on the thread that drew it, and hands that over in the
-    /// order of the list.
+impl FrameQueue<'_> {
+    /// Draws the frames of the given numbers. `make` turns each picture into a result, on the thread that drew it; `hand_over` gets
+    /// the results in the order of the list.
     ///
     /// # Errors
-    /// The first of `make` and `hand_over`; then no more frames are drawn.
+    /// The first error of `make` or `hand_over`, after which no more frames are drawn.
     pub fn draw<T: Send>(
         &self,
         frames: &[usize],
@@ -51,10 +51,10 @@ impl Crew<'_> {
             for _ in 0..self.threads.min(frames.len()) {
                 scope.spawn(|| {
                     let mut canvas = Canvas::new();
-                    while let Some(place) = self.claim(frames.len(), &state, &moved) {
-                        let frame = frames[place];
+                    while let Some(index) = self.claim(frames.len(), &state, &moved) {
+                        let frame = frames[index];
                         let made = make(frame, self.film.draw(frame, &mut canvas));
-                        lock(&state).put(place, made);
+                        lock(&state).put(index, made);
                         moved.notify_all();
                     }
                 });
@@ -64,7 +64,7 @@ impl Crew<'_> {
         state.error.map_or(Ok(()), Err)
     }
 
-    /// The next frame's place in a list of `count`, once few enough are under way; none at the end.
+    /// The index of the next frame to draw, below `count`, once few enough are unfinished; `None` at the end.
     fn claim<T, H>(
         &self,
         count: usize,
@@ -86,13 +86,13 @@ impl Crew<'_> {
 }
 
 impl<T, H: FnMut(T) -> Result<()>> State<T, H> {
-    /// Takes what was made of a frame, and hands over all whose turn has come.
-    fn put(&mut self, place: usize, made: Result<T>) {
+    /// Takes a result, and hands over all results whose turn has come.
+    fn put(&mut self, index: usize, made: Result<T>) {
         if self.error.is_some() {
             return;
         }
         let handed = made.and_then(|made| {
-            self.drawn.insert(place, made);
+            self.drawn.insert(index, made);
             while let Some(made) = self.drawn.remove(&self.handed) {
                 (self.hand_over)(made)?;
                 self.handed += 1;

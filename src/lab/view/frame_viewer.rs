@@ -1,6 +1,6 @@
-//! Where a frame is drawn to be looked at: the picture, what it was made of, how right it is.
+//! Draws the frame to look at, with an overlay, and measures it.
 
-use super::controls::{Controls, Look, MOST_ERROR, MOST_RAYS};
+use super::controls::{Controls, MOST_ERROR, MOST_RAYS, Overlay};
 use crate::arguments::Size;
 use crate::error::Difference;
 use crate::overlay::{FrameTrace, draw_error};
@@ -11,37 +11,38 @@ use eightfold::scene::Scene;
 use eightfold_window::cpu::Isa;
 use std::time::{Duration, Instant};
 
-/// Memory and threads for frames, and the last of them.
-pub struct Easel {
+/// The memory and threads to draw with, and the last frame.
+pub struct FrameViewer {
     studio: Studio,
     isa: Isa,
     scene: SceneName,
-    /// Frames a second of the show.
+    /// The frame rate of the show, in frames per second.
     rate: f64,
-    /// What the picture is of.
+    /// What the picture was drawn for.
     drawn: Option<(Controls, Size)>,
     pub picture: Vec<u32>,
-    /// The same moment with every pixel traced, and whether it is there.
+    /// The exhaustive frame of the same moment.
     exhaustive: Vec<u32>,
+    /// Whether `exhaustive` has been drawn for this picture.
     has_exhaustive: bool,
     trace: FrameTrace,
     trace_size: Size,
     scratch: Vec<u32>,
-    pub sight: Sight,
+    pub figures: Figures,
 }
 
-/// What is known of the picture.
+/// What was measured of the picture.
 #[derive(Clone, Copy, Default)]
-pub struct Sight {
-    /// To draw it, without overlays.
+pub struct Figures {
+    /// The time to draw it, without the overlay.
     pub time: Duration,
-    /// Points traced for each pixel.
+    /// The number of traced points per pixel.
     pub points: f64,
-    /// Against the exhaustive picture, in dB.
+    /// The PSNR against the exhaustive frame, in dB.
     pub psnr: f64,
 }
 
-impl Easel {
+impl FrameViewer {
     pub fn new(threads: usize, isa: Isa, scene: SceneName, rate: f64) -> Self {
         Self {
             studio: Studio::new(threads),
@@ -58,12 +59,12 @@ impl Easel {
                 height: 0,
             },
             scratch: Vec::new(),
-            sight: Sight::default(),
+            figures: Figures::default(),
         }
     }
 
-    /// Draws what the controls ask for; false if that is what is there already. With `measure`, says how right it is,
-    /// which takes an exhaustive picture.
+    /// Draws the frame that the controls select. Returns false if it is the same as before. With `measure` it measures the error, which
+    /// takes an exhaustive frame.
     pub fn draw(&mut self, controls: &Controls, size: Size, measure: bool) -> bool {
         if self.drawn == Some((*controls, size)) && (self.has_exhaustive || !measure) {
             return false;
@@ -77,31 +78,31 @@ impl Easel {
         let counts = self
             .studio
             .draw(level, &scene, quality, size.width, &mut self.picture);
-        self.sight.time = start.elapsed();
-        self.sight.points = counts.points as f64 / size.area() as f64;
-        self.has_exhaustive = measure || controls.look == Look::Error;
+        self.figures.time = start.elapsed();
+        self.figures.points = counts.points as f64 / size.area() as f64;
+        self.has_exhaustive = measure || controls.overlay == Overlay::Error;
         if self.has_exhaustive {
             self.compare(&scene, size);
         }
-        self.lay_over(&scene, controls, size);
+        self.draw_overlay(&scene, controls, size);
         true
     }
 
-    /// Draws the exhaustive picture, and compares the other one to it.
+    /// Draws the exhaustive frame and measures the picture's error.
     fn compare(&mut self, scene: &Scene, size: Size) {
         let (level, quality) = (self.isa.level, &Quality::EXHAUSTIVE);
         self.exhaustive.resize(size.area(), 0);
         self.studio
             .draw(level, scene, quality, size.width, &mut self.exhaustive);
-        self.sight.psnr = Difference::between(&self.picture, &self.exhaustive).psnr;
+        self.figures.psnr = Difference::between(&self.picture, &self.exhaustive).psnr;
     }
 
-    /// Draws what is to be seen of the frame over it.
-    fn lay_over(&mut self, scene: &Scene, controls: &Controls, size: Size) {
-        match controls.look {
-            Look::Picture => return,
-            Look::Error => return draw_error(&mut self.picture, &self.exhaustive, MOST_ERROR),
-            Look::Points | Look::Squares | Look::Heat => {}
+    /// Draws the overlay.
+    fn draw_overlay(&mut self, scene: &Scene, controls: &Controls, size: Size) {
+        match controls.overlay {
+            Overlay::None => return,
+            Overlay::Error => return draw_error(&mut self.picture, &self.exhaustive, MOST_ERROR),
+            Overlay::Points | Overlay::Squares | Overlay::Heat => {}
         }
         if self.trace_size == size {
             self.trace.clear();
@@ -113,9 +114,9 @@ impl Easel {
         let (level, quality) = (self.isa.level, &controls.quality.quality);
         self.studio
             .draw_observed(level, scene, quality, &self.trace, &mut self.scratch);
-        match controls.look {
-            Look::Points => self.trace.draw_points(&mut self.picture),
-            Look::Squares => self.trace.draw_squares(&mut self.picture),
+        match controls.overlay {
+            Overlay::Points => self.trace.draw_points(&mut self.picture),
+            Overlay::Squares => self.trace.draw_squares(&mut self.picture),
             _ => self.trace.draw_heat(&mut self.picture, MOST_RAYS),
         }
     }
