@@ -1,8 +1,8 @@
-//! Rows as comma-separated values, by the same names as in JSON.
+//! Writes the measured points as comma-separated values, with the same names as in JSON.
 
 use super::row::Row;
 
-/// A column's title, and what a row has in it.
+/// A column: its title, and the text for a row.
 type Column = (&'static str, fn(&Row) -> String);
 
 const COLUMNS: [Column; 27] = [
@@ -59,7 +59,7 @@ fn finite(decibels: f64) -> String {
     }
 }
 
-/// A line of titles and a line for each row; the last column says whether the point is on the front.
+/// A line of titles and a line for each row. The last column tells whether the point is on the Pareto front.
 pub fn csv(rows: &[Row]) -> String {
     let titles = COLUMNS.map(|(title, _)| title).join(",");
     let lines = rows.iter().map(|row| {

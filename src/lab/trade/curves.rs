@@ -1,4 +1,4 @@
-//! How speed depends on the size of a picture and on the number of objects.
+//! Measures how speed depends on the size of the picture and on the number of objects.
 
 use super::row::quartile;
 use crate::arguments::{NamedQuality, Size};
@@ -11,31 +11,31 @@ use eightfold::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::cpu::Isa;
 use serde::Serialize;
 
-/// Frames of each point of a curve.
+/// The number of frames measured for each point of a curve.
 const ROUNDS: usize = 7;
 
-/// A line of a plot.
+/// A curve of a plot.
 #[derive(Clone, Serialize)]
 pub struct Curve {
     /// The quality's name.
     pub name: &'static str,
-    /// In the order of what they depend on.
+    /// The points, sorted by x.
     pub points: Vec<(f64, f64)>,
 }
 
-/// Draws the curves' frames.
+/// Measures the curves.
 pub struct Curves<'a> {
     pub scene: SceneName,
     pub isa: Isa,
     pub size: Size,
     pub time: f32,
-    /// Of one thread.
+    /// A studio with one thread.
     pub studio: &'a mut Studio,
-    /// Called after each point.
+    /// Called after each point with the estimated microseconds that it took.
     pub progress: &'a dyn Fn(u64),
 }
 
-/// The sizes of a curve: quarter, half, same and double sides, and the largest of this shape.
+/// The sizes of a curve: those with a quarter, half, one and two times the sides, and the largest of the same aspect ratio.
 pub fn sizes(size: Size, quick: bool) -> Vec<Size> {
     let Size { width, height } = size;
     let scaled = |by: f64| Size {
@@ -53,7 +53,7 @@ pub fn sizes(size: Size, quick: bool) -> Vec<Size> {
     scales.into_iter().map(scaled).collect()
 }
 
-/// Numbers of small spheres.
+/// The numbers of small spheres of a curve.
 pub fn objects(quick: bool) -> &'static [usize] {
     if quick {
         &[1, 8, 64, MAX_SPHERES]
@@ -62,7 +62,7 @@ pub fn objects(quick: bool) -> &'static [usize] {
     }
 }
 
-/// Those whose lines are worth drawing: the two to compare with, and the ladder's ends and middle.
+/// The qualities with a curve: the two that serve for comparison, and the ends and the middle of the ladder.
 pub fn qualities() -> Vec<NamedQuality> {
     let all: Vec<NamedQuality> = NamedQuality::all().collect();
     let (compared, ladder) = all.split_at(2);
@@ -76,7 +76,7 @@ pub fn qualities() -> Vec<NamedQuality> {
 }
 
 impl Curves<'_> {
-    /// For each quality but the first the speed-up against it, by the number of pixels.
+    /// For each quality but the first, the speed-up relative to the first by the number of pixels.
     pub fn by_resolution(&mut self, sizes: &[Size]) -> Vec<Curve> {
         let scene = self.scene.at(self.time);
         let mut curves = empty(&qualities()[1..]);
@@ -93,7 +93,7 @@ impl Curves<'_> {
         curves
     }
 
-    /// For each quality the time of a frame by the number of spheres, as a multiple of the exhaustive frame's with one.
+    /// For each quality, the time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one sphere.
     pub fn by_objects(&mut self, counts: &[usize]) -> Vec<Curve> {
         let one = SceneName::Field(1).at(self.time);
         let mut curves = empty(&qualities());
@@ -103,7 +103,7 @@ impl Curves<'_> {
             let Some((unit, rest)) = times.split_first() else {
                 break;
             };
-            // The other qualities of one sphere come first.
+            // The times of the other qualities for one sphere are skipped.
             let rest = &rest[curves.len() - 1..];
             for (curve, times) in curves.iter_mut().zip(rest) {
                 let time = quartile(times) / quartile(unit);
@@ -113,7 +113,8 @@ impl Curves<'_> {
         curves
     }
 
-    /// The seconds of frames of each quality of each scene in turn, [`ROUNDS`] of each; none once it is time to end.
+    /// The times, in seconds, of [`ROUNDS`] frames of each quality of each scene; nothing after Ctrl-C. Scenes and qualities take
+    /// turns.
     fn times(&mut self, scenes: &[&Scene], size: Size) -> Vec<Vec<f64>> {
         let qualities = qualities();
         let mut pixels = vec![0; size.area()];
@@ -131,7 +132,7 @@ impl Curves<'_> {
                 let level = self.isa.level;
                 self.studio
                     .draw(level, scene, quality, size.width, &mut pixels);
-                // The first round brings memory and threads to life.
+                // The first round warms up memory and threads.
                 if round > 0 {
                     times.push(start.elapsed().as_secs_f64());
                 }
@@ -142,11 +143,12 @@ impl Curves<'_> {
     }
 }
 
-/// The progress that a point of a curve makes, in microseconds, about: half of it is the exhaustive frames'.
+/// The estimated microseconds that a point of a curve takes; half of them are for exhaustive frames.
 pub fn cost(size: Size, scenes: usize) -> u64 {
     (0.02 * (size.area() * scenes * (1 + ROUNDS)) as f64) as u64
 }
 
+/// A curve without points for each quality.
 fn empty(qualities: &[NamedQuality]) -> Vec<Curve> {
     let curves = qualities.iter().map(|quality| Curve {
         name: quality.name,

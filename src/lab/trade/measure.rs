@@ -1,4 +1,4 @@
-//! Draws every point's frames: against the clock, for flicker, and for FLIP.
+//! Draws the frames of every point: to measure time and error, flicker, and FLIP.
 
 use super::sweep::Point;
 use super::tally::Tally;
@@ -14,52 +14,57 @@ use eightfold::scene::Scene;
 use eightfold::{Counts, Quality};
 use eightfold_window::cpu::Isa;
 
-/// Points drawn one right after the other between two exhaustive frames: the machine's speed drifts little meanwhile.
+/// The number of points drawn between two exhaustive frames: few enough that the machine's speed hardly drifts in between.
 const GROUP: usize = 4;
 
-/// Frames a second of those that flicker is looked for in.
+/// The frame rate for measuring flicker.
 const FLICKER_FPS: f64 = 60.0;
 
-/// What is measured of each point.
+/// What to measure for each point.
 pub struct Plan {
     pub scene: SceneName,
     pub isa: Isa,
-    /// The exhaustive quality, as its frames are those that errors are held to.
+    /// The quality of the reference frames, against which errors are measured: exhaustive, perhaps antialiased.
     pub reference: Quality,
     pub size: Size,
-    /// Frames against the clock, at times spread evenly.
+    /// The number of timed frames, at even intervals.
     pub frames: usize,
+    /// The time of the first frame, in seconds.
     pub time_from: f32,
+    /// The time of the last timed frame, in seconds.
     pub time_to: f32,
-    /// Frames in a row that flicker is looked for in, from the first time on.
+    /// The number of successive frames for measuring flicker, from the first time on.
     pub flicker_frames: usize,
-    /// Frames that FLIP looks at, at times spread evenly.
+    /// The number of frames for FLIP, at even intervals.
     pub flip_frames: usize,
 }
 
-/// Where frames are drawn and compared, and the exhaustive frame that the others are held to.
-pub struct Bench<'a> {
+/// Draws and compares frames.
+pub struct Measurement<'a> {
     pub plan: &'a Plan,
-    /// Of one thread, whose time on a processor is what is measured: unlike the clock's it does not hold what others at
-    /// work on the machine take.
+    /// Draws timed frames on one thread. What is measured is the thread's time on a processor, which does not include the time that
+    /// other programs take.
     pub timed: Studio,
-    /// Of all threads, for frames that no time is taken of.
+    /// Draws all other frames, on all threads.
     studio: Studio,
     threads: usize,
+    /// The reference frame.
     exhaustive: Vec<u32>,
-    /// The frames of a group.
+    /// The frames of a group of points.
     frames: Vec<Vec<u32>>,
-    /// Called with the microseconds that something took on this machine, about.
+    /// Called with the estimated microseconds of each piece of work.
     progress: &'a dyn Fn(u64),
 }
 
-/// What work takes about, in nanoseconds a pixel: the progress is counted in it.
+/// Estimated nanoseconds per pixel to draw a frame, for the progress.
 const DRAWING: f64 = 3.0;
+/// Estimated nanoseconds per pixel to compare two frames.
 const COMPARING: f64 = 1.0;
+/// Estimated nanoseconds per pixel to compute FLIP.
 const FLIPPING: f64 = 700.0;
 
 impl Plan {
-    /// The progress that measuring so many points makes.
+    /// The estimated microseconds to measure a number of points.
     pub fn steps(&self, points: usize) -> u64 {
         let frames = self.frames * points;
         let flicker = self.flicker_frames * points;
@@ -71,14 +76,15 @@ impl Plan {
         (per_pixel * 1e-3 * (self.size.area() * frames) as f64) as u64
     }
 
-    /// When frame `i` of `count` is, in seconds.
+    /// The time of frame `i` of `count`, in seconds.
     pub fn time(&self, i: usize, count: usize) -> f32 {
         let share = i as f64 / (count - 1).max(1) as f64;
         (f64::from(self.time_from) * (1.0 - share) + f64::from(self.time_to) * share) as f32
     }
 }
 
-impl<'a> Bench<'a> {
+impl<'a> Measurement<'a> {
+    /// Allocates memory and starts threads.
     pub fn new(plan: &'a Plan, threads: usize, progress: &'a dyn Fn(u64)) -> Self {
         Self {
             plan,
@@ -91,35 +97,35 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Measures all points, or as much of each as there was time for.
+    /// Measures all points; after Ctrl-C, the rest of the frames is left out.
     pub fn measure(&mut self, points: Vec<Point>) -> Vec<Tally> {
         let mut tallies: Vec<Tally> = points.into_iter().map(Tally::new).collect();
         let plan = self.plan;
-        // One frame that does not count: threads and memory come to life.
+        // The first frame warms up threads and memory.
         self.time_exhaustive(&plan.scene.without_overlay(plan.time_from));
-        // The first frame is drawn in any case, so that there is something to tell of each point.
+        // The first frame is always drawn, so that there is a result for each point.
         for frame in 0..plan.frames {
             if frame > 0 && interrupt::is_stopped() {
                 break;
             }
-            // Each time another one comes first, so that none has its place in a group to thank.
+            // Points change places in the groups, so that no point always benefits from its place.
             tallies.rotate_left(1);
-            self.against_the_clock(&mut tallies, plan.time(frame, plan.frames));
+            self.measure_time(&mut tallies, plan.time(frame, plan.frames));
         }
-        let turned = plan.frames.min(tallies[0].times.len()) % tallies.len();
-        tallies.rotate_right(turned);
+        let rotated = plan.frames.min(tallies[0].times.len()) % tallies.len();
+        tallies.rotate_right(rotated);
         for frame in 0..plan.flicker_frames {
             let time = f64::from(plan.time_from) + frame as f64 / FLICKER_FPS;
-            self.for_flicker(&mut tallies, time as f32);
+            self.measure_flicker(&mut tallies, time as f32);
         }
         for frame in 0..plan.flip_frames {
-            self.for_flip(&mut tallies, plan.time(frame, plan.flip_frames));
+            self.measure_flip(&mut tallies, plan.time(frame, plan.flip_frames));
         }
         tallies
     }
 
-    /// Draws a frame of each point, in groups between exhaustive frames, and compares.
-    fn against_the_clock(&mut self, tallies: &mut [Tally], time: f32) {
+    /// Draws a timed frame of each point, in groups between exhaustive frames, and measures its error.
+    fn measure_time(&mut self, tallies: &mut [Tally], time: f32) {
         let Size { width, height } = self.plan.size;
         let scene = self.plan.scene.without_overlay(time);
         let visible = Visible::new(&scene, width, height);
@@ -142,7 +148,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    fn for_flicker(&mut self, tallies: &mut [Tally], time: f32) {
+    fn measure_flicker(&mut self, tallies: &mut [Tally], time: f32) {
         if interrupt::is_stopped() {
             return;
         }
@@ -158,7 +164,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    fn for_flip(&mut self, tallies: &mut [Tally], time: f32) {
+    fn measure_flip(&mut self, tallies: &mut [Tally], time: f32) {
         let scene = self.plan.scene.without_overlay(time);
         self.draw_exhaustive(&scene);
         let width = self.plan.size.width;
@@ -175,7 +181,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Draws the exhaustive frame, and says how many seconds it takes one thread without more samples at edges.
+    /// Draws the reference frame. Returns the seconds that an exhaustive frame without antialiasing takes one thread.
     fn time_exhaustive(&mut self, scene: &Scene) -> f64 {
         let (level, width) = (self.plan.isa.level, self.plan.size.width);
         let pixels = &mut self.exhaustive;
@@ -189,7 +195,7 @@ impl<'a> Bench<'a> {
         time
     }
 
-    /// Draws a frame of each point of a group, and says how much work each was and how many seconds it took one thread.
+    /// Draws a frame of each point of a group. Returns the work and the seconds that each took one thread.
     fn time_group(&mut self, scene: &Scene, group: &[Tally]) -> Vec<(Counts, f64)> {
         let (level, width) = (self.plan.isa.level, self.plan.size.width);
         let each = group.iter().zip(&mut self.frames);
@@ -202,7 +208,7 @@ impl<'a> Bench<'a> {
         .collect()
     }
 
-    /// Draws the exhaustive frame.
+    /// Draws the reference frame.
     fn draw_exhaustive(&mut self, scene: &Scene) {
         let (level, width) = (self.plan.isa.level, self.plan.size.width);
         let pixels = &mut self.exhaustive;
@@ -219,7 +225,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Does something with each point of a group, the exhaustive frame and its own, on as many threads as draw.
+    /// Calls a function for each point of a group, with the reference frame and the point's own, on all threads.
     fn compare(&mut self, group: &mut [Tally], job: impl Fn(&mut Tally, &[u32], &[u32]) + Sync) {
         let mut workers = vec![(); self.threads];
         let mut each: Vec<_> = group.iter_mut().zip(&self.frames).collect();

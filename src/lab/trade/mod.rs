@@ -1,4 +1,4 @@
-//! `lab trade`: what speed costs in accuracy, dial by dial.
+//! `lab trade`: measures what speed costs in accuracy, dial by dial.
 
 mod csv;
 mod curves;
@@ -18,7 +18,7 @@ use anyhow::{Context, Result, bail};
 use clap::Args;
 use curves::{Curve, Curves};
 use eightfold_window::cpu::{self, Isa};
-use measure::{Bench, Plan};
+use measure::{Measurement, Plan};
 use row::{Row, mark_front};
 use serde::Serialize;
 use std::fs;
@@ -73,7 +73,7 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// All that was measured, as it goes to JSON.
+/// All results, as they are written to JSON.
 #[derive(Serialize)]
 pub struct Trade {
     pub machine: String,
@@ -81,22 +81,22 @@ pub struct Trade {
     pub scene: String,
     pub width: usize,
     pub height: usize,
-    /// Seconds of the frames against the clock.
+    /// The times of the timed frames, in seconds.
     pub times: Vec<f32>,
     pub flicker_frames: usize,
     pub flip_frames: usize,
-    /// False where Ctrl-C ended it early.
+    /// Whether everything was measured: false after Ctrl-C.
     pub complete: bool,
     pub points: Vec<Row>,
-    /// Speed-up against the exhaustive frames by the number of pixels.
+    /// The speed-up relative to exhaustive frames by the number of pixels.
     pub by_resolution: Vec<Curve>,
-    /// Time of a frame by the number of spheres of a field, in exhaustive frames of one sphere.
+    /// The time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one sphere.
     pub by_objects: Vec<Curve>,
-    /// PSNR in dB by the time in seconds; frames without any error are left out.
+    /// The PSNR in dB by the time in seconds, without frames that have no error.
     pub over_time: Vec<Curve>,
 }
 
-/// Measures, writes the files and prints the front.
+/// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     interrupt::listen();
     let plan = plan(arguments)?;
@@ -130,8 +130,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         (true, _) => {}
         (false, true) => bail!(Stopped("the table holds what was measured".to_owned())),
         (false, false) => {
-            let place = format!("what was measured is in {}", folder.display());
-            bail!(Stopped(place));
+            let rest = format!("what was measured is in {}", folder.display());
+            bail!(Stopped(rest));
         }
     }
     Ok(())
@@ -170,8 +170,8 @@ fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
     }
     let bar = progress::bar(steps as usize);
     let progress = |done| bar.inc(done);
-    let mut bench = Bench::new(plan, threads, &progress);
-    let tallies = bench.measure(points);
+    let mut measurement = Measurement::new(plan, threads, &progress);
+    let tallies = measurement.measure(points);
     let (mut by_resolution, mut by_objects) = (Vec::new(), Vec::new());
     if !arguments.ladder {
         let mut curves = Curves {
@@ -179,7 +179,7 @@ fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
             isa: plan.isa,
             size: plan.size,
             time: plan.time_from,
-            studio: &mut bench.timed,
+            studio: &mut measurement.timed,
             progress: &progress,
         };
         by_resolution = curves.by_resolution(&sizes);
@@ -208,7 +208,7 @@ fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
     }
 }
 
-/// The error of each frame of the qualities that lines are drawn of.
+/// The error of each frame, for the qualities that have a curve.
 fn over_time(plan: &Plan, tallies: &[Tally]) -> Vec<Curve> {
     let lines = curves::qualities().into_iter().skip(1);
     lines

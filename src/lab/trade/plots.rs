@@ -1,4 +1,4 @@
-//! The plots of a trade.
+//! The plots of the results.
 
 use super::Trade;
 use super::curves::Curve;
@@ -8,12 +8,12 @@ use anyhow::Result;
 use plotters::style::RGBColor;
 use std::path::Path;
 
-/// The most of a front that the list beside its plot has room for.
+/// The number of points of the front for which the list beside the plot has room.
 const LISTED: usize = 28;
 
 const PSNR: &str = "PSNR against every pixel traced, dB";
 
-/// Writes all plots that there are figures for.
+/// Writes all plots for which there are results.
 pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
     cloud(trade).write(folder, "front")?;
     squares(trade).write(folder, "squares")?;
@@ -26,7 +26,7 @@ pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
     over_time(trade).write(folder, "over-time")
 }
 
-/// What and where was measured, for the line under a title.
+/// The line under a title: what was measured, and how.
 fn note(trade: &Trade) -> String {
     format!(
         "{} scene, {}x{}, {} frames, {}, one thread",
@@ -38,7 +38,7 @@ fn note(trade: &Trade) -> String {
     )
 }
 
-/// The points of the front from the slowest to the fastest; those without any error have no place on a plot.
+/// The points of the front from the slowest to the fastest. Points without any error are left out: their PSNR is infinite.
 pub fn front(rows: &[Row]) -> Vec<&Row> {
     let on_front = rows.iter().filter(|row| row.on_front && !row.is_exact());
     let mut front: Vec<&Row> = on_front.collect();
@@ -46,10 +46,10 @@ pub fn front(rows: &[Row]) -> Vec<&Row> {
     front
 }
 
-/// All points, and the front of them by number.
+/// The plot of all points, with the front numbered.
 fn cloud(trade: &Trade) -> Chart {
     let front = front(&trade.points);
-    // With many points on the front every n-th is named, and the named qualities always.
+    // If the front has many points, every n-th is listed, and all named qualities.
     let every = front.len().div_ceil(LISTED).max(1);
     let is_listed = |&(i, row): &(usize, &&Row)| i.is_multiple_of(every) || is_named(row);
     let listed = front.iter().enumerate().filter(is_listed);
@@ -57,7 +57,7 @@ fn cloud(trade: &Trade) -> Chart {
     let off_front = |row: &&Row| is_named(row) && !row.on_front && !row.is_exact();
     let mut labels: Vec<Label> = Vec::new();
     for (number, row) in (1..).zip(&listed) {
-        // Where two are close the second one's number goes below.
+        // If two points are close, the number of the second one goes below it.
         let is_close = |label: &Label| {
             (label.x / row.speedup).ln().abs() < 0.05 && (label.y - row.psnr_db).abs() < 1.0
         };
@@ -70,14 +70,14 @@ fn cloud(trade: &Trade) -> Chart {
     labels.extend(named.map(|row| label(row, row.name.clone(), true)));
     let by = |is: &dyn Fn(&Row) -> bool| {
         let rows = trade.points.iter().filter(|row| !row.is_exact() && is(row));
-        rows.map(place).collect::<Vec<_>>()
+        rows.map(position).collect::<Vec<_>>()
     };
     let all = || trade.points.iter().filter(|row| !row.is_exact());
     Chart {
         title: "What speed costs: every setting, and the Pareto front".to_owned(),
         note: note(trade),
         x: Axis::log(
-            "speed, in exhaustive frames",
+            "speed-up over exhaustive frames",
             all().map(|row| row.speedup),
             tenths(),
         ),
@@ -89,7 +89,7 @@ fn cloud(trade: &Trade) -> Chart {
             series(
                 "Pareto front",
                 COLOURS[1],
-                front.iter().map(|row| place(row)).collect(),
+                front.iter().map(|row| position(row)).collect(),
                 true,
                 4,
             ),
@@ -102,7 +102,7 @@ fn cloud(trade: &Trade) -> Chart {
     }
 }
 
-/// A line of the list beside the front.
+/// A line of the list beside the plot.
 fn entry(number: usize, row: &Row) -> String {
     if is_named(row) {
         format!("{number}  {}: {}", row.name, row.dials)
@@ -115,12 +115,13 @@ fn is_named(row: &Row) -> bool {
     row.name != row.dials
 }
 
-fn place(row: &Row) -> (f64, f64) {
+/// The position of a point in the plot.
+fn position(row: &Row) -> (f64, f64) {
     (row.speedup, row.psnr_db)
 }
 
 fn label(row: &Row, text: String, is_below: bool) -> Label {
-    let (x, y) = place(row);
+    let (x, y) = position(row);
     Label {
         x,
         y,
@@ -129,7 +130,7 @@ fn label(row: &Row, text: String, is_below: bool) -> Label {
     }
 }
 
-/// The error by the side of the squares, for the rules of 2008 and what the intro plays by.
+/// The plot of the error by the side of the squares, for the rules of 2008 and the default quality.
 fn squares(trade: &Trade) -> Chart {
     let line = |quality: eightfold::Quality| {
         let same = |row: &&Row| {
@@ -150,7 +151,7 @@ fn squares(trade: &Trade) -> Chart {
         line(eightfold::Quality::THESIS),
         line(eightfold::Quality::DEFAULT),
     );
-    let place = |row: &&Row| (row.square as f64, row.psnr_db);
+    let position = |row: &&Row| (row.square as f64, row.psnr_db);
     let labels = |rows: &[&Row], is_below| -> Vec<Label> {
         let label = |row: &&Row| Label {
             x: row.square as f64,
@@ -163,12 +164,12 @@ fn squares(trade: &Trade) -> Chart {
     let all = || thesis.iter().chain(&played);
     let line = |name, rows: &[&Row]| {
         let colour = colour(name);
-        series(name, colour, rows.iter().map(place).collect(), true, 4)
+        series(name, colour, rows.iter().map(position).collect(), true, 4)
     };
     Chart {
         title: "Error and speed by the side of the squares".to_owned(),
         note: format!(
-            "{}; beside each point its speed in exhaustive frames; sides that are no powers of two are filled pixel by pixel",
+            "{}; the numbers are speed-ups over exhaustive frames; squares whose side is no power of two are filled pixel by pixel",
             note(trade)
         ),
         x: Axis::log(
@@ -189,7 +190,11 @@ fn resolution(trade: &Trade) -> Chart {
         title: "Speed by the size of the picture".to_owned(),
         note: note(trade),
         x: Axis::log("pixels of the picture", xs(curves), tenths()),
-        y: Axis::linear("speed, in exhaustive frames", ys(curves).chain([0.0]), 8),
+        y: Axis::linear(
+            "speed-up over exhaustive frames",
+            ys(curves).chain([0.0]),
+            8,
+        ),
         series: lines(curves, 4),
         labels: Vec::new(),
         list: Vec::new(),
@@ -204,7 +209,7 @@ fn objects(trade: &Trade) -> Chart {
         note: format!("fields of small spheres, {}x{}", trade.width, trade.height),
         x: Axis::log("spheres", xs(curves), powers),
         y: Axis::log(
-            "time, in exhaustive frames of one sphere",
+            "time / time of an exhaustive frame with one sphere",
             ys(curves),
             tenths(),
         ),
@@ -242,7 +247,7 @@ fn ys(curves: &[Curve]) -> impl Iterator<Item = f64> {
         .map(|(_, y)| *y)
 }
 
-/// 1, 2 and 5 times every power of ten that there are plots for.
+/// Ticks at 1, 2 and 5 times every power of ten in question.
 fn tenths() -> Vec<f64> {
     let powers = (-4..8).map(|power| 10_f64.powi(power));
     powers
@@ -265,7 +270,7 @@ fn lines(curves: &[Curve], mark: u32) -> Vec<Series> {
         .collect()
 }
 
-/// A quality has the same colour in all plots.
+/// The colour of a quality, the same in all plots.
 fn colour(name: &str) -> RGBColor {
     match name {
         "exhaustive" => DARK,

@@ -1,13 +1,13 @@
-//! The figures of a point.
+//! The results for a point.
 
 use super::tally::Tally;
 use serde::Serialize;
 
-/// What was measured of one quality.
+/// The results for one quality.
 ///
-/// Counts are means of a frame, shares are of 1, errors are against the exhaustive frames. In JSON `null` stands for an
-/// infinite dial, for a PSNR where nothing differs, and for what there was no time to measure; in CSV an infinite dial is
-/// `inf` and the rest is empty.
+/// Counts are means per frame, fractions are from 0 to 1, errors are against the exhaustive frames. In JSON `null` stands for an
+/// infinite dial, for the PSNR of equal frames, and for what was not measured before Ctrl-C. In CSV an infinite dial is `inf`, and the
+/// others are empty.
 #[derive(Clone, Serialize)]
 pub struct Row {
     pub name: String,
@@ -24,37 +24,39 @@ pub struct Row {
     pub depth: u32,
     pub least_contribution: f32,
     pub antialias: usize,
-    /// Whether it compares keys.
+    /// Whether keys are compared.
     pub keys: bool,
-    /// Frames against the clock.
+    /// The number of timed frames.
     pub frames: usize,
-    /// The time that a quarter of the exhaustive frames stay within over that of this one's frames: whoever else is at
-    /// work on the machine lengthens the other frames, and long ones more than short ones.
+    /// The first quartile of the exhaustive frames' times over that of this quality's. Other programs lengthen the times of the
+    /// slower frames, so the first quartile is more stable than the median.
     pub speedup: f64,
-    /// Points traced for each pixel of the picture.
+    /// The number of traced points per pixel.
     pub traced_fraction: f64,
     /// Primary, secondary and shadow rays.
     pub rays: f64,
-    /// Of the mean squared error of all frames; the worst frame's.
+    /// The PSNR of all frames together.
     pub psnr_db: f64,
+    /// The PSNR of the worst frame.
     pub psnr_worst_db: f64,
-    /// The largest of any channel, pixel and frame, of 255.
+    /// The largest error in any channel of any pixel and frame, in steps of 1/255.
     pub largest_error: u32,
-    /// Pixels with a channel more than 8 of 255 off.
+    /// Pixels with an error of more than 8/255 in a channel.
     pub pixels_over_8: f64,
-    /// Objects of whose pixels more than three in four are that far off.
+    /// Missed objects, see [`crate::missed`].
     pub missed_objects: f64,
-    /// Blocks of 8x8 pixels whose error moves by more than 8 of 255 from a frame to the next.
+    /// Flickering blocks, see [`crate::flicker`].
     pub flicker_blocks: Option<f64>,
-    /// FLIP at 67 pixels per degree, its mean and the 99th percentile of the pixels.
+    /// The mean of FLIP at 67 pixels per degree.
     pub flip_mean: Option<f64>,
+    /// The 99th percentile of FLIP over the pixels.
     pub flip_p99: Option<f64>,
-    /// No other point without fault is both faster and nearer to the exhaustive frames.
+    /// Whether it is on the Pareto front, see [`mark_front`].
     pub on_front: bool,
 }
 
 impl Row {
-    /// The figures of a point that at least one frame was drawn of.
+    /// The results for a point with at least one timed frame.
     pub fn of(tally: &Tally, area: usize) -> Self {
         let frames = tally.differences.len();
         let mean = |sum: f64| sum / frames as f64;
@@ -63,7 +65,7 @@ impl Row {
             .iter()
             .map(|d| d.psnr)
             .fold(f64::INFINITY, f64::min);
-        // A PSNR is a logarithm, which has no mean where nothing differs; the squared errors have.
+        // The mean is taken over the squared errors, since the PSNR of equal frames is infinite.
         let squares = differences.iter().map(|d| 10_f64.powf(-0.1 * d.psnr)).sum();
         let quality = &tally.point.quality;
         let flips = (!tally.flips.is_empty()).then_some(&tally.flips);
@@ -102,21 +104,21 @@ impl Row {
         }
     }
 
-    /// Whether nothing at all differs from the exhaustive frames.
+    /// Whether all frames equal the exhaustive ones.
     pub fn is_exact(&self) -> bool {
         self.psnr_db.is_infinite()
     }
 }
 
-/// What a quarter of some times stay within.
+/// The first quartile.
 pub fn quartile(times: &[f64]) -> f64 {
     let mut times = times.to_vec();
     times.sort_by(f64::total_cmp);
     times[times.len().div_ceil(4) - 1]
 }
 
-/// Marks the Pareto front: the points than which no other is faster and nearer to the exhaustive frames at once. Points
-/// that miss objects are none to recommend, in this scene or for want of a guard in others, and stay behind it.
+/// Marks the Pareto front: the points for which no other point is both faster and more accurate. Points that miss objects, or could
+/// since they are not guarded, are left out.
 pub fn mark_front(rows: &mut [Row]) {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by(|&a, &b| rows[b].speedup.total_cmp(&rows[a].speedup));

@@ -1,4 +1,4 @@
-//! The points that are measured: each dial by itself, then the dials that pay together.
+//! The points to measure: each dial by itself, then combinations of those that save time.
 
 use crate::arguments::NamedQuality;
 use eightfold::Quality;
@@ -6,20 +6,20 @@ use eightfold::Quality;
 /// A quality to measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// Its name where it has one, else its dials.
+    /// Its name, or its dials if it has none.
     pub name: String,
-    /// Its dials, shortly.
+    /// Its dials in short notation, see [`dials`].
     pub dials: String,
-    /// The dials that were turned when it came up.
+    /// The dials that vary in the series that it belongs to.
     pub sweep: &'static str,
     pub quality: Quality,
 }
 
-/// Sides of squares: powers of two, some between them, and 17, which is split into pixels at once.
+/// Sides of squares: powers of two, some between them, and 17, whose squares are split directly into pixels.
 pub const SQUARES: [usize; 13] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 17, 20, 24, 32];
-/// Tolerances around the intro's 10.
+/// Tolerances around the default of 10.
 const TOLERANCES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 7.0, 9.0, 14.0, 18.0, 26.0, 40.0, 64.0];
-/// Tolerances of squares whose keys agree, or differ.
+/// Tolerances for agreeing and for differing keys.
 const KEYED: [(f32, f32); 8] = [
     (f32::INFINITY, 4.0),
     (f32::INFINITY, 9.0),
@@ -30,7 +30,7 @@ const KEYED: [(f32, f32); 8] = [
     (18.0, 0.0),
     (18.0, 4.0),
 ];
-/// Depths of objects and of lights' states that keys hold.
+/// Depths of objects and of lights' states in keys.
 const COMPARED: [(u32, u32); 9] = [
     (0, 0),
     (1, 0),
@@ -42,7 +42,7 @@ const COMPARED: [(u32, u32); 9] = [
     (5, 1),
     (5, 5),
 ];
-/// From where on a highlight is one; infinity: nowhere.
+/// The strengths from which a highlight is a state; infinity for never.
 const HIGHLIGHTS: [f32; 6] = [
     1.0 / 1024.0,
     1.0 / 256.0,
@@ -51,7 +51,7 @@ const HIGHLIGHTS: [f32; 6] = [
     0.25,
     f32::INFINITY,
 ];
-/// Weights below which rays are not followed.
+/// The smallest weights of rays that are followed.
 const CONTRIBUTIONS: [f32; 8] = [0.0, 0.003, 0.01, 0.02, 0.04, 0.06, 0.1, 0.2];
 
 /// The named qualities, the exhaustive one first.
@@ -62,7 +62,7 @@ pub fn named() -> Vec<Point> {
         .collect()
 }
 
-/// All points, the exhaustive one first; `quick`: fewer of those that turn several dials.
+/// All points, the exhaustive one first. With `quick` there are fewer combinations.
 pub fn points(quick: bool) -> Vec<Point> {
     let mut points = named();
     let mut add = |sweep, quality| {
@@ -79,7 +79,7 @@ pub fn points(quick: bool) -> Vec<Point> {
     points
 }
 
-/// Each dial alone, around what the intro plays by, or around the rules of 2008 where keys are compared.
+/// Variations of single dials of the default quality, and of those that concern keys of the rules of 2008.
 fn single_dials() -> Vec<(&'static str, Quality)> {
     let (played, thesis) = (Quality::DEFAULT, Quality::THESIS);
     let mut dials = Vec::new();
@@ -150,7 +150,7 @@ fn single_dials() -> Vec<(&'static str, Quality)> {
     dials
 }
 
-/// Square, tolerance, depth and contribution at once.
+/// Combinations of square, tolerance, depth and least contribution.
 fn together(quick: bool) -> Vec<Quality> {
     let tolerances: &[f32] = if quick {
         &[3.0, 18.0, 40.0]
@@ -175,7 +175,7 @@ fn together(quick: bool) -> Vec<Quality> {
     qualities
 }
 
-/// A quality with other squares, filled and their sides averaged within a tolerance.
+/// The same quality with other squares and another tolerance, also for midpoints of sides.
 fn within(square: usize, tolerance: f32, quality: &Quality) -> Quality {
     Quality {
         square,
@@ -197,7 +197,7 @@ impl Point {
         }
     }
 
-    /// Gives its edges so many samples a side.
+    /// Sets the number of samples per side for antialiasing.
     pub fn antialias(&mut self, samples: usize) {
         if samples > 1 {
             self.quality.antialias = samples;
@@ -205,7 +205,7 @@ impl Point {
         }
     }
 
-    /// Whether it compares keys.
+    /// Whether keys are compared.
     pub fn has_keys(&self) -> bool {
         has_keys(&self.quality)
     }
@@ -215,10 +215,9 @@ fn has_keys(quality: &Quality) -> bool {
     quality.square > 1 && quality.tolerance_agreeing != quality.tolerance_differing
 }
 
-/// A quality's dials: `s` square, `k` depths of objects and states in a key where these are not those of the first hit, `c`
-/// tolerance of corners whose keys agree, and of those whose keys differ where it is not 0, `e` tolerance of a side where it is
-/// another, `h` highlight where it is a state, `u` unguarded, `d` depth and `w` least contribution where they are not the
-/// oracle's.
+/// A quality's dials in short notation: `s` is the square, `k` the depths of objects and states in keys, `c` the tolerances for agreeing
+/// and differing keys, `e` the tolerance for midpoints of sides, `h` the highlight, `u` unguarded, `d` the depth and `w` the least
+/// contribution. What has its usual value is left out, as the help of `lab trade` explains.
 fn dials(quality: &Quality) -> String {
     let mut text = format!("s{}", quality.square);
     let number = |tolerance: f32| {

@@ -1,16 +1,16 @@
-//! Points as tables in Markdown.
+//! Tables of the results in Markdown.
 
 use super::Trade;
 use super::plots::front;
 use super::row::Row;
 
-/// The Pareto front, from the slowest to the fastest.
+/// The table of the Pareto front, from the slowest point to the fastest.
 pub fn front_table(trade: &Trade) -> String {
     let rows = front(&trade.points);
     heading(trade) + &table(&rows)
 }
 
-/// The named qualities, in their order.
+/// The table of the named qualities, in their order.
 pub fn ladder(trade: &Trade) -> String {
     let rows: Vec<&Row> = trade.points.iter().collect();
     heading(trade) + &table(&rows)
@@ -44,7 +44,7 @@ fn table(rows: &[&Row]) -> String {
     text
 }
 
-/// A row's cells; a dash where nothing differs or nothing was measured.
+/// The cells of a row. A dash stands for an infinite PSNR and for what was not measured.
 fn cells(row: &Row) -> [String; 12] {
     let dash = || "-".to_owned();
     let decibels = |psnr: f64| {

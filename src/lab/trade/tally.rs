@@ -1,29 +1,30 @@
-//! What is summed up of a point while it is measured.
+//! What is recorded of a point while it is measured.
 
 use super::sweep::Point;
 use crate::error::Difference;
 use crate::flicker::Flicker;
 use eightfold::Counts;
 
-/// A point at work.
+/// The records of a point.
 pub struct Tally {
     pub point: Point,
-    /// Seconds of each frame, and of the faster exhaustive one of the two drawn before and after it.
+    /// The seconds that each frame took.
     pub times: Vec<f64>,
+    /// The seconds of the faster one of the exhaustive frames before and after each frame.
     pub exhaustive_times: Vec<f64>,
-    /// Of all frames together.
+    /// The work for all frames together.
     pub counts: Counts,
-    /// Of each frame to the exhaustive one.
+    /// The error of each frame.
     pub differences: Vec<Difference>,
-    /// Objects missed, of all frames together.
+    /// The number of missed objects in all frames together.
     pub missed: usize,
     pub flicker: Flicker,
-    /// FLIP's mean and 99th percentile of each frame looked at.
+    /// The mean and the 99th percentile of FLIP for each frame compared.
     pub flips: Vec<(f64, f64)>,
 }
 
 impl Tally {
-    /// Nothing measured yet.
+    /// Empty records.
     pub fn new(point: Point) -> Self {
         Self {
             point,
