@@ -6,10 +6,10 @@ use crate::error::Difference;
 use crate::flicker::Flicker;
 use crate::scenes::SceneName;
 use crate::studio::Studio;
+use crate::timing::{flicker_time, real_time};
 use eightfold::Counts;
 use eightfold_window::cpu::Isa;
 use eightfold_window::pool::Pool;
-use std::time::Instant;
 
 /// What to measure.
 pub struct Plan {
@@ -43,11 +43,11 @@ pub struct Shot {
 struct Bench {
     studio: Studio,
     /// One for each size.
-    stands: Vec<Stand>,
+    cases: Vec<BenchCase>,
 }
 
 /// What is drawn one right after the other.
-struct Stand {
+struct BenchCase {
     canvas: Canvas,
     /// One for each shot.
     settings: Vec<Setting>,
@@ -87,8 +87,6 @@ pub struct Run {
     pub flicker: Flicker,
 }
 
-/// Frames a second of those that flicker is looked for in: what a screen shows.
-const FLICKER_FPS: f64 = 60.0;
 /// What frames are filled with to see how fast that is.
 const COLOUR: u32 = 0x0012_3456;
 /// Rows that a thread fills in one go, as many as the intro's bands have.
@@ -131,8 +129,8 @@ impl Plan {
         last.each(|studio, canvas, setting| {
             let shot = &self.shots[setting.shot];
             for frame in 0..shot.flicker_frames {
-                let time = f64::from(shot.times[0]) + frame as f64 / FLICKER_FPS;
-                setting.look_for_flicker(self, studio, canvas, time as f32);
+                let time = flicker_time(shot.times[0], frame);
+                setting.look_for_flicker(self, studio, canvas, time);
                 step();
             }
         });
@@ -175,7 +173,7 @@ impl Way {
 
 impl Bench {
     fn new(plan: &Plan, threads: usize) -> Self {
-        let stand = |&size: &Size| Stand {
+        let case = |&size: &Size| BenchCase {
             canvas: Canvas {
                 size,
                 pictures: vec![vec![0; size.area()]; plan.ways.len()],
@@ -187,17 +185,17 @@ impl Bench {
         };
         Self {
             studio: Studio::new(threads),
-            stands: plan.sizes.iter().map(stand).collect(),
+            cases: plan.sizes.iter().map(case).collect(),
         }
     }
 
     fn settings(&self) -> impl Iterator<Item = &Setting> {
-        self.stands.iter().flat_map(|stand| &stand.settings)
+        self.cases.iter().flat_map(|case| &case.settings)
     }
 
     /// Does something in each setting.
     fn each(&mut self, mut work: impl FnMut(&mut Studio, &mut Canvas, &mut Setting)) {
-        for Stand { canvas, settings } in &mut self.stands {
+        for BenchCase { canvas, settings } in &mut self.cases {
             for setting in settings {
                 work(&mut self.studio, canvas, setting);
             }
@@ -243,14 +241,13 @@ impl Setting {
             runs.reverse();
         }
         for (run, picture) in runs {
-            let start = Instant::now();
-            let counts = run.way.draw(scene, time, plan.isa, studio, width, picture);
-            run.times.push(milliseconds(start));
+            let draw = || run.way.draw(scene, time, plan.isa, studio, width, picture);
+            let (counts, seconds) = real_time(draw);
+            run.times.push(1e3 * seconds);
             run.counts += counts;
         }
-        let start = Instant::now();
-        fill(&mut studio.pool, width, &mut canvas.filled);
-        self.floor.push(milliseconds(start));
+        let ((), seconds) = real_time(|| fill(&mut studio.pool, width, &mut canvas.filled));
+        self.floor.push(1e3 * seconds);
 
         // Not before all are drawn, so that threads and caches stay with what is timed.
         let (reference, others) = self.runs.split_first_mut().expect("there is a reference");
@@ -282,8 +279,4 @@ fn fill(pool: &mut Pool, width: usize, pixels: &mut [u32]) {
     let mut strips: Vec<&mut [u32]> = pixels.chunks_mut(STRIP * width).collect();
     let mut threads = vec![(); pool.threads()];
     pool.run(&mut threads, &mut strips, &|_, strip| strip.fill(COLOUR));
-}
-
-fn milliseconds(start: Instant) -> f64 {
-    start.elapsed().as_secs_f64() * 1e3
 }

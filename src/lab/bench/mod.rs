@@ -7,6 +7,7 @@ mod table;
 use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::machine::machine;
 use crate::scenes::SceneName;
+use crate::timing::evenly_spaced;
 use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
@@ -163,11 +164,7 @@ fn shot(arguments: &Arguments, scene: SceneName) -> Option<Shot> {
         let rest = ((scene.length() - from) / FRAME).round() as usize;
         flicker_frames = flicker_frames.min(rest);
     }
-    let last = (arguments.frames - 1).max(1) as f64;
-    let time = |frame: usize| {
-        let share = frame as f64 / last;
-        (f64::from(from) * (1.0 - share) + f64::from(to) * share) as f32
-    };
+    let time = |frame: usize| evenly_spaced(from, to, frame, arguments.frames);
     Some(Shot {
         scene,
         times: (0..arguments.frames).map(time).collect(),

@@ -1,6 +1,7 @@
 //! The figures of a run.
 
 use super::measure::{Plan, Setting, Shot};
+use crate::timing::{median, percentile};
 use serde::Serialize;
 
 /// What was measured of one quality in one setting.
@@ -113,26 +114,4 @@ fn worst_second(shot: &Shot, times: &[f64]) -> (f64, f64) {
     means
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .expect("there is a frame")
-}
-
-/// The middle one of some times, or the mean of the two in the middle.
-fn median(times: &[f64]) -> f64 {
-    let times = sorted(times);
-    let middle = times.len() / 2;
-    if times.len().is_multiple_of(2) {
-        0.5 * (times[middle - 1] + times[middle])
-    } else {
-        times[middle]
-    }
-}
-
-/// The least of some times that so many in a hundred do not exceed.
-fn percentile(times: &[f64], percent: usize) -> f64 {
-    sorted(times)[(times.len() * percent).div_ceil(100) - 1]
-}
-
-fn sorted(times: &[f64]) -> Vec<f64> {
-    let mut times = times.to_vec();
-    times.sort_by(f64::total_cmp);
-    times
 }

@@ -1,6 +1,7 @@
 //! Rows as a table in Markdown.
 
 use super::row::Row;
+use crate::markdown::{decibels, percent};
 
 /// A column's title, and what a row says in it.
 type Column = (&'static str, fn(&Row) -> String);
@@ -64,19 +65,6 @@ const SHOW_COLUMNS: [Column; 13] = [
     OVER_8,
     FLICKER,
 ];
-
-fn percent(share: f64) -> String {
-    format!("{:.1} %", 100.0 * share)
-}
-
-/// A PSNR, or nothing where nothing differs.
-fn decibels(psnr: f64) -> String {
-    if psnr.is_finite() {
-        format!("{psnr:.1} dB")
-    } else {
-        "-".to_owned()
-    }
-}
 
 /// A line for each row.
 pub fn of_scene(rows: &[Row]) -> String {

@@ -4,10 +4,10 @@ mod levels;
 mod spectrogram;
 mod waveform;
 
+use crate::timing::thread_time;
 use crate::{arguments, output, picture, wav};
 use anyhow::Result;
 use clap::Args;
-use cpu_time::ThreadTime;
 use eightfold::sound::{RATE, SONG_LENGTH};
 use std::path::{Path, PathBuf};
 
@@ -36,9 +36,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     for file in files.into_iter().flatten() {
         output::check(file)?;
     }
-    let start = ThreadTime::now();
-    let samples = wav::record(0..SONG_LENGTH);
-    let time = start.elapsed().as_secs_f64();
+    let (samples, time) = thread_time(|| wav::record(0..SONG_LENGTH));
     let table = format!(
         "{}\nMade in {time:.2} s: {:.1} % of one core while it plays.\n",
         levels::markdown(&samples)?,

@@ -1,9 +1,9 @@
 //! Writes the measured points as comma-separated values, with the same names as in JSON.
 
-use super::row::Row;
+use super::outcome::Outcome;
 
 /// A column: its title, and the text for a row.
-type Column = (&'static str, fn(&Row) -> String);
+type Column = (&'static str, fn(&Outcome) -> String);
 
 const COLUMNS: [Column; 27] = [
     ("name", |row| row.name.clone()),
@@ -60,7 +60,7 @@ fn finite(decibels: f64) -> String {
 }
 
 /// A line of titles and a line for each row. The last column tells whether the point is on the Pareto front.
-pub fn csv(rows: &[Row]) -> String {
+pub fn csv(rows: &[Outcome]) -> String {
     let titles = COLUMNS.map(|(title, _)| title).join(",");
     let lines = rows.iter().map(|row| {
         let cells = COLUMNS.map(|(_, cell)| cell(row)).join(",");

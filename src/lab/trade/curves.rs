@@ -1,11 +1,10 @@
 //! Measures how speed depends on the size of the picture and on the number of objects.
 
-use super::row::quartile;
 use crate::arguments::{NamedQuality, Size};
 use crate::interrupt;
 use crate::scenes::SceneName;
 use crate::studio::Studio;
-use cpu_time::ThreadTime;
+use crate::timing::{percentile, thread_time};
 use eightfold::scene::{MAX_SPHERES, Scene};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::cpu::Isa;
@@ -86,7 +85,7 @@ impl Curves<'_> {
                 break;
             };
             for (curve, times) in curves.iter_mut().zip(others) {
-                let speed = quartile(exhaustive) / quartile(times);
+                let speed = percentile(exhaustive, 25) / percentile(times, 25);
                 curve.points.push((size.area() as f64, speed));
             }
         }
@@ -106,7 +105,7 @@ impl Curves<'_> {
             // The times of the other qualities for one sphere are skipped.
             let rest = &rest[curves.len() - 1..];
             for (curve, times) in curves.iter_mut().zip(rest) {
-                let time = quartile(times) / quartile(unit);
+                let time = percentile(times, 25) / percentile(unit, 25);
                 curve.points.push((count as f64, time));
             }
         }
@@ -128,13 +127,15 @@ impl Curves<'_> {
                 qualities.map(move |quality| (scene, &quality.quality))
             });
             for ((scene, quality), times) in pairs.zip(&mut times) {
-                let start = ThreadTime::now();
                 let level = self.isa.level;
-                self.studio
-                    .draw(level, scene, quality, size.width, &mut pixels);
+                let draw = || {
+                    self.studio
+                        .draw(level, scene, quality, size.width, &mut pixels)
+                };
+                let (_, time) = thread_time(draw);
                 // The first round warms up memory and threads.
                 if round > 0 {
-                    times.push(start.elapsed().as_secs_f64());
+                    times.push(time);
                 }
             }
         }

@@ -9,16 +9,13 @@ use crate::interrupt;
 use crate::missed::Visible;
 use crate::scenes::SceneName;
 use crate::studio::Studio;
-use cpu_time::ThreadTime;
+use crate::timing::{evenly_spaced, flicker_time, thread_time};
 use eightfold::scene::Scene;
 use eightfold::{Counts, Quality};
 use eightfold_window::cpu::Isa;
 
 /// The number of points drawn between two exhaustive frames: few enough that the machine's speed hardly drifts in between.
 const GROUP: usize = 4;
-
-/// The frame rate for measuring flicker.
-const FLICKER_FPS: f64 = 60.0;
 
 /// What to measure for each point.
 pub struct Plan {
@@ -78,8 +75,7 @@ impl Plan {
 
     /// The time of frame `i` of `count`, in seconds.
     pub fn time(&self, i: usize, count: usize) -> f32 {
-        let share = i as f64 / (count - 1).max(1) as f64;
-        (f64::from(self.time_from) * (1.0 - share) + f64::from(self.time_to) * share) as f32
+        evenly_spaced(self.time_from, self.time_to, i, count)
     }
 }
 
@@ -115,8 +111,8 @@ impl<'a> Measurement<'a> {
         let rotated = plan.frames.min(tallies[0].times.len()) % tallies.len();
         tallies.rotate_right(rotated);
         for frame in 0..plan.flicker_frames {
-            let time = f64::from(plan.time_from) + frame as f64 / FLICKER_FPS;
-            self.measure_flicker(&mut tallies, time as f32);
+            let time = flicker_time(plan.time_from, frame);
+            self.measure_flicker(&mut tallies, time);
         }
         for frame in 0..plan.flip_frames {
             self.measure_flip(&mut tallies, plan.time(frame, plan.flip_frames));
@@ -185,10 +181,11 @@ impl<'a> Measurement<'a> {
     fn time_exhaustive(&mut self, scene: &Scene) -> f64 {
         let (level, width) = (self.plan.isa.level, self.plan.size.width);
         let pixels = &mut self.exhaustive;
-        let start = ThreadTime::now();
-        self.timed
-            .draw(level, scene, &Quality::EXHAUSTIVE, width, pixels);
-        let time = start.elapsed().as_secs_f64();
+        let draw = || {
+            self.timed
+                .draw(level, scene, &Quality::EXHAUSTIVE, width, pixels)
+        };
+        let (_, time) = thread_time(draw);
         if self.plan.reference != Quality::EXHAUSTIVE {
             self.draw_exhaustive(scene);
         }
@@ -200,10 +197,8 @@ impl<'a> Measurement<'a> {
         let (level, width) = (self.plan.isa.level, self.plan.size.width);
         let each = group.iter().zip(&mut self.frames);
         each.map(|(tally, pixels)| {
-            let start = ThreadTime::now();
             let quality = &tally.point.quality;
-            let counts = self.timed.draw(level, scene, quality, width, pixels);
-            (counts, start.elapsed().as_secs_f64())
+            thread_time(|| self.timed.draw(level, scene, quality, width, pixels))
         })
         .collect()
     }

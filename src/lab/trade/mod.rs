@@ -3,8 +3,8 @@
 mod csv;
 mod curves;
 mod measure;
+mod outcome;
 mod plots;
-mod row;
 mod sweep;
 mod table;
 mod tally;
@@ -19,7 +19,7 @@ use clap::Args;
 use curves::{Curve, Curves};
 use eightfold_window::cpu::{self, Isa};
 use measure::{Measurement, Plan};
-use row::{Row, mark_front};
+use outcome::{Outcome, mark_front};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -87,7 +87,7 @@ pub struct Trade {
     pub flip_frames: usize,
     /// Whether everything was measured: false after Ctrl-C.
     pub complete: bool,
-    pub points: Vec<Row>,
+    pub points: Vec<Outcome>,
     /// The speed-up relative to exhaustive frames by the number of pixels.
     pub by_resolution: Vec<Curve>,
     /// The time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one sphere.
@@ -114,7 +114,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         point.antialias(arguments.antialias);
     }
     let trade = measure(arguments, &plan, points);
-    if trade.complete && trade.points.iter().all(Row::is_exact) {
+    if trade.complete && trade.points.iter().all(Outcome::is_exact) {
         bail!(
             "every setting draws the same at these times: ask for others by --time-from, --time-to or --frames"
         );
@@ -187,7 +187,10 @@ fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
     }
     bar.finish_and_clear();
     let area = plan.size.area();
-    let mut rows: Vec<Row> = tallies.iter().map(|tally| Row::of(tally, area)).collect();
+    let mut rows: Vec<Outcome> = tallies
+        .iter()
+        .map(|tally| Outcome::of(tally, area))
+        .collect();
     mark_front(&mut rows);
     Trade {
         machine: machine(),

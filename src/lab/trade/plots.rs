@@ -2,7 +2,7 @@
 
 use super::Trade;
 use super::curves::Curve;
-use super::row::Row;
+use super::outcome::Outcome;
 use crate::plot::{Axis, COLOURS, Chart, DARK, GREY, Label, Series};
 use anyhow::Result;
 use plotters::style::RGBColor;
@@ -39,9 +39,9 @@ fn note(trade: &Trade) -> String {
 }
 
 /// The points of the front from the slowest to the fastest. Points without any error are left out: their PSNR is infinite.
-pub fn front(rows: &[Row]) -> Vec<&Row> {
+pub fn front(rows: &[Outcome]) -> Vec<&Outcome> {
     let on_front = rows.iter().filter(|row| row.on_front && !row.is_exact());
-    let mut front: Vec<&Row> = on_front.collect();
+    let mut front: Vec<&Outcome> = on_front.collect();
     front.sort_by(|a, b| a.speedup.total_cmp(&b.speedup));
     front
 }
@@ -51,10 +51,10 @@ fn cloud(trade: &Trade) -> Chart {
     let front = front(&trade.points);
     // If the front has many points, every n-th is listed, and all named qualities.
     let every = front.len().div_ceil(LISTED).max(1);
-    let is_listed = |&(i, row): &(usize, &&Row)| i.is_multiple_of(every) || is_named(row);
+    let is_listed = |&(i, row): &(usize, &&Outcome)| i.is_multiple_of(every) || is_named(row);
     let listed = front.iter().enumerate().filter(is_listed);
-    let listed: Vec<&Row> = listed.map(|(_, row)| *row).collect();
-    let off_front = |row: &&Row| is_named(row) && !row.on_front && !row.is_exact();
+    let listed: Vec<&Outcome> = listed.map(|(_, row)| *row).collect();
+    let off_front = |row: &&Outcome| is_named(row) && !row.on_front && !row.is_exact();
     let mut labels: Vec<Label> = Vec::new();
     for (number, row) in (1..).zip(&listed) {
         // If two points are close, the number of the second one goes below it.
@@ -68,7 +68,7 @@ fn cloud(trade: &Trade) -> Chart {
     }
     let named = trade.points.iter().filter(off_front);
     labels.extend(named.map(|row| label(row, row.name.clone(), true)));
-    let by = |is: &dyn Fn(&Row) -> bool| {
+    let by = |is: &dyn Fn(&Outcome) -> bool| {
         let rows = trade.points.iter().filter(|row| !row.is_exact() && is(row));
         rows.map(position).collect::<Vec<_>>()
     };
@@ -103,7 +103,7 @@ fn cloud(trade: &Trade) -> Chart {
 }
 
 /// A line of the list beside the plot.
-fn entry(number: usize, row: &Row) -> String {
+fn entry(number: usize, row: &Outcome) -> String {
     if is_named(row) {
         format!("{number}  {}: {}", row.name, row.dials)
     } else {
@@ -111,16 +111,16 @@ fn entry(number: usize, row: &Row) -> String {
     }
 }
 
-fn is_named(row: &Row) -> bool {
+fn is_named(row: &Outcome) -> bool {
     row.name != row.dials
 }
 
 /// The position of a point in the plot.
-fn position(row: &Row) -> (f64, f64) {
+fn position(row: &Outcome) -> (f64, f64) {
     (row.speedup, row.psnr_db)
 }
 
-fn label(row: &Row, text: String, is_below: bool) -> Label {
+fn label(row: &Outcome, text: String, is_below: bool) -> Label {
     let (x, y) = position(row);
     Label {
         x,
@@ -133,7 +133,7 @@ fn label(row: &Row, text: String, is_below: bool) -> Label {
 /// The plot of the error by the side of the squares, for the rules of 2008 and the default quality.
 fn squares(trade: &Trade) -> Chart {
     let line = |quality: eightfold::Quality| {
-        let same = |row: &&Row| {
+        let same = |row: &&Outcome| {
             row.square > 1
                 && row.guarded
                 && row.tolerance_agreeing == quality.tolerance_agreeing
@@ -143,7 +143,7 @@ fn squares(trade: &Trade) -> Chart {
                 && (row.depth, row.highlight) == (quality.depth, quality.highlight)
                 && row.least_contribution == quality.least_contribution
         };
-        let mut rows: Vec<&Row> = trade.points.iter().filter(same).collect();
+        let mut rows: Vec<&Outcome> = trade.points.iter().filter(same).collect();
         rows.sort_by_key(|row| row.square);
         rows
     };
@@ -151,9 +151,9 @@ fn squares(trade: &Trade) -> Chart {
         line(eightfold::Quality::THESIS),
         line(eightfold::Quality::DEFAULT),
     );
-    let position = |row: &&Row| (row.square as f64, row.psnr_db);
-    let labels = |rows: &[&Row], is_below| -> Vec<Label> {
-        let label = |row: &&Row| Label {
+    let position = |row: &&Outcome| (row.square as f64, row.psnr_db);
+    let labels = |rows: &[&Outcome], is_below| -> Vec<Label> {
+        let label = |row: &&Outcome| Label {
             x: row.square as f64,
             y: row.psnr_db,
             text: format!("{:.1}x", row.speedup),
@@ -162,7 +162,7 @@ fn squares(trade: &Trade) -> Chart {
         rows.iter().map(label).collect()
     };
     let all = || thesis.iter().chain(&played);
-    let line = |name, rows: &[&Row]| {
+    let line = |name, rows: &[&Outcome]| {
         let colour = colour(name);
         series(name, colour, rows.iter().map(position).collect(), true, 4)
     };

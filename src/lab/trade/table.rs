@@ -1,8 +1,9 @@
 //! Tables of the results in Markdown.
 
 use super::Trade;
+use super::outcome::Outcome;
 use super::plots::front;
-use super::row::Row;
+use crate::markdown::{decibels, percent};
 
 /// The table of the Pareto front, from the slowest point to the fastest.
 pub fn front_table(trade: &Trade) -> String {
@@ -12,7 +13,7 @@ pub fn front_table(trade: &Trade) -> String {
 
 /// The table of the named qualities, in their order.
 pub fn ladder(trade: &Trade) -> String {
-    let rows: Vec<&Row> = trade.points.iter().collect();
+    let rows: Vec<&Outcome> = trade.points.iter().collect();
     heading(trade) + &table(&rows)
 }
 
@@ -34,7 +35,7 @@ fn heading(trade: &Trade) -> String {
     )
 }
 
-fn table(rows: &[&Row]) -> String {
+fn table(rows: &[&Outcome]) -> String {
     let mut text = "| quality | dials | speed-up | traced | PSNR | worst | largest | over 8/255 | missed | flicker | FLIP | p99 |\n\
                     | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n"
         .to_owned();
@@ -45,21 +46,14 @@ fn table(rows: &[&Row]) -> String {
 }
 
 /// The cells of a row. A dash stands for an infinite PSNR and for what was not measured.
-fn cells(row: &Row) -> [String; 12] {
+fn cells(row: &Outcome) -> [String; 12] {
     let dash = || "-".to_owned();
-    let decibels = |psnr: f64| {
-        if psnr.is_finite() {
-            format!("{psnr:.1} dB")
-        } else {
-            dash()
-        }
-    };
     let known = |value: Option<f64>, digits| value.map_or_else(dash, |v| format!("{v:.digits$}"));
     [
         row.name.clone(),
         row.dials.clone(),
         format!("{:.2}", row.speedup),
-        format!("{:.1} %", 100.0 * row.traced_fraction),
+        percent(row.traced_fraction),
         decibels(row.psnr_db),
         decibels(row.psnr_worst_db),
         row.largest_error.to_string(),

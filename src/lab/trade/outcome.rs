@@ -1,6 +1,7 @@
 //! The results for a point.
 
 use super::tally::Tally;
+use crate::timing::percentile;
 use serde::Serialize;
 
 /// The results for one quality.
@@ -9,7 +10,7 @@ use serde::Serialize;
 /// infinite dial, for the PSNR of equal frames, and for what was not measured before Ctrl-C. In CSV an infinite dial is `inf`, and the
 /// others are empty.
 #[derive(Clone, Serialize)]
-pub struct Row {
+pub struct Outcome {
     pub name: String,
     pub dials: String,
     pub sweep: &'static str,
@@ -55,7 +56,7 @@ pub struct Row {
     pub on_front: bool,
 }
 
-impl Row {
+impl Outcome {
     /// The results for a point with at least one timed frame.
     pub fn of(tally: &Tally, area: usize) -> Self {
         let frames = tally.differences.len();
@@ -89,7 +90,7 @@ impl Row {
             antialias: quality.antialias,
             keys: tally.point.has_keys(),
             frames,
-            speedup: quartile(&tally.exhaustive_times) / quartile(&tally.times),
+            speedup: percentile(&tally.exhaustive_times, 25) / percentile(&tally.times, 25),
             traced_fraction: mean(tally.counts.points as f64) / area as f64,
             rays: mean((tally.counts.rays + tally.counts.shadow_rays) as f64),
             psnr_db: -10.0 * mean(squares).log10(),
@@ -110,16 +111,9 @@ impl Row {
     }
 }
 
-/// The first quartile.
-pub fn quartile(times: &[f64]) -> f64 {
-    let mut times = times.to_vec();
-    times.sort_by(f64::total_cmp);
-    times[times.len().div_ceil(4) - 1]
-}
-
 /// Marks the Pareto front: the points for which no other point is both faster and more accurate. Points that miss objects, or could
 /// since they are not guarded, are left out.
-pub fn mark_front(rows: &mut [Row]) {
+pub fn mark_front(rows: &mut [Outcome]) {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by(|&a, &b| rows[b].speedup.total_cmp(&rows[a].speedup));
     let mut best = f64::NEG_INFINITY;

@@ -1,0 +1,15 @@
+//! Cells of Markdown tables.
+
+/// A fraction in percent.
+pub fn percent(fraction: f64) -> String {
+    format!("{:.1} %", 100.0 * fraction)
+}
+
+/// A PSNR in decibels, or a dash if it is infinite since nothing differs.
+pub fn decibels(psnr: f64) -> String {
+    if psnr.is_finite() {
+        format!("{psnr:.1} dB")
+    } else {
+        "-".to_owned()
+    }
+}
