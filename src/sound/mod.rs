@@ -29,6 +29,9 @@ pub const RATE: u32 = 48_000;
 /// The length of a sixteenth, the song's shortest step, in samples: 6,000.
 pub const STEP: u32 = RATE * 60 / grid::BEATS_PER_MINUTE / (STEPS_PER_BAR / grid::BEATS_PER_BAR);
 
+/// The samples of a block: a millisecond. Slow changes, such as those of the filters, are made once per block.
+const BLOCK: usize = 48;
+
 /// Sixteenths in a bar.
 const STEPS_PER_BAR: u32 = 16;
 

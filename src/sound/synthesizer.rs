@@ -3,11 +3,8 @@
 use super::instruments::INSTRUMENTS;
 use super::space::Space;
 use super::voice::{Mix, Mood, Voice};
-use super::{SONG_LENGTH, STEP, STEPS_PER_BAR, song};
+use super::{BLOCK, SONG_LENGTH, STEP, STEPS_PER_BAR, song};
 use glam::{Vec4, Vec4Swizzles};
-
-/// The samples of a block: a millisecond. Slow changes, such as those of the filters, are made once per block.
-pub(super) const BLOCK: usize = 48;
 
 /// The delay of every other sixteenth, in blocks: a slight swing.
 const SWING: u32 = 8;

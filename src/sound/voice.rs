@@ -1,8 +1,7 @@
 //! The voice of one instrument: four oscillators, an amplitude envelope, a sweep and a filter.
 
 use super::instruments::{Instrument, LOUDNESS, Notes};
-use super::song;
-use super::synthesizer::BLOCK;
+use super::{BLOCK, song};
 use crate::maths::{ROUND_TO_INTEGER, exp2};
 use glam::{Vec4, vec4};
 
