@@ -1,6 +1,5 @@
 //! Draws frames against the clock.
 
-use super::row::Row;
 use crate::arguments::{NamedQuality, Size};
 use crate::error::Difference;
 use crate::flicker::Flicker;
@@ -104,7 +103,7 @@ impl Plan {
     ///
     /// All settings take turns frame by frame, and the ways of a setting, so that a machine whose speed drifts
     /// hits them alike.
-    pub fn measure(&self, mut step: impl FnMut()) -> Vec<Row> {
+    pub fn measure(&self, mut step: impl FnMut()) -> Vec<Setting> {
         let threads = self.threads.iter();
         let mut benches: Vec<Bench> = threads.map(|&threads| Bench::new(self, threads)).collect();
         for bench in &mut benches {
@@ -134,13 +133,18 @@ impl Plan {
                 step();
             }
         });
-        let last = benches.last().into_iter();
-        let flickers: Vec<&Setting> = last.flat_map(Bench::settings).collect();
-        let rows = benches.iter().flat_map(|bench| {
-            let settings = bench.settings().zip(&flickers);
-            settings.flat_map(|(setting, flicker)| Row::of(self, setting, flicker))
-        });
-        rows.collect()
+        let flickers: Vec<Vec<Flicker>> = last.settings().map(Setting::flickers).collect();
+        let mut settings = Vec::new();
+        for bench in benches {
+            let cases = bench.cases.into_iter().flat_map(|case| case.settings);
+            for (mut setting, flickers) in cases.zip(&flickers) {
+                for (run, flicker) in setting.runs.iter_mut().zip(flickers) {
+                    run.flicker = flicker.clone();
+                }
+                settings.push(setting);
+            }
+        }
+        settings
     }
 }
 
@@ -219,6 +223,11 @@ impl Setting {
             runs: runs.collect(),
             floor: Vec::new(),
         }
+    }
+
+    /// The flicker of each way.
+    fn flickers(&self) -> Vec<Flicker> {
+        self.runs.iter().map(|run| run.flicker.clone()).collect()
     }
 
     /// Draws a frame in each way that does not count.

@@ -79,7 +79,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let plan = plan(arguments)?;
     let bar = progress::bar(plan.steps());
-    let rows = plan.measure(|| bar.inc(1));
+    let settings = plan.measure(|| bar.inc(1));
+    let rows = settings.iter().flat_map(|setting| Row::of(&plan, setting));
+    let rows: Vec<Row> = rows.collect();
     bar.finish_and_clear();
 
     let (what, table) = match arguments.scene {

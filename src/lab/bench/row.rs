@@ -49,14 +49,13 @@ pub struct Row {
 }
 
 impl Row {
-    /// The rows of a setting, one for each run. Flicker was looked for in another one, on any number of threads.
-    pub fn of(plan: &Plan, setting: &Setting, flicker: &Setting) -> Vec<Self> {
+    /// The rows of a setting, one for each run.
+    pub fn of(plan: &Plan, setting: &Setting) -> Vec<Self> {
         let shot = &plan.shots[setting.shot];
         let frames = shot.times.len();
         let floor = median(&setting.floor);
         let exhaustive = median(&setting.runs[0].times);
-        let runs = setting.runs.iter().zip(&flicker.runs);
-        let rows = runs.map(|(run, flicker)| {
+        let rows = setting.runs.iter().map(|run| {
             let per_frame = |count: u64| count as f64 / frames as f64;
             let ms = median(&run.times);
             let (worst_second, worst_ms) = worst_second(shot, &run.times);
@@ -89,7 +88,7 @@ impl Row {
                 },
                 psnr_worst_db: psnr.fold(f64::INFINITY, f64::min),
                 pixels_over_8: per_frame(over_8 as u64),
-                flicker: flicker.flicker.jumps,
+                flicker: run.flicker.jumps,
                 speedup_vs_exhaustive: exhaustive / ms,
                 floor_ratio: ms / floor,
             }

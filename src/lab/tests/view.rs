@@ -72,7 +72,7 @@ fn id(server: &Server) -> Option<String> {
 }
 
 fn window(server: &Server) -> Option<[i32; 4]> {
-    server.place(&["-id", &id(server)?])
+    server.geometry(&["-id", &id(server)?])
 }
 
 /// The picture that `lab render` draws.

@@ -178,7 +178,7 @@ fn figures_fit_each_other() {
 fn the_show_has_a_row_for_each_scene_and_quality_and_a_line_for_its_worst_second() {
     let (table, rows) = bench("--scene show --size 32x18 --quality default");
     assert!(table.contains("show, each scene in 3 frames from 0 s to 95.98"));
-    let scenes = "title model method colonnade machine field finale".split(' ');
+    let scenes = "title model method colonnade machine swarm finale".split(' ');
     let names = scenes.flat_map(|scene| {
         let name = |quality| (format!("show:{scene}"), quality);
         ["exhaustive", "default"].map(name)
