@@ -12,7 +12,7 @@
 //!
 //! A number that is none, or infinite, is refused by `validate`. The tracer itself takes it: the picture is defined, the
 //! same on any number of threads, and at most 2.5 times the work of the scene without it
-//! (`what_is_no_number_is_refused_and_still_gives_a_picture_for_bounded_work`, `many_spheres_that_are_none_give_a_picture`).
+//! (`nan_and_infinity_are_refused_and_still_give_a_picture_for_bounded_work`, `many_spheres_with_invalid_coordinates_give_a_picture`).
 //! What such numbers make of a ray is that ray's own: see the lanes below.
 //! Whatever the scene, a point costs at most `2^(depth + 1) - 1` rays and as many times the lights in shadow rays
 //! (`any_case_is_drawn_by_the_same_bits_for_bounded_work`, which `tests/run --soak` draws for ten minutes).

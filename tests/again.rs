@@ -1,4 +1,4 @@
-//! The show a second time: its pictures and its sound, by a device and a time that are simulated.
+//! With `--loop` the show plays a second time with the same pictures and sound. Sound device and clock are simulated.
 
 mod stage;
 
@@ -9,17 +9,18 @@ use eightfold::show::grid;
 use eightfold::sound::{RATE, SONG_LENGTH, Synthesizer};
 use std::process::{Command, Stdio};
 
-/// Frames a second, and of the show. Of a fiftieth, all is whole nanoseconds.
+/// Frames per second, so that a frame lasts a whole number of nanoseconds.
 const FPS: usize = 50;
+/// Frames of the show.
 const SHOW: usize = 96 * FPS;
 
-/// Seconds of the show's second time that are played.
+/// The seconds for which the second time is played.
 const SECONDS: usize = 14;
 
-/// Nanoseconds of a second.
+/// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
 
-/// The colours of a frame as it is written to a terminal: of each cell, above and below.
+/// The colours of a frame that is written to a terminal: for each cell those of the upper and the lower half.
 fn colours(frame: &str) -> Vec<[u8; 6]> {
     let mut both = [0; 6];
     let mut cells = Vec::new();
@@ -38,7 +39,7 @@ fn colours(frame: &str) -> Vec<[u8; 6]> {
     cells
 }
 
-/// How far two frames are from each other, the mean of all channels.
+/// The mean difference between two frames in all channels.
 fn difference(a: &[[u8; 6]], b: &[[u8; 6]]) -> f64 {
     assert_eq!((a.len(), b.len()), (40 * 12, 40 * 12));
     let both = a.as_flattened().iter().zip(b.as_flattened());
@@ -70,7 +71,7 @@ fn the_second_time_is_as_the_first_in_sound_and_picture() {
     for (number, (heard, wanted)) in heard.zip(wanted).enumerate() {
         assert_eq!(heard, wanted, "sample {number}");
     }
-    // The second time is heard from where it is seen.
+    // The second time starts in sound when it starts in the picture.
     let (start, _) = played[SONG_LENGTH as usize / 48];
     let drift = start.abs_diff(96 * SECOND);
     assert!(drift <= SECOND / FPS as u64, "{start} ns");
@@ -78,7 +79,7 @@ fn the_second_time_is_as_the_first_in_sound_and_picture() {
     let text = String::from_utf8(output.stdout).expect("text");
     let frames: Vec<&str> = text.split("\x1b[1;1H").skip(1).collect();
     assert!(frames.len() >= SHOW + SECONDS * FPS);
-    // The title, and the beginning of the scene after it.
+    // The title, and the start of the next scene.
     assert!(grid::BAR * grid::MODEL as f32 + 1.0 < SECONDS as f32);
     for at in (FPS..SECONDS * FPS).step_by(7) {
         let [first, second, before] =

@@ -1,4 +1,4 @@
-//! Nothing is allocated while frames render and while a window presents them.
+//! Nothing is allocated while frames are drawn and while a window shows them.
 
 mod stage;
 
@@ -15,7 +15,7 @@ use std::{
     sync::atomic::{AtomicUsize, Ordering::SeqCst},
 };
 
-/// Counts what is asked of the system's allocator.
+/// The system's allocator, with a count of its calls.
 struct Counting;
 
 static COUNT: AtomicUsize = AtomicUsize::new(0);
@@ -23,7 +23,7 @@ static COUNT: AtomicUsize = AtomicUsize::new(0);
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-// SAFETY: the system's allocator does it all.
+// SAFETY: all calls go to the system's allocator.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         COUNT.fetch_add(1, SeqCst);
@@ -49,7 +49,7 @@ unsafe impl GlobalAlloc for Counting {
     }
 }
 
-/// Threads of the test: more than there may be processors.
+/// The threads of the test: possibly more than processors.
 const THREADS: usize = 3;
 
 static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
@@ -81,7 +81,7 @@ fn nothing_is_allocated_while_frames_are_drawn_and_shown() {
                 assert_eq!(window.show(), Next::GoOn);
             }
         };
-        // The server tells the window its size first.
+        // In the first frames the server tells the window its size.
         frames(0..10);
         let before = COUNT.load(SeqCst);
         assert!(before > 0, "the count counts");

@@ -1,4 +1,4 @@
-//! The intro's command line.
+//! The intro accepts valid command lines and refuses others in one line.
 
 mod stage;
 
@@ -46,7 +46,7 @@ fn bad_arguments_are_named_in_one_line() {
         (&["--seconds", "1e3"], "--seconds S"),
         (&["--seconds", "0.0000000001"], "--seconds S"),
         (&["--seconds", "1000000001"], "--seconds S"),
-        // 2^64 ns, 2^64 s, and a second more of each.
+        // 2^64 ns and 2^64 s, and one second more.
         (&["--seconds", "18446744073.709551616"], "--seconds S"),
         (&["--seconds", "18446744074.709551616"], "--seconds S"),
         (&["--seconds", "18446744073709551616"], "--seconds S"),
@@ -80,7 +80,7 @@ fn bad_arguments_are_named_in_one_line() {
 }
 
 #[test]
-fn questions_are_answered() {
+fn help_and_version_are_printed() {
     let (output, help) = run(headless().arg("--help"));
     assert_eq!(output.status.code(), Some(0));
     for option in [
@@ -111,13 +111,13 @@ fn questions_are_answered() {
 }
 
 #[test]
-fn every_option_does_its_part() {
+fn every_option_has_its_effect() {
     let said = |options: &str| run(headless().args(options.split(' '))).1;
     assert!(said("--seconds 0.3 --threads 1").contains("threads 1"));
     assert!(said("--seconds .3 --size 1x1").contains(", 1x1,"));
     assert!(said("--seconds=.3 --size=2x3").contains(", 2x3,"));
     assert!(said("--seconds 0.1 --seconds 0.3 --size 2x3").contains("in 0.3"));
-    // A frame may last longer than what is left.
+    // A frame may last longer than the time that is left.
     assert!(said("--fps 1 --seconds 0.2 --size 16x12").contains("in 0.2"));
     assert!(
         said("--seconds 0.3 --size 64x48 --exhaustive --quality exhaustive --loop")

@@ -1,4 +1,4 @@
-//! The library in a crate of somebody else, whose workspace knows nothing of this one's.
+//! The library compiles as a dependency of a crate in another workspace.
 
 use std::{
     fs,
@@ -6,13 +6,13 @@ use std::{
     process::Command,
 };
 
-/// A crate that depends on this one by its path.
+/// A crate that depends on the library by its path.
 struct Dependent {
     folder: tempfile::TempDir,
 }
 
 impl Dependent {
-    /// Makes one. `features` is what its manifest says of the dependency's.
+    /// Makes the crate. `features` is the part of its manifest about the dependency's features.
     fn new(features: &str) -> Dependent {
         let folder = tempfile::tempdir().expect("a folder");
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -23,7 +23,7 @@ impl Dependent {
         let files = [
             ("Cargo.toml", manifest.as_bytes()),
             ("src/main.rs", PROGRAM.as_bytes()),
-            // So that it takes the versions that are here already.
+            // The same versions, which are downloaded already.
             (
                 "Cargo.lock",
                 &fs::read(root.join("Cargo.lock")).expect("it is read"),
@@ -36,9 +36,9 @@ impl Dependent {
         Dependent { folder }
     }
 
-    /// Runs cargo in it, which has to succeed. Returns what it writes to standard output.
+    /// Runs cargo in the crate, which has to succeed. Returns its standard output.
     fn cargo(&self, arguments: &[&str]) -> String {
-        // Kept, so that only the first run compiles everything.
+        // The folder is kept, so that only the first run compiles everything.
         let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("dependent");
         let output = Command::new(env!("CARGO"))
             .args(arguments)
@@ -51,7 +51,7 @@ impl Dependent {
         String::from_utf8(output.stdout).expect("text")
     }
 
-    /// The names of the crates that are compiled for it, without those that only build scripts need.
+    /// The names of the crates that are compiled for it, without the dependencies of build scripts.
     fn crates(&self) -> Vec<String> {
         let tree = self.cargo(&["tree", "--prefix", "none", "--edges", "normal"]);
         let name = |line: &str| line.split(' ').next().expect("a name").to_owned();
@@ -99,7 +99,7 @@ fn without_the_intro_it_needs_no_crate_of_a_window() {
 #[test]
 fn with_default_features_it_compiles_beside_the_original_of_x11_dl() {
     let dependent = Dependent::new("features = []");
-    // Here, `minifb` has another `x11-dl` than in this workspace: it may have to be downloaded.
+    // Outside of this workspace `minifb` uses the original `x11-dl`, which may have to be downloaded.
     dependent.cargo(&["check"]);
     let crates = dependent.crates();
     let count = |wanted: &str| crates.iter().filter(|name| *name == wanted).count();

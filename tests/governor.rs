@@ -6,20 +6,20 @@ use proptest::prelude::*;
 const SECOND: u64 = 1_000_000_000;
 const RUNGS: usize = Quality::LADDER.len();
 
-/// A machine and a show: what a frame takes on each rung.
+/// A simulated machine that plays a show.
 struct Machine {
     governor: Governor,
     fps: u64,
-    /// What a frame takes on each rung, over what it takes on the finest.
+    /// The time of a frame on each rung, as a share of that on the finest rung.
     shares: [f64; RUNGS],
-    /// What a frame takes on the finest rung, over the time that it may take.
+    /// The time of a frame on the finest rung, as a share of the time that it may take.
     load: f64,
-    /// How far times spread to either side.
+    /// The largest random deviation of times, as a share.
     noise: f64,
     random: u32,
-    /// Time since the start.
+    /// The time since the start in nanoseconds.
     now: u64,
-    /// Changes: when, from which rung, to which.
+    /// The steps so far: the time, and the rung before and after.
     changes: Vec<(u64, usize, usize)>,
 }
 
@@ -45,14 +45,14 @@ impl Machine {
         SECOND as f64 / self.fps as f64
     }
 
-    /// The time of a frame on the present rung without noise, over what it may take.
+    /// The time of a frame on the current rung without noise, as a share of what it may take.
     fn cost(&self) -> f64 {
         self.load * self.shares[self.governor.rung()]
     }
 
-    /// Draws a frame, `factor` times as slow as it would be.
+    /// Draws a frame that takes `factor` times as long as usual.
     fn frame(&mut self, factor: f64) {
-        // Xorshift: as good as chance here, and the same each time.
+        // Xorshift, which repeats.
         for shift in [13, -17, 5] {
             let shifted = if shift > 0 {
                 self.random << shift
@@ -78,13 +78,13 @@ impl Machine {
         }
     }
 
-    /// Runs until the rung is no longer changed, and forgets how it got there.
+    /// Runs until the rung is stable, and clears the list of steps.
     fn settle(&mut self) {
         self.run(10 * SECOND);
         self.changes.clear();
     }
 
-    /// How long the first change takes, once the load is another.
+    /// The time until the first step after a change of the load.
     fn reaction(&mut self, load: f64) -> Option<u64> {
         self.load = load;
         let start = self.now;
@@ -93,7 +93,7 @@ impl Machine {
     }
 }
 
-/// How much neighbouring rungs may differ.
+/// The ratios of frame times between neighbouring rungs.
 fn ratios() -> impl Strategy<Value = [f64; RUNGS - 1]> {
     prop::array::uniform(1.1..2.5)
 }
@@ -109,7 +109,7 @@ proptest! {
         let mut machine = Machine::new(fps, ratios, load, noise);
         machine.settle();
         machine.run(60 * SECOND);
-        // Where the time just does not do, it may take chance a while to say so.
+        // If the time is nearly sufficient, it may take a while until noise causes a step.
         prop_assert!(machine.changes.len() <= 1, "{:?}", machine.changes);
     }
 
@@ -121,7 +121,7 @@ proptest! {
         machine.settle();
         let is_last = machine.governor.rung() == RUNGS - 1;
         prop_assert!(machine.cost() <= 1.0 || is_last, "{}", machine.cost());
-        // And none finer would do.
+        // No finer rung would do.
         let rung = machine.governor.rung();
         prop_assert!(rung == 0 || load * machine.shares[rung - 1] > 0.9);
     }
@@ -146,7 +146,7 @@ proptest! {
         machine.settle();
         let rung = machine.governor.rung();
         prop_assume!(rung > 0 && machine.cost() < 1.0);
-        // So that the next finer rung takes two thirds of the time.
+        // A load with which the next finer rung takes two thirds of the time.
         let reaction = machine.reaction(0.67 / machine.shares[rung - 1]).expect("a change");
         prop_assert_eq!(machine.changes[0].2, rung - 1);
         prop_assert!(reaction <= SECOND / 2, "{}", reaction);
@@ -164,7 +164,7 @@ proptest! {
             machine.load = light;
             machine.run(5 * SECOND);
         }
-        // Down and up once each time: no rung is left again for nothing.
+        // One way down and one up per round: no rung is tried in vain.
         let turns = machine.changes.windows(2).filter(|pair| {
             (pair[0].1 < pair[0].2) != (pair[1].1 < pair[1].2)
         });

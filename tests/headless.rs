@@ -1,4 +1,4 @@
-//! The intro where there is neither a display nor a terminal: what it says and how it ends.
+//! Without a display and without a terminal the intro plays, says so, and ends with the right exit code.
 
 mod stage;
 
@@ -13,7 +13,7 @@ use std::{
 };
 
 #[test]
-fn without_display_and_terminal_it_plays_all_the_same() {
+fn without_display_and_terminal_it_plays_without_a_screen() {
     let start = Instant::now();
     let (output, _) =
         run(headless().args(["--seconds", "0.5", "--size", "320x200", "--threads", "3"]));
@@ -63,7 +63,7 @@ fn the_soundtrack_is_played() {
     let bytes: Vec<u8> = samples
         .as_flattened()
         .iter()
-        .flat_map(|side| side.to_le_bytes())
+        .flat_map(|channel| channel.to_le_bytes())
         .collect();
     assert!(
         heard[..bytes.len()] == bytes,
@@ -86,7 +86,7 @@ fn without_a_sound_device_it_says_so_in_one_line() {
 }
 
 #[test]
-fn displays_that_are_not_there_are_no_display() {
+fn a_display_that_cannot_be_opened_counts_as_none() {
     for display in ["", ":54321", "nonsense", "localhost:54321"] {
         let (output, _) = run(headless()
             .args(["--seconds", "0.1"])
@@ -100,7 +100,7 @@ fn displays_that_are_not_there_are_no_display() {
     }
 }
 
-/// Runs a script that starts the intro as `INTRO`: its exit code, and what it writes to standard error.
+/// Runs a script in which `INTRO` stands for the intro. Returns its exit code and its standard error.
 fn shell(script: &str) -> (Option<i32>, String) {
     let script = script.replace("INTRO", &intro().display().to_string());
     let mut bash = Command::new("bash");
@@ -120,7 +120,7 @@ fn a_standard_output_that_takes_nothing_is_an_error() {
                 "{options} {output}: {errors}"
             );
         }
-        // A pipe that nobody reads from.
+        // A pipe without a reader.
         let (code, errors) = shell(&format!("INTRO {options} | true; exit ${{PIPESTATUS[0]}}"));
         let written_before = options != "--seconds 0.1" && code == Some(0);
         assert!(
@@ -145,7 +145,7 @@ fn what_opens_the_display_takes_no_number_of_a_closed_stream() {
 
 #[test]
 fn the_report_says_how_long_each_rung_was_used() {
-    // Rungs in the report, and how long each was used.
+    // The rungs in the report, and the time for which each was used.
     let used = |options: &str| {
         let (_, said) = run(headless().args(options.split(' ')));
         let names = QUALITIES.split(' ');
@@ -172,7 +172,7 @@ fn the_report_says_how_long_each_rung_was_used() {
         assert_eq!(name, expected, "{options}");
         assert!((0.3..=0.7).contains(&time), "{options}: {time}");
     }
-    // No machine draws so many, and none need more than the least.
+    // No machine reaches this frame rate, so the governor has to step down to the fastest rung.
     let hurried = used("--seconds 3 --size 1920x1080 --threads 1 --fps 1000");
     let sum: f64 = hurried.iter().map(|(_, time)| time).sum();
     let (last, time) = hurried[hurried.len() - 1];
@@ -192,7 +192,7 @@ fn it_uses_no_time_while_it_waits_for_the_next_frame() {
     .expect("it runs");
     let (_, fields) = stat.rsplit_once(") ").expect("a name and fields");
     let fields: Vec<&str> = fields.split(' ').collect();
-    // User and system time, in hundredths of a second.
+    // User time and system time, in hundredths of a second.
     let ticks: u32 = fields[11..13]
         .iter()
         .map(|field| field.parse::<u32>().expect("a number"))

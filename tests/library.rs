@@ -1,5 +1,5 @@
-//! What is measured is what ships. That the tests' own build of the library, which unwinds, draws the same as well is held
-//! by `tests/image/shipped.rs`.
+//! What is measured is what ships: the lab and the intro link the same compiled library. `tests/image/shipped.rs` checks that the
+//! tests' own build of the library, which unwinds, draws the same bits.
 
 use eightfold_lab::cargo::Build;
 use std::fs;

@@ -1,12 +1,12 @@
-//! The memory that the library asks its caller for is small enough for the stack of any thread that makes it.
+//! The memory that the library needs from its caller can be made on the stack of any thread.
 
 use eightfold::{Band, Level, Memory, Quality, Worker, render, show};
 use std::{iter, thread};
 
-/// What threads have that nobody asked for another size: the least of the systems in use.
+/// The default stack size of threads in bytes: the smallest of the usual systems.
 const STACK: usize = 2 << 20;
 
-/// Runs something on such a thread.
+/// Runs a function on a thread with that stack.
 fn on_small_stack<T: Send + 'static>(job: fn() -> T) -> T {
     let thread = thread::Builder::new().stack_size(STACK).spawn(job);
     let thread = thread.expect("the system has a thread to spare");

@@ -1,5 +1,5 @@
-//! A window shows the very pixels that were drawn, at any size, and stretches what has another; with
-//! memory that the server shares, and without.
+//! A window shows exactly the pixels that were drawn, at any size, and stretches pictures of another size; with shared memory and
+//! without.
 
 mod stage;
 
@@ -9,7 +9,7 @@ use eightfold_window::{
 };
 use std::{env, process::Command, thread::sleep, time::Duration};
 
-/// A picture with no two pixels alike beside each other.
+/// The colour of a pixel in a picture whose neighbouring pixels all differ.
 fn colour(x: usize, y: usize, round: usize) -> u32 {
     let mixed = (x * 73 + y * 179 + round * 31) as u32;
     mixed.wrapping_mul(0x9e37_79b1) >> 8
@@ -17,10 +17,10 @@ fn colour(x: usize, y: usize, round: usize) -> u32 {
 
 #[test]
 fn a_window_shows_the_pixels_drawn_at_any_size() {
-    stage::on_displays(&[&[], &["-extension", "MIT-SHM"]], look);
+    stage::on_displays(&[&[], &["-extension", "MIT-SHM"]], check_all_sizes);
 }
 
-fn look() {
+fn check_all_sizes() {
     let display = env::var("DISPLAY").expect("there is a display");
     let mut window = Window::open(c"Eightfold", 301, 203).expect("there is a display");
     let sizes = [
@@ -41,10 +41,10 @@ fn look() {
             sleep(Duration::from_millis(10));
         }
         for stretched in [false, true] {
-            // Twice: frames take turns in two places.
+            // Twice, since frames alternate between two buffers.
             draw(&mut window, round, stretched);
             draw(&mut window, round + 1, stretched);
-            // The server may not have come to it yet.
+            // The server may need some time.
             sleep(Duration::from_millis(100));
             compare(&display, size, round + 1, stretched);
         }
@@ -72,6 +72,7 @@ fn halves(width: usize, height: usize) -> (usize, usize) {
     (width.div_ceil(2), height.div_ceil(2))
 }
 
+/// Resizes the window.
 fn resize(display: &str, (width, height): (usize, usize)) {
     let mut xdotool = stage::tool("xdotool");
     let words =
@@ -79,6 +80,7 @@ fn resize(display: &str, (width, height): (usize, usize)) {
     stage::run(xdotool.env("DISPLAY", display).args(words.split(' ')));
 }
 
+/// Compares the window's pixels on the screen with those drawn.
 fn compare(display: &str, (width, height): (usize, usize), round: usize, half: bool) {
     let mut import: Command = stage::tool("import");
     let part = format!("{width}x{height}+0+0");

@@ -1,5 +1,4 @@
-//! `--still`: one frame of the very program that plays. That it is the library's frame, and the oracle's, is held by
-//! `tests/image/shipped.rs`.
+//! `--still` writes one frame of the show. `tests/image/shipped.rs` compares such frames with the library's and the oracle's.
 
 #[path = "reader/mod.rs"]
 mod reader;
@@ -9,7 +8,7 @@ use reader::read_ppm;
 use stage::{headless, intro, run, texts};
 use std::process::Command;
 
-/// A frame that the intro writes, with options: its width, and its pixels.
+/// The frame that the intro writes with some options: its width and its pixels.
 fn still(options: &str) -> (usize, Vec<u32>) {
     let (output, _) = run(headless().args(options.split(' ')));
     let (_, errors) = texts(&output);
@@ -54,7 +53,7 @@ fn what_can_not_be_written_is_an_error_in_one_line() {
     for (output, expected) in [
         ("> /dev/full", 1),
         (">&-", 1),
-        // A pipe that nobody reads from, and one that is closed in the middle of the frame.
+        // A pipe without a reader, and one that is closed in the middle of the frame.
         ("| true", 1),
         ("| head -c 1000 > /dev/null", 1),
     ] {

@@ -1,4 +1,4 @@
-//! The intro without a display, in a terminal (tmux).
+//! Without a display the intro plays in a terminal (tmux), and restores it at the end.
 
 mod stage;
 
@@ -12,14 +12,14 @@ use std::{
     time::Duration,
 };
 
-/// A terminal of a size, with a shell script in it.
+/// A terminal in which a shell script runs.
 struct Terminal {
     socket: PathBuf,
 }
 
 impl Terminal {
-    /// Starts the intro with options, without a display. When it has ended, the terminal shows whether its
-    /// mode has changed, and the exit code.
+    /// Starts the intro with options in a terminal of the given size. After its end the terminal shows whether its mode was restored,
+    /// and the exit code.
     fn play(columns: usize, rows: usize, options: &str) -> Terminal {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let name = format!(
@@ -60,12 +60,12 @@ impl Terminal {
         text
     }
 
-    /// What it shows, with colours as they were sent.
+    /// The terminal's contents, with escape codes for colours.
     fn text(&self) -> String {
         self.tmux(&["capture-pane", "-p", "-e"])
     }
 
-    /// Waits until it shows a picture in all its cells.
+    /// Waits until all cells show a picture.
     fn wait_for_picture(&self, columns: usize, rows: usize) {
         wait_for("a picture", || {
             let text = self.text();
@@ -74,7 +74,7 @@ impl Terminal {
         });
     }
 
-    /// Waits until the intro has ended, and checks that everything is as it was.
+    /// Waits until the intro has ended, and checks that the terminal is restored.
     fn wait_for_end(&self, code: i32) {
         let text = wait_for("the end", || {
             let text = self.text();

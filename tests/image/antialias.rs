@@ -1,4 +1,4 @@
-//! Edges with more samples than one.
+//! Antialiased pictures are closer to supersampled ones, and change at edges alone.
 
 use crate::cpu;
 use crate::drawn::draw;
@@ -6,32 +6,33 @@ use crate::error::{Difference, worst_channel};
 use eightfold::scene::Scene;
 use eightfold::{Quality, show};
 
-/// Samples a side of a pixel in the pictures that others are held to.
+/// Samples per side of a pixel in the reference pictures.
 const FINE: usize = 8;
 
 const SIZE: (usize, usize) = (200, 150);
 
-/// A picture by the best instruction set.
+/// A picture by the best instruction set, `n` times as large as [`SIZE`].
 fn picture(scene: &Scene, quality: &Quality, threads: usize, n: usize) -> Vec<u32> {
     let (width, height) = SIZE;
     draw(cpu::best(), threads, scene, quality, n * width, n * height).pixels
 }
 
-/// A picture whose pixels are the means of 64 in one that is eight times as large.
+/// A picture whose pixels are the means of 8 by 8 pixels of one that is eight times as large.
 fn reference(scene: &Scene) -> Vec<u32> {
     let (width, height) = SIZE;
     let large = picture(scene, &Quality::EXHAUSTIVE, 2, FINE);
-    let mean = |place: usize, shift: u32| {
-        let (left, top) = (place % width * FINE, place / width * FINE);
+    let mean = |i: usize, shift: u32| {
+        let (left, top) = (i % width * FINE, i / width * FINE);
         let rows = large.chunks_exact(width * FINE).skip(top).take(FINE);
         let parts = rows.flat_map(|row| &row[left..left + FINE]);
         let sum: u32 = parts.map(|pixel| pixel >> shift & 0xff).sum();
         ((sum + 32) / 64) << shift
     };
-    let pixel = |place| [16, 8, 0].map(|shift| mean(place, shift)).iter().sum();
+    let pixel = |i| [16, 8, 0].map(|shift| mean(i, shift)).iter().sum();
     (0..width * height).map(pixel).collect()
 }
 
+/// The quality with a number of samples per side.
 fn with(antialias: usize, quality: Quality) -> Quality {
     Quality {
         antialias,
@@ -46,7 +47,7 @@ fn more_samples_at_edges_are_nearer_to_many_everywhere() {
         let psnr = |quality: &Quality| {
             Difference::between(&reference, &picture(&scene, quality, 2, 1)).psnr
         };
-        // In squares, what is filled between edges is off as before.
+        // With squares the error between edges stays.
         for (quality, by_four, by_sixteen) in [
             (Quality::EXHAUSTIVE, 7.0, 13.0),
             (Quality::DEFAULT, 4.0, 5.0),
@@ -69,22 +70,22 @@ fn what_differs_from_no_neighbour_keeps_its_bits() {
         let scene = show::scene(2.0);
         let plain = picture(&scene, &quality, 2, 1);
         let smooth = picture(&scene, &with(3, quality), 2, 1);
-        let is_edge = |place: usize| {
-            let (x, y) = (place % width, place / width);
+        let is_edge = |i: usize| {
+            let (x, y) = (i % width, i / width);
             let beside = [
-                (x > 0).then(|| place - 1),
-                (x + 1 < width).then(|| place + 1),
-                (y > 0).then(|| place - width),
-                (y + 1 < height).then(|| place + width),
+                (x > 0).then(|| i - 1),
+                (x + 1 < width).then(|| i + 1),
+                (y > 0).then(|| i - width),
+                (y + 1 < height).then(|| i + width),
             ];
             let mut beside = beside.into_iter().flatten();
-            beside.any(|other| worst_channel(plain[place], plain[other]) >= 16)
+            beside.any(|other| worst_channel(plain[i], plain[other]) >= 16)
         };
         let (mut edges, mut changed) = (0, 0);
-        for (place, (plain, smooth)) in plain.iter().zip(&smooth).enumerate() {
-            edges += usize::from(is_edge(place));
+        for (i, (plain, smooth)) in plain.iter().zip(&smooth).enumerate() {
+            edges += usize::from(is_edge(i));
             changed += usize::from(plain != smooth);
-            assert!(plain == smooth || is_edge(place), "pixel {place}");
+            assert!(plain == smooth || is_edge(i), "pixel {i}");
         }
         assert!(edges < width * height / 4, "{edges} pixels at edges");
         assert!(changed > edges / 2, "{changed} of {edges} changed");
@@ -119,12 +120,12 @@ fn edges_have_the_same_bits_on_any_number_of_threads() {
 }
 
 #[test]
-fn captions_and_marks_of_the_method_are_no_edges() {
+fn captions_and_the_overlay_are_not_antialiased_as_edges() {
     let mut scene = Scene::ZEROED;
     let is_white = |pixels: &[u32]| -> Vec<bool> {
         pixels.iter().map(|&pixel| pixel == 0x00ff_ffff).collect()
     };
-    // The greetings, over a picture that has edges of its own.
+    // The greetings, over a picture with edges.
     show::at(90.0, &mut scene);
     assert!(
         scene

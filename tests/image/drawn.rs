@@ -1,20 +1,20 @@
-//! Pictures by the tracer, drawn in the lab's studio.
+//! Draws pictures with the library, through the lab's studio.
 
 use crate::cpu::{self, Isa};
 use crate::studio::Studio;
 use eightfold::scene::Scene;
 use eightfold::{Counts, Quality};
 
-/// A picture and the work it was.
+/// A picture and the work that it took.
 pub struct Drawn {
     pub pixels: Vec<u32>,
     pub counts: Counts,
 }
 
-/// What pixels hold before they are drawn; no pixel looks like it, for its highest byte is 0.
+/// The value of pixels before they are drawn. Drawn pixels have a highest byte of 0.
 const UNDRAWN: u32 = 0xdead_beef;
 
-/// Draws a picture by one instruction set, on so many threads.
+/// Draws a picture by one instruction set, on a number of threads.
 pub fn draw(
     isa: Isa,
     threads: usize,

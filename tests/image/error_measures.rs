@@ -1,4 +1,4 @@
-//! The measures of how far a picture is off.
+//! The measures of a picture's error: differences, flicker, FLIP and missed objects.
 
 use crate::cpu;
 use crate::error::Difference;
@@ -13,7 +13,7 @@ const WIDTH: usize = 20;
 const HEIGHT: usize = 20;
 const DARK: [u32; WIDTH * HEIGHT] = [0; WIDTH * HEIGHT];
 
-/// A dark picture with one light block of 8x8 pixels, cut to the picture.
+/// A black picture with one bright block of 8x8 pixels, clipped to the picture.
 fn block(column: usize, row: usize, light: u32) -> Vec<u32> {
     let mut pixels = DARK.to_vec();
     for y in (8 * row..8 * row + 8).take_while(|&y| y < HEIGHT) {
@@ -24,7 +24,7 @@ fn block(column: usize, row: usize, light: u32) -> Vec<u32> {
     pixels
 }
 
-/// Blocks that jump in these frames beside dark ones.
+/// The number of flickering blocks in frames, compared with black ones.
 fn jumps(frames: &[Vec<u32>]) -> usize {
     let mut flicker = Flicker::default();
     for frame in frames {
@@ -48,9 +48,9 @@ fn an_error_that_comes_and_goes_flickers() {
         jumps(&[off.clone(), on.clone(), off.clone(), on.clone()]),
         3
     );
-    // From one block to the next: both jump.
+    // If the error moves from a block to another, both flicker.
     assert_eq!(jumps(&[on, block(0, 1, 0x0009_0000)]), 2);
-    // Small blocks at the picture's ends count like all others.
+    // Clipped blocks at the picture's edges count, too.
     assert_eq!(jumps(&[off.clone(), block(2, 2, 0x0000_0009)]), 1);
     assert_eq!(jumps(&[off, block(1, 1, 0x0008_0808)]), 0);
 }
@@ -113,7 +113,7 @@ fn an_object_is_missed_where_it_is_not_shown() {
     let picture = exhaustive(&scene);
     let visible = Visible::new(&scene, 160, 120);
     assert_eq!(visible.missed(&picture, &picture), 0);
-    // In another light all is there still.
+    // A small change of brightness misses nothing.
     let brighter: Vec<u32> = picture.iter().map(|pixel| pixel | 0x0007_0707).collect();
     assert_eq!(visible.missed(&picture, &brighter), 0);
     let bare = Scene {

@@ -1,4 +1,4 @@
-//! Scenes, times and cameras at the ends of their ranges and beyond: a picture that is defined, for bounded work.
+//! Scenes, times and cameras at the ends of their ranges, and beyond, give a defined picture for bounded work.
 
 use crate::accuracy::assert_as_traced;
 use crate::cpu;
@@ -12,12 +12,12 @@ use glam::{Mat3A, Vec3A, vec3a};
 
 const QUALITIES: [Quality; 3] = [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT];
 
-/// Rays of all kinds.
+/// The number of rays of all kinds.
 fn work(counts: &Counts) -> u64 {
     counts.rays + counts.shadow_rays
 }
 
-/// A scene `factor` times as large.
+/// A scene scaled by a factor.
 pub fn scaled(scene: &Scene, factor: f32) -> Scene {
     let mut scene = *scene;
     scene.haze /= factor;
@@ -67,7 +67,7 @@ fn a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees() {
     let mut scene = show::scene(0.0);
     let glass = scene.spheres[3].material;
     for material in [glass, scene.spheres[0].material] {
-        // In the mirror's place, so that the light comes from all around.
+        // In the mirror's position, so that light comes from all directions.
         scene.spheres[1].material = material;
         let (centre, radius) = (scene.spheres[1].centre, scene.spheres[1].radius);
         for (distance, along) in [
@@ -79,7 +79,7 @@ fn a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees() {
             (1.001, true),
             (1.5, false),
         ] {
-            // Towards the middle, or past it along the sphere.
+            // Towards the centre, or along the surface.
             let eye = centre + Vec3A::NEG_Z * (radius * distance);
             let ahead = if along { Vec3A::X } else { Vec3A::Z };
             scene.camera = Camera {
@@ -136,7 +136,7 @@ fn a_million_seconds_on_the_picture_is_the_one_of_that_time() {
     assert!((eye.z + 7.5 * angle.cos()).abs() < 1e-4, "{eye}");
 }
 
-/// A vector's numbers.
+/// Adds a vector's components to a list.
 fn add<'a>(all: &mut Vec<(&'static str, &'a mut f32)>, name: &'static str, v: &'a mut Vec3A) {
     all.extend(
         AsMut::<[f32; 3]>::as_mut(v)
@@ -145,7 +145,7 @@ fn add<'a>(all: &mut Vec<(&'static str, &'a mut f32)>, name: &'static str, v: &'
     );
 }
 
-/// Every number of a scene.
+/// All numbers of a scene, with their names.
 fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
     let mut all = Vec::new();
     let camera = &mut scene.camera;
@@ -224,7 +224,7 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
     all
 }
 
-/// The model scene with a box, a cylinder, and a lamp that is a ball and a cone.
+/// The model scene with a box, a cylinder and a large spotlight.
 fn rich() -> Scene {
     let mut scene = show::scene(1.0);
     for (shape, x) in [(Shape::Box, -3.5), (Shape::Cylinder, 3.8)] {
@@ -247,13 +247,13 @@ fn rich() -> Scene {
 }
 
 #[test]
-fn what_is_no_number_is_refused_and_still_gives_a_picture_for_bounded_work() {
+fn nan_and_infinity_are_refused_and_still_give_a_picture_for_bounded_work() {
     for scene in [show::scene(1.0), rich()] {
         assert_numbers_are_checked(scene);
     }
 }
 
-/// Asserts it of each number of a scene.
+/// Asserts that for each number of a scene.
 fn assert_numbers_are_checked(mut scene: Scene) {
     scene.method.points = 0.4;
     scene.captions.push(Caption {
@@ -269,13 +269,13 @@ fn assert_numbers_are_checked(mut scene: Scene) {
     for quality in QUALITIES {
         for isa in cpu::instruction_sets() {
             let normal = work(&draw(isa, 1, &scene, &quality, 64, 48).counts);
-            for place in 0..count {
+            for i in 0..count {
                 for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
                     let mut scene = scene;
-                    let (name, number) = numbers(&mut scene).swap_remove(place);
+                    let (name, number) = numbers(&mut scene).swap_remove(i);
                     *number = wrong;
                     let what = format!("{name} {wrong} by {}", isa.name);
-                    // An index that no ray is bent by may be anything.
+                    // The refractive index of an opaque material may be anything.
                     let is_refused = scene.validate().is_err();
                     assert!(is_refused || name == "index", "{what}");
                     pixels.fill(u32::MAX);
@@ -289,8 +289,8 @@ fn assert_numbers_are_checked(mut scene: Scene) {
 }
 
 #[test]
-fn many_spheres_that_are_none_give_a_picture() {
-    // In groups, whose bounds such numbers reach.
+fn many_spheres_with_invalid_coordinates_give_a_picture() {
+    // There are enough spheres for bounds, which such numbers affect, too.
     let normal = show::field(100, 1.0);
     for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
         for every in [1, 3, 50] {

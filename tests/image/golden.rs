@@ -1,7 +1,7 @@
-//! Pictures that were looked at, kept in `tests/golden`: drawn by the instruction set that every machine has, so that every
-//! machine draws them by the same bits.
+//! Pictures equal those in `tests/golden`, which somebody has looked at. These are drawn by the baseline instruction set, so that
+//! every machine draws the same bits.
 //!
-//! After a change that is meant to be seen, this draws those anew that differ: look at them.
+//! After an intended change this redraws the pictures that differ. Look at them before committing.
 //!
 //!     UPDATE_GOLDEN=1 cargo test --release --test image golden
 
@@ -18,15 +18,15 @@ use eightfold_lab::arguments::NamedQuality;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// How much a picture may be off: rounding decides differently about a few squares on other instruction sets.
+/// The largest mean error, in steps of 1/255: on other instruction sets rounding may decide differently about a few squares.
 const MEAN: f64 = 0.05;
-/// Pixels over 8 of 255, in a thousand.
+/// The largest number of pixels in a thousand with an error of more than 8/255.
 const OVER_8: usize = 1;
 
-/// A picture and the name of what drew it.
+/// A picture, with the name of the instruction set that drew it.
 type Named = (&'static str, Vec<u32>);
 
-/// Holds pictures of a scene by the library to the golden one.
+/// Asserts that the library's pictures of a scene equal the golden one.
 fn hold(name: &str, scene: &Scene, quality: &Quality, width: usize, height: usize) {
     let drawn = draw_by_all(scene, quality, width, height);
     let drawn: Vec<Named> = drawn
@@ -43,7 +43,7 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/golden/{name}.png"))
 }
 
-/// Replaces a golden picture by one of the last instruction set, which every machine has, if they differ.
+/// Replaces the golden picture by that of the last instruction set, which is the baseline, if they differ.
 fn update(name: &str, width: usize, drawn: &[Named]) {
     let (_, pixels) = drawn.last().expect("an instruction set");
     let there = fs::read(file(name)).map(|bytes| read_png(&bytes));
@@ -74,7 +74,7 @@ fn assert_golden(name: &str, width: usize, drawn: &[Named]) {
     }
 }
 
-/// The difference of two pictures, sixteen times as bright.
+/// The difference of two pictures, multiplied by sixteen.
 fn contrast(a: &[u32], b: &[u32]) -> Vec<u32> {
     let channel = |a: u32, b: u32| (a & 0xff).abs_diff(b & 0xff).saturating_mul(16).min(255);
     let pixels = a.iter().zip(b);
@@ -108,11 +108,11 @@ fn golden_spheres_between_corners() {
 
 #[test]
 fn golden_show() {
-    // Milliseconds that show each scene, and each caption's place.
+    // Times in milliseconds that show every scene and every position of a caption.
     for (name, time, quality) in [
         ("title", 9_000, NamedQuality::EXHAUSTIVE),
         ("model-close", 23_000, NamedQuality::EXHAUSTIVE),
-        // What it explains are squares.
+        // The overlay shows squares, so the picture has to be drawn by squares.
         ("method", 38_000, NamedQuality::THESIS),
         ("colonnade", 51_000, NamedQuality::EXHAUSTIVE),
         ("colonnade-close", 58_000, NamedQuality::EXHAUSTIVE),

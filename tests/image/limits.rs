@@ -1,4 +1,4 @@
-//! The page of limits names tests that there are.
+//! Every test that the documentation of `limits` names exists.
 
 use std::fs;
 use std::path::Path;
@@ -22,7 +22,7 @@ fn every_test_that_the_limits_name_is_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let all = sources(&root.join("src")) + &sources(&root.join("tests"));
     let page = fs::read_to_string(root.join("src/limits.rs")).unwrap();
-    // What is quoted and has the form of a sentence is a test's name.
+    // Quoted words with at least three underscores are names of tests.
     let is_test = |word: &&str| word.matches('_').count() >= 3 && !word.contains(['/', ' ', '(']);
     let named: Vec<&str> = page.split('`').skip(1).step_by(2).filter(is_test).collect();
     for test in &named {

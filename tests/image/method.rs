@@ -1,6 +1,4 @@
-//! The method made visible: marks lie where points are traced and squares are filled.
-//!
-//! Of the feature `lab`, as observers are.
+//! The overlay that explains the method marks exactly the points that are traced and the squares that are filled.
 
 use crate::cpu;
 use crate::drawn::draw;
@@ -10,13 +8,13 @@ use eightfold::observe::Fill;
 use eightfold::scene::{Method, Scene};
 use eightfold::{Quality, show};
 
-/// Sides that no square divides.
+/// A size that is no multiple of any square's side.
 const SIZE: (usize, usize) = (331, 217);
 
 const WHITE: u32 = 0x00ff_ffff;
 
-/// The model scene with no more than marks, on black.
-fn marked(points: f32, squares: f32) -> Scene {
+/// The overlay of the model scene alone, on black.
+fn overlay(points: f32, squares: f32) -> Scene {
     let mut scene = show::scene(1.0);
     scene.method = Method {
         points,
@@ -26,8 +24,8 @@ fn marked(points: f32, squares: f32) -> Scene {
     scene
 }
 
-/// Draws on two threads, and hears how.
-fn draw_heard(scene: &Scene, quality: &Quality) -> (Vec<u32>, FrameTrace) {
+/// Draws a picture on two threads, and records its points and squares.
+fn draw_traced(scene: &Scene, quality: &Quality) -> (Vec<u32>, FrameTrace) {
     let (width, height) = SIZE;
     let trace = FrameTrace::new(width, height);
     let mut pixels = vec![0; width * height];
@@ -38,10 +36,10 @@ fn draw_heard(scene: &Scene, quality: &Quality) -> (Vec<u32>, FrameTrace) {
 #[test]
 fn marks_lie_exactly_where_points_are_traced() {
     for quality in Quality::LADDER {
-        let (pixels, trace) = draw_heard(&marked(1.0, 0.0), quality);
+        let (pixels, trace) = draw_traced(&overlay(1.0, 0.0), quality);
         let mut count = 0;
         for (i, (&pixel, rays)) in pixels.iter().zip(trace.rays()).enumerate() {
-            // What the band above alone traced of the row that both share has no mark.
+            // On the row that two bands share, points that only the upper band traced have no mark.
             if (i / SIZE.0).is_multiple_of(32) && pixel == 0 {
                 continue;
             }
@@ -56,7 +54,7 @@ fn marks_lie_exactly_where_points_are_traced() {
 #[test]
 fn lines_are_the_upper_and_left_sides_of_filled_squares() {
     let (width, height) = SIZE;
-    let (pixels, trace) = draw_heard(&marked(0.0, 1.0), &Quality::DEFAULT);
+    let (pixels, trace) = draw_traced(&overlay(0.0, 1.0), &Quality::DEFAULT);
     let mut expected = vec![0; width * height];
     for square in trace.squares().filter(|square| square.fill != Fill::Points) {
         for y in square.y..square.y + square.h {
@@ -81,7 +79,7 @@ fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads
         width,
         height,
     );
-    let mut scene = marked(0.0, 0.0);
+    let mut scene = overlay(0.0, 0.0);
     scene.method.picture = 0.5;
     let dimmed = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, width, height);
     assert_eq!(plain.counts, dimmed.counts);

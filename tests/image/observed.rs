@@ -1,6 +1,4 @@
-//! What an observer hears of a frame.
-//!
-//! Of the feature `lab`, as observers are.
+//! Observers are told of all points and squares of a frame, and do not change it.
 
 use crate::cpu;
 use crate::overlay::{FrameTrace, draw_error, heat};
@@ -9,7 +7,7 @@ use eightfold::observe::{Fill, Observer};
 use eightfold::{Band, Counts, Quality, Worker, render_observed, show};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// Sides that no square divides.
+/// A size that is no multiple of any square's side.
 const SIZE: (usize, usize) = (331, 217);
 
 fn qualities() -> impl Iterator<Item = Quality> {
@@ -30,7 +28,7 @@ fn qualities() -> impl Iterator<Item = Quality> {
 }
 
 #[test]
-fn a_frame_is_the_same_whoever_listens() {
+fn an_observer_does_not_change_the_frame() {
     let (width, height) = SIZE;
     let scene = show::field(40, 2.0);
     let mut studio = Studio::new(2);
@@ -40,22 +38,22 @@ fn a_frame_is_the_same_whoever_listens() {
             ..Quality::DEFAULT
         };
         for quality in qualities().chain([smooth]) {
-            // Counts too: no point depends on what was traced in a frame before.
-            let (mut heard, mut unheard) = (vec![0; width * height], vec![1; width * height]);
+            // The counts have to be the same, too: no point depends on earlier frames.
+            let (mut observed, mut plain) = (vec![0; width * height], vec![1; width * height]);
             let trace = FrameTrace::new(width, height);
-            let counts = studio.draw_observed(isa.level, &scene, &quality, &trace, &mut heard);
+            let counts = studio.draw_observed(isa.level, &scene, &quality, &trace, &mut observed);
             assert_eq!(
                 counts,
-                studio.draw(isa.level, &scene, &quality, width, &mut unheard)
+                studio.draw(isa.level, &scene, &quality, width, &mut plain)
             );
-            assert!(heard == unheard, "{quality:?} by {}", isa.name);
+            assert!(observed == plain, "{quality:?} by {}", isa.name);
         }
     }
 }
 
 #[test]
-fn the_points_heard_of_cast_all_the_rays() {
-    // Whole squares: no point lies beyond the picture but in the last row and column of corners.
+fn the_reported_points_cast_all_rays() {
+    // The size is a multiple of the squares' side, so that no square reaches beyond the picture.
     let (width, height) = (328, 216);
     let scene = show::scene(2.5);
     let mut studio = Studio::new(2);
@@ -71,7 +69,7 @@ fn the_points_heard_of_cast_all_the_rays() {
     );
 
     for quality in Quality::LADDER {
-        let heard = Heard::default();
+        let counter = Counter::default();
         let counts = render_observed(
             level,
             &scene,
@@ -81,24 +79,24 @@ fn the_points_heard_of_cast_all_the_rays() {
             &mut studio.memory,
             &mut studio.workers,
             &mut pixels,
-            &heard,
+            &counter,
             |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
                 studio.pool.run(workers, bands, job);
             },
         );
-        assert_eq!(heard.points.into_inner(), counts.points);
-        assert_eq!(heard.rays.into_inner(), counts.rays + counts.shadow_rays);
+        assert_eq!(counter.points.into_inner(), counts.points);
+        assert_eq!(counter.rays.into_inner(), counts.rays + counts.shadow_rays);
     }
 }
 
-/// Counts points, and all their rays.
+/// Counts the reported points and their rays.
 #[derive(Default)]
-struct Heard {
+struct Counter {
     points: AtomicU64,
     rays: AtomicU64,
 }
 
-impl Observer for &Heard {
+impl Observer for &Counter {
     fn point(self, _: usize, _: usize, work: Counts) {
         self.points.fetch_add(work.points, Relaxed);
         self.rays.fetch_add(work.rays + work.shadow_rays, Relaxed);
@@ -130,7 +128,7 @@ fn squares_cover_each_pixel_once() {
 }
 
 #[test]
-fn the_error_of_a_frame_is_dark_where_it_is_right_and_brightest_where_it_is_far_off() {
+fn the_error_is_drawn_from_black_for_none_to_white_for_the_largest() {
     let exhaustive = [0x0010_2030, 0x0010_2030, 0x0010_2030];
     let mut pixels = [0x0010_2030, 0x0010_2130, 0x00ff_2030];
     draw_error(&mut pixels, &exhaustive, 32);

@@ -1,4 +1,4 @@
-//! Patterns in filled squares: seen at every pixel, by few points.
+//! Patterns in filled squares are as sharp as traced ones, and take few points.
 
 use crate::drawn::{draw, draw_by_all};
 use crate::error::Difference;
@@ -8,8 +8,8 @@ use eightfold::scene::{
 };
 use glam::{Mat3A, Vec3A, vec3a};
 
-/// A floor, a sphere, a box and a cylinder, with checkers, stripes and marble far finer than squares allow for; the marble's
-/// edges are so steep.
+/// A floor, a sphere, a box and a cylinder with checkers, stripes and marble that are much finer than squares. `marble` is the
+/// steepness of the marble's edges.
 fn scene(depth: f32, marble: f32) -> Scene {
     let material = |waves: Vec3A, edge: f32, warp: f32| Material {
         colour: vec3a(0.9, 0.8, 0.7),
@@ -80,7 +80,7 @@ fn patterns_are_as_sharp_in_filled_squares_as_traced() {
             isa.name
         );
         assert!(difference.psnr > 42.5, "{}: {difference:?}", isa.name);
-        // Edges of objects and shadows are split for, those of patterns, many times as long, are not.
+        // Squares are split at edges of objects and shadows, but not at the much longer edges of patterns.
         assert!(
             points < plainly * 7 / 4,
             "{}: {points}, {plainly}",
@@ -91,7 +91,7 @@ fn patterns_are_as_sharp_in_filled_squares_as_traced() {
 
 #[test]
 fn patterns_without_edges_are_filled_as_light_is() {
-    // Waves as they are.
+    // Patterns without edges.
     let soft = scene(0.8, 1.0);
     for (isa, exhaustive) in draw_by_all(&soft, &Quality::EXHAUSTIVE, 480, 270) {
         let drawn = draw(isa, 2, &soft, &Quality::DEFAULT, 480, 270);

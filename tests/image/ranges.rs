@@ -85,7 +85,7 @@ fn an_empty_scene_is_its_background() {
     }
 }
 
-/// A length of about `r` before the camera, and a lamp that shines on it.
+/// A camera at the distance `r` from the origin, with lights for objects of that size.
 fn of_length(r: f32) -> Scene {
     let mut scene = show::scene(0.0);
     scene.spheres = List::default();
@@ -103,7 +103,7 @@ fn of_length(r: f32) -> Scene {
 #[test]
 fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
     let material = show::scene(0.0).spheres[0].material;
-    // From a hundred-millionth of a unit, and less, to a thousand million.
+    // Over the whole range of lengths.
     let sphere = |r: f32| {
         let mut scene = of_length(r);
         scene.spheres.push(Sphere {

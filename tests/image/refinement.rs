@@ -1,4 +1,4 @@
-//! Adaptive squares against every pixel traced, and against the oracle's own squares.
+//! Adaptive squares follow their rules: pictures equal those of the oracle's squares, and are close to exhaustive ones.
 
 use crate::cpu;
 use crate::drawn::{Drawn, draw, draw_by_all};
@@ -8,8 +8,8 @@ use eightfold::{Quality, show};
 use eightfold_oracle::squares::{Squares, TILE};
 use glam::{Vec3A, vec3a};
 
-/// Asserts that a picture is the oracle's by adaptive squares: as many points to 0.2 %, or 24, and the same pixels but
-/// for a few squares that rounding decides.
+/// Asserts that a picture is that of the oracle's squares: the number of points differs by at most 0.2 %, or 24, and the pixels differ
+/// in a few squares at most, which rounding decides.
 #[track_caller]
 pub fn assert_as_refined(drawn: &Drawn, squares: &Squares<'_>, what: &str) {
     let (points, expected) = (drawn.counts.points, squares.points() as u64);
@@ -23,7 +23,7 @@ pub fn assert_as_refined(drawn: &Drawn, squares: &Squares<'_>, what: &str) {
     assert!(difference.over_8 <= most, "{what}: {difference:?}");
 }
 
-/// A quality's bare rules, which the oracle's squares follow: nothing is split for what corners may have missed.
+/// The quality without the guard, which the oracle's squares do not have.
 pub fn bare(quality: Quality) -> Quality {
     Quality {
         guarded: false,
@@ -31,7 +31,7 @@ pub fn bare(quality: Quality) -> Quality {
     }
 }
 
-/// Scenes with few edges, with many, and with more than pixels.
+/// Scenes with few and many edges, and with so many that nearly every square has one.
 fn scenes() -> [(&'static str, Scene); 3] {
     [
         ("model", show::scene(0.0)),
@@ -150,7 +150,7 @@ fn a_point_has_the_same_bits_whatever_is_traced_beside_it() {
 
 #[test]
 fn no_point_is_traced_twice_even_where_every_square_splits() {
-    // Many spheres from above, and all that can be told apart compared: hardly a square is filled.
+    // Many spheres from above, and tolerances of 0: hardly any square is filled.
     let mut scene = show::field(320, 0.0);
     scene.camera = Camera {
         eye: vec3a(0.0, 14.0, 0.1),
@@ -167,7 +167,7 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
             ..Quality::THESIS
         };
         let drawn = draw(cpu::best(), 2, &scene, &quality, width, height);
-        // Tiles find the points that they share each for itself.
+        // Points on the border between two tiles are traced by both.
         let [tile_width, tile_height] = TILE.map(|side| side / square * square);
         let corners = |side: usize, tile: usize| -> usize {
             let parts = (0..side).step_by(tile);

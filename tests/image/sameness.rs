@@ -1,4 +1,4 @@
-//! The picture is a function of scene, size, quality and instruction set, and nothing else.
+//! The picture depends on the scene, the size, the quality and the instruction set, and on nothing else.
 
 use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
@@ -18,7 +18,7 @@ const QUALITIES: [Quality; 7] = [
     of_side(17),
 ];
 
-/// The default quality by squares of another side.
+/// The default quality with squares of another side.
 const fn of_side(square: usize) -> Quality {
     Quality {
         square,
@@ -82,12 +82,13 @@ fn any_order_of_bands_gives_the_same_bits() {
 }
 
 #[test]
-fn what_was_drawn_before_leaves_no_trace() {
+fn a_frame_does_not_depend_on_earlier_frames() {
     let level = cpu::best().level;
     let mut studio = Studio::new(2);
     let mut others = vec![0; 500 * 400];
     for quality in QUALITIES {
-        // Spheres alone, then boxes, cylinders and patterns as well: what is a sphere's in one frame may be a box's in another.
+        // Scenes of spheres alone, and with boxes, cylinders and patterns: an object number may belong to a sphere in one frame and
+        // to a box in another.
         let many = [
             show::scene(6.0),
             show::field(320, 0.0),

@@ -1,5 +1,4 @@
-//! Frames of the very file that ships: `eightfold --still` draws what the library under test draws, bit for bit, so that
-//! what holds for its pictures holds for what ships; and it draws what the oracle sees.
+//! The file that ships draws, with `--still`, the same bits as the library under test, and the same pictures as the oracle.
 
 use crate::accuracy::assert_as_traced;
 use crate::cpu::{self, Isa};
@@ -13,10 +12,10 @@ use eightfold_lab::arguments::NamedQuality;
 use eightfold_oracle::frame::Frame;
 use std::process::Command;
 
-/// A frame of the show, as the program that ships is asked for it.
+/// A frame of the show, and how the program that ships draws it.
 #[derive(Clone, Copy)]
 pub struct Still {
-    /// Milliseconds since the show's beginning.
+    /// The time in the show, in milliseconds.
     pub time: u32,
     pub quality: NamedQuality,
     pub width: usize,
@@ -33,14 +32,14 @@ impl Still {
         }
     }
 
-    /// What is to be seen in it.
+    /// The scene of the frame.
     pub fn scene(&self) -> Scene {
         let mut scene = Scene::default();
         show::at((f64::from(self.time) / 1000.0) as f32, &mut scene);
         scene
     }
 
-    /// The frame by the file that ships.
+    /// The frame, drawn by the file that ships.
     pub fn shipped(&self, isa: Isa, threads: usize) -> Vec<u32> {
         let (seconds, milliseconds) = (self.time / 1000, self.time % 1000);
         let output = Command::new(intro())
@@ -60,13 +59,13 @@ impl Still {
         pixels
     }
 
-    /// The frame by the library under test.
+    /// The frame, drawn by the library under test.
     pub fn drawn(&self, isa: Isa) -> Vec<u32> {
         let quality = &self.quality.quality;
         draw(isa, 2, &self.scene(), quality, self.width, self.height).pixels
     }
 
-    /// Asserts that both are the same by every instruction set, and by one thread as by several.
+    /// Asserts that both are the same for every instruction set, and for one thread and several.
     fn assert_same(&self) {
         let several = cpu::instruction_sets().map(|isa| (isa, 3));
         for (isa, threads) in several.chain([(cpu::best(), 1)]) {
@@ -79,14 +78,13 @@ impl Still {
     }
 }
 
-/// Milliseconds in all scenes of the show, several in each, without a caption, which the oracle can't write.
+/// Times in milliseconds, at least two in each scene, without captions, which the oracle does not draw.
 const TIMES: [u32; 16] = [
     2_300, 5_500, 13_100, 18_700, 26_900, 28_300, 43_100, 45_200, 54_700, 61_400, 66_500, 72_900,
     78_300, 83_600, 84_300, 95_700,
 ];
 
-/// The least PSNR of a frame of the default quality in decibels, at this size: errors lie along edges, of which a small
-/// picture has more.
+/// The smallest PSNR, in decibels, of the default quality in small pictures, in which edges take up a large share.
 const LEAST_PSNR: f64 = 33.0;
 
 #[test]
@@ -107,7 +105,7 @@ fn what_ships_is_as_the_oracle_sees_it_in_every_scene() {
             let drawn = Drawn { pixels, counts };
             assert_as_traced(&drawn, &frame, &what);
             exhaustive.push(drawn.pixels);
-            // Marks of how it is drawn are no errors.
+            // The overlay differs between qualities.
             if scene.method == Method::default() {
                 let quality = "default".parse().expect("a quality");
                 let pixels = Still { quality, ..still }.shipped(isa, 2);
@@ -119,7 +117,7 @@ fn what_ships_is_as_the_oracle_sees_it_in_every_scene() {
     }
 }
 
-/// Asserts that pictures by several instruction sets are at most 1 of 255 apart where the oracle sees no silhouette.
+/// Asserts that pictures by several instruction sets differ by at most 1/255 except on the oracle's silhouettes.
 fn assert_alike_but_on_silhouettes(pictures: &[Vec<u32>], frame: &Frame, what: &str) {
     let silhouettes = frame.silhouettes();
     for other in &pictures[1..] {
@@ -134,7 +132,7 @@ fn assert_alike_but_on_silhouettes(pictures: &[Vec<u32>], frame: &Frame, what: &
 #[test]
 fn what_ships_draws_the_bits_of_the_library_under_test_by_every_quality() {
     for (i, quality) in NamedQuality::all().enumerate() {
-        // Two times of each, as far from each other as two scenes.
+        // Two times for each quality, in different scenes.
         for time in [TIMES[i], TIMES[i + 7]] {
             let still = Still {
                 time,

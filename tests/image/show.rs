@@ -1,4 +1,4 @@
-//! The show: valid, on the grid, and its captions inside the picture.
+//! The show consists of valid scenes that change on the grid, and its captions stay inside the picture.
 
 use crate::cpu;
 use crate::drawn::draw;
@@ -22,7 +22,7 @@ fn the_show_is_valid_all_along() {
     }
 }
 
-/// The sum of a small picture's channels, so many 60ths of a second from a time.
+/// The sum of all channels of a small picture, a number of 60ths of a second after a time.
 fn brightness(time: f32, frames: f32) -> f64 {
     let drawn = draw(
         cpu::best(),
@@ -72,7 +72,7 @@ fn the_camera_jumps_on_bars_alone_and_at_every_cut() {
     for i in 1..frames {
         let eye = |i: usize| at(i as f32 / 60.0).camera.eye;
         if (eye(i) - eye(i - 1)).length() > 0.4 {
-            // At 60 frames a second a bar is 120.
+            // At 60 frames per second a bar has 120 frames.
             assert_eq!(i % 120, 0, "frame {i}");
             jumps.push((i / 120) as u32);
         }
@@ -101,13 +101,13 @@ fn captions_are_inside_the_picture_and_bright() {
                 .filter(|caption| caption.brightness > 0.0)
                 .map(|caption| caption.letters.len())
                 .sum();
-            // The same captions as half a second ago are in the same places.
+            // The captions of half a second ago need not be checked again.
             if letters == seen {
                 continue;
             }
             seen = letters;
             let drawn = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, width, height);
-            // A letter has some two heights of strokes.
+            // The strokes of a letter are about twice as long as the letter is high.
             let bright = drawn.pixels.iter().filter(|&&pixel| pixel & 0xff > 0xb0);
             let bright = bright.count();
             let is_wide = width > height;

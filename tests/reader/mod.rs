@@ -1,10 +1,10 @@
-//! Reads pictures back.
+//! Reads PNG and PPM files.
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 
 use std::io::Cursor;
 
-/// The width and the pixels, `0x00RRGGBB`, of the bytes of a PNG file in 8-bit RGB.
+/// Decodes a PNG file in 8-bit RGB. Returns the width and the `0x00RRGGBB` pixels.
 pub fn read_png(bytes: &[u8]) -> (usize, Vec<u32>) {
     let mut reader = png::Decoder::new(Cursor::new(bytes))
         .read_info()
@@ -18,7 +18,7 @@ pub fn read_png(bytes: &[u8]) -> (usize, Vec<u32>) {
     (info.width as usize, pixels.collect())
 }
 
-/// The width and the pixels, `0x00RRGGBB`, of the bytes of a PPM file in 8-bit RGB.
+/// Decodes a binary PPM file in 8-bit RGB. Returns the width and the `0x00RRGGBB` pixels.
 pub fn read_ppm(bytes: &[u8]) -> (usize, Vec<u32>) {
     let mut parts = bytes.splitn(4, u8::is_ascii_whitespace);
     let mut word = || std::str::from_utf8(parts.next().expect("a word")).expect("text");

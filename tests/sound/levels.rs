@@ -1,11 +1,11 @@
-//! How loud it is.
+//! The soundtrack has the loudness of music, a dynamic structure, and no DC offset.
 
 use super::{BAR, decibels, peak, song};
 use ebur128::{EbuR128, Mode};
 use eightfold::show::grid;
 use eightfold::sound::RATE;
 
-/// Loudness by EBU R128 in LUFS, and the largest peak between samples.
+/// The loudness by EBU R128 in LUFS, and the largest peak between samples.
 fn meter(samples: &[[f32; 2]]) -> (f64, f64) {
     let mut meter = EbuR128::new(2, RATE, Mode::I | Mode::TRUE_PEAK).unwrap();
     meter.add_frames_f32(samples.as_flattened()).unwrap();

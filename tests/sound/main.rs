@@ -1,4 +1,4 @@
-//! The soundtrack, as it is heard.
+//! Properties of the soundtrack.
 
 mod levels;
 mod onsets;
@@ -7,7 +7,7 @@ mod sameness;
 use eightfold::sound::{SONG_LENGTH, Synthesizer};
 use std::sync::OnceLock;
 
-/// Samples of a bar.
+/// The samples of a bar.
 const BAR: usize = 96_000;
 
 /// The whole song.
@@ -20,7 +20,7 @@ fn song() -> &'static [[f32; 2]] {
     })
 }
 
-/// The largest sample.
+/// The magnitude of the largest sample.
 fn peak(samples: &[[f32; 2]]) -> f32 {
     samples
         .as_flattened()
@@ -28,7 +28,7 @@ fn peak(samples: &[[f32; 2]]) -> f32 {
         .fold(0.0, |peak, sample| peak.max(sample.abs()))
 }
 
-/// Decibels of full scale as a sample.
+/// The sample value of a level in decibels of full scale.
 fn decibels(level: f32) -> f32 {
     10_f32.powf(level / 20.0)
 }

@@ -1,4 +1,4 @@
-//! What the tests of the intro stand on: the program itself, an X server, and the tools to look.
+//! Starts what tests of the intro need: the intro itself, X servers, and tools to observe them.
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 
@@ -17,45 +17,45 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// The program that `cargo run --release` runs, built anew if anything has changed.
+/// The path of the intro, which is built if anything has changed.
 pub fn intro() -> PathBuf {
     static BUILT: LazyLock<PathBuf> = LazyLock::new(|| cargo::intro().expect("it can be built"));
     BUILT.clone()
 }
 
-/// The qualities that have a name, as errors and `--help` list them.
+/// The named qualities, as errors and `--help` list them.
 pub const QUALITIES: &str = "finest finer fine default fast faster fastest thesis exhaustive";
 
-/// The intro, to be started without a display and without sound.
+/// A command that starts the intro without a display and without sound.
 pub fn headless() -> Command {
     let mut command = Command::new(intro());
     command.env_remove("DISPLAY").arg("--silent");
     command
 }
 
-/// What a process wrote to standard output and to standard error.
+/// The standard output and the standard error of a process.
 pub fn texts(output: &Output) -> (String, String) {
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (text(&output.stdout), text(&output.stderr))
 }
 
-/// Runs a command to its end. What it writes is text.
+/// Runs a command. Returns its output, and its standard output as text.
 pub fn run(command: &mut Command) -> (Output, String) {
     let output = command.output().expect("the command starts");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     (output, text)
 }
 
-/// Waits until something is so.
+/// Waits until a function returns something.
 ///
 /// # Panics
-/// If it isn't after ten seconds.
+/// After ten seconds.
 pub fn wait_for<T>(what: &str, look: impl FnMut() -> Option<T>) -> T {
-    waited_for(look).unwrap_or_else(|| panic!("waited in vain for {what}"))
+    try_for(look).unwrap_or_else(|| panic!("waited in vain for {what}"))
 }
 
-/// Waits up to ten seconds until something is so.
-fn waited_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
+/// Waits up to ten seconds until a function returns something.
+fn try_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
     let start = Instant::now();
     while start.elapsed() < Duration::from_secs(10) {
         if let Some(seen) = look() {
@@ -66,19 +66,19 @@ fn waited_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
     None
 }
 
-/// A process that doesn't outlive the test.
+/// A process that is killed when dropped.
 pub struct Process(pub Child);
 
 impl Process {
-    /// Starts a command with pipes from its output and its errors.
+    /// Starts a command with pipes from its standard output and its standard error.
     pub fn start(command: &mut Command) -> Process {
         let command = command.stdin(Stdio::null());
         let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
         Process(command.spawn().expect("the command starts"))
     }
 
-    /// Waits for the end: how long that took, the exit code (`None` after a signal), what was written to
-    /// standard output, and to standard error.
+    /// Waits for the end. Returns the time that this took, the exit code (`None` after a signal), the standard output and the standard
+    /// error.
     pub fn end(mut self) -> (Duration, Option<i32>, String, String) {
         let start = Instant::now();
         let status = wait_for("the end of a process", || {
@@ -102,21 +102,21 @@ impl Drop for Process {
     }
 }
 
-/// An X server without a screen, with a display number that nobody else has.
+/// An X server with a virtual screen and a display number of its own.
 pub struct Server {
     process: Process,
-    /// As in `DISPLAY`.
+    /// The value for `DISPLAY`.
     pub display: String,
     manager: Option<Process>,
 }
 
 impl Server {
-    /// Starts one with a screen of a size.
+    /// Starts a server with a screen of the given size.
     pub fn start(width: usize, height: usize) -> Server {
         Server::start_with(width, height, &[])
     }
 
-    /// Starts one with a screen of a size, and with arguments.
+    /// Starts a server with a screen of the given size and additional arguments.
     pub fn start_with(width: usize, height: usize, arguments: &[&str]) -> Server {
         let mut command = tool("Xvfb");
         let screen = format!("{width}x{height}x24");
@@ -139,7 +139,7 @@ impl Server {
         }
     }
 
-    /// Starts one with openbox, a window manager.
+    /// Starts a server with the window manager openbox.
     pub fn start_managed(width: usize, height: usize) -> Server {
         let mut server = Server::start(width, height);
         let mut openbox = tool("openbox");
@@ -153,20 +153,20 @@ impl Server {
         server
     }
 
-    /// A tool that looks at this display.
+    /// A command that runs a tool on this display.
     pub fn tool(&self, name: &str) -> Command {
         let mut command = tool(name);
         command.env("DISPLAY", &self.display);
         command
     }
 
-    /// Does something that xdotool can do.
+    /// Runs xdotool on this display.
     pub fn xdotool(&self, words: &str) -> String {
         let mut xdotool = self.tool("xdotool");
         run(xdotool.args(words.split(' '))).1
     }
 
-    /// Starts the intro on this display and waits for its window, to which keys go.
+    /// Starts the intro on this display, and waits until its window is visible and has the focus.
     pub fn play(&self, options: &[&str]) -> Process {
         wait_for("the last window to go", || {
             self.window().is_none().then_some(())
@@ -187,8 +187,8 @@ impl Server {
     pub fn open(&self, command: &mut Command, window: impl Fn() -> Option<[i32; 4]>) -> Process {
         command.env("DISPLAY", &self.display);
         let mut program = Process::start(command);
-        // About once in a hundred runs of all tests at a time no window comes; what is at fault is not known yet.
-        if waited_for(&window).is_none() {
+        // In about one of a hundred runs of all tests no window appears. The cause is unknown.
+        if try_for(&window).is_none() {
             let ended = program.0.try_wait().expect("it can be asked");
             assert!(
                 ended.is_none(),
@@ -202,13 +202,13 @@ impl Server {
         program
     }
 
-    /// The intro's window, once there is one that can be seen: its inside's place on the screen and size.
+    /// The position and size of the intro's window without its frame; `None` until it is visible.
     pub fn window(&self) -> Option<[i32; 4]> {
-        self.place(&["-name", "Eightfold"])
+        self.geometry(&["-name", "Eightfold"])
     }
 
-    /// The inside of a window, once it can be seen: its place on the screen and size. `which` is as xwininfo is told.
-    pub fn place(&self, which: &[&str]) -> Option<[i32; 4]> {
+    /// The position and size of a window without its frame; `None` until it is visible. `which` are xwininfo's arguments.
+    pub fn geometry(&self, which: &[&str]) -> Option<[i32; 4]> {
         let mut xwininfo = self.tool("xwininfo");
         let (_, text) = run(xwininfo.args(which));
         let number = |label: &str| {
@@ -224,7 +224,7 @@ impl Server {
         ])
     }
 
-    /// Waits until the window's inside has a place and size.
+    /// Waits until the window has the given position and size.
     pub fn wait_for_window(&self, wanted: [i32; 4]) {
         let start = Instant::now();
         while self.window() != Some(wanted) {
@@ -235,11 +235,11 @@ impl Server {
             );
             sleep(Duration::from_millis(20));
         }
-        // Until frames have that size.
+        // Frames may need some time to follow.
         sleep(Duration::from_millis(200));
     }
 
-    /// What is on the screen, in a rectangle: pixels `0x00RRGGBB`, row after row.
+    /// The contents of a rectangle of the screen as `0x00RRGGBB` pixels, row by row.
     pub fn screenshot(&self, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
         let mut import = self.tool("import");
         let part = format!("{width}x{height}+{x}+{y}");
@@ -255,17 +255,15 @@ impl Server {
         pixels
     }
 
-    /// Ends the server at once, as if it had crashed.
+    /// Kills the server, as if it had crashed.
     pub fn kill(&mut self) {
         self.process.0.kill().expect("it runs");
         self.process.0.wait().expect("it has ended");
     }
 }
 
-/// Runs this very program, which has one test, once more on a display, for each of several servers, which are given by
-/// their arguments; in there, does the work.
-///
-/// Xlib looks for the display in the environment, which can't be changed while a program runs.
+/// Runs `work` on several servers, each given by its arguments. For each the test program, which must have only one test, starts itself
+/// again with another `DISPLAY`, since the environment cannot be changed safely while a program runs.
 pub fn on_displays(servers: &[&[&str]], work: fn()) {
     const INSIDE: &str = "EIGHTFOLD_TEST_INSIDE";
     if env::var_os(INSIDE).is_some() {

@@ -1,7 +1,7 @@
-//! Tools of the system that some tests need, and what becomes of a test without them.
+//! Tools of the system that some tests need.
 //!
-//! `cargo test` passes without any of them: a test that lacks one says so in a line and is not run. Where the variable
-//! `EIGHTFOLD_TOOLS` is `required`, as `tests/run` sets it, a missing tool is a failure.
+//! `cargo test` passes without them: a test that lacks a tool prints a line and does nothing. If the variable `EIGHTFOLD_TOOLS` is
+//! `required`, as `tests/run` sets it, a missing tool is a failure.
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 
@@ -13,15 +13,15 @@ use std::{
     thread,
 };
 
-/// The Debian package of each tool, a line each. A tool is a command, or a shared library (with `.so.` in its name).
+/// The tools with their Debian packages, one per line. A tool is a command, or a shared library if its name contains `.so.`.
 const PACKAGES: &str = include_str!("tools.txt");
 
-/// What tests on a display need: an X server, a window manager, and what presses keys and looks.
+/// The tools for tests on a display: an X server, a window manager, and programs that press keys and inspect windows.
 pub const DISPLAY: &[&str] = &[
     "Xvfb", "openbox", "xdotool", "xprop", "xwininfo", "wmctrl", "import",
 ];
 
-/// Folders of shared libraries, as Debian and others have them.
+/// The folders of shared libraries on Debian and other systems.
 const LIBRARIES: [&str; 5] = [
     "/usr/lib/x86_64-linux-gnu",
     "/usr/lib64",
@@ -30,10 +30,10 @@ const LIBRARIES: [&str; 5] = [
     "/lib",
 ];
 
-/// Whether the machine lacks one of the tools. If so, one line says which and that the test is not run.
+/// Whether one of the tools is missing. If so, a line says which, and that the test is not run.
 ///
 /// # Panics
-/// If one is missing where all are required.
+/// If a tool is missing and all are required.
 #[must_use]
 pub fn lacks(tools: &[&str]) -> bool {
     let Some(missing) = tools.iter().find(|tool| !is_there(tool)) else {
@@ -42,15 +42,15 @@ pub fn lacks(tools: &[&str]) -> bool {
     let needs = format!("needs {missing}: apt-get install {}", package(missing));
     let required = env::var_os("EIGHTFOLD_TOOLS").is_some_and(|value| value == "required");
     assert!(!required, "this test {needs}");
-    // Not by `eprintln!`, of which nothing is seen when a test passes.
+    // The output of `eprintln!` is hidden if the test passes.
     writeln!(stderr(), "{}: not run, {needs}", test()).expect("standard error is open");
     true
 }
 
-/// Starts a tool of `tools.txt`.
+/// A command that runs a tool of `tools.txt`.
 ///
 /// # Panics
-/// If it is missing, which a test finds out by [`lacks`].
+/// If the tool is missing. Tests check that with [`lacks`].
 pub fn tool(name: &str) -> Command {
     let package = package(name);
     assert!(
@@ -60,7 +60,7 @@ pub fn tool(name: &str) -> Command {
     Command::new(name)
 }
 
-/// The name of the test that runs: its thread's, or its program's where that is the one test.
+/// The name of the running test: that of its thread, or that of its program if there is only one test.
 fn test() -> String {
     match thread::current().name() {
         Some("main") | None => env!("CARGO_CRATE_NAME").to_owned(),
@@ -68,7 +68,7 @@ fn test() -> String {
     }
 }
 
-/// The package that a tool is in.
+/// The Debian package of a tool.
 fn package(tool: &str) -> &'static str {
     let lines = PACKAGES.lines().filter_map(|line| line.split_once(' '));
     let mut packages = lines.filter(|(name, _)| *name == tool);
