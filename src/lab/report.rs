@@ -158,7 +158,7 @@ const FRONT: [(&str, &str); 2] = [
 ];
 const SHEET: [(&str, &str); 1] = [(
     "show.png",
-    "Frames of the show, row by row: title, model scene, method, colonnade, machine, field, finale",
+    "Frames of the show, row by row: title, model scene, method, colonnade, machine, swarm, finale",
 )];
 const FIGURES: [(&str, &str); 1] = [(
     "sheet.png",
