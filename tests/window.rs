@@ -1,4 +1,4 @@
-//! The intro in a window: as somebody at the screen sees it.
+//! In a window the intro shows the frames of the show, and obeys keys and the window manager.
 
 mod stage;
 
@@ -15,7 +15,7 @@ use std::{
 /// The tracer's memory, while it is lent out.
 type Lent = (&'static mut Memory, &'static mut [Worker; 1]);
 
-/// The screen, larger than the window in both directions and of another shape.
+/// The size of the screen: larger than the window, with another aspect ratio.
 const SCREEN: [i32; 4] = [0, 0, 1280, 800];
 
 fn servers() -> [(&'static str, Server); 2] {
@@ -78,7 +78,7 @@ fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
             server.xdotool("key w");
             server.wait_for_window(window);
         }
-        // Keys that come together: the last counts.
+        // Of keys pressed at once the last counts.
         server.xdotool("key --delay 0 f w f w");
         sleep(Duration::from_millis(300));
         server.wait_for_window(window);
@@ -169,7 +169,7 @@ fn closing_the_window_ends_it_at_once() {
     }
     let [_, _, width, height] = SCREEN.map(|side| side as usize);
     let server = Server::start_managed(width, height);
-    // By the message that a window manager sends when it is asked to, and by force.
+    // By the window manager's message, and by force.
     for (tool, words) in [
         ("wmctrl", "-c Eightfold"),
         ("xdotool", "search --name Eightfold windowclose"),
@@ -248,11 +248,11 @@ fn frames_are_at_most_sixty_a_second_unless_uncapped() {
     let capped = frames(&[]);
     assert!(capped <= 121, "{capped} frames in 2 s");
     let uncapped = frames(&["--uncapped"]);
-    // A machine too slow for 60 says nothing of the cap.
+    // On a machine that is too slow for 60 frames per second the test proves nothing.
     assert!(uncapped > 121 || capped < 110, "{uncapped} frames in 2 s");
 }
 
-/// Ends the intro by a tap on Esc, and returns what it says.
+/// Ends the intro with Esc. Returns its standard output.
 fn end_by_escape(server: &Server, intro: stage::Process) -> String {
     let [x, y, ..] = server.window().expect("a window");
     server.xdotool(&format!("mousemove {x} {y}"));
@@ -264,14 +264,14 @@ fn end_by_escape(server: &Server, intro: stage::Process) -> String {
     output
 }
 
-/// The picture fills the screen: the background is not black.
+/// Asserts that the picture fills the screen: its background is not black.
 fn assert_covered(server: &Server, manager: &str) {
     let shot = server.screenshot(SCREEN);
     let black = shot.iter().filter(|&&pixel| pixel == 0).count();
     assert_eq!(black, 0, "{manager}: black pixels");
 }
 
-/// How much a screenshot differs from the nearest frame of the show up to a time: the mean of all channels.
+/// The mean difference, over all channels, between a screenshot and the closest frame of the show up to a given time.
 fn difference_to_show(shot: &[u32], width: usize, height: usize, time: Duration) -> f64 {
     static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
     static WORKERS: Fixed<[Worker; 1]> = Fixed::new([Worker::new()]);

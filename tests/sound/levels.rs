@@ -81,7 +81,7 @@ fn both_sides_are_centred_and_as_loud_as_each_other() {
     );
 }
 
-/// A click is a step that nothing around it prepares for.
+/// A click would be a step much larger than those around it.
 #[test]
 fn cuts_are_no_louder_steps_than_the_music_around_them() {
     let song = song();

@@ -1,14 +1,14 @@
-//! The picture's kicks are the sound's.
+//! The kicks that the picture follows are those of the sound.
 
 use super::song;
 use eightfold::show::grid;
 use eightfold::sound::{RATE, pulse};
 
-/// Samples of a frame in which energy is summed: 1 ms.
+/// The samples of a millisecond, over which energy is summed.
 const FRAME: usize = RATE as usize / 1000;
 
-/// The energy of each millisecond, treble first: of the differences of samples. What hits begins with that; the deep end of
-/// a kick comes up over 50 ms.
+/// The energy of the treble in each millisecond: of the differences between samples. A hit starts with treble; the bass of a kick rises
+/// over 50 ms.
 fn energies() -> Vec<f32> {
     let song = song();
     let energy = |frame: usize| {
@@ -23,7 +23,7 @@ fn energies() -> Vec<f32> {
     (0..song.len() / FRAME).map(energy).collect()
 }
 
-/// Where energy rises most between two times in ms: the mean of 8 ms after it against 8 ms before.
+/// The time, in ms, of the steepest rise of energy between two times: the mean over 8 ms after it, relative to 8 ms before.
 fn steepest(energies: &[f32], from: usize, to: usize) -> usize {
     const SPAN: usize = 8;
     let rise = |at: usize| {

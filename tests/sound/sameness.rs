@@ -1,10 +1,10 @@
-//! A sample is a function of the song and its position.
+//! A sample depends on its position in the song alone.
 
 use super::{BAR, song};
 use eightfold::show::grid;
 use eightfold::sound::{SONG_LENGTH, Synthesizer};
 
-/// Whether all bits are the same.
+/// Whether two sequences of samples have the same bits.
 fn same(a: &[[f32; 2]], b: &[[f32; 2]]) -> bool {
     let bits = |samples: &[[f32; 2]]| -> Vec<u32> {
         samples

@@ -63,7 +63,7 @@ struct Canvas {
 
 /// A shot in a size on a number of threads.
 pub struct Setting {
-    /// The shot's place in the plan.
+    /// The index of the shot in the plan.
     pub shot: usize,
     pub size: Size,
     pub threads: usize,

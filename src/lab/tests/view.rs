@@ -1,4 +1,4 @@
-//! `lab view` in a window: as somebody at the screen sees it.
+//! `lab view` shows in its window what the keys select.
 
 #[path = "../../../tests/reader/mod.rs"]
 mod reader;
@@ -12,7 +12,7 @@ use std::process::Command;
 /// The window's size.
 const SIZE: [i32; 2] = [320, 240];
 
-/// The lab's view in a window, and how to look at it.
+/// A running `lab view` on its own X server.
 struct View {
     server: Server,
     process: Process,
@@ -41,7 +41,7 @@ impl View {
         text.split('"').nth(1).unwrap_or_default().to_owned()
     }
 
-    /// Presses a key and waits for words in the title, which is written after the frame is shown.
+    /// Presses a key and waits until the title contains some words. The title is set after the frame is shown.
     #[track_caller]
     fn press(&self, key: &str, words: &str) {
         self.server.xdotool(&format!("key {key}"));
@@ -52,7 +52,7 @@ impl View {
         wait_for(words, || self.title().contains(words).then_some(()));
     }
 
-    /// Waits until the window shows what is wanted.
+    /// Waits until the window shows the given picture.
     #[track_caller]
     fn assert_shows(&self, what: &str, is_wanted: impl Fn(&[u32]) -> bool) {
         wait_for(what, || is_wanted(&self.shot()).then_some(()));
@@ -65,7 +65,7 @@ impl View {
     }
 }
 
-/// The window's number, as X tools are told.
+/// The window's id, for X tools.
 fn id(server: &Server) -> Option<String> {
     let found = server.xdotool("search --onlyvisible --name ^Eightfold");
     found.lines().next().map(str::to_owned)
@@ -83,7 +83,7 @@ fn rendered(time: &str, quality: &str) -> Vec<u32> {
     read_png(&output.stdout).1
 }
 
-/// The share of a title's number before a word.
+/// The percentage in front of a word of the title, as a fraction.
 fn number(title: &str, unit: &str) -> f64 {
     let (before, _) = title.split_once(unit).expect(unit);
     let word = before.split([' ', ',']).rfind(|word| !word.is_empty());
@@ -184,7 +184,7 @@ fn letters_show_what_a_frame_is_made_of() {
     });
     let traced = number(&view.title(), " % traced") / 100.0;
     let white = share(&view.shot(), &|pixel| pixel == 0x00ff_ffff);
-    // Points beyond the picture are traced and not seen.
+    // Some traced points lie outside of the picture.
     assert!(
         white <= traced + 1e-3 && white > 0.9 * traced,
         "{white} of {traced}"
@@ -224,7 +224,7 @@ fn the_keys_are_listed_and_escape_ends_it() {
     }
     let view = View::start(&[]);
     view.server.xdotool("key question");
-    // What comes later has been seen after what came before.
+    // The title of a later frame was set after that of an earlier one.
     view.press("1", "exhaustive");
     view.server.xdotool("key Escape");
     let (_, code, output, errors) = view.process.end();

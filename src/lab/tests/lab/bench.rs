@@ -1,4 +1,4 @@
-//! `lab bench`. No figure is held to what a clock says, other than to others of the same run.
+//! The figures of `lab bench` are consistent with each other. No test depends on measured times.
 
 use super::{assert_one_line, lab, render};
 use crate::reader::read_png;
@@ -35,7 +35,7 @@ const COLUMNS: &str = "size, threads, isa, quality, fps median, ms median, ms p9
 const SHOW_COLUMNS: &str = "size, threads, scene, quality, fps median, worst second, ms median, ms p99, traced, PSNR mean, \
                             PSNR worst, over 8/255, flicker";
 
-/// A short bench in small frames, with more arguments: its table and its rows.
+/// Runs a short bench with small frames. Returns its table and its rows.
 fn bench(more: &str) -> (String, Vec<Value>) {
     let few = "bench --frames 3 --flicker 2 --json -".split(' ');
     let output = lab(&few.chain(more.split(' ')).collect::<Vec<_>>());
@@ -51,7 +51,7 @@ fn number(row: &Value, key: &str) -> f64 {
     number.unwrap_or_else(|| panic!("no number {key} in {row}"))
 }
 
-/// The cells of a table's lines, without the rule under the titles.
+/// The cells of a table, without the rule under the titles.
 fn cells(table: &str) -> Vec<Vec<&str>> {
     let lines = table.lines().filter(|line| line.starts_with('|'));
     let mut lines: Vec<Vec<&str>> = lines
@@ -146,7 +146,7 @@ fn figures_fit_each_other() {
         let ms = number(row, "ms_median");
         assert!(ms > 0.0 && number(row, "ms_p99") >= ms);
         assert!((number(row, "fps_median") * ms - 1e3).abs() < 1e-6);
-        // Of three frames in ten seconds each has a second of its own.
+        // Each of three frames in ten seconds is in its own second.
         let worst = number(row, "fps_worst_second");
         assert!((worst * number(row, "ms_p99") - 1e3).abs() < 1e-6);
         let speedup = number(exhaustive, "ms_median") / ms;
@@ -166,7 +166,7 @@ fn figures_fit_each_other() {
             assert!(number(row, "psnr_mean_db") >= number(row, "psnr_worst_db"));
         }
     }
-    // Threads share the same work.
+    // The work does not depend on the number of threads.
     for (one, two) in rows[..3].iter().zip(&rows[3..]) {
         for key in ["rays", "shadow_rays", "traced_fraction", "pixels_over_8"] {
             assert_eq!(one[key], two[key], "{key}");
@@ -193,7 +193,7 @@ fn the_show_has_a_row_for_each_scene_and_quality_and_a_line_for_its_worst_second
     assert_eq!(lines.len(), 1 + rows.len());
     for (line, row) in lines[1..].iter().zip(&rows) {
         let worst = number(row, "fps_worst_second");
-        // Of three frames, each in a second of its own.
+        // Each of three frames is in its own second.
         assert!((worst * number(row, "ms_p99") - 1e3).abs() < 1e-6);
         assert_eq!(line[2], row["scene"]);
         assert_eq!(line[5], format!("{worst:.1}"));
@@ -225,7 +225,7 @@ fn a_scene_of_the_show_is_its_part_of_the_show() {
             assert_eq!(a[key], b[key], "{key}");
         }
     }
-    // It has no frames in other scenes.
+    // Other scenes have no frames.
     let past = ["--scene", "show:machine", "--time-from", "12"];
     let output = lab(&[&["bench"], &past[..]].concat());
     assert_one_line(&output, 2, &["--time-from", "show:machine", "0 to 12"]);
@@ -341,7 +341,7 @@ fn a_file_that_cannot_be_written_is_named_before_anything_is_measured() {
     for name in ["missing/bench.json", "."] {
         let file = folder.path().join(name);
         let file = file.to_str().expect("a plain name");
-        // Nobody would wait for so many frames.
+        // So many frames would take far too long.
         let output = lab(&["bench", "--frames", "100000", "--json", file]);
         assert_one_line(&output, 1, &["cannot write", file]);
     }

@@ -1,4 +1,4 @@
-//! `lab capture`: frames whose bytes depend on nothing but what is asked for, in whole files.
+//! `lab capture` writes complete files whose bytes depend on nothing but its arguments.
 
 mod formats;
 mod parts;
@@ -14,7 +14,7 @@ fn capture(arguments: &str) -> Output {
     lab(&flags(arguments))
 }
 
-/// The words of a command line: of the model scene and for small frames, if nothing else is asked for.
+/// The words of a command line, with defaults: the model scene and small frames.
 fn flags(arguments: &str) -> Vec<&str> {
     let mut words = vec!["capture"];
     words.extend(arguments.split_whitespace());
@@ -24,7 +24,7 @@ fn flags(arguments: &str) -> Vec<&str> {
     if !words.contains(&"--scene") {
         words.extend(["--scene", "model"]);
     }
-    // Without AVX2 it asks to be told.
+    // Without AVX2 the instruction set has to be named.
     #[cfg(target_arch = "x86_64")]
     if !is_x86_feature_detected!("avx2") && !words.contains(&"--isa") {
         words.extend(["--isa", "sse2"]);
@@ -32,17 +32,17 @@ fn flags(arguments: &str) -> Vec<&str> {
     words
 }
 
-/// Captures into a file or folder, by a flag.
+/// Captures into a file or a folder, which a flag names.
 #[track_caller]
-fn captured(flag: &str, place: &Path, more: &str) -> Output {
-    let place = place.to_str().expect("a plain name");
-    let output = capture(&format!("{flag} {place} {more}"));
+fn captured(flag: &str, target: &Path, more: &str) -> Output {
+    let target = target.to_str().expect("a plain name");
+    let output = capture(&format!("{flag} {target} {more}"));
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{more}: {errors}");
     output
 }
 
-/// The names and bytes of a folder's files, in the order of their names.
+/// The names and contents of a folder's files, sorted by name.
 fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let mut files: Vec<(String, Vec<u8>)> = std::fs::read_dir(folder)
         .expect("a folder")

@@ -1,4 +1,4 @@
-//! `lab figures`.
+//! `lab figures` writes a picture for each figure, and a sheet of all.
 
 use super::{assert_one_line, lab};
 use crate::reader::read_png;

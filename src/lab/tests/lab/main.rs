@@ -1,4 +1,4 @@
-//! The lab's commands, run as a user runs them.
+//! The lab's commands, run from the command line.
 
 mod bench;
 mod capture;
@@ -25,13 +25,13 @@ fn lab(arguments: &[&str]) -> Output {
         .expect("the lab starts")
 }
 
-/// `lab render` of a small frame.
+/// Runs `lab render` with a small frame.
 fn render(out: &Path, more: &[&str]) -> Output {
     let out = out.to_str().expect("a plain name");
     lab(&[&["render", "--size", "40x30", "--out", out], more].concat())
 }
 
-/// Asserts that a command failed with this code and said why in one line, which holds these words.
+/// Asserts that a command failed with an exit code, and printed one line that contains some words.
 #[track_caller]
 fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     let text = String::from_utf8_lossy(&output.stderr);
@@ -90,7 +90,7 @@ fn every_choice_changes_the_picture() {
         ["--size", "41x30"],
         ["--antialias", "2"],
     ] {
-        // The last of two equal flags would be refused, so the size comes by itself.
+        // A flag cannot be given twice, and `render` sets the size.
         let changed = if more[0] == "--size" {
             lab(&["render", "--size", "41x30", "--out", "-"]).stdout
         } else {
@@ -176,7 +176,7 @@ fn a_file_stays_as_it_was_when_the_disk_fills_up() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("frame.png");
     std::fs::write(&file, "before").unwrap();
-    // No file may grow beyond 1 KiB, and the signal that would end the program is ignored.
+    // Files are limited to 1 KiB, and the signal for exceeding the limit is ignored.
     let output = Command::new("sh")
         .args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\""])
         .arg(env!("CARGO_BIN_EXE_lab"))

@@ -1,4 +1,4 @@
-//! `lab release`, and what is told in the nfo.
+//! `lab release` packs the intro and its text file, which names all flags.
 
 use super::{assert_one_line, lab};
 use crate::stage;
@@ -10,7 +10,7 @@ use zip::ZipArchive;
 
 const NFO: &str = include_str!("../../../../src/eightfold.nfo");
 
-/// The files of a zip: name, who may read and run it, bytes.
+/// The files of a zip: names, permissions and contents.
 fn files(zip: &[u8]) -> Vec<(String, u32, Vec<u8>)> {
     let mut zip = ZipArchive::new(Cursor::new(zip)).expect("a zip");
     let files = (0..zip.len()).map(|i| {
@@ -77,7 +77,7 @@ fn flags(text: &str) -> Vec<&str> {
         .lines()
         .filter_map(|line| line.split_whitespace().next());
     let mut flags: Vec<&str> = words.filter(|word| word.starts_with("--")).collect();
-    // A line of hyphens is none.
+    // A line of hyphens alone is not a flag.
     flags.retain(|flag| flag.contains(char::is_alphabetic));
     flags.sort_unstable();
     flags

@@ -1,4 +1,4 @@
-//! `lab report`, on small frames.
+//! `lab report` rewrites the marked parts of a file, and nothing else.
 
 use super::{assert_one_line, lab};
 use crate::reader::read_png;
@@ -11,7 +11,7 @@ const README: &str = "# A title\n\nSaid by hand.\n\n<!-- lab report speed -->\no
                       <!-- lab report end -->\n<!-- lab report sheet -->\n<!-- lab report end -->\n<!-- lab report show -->\n\
                       <!-- lab report end -->\n<!-- lab report front -->\n<!-- lab report end -->\nThe end, without a new line";
 
-/// Figures that a clock has a say in, by their columns' titles.
+/// The titles of columns that depend on measured times.
 const TIMED: [&str; 7] = [
     "fps median",
     "worst second",
@@ -28,7 +28,7 @@ fn report(readme: &Path) -> Output {
     lab(&[&["report", "--readme", readme], &small[..]].concat())
 }
 
-/// The text without rules and spaces, each timed cell of each table replaced.
+/// The text without rules and spaces, with all cells of those columns replaced.
 fn without_timings(text: &str) -> Vec<String> {
     let mut timed = Vec::new();
     let lines = text.lines().filter(|line| !line.starts_with("| -"));

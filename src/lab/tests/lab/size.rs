@@ -1,8 +1,8 @@
-//! `lab size`: what the intro's bytes are.
+//! The tables of `lab size` add up to the size of the file.
 
 use crate::{assert_one_line, lab, stage};
 
-/// The cells of the table whose first column has this title, line by line.
+/// The cells of the table whose first column has a given title, line by line.
 fn table<'a>(text: &'a str, title: &str) -> Vec<Vec<&'a str>> {
     let start = format!("| {title} |");
     let lines = text.lines().skip_while(|line| !line.starts_with(&start));
@@ -38,7 +38,7 @@ fn every_byte_of_the_intro_is_told_of_as_it_is_linked_and_as_it_is_packed() {
     assert!(packed < bytes / 2, "{text}");
 
     let crates = table(&text, "crate");
-    // Of code, what aligns functions is no function's; and constants have names, too.
+    // Padding between functions belongs to no function. Constants have symbols, too.
     let named = sum(&crates, 2);
     assert!(named > bytes * 9 / 10, "{named} of {bytes}");
     for name in ["eightfold", "eightfold_window"] {
@@ -51,7 +51,7 @@ fn every_byte_of_the_intro_is_told_of_as_it_is_linked_and_as_it_is_packed() {
     let sizes: Vec<u64> = functions.iter().map(|row| number(row[4])).collect();
     assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
     assert_eq!(sum(functions, 3) + number(rest[3]), named);
-    // The tracer is most of it.
+    // The library is the largest part.
     assert_eq!(functions[0][1], "eightfold", "{text}");
 }
 

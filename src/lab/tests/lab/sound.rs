@@ -1,4 +1,4 @@
-//! `lab sound`, and its files.
+//! `lab sound` prints the levels and writes its files.
 
 use super::{assert_one_line, lab, read_png};
 use eightfold::show::grid;

@@ -1,4 +1,4 @@
-//! `lab trade`. No figure is held to what a clock says.
+//! `lab trade` writes all its files, and its figures are consistent. No test depends on measured times.
 
 use super::{assert_one_line, lab};
 use crate::reader::read_png;
@@ -10,12 +10,12 @@ use std::process::{Command, Stdio};
 
 const PLOTS: [&str; 5] = ["front", "squares", "resolution", "objects", "over-time"];
 
-/// A trade in very small frames into a folder.
+/// Runs `lab trade` with very small frames; it writes to a folder.
 fn trade(folder: &Path, more: &[&str]) -> String {
     trade_at("48x36", folder, more)
 }
 
-/// The same at a size.
+/// The same with another size.
 fn trade_at(size: &str, folder: &Path, more: &[&str]) -> String {
     let folder = folder.to_str().expect("a plain name");
     let small = ["trade", "--quick", "--size", size, "--frames", "2"];
@@ -29,7 +29,7 @@ fn json(folder: &Path) -> Value {
     serde_json::from_slice(&fs::read(folder.join("trade.json")).unwrap()).expect("JSON")
 }
 
-/// Asserts that all files of a trade are there and whole, these plots among them, and no others.
+/// Asserts that the folder has all files of a trade, complete, with the given plots and nothing else.
 #[track_caller]
 fn assert_whole(folder: &Path, plots: &[&str]) {
     let mut expected = BTreeSet::from(["trade.csv".to_owned(), "trade.json".to_owned()]);
@@ -74,7 +74,7 @@ fn assert_whole(folder: &Path, plots: &[&str]) {
     }
 }
 
-/// The cells of a line; those with a comma are quoted.
+/// The cells of a line of CSV. Cells with a comma are quoted.
 fn cells(line: &str) -> Vec<String> {
     let mut cells = vec![String::new()];
     let mut is_quoted = false;
@@ -141,12 +141,12 @@ fn all_that_is_measured_is_written_whole() {
 #[test]
 fn no_point_of_the_front_is_beaten_by_another() {
     let folder = tempfile::tempdir().unwrap();
-    // In the smallest pictures nothing gains much over tracing every pixel.
+    // In such small pictures no quality is much faster than tracing every pixel.
     trade_at("256x192", folder.path(), &[]);
     let json = json(folder.path());
     let rows = json["points"].as_array().expect("rows");
     let without_fault = |row: &&Value| row["missed_objects"] == 0.0 && row["guarded"] == true;
-    // A PSNR of null: nothing differs.
+    // A PSNR of null means that nothing differs.
     let psnr = |row: &Value| row["psnr_db"].as_f64().unwrap_or(f64::INFINITY);
     let speed = |row: &Value| row["speedup"].as_f64().expect("a number");
     for row in rows.iter().filter(without_fault) {
@@ -200,7 +200,7 @@ fn errors_are_those_that_bench_measures() {
 fn what_is_done_before_ctrl_c_is_written_whole() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("trade");
-    // Nobody would wait for so many frames.
+    // So many frames would take far too long.
     let lab = Command::new(env!("CARGO_BIN_EXE_lab"))
         .args([
             "trade", "--quick", "--size", "48x36", "--frames", "100000", "--out",
@@ -210,7 +210,7 @@ fn what_is_done_before_ctrl_c_is_written_whole() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    // By then it listens.
+    // By then the command handles Ctrl-C.
     while !out.exists() {
         std::thread::yield_now();
     }
@@ -251,7 +251,7 @@ fn all_rows_have_the_samples_at_edges_that_were_asked_for() {
         .filter(|line| line.contains(" a2 |"))
         .collect();
     assert_eq!(rows.len(), 9, "{table}");
-    // The exhaustive frames, which the others are held to, as well.
+    // The exhaustive frames, which serve as reference, are antialiased, too.
     let exhaustive = rows[0];
     assert!(exhaustive.starts_with("| exhaustive | s1 a2 |"), "{table}");
     assert!(exhaustive.contains("| - | - | 0 | 0 |"), "{table}");
@@ -283,7 +283,7 @@ fn bad_input_is_named_in_one_line() {
 
 #[test]
 fn frames_in_which_nothing_differs_are_an_error() {
-    // The show begins in the dark.
+    // The show fades in from black.
     let flags = ["trade", "--ladder", "--scene", "show", "--time-to", "0"];
     let small = ["--size", "48x36", "--frames", "1"];
     let output = lab(&[&flags[..], &small[..]].concat());

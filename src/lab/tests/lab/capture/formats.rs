@@ -1,4 +1,4 @@
-//! What is in the files.
+//! The contents of captured files: pictures, streams, videos and sheets.
 
 use super::{captured, files};
 use crate::lab;
@@ -20,13 +20,13 @@ fn worst(a: &[u32], b: &[u32]) -> u8 {
     pairs.map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
 
-/// Pixels of a file of red, green and blue bytes.
+/// The pixels of a file of red, green and blue bytes.
 fn pixels(rgb: &[u8]) -> Vec<u32> {
     let pixel = |c: &[u8]| u32::from_be_bytes([0, c[0], c[1], c[2]]);
     rgb.chunks_exact(3).map(pixel).collect()
 }
 
-/// The pictures of frames by `lab render`.
+/// The same frames, drawn by `lab render`.
 fn rendered(times: &[&str], size: &str) -> Vec<u32> {
     let picture = |time: &&str| {
         let output = lab(&["render", "--size", size, "--time", time, "--out", "-"]);
@@ -57,7 +57,7 @@ fn without_a_range_it_is_the_whole_show() {
         let more = format!("--scene {scene} --fps 1 --size 8x8");
         captured("--png", folder.path(), &more);
         assert_eq!(files(folder.path()).len(), seconds as usize);
-        // An end beyond it means it.
+        // An end beyond the scene's end stands for that.
         let output = captured("--png", folder.path(), &format!("{more} --to 99999"));
         let said = String::from_utf8(output.stderr).unwrap();
         let kept = format!("0 frames drawn, {seconds} kept");
@@ -67,7 +67,7 @@ fn without_a_range_it_is_the_whole_show() {
 
 #[test]
 fn it_is_the_show_unless_asked_otherwise() {
-    // Without AVX2 it asks to be told; that is another test's.
+    // Without AVX2 the instruction set has to be named, which another test checks.
     #[cfg(target_arch = "x86_64")]
     if !is_x86_feature_detected!("avx2") {
         return;
@@ -102,11 +102,11 @@ fn a_streams_colours_are_those_of_bt709() {
     }
     let frame_1 = (1001.0_f64 / 30000.0).to_string();
     let wanted = rendered(&["0", &frame_1], "49x31");
-    // Of 8 bits, 219 and 224 steps are used: a channel can be off by 1 / (2 * 219) and twice as much by the colour.
+    // Luma has 219 steps and chroma 224, so a channel may be wrong by 1 / (2 * 219), and by twice that due to chroma.
     assert!(worst(&decoded, &wanted) <= 2);
 }
 
-/// What a decoder makes of the bytes of brightness, blueness and redness (BT.709-6, 3).
+/// Decodes luma, Cb and Cr to a pixel (BT.709-6, 3).
 fn rgb(ycc: [u8; 3]) -> u32 {
     let [y, b, r] = ycc.map(f64::from);
     let (y, b, r) = ((y - 16.0) / 219.0, (b - 128.0) / 224.0, (r - 128.0) / 224.0);
@@ -156,14 +156,14 @@ fn a_video_has_all_frames_and_their_colours() {
         let decoded = pixels(&output.stdout);
         let wanted = rendered(&["0", "0.25", "0.5"], "480x360");
         assert_eq!(decoded.len(), wanted.len(), "{name}");
-        // 1.2 by what 4:2:0 leaves of the colours; the other matrix makes it 2.2.
+        // With 4:2:0 the difference is 1.2. With the wrong matrix it is 2.2.
         let difference = mean_difference(&decoded, &wanted);
         assert!(difference < 1.6, "{name}: {difference}");
     }
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
 }
 
-/// The mean difference of two pictures' channels.
+/// The mean difference between two pictures in all channels.
 fn mean_difference(a: &[u32], b: &[u32]) -> f64 {
     let pairs = a.iter().zip(b);
     let sum: u32 = pairs
@@ -198,7 +198,7 @@ fn a_supersampled_pixel_is_the_mean_of_its_parts() {
         let [r, g, b] = channels;
         worst(&[u32::from_be_bytes([0, r, g, b])], &[mean[*i]]) > 1
     });
-    // Rays that graze an edge may fall on its other side when they are rounded otherwise.
+    // Rays that graze an edge may hit or miss it, depending on rounding.
     assert!(far.count() <= 2);
 }
 
@@ -236,11 +236,11 @@ fn a_sheet_shows_frames_spread_evenly() {
         assert!(bright.count() > 20, "text is under frame {i}");
         captions.push(caption);
     }
-    // Each tells another time, from the same line on.
+    // Each strip shows another time, at the same height.
     captions.sort();
     captions.dedup();
     assert_eq!(captions.len(), 6);
-    // 24 of 320 by 240, unless asked otherwise.
+    // The default is 24 frames of 320 by 240.
     let output = lab(&["capture", "--sheet", "-"]);
     let (width, sheet) = read_png(&output.stdout);
     assert_eq!((width, sheet.len() / width), (8 + 6 * 328, 8 + 4 * 266));

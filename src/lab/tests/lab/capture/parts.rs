@@ -1,4 +1,4 @@
-//! Parts equal the whole, and what is there is kept.
+//! Parts of a capture equal the whole, and existing frames are kept.
 
 use super::{captured, files, flags};
 use crate::reader::read_png;
@@ -40,7 +40,7 @@ fn a_stream_is_its_parts_joined_without_their_headers() {
     captured("--y4m", &path("whole.y4m"), "--to 9 --threads 1");
     captured("--y4m", &path("part-0.y4m"), "--to 4 --threads 3");
     captured("--y4m", &path("part-1.y4m"), "--from 4 --to 9 --threads 2");
-    // As the help has it.
+    // As the help shows it.
     let joined = Command::new("sh")
         .args(["-c", "head -n 1 part-0.y4m; tail -q -n +2 part-*.y4m"])
         .current_dir(folder.path())
@@ -55,7 +55,7 @@ fn a_stream_is_its_parts_joined_without_their_headers() {
 #[test]
 fn machines_with_avx2_and_with_avx512_draw_the_same_bytes() {
     if !is_x86_feature_detected!("avx2") {
-        // Such a machine asks for a word of its user instead.
+        // On other machines the instruction set has to be named.
         let output = super::lab(&["capture", "--y4m", "-"]);
         return crate::assert_one_line(&output, 2, &["--isa", "sse2"]);
     }
@@ -74,7 +74,7 @@ fn frames_that_are_there_whole_are_kept() {
     captured("--png", folder.path(), "--to 6");
     let whole = files(folder.path());
     let path = |n: usize| folder.path().join(&whole[n].0);
-    // One is missing, one is cut off, one has a bit turned over.
+    // One file is missing, one is truncated, one has a flipped bit.
     fs::remove_file(path(1)).unwrap();
     fs::write(path(2), &whole[2].1[..whole[2].1.len() - 20]).unwrap();
     let mut turned = whole[3].1.clone();
@@ -119,7 +119,7 @@ fn a_stream_that_is_there_whole_is_kept() {
     assert!(!is_kept("--to 5"));
     let whole = fs::read(&file).unwrap();
     assert!(is_kept("--to 5"));
-    // Of the same length, but another one.
+    // A stream of the same length with other contents.
     assert!(!is_kept("--from 1 --to 6"));
     assert!(fs::read(&file).unwrap() != whole);
     fs::write(&file, &whole[..whole.len() - 1]).unwrap();
@@ -151,7 +151,7 @@ fn a_capture_that_was_killed_leaves_whole_files_and_can_go_on() {
     }
     captured("--png", &killed, more);
     let mut files_then = files(&killed);
-    // What was being written has a name that hides it.
+    // The name of the incomplete file starts with a dot.
     files_then.retain(|(name, _)| !name.starts_with('.'));
     assert!(files_then == files(&whole));
 }

@@ -1,4 +1,4 @@
-//! The sound of frames: of the same times, and in step with them in a video.
+//! Captured sound belongs to the captured frames, and is in sync with them in a video.
 
 use super::captured;
 use crate::{lab, stage};
@@ -7,11 +7,11 @@ use eightfold::sound::RATE;
 use std::fs;
 use std::path::Path;
 
-/// Bytes of a WAV file before its samples, and of a sample of both sides.
+/// The bytes of a WAV header, and of a sample of both channels.
 const HEADER: usize = 58;
 const SAMPLE: usize = 8;
 
-/// Frames a second of the videos.
+/// The frame rate of the videos, in frames per second.
 const FPS: usize = 60;
 
 #[test]
@@ -19,7 +19,7 @@ fn the_sound_of_frames_is_their_part_of_the_soundtrack() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     let song = lab(&["sound", "--wav", "-"]).stdout;
-    // The machine begins at 60 s; a frame that begins between two samples is heard from the second one on.
+    // The machine begins at 60 s. If a frame begins between two samples, its sound begins with the second one.
     for (more, from, to) in [
         (
             "--scene show --fps 60 --from 600 --to 630",
@@ -40,7 +40,7 @@ fn the_sound_of_frames_is_their_part_of_the_soundtrack() {
         let wanted = &song[HEADER..][from * SAMPLE..to * SAMPLE];
         assert!(part[HEADER..] == *wanted, "{more}");
     }
-    // Beside pictures, too.
+    // Also together with pictures.
     let (frames, wav) = (path("frames"), path("both.wav"));
     let more = "--scene show --fps 60 --from 600 --to 603 --audio";
     captured("--png", &frames, &format!("{more} {}", wav.display()));
@@ -49,7 +49,7 @@ fn the_sound_of_frames_is_their_part_of_the_soundtrack() {
     assert_eq!(bytes as usize, HEADER + 3 * 800 * SAMPLE);
 }
 
-/// What a player makes of a file, in raw form: all of it is placed by the times that it has in the file.
+/// Decodes a file as a player does, respecting its time stamps.
 fn decoded(file: &Path, how: &str) -> Vec<u8> {
     let mut ffmpeg = stage::tool("ffmpeg");
     let (output, _) = stage::run(
@@ -63,7 +63,7 @@ fn decoded(file: &Path, how: &str) -> Vec<u8> {
     output.stdout
 }
 
-/// The seconds from a video's start to the moment when its picture changes most.
+/// The time, in seconds, of the largest change of a video's picture.
 fn cut(video: &Path, pixels: usize) -> f64 {
     let grey = decoded(video, "-vsync cfr -r 60 -f rawvideo -pix_fmt gray -");
     let frames: Vec<&[u8]> = grey.chunks_exact(pixels).collect();
@@ -76,10 +76,10 @@ fn cut(video: &Path, pixels: usize) -> f64 {
     (last + 1) as f64 / FPS as f64
 }
 
-/// The seconds from a video's start to where its sound rises most within 60 ms of a time: where a kick begins. Treble
-/// tells, of which the beginning of a kick has more than all of the rest.
+/// The time, in seconds, of the steepest rise of a video's treble within 60 ms of a given time: the start of a kick, which has more
+/// treble than everything else.
 fn onset(video: &Path, around: f64) -> f64 {
-    /// Samples of a millisecond, and the milliseconds before and after a time that are compared.
+    /// The samples of a millisecond, and the milliseconds compared before and after a time.
     const MS: usize = RATE as usize / 1000;
     const SPAN: usize = 8;
     let how = "-af aresample=async=1:first_pts=0 -f f32le -ac 1 -ar 48000 -";
@@ -98,8 +98,7 @@ fn onset(video: &Path, around: f64) -> f64 {
     steepest.expect("a time") as f64 / 1e3
 }
 
-/// The seconds from a video's start to the moment when its picture gets brighter most, within 60 ms and two frames of a
-/// time.
+/// The time, in seconds, at which a video's picture brightens most, within 60 ms and two frames of a given time.
 fn flash(brightness: &[f64], around: f64) -> f64 {
     let rise = |frame: usize| brightness[frame] - brightness[frame - 1];
     let middle = (around * FPS as f64).round() as usize;
@@ -107,7 +106,7 @@ fn flash(brightness: &[f64], around: f64) -> f64 {
     steepest.expect("a frame") as f64 / FPS as f64
 }
 
-/// The lamps of the machine flash on the kick, and nothing else is cut there.
+/// In the machine the lights flash on the kick, and there are no cuts.
 #[test]
 fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
     if stage::lacks(&["ffmpeg"]) {
@@ -115,7 +114,7 @@ fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
     }
     let folder = tempfile::tempdir().unwrap();
     let video = folder.path().join("machine.mp4");
-    // From the machine's second bar on, two bars; their beats are counted from a quarter of a second before.
+    // Two bars from the second bar of the machine, captured from a quarter of a second before.
     let start = BAR * (grid::MACHINE + 1) as f32 - 0.25;
     let from = (start * FPS as f32) as usize;
     let more = format!(
@@ -144,7 +143,7 @@ fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
     assert!(kicks >= 4, "{kicks} kicks");
 }
 
-/// Two scenes begin on a kick, with a picture that is another one from a frame to the next.
+/// Two scenes begin with a kick and a cut.
 #[test]
 fn picture_and_sound_of_a_video_are_in_step() {
     if stage::lacks(&["ffmpeg"]) {
@@ -154,13 +153,13 @@ fn picture_and_sound_of_a_video_are_in_step() {
     for (name, bar) in [("model.mp4", grid::MODEL), ("field.mkv", grid::SWARM)] {
         assert_eq!(eightfold::sound::pulse(BAR * bar as f32).kick, 1.0);
         let video = folder.path().join(name);
-        // Half a second before it, and half a second from there.
+        // From half a second before the cut to half a second after it.
         let first = (BAR * bar as f32) as usize * FPS - FPS / 2;
         let last = first + FPS;
         let more = format!("--scene show --size 64x36 --from {first} --to {last}");
         captured("--video", &video, &more);
         let cut = cut(&video, 64 * 36);
-        // Matroska begins with the 21 ms of silence that AAC needs to begin, before picture and sound alike.
+        // Matroska files start with the 21 ms of silence that AAC needs, for picture and sound alike.
         let late = cut - 0.5;
         assert!((-1e-6..0.022).contains(&late), "{name}: {cut} s");
         let onset = onset(&video, cut);

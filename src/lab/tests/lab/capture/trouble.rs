@@ -1,4 +1,4 @@
-//! Bad input, full disks, closed pipes: a line that says so, and no broken file.
+//! Bad input, full disks and closed pipes lead to one line of explanation and no broken files.
 
 use super::{capture, files, flags};
 use crate::{assert_one_line, stage};
@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// Captures where no file may grow beyond so many KiB; the signal that would end the program is ignored.
+/// Captures with a limit on the size of files, in KiB. The signal for exceeding it is ignored.
 fn limited(kib: u32, arguments: &str) -> Output {
     let script = format!("trap '' XFSZ; ulimit -f {kib}; exec \"$0\" \"$@\"");
     let mut sh = Command::new("bash");
@@ -58,7 +58,7 @@ fn a_full_disk_is_named_in_one_line_and_leaves_no_broken_file() {
     let output = limited(1, &format!("--png {} {many}", name("frames")));
     assert_one_line(&output, 1, &["frame-00000", "cannot write"]);
     assert!(files(&folder.path().join("frames")).is_empty());
-    // It fits in part.
+    // A part of the file fits.
     let output = limited(800, &format!("--y4m {} {many}", name("show.y4m")));
     assert_one_line(&output, 1, &["show.y4m", "cannot write"]);
     let output = limited(
