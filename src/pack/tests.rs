@@ -2,7 +2,7 @@
 
 use proptest::{collection::vec, prelude::*};
 
-use crate::{Damaged, LONGEST, costs, model, pack, pack_executable, unpack};
+use crate::{Damaged, LONGEST, costs, model, model::Model, pack, pack_executable, unpack};
 
 /// Bytes as programs have them: some by chance, some again and again, some of instructions.
 fn bytes() -> impl Strategy<Value = Vec<u8>> {
@@ -19,7 +19,7 @@ fn bytes() -> impl Strategy<Value = Vec<u8>> {
 }
 
 proptest! {
-    // Each needs 70 MB of memory that is zero.
+    // Each needs 68 MB of memory that is zero.
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
@@ -77,6 +77,13 @@ fn costs_add_up_to_what_is_packed() {
     );
 }
 
+/// A third of the time to unpack goes to memory that no cache has. With that of the file and with what is left over where huge pages
+/// are aligned, it is the 71 MB that the stub speaks of.
+#[test]
+fn the_model_needs_at_most_65_mib() {
+    assert!(size_of::<Model>() <= 65 << 20, "{}", size_of::<Model>());
+}
+
 /// The same on every machine and by every compiler. It changes with the model: then this is to be set anew.
 #[test]
 fn the_same_bytes_are_packed_to_the_same_everywhere() {
@@ -89,6 +96,6 @@ fn the_same_bytes_are_packed_to_the_same_everywhere() {
     let packed = pack(&bytes);
     assert_eq!(
         (packed.len(), model::checksum(&packed)),
-        (31_856, 550_581_037)
+        (31_857, 3_709_723_983)
     );
 }

@@ -124,7 +124,8 @@ fn compile_stub(toolchain: &Toolchain, object: &Path) -> Result<(), Error> {
         .args(["--target", toolchain::TARGET])
         .args([
             "-Cpanic=abort",
-            "-Copt-level=z",
+            // Loops that are called through iterators inline, which `z` would not.
+            "-Copt-level=s",
             "-Cjump-tables=no",
             "-Crelocation-model=static",
             "-Ccodegen-units=1",

@@ -1,4 +1,4 @@
-//! Eight numbers of 16 bits at once, for the mixer: by SSE2, which every x86-64 processor has, and by loops elsewhere.
+//! Eight numbers of 16 bits at once, for the mixer and for slots: by SSE2, which every x86-64 processor has, and by loops elsewhere.
 
 /// Eight 16-bit integers.
 #[derive(Clone, Copy)]
@@ -17,6 +17,20 @@ macro_rules! sse2 {
     };
 }
 
+/// What each number of two lanes becomes.
+#[cfg(target_arch = "x86_64")]
+macro_rules! operations {
+    ($($(#[$doc:meta])* $name:ident: $instruction:ident,)*) => {
+        $(
+            $(#[$doc])*
+            #[inline(always)]
+            pub fn $name(self, other: Lanes) -> Lanes {
+                Lanes(sse2!($instruction(self.0, other.0)))
+            }
+        )*
+    };
+}
+
 #[cfg(target_arch = "x86_64")]
 #[allow(unsafe_code, reason = "instructions by name")]
 impl Lanes {
@@ -25,21 +39,42 @@ impl Lanes {
         Lanes(sse2!(_mm_set_epi16(h, g, f, e, d, c, b, a)))
     }
 
+    /// Pairs of numbers, the lower one in the lower bits.
+    #[inline(always)]
+    pub fn pairs(pairs: &[u32; 4]) -> Lanes {
+        let [a, b, c, d] = pairs.map(|pair| pair as i32);
+        Lanes(sse2!(_mm_set_epi32(d, c, b, a)))
+    }
+
+    #[inline(always)]
+    pub fn to_pairs(self) -> [u32; 4] {
+        // SAFETY: both are 128 bits that may have any value.
+        unsafe { core::mem::transmute::<__m128i, [u32; 4]>(self.0) }
+    }
+
     #[inline(always)]
     pub fn splat(number: i16) -> Lanes {
         Lanes(sse2!(_mm_set1_epi16(number)))
     }
 
-    /// The sums, which stop at the ends of 16 bits.
     #[inline(always)]
-    pub fn saturating_add(self, other: Lanes) -> Lanes {
-        Lanes(sse2!(_mm_adds_epi16(self.0, other.0)))
+    pub fn splat_pair(pair: u32) -> Lanes {
+        Lanes(sse2!(_mm_set1_epi32(pair as i32)))
     }
 
-    /// The upper 16 bits of the products.
-    #[inline(always)]
-    pub fn multiply_high(self, other: Lanes) -> Lanes {
-        Lanes(sse2!(_mm_mulhi_epi16(self.0, other.0)))
+    operations! {
+        and: _mm_and_si128,
+        xor: _mm_xor_si128,
+        /// The sums modulo 2^16.
+        add: _mm_add_epi16,
+        /// The differences modulo 2^16.
+        subtract: _mm_sub_epi16,
+        /// The sums, which stop at the ends of 16 bits.
+        saturating_add: _mm_adds_epi16,
+        /// The upper 16 bits of the products.
+        multiply_high: _mm_mulhi_epi16,
+        /// The same of numbers without a sign.
+        multiply_high_unsigned: _mm_mulhi_epu16,
     }
 
     /// The halves, rounded down.
@@ -67,6 +102,8 @@ impl Lanes {
 /// The same without SSE2. The packer runs on other processors too, where somebody builds for x86-64 on them.
 #[cfg(any(test, not(target_arch = "x86_64")))]
 mod plain {
+    use core::array::from_fn;
+
     #[derive(Clone, Copy)]
     pub struct Lanes([i16; 8]);
 
@@ -75,19 +112,53 @@ mod plain {
             Lanes(*numbers)
         }
 
+        pub fn pairs(pairs: &[u32; 4]) -> Lanes {
+            Lanes(from_fn(|i| (pairs[i / 2] >> (16 * (i % 2))) as i16))
+        }
+
+        pub fn to_pairs(self) -> [u32; 4] {
+            from_fn(|i| u32::from(self.0[2 * i] as u16) | (self.0[2 * i + 1] as u32) << 16)
+        }
+
         pub fn splat(number: i16) -> Lanes {
             Lanes([number; 8])
         }
 
+        pub fn splat_pair(pair: u32) -> Lanes {
+            Lanes::pairs(&[pair; 4])
+        }
+
+        fn zip(self, other: Lanes, operation: impl Fn(i16, i16) -> i16) -> Lanes {
+            Lanes(from_fn(|i| operation(self.0[i], other.0[i])))
+        }
+
+        pub fn and(self, other: Lanes) -> Lanes {
+            self.zip(other, |a, b| a & b)
+        }
+
+        pub fn xor(self, other: Lanes) -> Lanes {
+            self.zip(other, |a, b| a ^ b)
+        }
+
+        pub fn add(self, other: Lanes) -> Lanes {
+            self.zip(other, i16::wrapping_add)
+        }
+
+        pub fn subtract(self, other: Lanes) -> Lanes {
+            self.zip(other, i16::wrapping_sub)
+        }
+
         pub fn saturating_add(self, other: Lanes) -> Lanes {
-            Lanes(core::array::from_fn(|i| {
-                self.0[i].saturating_add(other.0[i])
-            }))
+            self.zip(other, i16::saturating_add)
         }
 
         pub fn multiply_high(self, other: Lanes) -> Lanes {
-            let product = |i| i32::from(self.0[i]) * i32::from(other.0[i]);
-            Lanes(core::array::from_fn(|i| (product(i) >> 16) as i16))
+            self.zip(other, |a, b| ((i32::from(a) * i32::from(b)) >> 16) as i16)
+        }
+
+        pub fn multiply_high_unsigned(self, other: Lanes) -> Lanes {
+            let wide = |number| u32::from(number as u16);
+            self.zip(other, |a, b| ((wide(a) * wide(b)) >> 16) as i16)
         }
 
         pub fn halve(self) -> Lanes {
@@ -95,27 +166,14 @@ mod plain {
         }
 
         pub fn add_products(self, a: Lanes, b: Lanes) -> Lanes {
-            let product = |i: usize| i32::from(a.0[i]) * i32::from(b.0[i]);
-            let sums = self.wide();
-            let sum = |i| {
-                product(2 * i)
-                    .wrapping_add(product(2 * i + 1))
-                    .wrapping_add(sums[i])
-            };
-            let sums: [i32; 4] = core::array::from_fn(sum);
-            Lanes(core::array::from_fn(|i| {
-                (sums[i / 2] >> (16 * (i % 2))) as i16
-            }))
+            let sums = self.to_pairs();
+            let product = |i| i32::from(a.0[i]) * i32::from(b.0[i]);
+            let products = |i| product(2 * i).wrapping_add(product(2 * i + 1));
+            Lanes::pairs(&from_fn(|i| sums[i].wrapping_add(products(i) as u32)))
         }
 
         pub fn sum(self) -> i32 {
-            self.wide().into_iter().fold(0, i32::wrapping_add)
-        }
-
-        fn wide(self) -> [i32; 4] {
-            core::array::from_fn(|i| {
-                i32::from(self.0[2 * i] as u16) | i32::from(self.0[2 * i + 1]) << 16
-            })
+            self.to_pairs().into_iter().fold(0, u32::wrapping_add) as i32
         }
     }
 }
@@ -128,37 +186,28 @@ mod tests {
     use super::{Lanes, plain};
     use proptest::prelude::*;
 
-    /// The numbers of lanes, each by its product with 1 alone.
-    fn numbers(lanes: Lanes) -> [i32; 8] {
-        core::array::from_fn(|i| {
-            let mut one = [0; 8];
-            one[i] = 1;
-            Lanes::splat(0).add_products(lanes, Lanes::new(&one)).sum()
-        })
-    }
-
-    fn plain_numbers(lanes: plain::Lanes) -> [i32; 8] {
-        core::array::from_fn(|i| {
-            let mut one = [0; 8];
-            one[i] = 1;
-            plain::Lanes::splat(0)
-                .add_products(lanes, plain::Lanes::new(&one))
-                .sum()
-        })
+    /// Holds operations on lanes to the plain ones.
+    macro_rules! assert_same {
+        ($x:ident, $y:ident, $p:ident, $q:ident: $($operation:ident)*) => {
+            $(prop_assert_eq!($x.$operation($y).to_pairs(), $p.$operation($q).to_pairs());)*
+        };
     }
 
     proptest! {
         #[test]
-        fn every_processor_computes_the_same(a: [i16; 8], b: [i16; 8], c: i16) {
+        fn every_processor_computes_the_same(a: [i16; 8], b: [i16; 8], c: i16, d: u32) {
             let (x, y) = (Lanes::new(&a), Lanes::new(&b));
             let (p, q) = (plain::Lanes::new(&a), plain::Lanes::new(&b));
+            assert_same!(x, y, p, q: and xor add subtract saturating_add);
+            assert_same!(x, y, p, q: multiply_high multiply_high_unsigned);
+            prop_assert_eq!(x.halve().to_pairs(), p.halve().to_pairs());
+            prop_assert_eq!(Lanes::splat(c).to_pairs(), plain::Lanes::splat(c).to_pairs());
+            prop_assert_eq!(Lanes::splat_pair(d).to_pairs(), plain::Lanes::splat_pair(d).to_pairs());
+            prop_assert_eq!(Lanes::pairs(&x.to_pairs()).to_pairs(), x.to_pairs());
             let products = Lanes::splat(c).add_products(x, y).add_products(y, y);
             let plain_products = plain::Lanes::splat(c).add_products(p, q).add_products(q, q);
+            prop_assert_eq!(products.to_pairs(), plain_products.to_pairs());
             prop_assert_eq!(products.sum(), plain_products.sum());
-            prop_assert_eq!(numbers(x.saturating_add(y)), plain_numbers(p.saturating_add(q)));
-            prop_assert_eq!(numbers(x.multiply_high(y)), plain_numbers(p.multiply_high(q)));
-            prop_assert_eq!(numbers(x.halve()), plain_numbers(p.halve()));
-            prop_assert_eq!(numbers(Lanes::splat(c)), plain_numbers(plain::Lanes::splat(c)));
         }
     }
 }

@@ -4,7 +4,7 @@
 //! it says is only a context to predict by, and both sides say the same.
 
 /// What the model predicts a byte by, each a number; contexts are sets of them.
-pub const FEATURES: usize = 24;
+pub const FEATURES: usize = 23;
 /// What the next byte is; see the kinds below. (Features 0 to 7 are the last bytes, the newest first.)
 pub const KIND: usize = 8;
 /// The opcode of this instruction so far, plus 0x100 times its map. Those of the three instructions before follow it in steps of
@@ -20,10 +20,8 @@ const STEP: usize = 3;
 const HISTORY_END: usize = OPCODE + 4 * STEP;
 /// The place modulo 4: data has rows of words.
 pub const PLACE: usize = HISTORY_END;
-/// The ModRM byte's register.
-pub const REGISTER: usize = 22;
 /// The ModRM byte's operand, and what the SIB byte adds to it.
-pub const OPERAND: usize = 23;
+pub const OPERAND: usize = 22;
 
 /// A feature of an earlier instruction.
 pub const fn before(feature: usize, instructions: usize) -> usize {
@@ -230,7 +228,6 @@ impl Reader {
     fn read_modrm(&mut self, byte: u32) -> u32 {
         let features = &mut self.features;
         features[MODRM] = byte;
-        features[REGISTER] = byte & 0x38;
         features[OPERAND] = byte & 0xc7;
         // Of what 0xf6 and 0xf7 do, only `test` has an immediate operand.
         if features[OPCODE] & !1 == 0xf6 && byte & 0x30 == 0 {
@@ -277,7 +274,6 @@ impl Reader {
         features[OPCODE] = 0;
         features[MODRM] = 0;
         features[PREFIXES] = 0;
-        features[REGISTER] = 0;
         features[OPERAND] = 0;
     }
 }

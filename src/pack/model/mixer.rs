@@ -11,15 +11,12 @@ type Weights = [Lanes; ROWS];
 /// What the sum of two weights is to begin with: all 24 inputs together are believed half of what they say.
 const FIRST_WEIGHT: i16 = 1400;
 
-const SETS: usize = KINDS << 8;
+/// Sets of weights: for each kind of byte and each beginning of it; that of beginning 0, which no byte has, is for all of that kind;
+/// and for each kind of byte and each byte before it.
+const SETS: usize = 2 * KINDS << 8;
 
-/// For the number of a set, which is 256 times the kind of byte plus how it begins.
-const OWN: usize = SETS - 1;
-/// For the number of the set of all beginnings.
-const ALL: usize = OWN & !0xff;
-
-/// How fast weights are learned: of 2, 3, 4, 6 and 8 the best.
-const RATE: i32 = 6;
+/// How fast weights are learned: of 3, 4, 5 and 6 the best.
+const RATE: i32 = 4;
 
 /// The numbers of probabilities and of logits in tables.
 const STEPS: usize = 4096;
@@ -33,9 +30,8 @@ pub struct Mixer {
     probability: i32,
     /// The probability of each logit.
     probabilities: [i32; STEPS],
-    /// The logit of each probability, in steps of 16.
+    /// The logit of each probability, in steps of 16; those from one half on come first, as slots have them.
     logits: [i16; STEPS],
-    /// For each kind of byte and each beginning of it a set; that of beginning 0, which no byte has, is for all of that kind.
     /// [`FIRST_WEIGHT`] is left out.
     weights: [Weights; SETS],
 }
@@ -50,35 +46,28 @@ impl Mixer {
         for (x, probability) in self.probabilities.iter_mut().enumerate() {
             *probability = (p >> 16) as i32;
             while next <= p >> 20 {
-                self.logits[next as usize & (STEPS - 1)] = x as i16 - 2048;
+                self.logits[(next as usize ^ STEPS / 2) & (STEPS - 1)] = x as i16 - 2048;
                 next += 1;
             }
             p += (p * ((1 << 32) - p)) >> 40;
         }
     }
 
-    /// Says to the mixer what is to be mixed: pairs of probabilities.
+    /// Says to the mixer what is to be mixed: a probability less one half, as the 16 bits of a signed number.
     #[inline(always)]
-    pub fn input(&mut self, pairs: impl Iterator<Item = (u32, u32)>) {
-        let logit = |probability: u32| self.logits[probability as usize >> 4 & (STEPS - 1)];
-        let inputs = self.inputs.as_flattened_mut().as_chunks_mut().0;
-        for (input, (first, second)) in inputs.iter_mut().zip(pairs) {
-            // By two writes: `map` would put both to another place and then read them, for which the processor waits.
-            let [one, other] = input;
-            *one = logit(first);
-            *other = logit(second);
-        }
+    pub fn input(&mut self, index: usize, probability: u16) {
+        self.inputs.as_flattened_mut()[index] = self.logits[usize::from(probability >> 4)];
     }
 
-    /// How likely the next bit is 1, by a set of weights.
+    /// How likely the next bit is 1, by the sum of some sets of weights.
     #[inline(always)]
-    pub fn predict(&mut self, set: usize) -> u32 {
-        let (own, all) = (&self.weights[set & OWN], &self.weights[set & ALL]);
+    pub fn predict(&mut self, sets: Sets) -> u32 {
         let mut sum = Lanes::splat(0);
-        for ((inputs, own), all) in self.inputs.iter().zip(own).zip(all) {
-            let weights = own
-                .saturating_add(*all)
-                .saturating_add(Lanes::splat(FIRST_WEIGHT));
+        for (i, inputs) in self.inputs.iter().enumerate() {
+            let mut weights = Lanes::splat(FIRST_WEIGHT);
+            for set in sets {
+                weights = weights.saturating_add(self.weights[set & (SETS - 1)][i]);
+            }
             sum = sum.add_products(weights, Lanes::new(inputs));
         }
         let logit = (sum.sum() >> 14).clamp(-2048, 2047) + 2048;
@@ -88,20 +77,27 @@ impl Mixer {
 
     /// Corrects the weights of the last prediction by what the bit was.
     #[inline(always)]
-    pub fn learn(&mut self, mut set: usize, bit: u32) {
+    pub fn learn(&mut self, sets: Sets, bit: u32) {
         let error = ((bit as i32) << 16) - self.probability;
         let error = Lanes::splat(((error * RATE) >> 5) as i16);
-        loop {
-            for (weight, inputs) in self.weights[set & OWN].iter_mut().zip(&self.inputs) {
+        for set in sets {
+            for (weight, inputs) in self.weights[set & (SETS - 1)].iter_mut().zip(&self.inputs) {
                 let inputs = Lanes::new(inputs);
                 let change = inputs.saturating_add(inputs).multiply_high(error);
                 let change = change.saturating_add(Lanes::splat(1)).halve();
                 *weight = weight.saturating_add(change);
             }
-            if set == set & ALL {
-                return;
-            }
-            set &= ALL;
         }
     }
+}
+
+/// The sets whose weights are added for a bit.
+pub type Sets = [usize; 3];
+
+/// The sets for a bit of such a byte that begins like this, behind that byte.
+#[inline(always)]
+pub fn sets(kind: u32, beginning: u32, before: u32) -> Sets {
+    let of_kind = kind << 8;
+    let behind = (KINDS as u32) << 8;
+    [of_kind | beginning, of_kind, behind | of_kind | before].map(|set| set as usize)
 }

@@ -1,29 +1,12 @@
 //! What is known of a bit in one context.
 
-/// A probability that the bit is 1 in 65,536ths (bits 16 to 31), the last seven bits that were seen there behind a 1 (8 to 15), and
-/// how many were seen (0 to 7): exclusive-or [`NEW`], so that memory that is zero holds new ones.
+use super::lanes::Lanes;
+
+/// From the lowest bits on: a probability that the bit is 1, in 65,536ths, less one half (16 bits); the last bits that were seen
+/// there behind a 1, of which eight are kept, exclusive-or 1 (8); and how many were seen, at most 127 (8). So memory that is zero
+/// holds new slots.
 #[derive(Clone, Copy)]
 pub struct Slot(u32);
-
-/// One half, nothing seen.
-const NEW: u32 = 0x8000_0100;
-
-/// What is counted to.
-const LIMIT: u32 = 127;
-
-/// How far a probability moves to what was seen, in 32,768ths of the distance, when so many were seen before: 6 / (4 n + 7). From
-/// the limit on, what was seen longer ago counts less and less.
-pub struct Rates([i32; 256]);
-
-impl Rates {
-    /// Fills memory that is zero.
-    #[inline(always)]
-    pub fn fill(&mut self) {
-        for (count, rate) in self.0.iter_mut().enumerate() {
-            *rate = 0x8000 * 6 / (4 * count as i32 + 7);
-        }
-    }
-}
 
 impl Slot {
     pub const NEW: Slot = Slot(0);
@@ -38,32 +21,79 @@ impl Slot {
         self.0 == number
     }
 
+    /// The probability less one half, as the 16 bits of a signed number.
     #[inline(always)]
-    pub fn probability(self) -> u32 {
-        (self.0 ^ NEW) >> 16
+    pub fn probability(self) -> u16 {
+        self.0 as u16
     }
 
     /// The last bits.
     #[inline(always)]
     pub fn history(self) -> usize {
-        ((self.0 ^ NEW) >> 8 & 0xff) as usize
+        (self.0 >> 16 & 0xff) as usize
     }
 
-    /// Takes note of a bit.
-    #[inline(never)]
-    pub fn learn(&mut self, bit: u32, rates: &Rates) {
-        let old = self.0 ^ NEW;
-        let count = old & 0xff;
-        let probability = (old >> 16) as i32;
-        let distance = (bit * 0xffff) as i32 - probability;
-        let step = (distance * rates.0[count as usize & 0xff]) >> 15;
-        let mut history = (old >> 8 & 0xff) * 2 + bit;
-        if history > 0xff {
-            // The 1 stays where it is, before the last seven.
-            history = history & 0x7f | 0x80;
+    #[inline(always)]
+    fn count(self) -> usize {
+        (self.0 >> 24) as usize
+    }
+}
+
+/// How far a probability moves to what was seen, in 65,536ths of the distance, when so many were seen before: 6 / (4 n + 7). From
+/// the highest count on, what was seen longer ago counts less and less.
+pub struct Rates([u32; 256]);
+
+impl Rates {
+    /// Fills memory that is zero.
+    #[inline(always)]
+    pub fn fill(&mut self) {
+        for (count, rate) in self.0.iter_mut().enumerate() {
+            *rate = 0x10000 * 6 / (4 * count as u32 + 7);
         }
-        let count = if count < LIMIT { count + 1 } else { count };
-        self.0 = ((probability + step) as u32) << 16 | history << 8 | count;
-        self.0 ^= NEW;
+    }
+}
+
+/// Rows of slots.
+pub const ROWS: usize = 6;
+
+/// Copies of slots that learn together, four at a time.
+#[repr(C)]
+pub struct Slots {
+    slots: [[u32; 4]; ROWS],
+    /// The rate of each. They are looked up when a slot is copied: a processor waits for what it reads right after it was written in
+    /// smaller pieces.
+    rates: [[u32; 4]; ROWS],
+}
+
+impl Slots {
+    #[inline(always)]
+    pub fn set(&mut self, index: usize, slot: Slot, rates: &Rates) {
+        self.slots.as_flattened_mut()[index] = slot.0;
+        self.rates.as_flattened_mut()[index] = rates.0[slot.count()];
+    }
+
+    #[inline(always)]
+    pub fn get(&self, index: usize) -> Slot {
+        Slot(self.slots.as_flattened()[index])
+    }
+
+    /// Has all slots take note of a bit.
+    #[inline(always)]
+    pub fn learn(&mut self, bit: u32) {
+        // Makes a probability its distance to 0 or, exclusive-or 0xffff, to 65,535: to what was not seen. And a history what it is.
+        let flip = 0x1_8000 - bit;
+        // The same back, and the bit at the end of the history.
+        let flip_back = Lanes::splat_pair(flip ^ bit << 16);
+        let flip = Lanes::splat_pair(flip);
+        for (slots, rates) in self.slots.iter_mut().zip(&self.rates) {
+            let old = Lanes::pairs(slots).xor(flip);
+            // A rate is the lower number of its pair; the upper one is 0, so this leaves histories and counts alone.
+            let moved = old.subtract(old.multiply_high_unsigned(Lanes::pairs(rates)));
+            // This sum stops at a count of 127; what it then has for a history is masked out.
+            let counted = moved.saturating_add(Lanes::splat_pair(0x100_0000));
+            let rest = counted.and(Lanes::splat_pair(0xff00_ffff));
+            let history = old.add(old).and(Lanes::splat_pair(0xfe_0000));
+            *slots = rest.xor(history).xor(flip_back).to_pairs();
+        }
     }
 }

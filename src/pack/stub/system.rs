@@ -8,6 +8,7 @@ pub const OPEN: usize = 2;
 pub const MMAP: usize = 9;
 pub const MPROTECT: usize = 10;
 pub const MUNMAP: usize = 11;
+pub const MADVISE: usize = 28;
 pub const CLOSE: usize = 3;
 pub const EXIT_GROUP: usize = 231;
 pub const MEMFD_CREATE: usize = 319;
