@@ -4,7 +4,7 @@
 //! it says is only a context to predict by, and both sides say the same.
 
 /// What the model predicts a byte by, each a number; contexts are sets of them.
-pub const FEATURES: usize = 23;
+pub const FEATURES: usize = 24;
 /// What the next byte is; see the kinds below. (Features 0 to 7 are the last bytes, the newest first.)
 pub const KIND: usize = 8;
 /// The opcode of this instruction so far, plus 0x100 times its map. Those of the three instructions before follow it in steps of
@@ -22,6 +22,8 @@ const HISTORY_END: usize = OPCODE + 4 * STEP;
 pub const PLACE: usize = HISTORY_END;
 /// The ModRM byte's operand, and what the SIB byte adds to it.
 pub const OPERAND: usize = 22;
+/// The last two bytes that were of this kind behind the same opcode, the newer in the lower bits.
+pub const SAME_FIELD: usize = 23;
 
 /// A feature of an earlier instruction.
 pub const fn before(feature: usize, instructions: usize) -> usize {
@@ -113,10 +115,15 @@ fn operands_by_runs(map_and_opcode: u32, byte: u32) -> u32 {
     0
 }
 
-/// The state of reading, all zero to begin with.
-#[derive(Default)]
+/// Fields of all instructions: for each map and opcode, each kind.
+const FIELDS: usize = 4 << 8 << KINDS.ilog2();
+
+/// The state of reading, all zero to begin with. Its largest part comes last: instructions reach the others by offsets of one byte.
+#[repr(C)]
 pub struct Reader {
     features: [u32; FEATURES],
+    /// The field of the next byte.
+    field: usize,
     /// Bytes read so far.
     place: usize,
     /// Where the offset of this instruction is, behind its opcode; 0 if it has none.
@@ -125,6 +132,22 @@ pub struct Reader {
     displacement: u32,
     /// The kind of what follows ModRM, SIB and displacement; 0 for nothing.
     operand: u32,
+    /// The last two bytes of each field.
+    fields: [u16; FIELDS],
+}
+
+impl Default for Reader {
+    fn default() -> Reader {
+        Reader {
+            features: [0; FEATURES],
+            fields: [0; FIELDS],
+            field: 0,
+            place: 0,
+            offset: 0,
+            displacement: 0,
+            operand: 0,
+        }
+    }
 }
 
 impl Reader {
@@ -176,6 +199,10 @@ impl Reader {
             self.end_instruction();
         }
         self.features[KIND] = next;
+        let field = &mut self.fields[self.field & (FIELDS - 1)];
+        *field = *field << 8 | byte as u16;
+        self.field = (self.features[OPCODE] << KINDS.ilog2() | next) as usize;
+        self.features[SAME_FIELD] = self.fields[self.field & (FIELDS - 1)].into();
     }
 
     /// Reads a prefix or an opcode. Returns what kind of byte follows, as all of these do.

@@ -17,7 +17,7 @@ pub use addresses::to_address;
 pub use coder::{Coder, Decoder};
 pub use machine_code::Reader;
 
-use machine_code::{KIND, MODRM, OPCODE, OPERAND, PLACE, PREFIXES, before};
+use machine_code::{KIND, MODRM, OPCODE, OPERAND, PLACE, PREFIXES, SAME_FIELD, before};
 use mixer::Mixer;
 use slot::{Rates, Slot, Slots};
 
@@ -26,7 +26,7 @@ use slot::{Rates, Slot, Slots};
 static CONTEXTS: [u32; COUNT] = [
     context(&[KIND]),
     context(&[KIND, 0]),
-    context(&[KIND, 1, 4, 6, 7, MODRM, PREFIXES]),
+    context(&[KIND, OPCODE, SAME_FIELD]),
     context(&[0, 1, PREFIXES]),
     context(&[PLACE]),
     context(&[PLACE, 0]),
