@@ -13,7 +13,7 @@ const FIRST_WEIGHT: i16 = 1400;
 
 /// Sets of weights: for each kind of byte and each beginning of it; that of beginning 0, which no byte has, is for all of that kind;
 /// and for each kind of byte and each byte before it.
-const SETS: usize = 2 * KINDS << 8;
+const SETS: usize = (2 * KINDS) << 8;
 
 /// How fast weights are learned: of 3, 4, 5 and 6 the best.
 const RATE: i32 = 4;
@@ -46,7 +46,7 @@ impl Mixer {
         for (x, probability) in self.probabilities.iter_mut().enumerate() {
             *probability = (p >> 16) as i32;
             while next <= p >> 20 {
-                self.logits[(next as usize ^ STEPS / 2) & (STEPS - 1)] = x as i16 - 2048;
+                self.logits[(next as usize ^ (STEPS / 2)) & (STEPS - 1)] = x as i16 - 2048;
                 next += 1;
             }
             p += (p * ((1 << 32) - p)) >> 40;
