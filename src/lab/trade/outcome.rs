@@ -109,17 +109,24 @@ impl Outcome {
     pub fn is_exact(&self) -> bool {
         self.psnr_db.is_infinite()
     }
+
+    /// Whether it keeps the rules of the product: a square is filled only where the corners' colours, the objects that they show and
+    /// the states of the lights agree, and no object is missed.
+    fn keeps_the_rules(&self) -> bool {
+        let compares_keys = self.keys && self.tolerance_differing == 0.0;
+        (compares_keys || self.square == 1) && self.guarded && self.missed_objects == 0.0
+    }
 }
 
-/// Marks the Pareto front: the points for which no other point is both faster and more accurate. Points that miss objects, or could
-/// since they are not guarded, are left out.
+/// Marks the Pareto front: the points for which no other point is both faster and more accurate, among those that keep the rules of
+/// the product.
 pub fn mark_front(rows: &mut [Outcome]) {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by(|&a, &b| rows[b].speedup.total_cmp(&rows[a].speedup));
     let mut best = f64::NEG_INFINITY;
     for i in order {
         let row = &mut rows[i];
-        if row.guarded && row.missed_objects == 0.0 && row.psnr_db > best {
+        if row.keeps_the_rules() && row.psnr_db > best {
             best = row.psnr_db;
             row.on_front = true;
         }

@@ -75,7 +75,7 @@ fn cloud(trade: &Trade) -> Chart {
     let all = || trade.points.iter().filter(|row| !row.is_exact());
     Chart {
         title: "What speed costs: every setting, and the Pareto front".to_owned(),
-        note: note(trade),
+        note: note(trade) + "; the front is of settings that compare colours, objects and lights",
         x: Axis::log(
             "speed-up over exhaustive frames",
             all().map(|row| row.speedup),

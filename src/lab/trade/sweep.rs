@@ -155,14 +155,25 @@ fn together(quick: bool) -> Vec<Quality> {
     let tolerances: &[f32] = if quick {
         &[3.0, 18.0, 40.0]
     } else {
-        &[2.0, 4.0, 7.0, 14.0, 22.0, 26.0, 40.0]
+        &[
+            2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 12.0, 14.0, 18.0, 22.0, 28.0, 40.0,
+        ]
     };
+    let followed = [
+        (5, 0.01),
+        (5, 0.02),
+        (5, 0.03),
+        (4, 0.02),
+        (4, 0.04),
+        (3, 0.05),
+        (2, 0.1),
+    ];
     let mut qualities = Vec::new();
     for square in [8, 16] {
-        for &tolerance in tolerances {
-            for (depth, least_contribution) in
-                [(5, 0.01), (5, 0.03), (4, 0.02), (3, 0.05), (2, 0.1)]
-            {
+        // Nearly all of the front is squares of 8.
+        let every = if square == 8 { 1 } else { 3 };
+        for &tolerance in tolerances.iter().step_by(every) {
+            for (depth, least_contribution) in followed {
                 let quality = Quality {
                     depth,
                     least_contribution,
