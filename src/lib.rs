@@ -36,6 +36,7 @@
 #![warn(missing_docs)]
 
 // Leaves: what needs no other module.
+mod flaw;
 mod font;
 pub mod grid;
 mod lanes;
@@ -59,6 +60,7 @@ mod governor;
 pub mod limits;
 
 pub use fearless_simd::Level;
+pub use flaw::{Flaw, Found};
 pub use glam;
 pub use governor::Governor;
 pub use quality::Quality;

@@ -18,7 +18,7 @@ use glam::{Mat3A, Vec3A};
 pub use list::List;
 pub use method::Method;
 pub use pattern::Pattern;
-pub use validate::{Flaw, MAX_LENGTH, MIN_LENGTH};
+pub use validate::{MAX_LENGTH, MIN_LENGTH};
 
 /// The most spheres in a scene. The show uses up to 256.
 pub const MAX_SPHERES: usize = 320;

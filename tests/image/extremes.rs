@@ -322,23 +322,33 @@ fn a_scene_is_refused_by_its_first_number_out_of_range() {
     for (change, message) in [
         (
             (|scene| scene.spheres[2].radius = 0.0) as fn(&mut Scene),
-            "sphere 2: radius takes a length from 1e-9 to 1e9",
+            "spheres[2].radius is 0, and takes a length from 1e-9 to 1e9",
         ),
         (
-            |scene| scene.lights[1].colour.y = -1.0,
-            "light 1: colour takes numbers from 0 on, such as 1 0.5 0",
+            |scene| scene.lights[1].colour = glam::vec3a(1.0, -1.0, 0.5),
+            "lights[1].colour is [1, -1, 0.5], and takes channels from 0 to 1e9",
         ),
         (
             |scene| scene.planes[0].material.kr = 1.5,
-            "plane 0: kr takes a number from 0 to 1",
+            "planes[0].material.kr is 1.5, and takes 0 to 1",
         ),
         (
-            |scene| scene.camera.look_at = scene.camera.eye,
-            "camera 0: look_at takes a point that is not the eye",
+            |scene| {
+                scene.camera.eye = glam::vec3a(1.0, 2.0, 3.0);
+                scene.camera.look_at = scene.camera.eye;
+            },
+            "camera.look_at is [1, 2, 3], and takes a point that is not the eye",
         ),
         (
-            |scene| scene.camera.up = scene.camera.look_at - scene.camera.eye,
-            "camera 0: up takes a direction that is not along the line of sight",
+            |scene| {
+                scene.camera.look_at = scene.camera.eye + glam::Vec3A::X;
+                scene.camera.up = glam::Vec3A::X;
+            },
+            "camera.up is [1, 0, 0], and takes a direction that is not along the line of sight",
+        ),
+        (
+            |scene| scene.haze = f32::NAN,
+            "haze is NaN, and takes 0 to 1000",
         ),
     ] {
         assert_eq!(refused(change), message);
