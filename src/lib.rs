@@ -13,7 +13,7 @@
 //! | rays to colours and keys, as many side by side as the instruction set holds | `trace` |
 //! | which points to trace, and which squares to fill or to split | `refine` |
 //! | captions over a finished band | `text` |
-//! | a frame: bands of the picture in parallel | [`render()`] |
+//! | a frame: bands of the picture in parallel | [`Renderer`] |
 //!
 //! Beside it: the soundtrack in [`sound`], on the beats of [`grid`] as the show is; [`Governor`], which chooses a quality by how
 //! long frames take; [`observe`], which tells how a frame came about; [`limits`], how far the numbers can be trusted. At the
@@ -65,7 +65,7 @@ pub use glam;
 pub use governor::Governor;
 pub use quality::Quality;
 pub use refine::{Band, Worker};
-pub use render::{Job, Memory, render, render_observed};
+pub use render::{Error, Frame, Job, Memory, Renderer, Threads};
 pub use trace::Counts;
 
 /// The widest picture, in pixels.

@@ -1,5 +1,7 @@
 //! The parameters that trade accuracy for speed.
 
+use crate::flaw::{Checked, Flaw};
+
 /// How far a frame is refined and how far its rays are followed.
 ///
 /// A square is filled if its corners have the same 8-bit colour, or if their colours differ by no more than a tolerance; otherwise
@@ -28,12 +30,13 @@ pub struct Quality {
     pub key_depth: u32,
     /// The largest depth of rays at whose hits the lights' states are part of the key, if their objects are.
     pub state_depth: u32,
-    /// The strength `ks (r.v)^h` above which a light's highlight makes its state "lit with a highlight" instead of "lit". With
-    /// infinity a light is either lit or dark.
+    /// The strength `ks (r.v)^h` above which a light's highlight makes its state "lit with a highlight" instead of "lit", 0 to
+    /// infinity. With infinity a light is either lit or dark.
     pub highlight: f32,
     /// The largest depth of rays that are followed, 0 to [`Quality::MAX_DEPTH`].
     pub depth: u32,
-    /// The smallest weight of secondary rays that are followed. A ray's weight is the product of `kr` and `kt` along its path.
+    /// The smallest weight of secondary rays that are followed, 0 to infinity. A ray's weight is the product of `kr` and `kt` along
+    /// its path.
     pub least_contribution: f32,
     /// The number of samples per side, up to [`Quality::MAX_ANTIALIAS`], for pixels that differ from a neighbour: with 2 they get
     /// the mean of four samples on a regular grid. 0 and 1 turn antialiasing off, as all named qualities do.
@@ -141,8 +144,30 @@ impl Quality {
         self.antialias > 1
     }
 
-    /// Whether all parameters are in their ranges: `render` panics otherwise.
-    pub(crate) fn is_valid(&self) -> bool {
+    /// Whether every parameter is in the range that its documentation says.
+    ///
+    /// # Errors
+    /// The first one that is not.
+    pub fn validate(&self) -> Result<(), Flaw> {
+        let quality = Checked::one("quality");
+        let is_square = (1..=Self::MAX_SQUARE).contains(&self.square);
+        quality.field("square", self.square, "1 to 32", is_square)?;
+        let tolerance = |name, tolerance: f32| {
+            quality.field(name, tolerance, "0 to infinity", tolerance >= 0.0)
+        };
+        tolerance("tolerance_agreeing", self.tolerance_agreeing)?;
+        tolerance("tolerance_differing", self.tolerance_differing)?;
+        tolerance("tolerance_side", self.tolerance_side)?;
+        tolerance("highlight", self.highlight)?;
+        let is_depth = self.depth <= Self::MAX_DEPTH;
+        quality.field("depth", self.depth as usize, "0 to 7", is_depth)?;
+        tolerance("least_contribution", self.least_contribution)?;
+        let is_antialias = self.antialias <= Self::MAX_ANTIALIAS;
+        quality.field("antialias", self.antialias, "0 to 8", is_antialias)
+    }
+
+    /// Whether the working memory has room for what it asks for. A tolerance out of its range is as good as some other one.
+    pub(crate) fn is_drawable(&self) -> bool {
         (1..=Self::MAX_SQUARE).contains(&self.square)
             && self.depth <= Self::MAX_DEPTH
             && self.antialias <= Self::MAX_ANTIALIAS

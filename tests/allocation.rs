@@ -2,7 +2,7 @@
 
 mod stage;
 
-use eightfold::{Band, Memory, Quality, Worker, render, show};
+use eightfold::{Band, Frame, Job, Memory, Quality, Renderer, Threads, Worker, show};
 use eightfold_window::{
     cpu,
     fixed::Fixed,
@@ -55,29 +55,32 @@ const THREADS: usize = 3;
 static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
 static WORKERS: Fixed<[Worker; THREADS]> = Fixed::new([const { Worker::new() }; THREADS]);
 
+struct PoolThreads(Pool, &'static mut [Worker; THREADS]);
+
+impl Threads for PoolThreads {
+    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+        self.0.run(self.1, bands, job);
+    }
+}
+
 #[test]
 fn nothing_is_allocated_while_frames_are_drawn_and_shown() {
     stage::on_displays(&[&[]], || {
         let mut window = Window::open(c"Eightfold", 320, 240).expect("there is a display");
-        let mut pool = Pool::new(THREADS);
-        let memory = MEMORY.take();
-        let workers = WORKERS.take();
+        let mut renderer = Renderer::with_memory(cpu::best().level, MEMORY.take());
+        let mut threads = PoolThreads(Pool::new(THREADS), WORKERS.take());
         let mut frames = |range: std::ops::Range<u32>| {
             for frame in range {
                 let (width, height) = window.size();
-                render(
-                    cpu::best().level,
-                    &show::scene(frame as f32 / 60.0),
-                    &Quality::THESIS,
+                let scene = show::scene(frame as f32 / 60.0);
+                let frame = Frame {
                     width,
                     height,
-                    memory,
-                    workers,
-                    window.canvas(width, height),
-                    |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
-                        pool.run(workers, bands, job);
-                    },
-                );
+                    pixels: window.canvas(width, height),
+                };
+                renderer
+                    .render(&scene, &Quality::THESIS, frame, &mut threads)
+                    .expect("all is valid");
                 assert_eq!(window.show(), Next::GoOn);
             }
         };

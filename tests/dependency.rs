@@ -61,27 +61,14 @@ impl Dependent {
 
 /// Draws a frame.
 const PROGRAM: &str = "
-use eightfold::{Band, Level, Memory, Quality, Worker, render, show};
+use eightfold::{Error, Frame, Level, Quality, Renderer, Worker, show};
 
-fn main() {
-    let mut memory = Memory::new();
-    let mut workers = [Worker::new()];
+fn main() -> Result<(), Error> {
     let mut pixels = [0; 64 * 48];
-    render(
-        Level::baseline(),
-        &show::scene(2.0),
-        &Quality::DEFAULT,
-        64,
-        48,
-        &mut memory,
-        &mut workers,
-        &mut pixels,
-        |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
-            for band in bands {
-                job(&mut workers[0], band);
-            }
-        },
-    );
+    let frame = Frame { width: 64, height: 48, pixels: &mut pixels };
+    let mut renderer = Renderer::new(Level::baseline());
+    renderer.render(&show::scene(2.0), &Quality::DEFAULT, frame, &mut Worker::new())?;
+    Ok(())
 }
 ";
 

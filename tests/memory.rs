@@ -1,6 +1,6 @@
 //! The memory that the library needs from its caller can be made on the stack of any thread.
 
-use eightfold::{Band, Level, Memory, Quality, Worker, render, show};
+use eightfold::{Frame, Level, Memory, Quality, Renderer, Worker, show};
 use std::{iter, thread};
 
 /// The default stack size of threads in bytes: the smallest of the usual systems.
@@ -25,24 +25,18 @@ fn memory_is_made_on_two_megabytes_of_stack() {
 fn a_frame_is_drawn_on_two_megabytes_of_stack() {
     let pixels = on_small_stack(|| {
         let mut pixels = vec![0; 64 * 48];
-        render(
-            Level::baseline(),
-            &show::scene(2.0),
-            &Quality {
-                antialias: 2,
-                ..Quality::DEFAULT
-            },
-            64,
-            48,
-            &mut Box::new(Memory::new()),
-            &mut [Worker::new()],
-            &mut pixels,
-            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
-                for band in bands {
-                    job(&mut workers[0], band);
-                }
-            },
-        );
+        let frame = Frame {
+            width: 64,
+            height: 48,
+            pixels: &mut pixels,
+        };
+        let quality = Quality {
+            antialias: 2,
+            ..Quality::DEFAULT
+        };
+        Renderer::new(Level::baseline())
+            .render(&show::scene(2.0), &quality, frame, &mut Worker::new())
+            .expect("all is valid");
         pixels
     });
     assert!(pixels.iter().any(|&pixel| pixel != pixels[0]));
@@ -51,7 +45,7 @@ fn a_frame_is_drawn_on_two_megabytes_of_stack() {
 #[test]
 fn memory_is_as_small_as_its_docs_say() {
     for (bytes, source) in [
-        (Memory::BYTES, include_str!("../src/render.rs")),
+        (Memory::BYTES, include_str!("../src/render/memory.rs")),
         (Worker::BYTES, include_str!("../src/refine/worker.rs")),
     ] {
         let (_, said) = source

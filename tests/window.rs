@@ -2,7 +2,7 @@
 
 mod stage;
 
-use eightfold::{Band, Memory, Quality, Worker, render, scene::Scene, show};
+use eightfold::{Frame, Memory, Quality, Renderer, Worker, scene::Scene, show};
 use eightfold_window::{cpu, fixed::Fixed};
 use stage::{Process, Server, run, wait_for};
 use std::{
@@ -13,7 +13,7 @@ use std::{
 };
 
 /// The tracer's memory, while it is lent out.
-type Lent = (&'static mut Memory, &'static mut [Worker; 1]);
+type Lent = (Renderer<&'static mut Memory>, &'static mut Worker);
 
 /// The size of the screen: larger than the window, with another aspect ratio.
 const SCREEN: [i32; 4] = [0, 0, 1280, 800];
@@ -274,37 +274,30 @@ fn assert_covered(server: &Server, manager: &str) {
 /// The mean difference, over all channels, between a screenshot and the closest frame of the show up to a given time.
 fn difference_to_show(shot: &[u32], width: usize, height: usize, time: Duration) -> f64 {
     static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
-    static WORKERS: Fixed<[Worker; 1]> = Fixed::new([Worker::new()]);
-    static LENT: LazyLock<Mutex<Lent>> =
-        LazyLock::new(|| Mutex::new((MEMORY.take(), WORKERS.take())));
-    let (memory, workers) = &mut *LENT.lock().expect("no panic before");
-    let mut frame = vec![0; width * height];
+    static WORKER: Fixed<Worker> = Fixed::new(Worker::new());
+    static LENT: LazyLock<Mutex<Lent>> = LazyLock::new(|| {
+        let renderer = Renderer::with_memory(cpu::best().level, MEMORY.take());
+        Mutex::new((renderer, WORKER.take()))
+    });
+    let (renderer, worker) = &mut *LENT.lock().expect("no panic before");
+    let mut pixels = vec![0; width * height];
     let mut scene = Box::new(Scene::ZEROED);
     let mut nearest = f64::INFINITY;
     for hundredth in 0..=time.as_millis() / 10 {
         show::at(hundredth as f32 / 100.0, &mut scene);
-        render(
-            cpu::best().level,
-            &scene,
-            &Quality::DEFAULT,
+        let frame = Frame {
             width,
             height,
-            memory,
-            &mut workers[..],
-            &mut frame,
-            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
-                for band in bands {
-                    job(&mut workers[0], band);
-                }
-            },
-        );
+            pixels: &mut pixels,
+        };
+        renderer.render_valid(&scene, &Quality::DEFAULT, frame, *worker);
         let channels = |pixel: &u32| pixel.to_be_bytes();
         let pairs = shot
             .iter()
             .flat_map(channels)
-            .zip(frame.iter().flat_map(channels));
+            .zip(pixels.iter().flat_map(channels));
         let sum: u64 = pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum();
-        nearest = nearest.min(sum as f64 / (3 * frame.len()) as f64);
+        nearest = nearest.min(sum as f64 / (3 * pixels.len()) as f64);
     }
     nearest
 }

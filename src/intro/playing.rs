@@ -1,6 +1,6 @@
 //! Playing the show on a screen, in time with its sound.
 
-use eightfold::{Governor, MAX_HEIGHT, MAX_WIDTH, sound::Synthesizer};
+use eightfold::{Frame, Governor, MAX_HEIGHT, MAX_WIDTH, sound::Synthesizer};
 use eightfold_window::{
     clock::{Clock, SECOND},
     fixed::Fixed,
@@ -16,7 +16,7 @@ use super::{
     options::Options,
     print,
     qualities::{self, NAMED},
-    renderer::Renderer,
+    renderer::ShowRenderer,
     tally::Tally,
 };
 
@@ -35,7 +35,7 @@ impl Source for Music {
 pub fn play(options: &Options) -> i32 {
     let mut playing = Playing {
         options,
-        renderer: Renderer::new(options),
+        renderer: ShowRenderer::new(options),
         tally: Tally::default(),
     };
     let code = playing.on_best_screen();
@@ -49,7 +49,7 @@ pub fn play(options: &Options) -> i32 {
 /// A run of the show.
 struct Playing<'a> {
     options: &'a Options,
-    renderer: Renderer,
+    renderer: ShowRenderer,
     tally: Tally,
 }
 
@@ -105,8 +105,13 @@ impl Playing<'_> {
             }
             let quality = kept.unwrap_or_else(|| governor.rung());
             let size = fit(screen.size());
-            let canvas = screen.canvas(size.0, size.1);
-            self.renderer.draw(heard, &NAMED[quality].1, size, canvas);
+            let (width, height) = size;
+            let frame = Frame {
+                width,
+                height,
+                pixels: screen.canvas(width, height),
+            };
+            self.renderer.draw(heard, &NAMED[quality].1, frame);
             let next = screen.show();
             let shown = clock.time();
             governor.frame(shown - start);

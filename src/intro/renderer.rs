@@ -1,9 +1,8 @@
 //! Draws frames of the show on all threads.
 
-use eightfold::{Band, Memory, Quality, Worker, render, scene::Scene, show};
+use eightfold::{Band, Frame, Job, Memory, Quality, Renderer, Threads, Worker, scene::Scene, show};
 use eightfold_window::{
     clock::SECOND,
-    cpu::Isa,
     fixed::Fixed,
     pool::{self, Pool},
 };
@@ -28,55 +27,54 @@ static WORKSPACE: Fixed<Workspace> = Fixed::new(Workspace {
 });
 
 /// Draws frames of the show. There can be one in a process.
-pub struct Renderer {
-    isa: Isa,
-    pool: Pool,
-    workspace: &'static mut Workspace,
+pub struct ShowRenderer {
+    renderer: Renderer<&'static mut Memory>,
+    scene: &'static mut Scene,
+    threads: PoolThreads,
 }
 
-impl Renderer {
+impl ShowRenderer {
     /// Starts the threads and takes the working memory.
-    pub fn new(options: &Options) -> Renderer {
+    pub fn new(options: &Options) -> ShowRenderer {
+        let Workspace {
+            scene,
+            memory,
+            workers,
+        } = WORKSPACE.take();
         let threads = options.threads.unwrap_or_else(pool::processors);
-        Renderer {
-            isa: options.isa,
-            pool: Pool::new(threads.min(MAX_THREADS)),
-            workspace: WORKSPACE.take(),
+        ShowRenderer {
+            renderer: Renderer::with_memory(options.isa.level, memory),
+            scene,
+            threads: PoolThreads {
+                pool: Pool::new(threads.min(MAX_THREADS)),
+                workers,
+            },
         }
     }
 
     /// The number of threads that draw, the caller's included.
     pub fn threads(&self) -> usize {
-        self.pool.threads()
+        self.threads.pool.threads()
     }
 
-    /// Draws the frame at a time, in nanoseconds, to `width * height` pixels. The show repeats.
-    pub fn draw(
-        &mut self,
-        time: u64,
-        quality: &Quality,
-        (width, height): (usize, usize),
-        pixels: &mut [u32],
-    ) {
-        let Workspace {
-            scene,
-            memory,
-            workers,
-        } = &mut *self.workspace;
+    /// Draws the frame at a time, in nanoseconds. The show repeats.
+    pub fn draw(&mut self, time: u64, quality: &Quality, frame: Frame<'_>) {
         // An f64 represents every nanosecond of the show exactly, so the time is rounded only once.
         let seconds = ((time % SHOW_NANOSECONDS) as f64 / SECOND as f64) as f32;
-        show::at(seconds, scene);
-        let pool = &mut self.pool;
-        render(
-            self.isa.level,
-            scene,
-            quality,
-            width,
-            height,
-            memory,
-            &mut workers[..pool.threads()],
-            pixels,
-            |workers: &mut [Worker], bands: &mut [Band<'_>], job| pool.run(workers, bands, job),
-        );
+        show::at(seconds, self.scene);
+        self.renderer
+            .render_valid(self.scene, quality, frame, &mut self.threads);
+    }
+}
+
+/// A pool of threads, each with its working memory.
+struct PoolThreads {
+    pool: Pool,
+    workers: &'static mut [Worker],
+}
+
+impl Threads for PoolThreads {
+    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+        self.pool.run(self.workers, bands, job);
     }
 }

@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Write};
 
-use eightfold::MAX_WIDTH;
+use eightfold::{Frame, MAX_WIDTH};
 use eightfold_window::{
     line::{self, Writer},
     screen::{Headless, Screen},
@@ -13,7 +13,7 @@ use super::{
     MISUSE, exit_code,
     options::Options,
     qualities::{self, NAMED},
-    renderer::Renderer,
+    renderer::ShowRenderer,
 };
 
 /// Writes the frame at a time, in nanoseconds, to standard output. Returns the exit code.
@@ -28,7 +28,12 @@ pub fn write(time: u64, options: &Options) -> i32 {
     let (width, height) = options.size;
     let mut screen = Headless::new(width, height);
     let pixels = screen.canvas(width, height);
-    Renderer::new(options).draw(time, quality, options.size, pixels);
+    let frame = Frame {
+        width,
+        height,
+        pixels: &mut *pixels,
+    };
+    ShowRenderer::new(options).draw(time, quality, frame);
     exit_code(write_ppm(width, height, pixels))
 }
 

@@ -2,10 +2,10 @@
 //! picture.
 
 use crate::error::worst_channel;
-use crate::studio::Studio;
+use crate::studio::{Studio, whole};
 use eightfold::observe::{Fill, Observer};
 use eightfold::scene::Scene;
-use eightfold::{Band, Counts, Level, Quality, Worker, render_observed};
+use eightfold::{Counts, Level, Quality};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
@@ -142,20 +142,11 @@ impl Studio {
         trace: &FrameTrace,
         pixels: &mut [u32],
     ) -> Counts {
-        render_observed(
-            level,
-            scene,
-            quality,
-            trace.width,
-            trace.height,
-            &mut self.memory,
-            &mut self.workers,
-            pixels,
-            trace,
-            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
-                self.pool.run(workers, bands, job);
-            },
-        )
+        let frame = whole(trace.width, pixels);
+        self.renderer.set_level(level);
+        self.renderer
+            .render_observed(scene, quality, frame, &mut self.threads, trace)
+            .expect("a valid scene, and a frame of the trace's size")
     }
 }
 

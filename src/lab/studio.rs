@@ -1,15 +1,25 @@
 //! Where frames are drawn: the tracer's memory, and threads that share the work.
 
 use eightfold::scene::Scene;
-use eightfold::{Band, Counts, Level, Memory, Quality, Worker, render};
+use eightfold::{Band, Counts, Frame, Job, Level, Memory, Quality, Renderer, Threads, Worker};
 use eightfold_window::pool::Pool;
 
 /// Memory for one frame at a time, and threads that start once.
 pub struct Studio {
-    pub memory: Box<Memory>,
-    /// One for each thread.
-    pub workers: Vec<Worker>,
+    pub renderer: Renderer<Box<Memory>>,
+    pub threads: PoolThreads,
+}
+
+/// A pool of threads, each with its working memory.
+pub struct PoolThreads {
     pub pool: Pool,
+    workers: Vec<Worker>,
+}
+
+impl Threads for PoolThreads {
+    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+        self.pool.run(&mut self.workers, bands, job);
+    }
 }
 
 impl Studio {
@@ -21,19 +31,15 @@ impl Studio {
             threads,
             "the system has no threads to spare"
         );
+        let workers = std::iter::repeat_with(Worker::new).take(threads).collect();
         Self {
-            memory: Box::new(Memory::new()),
-            workers: std::iter::repeat_with(Worker::new).take(threads).collect(),
-            pool,
+            renderer: Renderer::with_memory(Level::baseline(), Box::new(Memory::new())),
+            threads: PoolThreads { pool, workers },
         }
     }
 
-    /// Has frames take their samples beside the pixels' centres; see [`Memory::set_offset`].
-    pub fn set_offset(&mut self, x: f32, y: f32) {
-        self.memory.set_offset(x, y);
-    }
-
-    /// Draws a frame `width` pixels wide that fills `pixels`, and says how much work it was.
+    /// Draws a frame `width` pixels wide that fills `pixels`, and says how much work it was. It takes a scene that is not valid,
+    /// too.
     pub fn draw(
         &mut self,
         level: Level,
@@ -42,18 +48,19 @@ impl Studio {
         width: usize,
         pixels: &mut [u32],
     ) -> Counts {
-        render(
-            level,
-            scene,
-            quality,
-            width,
-            pixels.len() / width,
-            &mut self.memory,
-            &mut self.workers,
-            pixels,
-            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
-                self.pool.run(workers, bands, job);
-            },
-        )
+        let frame = whole(width, pixels);
+        self.renderer.set_level(level);
+        self.renderer
+            .render_valid(scene, quality, frame, &mut self.threads)
+    }
+}
+
+/// A frame `width` pixels wide that fills `pixels`.
+pub fn whole(width: usize, pixels: &mut [u32]) -> Frame<'_> {
+    assert_eq!(pixels.len() % width, 0, "the last row is not whole");
+    Frame {
+        width,
+        height: pixels.len() / width,
+        pixels,
     }
 }

@@ -8,7 +8,7 @@ use crate::MAX_HEIGHT;
 use crate::observe::Observer;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
-use crate::trace::BATCH;
+use crate::trace::{BATCH, Counts};
 use fearless_simd::Level;
 
 /// Bands of the tallest picture.
@@ -23,6 +23,8 @@ pub struct Band<'a> {
     pub(crate) top: usize,
     pub(crate) width: usize,
     pub(crate) pixels: &'a mut [u32],
+    /// How much work it was to draw it.
+    pub(crate) counts: Counts,
 }
 
 impl Band<'_> {
@@ -37,6 +39,7 @@ impl Band<'_> {
             top: 0,
             width: 0,
             pixels: &mut [],
+            counts: Counts::NONE,
         }
     }
 }

@@ -5,8 +5,9 @@ use super::pyramid::Pyramid;
 use super::tile::Marks;
 use crate::trace::{Batch, Counts};
 
-/// What one thread works in, of fixed size, owned by the caller and reused from tile to tile: at most 430,000 bytes, see
-/// [`Worker::BYTES`].
+/// What one thread works in, of fixed size, and reused from tile to tile: at most 430,000 bytes, see [`Worker::BYTES`].
+///
+/// Alone, it renders on the caller's thread: see [`Threads`](crate::Threads).
 pub struct Worker {
     pub(super) batch: Batch,
     pub(super) pyramid: Pyramid,

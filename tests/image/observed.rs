@@ -4,7 +4,7 @@ use crate::cpu;
 use crate::overlay::{FrameTrace, draw_error, heat};
 use crate::studio::Studio;
 use eightfold::observe::{Fill, Observer};
-use eightfold::{Band, Counts, Quality, Worker, render_observed, show};
+use eightfold::{Counts, Frame, Quality, show};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// A size that is no multiple of any square's side.
@@ -70,20 +70,16 @@ fn the_reported_points_cast_all_rays() {
 
     for quality in Quality::LADDER {
         let counter = Counter::default();
-        let counts = render_observed(
-            level,
-            &scene,
-            quality,
+        let frame = Frame {
             width,
             height,
-            &mut studio.memory,
-            &mut studio.workers,
-            &mut pixels,
-            &counter,
-            |workers: &mut [Worker], bands: &mut [Band<'_>], job| {
-                studio.pool.run(workers, bands, job);
-            },
-        );
+            pixels: &mut pixels,
+        };
+        let threads = &mut studio.threads;
+        let counts = studio
+            .renderer
+            .render_observed(&scene, quality, frame, threads, &counter)
+            .expect("all is valid");
         assert_eq!(counter.points.into_inner(), counts.points);
         assert_eq!(counter.rays.into_inner(), counts.rays + counts.shadow_rays);
     }

@@ -3,54 +3,134 @@
 use crate::cpu;
 use crate::drawn::draw;
 use crate::error::Difference;
-use crate::studio::Studio;
 use eightfold::scene::{Block, Camera, List, Scene, Shape, Sphere};
-use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality, show};
+use eightfold::{Error, Frame, MAX_HEIGHT, MAX_WIDTH, Memory, Quality, Renderer, Worker, show};
 use glam::{Mat3A, Vec3A};
 use std::panic::catch_unwind;
 
-fn refused(quality: Quality, width: usize, height: usize) -> bool {
-    catch_unwind(|| draw(cpu::best(), 1, &show::scene(0.0), &quality, width, height)).is_err()
+/// Why a frame with so many pixels is not rendered, if it is not. Then all its pixels are as before.
+fn refusal(
+    scene: &Scene,
+    quality: &Quality,
+    (width, height): (usize, usize),
+    count: usize,
+) -> Option<Error> {
+    let mut pixels = vec![1; count];
+    let frame = Frame {
+        width,
+        height,
+        pixels: &mut pixels,
+    };
+    let mut renderer = Renderer::with_memory(cpu::best().level, Box::new(Memory::new()));
+    let result = renderer.render(scene, quality, frame, &mut Worker::new());
+    if result.is_err() {
+        assert!(pixels.iter().all(|&pixel| pixel == 1), "it is rendered");
+    }
+    result.err()
+}
+
+/// Whether a frame that is said to be valid panics.
+fn panics(quality: Quality, (width, height): (usize, usize), count: usize) -> bool {
+    let panic = catch_unwind(|| {
+        let mut pixels = vec![0; count];
+        let frame = Frame {
+            width,
+            height,
+            pixels: &mut pixels,
+        };
+        let mut renderer = Renderer::with_memory(cpu::best().level, Box::new(Memory::new()));
+        renderer.render_valid(&show::scene(0.0), &quality, frame, &mut Worker::new());
+    });
+    panic.is_err()
 }
 
 #[test]
 fn sizes_out_of_range_are_refused() {
     for (width, height) in [
+        (0, 1),
         (1, 0),
         (MAX_WIDTH + 1, 1),
         (1, MAX_HEIGHT + 1),
         (MAX_HEIGHT, MAX_WIDTH),
+        (usize::MAX, usize::MAX),
     ] {
-        assert!(refused(Quality::THESIS, width, height), "{width}x{height}");
+        let size = (width, height);
+        let error = refusal(&show::scene(0.0), &Quality::THESIS, size, 16);
+        assert_eq!(error, Some(Error::Size { width, height }));
+        let text = format!("a frame has 1x1 to 3840x2160 pixels, and not {width}x{height}");
+        assert_eq!(error.unwrap().to_string(), text);
+        assert!(panics(Quality::THESIS, size, 16), "{width}x{height}");
     }
 }
 
 #[test]
-fn pixels_that_do_not_fill_the_picture_are_refused() {
-    let half_a_row = catch_unwind(|| {
-        let mut pixels = vec![0; 15];
-        let level = cpu::best().level;
-        Studio::new(1).draw(level, &show::scene(0.0), &Quality::THESIS, 10, &mut pixels);
-    });
-    assert!(half_a_row.is_err());
+fn too_few_pixels_are_refused_and_more_than_enough_stay() {
+    let scene = show::scene(0.0);
+    let error = refusal(&scene, &Quality::THESIS, (10, 2), 19).unwrap();
+    let text = "a frame of this size takes 20 pixels, and there are 19";
+    assert_eq!(error.to_string(), text);
+    assert!(panics(Quality::THESIS, (10, 2), 19));
+
+    let mut pixels = [1; 25];
+    let frame = Frame {
+        width: 10,
+        height: 2,
+        pixels: &mut pixels,
+    };
+    let mut renderer = Renderer::with_memory(cpu::best().level, Box::new(Memory::new()));
+    let result = renderer.render(&scene, &Quality::THESIS, frame, &mut Worker::new());
+    assert!(result.is_ok());
+    assert!(pixels[..20].iter().all(|&pixel| pixel != 1));
+    assert_eq!(pixels[20..], [1; 5]);
 }
 
 #[test]
 fn qualities_out_of_range_are_refused() {
-    for square in [0, Quality::MAX_SQUARE + 1, usize::MAX] {
-        let quality = Quality {
-            square,
-            ..Quality::THESIS
-        };
-        assert!(refused(quality, 64, 48), "squares of {square}");
+    let thesis = Quality::THESIS;
+    let squares = [0, Quality::MAX_SQUARE + 1, usize::MAX];
+    let squares = squares.map(|square| Quality { square, ..thesis });
+    let depths = [Quality::MAX_DEPTH + 1, u32::MAX];
+    let depths = depths.map(|depth| Quality { depth, ..thesis });
+    let antialias = Quality::MAX_ANTIALIAS + 1;
+    let finer = [Quality {
+        antialias,
+        ..thesis
+    }];
+    for quality in squares.iter().chain(&depths).chain(&finer) {
+        let error = refusal(&show::scene(0.0), quality, (64, 48), 64 * 48);
+        assert!(matches!(error, Some(Error::Flaw(_))), "{quality:?}");
+        assert!(panics(*quality, (64, 48), 64 * 48), "{quality:?}");
     }
-    for depth in [Quality::MAX_DEPTH + 1, u32::MAX] {
-        let quality = Quality {
-            depth,
-            ..Quality::THESIS
-        };
-        assert!(refused(quality, 64, 48), "depth {depth}");
+    let quality = Quality {
+        square: 33,
+        ..thesis
+    };
+    let error = quality.validate().unwrap_err();
+    assert_eq!(error.to_string(), "quality.square is 33, and takes 1 to 32");
+    let quality = Quality {
+        tolerance_side: f32::NAN,
+        ..thesis
+    };
+    let error = quality.validate().unwrap_err();
+    let text = "quality.tolerance_side is NaN, and takes 0 to infinity";
+    assert_eq!(error.to_string(), text);
+    for quality in Quality::LADDER
+        .iter()
+        .chain([&thesis, &Quality::EXHAUSTIVE])
+    {
+        assert_eq!(quality.validate(), Ok(()));
     }
+}
+
+#[test]
+fn a_scene_out_of_range_is_refused_by_the_name_of_its_number() {
+    let mut scene = show::scene(0.0);
+    scene.spheres[2].material.kd = -0.5;
+    let error = refusal(&scene, &Quality::DEFAULT, (64, 48), 64 * 48).unwrap();
+    let text = "spheres[2].material.kd is -0.5, and takes 0 to 1";
+    assert_eq!(error.to_string(), text);
+    let source = core::error::Error::source(&error).expect("the flaw");
+    assert_eq!(source.to_string(), text);
 }
 
 #[test]

@@ -3,9 +3,9 @@
 use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::worst_channel;
-use crate::studio::Studio;
+use crate::studio::{Studio, whole};
 use eightfold::scene::Scene;
-use eightfold::{Memory, Quality, Worker, render, show};
+use eightfold::{Band, Job, Memory, Quality, Renderer, Threads, Worker, show};
 use eightfold_oracle::frame::Frame;
 
 const QUALITIES: [Quality; 7] = [
@@ -59,25 +59,26 @@ fn any_order_of_bands_gives_the_same_bits() {
     let level = cpu::best().level;
     for quality in QUALITIES {
         let forward = draw(cpu::best(), 1, &scene, &quality, 301, 203);
-        let mut memory = Box::new(Memory::new());
-        let mut workers: Vec<Worker> = std::iter::repeat_with(Worker::new).take(2).collect();
+        let mut renderer = Renderer::with_memory(level, Box::new(Memory::new()));
+        let mut threads = Backwards(std::iter::repeat_with(Worker::new).take(2).collect());
         let mut pixels = vec![0; 301 * 203];
-        render(
-            level,
-            &scene,
-            &quality,
-            301,
-            203,
-            &mut memory,
-            &mut workers,
-            &mut pixels,
-            |workers, bands, job| {
-                for (i, band) in bands.iter_mut().rev().enumerate() {
-                    job(&mut workers[i % 3 / 2], band);
-                }
-            },
-        );
+        let frame = whole(301, &mut pixels);
+        let counts = renderer.render(&scene, &quality, frame, &mut threads);
+        let counts = counts.expect("all is valid");
         assert!(pixels == forward.pixels);
+        assert_eq!(counts.points, forward.counts.points);
+        assert_eq!(counts.rays, forward.counts.rays);
+    }
+}
+
+/// Draws the last band first, now with one worker, now with the other.
+struct Backwards(Vec<Worker>);
+
+impl Threads for Backwards {
+    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+        for (i, band) in bands.iter_mut().rev().enumerate() {
+            job(&mut self.0[i % 3 / 2], band);
+        }
     }
 }
 

@@ -255,7 +255,8 @@ impl Setting {
             run.times.push(1e3 * seconds);
             run.counts += counts;
         }
-        let ((), seconds) = real_time(|| fill(&mut studio.pool, width, &mut canvas.filled));
+        let fill = || fill(&mut studio.threads.pool, width, &mut canvas.filled);
+        let ((), seconds) = real_time(fill);
         self.floor.push(1e3 * seconds);
 
         // Not before all are drawn, so that threads and caches stay with what is timed.

@@ -87,7 +87,7 @@ impl Film {
         let offset = |part: usize| (part as f32 + 0.5) / n as f32 - 0.5;
         for y in 0..n {
             for x in 0..n {
-                studio.set_offset(offset(x), offset(y));
+                studio.renderer.set_offset(offset(x), offset(y));
                 let (quality, width) = (&self.quality.quality, self.size.width);
                 studio.draw(self.isa.level, &scene, quality, width, pixels);
                 if n > 1 {

@@ -225,6 +225,7 @@ impl<'a> Measurement<'a> {
         let mut workers = vec![(); self.threads];
         let mut each: Vec<_> = group.iter_mut().zip(&self.frames).collect();
         self.studio
+            .threads
             .pool
             .run(&mut workers, &mut each, &|_, (tally, pixels)| {
                 job(tally, &self.exhaustive, pixels);

@@ -1,0 +1,59 @@
+//! Why a frame can't be rendered.
+
+use crate::flaw::Flaw;
+use crate::{MAX_HEIGHT, MAX_WIDTH};
+use core::fmt;
+
+/// Why a frame can't be rendered. It is displayed as a sentence that says what to mend.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Error {
+    /// A side of the frame is 0, or beyond [`MAX_WIDTH`] or [`MAX_HEIGHT`].
+    Size {
+        /// The frame's width, in pixels.
+        width: usize,
+        /// The frame's height, in pixels.
+        height: usize,
+    },
+    /// The frame has fewer pixels than its size says.
+    Pixels {
+        /// Width times height.
+        needed: usize,
+        /// How many there are.
+        given: usize,
+    },
+    /// A number of the scene or the quality is out of its range.
+    Flaw(Flaw),
+}
+
+impl From<Flaw> for Error {
+    fn from(flaw: Flaw) -> Self {
+        Self::Flaw(flaw)
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Size { width, height } => write!(
+                f,
+                "a frame has 1x1 to {MAX_WIDTH}x{MAX_HEIGHT} pixels, and not {width}x{height}"
+            ),
+            Self::Pixels { needed, given } => {
+                write!(
+                    f,
+                    "a frame of this size takes {needed} pixels, and there are {given}"
+                )
+            }
+            Self::Flaw(flaw) => flaw.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for Error {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Flaw(flaw) => Some(flaw),
+            Self::Size { .. } | Self::Pixels { .. } => None,
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! What the threads share while they render a frame, and the steps of one.
+
+use super::Frame;
+use super::threads::{Job, Threads};
+use crate::observe::Observer;
+use crate::prepare::Prepared;
+use crate::quality::Quality;
+use crate::refine::antialias::Seams;
+use crate::refine::{self, Band, MAX_BANDS, Worker};
+use crate::scene::Scene;
+use crate::text;
+use crate::trace::Counts;
+use fearless_simd::Level;
+
+/// What the threads share while they render a frame, of fixed size: at most 480,000 bytes, see [`Memory::BYTES`].
+///
+/// So `Box::new(Memory::new())` works on the stack of a thread, which it passes over on its way; it may live in a `static` as
+/// well, which takes no room in a program's file.
+pub struct Memory {
+    prepared: Prepared,
+    seams: Seams,
+}
+
+impl Memory {
+    /// How large it is, in bytes: the same for pictures of any size.
+    pub const BYTES: usize = size_of::<Self>();
+
+    /// Empty memory.
+    #[must_use]
+    pub const fn new() -> Self {
+        // Put together by the compiler: unoptimised code would make each part on the stack first.
+        const {
+            Self {
+                prepared: Prepared::new(),
+                seams: Seams::new(),
+            }
+        }
+    }
+
+    pub(super) fn set_offset(&mut self, x: f32, y: f32) {
+        self.prepared.offset = glam::vec2(x, y);
+    }
+
+    /// Renders a frame that nobody observes. Compiled in this library, once.
+    pub(super) fn render(
+        &mut self,
+        level: Level,
+        scene: &Scene,
+        quality: &Quality,
+        frame: Frame<'_>,
+        threads: &mut dyn Threads,
+    ) -> Counts {
+        self.render_observed(level, scene, quality, frame, threads, ())
+    }
+
+    /// Renders a frame with an observer.
+    pub(super) fn render_observed<O: Observer>(
+        &mut self,
+        level: Level,
+        scene: &Scene,
+        quality: &Quality,
+        frame: Frame<'_>,
+        threads: &mut dyn Threads,
+        observer: O,
+    ) -> Counts {
+        let is_valid = frame.validate().is_ok() && quality.is_drawable();
+        assert!(is_valid, "size or quality out of range");
+        let (width, height) = (frame.width, frame.height);
+        let pixels = &mut frame.pixels[..width * height];
+        self.prepared.set(scene, width, height);
+        let prepared = &self.prepared;
+        let job = |worker: &mut Worker, band: &mut Band<'_>| {
+            refine::render(level, prepared, quality, observer, worker, band);
+            band.counts = worker.take_counts();
+            if !quality.is_antialiased() {
+                text::draw(&scene.captions, height, band);
+            }
+        };
+        let rows = Band::rows(quality);
+        let counts = each_band(rows, width, pixels, &job, threads);
+        counts + self.smooth(level, scene, quality, width, pixels, threads)
+    }
+
+    /// Gives the edges of a frame their samples, if the quality has more than one for them, and then its captions.
+    fn smooth(
+        &mut self,
+        level: Level,
+        scene: &Scene,
+        quality: &Quality,
+        width: usize,
+        pixels: &mut [u32],
+        threads: &mut dyn Threads,
+    ) -> Counts {
+        if !quality.is_antialiased() {
+            return Counts::NONE;
+        }
+        self.seams.set(quality, width, pixels);
+        // The scene again, for a picture with a pixel for each sample.
+        let (n, height, offset) = (
+            quality.antialias,
+            self.prepared.height,
+            self.prepared.offset,
+        );
+        self.prepared.offset = offset * n as f32;
+        self.prepared.set(scene, n * width, n * height);
+        self.prepared.offset = offset;
+        let (finer, seams) = (&self.prepared, &self.seams);
+        let job = |worker: &mut Worker, band: &mut Band<'_>| {
+            seams.smooth(level, finer, quality, worker, band);
+            band.counts = worker.take_counts();
+            text::draw(&scene.captions, height, band);
+        };
+        each_band(Band::rows(quality), width, pixels, &job, threads)
+    }
+}
+
+impl Default for Memory {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Cuts a picture into bands of so many rows, and has the job done on each.
+fn each_band(
+    rows: usize,
+    width: usize,
+    pixels: &mut [u32],
+    job: Job<'_>,
+    threads: &mut dyn Threads,
+) -> Counts {
+    let mut bands = [const { Band::none() }; MAX_BANDS];
+    let mut count = 0;
+    for (band, pixels) in bands.iter_mut().zip(pixels.chunks_mut(rows * width)) {
+        *band = Band {
+            top: count * rows,
+            width,
+            pixels,
+            ..Band::none()
+        };
+        count += 1;
+    }
+    let bands = &mut bands[..count];
+    threads.run(bands, job);
+    bands
+        .iter()
+        .fold(Counts::NONE, |sum, band| sum + band.counts)
+}

@@ -1,0 +1,164 @@
+//! One frame: bands of the picture, drawn by one thread or several.
+
+mod error;
+mod memory;
+mod threads;
+
+pub use error::Error;
+pub use memory::Memory;
+pub use threads::{Job, Threads};
+
+use crate::observe::Observer;
+use crate::quality::Quality;
+use crate::scene::Scene;
+use crate::trace::Counts;
+use crate::{MAX_HEIGHT, MAX_WIDTH};
+use core::borrow::BorrowMut;
+use fearless_simd::Level;
+
+/// Where a picture goes, and its size.
+pub struct Frame<'a> {
+    /// Pixels in a row, 1 to [`MAX_WIDTH`].
+    pub width: usize,
+    /// Rows, 1 to [`MAX_HEIGHT`].
+    pub height: usize,
+    /// `0x00RRGGBB`, row after row from the top, at least `width * height` of them. Those beyond stay as they are.
+    pub pixels: &'a mut [u32],
+}
+
+impl Frame<'_> {
+    /// How many pixels the picture has.
+    fn count(&self) -> usize {
+        self.width * self.height
+    }
+
+    /// Whether the size is in its range, and there are enough pixels.
+    fn validate(&self) -> Result<(), Error> {
+        let Self {
+            width,
+            height,
+            ref pixels,
+        } = *self;
+        if !(1..=MAX_WIDTH).contains(&width) || !(1..=MAX_HEIGHT).contains(&height) {
+            return Err(Error::Size { width, height });
+        }
+        let (needed, given) = (self.count(), pixels.len());
+        if given < needed {
+            return Err(Error::Pixels { needed, given });
+        }
+        Ok(())
+    }
+}
+
+/// Renders frames.
+///
+/// It owns its [`Memory`], or borrows it from whoever made it by [`Renderer::with_memory`]: a `Box<Memory>` keeps it off the
+/// stack, a `&'static mut Memory` needs no allocator.
+///
+/// ```
+/// use eightfold::{Frame, Level, Quality, Renderer, Worker, show};
+///
+/// let mut pixels = [0; 64 * 48];
+/// let frame = Frame { width: 64, height: 48, pixels: &mut pixels };
+/// let mut renderer = Renderer::new(Level::baseline());
+/// let counts = renderer.render(&show::scene(2.0), &Quality::DEFAULT, frame, &mut Worker::new())?;
+/// assert!(counts.points < 64 * 48, "most pixels need no ray");
+/// # Ok::<(), eightfold::Error>(())
+/// ```
+///
+/// What it renders depends on the scene, the quality, the size, the offset and the instruction set alone: the same bits by any
+/// number of threads, whatever it has rendered before.
+pub struct Renderer<M = Memory> {
+    level: Level,
+    memory: M,
+}
+
+impl Renderer {
+    /// A renderer by an instruction set, with memory of its own: [`Memory::BYTES`] bytes.
+    ///
+    /// [`Level::baseline`] is what every processor has that the program is compiled for. `fearless_simd::Level::new()`, with
+    /// that crate's feature `std`, finds the best that this one has.
+    #[must_use]
+    pub fn new(level: Level) -> Self {
+        Self::with_memory(level, Memory::new())
+    }
+}
+
+impl<M: BorrowMut<Memory>> Renderer<M> {
+    /// A renderer by an instruction set, in memory that lies elsewhere.
+    #[must_use]
+    pub fn with_memory(level: Level, memory: M) -> Self {
+        Self { level, memory }
+    }
+
+    /// Has the next frames rendered by another instruction set.
+    pub fn set_level(&mut self, level: Level) {
+        self.level = level;
+    }
+
+    /// Has the next frames take their samples `x` pixels to the right of the pixels' centres and `y` below them, within
+    /// -0.5 to 0.5. The mean of frames that cover a pixel evenly is a supersampled one.
+    pub fn set_offset(&mut self, x: f32, y: f32) {
+        self.memory.borrow_mut().set_offset(x, y);
+    }
+
+    /// Renders one frame, and says how much work it was.
+    ///
+    /// # Errors
+    /// If a side of the frame is 0 or too long, if it has too few pixels, or if a number of the quality or the scene is out of
+    /// its range. Then the pixels are as they were.
+    pub fn render(
+        &mut self,
+        scene: &Scene,
+        quality: &Quality,
+        frame: Frame<'_>,
+        threads: &mut dyn Threads,
+    ) -> Result<Counts, Error> {
+        validate(scene, quality, &frame)?;
+        Ok(self.render_valid(scene, quality, frame, threads))
+    }
+
+    /// Like [`Renderer::render`], and the observer hears how the frame comes about: the same frame, the same counts, more time.
+    /// It does not hear of the samples that edges get in the end (see [`Quality::antialias`]).
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_observed<O: Observer>(
+        &mut self,
+        scene: &Scene,
+        quality: &Quality,
+        frame: Frame<'_>,
+        threads: &mut dyn Threads,
+        observer: O,
+    ) -> Result<Counts, Error> {
+        validate(scene, quality, &frame)?;
+        let memory = self.memory.borrow_mut();
+        Ok(memory.render_observed(self.level, scene, quality, frame, threads, observer))
+    }
+
+    /// Renders one frame of what is known to be valid, as the intro's scenes are.
+    ///
+    /// A scene that is not valid gives some picture, in bounded time.
+    ///
+    /// # Panics
+    /// If the frame's size is out of its range, if it has too few pixels, or if the quality's [`square`](Quality::square),
+    /// [`depth`](Quality::depth) or [`antialias`](Quality::antialias) is out of its range.
+    pub fn render_valid(
+        &mut self,
+        scene: &Scene,
+        quality: &Quality,
+        frame: Frame<'_>,
+        threads: &mut dyn Threads,
+    ) -> Counts {
+        let memory = self.memory.borrow_mut();
+        memory.render(self.level, scene, quality, frame, threads)
+    }
+}
+
+/// Whether all that a frame is made of is in its range.
+fn validate(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> Result<(), Error> {
+    frame.validate()?;
+    quality.validate()?;
+    scene.validate()?;
+    Ok(())
+}
