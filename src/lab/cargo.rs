@@ -20,10 +20,21 @@ impl Build {
 
     /// The same with environment variables.
     pub fn release_with(package: &str, variables: &[(&str, &str)]) -> Result<Self> {
+        Self::of(&["--package", package], variables)
+    }
+
+    /// Builds the examples of the library.
+    pub fn examples() -> Result<Self> {
+        Self::of(&["--package", "eightfold", "--examples"], &[])
+    }
+
+    /// Builds what is asked for, for release.
+    fn of(what: &[&str], variables: &[(&str, &str)]) -> Result<Self> {
         let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
         let mut command = Command::new(cargo);
         command
-            .args(["build", "--release", "--package", package])
+            .args(["build", "--release"])
+            .args(what)
             .args(["--message-format", "json-render-diagnostics"])
             .envs(variables.iter().copied())
             .stderr(Stdio::inherit());
@@ -33,7 +44,7 @@ impl Build {
         }
         let output = command.output().context("cannot start cargo")?;
         if !output.status.success() {
-            bail!("cargo cannot build {package}");
+            bail!("cargo cannot build {}", what.join(" "));
         }
         let text = String::from_utf8_lossy(&output.stdout);
         let messages = text.lines().map(serde_json::from_str);
@@ -43,8 +54,17 @@ impl Build {
 
     /// The path of a program.
     pub fn program(&self, name: &str) -> Result<PathBuf> {
+        self.executable("bin", name)
+    }
+
+    /// The example of a name.
+    pub fn example(&self, name: &str) -> Result<PathBuf> {
+        self.executable("example", name)
+    }
+
+    fn executable(&self, kind: &str, name: &str) -> Result<PathBuf> {
         let path = self
-            .artifact("bin", name)
+            .artifact(kind, name)
             .and_then(|artifact| artifact["executable"].as_str());
         path.map(PathBuf::from)
             .with_context(|| format!("cargo does not say where it has built {name}"))

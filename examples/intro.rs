@@ -1,0 +1,80 @@
+//! An intro of ten seconds: a ball that jumps to a kick. Esc ends it: `cargo run --release --example intro`
+
+use eightfold::glam::{Vec3A, vec3a};
+use eightfold::scene::{Light, Material, Plane, Scene, Sphere};
+use eightfold::{Error, Frame, Quality, Renderer, Worker};
+use eightfold_window::screen::{Next, Screen};
+use eightfold_window::sound::{Player, RATE, Source};
+use eightfold_window::{clock::SECOND, cpu, fixed::Fixed, window::Window};
+
+const LENGTH: f32 = 10.0;
+const BEAT: f32 = 0.5;
+
+/// The soundtrack: the number of the next sample, and the last ones that were made.
+struct Kick(u32, [[f32; 2]; 48]);
+
+static KICK: Fixed<Kick> = Fixed::new(Kick(0, [[0.0; 2]; 48]));
+
+impl Source for Kick {
+    fn block(&mut self) -> &[[f32; 2]] {
+        for sample in &mut self.1 {
+            let time = self.0 as f32 / RATE as f32 % BEAT;
+            // From 250 Hz down to 50 within some hundredths of a second.
+            let turns = 50.0 * time + 5.0 * (1.0 - (-40.0 * time).exp());
+            *sample = [0.7 * (-8.0 * time).exp() * (std::f32::consts::TAU * turns).sin(); 2];
+            self.0 += 1;
+        }
+        &self.1
+    }
+}
+
+fn scene(time: f32) -> Scene {
+    let beat = time % BEAT / BEAT;
+    let material = Material {
+        colour: vec3a(1.0, 0.5, 0.1),
+        kd: 0.7,
+        kr: 0.2,
+        ..Material::BLACK
+    };
+    let mut scene = Scene::default();
+    scene.camera.eye = vec3a(4.0 - 0.8 * time, 2.0, -6.0);
+    scene.background = vec3a(0.1, 0.12, 0.2);
+    scene.fade = (time - LENGTH + 1.0).clamp(0.0, 1.0);
+    scene.spheres.push(Sphere {
+        centre: vec3a(0.0, 0.7 + 3.0 * beat * (1.0 - beat), 0.0),
+        radius: 0.7,
+        material,
+    });
+    scene.planes.push(Plane {
+        half_x: 12.0,
+        half_z: 12.0,
+        material,
+        ..Plane::default()
+    });
+    scene.lights.push(Light {
+        position: vec3a(4.0, 7.0, -4.0),
+        colour: Vec3A::splat(1.2 - 0.6 * beat),
+        ..Light::DARK
+    });
+    scene
+}
+
+fn main() -> Result<(), Error> {
+    let mut window = Window::open(c"Ten seconds", 640, 360).expect("there is an X display");
+    let mut renderer = Renderer::new(cpu::best().level);
+    let mut worker = Worker::new();
+    let mut player = Player::start(c"default", KICK.take());
+    loop {
+        let time = player.time() as f32 / SECOND as f32;
+        let (width, height) = window.size();
+        let frame = Frame {
+            width,
+            height,
+            pixels: window.canvas(width, height),
+        };
+        renderer.render(&scene(time), &Quality::DEFAULT, frame, &mut worker)?;
+        if window.show() != Next::GoOn || time >= LENGTH {
+            return Ok(());
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! The squares that were filled, drawn over the picture, as a PNG file:
+//! `cargo run --release --example squares squares.png`
+
+use eightfold::observe::{Fill, Observer};
+use eightfold::{Counts, Frame, Level, Quality, Renderer, Worker, show};
+use std::{env, error::Error, fs::File, sync::Mutex};
+
+const WIDTH: usize = 640;
+const HEIGHT: usize = 360;
+
+/// A square's upper left pixel, its width and its height. Those at the right and at the bottom may be cut.
+type Square = [usize; 4];
+
+/// Notes the squares that are filled. It hears of them from all threads.
+#[derive(Clone, Copy)]
+struct Squares<'a>(&'a Mutex<Vec<Square>>);
+
+impl Observer for Squares<'_> {
+    fn point(self, _x: usize, _y: usize, _work: Counts) {}
+
+    fn square(self, x: usize, y: usize, w: usize, h: usize, fill: Fill) {
+        if fill != Fill::Points {
+            self.0.lock().expect("no panic before").push([x, y, w, h]);
+        }
+    }
+}
+
+/// Draws the upper and the left side of a square, half as bright as white.
+fn outline(pixels: &mut [u32], [x, y, w, h]: Square) {
+    let brighten = |pixel: &mut u32| *pixel = (*pixel >> 1 & 0x007f_7f7f) + 0x0060_6060;
+    for x in x..x + w {
+        brighten(&mut pixels[y * WIDTH + x]);
+    }
+    for y in y + 1..y + h {
+        brighten(&mut pixels[y * WIDTH + x]);
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut pixels = vec![0; WIDTH * HEIGHT];
+    let frame = Frame {
+        width: WIDTH,
+        height: HEIGHT,
+        pixels: &mut pixels,
+    };
+    let squares = Mutex::default();
+    let mut renderer = Renderer::new(Level::baseline());
+    let (scene, quality) = (show::scene(2.0), Quality::DEFAULT);
+    renderer.render_observed(
+        &scene,
+        &quality,
+        frame,
+        &mut Worker::new(),
+        Squares(&squares),
+    )?;
+
+    let squares = squares.into_inner()?;
+    println!("{} squares", squares.len());
+    for &square in &squares {
+        outline(&mut pixels, square);
+    }
+
+    let rgb = |pixel: &u32| [16, 8, 0].map(|shift| (pixel >> shift) as u8);
+    let bytes: Vec<u8> = pixels.iter().flat_map(rgb).collect();
+    let file = File::create(env::args().nth(1).unwrap_or("squares.png".into()))?;
+    let mut encoder = png::Encoder::new(file, WIDTH as u32, HEIGHT as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.write_header()?.write_image_data(&bytes)?;
+    Ok(())
+}

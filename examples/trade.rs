@@ -1,0 +1,80 @@
+//! Speed and error of each rung of the ladder, on a scene of one's own: `cargo run --release --example trade`
+
+use eightfold::glam::{Vec3A, vec3a};
+use eightfold::scene::{Light, List, Material, Plane, Scene, Sphere};
+use eightfold::{Error, Frame, Quality, Renderer, Worker};
+use eightfold_window::cpu;
+use std::time::Instant;
+
+const WIDTH: usize = 640;
+const HEIGHT: usize = 360;
+const FRAMES: usize = 20;
+
+/// A field of spheres; the camera flies over it along z.
+fn scene(z: f32) -> Scene {
+    let material = Material {
+        colour: vec3a(0.9, 0.6, 0.3),
+        kd: 0.8,
+        ..Material::BLACK
+    };
+    let mut scene = Scene::default();
+    scene.camera.eye = vec3a(0.0, 2.0, z - 4.0);
+    scene.camera.look_at = vec3a(0.0, 0.5, z);
+    scene.spheres = List::of(&std::array::from_fn::<_, 40, _>(|i| Sphere {
+        centre: vec3a((i % 4) as f32 - 1.5, 0.3, (i / 4) as f32),
+        radius: 0.3,
+        material,
+    }));
+    scene.planes.push(Plane {
+        half_x: 30.0,
+        half_z: 30.0,
+        material,
+        ..Plane::default()
+    });
+    scene.lights.push(Light {
+        position: vec3a(-4.0, 5.0, -6.0),
+        colour: Vec3A::splat(0.9),
+        ..Light::DARK
+    });
+    scene
+}
+
+/// Renders frames by a quality. Returns how many it does in a second.
+fn film(quality: &Quality, frames: &mut [u32]) -> Result<f64, Error> {
+    let mut renderer = Renderer::new(cpu::best().level);
+    let mut worker = Worker::new();
+    let start = Instant::now();
+    for (i, pixels) in frames.chunks_mut(WIDTH * HEIGHT).enumerate() {
+        let frame = Frame {
+            width: WIDTH,
+            height: HEIGHT,
+            pixels,
+        };
+        renderer.render(&scene(0.2 * i as f32), quality, frame, &mut worker)?;
+    }
+    Ok(FRAMES as f64 / start.elapsed().as_secs_f64())
+}
+
+/// How far frames are from others, in dB: 50 can hardly be seen, 40 can.
+fn psnr(frames: &[u32], others: &[u32]) -> f64 {
+    let channels = |&pixel: &u32| [16, 8, 0].map(|shift| f64::from(pixel >> shift & 0xff));
+    let pairs = frames
+        .iter()
+        .flat_map(channels)
+        .zip(others.iter().flat_map(channels));
+    let squares: f64 = pairs.map(|(a, b)| (a - b).powi(2)).sum();
+    10.0 * (255.0 * 255.0 * 3.0 * frames.len() as f64 / squares).log10()
+}
+
+fn main() -> Result<(), Error> {
+    let mut exact = vec![0; FRAMES * WIDTH * HEIGHT];
+    let mut frames = exact.clone();
+    println!("quality     fps  speed-up     PSNR");
+    for (name, quality) in Quality::NAMES.iter().zip(Quality::LADDER) {
+        let slowest = film(&Quality::EXHAUSTIVE, &mut exact)?;
+        let fps = film(quality, &mut frames)?;
+        let psnr = psnr(&frames, &exact);
+        println!("{name:8} {fps:6.1}  {:8.2}  {psnr:4.1} dB", fps / slowest);
+    }
+    Ok(())
+}

@@ -1,0 +1,80 @@
+//! A window with a scene of one's own, by all threads: `cargo run --release --manifest-path examples/window/Cargo.toml`
+
+use eightfold::glam::{Vec3A, vec3a};
+use eightfold::scene::{Light, Material, Plane, Scene, Sphere};
+use eightfold::{Band, Frame, Job, Level, Quality, Renderer, Threads, Worker};
+use minifb::{Key, Window, WindowOptions};
+use std::{error::Error, f32::consts::TAU, iter::from_fn, sync::Mutex, thread, time::Instant};
+
+/// Threads that last for a frame, each with a worker.
+struct Scoped(Vec<Worker>);
+
+impl Threads for Scoped {
+    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+        let bands = Mutex::new(bands.iter_mut());
+        let next = || bands.lock().expect("no panic before").next();
+        thread::scope(|scope| {
+            for worker in &mut self.0 {
+                scope.spawn(move || from_fn(next).for_each(|band| job(worker, band)));
+            }
+        });
+    }
+}
+
+/// A ring of spheres that turns, over a floor that mirrors it.
+fn scene(time: f32) -> Scene {
+    let material = Material {
+        colour: Vec3A::splat(0.6),
+        kd: 0.8,
+        kr: 0.2,
+        ..Material::BLACK
+    };
+    let mut scene = Scene::default();
+    scene.camera.eye = vec3a(0.0, 3.0, -9.0);
+    scene.background = vec3a(0.1, 0.12, 0.2);
+    scene.planes.push(Plane {
+        half_x: 10.0,
+        half_z: 10.0,
+        material,
+        ..Plane::default()
+    });
+    scene.lights.push(Light {
+        position: vec3a(-4.0, 7.0, -5.0),
+        colour: Vec3A::splat(0.9),
+        ..Light::DARK
+    });
+    for i in 0..12 {
+        let angle = i as f32 * TAU / 12.0 + 0.5 * time;
+        let (sin, cos) = angle.sin_cos();
+        let colour = vec3a(0.9, 0.08 * i as f32, 0.2);
+        scene.spheres.push(Sphere {
+            centre: vec3a(3.0 * cos, 0.9 + 0.4 * (3.0 * angle + time).sin(), 3.0 * sin),
+            radius: 0.5,
+            material: Material { colour, ..material },
+        });
+    }
+    scene
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut window = Window::new("Ring", 800, 450, WindowOptions::default())?;
+    window.set_target_fps(60);
+    let mut pixels = Vec::new();
+    let mut renderer = Renderer::new(Level::new());
+    let count = thread::available_parallelism()?.get();
+    let mut threads = Scoped((0..count).map(|_| Worker::new()).collect());
+    let start = Instant::now();
+    while window.is_open() && !window.is_key_down(Key::Escape) {
+        let time = start.elapsed().as_secs_f32();
+        let (width, height) = window.get_size();
+        pixels.resize(width * height, 0);
+        let frame = Frame {
+            width,
+            height,
+            pixels: &mut pixels,
+        };
+        renderer.render(&scene(time), &Quality::DEFAULT, frame, &mut threads)?;
+        window.update_with_buffer(&pixels, width, height)?;
+    }
+    Ok(())
+}
