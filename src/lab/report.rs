@@ -1,4 +1,4 @@
-//! `lab report`: measures all that README.md tells, and writes it there.
+//! `lab report`: measures all that README.md and the pages in `docs` tell, and writes it there.
 //!
 //! Each figure is what a command of the lab prints, and the command stands above it: what is read is what was run.
 
@@ -12,29 +12,37 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::thread::available_parallelism;
 
-/// Measures what README.md tells of speed, errors and size, and rewrites the marked parts of it and their pictures
+/// Measures what README.md and docs/*.md tell of speed, errors, size and sound, and rewrites their marked parts and pictures
 ///
-/// A part begins at a line <!-- lab report NAME --> and ends at <!-- lab report end -->; its name is sheet, speed, show,
-/// ladder, front, figures or size. What stands outside of the parts stays, and parts that are not there are not measured. Run twice on
-/// the same machine, it changes timings alone.
+/// A part begins at a line <!-- lab report NAME --> and ends at <!-- lab report end -->; its name is moving, sheet, speed, show,
+/// ladder, trade, figures, size or sound. It may stand on several pages. What stands outside of the parts stays, and parts that
+/// are on no page are not measured. Run twice on the same machine, it changes timings alone.
 #[derive(Args)]
 pub struct Arguments {
-    /// File to rewrite
-    #[arg(long, value_name = "FILE", default_value = "README.md")]
-    readme: PathBuf,
-    /// Folder for the pictures, beside the file; it is made where it is missing
-    #[arg(long, value_name = "FOLDER", default_value = "docs")]
-    pictures: PathBuf,
+    /// Folder with README.md and docs, in which the other pages are, and the pictures
+    #[arg(long, value_name = "FOLDER", default_value = ".")]
+    folder: PathBuf,
     /// Width and height in pixels; may be given several times, and what takes one size takes the first [default: what
     /// each command takes, and for speed 1024x768 and 1920x1080]
     #[arg(long, value_name = "WxH")]
     size: Vec<Size>,
-    /// Frames to measure of each, at times spread evenly [default: what each command takes]
+    /// Frames to measure or to draw of each, at times spread evenly [default: what each command takes]
     #[arg(long, value_name = "N", value_parser = arguments::frames)]
     frames: Option<usize>,
 }
 
-/// A part of the file.
+/// The folder of the pages and the pictures, inside of the one that is reported on.
+const DOCS: &str = "docs";
+
+/// A file with marked parts.
+struct Page {
+    path: PathBuf,
+    text: String,
+    /// What goes before the name of a picture in a link from it.
+    link: &'static str,
+}
+
+/// What is measured by one command.
 struct Part {
     name: &'static str,
     /// The command that is run and shown.
@@ -49,36 +57,65 @@ struct Part {
 
 const END: &str = "<!-- lab report end -->";
 
-/// Measures, and rewrites the file when all is done.
+/// Measures, and rewrites the pages when all is done.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let readme = &arguments.readme;
-    let mut text =
-        fs::read_to_string(readme).with_context(|| format!("cannot read {}", readme.display()))?;
-    let parts: Vec<Part> = parts(arguments)
-        .into_iter()
-        .filter(|part| text.contains(&part.begin()))
-        .collect();
+    let mut pages = pages(&arguments.folder)?;
+    let mut parts = parts(arguments);
+    parts.retain(|part| pages.iter().any(|page| page.has(part)));
+    pages.retain(|page| parts.iter().any(|part| page.has(part)));
     if parts.is_empty() {
         let line = format!(
-            "--readme: {} has no part marked <!-- lab report speed -->, sheet, show, ladder, front, figures or size",
-            readme.display()
+            "--folder: no page in {} has a part marked <!-- lab report speed -->, moving, sheet, show, ladder, trade, figures, \
+             size or sound",
+            arguments.folder.display()
         );
         return Err(BadInput::error(line));
     }
+    for page in &pages {
+        for part in parts.iter().filter(|part| page.has(part)) {
+            if let Err(why) = replaced(&page.text, &part.begin(), "") {
+                let line = format!("--folder: {}: {why}", page.path.display());
+                return Err(BadInput::error(line));
+            }
+        }
+        output::check(&page.path)?;
+    }
+    let docs = arguments.folder.join(DOCS);
     for part in &parts {
-        if let Err(why) = replaced(&text, &part.begin(), "") {
-            let line = format!("--readme: {}: {why}", readme.display());
-            return Err(BadInput::error(line));
+        eprintln!("{}: {}", part.name, part.shown());
+        let printed = part.measure(&docs)?;
+        for page in pages.iter_mut().filter(|page| page.has(part)) {
+            let body = part.body(&printed, page.link);
+            page.text = replaced(&page.text, &part.begin(), &body).map_err(BadInput::error)?;
         }
     }
-    output::check(readme)?;
-    let folder = beside(readme, &arguments.pictures);
-    for part in &parts {
-        eprintln!("{}: {}", part.name, part.shown(&arguments.pictures));
-        let body = part.measure(&folder, &arguments.pictures)?;
-        text = replaced(&text, &part.begin(), &body).map_err(BadInput::error)?;
+    for page in &pages {
+        output::write(&page.path, page.text.as_bytes())?;
     }
-    output::write(readme, text.as_bytes())
+    Ok(())
+}
+
+/// README.md, and the pages in `docs` by their names.
+fn pages(folder: &Path) -> Result<Vec<Page>> {
+    let docs = folder.join(DOCS);
+    let files = fs::read_dir(&docs).into_iter().flatten().flatten();
+    let mut files: Vec<PathBuf> = files.map(|file| file.path()).collect();
+    files.retain(|path| path.extension().is_some_and(|end| end == "md"));
+    files.sort();
+    let readme = [(folder.join("README.md"), "docs/")];
+    let files = files.into_iter().map(|path| (path, ""));
+    let page = |(path, link): (PathBuf, _)| {
+        let text = fs::read_to_string(&path);
+        let text = text.with_context(|| format!("cannot read {}", path.display()))?;
+        Ok(Page { path, text, link })
+    };
+    readme.into_iter().chain(files).map(page).collect()
+}
+
+impl Page {
+    fn has(&self, part: &Part) -> bool {
+        self.text.contains(&part.begin())
+    }
 }
 
 fn parts(arguments: &Arguments) -> Vec<Part> {
@@ -111,7 +148,19 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     };
     // Tiles that stay readable in a column of text.
     let tile = sizes.first().map_or(" --size 240x135", String::as_str);
+    // Twelve seconds about the cut from the model scene to the method's.
+    let still = sizes.first().map_or(" --size 416x234", String::as_str);
+    let end = 300 + arguments.frames.unwrap_or(144);
     vec![
+        Part {
+            flag: "--video",
+            ..part(
+                "moving",
+                format!("capture --from 300 --to {end} --fps 12{still} --supersample 2"),
+                &MOVING,
+                false,
+            )
+        },
         Part {
             flag: "--sheet",
             ..part(
@@ -135,34 +184,50 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
         ),
         part("ladder", format!("trade --ladder{size}{frames}"), &[], true),
         part(
-            "front",
+            "trade",
             format!("trade --quick{size}{frames}"),
-            &FRONT,
+            &TRADE,
             false,
         ),
         part("figures", format!("figures{size}"), &FIGURES, false),
         part("size", "size --functions 10".to_owned(), &[], true),
+        Part {
+            flag: "--waveform",
+            ..part("sound", "sound".to_owned(), &WAVEFORM, true)
+        },
     ]
 }
 
-/// A trade's pictures that are shown, and what is said of each.
-const FRONT: [(&str, &str); 2] = [
+const MOVING: [(&str, &str); 1] = [(
+    "show.webp",
+    "The model scene turns, and then the points that are traced and the squares that are filled are shown on it",
+)];
+const SHEET: [(&str, &str); 1] = [(
+    "show.png",
+    "Frames of the show, row by row: title, model scene, method, colonnade, machine, swarm, finale",
+)];
+const TRADE: [(&str, &str); 4] = [
     (
         "front.svg",
         "Speed and PSNR of every setting, and the Pareto front by number",
     ),
     (
+        "resolution.svg",
+        "Speed against exhaustive frames by the size of the picture",
+    ),
+    (
         "squares.svg",
         "PSNR by the side of the squares, 2 to 32 pixels",
     ),
+    ("objects.svg", "Speed and PSNR by the number of spheres"),
 ];
-const SHEET: [(&str, &str); 1] = [(
-    "show.png",
-    "Frames of the show, row by row: title, model scene, method, colonnade, machine, swarm, finale",
-)];
 const FIGURES: [(&str, &str); 1] = [(
     "sheet.png",
     "The points traced, the picture, the squares by size, rays of each point, the error",
+)];
+const WAVEFORM: [(&str, &str); 1] = [(
+    "waveform.png",
+    "The soundtrack, left above right, with a line where each bar begins",
 )];
 
 impl Part {
@@ -170,23 +235,24 @@ impl Part {
         format!("<!-- lab report {} -->", self.name)
     }
 
-    /// The command as somebody would type it.
-    fn shown(&self, link: &Path) -> String {
+    /// Whether it makes one picture, whose file it is told.
+    fn is_told_a_file(&self) -> bool {
+        self.flag != "--out"
+    }
+
+    /// The command as somebody would type it in the folder.
+    fn shown(&self) -> String {
         let command = self.command.join(" ");
         match self.pictures {
-            [(name, _)] if self.flag != "--out" => {
-                format!(
-                    "cargo lab {command} {} {}",
-                    self.flag,
-                    link.join(name).display()
-                )
+            [(name, _)] if self.is_told_a_file() => {
+                format!("cargo lab {command} {} {DOCS}/{name}", self.flag)
             }
             _ => format!("cargo lab {command}"),
         }
     }
 
-    /// Runs the command; what to put between the marks.
-    fn measure(&self, folder: &Path, link: &Path) -> Result<String> {
+    /// Runs the command, puts its pictures into a folder, and returns what it prints.
+    fn measure(&self, docs: &Path) -> Result<String> {
         let lab = env::current_exe().context("cannot find the lab")?;
         let mut command = Command::new(lab);
         command
@@ -196,7 +262,7 @@ impl Part {
         let made = tempfile::tempdir().context("cannot make a folder for pictures")?;
         match self.pictures {
             [] => {}
-            [(name, _)] if self.flag != "--out" => {
+            [(name, _)] if self.is_told_a_file() => {
                 command.arg(self.flag).arg(made.path().join(name));
             }
             _ => {
@@ -205,20 +271,27 @@ impl Part {
         }
         let output = command.output().context("cannot start the lab")?;
         if !output.status.success() {
-            bail!("{} has failed", self.shown(link));
+            bail!("{} has failed", self.shown());
         }
-        let mut body = format!("\n    {}\n", self.shown(link));
+        for (name, _) in self.pictures {
+            fs::create_dir_all(docs).with_context(|| format!("cannot make {}", docs.display()))?;
+            output::write(&docs.join(name), &fs::read(made.path().join(name))?)?;
+        }
+        Ok(String::from_utf8_lossy(&output.stdout)
+            .trim_end()
+            .to_owned())
+    }
+
+    /// What to put between the marks on a page.
+    fn body(&self, printed: &str, link: &str) -> String {
+        let mut body = format!("\n    {}\n", self.shown());
         if self.is_printed {
-            let printed = String::from_utf8_lossy(&output.stdout);
-            body += &format!("\n{}\n", printed.trim_end());
+            body += &format!("\n{printed}\n");
         }
         for (name, says) in self.pictures {
-            fs::create_dir_all(folder)
-                .with_context(|| format!("cannot make {}", folder.display()))?;
-            output::write(&folder.join(name), &fs::read(made.path().join(name))?)?;
-            body += &format!("\n![{says}]({})\n", link.join(name).display());
+            body += &format!("\n![{says}]({link}{name})\n");
         }
-        Ok(body + "\n")
+        body + "\n"
     }
 }
 
@@ -234,9 +307,4 @@ fn replaced(text: &str, begin: &str, body: &str) -> Result<String, String> {
         return Err(format!("{begin} has no {END} of its own"));
     }
     Ok(format!("{before}{begin}\n{body}{END}{after}"))
-}
-
-/// A folder named from where a file is.
-fn beside(file: &Path, folder: &Path) -> PathBuf {
-    file.parent().unwrap_or(Path::new("")).join(folder)
 }

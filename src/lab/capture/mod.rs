@@ -39,8 +39,8 @@ pub struct Arguments {
     /// File for a YUV4MPEG2 stream, or - for standard output: 4:4:4, BT.709, limited range. Kept where it is there, whole
     #[arg(long, value_name = "FILE")]
     y4m: Option<PathBuf>,
-    /// File for a video, .mp4 or .mkv, which ffmpeg makes: H.264, 4:2:0, BT.709, and the soundtrack as AAC; width and height
-    /// have to be even
+    /// File for a video, .mp4 or .mkv, which ffmpeg makes: H.264, 4:2:0, BT.709, and the soundtrack as AAC; or for a moving
+    /// picture without sound, .webp. Width and height have to be even
     #[arg(long, value_name = "FILE", value_parser = video::name)]
     video: Option<PathBuf>,
     /// File for a contact sheet, or - for standard output: a PNG of frames spread evenly over the range, each with its time

@@ -1,15 +1,33 @@
 //! `lab report` rewrites the marked parts of a file, and nothing else.
 
-use super::{assert_one_line, lab};
+use super::{assert_one_line, lab, stage};
 use crate::reader::read_png;
 use std::fs;
 use std::path::Path;
 use std::process::Output;
+use tempfile::TempDir;
 
 const README: &str = "# A title\n\nSaid by hand.\n\n<!-- lab report speed -->\nold\n<!-- lab report end -->\n\nIn between.\n\n\
-                      <!-- lab report ladder --><!-- lab report end -->\n<!-- lab report figures -->\n\
-                      <!-- lab report end -->\n<!-- lab report sheet -->\n<!-- lab report end -->\n<!-- lab report show -->\n\
-                      <!-- lab report end -->\n<!-- lab report front -->\n<!-- lab report end -->\nThe end, without a new line";
+                      <!-- lab report figures -->\n<!-- lab report end -->\n<!-- lab report sheet -->\n\
+                      <!-- lab report end -->\nThe end, without a new line";
+
+/// A page of `docs`. What README.md has too is measured once.
+const PAGE: &str = "<!-- lab report ladder --><!-- lab report end -->\n<!-- lab report show -->\n<!-- lab report end -->\n\
+                    <!-- lab report trade -->\n<!-- lab report end -->\n<!-- lab report sound -->\n<!-- lab report end -->\n\
+                    <!-- lab report figures -->\n<!-- lab report end -->\n";
+
+/// A page that nothing is measured for.
+const PLAIN: &str = "Nothing marked\n";
+
+/// A folder with these pages.
+fn folder(pages: &[(&str, &str)]) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("docs")).unwrap();
+    for (name, text) in pages {
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    folder
+}
 
 /// The titles of columns that depend on measured times.
 const TIMED: [&str; 7] = [
@@ -22,10 +40,10 @@ const TIMED: [&str; 7] = [
     "ms",
 ];
 
-fn report(readme: &Path) -> Output {
-    let readme = readme.to_str().expect("a plain name");
-    let small = ["--size", "64x48", "--frames", "2", "--pictures", "pictures"];
-    lab(&[&["report", "--readme", readme], &small[..]].concat())
+fn report(folder: &Path) -> Output {
+    let folder = folder.to_str().expect("a plain name");
+    let small = ["--size", "64x48", "--frames", "2"];
+    lab(&[&["report", "--folder", folder], &small[..]].concat())
 }
 
 /// The text without rules and spaces, with all cells of those columns replaced.
@@ -36,8 +54,10 @@ fn without_timings(text: &str) -> Vec<String> {
         .map(|line| {
             if !line.starts_with('|') {
                 timed.clear();
-                let (line, _) = line.split_once(", threads ").unwrap_or((line, ""));
-                return line.to_owned();
+                let end = [", threads ", "Made in "]
+                    .iter()
+                    .find_map(|said| line.find(said));
+                return line[..end.unwrap_or(line.len())].to_owned();
             }
             let cells: Vec<&str> = line.split('|').map(str::trim).collect();
             if timed.is_empty() {
@@ -52,72 +72,112 @@ fn without_timings(text: &str) -> Vec<String> {
 
 #[test]
 fn the_marked_parts_are_rewritten_and_a_second_time_changes_timings_only() {
-    let folder = tempfile::tempdir().unwrap();
-    let readme = folder.path().join("README.md");
-    fs::write(&readme, README).unwrap();
-    let output = report(&readme);
+    let folder = folder(&[
+        ("README.md", README),
+        ("docs/page.md", PAGE),
+        ("docs/plain.md", PLAIN),
+    ]);
+    let folder = folder.path();
+    let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
+    let output = report(folder);
     let error = String::from_utf8_lossy(&output.stderr);
     assert!(
         output.status.success() && output.stdout.is_empty(),
         "{error}"
     );
-    let first = fs::read_to_string(&readme).unwrap();
-    let sheet = || fs::read(folder.path().join("pictures/sheet.png")).unwrap();
+    assert_eq!(error.matches("cargo lab figures").count(), 1, "{error}");
+    let (readme, page) = (read("README.md"), read("docs/page.md"));
+    let sheet = || fs::read(folder.join("docs/sheet.png")).unwrap();
     let first_sheet = sheet();
 
-    assert!(!first.contains("old"));
+    assert!(!readme.contains("old"));
     for kept in ["# A title\n\nSaid by hand.\n", "\nIn between.\n"] {
-        assert!(first.contains(kept), "{kept}");
+        assert!(readme.contains(kept), "{kept}");
     }
-    assert!(first.ends_with("<!-- lab report end -->\nThe end, without a new line"));
+    assert!(readme.ends_with("<!-- lab report end -->\nThe end, without a new line"));
     for told in [
         "    cargo lab bench --threads 1",
-        "    cargo lab trade --ladder --size 64x48 --frames 2\n",
-        "    cargo lab trade --quick --size 64x48 --frames 2\n",
         "    cargo lab figures --size 64x48\n",
-        "    cargo lab bench --scene show --size 64x48 --quality default",
-        "    cargo lab capture --size 64x48 --supersample 2 --frames 2 --sheet pictures/show.png\n",
-        "](pictures/show.png)",
-        "Worst second of the show at 64x48",
-        "| finest | s8 c2 |",
-        "](pictures/sheet.png)",
-        "](pictures/front.svg)",
+        "    cargo lab capture --size 64x48 --supersample 2 --frames 2 --sheet docs/show.png\n",
+        "](docs/show.png)",
+        "](docs/sheet.png)",
     ] {
-        assert!(first.contains(told), "{told} is not in {first}");
+        assert!(readme.contains(told), "{told} is not in {readme}");
     }
     assert!(
-        first
+        readme
             .lines()
             .any(|line| line.contains("64x48 |") && line.contains(" thesis |"))
     );
+    for told in [
+        "    cargo lab trade --ladder --size 64x48 --frames 2\n",
+        "    cargo lab trade --quick --size 64x48 --frames 2\n",
+        "    cargo lab bench --scene show --size 64x48 --quality default",
+        "    cargo lab figures --size 64x48\n",
+        "    cargo lab sound --waveform docs/waveform.png\n",
+        "Worst second of the show at 64x48",
+        "| finest | s8 c2 |",
+        "](front.svg)",
+        "](resolution.svg)",
+        "](sheet.png)",
+        "](waveform.png)",
+    ] {
+        assert!(page.contains(told), "{told} is not in {page}");
+    }
+    assert_eq!(read("docs/plain.md"), PLAIN);
     assert!(read_png(&first_sheet).0 > 128);
-    let svg = fs::read_to_string(folder.path().join("pictures/front.svg")).unwrap();
-    assert!(svg.trim_end().ends_with("</svg>"));
+    assert!(read("docs/front.svg").trim_end().ends_with("</svg>"));
 
-    assert!(report(&readme).status.success());
-    let second = fs::read_to_string(&readme).unwrap();
-    assert_eq!(without_timings(&first), without_timings(&second));
+    assert!(report(folder).status.success());
+    let pairs = [(readme, read("README.md")), (page, read("docs/page.md"))];
+    for (first, second) in pairs {
+        assert_eq!(without_timings(&first), without_timings(&second));
+    }
     assert_eq!(first_sheet, sheet());
 }
 
 #[test]
-fn a_file_without_marks_is_named_and_stays_as_it_is() {
-    let folder = tempfile::tempdir().unwrap();
-    let readme = folder.path().join("README.md");
+fn the_moving_picture_has_all_its_frames_and_begins_again() {
+    if stage::lacks(&["ffmpeg"]) {
+        return;
+    }
+    let folder = folder(&[(
+        "README.md",
+        "<!-- lab report moving -->\n<!-- lab report end -->",
+    )]);
+    assert!(report(folder.path()).status.success());
+    let text = fs::read_to_string(folder.path().join("README.md")).unwrap();
+    assert!(text.contains("--video docs/show.webp\n"), "{text}");
+    assert!(text.contains("](docs/show.webp)"), "{text}");
+    let bytes = fs::read(folder.path().join("docs/show.webp")).unwrap();
+    assert!(bytes.starts_with(b"RIFF") && &bytes[8..12] == b"WEBP");
+    let chunks = |name: &[u8; 4]| bytes.windows(4).filter(|word| word == name).count();
+    assert_eq!(chunks(b"ANMF"), 2, "frames");
+    let animation = bytes.windows(4).position(|word| word == b"ANIM").unwrap();
+    // After the chunk's name, its length and the background: how often it is played, 0 for always.
+    assert_eq!(bytes[animation + 12..][..2], [0, 0]);
+}
+
+#[test]
+fn pages_without_marks_are_named_and_stay_as_they_are() {
     for (text, why) in [
-        ("nothing", "no part marked"),
+        ("nothing", "no page"),
         ("<!-- lab report speed -->", "lab report end"),
         (
             "<!-- lab report speed -->\n<!-- lab report size -->\n<!-- lab report end -->",
             "of its own",
         ),
     ] {
-        fs::write(&readme, text).unwrap();
-        assert_one_line(&report(&readme), 2, &["--readme", "README.md", why]);
-        assert_eq!(fs::read_to_string(&readme).unwrap(), text);
+        for name in ["README.md", "docs/page.md"] {
+            let folder = folder(&[("README.md", ""), (name, text)]);
+            let output = report(folder.path());
+            let folder = folder.path();
+            assert_one_line(&output, 2, &["--folder", why]);
+            assert_eq!(fs::read_to_string(folder.join(name)).unwrap(), text);
+        }
     }
-    fs::remove_file(&readme).unwrap();
-    assert_one_line(&report(&readme), 1, &["cannot read", "README.md"]);
+    let folder = folder(&[]);
+    assert_one_line(&report(folder.path()), 1, &["cannot read", "README.md"]);
     assert_one_line(
         &lab(&["report", "--frames", "0"]),
         2,
