@@ -23,6 +23,17 @@ pub const SHOW_LENGTH: f32 = BAR * BARS as f32;
 /// The bars at which the scenes begin, counted from 0. The last scene ends with the show.
 pub const CUTS: [u32; 7] = [TITLE, MODEL, METHOD, COLONNADE, MACHINE, SWARM, FINALE];
 
+/// The names of the scenes that begin there.
+pub const NAMES: [&str; CUTS.len()] = [
+    "title",
+    "model",
+    "method",
+    "colonnade",
+    "machine",
+    "swarm",
+    "finale",
+];
+
 /// Spheres form the title. The music is sparse.
 pub const TITLE: u32 = 0;
 /// The model scene. The drums come in.

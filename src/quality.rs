@@ -111,6 +111,9 @@ impl Quality {
         Self::within(8, 40.0).followed(3, 0.05),
     ];
 
+    /// The index of [`Quality::DEFAULT`] in the [`Quality::LADDER`].
+    pub const DEFAULT_RUNG: usize = 3;
+
     /// The names of the rungs of the [`Quality::LADDER`], in its order.
     pub const NAMES: [&'static str; Self::LADDER.len()] = [
         "finest", "finer", "fine", "default", "fast", "faster", "fastest",

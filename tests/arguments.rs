@@ -3,10 +3,11 @@
 mod stage;
 
 use eightfold_window::cpu;
-use stage::{QUALITIES, headless, run, texts};
+use stage::{headless, qualities, run, texts};
 
 #[test]
 fn bad_arguments_are_named_in_one_line() {
+    let qualities = qualities();
     let bad: &[(&[&str], &str)] = &[
         (&["--bogus"], "--bogus"),
         (&["bogus"], "bogus"),
@@ -55,9 +56,9 @@ fn bad_arguments_are_named_in_one_line() {
         (&["--fps", "1001"], "--fps N"),
         (&["--fps", "59.9"], "--fps N"),
         (&["--quality", "best"], "--quality NAME"),
-        (&["--quality", ""], QUALITIES),
-        (&["--quality"], QUALITIES),
-        (&["--quality", "fast faster"], QUALITIES),
+        (&["--quality", ""], &qualities),
+        (&["--quality"], &qualities),
+        (&["--quality", "fast faster"], &qualities),
         (&["--quality", "fast", "--exhaustive"], "two qualities"),
         (&["--exhaustive", "--quality", "thesis"], "two qualities"),
         (&["--quality", "fast", "--quality=fine"], "two qualities"),
@@ -81,6 +82,7 @@ fn bad_arguments_are_named_in_one_line() {
 
 #[test]
 fn help_and_version_are_printed() {
+    let qualities = qualities();
     let (output, help) = run(headless().arg("--help"));
     assert_eq!(output.status.code(), Some(0));
     for option in [
@@ -92,7 +94,7 @@ fn help_and_version_are_printed() {
         "--loop",
         "--fps",
         "--quality",
-        QUALITIES,
+        &qualities,
         "--exhaustive",
         "--uncapped",
         "--silent",

@@ -3,7 +3,7 @@
 mod stage;
 
 use eightfold::sound::Synthesizer;
-use stage::{Process, QUALITIES, headless, intro, run, texts};
+use stage::{Process, headless, intro, qualities, run, texts};
 use std::{
     fs,
     path::Path,
@@ -145,10 +145,11 @@ fn what_opens_the_display_takes_no_number_of_a_closed_stream() {
 
 #[test]
 fn the_report_says_how_long_each_rung_was_used() {
+    let names = qualities();
     // The rungs in the report, and the time for which each was used.
     let used = |options: &str| {
         let (_, said) = run(headless().args(options.split(' ')));
-        let names = QUALITIES.split(' ');
+        let names = names.split(' ');
         let rungs = names.filter_map(|name| {
             let (_, rest) = said.split_once(&format!(", {name} "))?;
             let (time, _) = rest.split_once(" s").expect("a unit");

@@ -1,7 +1,7 @@
 //! `lab render`: draws one frame into a PNG file.
 
 use crate::arguments::{self, NamedQuality, Size};
-use crate::scenes::SceneName;
+use crate::scenes::{self, SceneName};
 use crate::studio::Studio;
 use crate::{output, picture};
 use anyhow::Result;
@@ -13,9 +13,7 @@ use std::thread::available_parallelism;
 /// Draws one frame into a PNG file
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:swarm, show:finale
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
     scene: SceneName,
     /// Seconds since the scene's start
     #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]

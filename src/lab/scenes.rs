@@ -6,15 +6,15 @@ use std::fmt;
 use std::str::FromStr;
 
 /// The names of the show's scenes, which begin at [`grid::CUTS`].
-pub const SHOW_SCENES: [&str; grid::CUTS.len()] = [
-    "title",
-    "model",
-    "method",
-    "colonnade",
-    "machine",
-    "swarm",
-    "finale",
-];
+pub const SHOW_SCENES: [&str; grid::CUTS.len()] = grid::NAMES;
+
+/// What names a scene, for `--help` and for errors.
+pub fn takes() -> String {
+    let parts = SHOW_SCENES.map(|part| format!("show:{part}")).join(", ");
+    format!(
+        "model, field:N for N small spheres, 1 to {MAX_SPHERES}, show, or one of its scenes: {parts}"
+    )
+}
 
 /// A scene by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,12 +95,7 @@ impl FromStr for SceneName {
             ("model", ..) => Ok(Self::Model),
             (_, Some(part), _) => Ok(Self::ShowScene(part)),
             (_, _, Some(Ok(count))) if (1..=MAX_SPHERES).contains(&count) => Ok(Self::Field(count)),
-            _ => {
-                let parts = SHOW_SCENES.map(|part| format!("show:{part}")).join(", ");
-                Err(format!(
-                    "takes model, field:N for N small spheres, 1 to {MAX_SPHERES}, show, or one of its scenes: {parts}"
-                ))
-            }
+            _ => Err(format!("takes {}", takes())),
         }
     }
 }

@@ -6,6 +6,7 @@ mod tools;
 
 pub use tools::{DISPLAY, lacks, tool};
 
+use eightfold::Quality;
 use eightfold_lab::cargo;
 use std::{
     env,
@@ -24,7 +25,10 @@ pub fn intro() -> PathBuf {
 }
 
 /// The named qualities, as errors and `--help` list them.
-pub const QUALITIES: &str = "finest finer fine default fast faster fastest thesis exhaustive";
+pub fn qualities() -> String {
+    let others = ["thesis", "exhaustive"];
+    [&Quality::NAMES[..], &others].concat().join(" ")
+}
 
 /// A command that starts the intro without a display and without sound.
 pub fn headless() -> Command {

@@ -6,7 +6,7 @@ mod table;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::machine::machine;
-use crate::scenes::SceneName;
+use crate::scenes::{self, SceneName};
 use crate::timing::evenly_spaced;
 use crate::{output, progress};
 use anyhow::Result;
@@ -26,9 +26,7 @@ use std::thread::available_parallelism;
 /// whole show.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:swarm, show:finale
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
     scene: SceneName,
     /// Width and height in pixels; may be given several times
     #[arg(long, value_name = "WxH", default_value = "1024x768")]

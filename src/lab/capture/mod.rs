@@ -11,7 +11,7 @@ mod y4m;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::rate::Rate;
-use crate::scenes::SceneName;
+use crate::scenes::{self, SceneName};
 use anyhow::Result;
 use clap::{ArgGroup, Args};
 use eightfold_window::cpu::{self, Isa};
@@ -69,9 +69,7 @@ pub struct Arguments {
     /// Width and height of a frame in pixels [default: 1024x768, and 320x240 on a contact sheet]
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
-    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:swarm, show:finale
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Show)]
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Show, help = scenes::takes())]
     scene: SceneName,
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest
     #[arg(long, value_name = "NAME", default_value = "default")]

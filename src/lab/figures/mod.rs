@@ -6,7 +6,7 @@ use crate::arguments::{self, NamedQuality, Size};
 use crate::error::Difference;
 use crate::flip::Flip;
 use crate::overlay::{FrameTrace, heat};
-use crate::scenes::SceneName;
+use crate::scenes::{self, SceneName};
 use crate::studio::Studio;
 use crate::{output, picture};
 use anyhow::{Context, Result};
@@ -23,9 +23,7 @@ use std::thread::available_parallelism;
 /// Writes a PNG for each, and sheet.png with all of them and captions.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:swarm, show:finale
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
     scene: SceneName,
     /// Seconds since the scene's start
     #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]

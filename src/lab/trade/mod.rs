@@ -12,7 +12,7 @@ mod tally;
 use crate::arguments::{self, NamedQuality, Size};
 use crate::interrupt::Stopped;
 use crate::machine::machine;
-use crate::scenes::SceneName;
+use crate::scenes::{self, SceneName};
 use crate::{interrupt, output, progress};
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -39,9 +39,7 @@ use tally::Tally;
 /// against missed objects, d depth of rays, w least contribution of a ray, a samples a side of the pixels at edges.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:swarm, show:finale
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model)]
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
     scene: SceneName,
     /// Width and height in pixels [default: 1024x768, with --quick 512x384]
     #[arg(long, value_name = "WxH")]

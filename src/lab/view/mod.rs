@@ -5,7 +5,7 @@ mod frame_viewer;
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::rate::Rate;
-use crate::scenes::SceneName;
+use crate::scenes::{self, SceneName};
 use anyhow::{Result, bail};
 use clap::Args;
 use controls::{Controls, KEYS, Overlay};
@@ -25,9 +25,7 @@ use std::time::{Duration, Instant};
 #[derive(Args)]
 #[command(after_help = format!("Keys:\n{KEYS}"))]
 pub struct Arguments {
-    /// The scene: model, field:N for N small spheres, show, or one of its scenes: show:title, show:model, show:method,
-    /// show:colonnade, show:machine, show:swarm, show:finale
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Show)]
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Show, help = scenes::takes())]
     scene: SceneName,
     /// Width and height of the window in pixels
     #[arg(long, value_name = "WxH", default_value = "1024x768")]

@@ -5,8 +5,8 @@ use eightfold::Quality;
 
 #[test]
 fn the_default_quality_is_the_rung_of_that_name() {
-    let rung = Quality::NAMES.iter().position(|&name| name == "default");
-    let rung = rung.expect("a rung of that name");
+    let rung = Quality::DEFAULT_RUNG;
+    assert_eq!(Quality::NAMES[rung], "default");
     assert_eq!(Quality::LADDER[rung], Quality::DEFAULT);
 }
 
