@@ -213,13 +213,13 @@ const TRADE: [(&str, &str); 4] = [
     ),
     (
         "resolution.svg",
-        "Speed against exhaustive frames by the size of the picture",
+        "Speed-up against exhaustive frames by the size of the picture",
     ),
     (
         "squares.svg",
         "PSNR by the side of the squares, 2 to 32 pixels",
     ),
-    ("objects.svg", "Speed and PSNR by the number of spheres"),
+    ("objects.svg", "Time of a frame by the number of spheres"),
 ];
 const FIGURES: [(&str, &str); 1] = [(
     "sheet.png",

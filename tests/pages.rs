@@ -1,0 +1,63 @@
+//! The pages in Markdown: links that lead somewhere, and a README that is read to its end.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The pages in a folder.
+fn pages(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    paths
+        .filter(|path| path.extension().is_some_and(|end| end == "md"))
+        .collect()
+}
+
+/// Where the links and the pictures of a text lead.
+fn links(text: &str) -> impl Iterator<Item = &str> {
+    let parts = text.split("](").skip(1);
+    parts.filter_map(|part| part.split_once(')').map(|(link, _)| link))
+}
+
+#[test]
+fn links_lead_to_files_that_are_there() {
+    let all = [pages(root()), pages(&root().join("docs"))].concat();
+    assert!(all.len() > 7, "{all:?}");
+    for page in all {
+        let text = fs::read_to_string(&page).expect("text");
+        let folder = page.parent().expect("a folder");
+        for link in links(&text).filter(|link| !link.starts_with("http")) {
+            let (path, _) = link.split_once('#').unwrap_or((link, ""));
+            assert!(folder.join(path).exists(), "{}: {link}", page.display());
+        }
+    }
+    assert_eq!(
+        links("[a](b) ![c](d/e.svg)").collect::<Vec<_>>(),
+        ["b", "d/e.svg"]
+    );
+}
+
+#[test]
+fn the_architecture_names_files_that_are_there() {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).expect("text");
+    let words = text.split('`').skip(1).step_by(2);
+    let paths = words.filter(|word| word.starts_with("src/") || word.starts_with("tests/"));
+    let mut count = 0;
+    for path in paths {
+        assert!(root().join(path).exists(), "{path}");
+        count += 1;
+    }
+    assert!(count > 20, "{count} paths");
+}
+
+#[test]
+fn the_readme_is_short() {
+    let text = fs::read_to_string(root().join("README.md")).expect("text");
+    let lines = text.lines().count();
+    assert!(lines < 150, "{lines} lines");
+}
