@@ -13,7 +13,7 @@ pub struct Flicker {
     last: Vec<f32>,
     /// The number of frames so far.
     pub frames: usize,
-    /// The number of blocks whose error changed by more than [`JUMP`], summed over all pairs of successive frames.
+    /// The number of blocks whose error changed by more than `JUMP`, summed over all pairs of successive frames.
     pub jumps: usize,
 }
 
