@@ -23,10 +23,7 @@ pub(super) struct Reflected<S: Isa> {
 
 /// Ambient light, and each lamp's that is not blocked.
 #[inline(always)]
-#[allow(
-    clippy::too_many_arguments,
-    reason = "what is lit, by what, and what is noted of it"
-)]
+#[allow(clippy::too_many_arguments, reason = "a hit and its light")]
 pub(super) fn gather<S: Isa>(
     simd: S,
     scene: &Prepared,

@@ -132,10 +132,7 @@ pub(super) fn shade<S: Isa>(
 
 /// Puts the transmitted and the reflected rays on the stack.
 #[inline(always)]
-#[allow(
-    clippy::too_many_arguments,
-    reason = "a point, and the rays that leave it"
-)]
+#[allow(clippy::too_many_arguments, reason = "a hit and its secondary rays")]
 fn scatter<S: Isa>(
     simd: S,
     quality: &Quality,
