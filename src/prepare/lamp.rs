@@ -1,6 +1,7 @@
 //! Lights, prepared for shading and for shadow rays. Coordinates are the scene's.
 
 use super::hit_error;
+use super::object::ObjectId;
 use super::surface::bounded;
 use super::tree::{BvhNode, MARGIN, MAX_NODES};
 use crate::maths::sqrt;
@@ -43,8 +44,8 @@ pub(crate) struct ShadowCone {
     pub is_bound: bool,
     /// See [`BvhNode::skip`].
     pub skip: u16,
-    /// See [`BvhNode::number`].
-    pub number: u16,
+    /// See [`BvhNode::object`].
+    pub object: ObjectId,
     /// Whether the lamp is inside the sphere.
     pub around_lamp: bool,
     /// The vector from the sphere's centre to the lamp.
@@ -129,7 +130,7 @@ impl ShadowCone {
         from: 0.0,
         is_bound: false,
         skip: 0,
-        number: 0,
+        object: ObjectId::FIRST,
         around_lamp: false,
         from_lamp: Vec3::ZERO,
         r2: 0.0,
@@ -160,7 +161,7 @@ impl ShadowCone {
             from,
             is_bound: node.is_bound,
             skip: node.skip,
-            number: node.number,
+            object: node.object,
             around_lamp: self.around_lamp,
             from_lamp: from_lamp.into(),
             side: side.into(),

@@ -14,7 +14,7 @@ pub(crate) use air::Air;
 use cone::Cone;
 pub(crate) use cone::ROUNDING;
 pub(crate) use lamp::{Lamp, ShadowCone};
-pub(crate) use object::Object;
+pub(crate) use object::{Object, ObjectId};
 use outline::Outline;
 use screen::ScreenBounds;
 pub(crate) use screen::{Axes, rectangle};
@@ -142,15 +142,15 @@ impl Prepared {
         &self.planes[..self.plane_count]
     }
 
-    /// The surface of object number `i`.
+    /// The surface of an object.
     #[inline(always)]
-    pub fn surface(&self, i: usize) -> &Surface<f32> {
-        &self.surfaces[i]
+    pub fn surface(&self, id: ObjectId) -> &Surface<f32> {
+        &self.surfaces[id.index()]
     }
 
-    /// Object number `i` and its material.
-    pub fn object(&self, i: usize) -> (Object<'_>, &Material) {
-        object::of(&self.scene, i)
+    /// An object and its material.
+    pub fn object(&self, id: ObjectId) -> (Object<'_>, &Material) {
+        object::of(&self.scene, id)
     }
 
     /// Whether any solid is a box or a cylinder.
@@ -165,10 +165,10 @@ impl Prepared {
         self.has_patterns
     }
 
-    /// Whether the pattern of object number `i` has edges.
+    /// Whether the pattern of an object has edges.
     #[inline(always)]
-    pub fn has_pattern(&self, i: usize) -> bool {
-        self.has_edges[i]
+    pub fn has_pattern(&self, id: ObjectId) -> bool {
+        self.has_edges[id.index()]
     }
 
     /// Whether the picture has an overlay.
@@ -220,7 +220,7 @@ impl Prepared {
         self.tree.set(scene);
         self.has_patterns = false;
         for i in 0..=self.background() {
-            let (object, material) = object::of(scene, i);
+            let (object, material) = object::of(scene, ObjectId::new(i));
             self.has_patterns |= material.pattern.depth != 0.0;
             self.has_edges[i] = object::has_edges(material);
             self.surfaces[i].set(&object, material, scene);
@@ -248,15 +248,15 @@ impl Prepared {
                 continue;
             }
             let mut to = node.centre - self.eye;
-            let outline = &mut self.outlines[node.number as usize];
+            let outline = &mut self.outlines[node.object.index()];
             outline.set_sphere(&self.axes, to, node);
             let group = node.groups.trailing_zeros() as usize;
             self.bounds[group].join(outline.bounds);
             if node.is_block {
-                let object = object::of(&self.scene, node.number as usize).0;
+                let object = object::of(&self.scene, node.object).0;
                 if let Object::Block(block) = object {
-                    let ends =
-                        &mut self.block_ends[node.number as usize - self.scene.spheres.len()];
+                    let block_number = node.object.index() - self.scene.spheres.len();
+                    let ends = &mut self.block_ends[block_number];
                     outline.set_block(ends, &self.axes, to, block);
                 }
             }

@@ -13,9 +13,39 @@ pub(crate) enum Object<'a> {
     Background,
 }
 
-/// The object number `i` of a scene, and its material. Spheres have the first numbers; blocks, lights, planes and the background
-/// follow.
-pub(super) fn of(scene: &Scene, mut i: usize) -> (Object<'_>, &Material) {
+/// Identifies an object of a frame: spheres have the first numbers; blocks, lights, planes and the background follow.
+///
+/// In the lanes of a packet an object is its [`ObjectId::lane`], a `u32`. In the word of a sample it is one more, in 14 bits, so that 0
+/// stands for none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct ObjectId(u32);
+
+impl ObjectId {
+    /// The object with the first number.
+    pub const FIRST: Self = Self(0);
+
+    /// The object with a number below [`super::MAX_OBJECTS`].
+    #[inline(always)]
+    pub const fn new(number: usize) -> Self {
+        Self(number as u32)
+    }
+
+    /// Its number, as an index in arrays of all objects.
+    #[inline(always)]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+
+    /// Its number, as it stands in a lane.
+    #[inline(always)]
+    pub const fn lane(self) -> u32 {
+        self.0
+    }
+}
+
+/// An object of a scene, and its material.
+pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
+    let mut i = id.index();
     if let Some(sphere) = scene.spheres.get(i) {
         return (Object::Sphere(sphere), &sphere.material);
     }

@@ -2,7 +2,7 @@
 
 use super::cone::{Cone, ROUNDING, RoundCone};
 use super::screen::{Axes, Rect, ScreenBounds};
-use super::{BvhNode, Prepared, Rectangle};
+use super::{BvhNode, ObjectId, Prepared, Rectangle};
 use crate::maths::sqrt;
 use crate::scene::{Block, Shape};
 use glam::{Vec3A, Vec3Swizzles, Vec4};
@@ -182,9 +182,9 @@ impl Prepared {
     /// Whether a patch whose corners all see the object `front` cannot see the object `back` anywhere.
     ///
     /// Objects are convex: between what the corners see of it, it is nowhere farther away than that.
-    pub fn occludes(&self, front: usize, back: usize) -> bool {
-        let (f, b) = (&self.outlines[front], &self.outlines[back]);
-        front < self.background() && (f.is_before(b) || f.power < b.power)
+    pub fn occludes(&self, front: ObjectId, back: ObjectId) -> bool {
+        let (f, b) = (&self.outlines[front.index()], &self.outlines[back.index()]);
+        front.index() < self.background() && (f.is_before(b) || f.power < b.power)
     }
 }
 

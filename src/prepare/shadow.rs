@@ -5,7 +5,7 @@
 //! would take a dozen times the memory of everything else.
 
 use super::cone::{Cone, RoundCone};
-use super::{Prepared, Rectangle};
+use super::{ObjectId, Prepared, Rectangle};
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS};
 use glam::Vec3A;
 
@@ -75,11 +75,12 @@ impl Prepared {
     }
 
     /// The object that an outline, given by its number, belongs to: for a shadow, the plane.
-    pub fn outlined_object(&self, number: usize) -> usize {
-        match number.checked_sub(self.background()) {
+    pub fn outlined_object(&self, number: usize) -> ObjectId {
+        let number = match number.checked_sub(self.background()) {
             None => number,
             Some(shadow) => self.first_plane() + shadow / self.shadows.count.max(1),
-        }
+        };
+        ObjectId::new(number)
     }
 
     /// The cone of camera rays that may meet a shadow, given by the number of its outline.

@@ -3,7 +3,7 @@
 //! Coordinates are the scene's.
 
 use super::hit_error;
-use super::object::{self, Object};
+use super::object::{self, Object, ObjectId};
 use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene, Shape};
 use glam::Vec3A;
 
@@ -38,8 +38,8 @@ pub(crate) struct BvhNode {
     pub radius: f32,
     /// The groups of the solids in it.
     pub groups: GroupSet,
-    /// The object's number; of no meaning for a bound.
-    pub number: u16,
+    /// The object; of no meaning for a bound.
+    pub object: ObjectId,
     /// The number of nodes to advance by if it is missed.
     pub skip: u16,
     /// Whether it is a bound around other nodes.
@@ -57,8 +57,7 @@ pub(crate) struct BvhNode {
 struct Ball {
     centre: Vec3A,
     radius: f32,
-    /// The object's number.
-    number: u16,
+    object: ObjectId,
 }
 
 /// The hierarchy: a bound around all solids, followed by its descendants in depth-first order, then the lights.
@@ -85,7 +84,7 @@ impl Tree {
         balls: [Ball {
             centre: Vec3A::ZERO,
             radius: 0.0,
-            number: 0,
+            object: ObjectId::FIRST,
         }; MAX_SOLIDS],
         solid_count: 0,
         nodes: [BvhNode::ZERO; MAX_NODES],
@@ -120,7 +119,8 @@ impl Tree {
     pub fn set(&mut self, scene: &Scene) {
         self.solid_count = scene.solids();
         for (number, ball) in self.balls.iter_mut().enumerate().take(self.solid_count) {
-            let (centre, radius) = match object::of(scene, number).0 {
+            let id = ObjectId::new(number);
+            let (centre, radius) = match object::of(scene, id).0 {
                 Object::Sphere(sphere) => (sphere.centre, sphere.radius),
                 // Enlarged to cover rounding.
                 Object::Block(block) => (block.centre, block.half.length() * (1.0 + 1e-4)),
@@ -129,7 +129,7 @@ impl Tree {
             *ball = Ball {
                 centre,
                 radius: valid_radius(radius),
-                number: number as u16,
+                object: id,
             };
         }
         self.len = 0;
@@ -138,7 +138,7 @@ impl Tree {
         for (i, light) in scene.lights.iter().enumerate() {
             let groups = 1 << (SOLID_GROUPS + i);
             let node = self.push(light.position, valid_radius(light.radius), groups);
-            node.number = (scene.solids() + i) as u16;
+            node.object = ObjectId::new(scene.solids() + i);
             // No ray hits a light that is not drawn.
             if light.parallel || light.radius == 0.0 {
                 node.r2 = -1.0;
@@ -181,8 +181,8 @@ impl Tree {
                 let ball = self.balls[i];
                 let group = 1 << (i * SOLID_GROUPS / self.solid_count.max(SOLID_GROUPS));
                 let node = self.push(ball.centre, ball.radius, group);
-                node.number = ball.number;
-                if let Object::Block(block) = object::of(scene, ball.number as usize).0 {
+                node.object = ball.object;
+                if let Object::Block(block) = object::of(scene, ball.object).0 {
                     node.set_block(block);
                 }
             }
@@ -265,7 +265,7 @@ impl BvhNode {
         r2_error: 0.0,
         radius: 0.0,
         groups: 0,
-        number: 0,
+        object: ObjectId::FIRST,
         skip: 0,
         is_bound: false,
         is_block: false,

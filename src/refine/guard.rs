@@ -7,7 +7,7 @@ use super::bits::Bits;
 use super::pyramid::Pyramid;
 use super::tile::Area;
 use super::{TILE_HEIGHT, TILE_WIDTH};
-use crate::prepare::{MAX_OUTLINES, Prepared, ROUNDING, rectangle};
+use crate::prepare::{MAX_OUTLINES, ObjectId, Prepared, ROUNDING, rectangle};
 use core::ops::RangeInclusive;
 use glam::{Vec2Swizzles, vec2};
 
@@ -70,7 +70,7 @@ impl CoverageGuard {
                 (open[y] & Bits::range(range)).for_each(|x| {
                     // The first corner is always a pixel, and shows most of what there is.
                     let first = pyramid.sample(Pyramid::place(level, x, y)).object();
-                    if first == usize::from(number) + 1 {
+                    if first.is_some_and(|id| id.index() == usize::from(number)) {
                         return;
                     }
                     let square = Square {
@@ -119,21 +119,21 @@ impl Area {
     }
 }
 
-/// A square of a level, and the objects that its corners show: their numbers plus one, or 0 where they are not known.
+/// A square of a level, and the objects that its corners show, where they are known.
 struct Square<'a> {
     area: &'a Area,
     level: usize,
     x: usize,
     y: usize,
-    objects: [usize; 4],
+    objects: [Option<ObjectId>; 4],
 }
 
 impl Square<'_> {
     /// Whether its corners show what has an outline, or that it cannot be seen.
     fn shows(&self, scene: &Prepared, number: usize) -> bool {
         let object = scene.outlined_object(number);
-        if number == object {
-            self.shows_object(object) || self.hides(scene, object)
+        if number == object.index() {
+            self.shows_object(object) || self.is_hidden(scene, object)
         } else {
             // Where no corner shows the plane of a shadow it cannot be seen, or is looked for itself.
             !self.shows_object(object) || self.shows_shadow(scene, number, object)
@@ -141,31 +141,31 @@ impl Square<'_> {
     }
 
     /// Whether all corners show one object, if it is known.
-    fn only_object(&self) -> Option<usize> {
+    fn only_object(&self) -> Option<ObjectId> {
         let [first, others @ ..] = self.objects;
         let is_one = others.iter().all(|&object| object == first);
-        if is_one { first.checked_sub(1) } else { None }
+        if is_one { first } else { None }
     }
 
     /// Whether an object is shown by a corner that is a pixel of the picture, or by all.
-    fn shows_object(&self, object: usize) -> bool {
+    fn shows_object(&self, object: ObjectId) -> bool {
         self.only_object() == Some(object)
-            || (0..4).any(|i| self.objects[i] == object + 1 && self.is_pixel(i))
+            || (0..4).any(|i| self.objects[i] == Some(object) && self.is_pixel(i))
     }
 
     /// Whether all corners show an object that is in front of another one.
-    fn hides(&self, scene: &Prepared, object: usize) -> bool {
+    fn is_hidden(&self, scene: &Prepared, object: ObjectId) -> bool {
         self.only_object()
             .is_some_and(|front| scene.occludes(front, object))
     }
 
     /// Whether a corner that is a pixel shows a plane in a shadow on it, which has the outline of a number.
-    fn shows_shadow(&self, scene: &Prepared, number: usize, plane: usize) -> bool {
+    fn shows_shadow(&self, scene: &Prepared, number: usize, plane: ObjectId) -> bool {
         let cone = scene.shadow_cone(number);
         (0..4).any(|i| {
             let [x, y] = self.corner(i);
             let at = scene.axes.rect(rectangle(x, y, x, y));
-            self.objects[i] == plane + 1
+            self.objects[i] == Some(plane)
                 && self.is_pixel(i)
                 && cone.meets(&vec2(at.x, at.y).xyxy(), ROUNDING)
         })

@@ -9,6 +9,7 @@ use super::pyramid::Pyramid;
 use super::tile::Tile;
 use super::verdict::{Verdict, steps};
 use crate::observe::Observer;
+use crate::prepare::ObjectId;
 use crate::quality::Quality;
 use crate::trace::{Layers, STEP, Sample, pattern_at_pixels};
 use glam::Vec3A;
@@ -33,8 +34,7 @@ impl<O: Observer> Tile<'_, O> {
             return false;
         }
         let corner = pyramid.sample(above);
-        let object = corner.object() - 1;
-        self.interpolate(level, [x, y], corners, Some(object));
+        self.interpolate(level, [x, y], corners, corner.object());
         // The corner as it was traced, to the last bit.
         let (left, top) = (self.area.left + x * side, y * side);
         self.canvas.put(left, top, corner.pixel());
@@ -60,7 +60,7 @@ impl<O: Observer> Tile<'_, O> {
         level: usize,
         [x, y]: [usize; 2],
         [a, b, c, d]: [Layers; 4],
-        object: Option<usize>,
+        object: Option<ObjectId>,
     ) {
         let side = self.area.side(level);
         let (left, top) = (self.area.left + x * side, y * side);

@@ -139,7 +139,8 @@ impl<O: Observer> Tile<'_, O> {
                 continue;
             }
             let place = Pyramid::place(level, side.divide(x - self.area.left), side.divide(y));
-            if has_patterns && self.scene.has_pattern(sample.object() - 1) {
+            let has_pattern = |id| self.scene.has_pattern(id);
+            if has_patterns && sample.object().is_some_and(has_pattern) {
                 sample = sample.patterned();
                 pyramid.put_layers(place, batch.layers(i));
             }

@@ -76,11 +76,10 @@ pub(super) fn resolve_blocks<S: Isa>(
     hit: &mut Hit<S>,
 ) {
     for &candidate in candidates.as_slice() {
-        let number = candidate.number as usize;
-        if let Object::Block(block) = scene.object(number).0 {
+        if let Object::Block(block) = scene.object(candidate.object).0 {
             let t = distance(simd, block, &rays.o, &rays.d);
             let is_nearer = t.simd_lt(hit.t) & candidate.lanes(simd);
-            hit.keep_nearer(is_nearer, t, number);
+            hit.keep_nearer(is_nearer, t, candidate.object);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Boxes, cylinders and whatever else a packet's rays may meet, to be looked at one by one.
 
 use crate::lanes::*;
+use crate::prepare::ObjectId;
 use crate::scene::MAX_SOLIDS;
 
 /// A solid that some rays of a packet may meet.
@@ -9,8 +10,7 @@ use crate::scene::MAX_SOLIDS;
 /// it travels with.
 #[derive(Clone, Copy)]
 pub(crate) struct Candidate {
-    /// The object's number.
-    pub number: u16,
+    pub object: ObjectId,
     /// A bit for each lane whose ray may meet it.
     lanes: u16,
 }
@@ -33,7 +33,7 @@ impl Candidates {
     /// None, all zeros.
     pub const NONE: Self = Self {
         list: [Candidate {
-            number: 0,
+            object: ObjectId::FIRST,
             lanes: 0,
         }; MAX_SOLIDS],
         len: 0,
@@ -45,11 +45,11 @@ impl Candidates {
         self.len = 0;
     }
 
-    /// Adds the solid of a number for some lanes.
+    /// Adds a solid for some lanes.
     #[inline(always)]
-    pub fn push<S: Isa>(&mut self, number: u16, lanes: M<S>) {
+    pub fn push<S: Isa>(&mut self, object: ObjectId, lanes: M<S>) {
         self.list[self.len] = Candidate {
-            number,
+            object,
             lanes: lanes.to_bitmask() as u16,
         };
         self.len += 1;

@@ -3,7 +3,7 @@
 use super::candidates::Candidates;
 use super::stack::Rays;
 use crate::lanes::*;
-use crate::prepare::{BvhNode, GroupSet, Lamp, Prepared, Rectangle, ShadowCone};
+use crate::prepare::{BvhNode, GroupSet, Lamp, ObjectId, Prepared, Rectangle, ShadowCone};
 
 /// A ray that hits nothing ends this far away.
 const FARTHEST: f32 = 1e30;
@@ -31,9 +31,9 @@ pub(crate) struct Hit<S: Isa> {
 
 impl<S: Isa> Hit<S> {
     #[inline(always)]
-    pub fn keep_nearer(&mut self, closer: M<S>, t: F<S>, object: usize) {
+    pub fn keep_nearer(&mut self, closer: M<S>, t: F<S>, object: ObjectId) {
         self.t = closer.select(t, self.t);
-        self.object = closer.select(U::<S>::splat(self.t.token(), object as u32), self.object);
+        self.object = closer.select(U::<S>::splat(self.t.token(), object.lane()), self.object);
     }
 }
 
@@ -51,11 +51,11 @@ pub(crate) fn nearest<S: Isa>(
     candidates.clear();
     let mut hit = Hit {
         t: splat(simd, FARTHEST),
-        object: U::<S>::splat(simd, scene.background() as u32),
+        object: U::<S>::splat(simd, ObjectId::new(scene.background()).lane()),
     };
     for (i, plane) in scene.planes().iter().enumerate() {
         let (m, t) = plane_hit(simd, plane, rays.o, rays.d, hit.t);
-        hit.keep_nearer(m, t, scene.first_plane() + i);
+        hit.keep_nearer(m, t, ObjectId::new(scene.first_plane() + i));
     }
     let nodes = scene.tree.nodes();
     let mut i = first;
@@ -70,11 +70,11 @@ pub(crate) fn nearest<S: Isa>(
                 if node.is_block {
                     let near = near & !chord.is_off(rays.d, node, hit.t);
                     if near.any_true() {
-                        candidates.push::<S>(node.number, near);
+                        candidates.push::<S>(node.object, near);
                     }
                 } else {
                     let (m, t) = chord.entry(near, node, hit.t);
-                    hit.keep_nearer(m, t, node.number as usize);
+                    hit.keep_nearer(m, t, node.object);
                 }
             }
         }
@@ -290,7 +290,7 @@ pub(crate) fn blocked<S: Isa>(
         if is_met && !cone.is_bound && !lamp.is_plain() {
             let near = shaded & !cone_is_off(simd, cone, l, distance, lamp.diameter);
             if near.any_true() {
-                candidates.push::<S>(cone.number, near);
+                candidates.push::<S>(cone.object, near);
             }
         } else if is_met && !cone.is_bound {
             blocked |= cone_blocks(simd, cone, l, distance);

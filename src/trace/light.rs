@@ -118,7 +118,7 @@ fn light_transmittance<S: Isa>(
         z: in_cone,
     };
     for &candidate in candidates.as_slice() {
-        let (object, material) = scene.object(candidate.number as usize);
+        let (object, material) = scene.object(candidate.object);
         let covered = match object {
             Object::Block(block) => {
                 let t = block::distance(simd, block, &ways.o, &ways.l);

@@ -97,8 +97,8 @@ impl<S: Isa> ShadingPoint<S> {
         let Rays { o, d, .. } = rays;
         let mut rest = self.solid.to_bitmask();
         while rest != 0 {
-            let (number, same) = object_at(simd, hit.object, &mut rest);
-            let (object, material) = scene.object(number);
+            let (id, same) = object_at(simd, hit.object, &mut rest);
+            let (object, material) = scene.object(id);
             let texture_point = match object {
                 Object::Block(block) => {
                     let centre = Vec3x::splat(simd, block.centre);

@@ -2,6 +2,7 @@
 
 use super::batch::{STEP_BITS, Sum};
 use crate::lanes::*;
+use crate::prepare::ObjectId;
 use fearless_simd::{u16x8, u32x4, u64x2};
 
 /// A traced point's colour: blue, green and red from the low bits up, 16 bits each, in 128ths of an output step. Above
@@ -44,10 +45,11 @@ impl Sample {
         self.0 & Self::PATTERN != 0
     }
 
-    /// The number of the object that is shown, plus one; 0 where it is not known.
+    /// The object that is shown, if it is known.
     #[inline(always)]
-    pub fn object(self) -> usize {
-        ((self.0 & !Self::PATTERN) >> OBJECT) as usize
+    pub fn object(self) -> Option<ObjectId> {
+        let number = ((self.0 & !Self::PATTERN) >> OBJECT) as usize;
+        number.checked_sub(1).map(ObjectId::new)
     }
 
     /// The colour half-way between two, and the object if it is the same.

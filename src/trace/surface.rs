@@ -1,7 +1,7 @@
 //! The surfaces that a packet hits.
 
 use crate::lanes::*;
-use crate::prepare::{PerLane, Prepared, SurfaceRow};
+use crate::prepare::{ObjectId, PerLane, Prepared, SurfaceRow};
 
 /// Surfaces that are kept in all lanes: more than a picture's tile shows of most scenes. Packets of primary and of secondary rays
 /// take turns and so do their objects: with one, the model scene's frame takes 3 % more instructions.
@@ -10,8 +10,8 @@ const KEPT: usize = 16;
 /// Surfaces spread over lanes, as a thread keeps them: of each object, if at all, in the place that its number gives.
 pub(super) struct SurfaceRows {
     kept: [SurfaceRow; KEPT],
-    /// The numbers of the objects kept, plus one; 0 is none.
-    objects: [u16; KEPT],
+    /// The objects whose surfaces are kept.
+    objects: [Option<ObjectId>; KEPT],
     /// The surfaces of a packet that hits several objects.
     mixed: SurfaceRow,
 }
@@ -20,13 +20,13 @@ impl SurfaceRows {
     /// None.
     pub const NONE: Self = Self {
         kept: [const { SurfaceRow::ZERO }; KEPT],
-        objects: [0; KEPT],
+        objects: [None; KEPT],
         mixed: SurfaceRow::ZERO,
     };
 
     /// Forgets all.
     pub fn clear(&mut self) {
-        self.objects = [0; KEPT];
+        self.objects = [None; KEPT];
     }
 }
 
@@ -48,13 +48,13 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         memory: &'a mut SurfaceRows,
     ) -> Self {
         let mut rest = active.to_bitmask();
-        let number = object_at(simd, objects, &mut rest).0;
-        let first = scene.surface(number);
+        let id = object_at(simd, objects, &mut rest).0;
+        let first = scene.surface(id);
         if rest == 0 {
-            let rows = &mut memory.kept[number % KEPT];
-            let object = &mut memory.objects[number % KEPT];
-            if *object != number as u16 + 1 {
-                *object = number as u16 + 1;
+            let rows = &mut memory.kept[id.index() % KEPT];
+            let kept = &mut memory.objects[id.index() % KEPT];
+            if *kept != Some(id) {
+                *kept = Some(id);
                 rows.set(first);
             }
             return Self { simd, rows };
@@ -62,9 +62,9 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         let mixed = &mut memory.mixed;
         let mut is_first = true;
         while rest != 0 {
-            let (number, same) = object_at(simd, objects, &mut rest);
+            let (id, same) = object_at(simd, objects, &mut rest);
             let mask: U<S> = same.to_vector().bitcast();
-            let new = scene.surface(number);
+            let new = scene.surface(id);
             let rows = mixed.parameters_mut().into_iter().zip(first.parameters());
             for ((row, &first), &new) in rows.zip(new.parameters()) {
                 // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
@@ -164,12 +164,12 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
 
 /// The object of the first lane in `rest`, and the lanes that hit it, which are taken out.
 #[inline(always)]
-pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (usize, M<S>) {
+pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (ObjectId, M<S>) {
     let lane = rest.trailing_zeros() as usize % lanes::<S>();
     let number = objects.as_slice()[lane];
     let same = objects.simd_eq(U::<S>::splat(simd, number));
     *rest &= !same.to_bitmask();
-    (number as usize, same)
+    (ObjectId::new(number as usize), same)
 }
 
 /// A packet's lanes of a row.

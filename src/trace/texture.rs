@@ -3,7 +3,7 @@
 use super::batch::primary_directions;
 use super::block::{self, BlockHit};
 use crate::lanes::*;
-use crate::prepare::{Object, Prepared};
+use crate::prepare::{Object, ObjectId, Prepared};
 use crate::scene::{Pattern, Sphere};
 use glam::Vec3A;
 
@@ -60,10 +60,10 @@ impl<S: Isa> TexturePoint<S> {
 }
 
 /// The share of its colour that a surface with a pattern keeps, 0 to 1, at the pixel (x, y) and the three to the right of
-/// it, where the eye sees the object of a number there; any share where it sees none of it.
-pub(crate) fn pattern_at_pixels(scene: &Prepared, object: usize, x: usize, y: usize) -> [f32; 4] {
+/// it, if these show the object; otherwise any share.
+pub(crate) fn pattern_at_pixels(scene: &Prepared, id: ObjectId, x: usize, y: usize) -> [f32; 4] {
     let mut shares = [0.0; 4];
-    let found = pattern_at_row(baseline(), scene, object, x, y);
+    let found = pattern_at_row(baseline(), scene, id, x, y);
     for (share, &found) in shares.iter_mut().zip(found.as_slice()) {
         *share = found;
     }
@@ -72,8 +72,8 @@ pub(crate) fn pattern_at_pixels(scene: &Prepared, object: usize, x: usize, y: us
 
 /// The same for as many pixels as there are lanes.
 #[inline(always)]
-fn pattern_at_row<S: Isa>(simd: S, scene: &Prepared, object: usize, x: usize, y: usize) -> F<S> {
-    let (object, material) = scene.object(object);
+fn pattern_at_row<S: Isa>(simd: S, scene: &Prepared, id: ObjectId, x: usize, y: usize) -> F<S> {
+    let (object, material) = scene.object(id);
     let o = Vec3x::splat(simd, scene.eye);
     let x: F<S> = numbers(simd).bitcast::<I<S>>().to_float::<F<S>>() + x as f32;
     let d = primary_directions(simd, scene, x, splat(simd, y as f32));

@@ -1,6 +1,7 @@
 //! What patterns leave of colours is the same for pixels whose object is known as for points that are traced.
 
 use super::*;
+use crate::prepare::ObjectId;
 use crate::scene::Pattern;
 use crate::show::{self, grid};
 use crate::trace::pattern_at_pixels;
@@ -48,7 +49,7 @@ impl Property for Patterns {
                     let hit = hits(simd, &prepared, &rays);
                     let point = shading_point(simd, &prepared, &rays, &hit);
                     for (lane, &object) in hit.object.as_slice().iter().enumerate() {
-                        let object = object as usize;
+                        let object = ObjectId::new(object as usize);
                         if !prepared.has_pattern(object) {
                             continue;
                         }
