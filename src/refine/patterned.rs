@@ -1,7 +1,7 @@
 //! Squares that are filled by light, a pixel at a time: those of one object with a pattern, where the light is interpolated and
 //! the pattern is seen at every pixel, and those whose side is no power of two.
 //!
-//! A traced point shows `rest + share * full` (see [`Layers`]). Both layers are interpolated, and the share is what the pattern
+//! A traced point shows `rest + share * untextured` (see [`Layers`]). Both layers are interpolated, and the share is what the pattern
 //! leaves where the pixel's own ray meets the object, which is known. So edges of a pattern stay as sharp as traced, wherever
 //! they run between the corners.
 
@@ -102,14 +102,14 @@ impl Layers {
         let channel = |shift: u32| (sample.0 >> shift & 0xffff) as f32 / STEP as f32;
         Self {
             rest: Vec3A::new(channel(0), channel(16), channel(32)),
-            full: Vec3A::ZERO,
+            untextured: Vec3A::ZERO,
         }
     }
 
     /// The pixel where a pattern leaves a share.
     #[inline(always)]
     fn pixel(self, share: f32) -> u32 {
-        let colour = (self.rest + self.full * share).clamp(Vec3A::ZERO, BRIGHTEST);
+        let colour = (self.rest + self.untextured * share).clamp(Vec3A::ZERO, BRIGHTEST);
         let [blue, green, red] = (colour + 0.5).to_array();
         (red as u32) << 16 | (green as u32) << 8 | blue as u32
     }

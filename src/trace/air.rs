@@ -1,19 +1,19 @@
-//! Haze and sky: what the way from a surface to the ray's start does to its light, and what lies behind all surfaces.
+//! Haze and sky: how the light of a surface fades on its way to the ray's origin, and the colour of the background.
 
 use super::surface::SurfaceLanes;
 use crate::lanes::*;
 use crate::prepare::{Air, Prepared};
 
-/// The air along a packet's rays.
+/// The haze along a packet's rays.
 pub(super) struct AirLanes<S: Isa> {
-    /// What is seen in the rays' directions behind everything.
+    /// The background in the rays' directions.
     sky: Vec3x<S>,
-    /// The share of the light from where they hit that arrives, 0 to 1.
+    /// The share of the surfaces' light that arrives, 0 to 1.
     pub transmittance: F<S>,
 }
 
 impl<S: Isa> AirLanes<S> {
-    /// The air along rays of length `t` to a surface, if there is any to be seen.
+    /// The haze along rays that hit surfaces at distance `t`; `None` if the air is clear.
     #[inline(always)]
     pub fn along(
         simd: S,
@@ -28,14 +28,14 @@ impl<S: Isa> AirLanes<S> {
         }
         let rise = at_least::<S>(d.y, splat(simd, 0.0));
         let gradient = rise * (rise * -1.0 + 2.0);
-        let way = t * surface.haze();
+        let density = t * surface.haze();
         Some(Self {
             sky: Vec3x::splat(simd, horizon).add_scaled(Vec3x::splat(simd, sky), gradient),
-            transmittance: splat::<S>(simd, 1.0) / (way * way + 1.0),
+            transmittance: splat::<S>(simd, 1.0) / (density * density + 1.0),
         })
     }
 
-    /// A surface's colour as it arrives.
+    /// The colour of a surface as seen through the haze.
     #[inline(always)]
     pub fn veil(&self, colour: Vec3x<S>) -> Vec3x<S> {
         self.sky.add_scaled(colour - self.sky, self.transmittance)

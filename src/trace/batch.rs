@@ -128,12 +128,12 @@ impl Batch {
     pub fn layers(&self, i: usize) -> Layers {
         let i = i % BATCH;
         let [blue, green, red, share] = self.patterned[i];
-        let full = Vec3A::new(blue, green, red);
+        let untextured = Vec3A::new(blue, green, red);
         let [blue, green, red, _] = self.sums[i].map(|sum| sum as f32);
         let sum = Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32);
         Layers {
-            rest: sum - full * share,
-            full,
+            rest: sum - untextured * share,
+            untextured,
         }
     }
 

@@ -1,4 +1,4 @@
-//! Rays against boxes and cylinders.
+//! Intersections of rays with boxes and cylinders. Coordinates are the scene's, unless they are along a block's own axes.
 
 use super::candidates::Candidates;
 use super::intersect::Hit;
@@ -8,10 +8,10 @@ use crate::prepare::{Object, Prepared};
 use crate::scene::{Block, Shape};
 use glam::{Mat3A, Vec3A};
 
-/// Added to directions along a block's axes, so that a ray along a side is not divided by 0.
+/// Added to directions along a block's axes, to avoid divisions by 0 for rays that are parallel to a side.
 const TINY: f32 = 1e-12;
 
-/// A vector's coordinates along three axes.
+/// A vector's components along three axes.
 #[inline(always)]
 fn along<S: Isa>(simd: S, axes: &Mat3A, v: &Vec3x<S>) -> Vec3x<S> {
     Vec3x {
@@ -21,8 +21,8 @@ fn along<S: Isa>(simd: S, axes: &Mat3A, v: &Vec3x<S>) -> Vec3x<S> {
     }
 }
 
-/// The distances along rays between which they are within `half` of the middle plane across an axis; `o` and `d` are the
-/// rays' coordinates along it.
+/// The distances at which rays enter and leave the slab within `half` of the centre along one axis. `o` and `d` are the rays' origins and
+/// directions along that axis.
 #[inline(always)]
 fn slab<S: Isa>(simd: S, o: F<S>, d: F<S>, half: f32) -> (F<S>, F<S>) {
     let middle = -o / d;
@@ -30,9 +30,9 @@ fn slab<S: Isa>(simd: S, o: F<S>, d: F<S>, half: f32) -> (F<S>, F<S>) {
     (middle - half, middle + half)
 }
 
-/// The distances at which rays first meet a block ahead; infinite where they pass by.
+/// The distances at which rays first hit a block; infinite for rays that miss it.
 ///
-/// A ray is inside where it is between all sides at once (Kay and Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986).
+/// A ray is inside of the block while it is inside of all slabs (Kay and Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986).
 #[inline(always)]
 pub(super) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
     let tiny = Vec3x::splat(simd, Vec3A::splat(TINY));
@@ -45,7 +45,7 @@ pub(super) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S
         let a: F<S> = d.x * d.x + d.z * d.z;
         let b: F<S> = d.x * o.x + d.z * o.z;
         let middle = -b / a;
-        // The square of half the chord from the perpendicular to the axis, which loses no digits far away.
+        // The squared half chord, computed from the perpendicular to the axis, which loses no digits far away.
         let x: F<S> = o.x + d.x * middle;
         let z: F<S> = o.z + d.z * middle;
         let off2: F<S> = x * x + z * z;
@@ -66,7 +66,7 @@ pub(super) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S
     is_met.select(t, splat(simd, f32::INFINITY))
 }
 
-/// Tests rays against the boxes and cylinders among their candidates, and keeps those hits that are nearer.
+/// Intersects rays with the boxes and cylinders among their candidates, and keeps hits that are nearer.
 #[inline(always)]
 pub(super) fn resolve_blocks<S: Isa>(
     simd: S,
@@ -84,9 +84,9 @@ pub(super) fn resolve_blocks<S: Isa>(
     }
 }
 
-/// Points on a block's surface, a ray's each.
+/// Points on the surface of a block, one per ray.
 pub(super) struct BlockHit<S: Isa> {
-    /// From the centre, in the scene's axes.
+    /// From the centre, in scene coordinates.
     pub out: Vec3x<S>,
     /// The normal, outward, of length 1.
     pub n: Vec3x<S>,
@@ -99,7 +99,7 @@ impl<S: Isa> BlockHit<S> {
     #[inline(always)]
     pub fn near(simd: S, block: &Block, out: Vec3x<S>) -> Self {
         let own = along(simd, &block.axes, &out);
-        // How far out they are across each pair of faces, which are at 1.
+        // The coordinates relative to the faces, which are at -1 and 1.
         let faces = own * Vec3x::splat(simd, block.half.recip());
         let (mut x, y, mut z) = (faces.x.abs(), faces.y.abs(), faces.z.abs());
         if block.shape == Shape::Cylinder {
@@ -121,8 +121,8 @@ impl<S: Isa> BlockHit<S> {
     }
 }
 
-/// How far from a block's surface rays start that leave it: what rounding can displace a point on it by, in both
-/// directions, many times over. Ten units from the origin it is a ten-thousandth.
+/// The offset from the surface at which secondary rays of a block start, in scene units: many times the rounding error of a point on it.
+/// At ten units from the origin it is 1e-4.
 pub(super) fn hit_error(block: &Block) -> f32 {
     1e-5 * (block.centre.abs() + block.half).element_sum()
 }

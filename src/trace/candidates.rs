@@ -1,36 +1,35 @@
-//! Boxes, cylinders and whatever else a packet's rays may meet, to be looked at one by one.
+//! The solids that need an exact test, one by one, after the tree has been traversed.
 
 use crate::lanes::*;
 use crate::prepare::ObjectId;
 use crate::scene::MAX_SOLIDS;
 
-/// A solid that some rays of a packet may meet.
+/// A solid that some rays of a packet may hit.
 ///
-/// The other rays do not meet it, whatever the exact test finds for them: what a ray meets does not depend on the rays that
-/// it travels with.
+/// For the other rays the result of the exact test is ignored, so that a ray's hit does not depend on the other rays of its packet.
 #[derive(Clone, Copy)]
 pub(crate) struct Candidate {
     pub object: ObjectId,
-    /// A bit for each lane whose ray may meet it.
+    /// One bit for each lane whose ray may hit it.
     lanes: u16,
 }
 
 impl Candidate {
-    /// The lanes whose rays may meet it.
+    /// The lanes whose rays may hit it.
     #[inline(always)]
     pub fn lanes<S: Isa>(self, simd: S) -> M<S> {
         M::<S>::from_bitmask(simd, u64::from(self.lanes))
     }
 }
 
-/// The solids that the rays of a packet may meet. A solid is one node of the tree, so it is here at most once.
+/// The candidates of a packet. Each solid is one node of the tree, so it is in the list at most once.
 pub(crate) struct Candidates {
     list: [Candidate; MAX_SOLIDS],
     len: usize,
 }
 
 impl Candidates {
-    /// None, all zeros.
+    /// No candidates, all zeros.
     pub const NONE: Self = Self {
         list: [Candidate {
             object: ObjectId::FIRST,
@@ -39,7 +38,7 @@ impl Candidates {
         len: 0,
     };
 
-    /// Leaves none.
+    /// Removes all candidates.
     #[inline(always)]
     pub fn clear(&mut self) {
         self.len = 0;
@@ -55,13 +54,13 @@ impl Candidates {
         self.len += 1;
     }
 
-    /// Whether there are none.
+    /// Whether the list is empty.
     #[inline(always)]
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
 
-    /// All of them.
+    /// All candidates.
     #[inline(always)]
     pub fn as_slice(&self) -> &[Candidate] {
         &self.list[..self.len]

@@ -1,48 +1,48 @@
-//! What a pattern is on, apart from the pattern.
+//! The light of a patterned surface, separated from the pattern.
 
 use core::ops::{Add, Mul, Sub};
 use glam::Vec3A;
 
-/// A traced point of a surface with a pattern, in two layers: it shows `rest + left * full`, the pattern leaving that share
-/// there. Both change slowly along a surface where the pattern does not.
+/// The light of a traced point in two layers: its colour is `rest + reflectance * untextured`, with the share that the pattern leaves.
+/// Along a surface both layers change slowly, while the pattern may not.
 ///
-/// Blue, green and red, in output steps.
+/// Channels are blue, green and red, in steps of 1/255.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Layers {
-    /// What has nothing to do with the surface's colour: highlights, what is reflected or shines through, haze.
+    /// The part that does not depend on the surface's colour: highlights, reflection, transmission and haze.
     pub rest: Vec3A,
-    /// The light that the surface's own colour would send back without a pattern.
-    pub full: Vec3A,
+    /// The light that the surface would reflect diffusely without a pattern.
+    pub untextured: Vec3A,
 }
 
 impl Layers {
     /// Black.
     pub const NONE: Self = Self {
         rest: Vec3A::ZERO,
-        full: Vec3A::ZERO,
+        untextured: Vec3A::ZERO,
     };
 
-    /// The greatest of all numbers.
+    /// The largest channel of both layers.
     #[inline(always)]
     pub fn most(self) -> f32 {
-        self.rest.max(self.full).max_element()
+        self.rest.max(self.untextured).max_element()
     }
 
-    /// The greater of each two numbers.
+    /// The maximum, channel by channel.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         Self {
             rest: self.rest.max(other.rest),
-            full: self.full.max(other.full),
+            untextured: self.untextured.max(other.untextured),
         }
     }
 
-    /// The smaller of each two numbers.
+    /// The minimum, channel by channel.
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
         Self {
             rest: self.rest.min(other.rest),
-            full: self.full.min(other.full),
+            untextured: self.untextured.min(other.untextured),
         }
     }
 }
@@ -54,7 +54,7 @@ impl Add for Layers {
     fn add(self, other: Self) -> Self {
         Self {
             rest: self.rest + other.rest,
-            full: self.full + other.full,
+            untextured: self.untextured + other.untextured,
         }
     }
 }
@@ -66,7 +66,7 @@ impl Sub for Layers {
     fn sub(self, other: Self) -> Self {
         Self {
             rest: self.rest - other.rest,
-            full: self.full - other.full,
+            untextured: self.untextured - other.untextured,
         }
     }
 }
@@ -78,7 +78,7 @@ impl Mul<f32> for Layers {
     fn mul(self, share: f32) -> Self {
         Self {
             rest: self.rest * share,
-            full: self.full * share,
+            untextured: self.untextured * share,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Where rays hit, as shading wants it.
+//! The points that are shaded. Coordinates are the scene's.
 
 use super::block::{self, BlockHit};
 use super::intersect::Hit;
@@ -8,31 +8,30 @@ use super::texture::TexturePoint;
 use crate::lanes::*;
 use crate::prepare::{Object, Prepared};
 
-/// Where a hit is farther than this share of the radius from its sphere, one Newton step does not take it there to
-/// within rounding.
+/// The largest distance of a hit from its sphere, as a share of the radius, that one Newton step reduces to rounding errors.
 const NEWTON: f32 = 1.0 / (1 << 13) as f32;
 
-/// Points on surfaces, a ray's each.
+/// The points that the rays of a packet hit.
 pub(super) struct ShadingPoint<S: Isa> {
     pub p: Vec3x<S>,
     /// The normal, of length 1; it faces the ray.
     pub n: Vec3x<S>,
-    /// The ray's direction against the normal, not above 0.
+    /// The dot product of the ray's direction and the normal, at most 0.
     pub dn: F<S>,
-    /// The reflected direction.
+    /// The direction of the reflected ray.
     pub r: Vec3x<S>,
-    /// How far `p` is from the surface, against the ray: 0 but on boxes and cylinders.
+    /// The distance of `p` from the surface, on the ray's side: 0 except for boxes and cylinders.
     pub hit_error: F<S>,
-    /// The share of its colour that a texture leaves the surface, 0 to 1.
+    /// The share that the texture leaves of the surface's colour, 0 to 1.
     pub reflectance: F<S>,
-    /// Whether the ray comes from within.
+    /// Whether the ray comes from inside of the object.
     pub inside: M<S>,
-    /// Lanes that hit something that lamps shine on.
+    /// The lanes whose object is lit by lights.
     pub solid: M<S>,
 }
 
 impl<S: Isa> ShadingPoint<S> {
-    /// Where rays hit surfaces.
+    /// The points that rays hit.
     #[inline(always)]
     pub fn new(
         simd: S,
@@ -50,7 +49,7 @@ impl<S: Isa> ShadingPoint<S> {
         point
     }
 
-    /// Where spheres and planes are hit.
+    /// The points on spheres and planes.
     #[inline(always)]
     fn on_sphere_or_plane(
         simd: S,
@@ -62,8 +61,7 @@ impl<S: Isa> ShadingPoint<S> {
         let zero = splat(simd, 0.0);
         let inverse_radius = surface.inverse_radius();
         let upright = surface.upright();
-        // From the centre to the hit, and back to a sphere by its square against the radius: the error of t does not go on
-        // to the rays that start here.
+        // The hit is projected back to the sphere, so that secondary rays do not inherit the error of t.
         let out = (rays.o - surface.centre()).add_scaled(rays.d, t);
         let square: F<S> = out.dot(out) * (inverse_radius * inverse_radius);
         let mut scale = square.mul_add(
@@ -75,7 +73,7 @@ impl<S: Isa> ShadingPoint<S> {
             scale = far.select(splat::<S>(simd, 1.0) / square.sqrt(), scale);
         }
         let mut p = surface.centre().add_scaled(out, scale);
-        // On a plane, exactly.
+        // A point on a plane is exact.
         p.y = upright.simd_gt(zero).select(surface.centre().y, p.y);
         let mut n = out.scaled(scale * inverse_radius);
         n.y += upright;
@@ -91,7 +89,7 @@ impl<S: Isa> ShadingPoint<S> {
         }
     }
 
-    /// Where boxes and cylinders are hit, and what textures leave, object by object.
+    /// Computes the points on boxes and cylinders, and the textures, one object at a time.
     #[inline(always)]
     fn add_detail(&mut self, simd: S, scene: &Prepared, rays: &Rays<S>, hit: &Hit<S>) {
         let Rays { o, d, .. } = rays;
@@ -104,7 +102,7 @@ impl<S: Isa> ShadingPoint<S> {
                     let centre = Vec3x::splat(simd, block.centre);
                     let on_block = BlockHit::near(simd, block, (*o - centre).add_scaled(*d, hit.t));
                     let error = splat(simd, block::hit_error(block));
-                    // On the ray's side.
+                    // The point is moved to the ray's side of the surface.
                     let sign = !d.dot(on_block.n).bitcast::<U<S>>() & (1 << 31);
                     let p = centre + on_block.out;
                     let p = p.add_scaled(on_block.n, flipped::<S>(error, sign));
@@ -131,12 +129,12 @@ impl<S: Isa> ShadingPoint<S> {
         }
     }
 
-    /// Turns the normal to the rays, and reflects them.
+    /// Makes the normals face the rays, and computes the reflected directions.
     #[inline(always)]
     fn face(&mut self, simd: S, rays: &Rays<S>) {
         let n = self.n;
         let outward = rays.d.dot(n);
-        // The sign that turns a normal along the ray round.
+        // The sign bit that flips normals pointing along the ray.
         let sign = U::<S>::splat(simd, 1 << 31);
         let flip = (outward.bitcast::<U<S>>() & sign) ^ sign;
         let n = Vec3x {

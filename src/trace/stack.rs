@@ -1,52 +1,53 @@
-//! Rays that wait to be traced.
+//! The stack of secondary rays that wait to be traced.
 
 use crate::lanes::*;
 
-/// Rays in lanes.
+/// A packet of rays, one per lane, in scene coordinates.
 #[derive(Clone, Copy)]
 pub(crate) struct Rays<S: Isa> {
+    /// Origin.
     pub o: Vec3x<S>,
     /// Direction, of length 1.
     pub d: Vec3x<S>,
     /// The product of the coefficients along the ray's path.
     pub weight: F<S>,
-    /// Where its colour goes and where it stands in its tree: `slot << PATH_BITS | path`. The path of a primary ray is
-    /// 1; a ray with path p has the reflected ray 2 p and the transmitted ray 2 p + 1.
+    /// The point of the batch that the ray belongs to, and its node in that point's ray tree: `slot << PATH_BITS | path`. The path of a
+    /// primary ray is 1; a ray with path p has the reflected ray 2 p and the transmitted ray 2 p + 1.
     pub slot_path: U<S>,
 }
 
-/// A place's bit that says that the ray is what the first plane reflects of a primary ray.
+/// The bit of a `slot_path` that marks reflections of primary rays in the first plane.
 const MIRRORED: u32 = 1 << 31;
 
-/// Enough for the paths of [`crate::Quality::MAX_DEPTH`].
+/// The bits of a path: enough for [`crate::Quality::MAX_DEPTH`].
 const PATH_BITS: u32 = 8;
 
 impl<S: Isa> Rays<S> {
-    /// The places of the primary rays of the points from number `slot` on.
+    /// The `slot_path`s of the primary rays of successive points, beginning with point number `slot`.
     #[inline(always)]
     pub fn slot_paths(simd: S, slot: usize) -> U<S> {
         (numbers(simd) << PATH_BITS) + ((slot as u32) << PATH_BITS | 1)
     }
 
-    /// Which points the rays belong to.
+    /// The points that the rays belong to.
     #[inline(always)]
     pub fn slots(&self) -> U<S> {
         (self.slot_path & !MIRRORED) >> PATH_BITS
     }
 
-    /// Where the rays stand in their trees.
+    /// The rays' paths in their trees.
     #[inline(always)]
     pub fn paths(&self) -> U<S> {
         self.slot_path & ((1 << PATH_BITS) - 1)
     }
 
-    /// The places of the reflected rays; those of the transmitted rays are one more.
+    /// The `slot_path`s of the reflected rays. Those of the transmitted rays are one more.
     #[inline(always)]
     pub fn reflected_slot_paths(&self) -> U<S> {
         (self.slot_path + self.paths()) & !MIRRORED
     }
 
-    /// Marks of the reflected rays' places where the first plane, the object number `plane`, reflects a primary ray.
+    /// The marks for reflected rays: set if the first plane, object number `plane`, reflects a primary ray.
     #[inline(always)]
     pub fn mirror_marks(&self, simd: S, objects: U<S>, plane: usize) -> U<S> {
         let plane = objects.simd_eq(U::<S>::splat(simd, plane as u32));
@@ -54,7 +55,7 @@ impl<S: Isa> Rays<S> {
         mirrored.to_vector().bitcast::<U<S>>() & MIRRORED
     }
 
-    /// Which rays are so marked.
+    /// Which rays have this mark.
     #[inline(always)]
     pub fn mirrored(&self, simd: S) -> M<S> {
         self.slot_path
@@ -63,15 +64,15 @@ impl<S: Isa> Rays<S> {
     }
 }
 
-/// The most rays that can wait, a power of two.
+/// The capacity of the stack, a power of two.
 ///
-/// A packet of rays of depth d is replaced by at most two packets of depth d + 1 and is taken from the top, so at most
-/// two packets of rays of each of the depths 1 to 7 wait at once.
+/// A packet of depth d is taken from the top and replaced by at most two packets of depth d + 1. So at most two packets of each of the
+/// depths 1 to 7 wait at once.
 const CAPACITY: usize = 256;
 
-/// The waiting rays, structure of arrays; a packet can be written from any place below the capacity.
+/// The waiting rays as a structure of arrays. The arrays are longer than the capacity, so that a whole packet can be written at the top.
 pub(crate) struct Stack {
-    /// Origin, direction, weight, and the bits of the place.
+    /// Origin, direction, weight, and the bits of `slot_path`.
     columns: [[f32; CAPACITY + MAX_LANES]; 8],
     len: usize,
 }
@@ -89,7 +90,7 @@ impl Stack {
         self.len
     }
 
-    /// Puts those rays on top whose lane is in `mask`.
+    /// Pushes the rays whose lane is in `mask`.
     #[inline(always)]
     pub fn push<S: Isa>(&mut self, simd: S, rays: &Rays<S>, mask: M<S>) {
         let Rays {
@@ -107,7 +108,7 @@ impl Stack {
         self.len = start + mask.to_bitmask().count_ones() as usize;
     }
 
-    /// Takes as many rays from the top as there are lanes or rays, and says how many; they are in the first lanes.
+    /// Pops as many rays as there are lanes, or all if there are fewer. Returns them, in the first lanes, and their number.
     #[inline(always)]
     pub fn pop<S: Isa>(&mut self, simd: S) -> (Rays<S>, usize) {
         let count = self.len.min(lanes::<S>());
@@ -119,8 +120,8 @@ impl Stack {
             y: load(simd, dy, start),
             z: load(simd, dz, start),
         };
-        // One Newton step back to length 1: else its error grows with each reflection, and after four of them it is more
-        // than what tells a ray's start from a hit.
+        // One Newton step normalises the direction. Otherwise its error would grow with each reflection, and after four of them exceed the
+        // bound that tells a ray's origin from a hit.
         let correction = d.dot(d).mul_add(splat(simd, -0.5), splat(simd, 1.5));
         let rays = Rays {
             o: Vec3x {
@@ -136,7 +137,7 @@ impl Stack {
     }
 }
 
-/// A packet's numbers from a column.
+/// Loads a packet's values from a column.
 #[inline(always)]
 fn load<S: Isa>(simd: S, column: &[f32; CAPACITY + MAX_LANES], start: usize) -> F<S> {
     F::<S>::from_slice(simd, &column[start..start + lanes::<S>()])

@@ -1,4 +1,4 @@
-//! Procedural textures: what is left of a colour. See [`crate::scene::Pattern`].
+//! Evaluates procedural textures, see [`crate::scene::Pattern`].
 
 use super::batch::primary_directions;
 use super::block::{self, BlockHit};
@@ -7,16 +7,16 @@ use crate::prepare::{Object, ObjectId, Prepared};
 use crate::scene::{Pattern, Sphere};
 use glam::Vec3A;
 
-/// Points of a surface as its texture sees them, a ray's each.
+/// The points of a packet at which textures are evaluated.
 pub(super) struct TexturePoint<S: Isa> {
-    /// From where the pattern's coordinates begin, along the object's own axes.
+    /// The point relative to the object's centre, along the object's own axes, in scene units.
     pub own: Vec3x<S>,
-    /// The normal, of length 1, on either side.
+    /// The normal, of length 1, with either sign.
     pub n: Vec3x<S>,
 }
 
 impl<S: Isa> TexturePoint<S> {
-    /// On a sphere, `out` from its centre.
+    /// A point on a sphere, `out` from its centre.
     #[inline(always)]
     pub fn on_sphere(simd: S, sphere: &Sphere, out: Vec3x<S>) -> Self {
         Self {
@@ -25,7 +25,7 @@ impl<S: Isa> TexturePoint<S> {
         }
     }
 
-    /// On a plane, `out` from its centre: at height 0, but for rounding.
+    /// A point on a plane, `out` from its centre. Its height is set to 0.
     #[inline(always)]
     pub fn on_plane(simd: S, out: Vec3x<S>) -> Self {
         Self {
@@ -34,7 +34,7 @@ impl<S: Isa> TexturePoint<S> {
         }
     }
 
-    /// On a box or a cylinder.
+    /// A point on a box or a cylinder.
     #[inline(always)]
     pub fn on_block(hit: &BlockHit<S>) -> Self {
         Self {
@@ -43,7 +43,7 @@ impl<S: Isa> TexturePoint<S> {
         }
     }
 
-    /// The share of its colour that the surface keeps, 0 to 1, seen along `d` from a distance `t`.
+    /// The share that the pattern leaves of the colour, 0 to 1, seen along `d` from the distance `t`.
     #[inline(always)]
     pub fn reflectance(
         &self,
@@ -53,14 +53,14 @@ impl<S: Isa> TexturePoint<S> {
         d: &Vec3x<S>,
         t: F<S>,
     ) -> F<S> {
-        // A pixel at distance 1 is `axes.pixel` wide, seen from straight above.
+        // At distance 1, and seen perpendicularly, a pixel is `axes.pixel` wide.
         let pixels = d.dot(self.n).abs() / (t * scene.axes.pixel);
         reflectance(simd, pattern, &self.own, pixels)
     }
 }
 
-/// The share of its colour that a surface with a pattern keeps, 0 to 1, at the pixel (x, y) and the three to the right of
-/// it, if these show the object; otherwise any share.
+/// The share that the pattern of an object leaves of its colour, 0 to 1, at the pixel (x, y) of the picture and the three to its right.
+/// For pixels that do not show the object it is of no meaning.
 pub(crate) fn pattern_at_pixels(scene: &Prepared, id: ObjectId, x: usize, y: usize) -> [f32; 4] {
     let mut shares = [0.0; 4];
     let found = pattern_at_row(baseline(), scene, id, x, y);
@@ -70,7 +70,7 @@ pub(crate) fn pattern_at_pixels(scene: &Prepared, id: ObjectId, x: usize, y: usi
     shares
 }
 
-/// The same for as many pixels as there are lanes.
+/// The same for one pixel per lane.
 #[inline(always)]
 fn pattern_at_row<S: Isa>(simd: S, scene: &Prepared, id: ObjectId, x: usize, y: usize) -> F<S> {
     let (object, material) = scene.object(id);
@@ -101,7 +101,7 @@ fn pattern_at_row<S: Isa>(simd: S, scene: &Prepared, id: ObjectId, x: usize, y: 
     point.reflectance(simd, scene, &material.pattern, &d, t)
 }
 
-/// The distances at which rays that start `from` a sphere's centre meet it; from within, its far side.
+/// The distances at which rays hit a sphere, or leave it if they start inside. `from` is the origin relative to the centre.
 #[inline(always)]
 fn sphere_distance<S: Isa>(simd: S, radius: f32, from: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
     let zero = splat(simd, 0.0);
@@ -113,7 +113,7 @@ fn sphere_distance<S: Isa>(simd: S, radius: f32, from: &Vec3x<S>, d: &Vec3x<S>) 
     near.simd_gt(zero).select(near, far)
 }
 
-/// The share that a pattern leaves of a colour, 0 to 1, at points `own`; a unit of length is `pixels` pixels there.
+/// The share that a pattern leaves of a colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long.
 ///
 /// `1 - depth / 2 (1 - clamp(edge * min(abs(w)) * sign(product of w), -1, 1))` by the waves w along the axes.
 #[inline(always)]
@@ -129,12 +129,12 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
         own.y * along_y,
         own.z * along_z,
     ] {
-        // A triangle wave of length 1, between -1 and 1, highest at 0.
+        // A triangle wave of period 1 between -1 and 1, with a maximum at 0.
         let wave = (v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)).abs() * -4.0 + 1.0;
         height = at_most::<S>(wave.abs(), height);
         sign ^= wave.bitcast::<U<S>>();
     }
-    // A wave falls from 1 to -1 in half its length: no edge is narrower than a pixel.
+    // A wave falls from 1 to -1 within half a period. Edges are at least a pixel wide.
     let steepest = pixels * (0.5 / pattern.waves.max_element());
     let edge = at_most::<S>(steepest, splat(simd, pattern.edge));
     let height = at_most::<S>(height * edge, splat(simd, 1.0));
@@ -145,13 +145,13 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
 /// 1.5 * 2^23: adding it leaves the nearest integer in the low bits, for numbers to 2^22.
 const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
-/// Noise by which the pattern is shifted, in waves: it is the same along a slope through the three axes.
+/// The noise that shifts the pattern, in periods. It is two-dimensional, constant along one oblique direction.
 #[inline(always)]
 fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> F<S> {
     let mut u: F<S> = (p.z * 0.6 + p.x) * pattern.grain;
     let mut v: F<S> = (p.z * 0.8 + p.y) * pattern.grain;
     let mut sum = splat(simd, 0.0);
-    // A bound on the turns of the loop, whatever the scene says.
+    // A bound on the number of iterations for invalid scenes.
     let mut strength = pattern.warp.min(64.0);
     while strength > Pattern::LEAST_WARP {
         sum += noise::<S>(u, v) * strength;
@@ -162,7 +162,7 @@ fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> F<S> {
     sum
 }
 
-/// Value noise: random numbers from -1 to 1 at whole coordinates, interpolated smoothly between them.
+/// Value noise: random numbers from -1 to 1 at integer coordinates, interpolated smoothly.
 #[inline(always)]
 fn noise<S: Isa>(u: F<S>, v: F<S>) -> F<S> {
     let (cell_u, s) = cell::<S>(u);
@@ -177,13 +177,13 @@ fn noise<S: Isa>(u: F<S>, v: F<S>) -> F<S> {
     upper + (lower - upper) * t
 }
 
-/// What a step along each coordinate adds to the number that [`chance`] hashes.
+/// The addends, for a step along each coordinate, to the number that [`chance`] hashes.
 const ACROSS: u32 = 0x9e37_79b9;
 const ALONG: u32 = 0x85eb_ca6b;
-/// What leads from the lower corner of a cell to each of its corners.
+/// The addends for the corners of a cell, relative to its lower corner.
 const STEPS: [u32; 4] = [0, ACROSS, ALONG, ACROSS.wrapping_add(ALONG)];
 
-/// The bits of the cell's lower corner, as rounding leaves them, and the smooth step from there: 0 to 1, level at both ends.
+/// The bits of a cell's lower corner, as rounding produces them, and the smooth step from there, 0 to 1.
 #[inline(always)]
 fn cell<S: Isa>(u: F<S>) -> (U<S>, F<S>) {
     let cell = u - 0.5 + ROUND_TO_INTEGER;
@@ -198,7 +198,7 @@ fn chance<S: Isa>(h: U<S>) -> F<S> {
     h.to_float::<F<S>>() * (1.0 / (1u32 << 31) as f32)
 }
 
-/// The lower halves of products, by way of the whole products: SSE2 has no other multiplication.
+/// The lower halves of products, taken from the full products: SSE2 has no other multiplication.
 #[inline(always)]
 fn product<S: Isa>(a: U<S>, b: u32) -> U<S> {
     let (first, last) = a.widening_mul(b);
