@@ -1,23 +1,23 @@
-//! Where rays hit.
+//! Intersections of rays with planes and with the tree's spheres, and shadow tests. Coordinates are the scene's.
 
 use super::candidates::Candidates;
 use super::stack::Rays;
 use crate::lanes::*;
 use crate::prepare::{BvhNode, GroupSet, Lamp, ObjectId, Prepared, Rectangle, ShadowCone};
 
-/// A ray that hits nothing ends this far away.
+/// The distance that stands for no hit.
 const FARTHEST: f32 = 1e30;
 
-/// More than rounding makes of the square of a scalar product of directions.
+/// A bound on the rounding error of the squared dot product of two directions.
 const ROUNDING: f32 = 4e-6;
 
-/// What the square of a perpendicular is too large by at most before it is [refined](Chord::refined), as a share of the
-/// square of `t_mid`, where multiplying and adding are two operations.
+/// Without fused multiply-add, a bound on the error of the squared perpendicular before it is [refined](Chord::refined), as a share of
+/// the square of `t_mid`.
 ///
-/// With `u = 2^-24`, rounding the product `d t_mid` takes the perpendicular `u t_mid` off, and rounding `t_mid` itself
-/// lengthens it along the ray by less than `5 u t_mid`. For a ray that meets a sphere of radius `r`,
-/// `(r + u t)^2 <= r^2 (1 + m) + u^2 t^2 (1 + 1 / m)`: with `m = 0.001`, which [`BvhNode::cull2`] allows for, and the square
-/// of the 5 that is `(1001 + 25) u^2 = 3.6e-12`.
+/// With `u = 2^-24`, rounding the product `d t_mid` displaces the perpendicular by `u t_mid`, and rounding `t_mid` itself lengthens it
+/// along the ray by less than `5 u t_mid`. For a ray that meets a sphere of radius `r`,
+/// `(r + u t)^2 <= r^2 (1 + m) + u^2 t^2 (1 + 1 / m)`. With `m = 0.001`, for which [`BvhNode::cull2`] makes room, and the square of the
+/// 5, that is `(1001 + 25) u^2 = 3.6e-12`.
 const UNREFINED: f32 = 4e-12;
 
 /// The nearest hit of each ray.
@@ -25,20 +25,21 @@ const UNREFINED: f32 = 4e-12;
 pub(crate) struct Hit<S: Isa> {
     /// Distance, in lengths of the ray's direction.
     pub t: F<S>,
-    /// Number of the object.
+    /// The object, as [`ObjectId::lane`].
     pub object: U<S>,
 }
 
 impl<S: Isa> Hit<S> {
+    /// Replaces the hits in the lanes of a mask.
     #[inline(always)]
-    pub fn keep_nearer(&mut self, closer: M<S>, t: F<S>, object: ObjectId) {
-        self.t = closer.select(t, self.t);
-        self.object = closer.select(U::<S>::splat(self.t.token(), object.lane()), self.object);
+    pub fn keep_nearer(&mut self, nearer: M<S>, t: F<S>, object: ObjectId) {
+        self.t = nearer.select(t, self.t);
+        self.object = nearer.select(U::<S>::splat(self.t.token(), object.lane()), self.object);
     }
 }
 
-/// The nearest hits among the planes and the spheres of some groups, from the node number `first` on; their boxes and
-/// cylinders become candidates.
+/// The nearest hits among all planes and the spheres of some groups, beginning with node number `first`. Boxes and cylinders that may be
+/// hit become candidates.
 #[inline(always)]
 pub(crate) fn nearest<S: Isa>(
     simd: S,
@@ -83,13 +84,13 @@ pub(crate) fn nearest<S: Isa>(
     hit
 }
 
-/// The chord that a sphere cuts out of the line of a ray.
+/// The chord of a ray's line inside of a sphere.
 struct Chord<S: Isa> {
-    /// From the ray's start to the centre.
+    /// The vector from the ray's origin to the sphere's centre.
     f: Vec3x<S>,
-    /// Distance from the ray's start to the middle of the chord, the point nearest to the centre: below 0 behind it.
+    /// The distance from the ray's origin to the middle of the chord, which is the point nearest to the centre; negative behind the origin.
     t_mid: F<S>,
-    /// The perpendicular: from the centre to the middle of the chord.
+    /// The perpendicular, from the centre to the middle of the chord.
     l: Vec3x<S>,
     /// Its length squared.
     l2: F<S>,
@@ -108,14 +109,12 @@ impl<S: Isa> Chord<S> {
         Self { f, t_mid, l, l2 }
     }
 
-    /// The same chord with a perpendicular that is as exact where multiplying and adding are two operations as where
-    /// they are one.
+    /// The same chord with a perpendicular that is as accurate without fused multiply-add as with it.
     ///
-    /// Two round the product `d t_mid`, which is as long as the way to the sphere, before all but the perpendicular
-    /// cancels. So both factors are split into halves of 12 bits, whose products are exact (Dekker: A Floating-Point
-    /// Technique for Extending the Available Precision, Numerische Mathematik 18, 1971); only the last one is rounded,
-    /// which is smaller by 2^12. Most spheres are passed by at a distance, so only those that
-    /// [may be ahead](Chord::may_be_ahead) take this longer way.
+    /// Without it the product `d t_mid`, which is as long as the distance to the sphere, is rounded before all but the perpendicular
+    /// cancels. So both factors are split into halves of 12 bits, whose products are exact (Dekker: A Floating-Point Technique for
+    /// Extending the Available Precision, Numerische Mathematik 18, 1971). Only the last product is rounded, which is smaller by 2^12.
+    /// Most rays miss most spheres clearly, so this is only computed for spheres that [may be ahead](Chord::may_be_ahead).
     #[inline(always)]
     fn refined(self, d: Vec3x<S>) -> Self {
         if S::FUSES_MUL_ADD {
@@ -137,8 +136,7 @@ impl<S: Isa> Chord<S> {
         Self { l, l2, ..self }
     }
 
-    /// Which rays may meet the sphere ahead: all that do, and some that pass it by closely or that start on it and
-    /// leave it.
+    /// Which rays may hit the sphere: all that do, and some that pass by closely, or that start on it and leave it.
     #[inline(always)]
     fn may_be_ahead(&self, node: &BvhNode) -> M<S> {
         let simd = self.t_mid.token();
@@ -147,41 +145,42 @@ impl<S: Isa> Chord<S> {
         } else {
             self.t_mid * splat(simd, -UNREFINED)
         };
-        // The far end lies ahead where the middle does, or half the chord is longer than the way back to the middle.
+        // The far end is ahead if the middle is, or if half the chord is longer than the distance back to the middle.
         let back2 = at_most::<S>(self.t_mid, unsure) * self.t_mid;
         (splat(simd, node.cull2) - self.l2).simd_ge(back2)
     }
 
-    /// Which rays along `d` surely pass by the box or the cylinder in the sphere, or meet it beyond `limit`: they are
-    /// farther from its longer axis than it reaches, or end before the sphere.
+    /// Which rays along `d` certainly miss the box or the cylinder inside of the sphere, or hit it beyond `limit`: they pass its longer axis
+    /// at more than its thickness, or end before the sphere.
     #[inline(always)]
     fn is_off(&self, d: Vec3x<S>, node: &BvhNode, limit: F<S>) -> M<S> {
         let simd = self.t_mid.token();
         let axis = Vec3x::splat(simd, node.axis);
         let (along, across) = (d.dot(axis), self.l.dot(axis));
-        // The square of the way from the axis, times that of the sine of the angle between them, a little less for rounding.
+        // The squared sine of the angle between ray and axis, reduced by the rounding error. Squared distances are compared after
+        // multiplication with it.
         let sine2 = splat::<S>(simd, 1.0 - ROUNDING) - along * along;
         let beyond = self.l2 - node.thin2;
         let is_off = (beyond * at_least::<S>(sine2, splat(simd, 0.0))).simd_gt(across * across);
         is_off | self.t_mid.simd_gt(limit + node.radius)
     }
 
-    /// The nearer end of the chord that lies ahead, if it does so nearer than `limit`.
+    /// The nearest end of the chord that is ahead and nearer than `limit`.
     ///
-    /// A ray that starts on the sphere does so but for rounding, a little within or without: it hits nothing of it on
-    /// its way out, and on its way in the far side. So what starts within the sphere's [`BvhNode::hit_error`] starts on it.
+    /// Due to rounding, a ray that starts on the sphere starts slightly inside or outside of it. If its origin is off the sphere by no more
+    /// than [`BvhNode::hit_error`], it counts as starting on it: outward it does not hit the sphere, inward it hits the far side.
     #[inline(always)]
     fn entry(&self, mask: M<S>, node: &BvhNode, limit: F<S>) -> (M<S>, F<S>) {
         let simd = self.t_mid.token();
         let r2_error = splat(simd, node.r2_error);
-        // Half the chord's length squared; below 0, where its root is no number and no comparison holds, the ray passes by.
+        // The squared half chord. For rays that miss the sphere it is negative, its root is NaN, and all comparisons fail.
         let discriminant = splat::<S>(simd, node.r2) - self.l2;
-        // From the centre to the start, squared, less the radius squared.
+        // The squared distance of the origin from the centre, minus the squared radius.
         let start = self.t_mid.mul_add(self.t_mid, -discriminant);
         let is_inward = self.t_mid.simd_gt(splat(simd, node.hit_error));
         let is_ahead = is_inward | start.simd_lt(-r2_error);
         let half = discriminant.sqrt();
-        // The near end for those that start outside.
+        // Rays that start outside enter at the near end.
         let sign =
             U::<S>::splat(simd, 1 << 31) & start.simd_gt(r2_error).to_vector().bitcast::<U<S>>();
         let t = flipped::<S>(half, sign) + self.t_mid;
@@ -189,13 +188,13 @@ impl<S: Isa> Chord<S> {
     }
 }
 
-/// A number's upper 12 bits; the lower 12 are what it is more than that.
+/// The upper 12 bits of a number's mantissa.
 #[inline(always)]
 fn upper_half<S: Isa>(c: F<S>) -> F<S> {
     (c.bitcast::<U<S>>() & 0xffff_f000).bitcast()
 }
 
-/// Where rays hit a plane nearer than `limit`.
+/// Which rays hit a plane nearer than `limit`, and where.
 #[inline(always)]
 fn plane_hit<S: Isa>(
     simd: S,
@@ -205,11 +204,11 @@ fn plane_hit<S: Isa>(
     limit: F<S>,
 ) -> (M<S>, F<S>) {
     let [x, y, z] = plane.centre.to_array();
-    // Where a ray runs along the plane this is infinite or not a number, and no comparison below holds.
+    // For rays parallel to the plane this is infinite or NaN, and the comparisons below fail.
     let t = (splat(simd, y) - o.y) / d.y;
     let across = t.mul_add(d.x, o.x - x).abs();
     let along = t.mul_add(d.z, o.z - z).abs();
-    // A ray that starts on the plane does so exactly, and 0 is not above 0.
+    // The origin of a ray that starts on the plane is exact, so its t is 0, which is not above 0.
     let hit = t.simd_gt(splat(simd, 0.0))
         & t.simd_lt(limit)
         & across.simd_le(splat(simd, plane.half_x))
@@ -217,16 +216,15 @@ fn plane_hit<S: Isa>(
     (hit, t)
 }
 
-/// Which rays towards a lamp, `distance` away in direction `l`, start in a sphere's shadow or, where there is more to know
-/// than the cone, may do so.
+/// Which rays towards a lamp, at `distance` in direction `l`, start inside of a shadow cone.
 #[inline(always)]
 fn cone_shades<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) -> M<S> {
     let chord = l - Vec3x::splat_unaligned(simd, cone.axis);
     chord.dot(chord).simd_lt(splat(simd, cone.chord2)) & distance.simd_gt(splat(simd, cone.from))
 }
 
-/// Which rays towards a lamp, so wide and `distance` away in direction `l`, surely pass by a box or a cylinder in a
-/// sphere, or a sphere and its penumbra.
+/// Which rays towards a lamp of a given diameter, at `distance` in direction `l`, certainly miss the box, the cylinder or the sphere of a
+/// shadow cone, and its penumbra.
 #[inline(always)]
 fn cone_is_off<S: Isa>(
     simd: S,
@@ -239,37 +237,37 @@ fn cone_is_off<S: Isa>(
     let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
     let way = f.dot(l);
     let across = f.add_scaled(l, -way);
-    // Half the penumbra is without the sphere: as much of the lamp's radius as the way there is of that to the lamp. All
-    // times the distance, which saves a division.
+    // Half of the penumbra lies outside of the sphere: the lamp's radius times the ratio of the distances to the sphere and to the lamp. All
+    // is multiplied by the distance, which saves a division.
     let share = at_least::<S>(distance - way, splat(simd, 0.0));
     let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
     let past = across.dot(across) * distance * distance;
     (off * off).simd_gt(splat(simd, cone.sine2)) | past.simd_gt(reach * reach)
 }
 
-/// Which rays towards a lamp, `distance` away in direction `l`, a sphere blocks, wherever they start.
+/// Which rays towards a lamp, at `distance` in direction `l`, a sphere blocks.
 ///
-/// It does not block those that start on it and leave it: see [`ShadowCone::r2`].
+/// It does not block rays that start on it and leave it, see [`ShadowCone::r2`].
 #[inline(always)]
 fn cone_blocks<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) -> M<S> {
     let zero = splat(simd, 0.0);
-    // Seen from the lamp, where every ray of this lamp meets: the way back to the point nearest to the centre.
+    // The distance from the lamp back along the ray to the point nearest to the sphere's centre.
     let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
     let way = f.dot(l);
     let across = f.add_scaled(l, -way);
     let half2 = splat(simd, cone.r2) - across.dot(across);
     if cone.around_lamp {
-        // The chord, of half length sqrt(half2) around there, ends between the lamp and the ray's start.
+        // The chord extends by sqrt(half2) to both sides of that point. It ends between the lamp and the ray's origin.
         let left = at_least::<S>(distance - way, zero);
         return half2.simd_lt(left * left);
     }
-    // The chord has a part between the lamp and the ray's start.
+    // A part of the chord lies between the lamp and the ray's origin.
     let short = at_least::<S>(at_least::<S>(way - distance, -way), zero);
     half2.simd_gt(short * short)
 }
 
-/// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked. If the lamp is not plain, planes
-/// block alone, and what else may be in the way becomes a candidate.
+/// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked. If the lamp is not [plain](Lamp::is_plain), only
+/// planes block, and solids that may be in the way become candidates.
 #[inline(always)]
 pub(crate) fn blocked<S: Isa>(
     simd: S,

@@ -1,4 +1,4 @@
-//! Direct light: what lamps and ambient light give to a point, by Phong's model, and how much of a lamp reaches it.
+//! Direct light by Phong's model, and the share of each light that reaches a point.
 
 use super::Counts;
 use super::block;
@@ -13,15 +13,15 @@ use crate::quality::Quality;
 use crate::scene::{Sphere, Spot};
 use glam::Vec3A;
 
-/// Light that surfaces send back along the rays.
+/// The light that surfaces reflect along the rays.
 pub(super) struct Reflected<S: Isa> {
-    /// By the surface's own colour, before its texture takes of it: ambient light and diffuse reflection.
+    /// Ambient light and diffuse reflection, before the texture is applied.
     pub untextured: Vec3x<S>,
-    /// Highlights, in the lamps' colours.
+    /// Highlights, in the lights' colours.
     pub specular: Vec3x<S>,
 }
 
-/// Ambient light, and each lamp's that is not blocked.
+/// Ambient light, and the light of each lamp that is not blocked.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "a hit and its light")]
 pub(super) fn gather<S: Isa>(
@@ -36,11 +36,11 @@ pub(super) fn gather<S: Isa>(
 ) -> Reflected<S> {
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
-    // What lamps give to all diffuse and to all specular reflection.
+    // The sums of diffuse and of specular reflection.
     let mut diffuse = Vec3x::splat(simd, Vec3A::ZERO);
     let mut specular = diffuse;
-    // A sphere shades itself from within: no light comes from beyond the chord towards the lamp, which is as long as
-    // twice the cosine and the radius.
+    // Inside of a sphere, lights beyond its far side are blocked by the sphere itself. The chord towards the lamp has the length of twice the
+    // cosine times the radius.
     let least = point.inside.select(surface.inverse_radius() * 0.5, zero);
     for lamp in scene.lamps() {
         let to_light = Vec3x::splat(simd, lamp.position) - point.p;
@@ -88,17 +88,16 @@ pub(super) fn gather<S: Isa>(
     }
 }
 
-/// Ways from points to a lamp.
+/// Rays from points to a lamp.
 struct Ways<S: Isa> {
     o: Vec3x<S>,
     /// Directions, of length 1.
     l: Vec3x<S>,
-    /// Lengths; 0 where nothing of the lamp is asked for.
+    /// Distances to the lamp; 0 in lanes that are not needed.
     distance: F<S>,
 }
 
-/// The share of a lamp, as a colour, that passes through the cone it is narrowed to and past the candidates; 0 where
-/// nothing is asked for.
+/// The share of a lamp's light, as a colour, that its cone and the candidates let pass; 0 in lanes that are not needed.
 #[inline(always)]
 fn light_transmittance<S: Isa>(
     simd: S,
@@ -127,7 +126,7 @@ fn light_transmittance<S: Isa>(
             Object::Sphere(sphere) => sphere_covers(simd, lamp, sphere, ways),
             Object::Plane(_) | Object::Light(_) | Object::Background => continue,
         };
-        // The tint of what blocks the light passes. What is not a number counts as none: it would spoil what is not blocked.
+        // The share given by the blocker's tint passes. NaN counts as no tint: it would spoil lanes that are not blocked.
         let mut absorbed = Vec3A::ONE;
         if lamp.diameter > 0.0 {
             absorbed -= material.tint.max(Vec3A::ZERO).min(Vec3A::ONE);
@@ -144,8 +143,8 @@ fn light_transmittance<S: Isa>(
 
 /// The share of a lamp that a sphere covers, 0 to 1 (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
 ///
-/// From the point the lamp is a cone; where it passes the sphere, `a` away, it is `b = a diameter / distance` wide. The
-/// sphere's edge crosses it from one side to the other as the shadow goes from none to full.
+/// The rays from the point to the lamp form a cone. At the distance `a`, where it passes the sphere, it is `b = a diameter / distance` wide.
+/// As the sphere's edge crosses the cone from one side to the other, the covered share goes from 0 to 1.
 #[inline(always)]
 fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, ways: &Ways<S>) -> F<S> {
     let centre = sphere.centre;
@@ -153,7 +152,7 @@ fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, ways: &Ways<S>) 
     let a = at_least::<S>(to_centre.dot(ways.l), splat(simd, 0.0));
     let a = at_most::<S>(a, ways.distance);
     let off = to_centre.add_scaled(ways.l, -a);
-    // What starts on the sphere by rounding starts on it.
+    // A point that is off the sphere by no more than rounding lies on it.
     let error = 2e-6 * (centre.abs().max_element() + sphere.radius);
     let b = at_most::<S>(
         a * lamp.diameter / ways.distance,
@@ -166,7 +165,7 @@ fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, ways: &Ways<S>) 
     )
 }
 
-/// From 0 at 0 to 1 at 1, level at both ends and beyond.
+/// Hermite's smooth step: 0 up to 0, 1 from 1 on.
 #[inline(always)]
 fn smooth_step<S: Isa>(simd: S, v: F<S>) -> F<S> {
     let v = clamp::<S>(v, splat(simd, 0.0), splat(simd, 1.0));
