@@ -1,4 +1,4 @@
-//! What a hit adds to its point's colour, and the rays that leave it.
+//! Shading: the contribution of a hit to its point, and the secondary rays.
 
 use super::air::AirLanes;
 use super::batch::{Batch, FIXED_POINT};
@@ -12,13 +12,13 @@ use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
 
-/// The most a node adds to a point, in units of full brightness.
+/// The largest contribution of a node of the ray tree, as a multiple of full brightness.
 ///
-/// Beyond 1 it would not be seen, since no node takes light away; the sums of the 255 nodes of the deepest tree do not
-/// overflow.
+/// More than 1 is not visible, since contributions are not negative. With this bound the sum over the 255 nodes of the deepest tree does
+/// not overflow.
 const BRIGHTEST: f32 = 2.0;
 
-/// What the nodes of ray trees add to their points.
+/// The contributions of a packet's hits to their points.
 pub(super) struct Contribution<S: Isa> {
     pub colour: Vec3x<S>,
     key: U<S>,
@@ -46,16 +46,16 @@ impl<S: Isa> Contribution<S> {
     }
 }
 
-/// A number in fixed point, rounded.
+/// A number in fixed point, rounded to the nearest.
 #[inline(always)]
 fn fixed<S: Isa>(simd: S, c: F<S>) -> I<S> {
     let c = clamp::<S>(c, splat(simd, 0.0), splat(simd, BRIGHTEST));
-    // Half of one is added so that cutting off rounds.
+    // One half is added, since the conversion truncates.
     c.mul_add(splat(simd, FIXED_POINT), splat(simd, 0.5))
         .to_int()
 }
 
-/// Stores four rows of lanes a lane after the other: the first lane's four numbers, then the second's.
+/// Transposes four vectors of lanes: stores the first lane's four numbers, then the second's, and so on.
 #[inline(always)]
 fn store_transposed<S: Isa, V: SimdBase<S>>([a, b, c, d]: [V; 4], numbers: &mut [V::Element]) {
     let (ac0, ac1) = a.interleave(c);

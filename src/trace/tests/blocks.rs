@@ -1,17 +1,16 @@
-//! Boxes and cylinders are hit where they are, and rays that leave them do not hit them again, whatever their size and
-//! place.
+//! Boxes and cylinders of any size and position are hit where they are, and rays that leave them do not hit them again.
 
 use super::*;
 use crate::scene::{Block, Shape};
 use glam::{Mat3A, Quat, Vec3A};
 
 const BLOCKS: usize = 2000;
-/// Rays that leave each hit.
+/// The number of rays that leave each hit.
 const RAYS: usize = 64;
 
-/// Any block, and the length that its numbers are rounded by.
+/// A random block, and its largest coordinate, which determines rounding errors.
 fn block(random: &mut Random) -> (Block, f64) {
-    // Not so thin or so far that rounding takes a point on one side to another.
+    // Not so thin or so far away that rounding moves a point from one side to another.
     let scale = 10_f64.powf(random.between(-3.0, 3.0));
     let mut length = || (scale * 10_f64.powf(random.between(-1.0, 1.0))) as f32;
     let (x, y, z) = (length(), length(), length());
@@ -34,7 +33,7 @@ fn block(random: &mut Random) -> (Block, f64) {
     (block, f64::from(largest))
 }
 
-/// How far a point is outside of the nearest side, below 0 where it is inside.
+/// The distance of a point from the nearest side; negative inside.
 fn outside(block: &Block, p: Vec3A) -> f64 {
     let axes = glam::Mat3::from(block.axes).as_dmat3();
     let own = axes.transpose() * (p.as_dvec3() - block.centre.as_dvec3());
@@ -125,10 +124,10 @@ fn rays_that_leave_a_block_do_not_hit_it_again_and_those_inside_do_not_leak() {
     on_every_instruction_set(&Blocks);
 }
 
-/// Rays that leave each hit of those from far away.
+/// The number of rays that leave each hit of rays from far away.
 const MANY_RAYS: usize = 1000;
 
-/// Boxes along the scene's axes, boxes turned as one likes, and cylinders, in the origin, wherever the rays come from.
+/// Aligned boxes, rotated boxes and cylinders at the origin, hit by rays from any distance.
 struct FarBlocks;
 
 impl Property for FarBlocks {

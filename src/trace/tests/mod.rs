@@ -1,4 +1,4 @@
-//! What the kernels are held to, ray by ray, on every instruction set of the machine; [`crate::limits`] sums it up.
+//! Properties of the kernels, checked with many rays on every instruction set of the machine. [`crate::limits`] lists their figures.
 
 mod blocks;
 mod neighbours;
@@ -26,9 +26,9 @@ use glam::{DVec3, Vec3A};
 use std::boxed::Box;
 use std::vec::Vec;
 
-/// What holds whatever the instruction set.
+/// A property that holds on every instruction set.
 trait Property {
-    /// Asserts it. Has to be inlined, as kernels have.
+    /// Asserts the property. Implementations have to be inlined, as kernels are.
     fn hold<S: Isa>(&self, simd: S, isa: &str);
 }
 
@@ -56,11 +56,11 @@ fn on_every_instruction_set(property: &impl Property) {
     );
 }
 
-/// Numbers that look random (Steele, Lea and Flood's SplitMix).
+/// A generator of pseudorandom numbers with its state (Steele, Lea and Flood's SplitMix).
 struct Random(u64);
 
 impl Random {
-    /// Those of a seed. `RAY_SEED=1 cargo test --release --lib trace` draws others, which have to hold as well.
+    /// A generator for a seed. `RAY_SEED=1 cargo test --release --lib trace` changes all seeds; the tests have to pass with any.
     fn new(seed: u64) -> Self {
         let other = std::env::var("RAY_SEED").map_or(0, |seed| seed.parse().unwrap());
         Self(seed ^ other << 32)
@@ -78,7 +78,7 @@ impl Random {
         low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// A number of either sign whose logarithm to base 10 is spread evenly.
+    /// A number of random sign whose logarithm to base 10 is uniformly distributed.
     fn of_magnitude(&mut self, low: f64, high: f64) -> f64 {
         let number = 10_f64.powf(self.between(low, high));
         if self.bits() & 1 == 0 {
@@ -94,7 +94,7 @@ impl Random {
         DVec3::new(number(), number(), number())
     }
 
-    /// A direction, all alike.
+    /// A uniformly distributed direction.
     fn direction(&mut self) -> DVec3 {
         loop {
             let mut number = || self.between(-1.0, 1.0);
@@ -107,12 +107,12 @@ impl Random {
     }
 }
 
-/// A direction in f32, of length 1 but for rounding.
+/// A normalised direction in f32.
 fn unit(d: DVec3) -> Vec3A {
     d.normalize().as_vec3a()
 }
 
-/// A scene of one sphere, prepared.
+/// A scene with one sphere.
 fn one_sphere(centre: Vec3A, radius: f32, material: Material) -> Scene {
     Scene {
         spheres: List::of(&[Sphere {
@@ -125,13 +125,13 @@ fn one_sphere(centre: Vec3A, radius: f32, material: Material) -> Scene {
 }
 
 std::thread_local! {
-    /// What no test on this thread uses any more.
+    /// Prepared scenes that are no longer in use on this thread.
     static UNUSED: RefCell<Vec<Box<Prepared>>> = const { RefCell::new(Vec::new()) };
 }
 
-/// A prepared scene. The next scene takes its memory over, as the next frame does.
+/// A prepared scene. Its memory is reused for the next scene, as it is for the next frame.
 struct Ready {
-    /// None once it is handed on.
+    /// `None` once the memory has been handed on.
     memory: Option<Box<Prepared>>,
 }
 
@@ -164,7 +164,7 @@ fn prepared(scene: &Scene) -> Ready {
     }
 }
 
-/// A packet of rays from one place, as primary rays are; those beyond the slice are like its last one.
+/// A packet of rays with a common origin. Lanes beyond the slice repeat its last direction.
 #[inline(always)]
 fn packet<S: Isa>(simd: S, o: Vec3A, d: &[Vec3A]) -> Rays<S> {
     let mut columns = [[0.0; MAX_LANES]; 3];
@@ -187,7 +187,7 @@ fn packet<S: Isa>(simd: S, o: Vec3A, d: &[Vec3A]) -> Rays<S> {
     }
 }
 
-/// Where rays hit, as they do in the tracer.
+/// The hits of a packet, as the tracer finds them.
 #[inline(always)]
 fn hits<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Hit<S> {
     let mut candidates = Candidates::NONE;
@@ -196,7 +196,7 @@ fn hits<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Hit<S> {
     hit
 }
 
-/// Where they shade what they hit.
+/// The shading points of these hits.
 #[inline(always)]
 fn shading_point<S: Isa>(
     simd: S,
@@ -210,7 +210,7 @@ fn shading_point<S: Isa>(
     ShadingPoint::new(simd, scene, rays, hit, &surface, active)
 }
 
-/// A lane's vector.
+/// The vector in a lane.
 #[inline(always)]
 fn lane<S: Isa>(v: Vec3x<S>, i: usize) -> Vec3A {
     Vec3A::new(v.x.as_slice()[i], v.y.as_slice()[i], v.z.as_slice()[i])

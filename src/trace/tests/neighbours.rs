@@ -1,4 +1,4 @@
-//! What a ray meets and brings back does not depend on its lane, nor on the rays in the others.
+//! The result for a ray depends neither on its lane nor on the rays in the other lanes.
 
 use super::*;
 use crate::quality::Quality;
@@ -8,16 +8,16 @@ use crate::trace::Batch;
 use crate::trace::shade::shade;
 use glam::Mat3A;
 
-/// Packets.
+/// The number of packets.
 const PACKETS: usize = 20_000;
 
-/// All that comes of a ray, as bits: distance, object, what its point gets, and the rays that go on, by path.
+/// The bits of a ray's result: distance, object, contribution to its point, and secondary rays by path.
 type Outcome = [u32; 2 + 4 + 2 * 7];
 
-/// A ray as it is put in a lane.
+/// A ray: origin, direction and weight.
 type Ray = (Vec3A, Vec3A, f32);
 
-/// What comes of each ray of a packet.
+/// The results for the rays of a packet.
 #[inline(always)]
 fn outcomes<S: Isa>(
     simd: S,
@@ -77,7 +77,7 @@ fn outcomes<S: Isa>(
     all
 }
 
-/// A ray from anywhere about the scene to anywhere in it.
+/// A random ray from around the scene towards a point in it.
 fn ray(random: &mut Random) -> Ray {
     let mut place = |side: f64| {
         let mut number = || random.between(-side, side);
@@ -91,7 +91,7 @@ fn ray(random: &mut Random) -> Ray {
     )
 }
 
-/// A ray that makes no sense, at least in part.
+/// A random ray with invalid components.
 fn nonsense(random: &mut Random) -> Ray {
     let mut bad = ray(random);
     let number = [
@@ -152,7 +152,7 @@ impl Property for Neighbours {
     }
 }
 
-/// A scene with a box, a cylinder, haze, a pattern, a lamp with a size and one with a cone.
+/// A scene with a box, a cylinder, haze, a pattern, a light with a size and a spotlight.
 fn rich() -> Scene {
     let mut scene = show::scene(1.0);
     for (x, shape) in [(-1.0, Shape::Box), (1.2, Shape::Cylinder)] {

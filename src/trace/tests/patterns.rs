@@ -1,4 +1,4 @@
-//! What patterns leave of colours is the same for pixels whose object is known as for points that are traced.
+//! Patterns are the same in filled squares, where the object of a pixel is known, as at traced points.
 
 use super::*;
 use crate::prepare::ObjectId;
@@ -6,10 +6,10 @@ use crate::scene::Pattern;
 use crate::show::{self, grid};
 use crate::trace::pattern_at_pixels;
 
-/// The picture's size.
+/// The size of the picture in pixels.
 const SIZE: [usize; 2] = [320, 180];
 
-/// About as fine as the show's.
+/// Checkers about as fine as those of the show.
 const CHECKERS: Pattern = Pattern {
     waves: Vec3A::splat(2.0),
     depth: 0.7,

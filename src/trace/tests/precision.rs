@@ -1,35 +1,35 @@
-//! How well a ray finds a sphere that is small and far away.
+//! Rays hit or miss small spheres far away correctly, with a stated number of exceptions.
 //!
-//! Rays are drawn by chance, so no figure is stated that a lucky seed may hold and the next one break: on average so
-//! many rays are wrong, and a seed's count is above what is asserted less than once in a million seeds.
+//! Since the rays are random, the stated figures are means over seeds; the asserted bound for a single seed is exceeded by less than one
+//! seed in a million.
 //!
-//! The usual test draws [`SEEDS`] seeds. `PRECISION_SEEDS=60 cargo test --release --lib small_sphere_far -- --nocapture`
-//! draws sixty, takes a minute, and prints what [`crate::limits`] states.
+//! The test uses [`SEEDS`] seeds. `PRECISION_SEEDS=60 cargo test --release --lib small_sphere_far -- --nocapture` uses sixty, takes a
+//! minute, and prints the figures of [`crate::limits`].
 
 use super::*;
 
-/// Rays for each distance and seed.
+/// The number of rays for each distance and seed.
 const RAYS: usize = 200_000;
 
-/// Seeds, unless `PRECISION_SEEDS` says how many.
+/// The number of seeds, unless `PRECISION_SEEDS` is set.
 const SEEDS: u64 = 3;
 
-/// How often a seed may have more wrong rays than is asserted.
+/// The probability with which a seed may exceed the asserted bound.
 const EXCEEDED: f64 = 1e-6;
 
-/// Rays in a million that are wrong about hit or miss, on average at most.
+/// Bounds on the mean number of wrong rays per million.
 struct Wrong {
-    /// Of a sphere in the origin, where multiplying and adding is one operation.
+    /// For a sphere at the origin, with fused multiply-add.
     fused: f64,
-    /// ... where it is two.
+    /// ... without it.
     unfused: f64,
-    /// Of spheres up to twice as far from the origin as from the rays' start: that one's way to the centre is rounded.
+    /// For spheres up to twice as far from the origin as from the rays' origin, where the vector to the centre is rounded.
     anywhere: f64,
 }
 
-/// What holds at a distance.
+/// The bounds for a distance.
 struct Row {
-    /// From the sphere's centre to the start of the rays, in radii.
+    /// The distance from the sphere's centre to the origin of the rays, in radii.
     distance: f64,
     wrong: Wrong,
 }
@@ -69,15 +69,15 @@ fn poisson_bound(mean: f64) -> usize {
     count
 }
 
-/// What the rays of a seed come to.
+/// The results for the rays of a seed.
 struct Outcome {
-    /// Rays that hit what they should pass by, or pass by what they should hit.
+    /// The number of rays that hit or miss the sphere wrongly.
     wrong: usize,
     /// The largest error of the distance of a hit, in radii, but for the outermost tenth of the sphere.
     off: f64,
 }
 
-/// Traces the rays of a seed from a distance in radii to spheres in the origin, or anywhere.
+/// Traces the rays of a seed from a distance in radii to spheres at the origin, or anywhere.
 #[inline(always)]
 fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> Outcome {
     let mut random = Random(seed << 32 | distance as u64);

@@ -1,13 +1,13 @@
-//! Refraction and reflection give directions of length 1, at the critical angle too.
+//! Refracted and reflected directions have length 1, also at the critical angle.
 
 use super::*;
 use crate::quality::Quality;
 use crate::trace::Batch;
 use crate::trace::shade::shade;
 
-/// Angles about the critical one, a rounding apart.
+/// The number of angles around the critical one, one rounding step apart.
 const ULPS: i32 = 256;
-/// How far the squared length of a direction may be from 1: two roundings each of its three parts.
+/// The largest error of a direction's squared length: two roundings for each of its three components.
 const LENGTH2: f64 = 4.0 * f32::EPSILON as f64;
 
 const fn glass(index: f32) -> Material {
@@ -23,7 +23,7 @@ const fn glass(index: f32) -> Material {
     }
 }
 
-/// The rays that leave the hits of a packet, by place in their trees, 2 reflected and 3 transmitted, and by lane.
+/// The secondary rays of a packet by path, 2 for reflected and 3 for transmitted, and by lane.
 #[inline(always)]
 fn scattered<S: Isa>(
     simd: S,
@@ -71,7 +71,7 @@ impl Property for CriticalAngle {
                 // Where the roundings of the place, the normal and the cosine decide.
                 let unsure = 1e-6 + 3e-7 * f64::from(index).powi(2);
                 let beyond = f64::from(x) / sine - 1.0;
-                // What is not transmitted is reflected.
+                // Light that is not transmitted is reflected.
                 let sent = transmitted[0].map_or(0.0, |(_, weight)| weight);
                 assert_eq!(weight + sent, 0.1 + 0.85, "{what}");
                 if let Some((d, _)) = transmitted[0] {

@@ -1,15 +1,15 @@
-//! Rays that leave a surface do not hit it again, whatever its size and place and wherever they come from (after
-//! `TestReintersectConvex` of pbrt).
+//! Rays that leave a surface of any size and position do not hit it again, wherever they came from (after `TestReintersectConvex` of
+//! pbrt).
 
 use super::*;
 use crate::scene::Plane;
 
-/// Shapes, each hit once.
+/// The number of shapes, each of which is hit once.
 const SHAPES: usize = 4000;
-/// Rays that leave each hit.
+/// The number of rays that leave each hit.
 const RAYS: usize = 1000;
 
-/// Where a ray hits the one object of a scene: the point, and the normal towards the ray.
+/// The hit of a ray with the only object of a scene: the point, and the normal towards the ray.
 #[inline(always)]
 fn hit_by<S: Isa>(simd: S, scene: &Prepared, o: Vec3A, d: Vec3A) -> Option<(Vec3A, Vec3A, bool)> {
     let rays = packet(simd, o, &[d]);
@@ -23,7 +23,7 @@ fn hit_by<S: Isa>(simd: S, scene: &Prepared, o: Vec3A, d: Vec3A) -> Option<(Vec3
 }
 
 struct Spheres {
-    /// The logarithm of the largest coordinate of a centre, or none: in the origin.
+    /// The logarithm of the largest coordinate of a centre; `None` for the origin.
     centre: Option<f64>,
 }
 
@@ -53,7 +53,7 @@ impl Property for Spheres {
             let outward = if inside { -n } else { n }.as_dvec3();
             let what = std::format!("{isa}: radius {radius} at {centre}, from {o} along {d}");
             let largest = f64::from(centre.abs().max_element() + radius);
-            // Two roundings of the largest coordinate: about what the hit is off the sphere by.
+            // Two roundings of the largest coordinate: about the error of the hit.
             let off = f64::from(f32::EPSILON) * largest;
             for _ in 0..RAYS / lanes::<S>() {
                 let mut ways = [Vec3A::ZERO; MAX_LANES];
@@ -127,7 +127,7 @@ impl Property for Planes {
                 for way in &mut ways {
                     *way = random.direction().as_vec3a();
                 }
-                // Along the plane too, by either zero.
+                // Also along the plane, with both signs of zero.
                 ways[0].y = if rays % 2 == 0 { 0.0 } else { -0.0 };
                 let hit = hits(simd, &scene, &packet(simd, p, &ways));
                 for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {

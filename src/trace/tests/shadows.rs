@@ -1,4 +1,4 @@
-//! A sphere lights up where it faces a lamp and nowhere else: it throws no shadow on itself by rounding.
+//! A sphere is lit exactly where it faces the light: rounding does not make it shadow itself.
 
 use super::*;
 use crate::quality::Quality;
@@ -8,7 +8,7 @@ use crate::trace::shade::shade;
 
 const SPHERES: usize = 20_000;
 
-/// White paper: what a lamp adds is the cosine towards it.
+/// A white, diffuse material: its brightness is the cosine of the angle to the light.
 const PAPER: Material = Material {
     colour: Vec3A::ONE,
     kd: 1.0,
