@@ -59,8 +59,8 @@ static DIGITS: [&str; 10] = [
     "nlfbdig", // 9
 ];
 
-/// The strokes of an ASCII capital or digit, each with its two ends in grid units to the right of the letter's upper left and below
-/// it. Other bytes have none.
+/// The strokes of an ASCII capital or digit, each with its two ends in grid units to the right of the letter's upper left and
+/// below it. Other bytes have none.
 pub(crate) fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     let points = match letter {
         b'A'..=b'Z' => CAPITALS[usize::from(letter - b'A')],

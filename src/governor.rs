@@ -1,7 +1,7 @@
 //! Chooses the quality that holds the frame rate.
 //!
-//! The choice depends on nothing but how long the frames took. The governor has no clock of its own, so the same times always lead
-//! to the same qualities.
+//! The choice depends on nothing but how long the frames took. The governor has no clock of its own, so the same times always
+//! lead to the same qualities.
 
 use crate::quality::Quality;
 
@@ -15,7 +15,8 @@ const RUNGS: usize = Quality::LADDER.len();
 /// counts as several.
 const TOO_LATE: u64 = 6;
 
-/// The most late frames that one frame counts as, so that a single one, which something else may have delayed, never causes a step.
+/// The most late frames that one frame counts as, so that a single one, which something else may have delayed, never causes a
+/// step.
 const MAX_LATENESS: u64 = 4;
 
 /// The time in nanoseconds for which a finer rung has to look possible before it is tried. Together with the delay of
@@ -25,8 +26,8 @@ const CALM: u64 = SECOND / 5;
 /// The number of frames after a step down in which the new rung's times are compared with the old one's.
 const COMPARED: u64 = 8;
 
-/// Steps along the [`Quality::LADDER`] to hold a frame rate: down when frames are late, and up again once the next finer rung would
-/// leave a sixth of the time unused. How long frames would take there is estimated from what the step down saved.
+/// Steps along the [`Quality::LADDER`] to hold a frame rate: down when frames are late, and up again once the next finer rung
+/// would leave a sixth of the time unused. How long frames would take there is estimated from what the step down saved.
 ///
 /// Under a constant load it stays on one rung, even if the times vary. When the load changes, it takes its first step within half
 /// a second, or within two frames if these are longer.

@@ -10,11 +10,12 @@
 //! | the eye | outside of a sphere, inside, on its surface, and looking along it | `a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees` |
 //! | time in seconds | any; angles have an error of 1e-6 up to 1e6 rad | `any_time_gives_a_picture`, `sines_are_within_a_millionth` |
 //!
-//! `validate` refuses NaN and infinity. The tracer itself accepts them: the picture is defined, is the same on any number of threads, and
-//! takes at most 2.5 times the work of the scene without them
-//! (`nan_and_infinity_are_refused_and_still_give_a_picture_for_bounded_work`, `many_spheres_with_invalid_coordinates_give_a_picture`).
-//! Such a number affects no other ray than those that meet it. In any scene a point costs at most `2^(depth + 1) - 1` rays, and for each
-//! of them one shadow ray per light (`any_case_is_drawn_by_the_same_bits_for_bounded_work`, which `tests/run --soak` runs for ten minutes).
+//! `validate` refuses NaN and infinity. The tracer itself accepts them: the picture is defined, is the same on any number of
+//! threads, and takes at most 2.5 times the work of the scene without them
+//! (`nan_and_infinity_are_refused_and_still_give_a_picture_for_bounded_work`,
+//! `many_spheres_with_invalid_coordinates_give_a_picture`). Such a number affects no other ray than those that meet it. In any
+//! scene a point costs at most `2^(depth + 1) - 1` rays, and for each of them one shadow ray per light
+//! (`any_case_is_drawn_by_the_same_bits_for_bounded_work`, which `tests/run --soak` runs for ten minutes).
 //!
 //! # Rays
 //!
@@ -34,17 +35,17 @@
 //! | ... among boxes, cylinders, patterns, haze and lights of all kinds, also with invalid numbers | 0 | `what_comes_of_a_ray_depends_on_no_neighbour_where_there_is_more_than_spheres`, `what_comes_of_a_ray_depends_on_no_neighbour_whatever_numbers_make_no_sense` |
 //! | PSNR of a scene scaled by 1e-4 to 1e4 against the original | 50 dB | `a_scene_of_any_scale_gives_the_same_picture` |
 //!
-//! All figures that depend on random numbers were checked with 13 seeds on each instruction set. `RAY_SEED=1 cargo test --release --lib
-//! trace` uses another seed.
+//! All figures that depend on random numbers were checked with 13 seeds on each instruction set. `RAY_SEED=1 cargo test --release
+//! --lib trace` uses another seed.
 //!
-//! The reason is that a hit is projected back to its sphere, so that its error is that of rounding the sphere's own coordinates. A ray that
-//! starts so close to a sphere counts as starting on it: outward it does not hit the sphere, inward it hits the far side. On a plane a
-//! point is exact. No minimal distance of hits is needed, so a scene may have any scale.
+//! The reason is that a hit is projected back to its sphere, so that its error is that of rounding the sphere's own coordinates.
+//! A ray that starts so close to a sphere counts as starting on it: outward it does not hit the sphere, inward it hits the far
+//! side. On a plane a point is exact. No minimal distance of hits is needed, so a scene may have any scale.
 //!
 //! The next table counts rays that wrongly hit or miss a sphere at a distance of so many radii
-//! (`a_small_sphere_far_away_is_hit_where_it_is`). Each cell has three numbers: the wrong rays per million, measured with twelve million
-//! rays of sixty seeds; the stated bound on that mean; and the number of wrong rays among 200,000 of one seed that less than one seed in
-//! a million exceeds.
+//! (`a_small_sphere_far_away_is_hit_where_it_is`). Each cell has three numbers: the wrong rays per million, measured with twelve
+//! million rays of sixty seeds; the stated bound on that mean; and the number of wrong rays among 200,000 of one seed that less
+//! than one seed in a million exceeds.
 //!
 //! | distance | sphere at the origin, AVX2 and AVX-512 | at the origin, SSE2 | anywhere |
 //! | ---: | ---: | ---: | ---: |
@@ -56,9 +57,10 @@
 //! | 100,000 | 13; 16; 15 | 14; 20; 17 | 890; 930; 254 |
 //! | 1,000,000 | 1,322; 1,400; 363 | 1,556; 1,650; 420 | 9,490; 9,700; 2,153 |
 //!
-//! "Anywhere" is up to twice as far from the origin as from the eye. There, the vector from the eye to the centre is already rounded,
-//! whatever the instruction set. `PRECISION_SEEDS=60 cargo test --release --lib small_sphere_far -- --nocapture` measures again. The error
-//! of the distance of a hit is at most 4e-7 of the distance plus 1e-7 radii, except on the outermost tenth of the sphere's disc.
+//! "Anywhere" is up to twice as far from the origin as from the eye. There, the vector from the eye to the centre is already
+//! rounded, whatever the instruction set. `PRECISION_SEEDS=60 cargo test --release --lib small_sphere_far -- --nocapture`
+//! measures again. The error of the distance of a hit is at most 4e-7 of the distance plus 1e-7 radii, except on the outermost
+//! tenth of the sphere's disc.
 //!
 //! In the model scene's picture at 3840x2160, a sphere 1,000 radii away is 5 pixels wide.
 //!

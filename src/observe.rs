@@ -6,8 +6,8 @@ use crate::trace::Counts;
 
 /// Is told about the points and squares of a frame, by all threads concurrently and in no particular order.
 ///
-/// Coordinates are pixels of the picture, from its upper left. Points may lie up to one square's side beyond the right and the lower
-/// edge of the picture.
+/// Coordinates are pixels of the picture, from its upper left. Points may lie up to one square's side beyond the right and the
+/// lower edge of the picture.
 pub trait Observer: Copy + Sync {
     /// Whether the methods are called at all.
     const LISTENS: bool = true;

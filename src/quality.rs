@@ -4,22 +4,22 @@ use crate::flaw::{Checked, Flaw};
 
 /// How far a frame is refined and how far its rays are followed.
 ///
-/// A square is filled if its corners have the same 8-bit colour, or if their colours differ by no more than a tolerance; otherwise
-/// it is split. One tolerance applies to corners whose *keys* agree, which means that they show the same objects in the same light,
-/// another to corners whose keys differ. A tolerance is the largest difference in any channel, in units of 1/255, for squares of 8
-/// pixels. For squares of 4 it is doubled, since an error there covers a quarter of the pixels, and so on.
+/// A square is filled if its corners have the same 8-bit colour, or if their colours differ by no more than a tolerance;
+/// otherwise it is split. One tolerance applies to corners whose *keys* agree, which means that they show the same objects in the
+/// same light, another to corners whose keys differ. A tolerance is the largest difference in any channel, in units of 1/255, for
+/// squares of 8 pixels. For squares of 4 it is doubled, since an error there covers a quarter of the pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quality {
-    /// The side of the largest squares in pixels, 1 to [`Quality::MAX_SQUARE`]. With 1 every pixel is traced. A square with an even
-    /// side is split into four, a square with an odd side into pixels: one of 12 into squares of 6, these into squares of 3, and
-    /// these into pixels. Powers of two are filled fastest.
+    /// The side of the largest squares in pixels, 1 to [`Quality::MAX_SQUARE`]. With 1 every pixel is traced. A square with an
+    /// even side is split into four, a square with an odd side into pixels: one of 12 into squares of 6, these into squares of 3,
+    /// and these into pixels. Powers of two are filled fastest.
     pub square: usize,
     /// The tolerance for corners whose keys agree, 0 to infinity.
     pub tolerance_agreeing: f32,
     /// The tolerance for corners whose keys differ, 0 to infinity. If both tolerances are the same, keys are not computed.
     pub tolerance_differing: f32,
-    /// The tolerance for the midpoint of a split square's side, 0 to infinity: if the side's ends have the same key and their colours
-    /// are within it, the midpoint gets their mean and is not traced. With 0 all midpoints are traced.
+    /// The tolerance for the midpoint of a split square's side, 0 to infinity: if the side's ends have the same key and their
+    /// colours are within it, the midpoint gets their mean and is not traced. With 0 all midpoints are traced.
     pub tolerance_side: f32,
     /// Whether a square is also split if an object, or the shadow of a sphere on a plane, may be visible in it that none of its
     /// corners shows. Then no object and no such shadow is missed that tracing every pixel would show. All named qualities are
@@ -68,24 +68,24 @@ impl Quality {
         antialias: 0,
     };
 
-    /// The rules of the 2008 thesis: squares of 8 pixels are filled if the corners agree in the objects of the whole ray tree and in
-    /// the lights' states at the primary hit, whatever their colours.
+    /// The rules of the 2008 thesis: squares of 8 pixels are filled if the corners agree in the objects of the whole ray tree and
+    /// in the lights' states at the primary hit, whatever their colours.
     pub const THESIS: Self = Self {
         square: 8,
         tolerance_agreeing: f32::INFINITY,
         ..Self::EXHAUSTIVE
     };
 
-    /// The middle of the ladder: squares of 8 pixels are filled if the corners' colours are close and they show the same object with
-    /// the same lights lit.
+    /// The middle of the ladder: squares of 8 pixels are filled if the corners' colours are close and they show the same object
+    /// with the same lights lit.
     pub const DEFAULT: Self = Self::within(8, 10.0);
 
     /// The named qualities from the finest to the fastest, with [`Quality::DEFAULT`] among them.
     ///
     /// `cargo lab trade --ladder` measured the model scene at 1024x768 on one thread of an AMD EPYC (Zen 4). Speed is relative to
-    /// [`Quality::EXHAUSTIVE`], and errors are against its frames; a test measures the errors again. `over` is the number of pixels
-    /// per frame with an error of more than 8/255 in a channel, `flicker` the number of 8x8 blocks per frame whose mean error changes
-    /// by more than that from one frame to the next. FLIP is computed for 67 pixels per degree.
+    /// [`Quality::EXHAUSTIVE`], and errors are against its frames; a test measures the errors again. `over` is the number of
+    /// pixels per frame with an error of more than 8/255 in a channel, `flicker` the number of 8x8 blocks per frame whose mean
+    /// error changes by more than that from one frame to the next. FLIP is computed for 67 pixels per degree.
     ///
     /// | name | dials | speed | traced | PSNR | over | flicker | FLIP |
     /// | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |
@@ -97,10 +97,10 @@ impl Quality {
     /// | faster | s8 c22 d4 w0.02 | 4.8 | 4.2 % | 43.7 dB | 7114 | 2.0 | 0.0138 |
     /// | fastest | s8 c40 d3 w0.05 | 5.2 | 4.0 % | 41.3 dB | 12602 | 8.9 | 0.0201 |
     ///
-    /// These figures are for AVX-512. With AVX2 an exhaustive frame takes 1.8 times as long, and the default quality is 6 times as
-    /// fast. In the dials `s` is the square, `c` the tolerance, and where they are not those of [`Quality::EXHAUSTIVE`], `d`
-    /// is the depth and `w` the least contribution. At the same error squares of 16 are no faster than squares of 8: they need fewer
-    /// corners, but more of them are split.
+    /// These figures are for AVX-512. With AVX2 an exhaustive frame takes 1.8 times as long, and the default quality is 6 times
+    /// as fast. In the dials `s` is the square, `c` the tolerance, and where they are not those of [`Quality::EXHAUSTIVE`], `d`
+    /// is the depth and `w` the least contribution. At the same error squares of 16 are no faster than squares of 8: they need
+    /// fewer corners, but more of them are split.
     pub const LADDER: &'static [Self; 7] = &[
         Self::within(8, 2.0),
         Self::within(8, 4.0),
@@ -119,8 +119,8 @@ impl Quality {
         "finest", "finer", "fine", "default", "fast", "faster", "fastest",
     ];
 
-    /// A quality that fills squares, and averages midpoints of sides, within one tolerance if the primary hit's object and the lights'
-    /// states, lit or dark, agree.
+    /// A quality that fills squares, and averages midpoints of sides, within one tolerance if the primary hit's object and the
+    /// lights' states, lit or dark, agree.
     const fn within(square: usize, tolerance: f32) -> Self {
         Self {
             square,

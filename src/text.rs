@@ -1,7 +1,8 @@
 //! Draws captions over the rows of a finished band.
 //!
-//! The coverage of a pixel is computed from the distance of its centre to the nearest stroke, so edges are antialiased at any size.
-//! Captions are placed in pixels of the picture, and drawn in rows of the band. Letters are measured in units of the font's grid.
+//! The coverage of a pixel is computed from the distance of its centre to the nearest stroke, so edges are antialiased at any
+//! size. Captions are placed in pixels of the picture, and drawn in rows of the band. Letters are measured in units of the font's
+//! grid.
 
 use crate::font::{ADVANCE, strokes};
 use crate::maths::{round, sqrt};
@@ -13,8 +14,8 @@ use glam::{Vec2, vec2};
 /// Half the width of a stroke, in grid units.
 const HALF_WIDTH: f32 = 0.22;
 
-/// The width of the dark outline around a stroke, in grid units: it makes text readable on white, and just does not reach the next
-/// letter.
+/// The width of the dark outline around a stroke, in grid units: it makes text readable on white, and just does not reach the
+/// next letter.
 const OUTLINE: f32 = 0.28;
 
 /// Draws captions over a band of a picture that is `height` pixels high.

@@ -1,8 +1,8 @@
 //! The library's modules depend on each other without a cycle.
 //!
 //! The test scans the source text: a module of `src/lib.rs` depends on each module that its files name by `crate::`, also through
-//! items that the library re-exports. Comments and unit tests do not count. Inside of a folder, files must not depend on each other in a
-//! cycle either, apart from the folder's own `mod.rs`.
+//! items that the library re-exports. Comments and unit tests do not count. Inside of a folder, files must not depend on each
+//! other in a cycle either, apart from the folder's own `mod.rs`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

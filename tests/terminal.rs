@@ -18,8 +18,8 @@ struct Terminal {
 }
 
 impl Terminal {
-    /// Starts the intro with options in a terminal of the given size. After its end the terminal shows whether its mode was restored,
-    /// and the exit code.
+    /// Starts the intro with options in a terminal of the given size. After its end the terminal shows whether its mode was
+    /// restored, and the exit code.
     fn play(columns: usize, rows: usize, options: &str) -> Terminal {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let name = format!(

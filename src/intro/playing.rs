@@ -129,8 +129,8 @@ impl Playing<'_> {
     }
 }
 
-/// The size of the picture for a screen of a given size: the same, or the largest supported size of the same aspect ratio. No side
-/// is 0.
+/// The size of the picture for a screen of a given size: the same, or the largest supported size of the same aspect ratio. No
+/// side is 0.
 fn fit((width, height): (usize, usize)) -> (usize, usize) {
     if width <= MAX_WIDTH && height <= MAX_HEIGHT {
         (width.max(1), height.max(1))

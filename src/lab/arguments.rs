@@ -11,8 +11,8 @@ const MAX_THREADS: usize = 256;
 /// The largest number of frames, so that what is kept of each fits in memory.
 const MAX_FRAMES: usize = 100_000;
 
-/// An error in the command line that the parser cannot find, such as flags that contradict each other. It holds the message: the flag and
-/// what it takes.
+/// An error in the command line that the parser cannot find, such as flags that contradict each other. It holds the message: the
+/// flag and what it takes.
 #[derive(Debug)]
 pub struct BadInput(String);
 
@@ -83,8 +83,8 @@ impl NamedQuality {
         name: "thesis",
         quality: Quality::THESIS,
     };
-    /// The default quality without the guard against missed objects. It serves to measure what the guard costs, and cannot be asked for
-    /// by name.
+    /// The default quality without the guard against missed objects. It serves to measure what the guard costs, and cannot be
+    /// asked for by name.
     pub const UNGUARDED: Self = Self {
         name: "unguarded",
         quality: Quality {

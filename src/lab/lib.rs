@@ -1,7 +1,7 @@
 //! The lab draws frames, and measures what speed costs in accuracy.
 //!
-//! This library has a module for each command of `cargo lab`, and the measures and file formats that these and the tests share. The
-//! program itself only parses the command line.
+//! This library has a module for each command of `cargo lab`, and the measures and file formats that these and the tests share.
+//! The program itself only parses the command line.
 
 pub mod arguments;
 pub mod bench;

@@ -16,8 +16,8 @@ pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
 
 /// A result that is being written to a file, or to standard output if the name is `-`.
 ///
-/// The file gets its name once it is complete and on the disk. Until then, and if anything fails, a file of that name stays as it was.
-/// Devices and pipes are written to directly.
+/// The file gets its name once it is complete and on the disk. Until then, and if anything fails, a file of that name stays as it
+/// was. Devices and pipes are written to directly.
 pub struct Sink {
     /// The name as the user gave it.
     name: PathBuf,

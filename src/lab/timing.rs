@@ -13,8 +13,8 @@ pub fn real_time<T>(work: impl FnOnce() -> T) -> (T, f64) {
     (result, start.elapsed().as_secs_f64())
 }
 
-/// Does some work on this thread. Returns its result, and the seconds that the thread was on a processor, which do not include those
-/// that other programs took.
+/// Does some work on this thread. Returns its result, and the seconds that the thread was on a processor, which do not include
+/// those that other programs took.
 pub fn thread_time<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let start = ThreadTime::now();
     let result = work();

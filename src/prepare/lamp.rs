@@ -29,7 +29,8 @@ pub(crate) struct Lamp {
 }
 
 /// The shadow of a node's sphere by one lamp. Points outside the sphere that lie in its shadow are inside a cone about the sphere
-/// with its apex at the lamp, and no nearer to the lamp than the sphere. The cone is slightly wider than necessary, to cover rounding.
+/// with its apex at the lamp, and no nearer to the lamp than the sphere. The cone is slightly wider than necessary, to cover
+/// rounding.
 ///
 /// Its vectors are unaligned, so that it fits a cache line of 64 bytes: a frame has up to 2,572 of these.
 #[derive(Clone, Copy)]
@@ -53,8 +54,8 @@ pub(crate) struct ShadowCone {
     /// The squared radius minus a bound on the rounding error of the discriminant, so that a ray that leaves the sphere is not
     /// shadowed by it. If the lamp is inside, the bound is added instead.
     pub r2: f32,
-    /// The shadow of a box or a cylinder lies between two planes through the lamp, at the same angle on both sides of the plane that
-    /// contains the longer axis. This is that plane's normal, of any length; for a sphere it is 0.
+    /// The shadow of a box or a cylinder lies between two planes through the lamp, at the same angle on both sides of the plane
+    /// that contains the longer axis. This is that plane's normal, of any length; for a sphere it is 0.
     pub side: Vec3,
     /// The squared sine of that angle, times the squared length of `side`.
     pub sine2: f32,

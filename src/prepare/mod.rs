@@ -30,9 +30,9 @@ use glam::Vec3A;
 
 /// A bound on how far rounding moves a computed point of a sphere off it, as a share of the sphere's largest coordinate.
 ///
-/// In units of 2^-24 the errors are 1.7 for the point's coordinates (the root of 3), 2.5 for its distance from the centre, 1.5 for the
-/// ray's length, and 2.8 for the vector from the centre, its square and the discriminant when the next ray is tested against the
-/// sphere: 8.5 in total. Hundreds of millions of rays had at most 5 (`rays_that_leave_a_sphere_do_not_hit_it_again`).
+/// In units of 2^-24 the errors are 1.7 for the point's coordinates (the root of 3), 2.5 for its distance from the centre, 1.5
+/// for the ray's length, and 2.8 for the vector from the centre, its square and the discriminant when the next ray is tested
+/// against the sphere: 8.5 in total. Hundreds of millions of rays had at most 5 (`rays_that_leave_a_sphere_do_not_hit_it_again`).
 const HIT_ERROR: f32 = 10.0 / (1 << 24) as f32;
 
 /// The most objects that rays can hit: solids, lights (shown as spheres), planes, and the background.

@@ -15,8 +15,8 @@ pub(crate) enum Object<'a> {
 
 /// Identifies an object of a frame: spheres have the first numbers; blocks, lights, planes and the background follow.
 ///
-/// In the lanes of a packet an object is its [`ObjectId::lane`], a `u32`. In the word of a sample it is one more, in 14 bits, so that 0
-/// stands for none.
+/// In the lanes of a packet an object is its [`ObjectId::lane`], a `u32`. In the word of a sample it is one more, in 14 bits, so
+/// that 0 stands for none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ObjectId(u32);
 
@@ -63,9 +63,9 @@ pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     }
 }
 
-/// The largest [`Pattern::edge`](crate::scene::Pattern::edge) of a pattern without edges. Such a pattern changes as slowly as light
-/// does, so squares that show it are filled from their corners' colours. With the show's colonnade, of marble, that saves a third
-/// of the time.
+/// The largest [`Pattern::edge`](crate::scene::Pattern::edge) of a pattern without edges. Such a pattern changes as slowly as
+/// light does, so squares that show it are filled from their corners' colours. With the show's colonnade, of marble, that saves a
+/// third of the time.
 const MAX_SOFT_EDGE: f32 = 1.0;
 
 /// Whether a material's pattern has edges, across which squares must not be filled.

@@ -9,8 +9,8 @@ use super::{ObjectId, Prepared, Rectangle};
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS};
 use glam::Vec3A;
 
-/// The smallest squared cosine of a shadow's cone. Wider cones, whose lamp is within 0.1 % of the radius from the sphere, are left
-/// out.
+/// The smallest squared cosine of a shadow's cone. Wider cones, whose lamp is within 0.1 % of the radius from the sphere, are
+/// left out.
 const MIN_COSINE2: f32 = 0.0025;
 
 /// The largest number of pairs of a sphere and a lamp.

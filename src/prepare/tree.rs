@@ -7,8 +7,8 @@ use super::object::{self, Object, ObjectId};
 use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene, Shape};
 use glam::Vec3A;
 
-/// The number of groups that solids are divided into. Up to so many solids have a group of their own. For each part of the picture
-/// it is known which groups it can show.
+/// The number of groups that solids are divided into. Up to so many solids have a group of their own. For each part of the
+/// picture it is known which groups it can show.
 const SOLID_GROUPS: usize = 32;
 
 /// The number of groups: those of solids, in the tree's order, then one for each light.
@@ -71,8 +71,8 @@ pub(crate) struct Tree {
     solid_node_end: usize,
 }
 
-/// The share by which bounds are enlarged. It is more than the rounding error of a ray that comes from a thousand radii away, so that
-/// no ray hits a sphere and misses its bound.
+/// The share by which bounds are enlarged. It is more than the rounding error of a ray that comes from a thousand radii away, so
+/// that no ray hits a sphere and misses its bound.
 pub(super) const MARGIN: f32 = 1e-3;
 
 /// The radius of a bound around everything: far larger than [`MAX_LENGTH`], with a finite square.

@@ -192,8 +192,8 @@ pub struct Light {
     /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`], or 0 for a light that is invisible. The
     /// sphere casts no shadow.
     pub radius: f32,
-    /// Whether its rays are nearly parallel, like the sun's: `position` and `size` are multiplied by [`Light::FAR`], and the light
-    /// is not drawn.
+    /// Whether its rays are nearly parallel, like the sun's: `position` and `size` are multiplied by [`Light::FAR`], and the
+    /// light is not drawn.
     pub parallel: bool,
     /// The diameter of the light as far as shadows are concerned, 0 to [`MAX_LENGTH`]. Above 0 the shadows of spheres have
     /// penumbrae, and a material's `tint` colours its shadow. 0 is a point, whose shadows are hard and black.
@@ -203,8 +203,8 @@ pub struct Light {
 }
 
 impl Light {
-    /// The factor on the position of a light with parallel rays. Across a scene as wide as the light's distance its rays differ in
-    /// direction by at most 0.001 radians.
+    /// The factor on the position of a light with parallel rays. Across a scene as wide as the light's distance its rays differ
+    /// in direction by at most 0.001 radians.
     pub const FAR: f32 = 1000.0;
 
     /// A black, invisible point.

@@ -10,8 +10,8 @@ pub(super) enum Notes {
     Drum(u8),
     /// The digit's note of the melody's scale.
     Scale,
-    /// A note of the bar's chord, this many semitones up: digits 1 to 4 are the chord's notes from the root up, 5 to 8 the same an
-    /// octave higher, and so on.
+    /// A note of the bar's chord, this many semitones up: digits 1 to 4 are the chord's notes from the root up, 5 to 8 the same
+    /// an octave higher, and so on.
     Tone(u8),
     /// Four notes at once: the one that [`Notes::Tone`] gives, and the three above it.
     Chord(u8),

@@ -155,7 +155,8 @@ fn wrap(phase: Vec4) -> Vec4 {
     phase - (phase + ROUND_TO_INTEGER - ROUND_TO_INTEGER)
 }
 
-/// Approximately the sine of an angle from -1/2 to 1/2 turns, by two parabolas. Its amplitude is 1, its overtones are below -28 dB.
+/// Approximately the sine of an angle from -1/2 to 1/2 turns, by two parabolas. Its amplitude is 1, its overtones are below -28
+/// dB.
 #[inline(always)]
 fn sine(phase: Vec4) -> Vec4 {
     phase * (8.0 - phase.abs() * 16.0)

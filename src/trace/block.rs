@@ -21,8 +21,8 @@ fn along<S: Isa>(simd: S, axes: &Mat3A, v: &Vec3x<S>) -> Vec3x<S> {
     }
 }
 
-/// The distances at which rays enter and leave the slab within `half` of the centre along one axis. `o` and `d` are the rays' origins and
-/// directions along that axis.
+/// The distances at which rays enter and leave the slab within `half` of the centre along one axis. `o` and `d` are the rays'
+/// origins and directions along that axis.
 #[inline(always)]
 fn slab<S: Isa>(simd: S, o: F<S>, d: F<S>, half: f32) -> (F<S>, F<S>) {
     let middle = -o / d;
@@ -121,8 +121,8 @@ impl<S: Isa> BlockHit<S> {
     }
 }
 
-/// The offset from the surface at which secondary rays of a block start, in scene units: many times the rounding error of a point on it.
-/// At ten units from the origin it is 1e-4.
+/// The offset from the surface at which secondary rays of a block start, in scene units: many times the rounding error of a point
+/// on it. At ten units from the origin it is 1e-4.
 pub(super) fn hit_error(block: &Block) -> f32 {
     1e-5 * (block.centre.abs() + block.half).element_sum()
 }

@@ -6,7 +6,8 @@ use crate::scene::MAX_SOLIDS;
 
 /// A solid that some rays of a packet may hit.
 ///
-/// For the other rays the result of the exact test is ignored, so that a ray's hit does not depend on the other rays of its packet.
+/// For the other rays the result of the exact test is ignored, so that a ray's hit does not depend on the other rays of its
+/// packet.
 #[derive(Clone, Copy)]
 pub(crate) struct Candidate {
     pub object: ObjectId,

@@ -11,8 +11,8 @@ const FARTHEST: f32 = 1e30;
 /// A bound on the rounding error of the squared dot product of two directions.
 const ROUNDING: f32 = 4e-6;
 
-/// Without fused multiply-add, a bound on the error of the squared perpendicular before it is [refined](Chord::refined), as a share of
-/// the square of `t_mid`.
+/// Without fused multiply-add, a bound on the error of the squared perpendicular before it is [refined](Chord::refined), as a
+/// share of the square of `t_mid`.
 ///
 /// With `u = 2^-24`, rounding the product `d t_mid` displaces the perpendicular by `u t_mid`, and rounding `t_mid` itself lengthens it
 /// along the ray by less than `5 u t_mid`. For a ray that meets a sphere of radius `r`,
@@ -38,8 +38,8 @@ impl<S: Isa> Hit<S> {
     }
 }
 
-/// The nearest hits among all planes and the spheres of some groups, beginning with node number `first`. Boxes and cylinders that may be
-/// hit become candidates.
+/// The nearest hits among all planes and the spheres of some groups, beginning with node number `first`. Boxes and cylinders that
+/// may be hit become candidates.
 #[inline(always)]
 pub(crate) fn nearest<S: Isa>(
     simd: S,
@@ -88,7 +88,8 @@ pub(crate) fn nearest<S: Isa>(
 struct Chord<S: Isa> {
     /// The vector from the ray's origin to the sphere's centre.
     f: Vec3x<S>,
-    /// The distance from the ray's origin to the middle of the chord, which is the point nearest to the centre; negative behind the origin.
+    /// The distance from the ray's origin to the middle of the chord, which is the point nearest to the centre; negative behind
+    /// the origin.
     t_mid: F<S>,
     /// The perpendicular, from the centre to the middle of the chord.
     l: Vec3x<S>,
@@ -111,10 +112,11 @@ impl<S: Isa> Chord<S> {
 
     /// The same chord with a perpendicular that is as accurate without fused multiply-add as with it.
     ///
-    /// Without it the product `d t_mid`, which is as long as the distance to the sphere, is rounded before all but the perpendicular
-    /// cancels. So both factors are split into halves of 12 bits, whose products are exact (Dekker: A Floating-Point Technique for
-    /// Extending the Available Precision, Numerische Mathematik 18, 1971). Only the last product is rounded, which is smaller by 2^12.
-    /// Most rays miss most spheres clearly, so this is only computed for spheres that [may be ahead](Chord::may_be_ahead).
+    /// Without it the product `d t_mid`, which is as long as the distance to the sphere, is rounded before all but the
+    /// perpendicular cancels. So both factors are split into halves of 12 bits, whose products are exact (Dekker: A
+    /// Floating-Point Technique for Extending the Available Precision, Numerische Mathematik 18, 1971). Only the last product is
+    /// rounded, which is smaller by 2^12. Most rays miss most spheres clearly, so this is only computed for spheres that [may be
+    /// ahead](Chord::may_be_ahead).
     #[inline(always)]
     fn refined(self, d: Vec3x<S>) -> Self {
         if S::FUSES_MUL_ADD {
@@ -150,8 +152,8 @@ impl<S: Isa> Chord<S> {
         (splat(simd, node.cull2) - self.l2).simd_ge(back2)
     }
 
-    /// Which rays along `d` certainly miss the box or the cylinder inside of the sphere, or hit it beyond `limit`: they pass its longer axis
-    /// at more than its thickness, or end before the sphere.
+    /// Which rays along `d` certainly miss the box or the cylinder inside of the sphere, or hit it beyond `limit`: they pass its
+    /// longer axis at more than its thickness, or end before the sphere.
     #[inline(always)]
     fn is_off(&self, d: Vec3x<S>, node: &BvhNode, limit: F<S>) -> M<S> {
         let simd = self.t_mid.token();
@@ -167,8 +169,9 @@ impl<S: Isa> Chord<S> {
 
     /// The nearest end of the chord that is ahead and nearer than `limit`.
     ///
-    /// Due to rounding, a ray that starts on the sphere starts slightly inside or outside of it. If its origin is off the sphere by no more
-    /// than [`BvhNode::hit_error`], it counts as starting on it: outward it does not hit the sphere, inward it hits the far side.
+    /// Due to rounding, a ray that starts on the sphere starts slightly inside or outside of it. If its origin is off the sphere
+    /// by no more than [`BvhNode::hit_error`], it counts as starting on it: outward it does not hit the sphere, inward it hits
+    /// the far side.
     #[inline(always)]
     fn entry(&self, mask: M<S>, node: &BvhNode, limit: F<S>) -> (M<S>, F<S>) {
         let simd = self.t_mid.token();
@@ -223,8 +226,8 @@ fn cone_shades<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) 
     chord.dot(chord).simd_lt(splat(simd, cone.chord2)) & distance.simd_gt(splat(simd, cone.from))
 }
 
-/// Which rays towards a lamp of a given diameter, at `distance` in direction `l`, certainly miss the box, the cylinder or the sphere of a
-/// shadow cone, and its penumbra.
+/// Which rays towards a lamp of a given diameter, at `distance` in direction `l`, certainly miss the box, the cylinder or the
+/// sphere of a shadow cone, and its penumbra.
 #[inline(always)]
 fn cone_is_off<S: Isa>(
     simd: S,
@@ -237,8 +240,8 @@ fn cone_is_off<S: Isa>(
     let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
     let way = f.dot(l);
     let across = f.add_scaled(l, -way);
-    // Half of the penumbra lies outside of the sphere: the lamp's radius times the ratio of the distances to the sphere and to the lamp. All
-    // is multiplied by the distance, which saves a division.
+    // Half of the penumbra lies outside of the sphere: the lamp's radius times the ratio of the distances to the sphere and to
+    // the lamp. All is multiplied by the distance, which saves a division.
     let share = at_least::<S>(distance - way, splat(simd, 0.0));
     let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
     let past = across.dot(across) * distance * distance;
@@ -266,8 +269,8 @@ fn cone_blocks<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) 
     half2.simd_gt(short * short)
 }
 
-/// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked. If the lamp is not [plain](Lamp::is_plain), only
-/// planes block, and solids that may be in the way become candidates.
+/// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked. If the lamp is not [plain](Lamp::is_plain),
+/// only planes block, and solids that may be in the way become candidates.
 #[inline(always)]
 pub(crate) fn blocked<S: Isa>(
     simd: S,

@@ -3,8 +3,8 @@
 use core::ops::{Add, Mul, Sub};
 use glam::Vec3A;
 
-/// The light of a traced point in two layers: its colour is `rest + reflectance * untextured`, with the share that the pattern leaves.
-/// Along a surface both layers change slowly, while the pattern may not.
+/// The light of a traced point in two layers: its colour is `rest + reflectance * untextured`, with the share that the pattern
+/// leaves. Along a surface both layers change slowly, while the pattern may not.
 ///
 /// Channels are blue, green and red, in steps of 1/255.
 #[derive(Clone, Copy, PartialEq)]

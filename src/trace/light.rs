@@ -39,8 +39,8 @@ pub(super) fn gather<S: Isa>(
     // The sums of diffuse and of specular reflection.
     let mut diffuse = Vec3x::splat(simd, Vec3A::ZERO);
     let mut specular = diffuse;
-    // Inside of a sphere, lights beyond its far side are blocked by the sphere itself. The chord towards the lamp has the length of twice the
-    // cosine times the radius.
+    // Inside of a sphere, lights beyond its far side are blocked by the sphere itself. The chord towards the lamp has the length
+    // of twice the cosine times the radius.
     let least = point.inside.select(surface.inverse_radius() * 0.5, zero);
     for lamp in scene.lamps() {
         let to_light = Vec3x::splat(simd, lamp.position) - point.p;
@@ -143,8 +143,8 @@ fn light_transmittance<S: Isa>(
 
 /// The share of a lamp that a sphere covers, 0 to 1 (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
 ///
-/// The rays from the point to the lamp form a cone. At the distance `a`, where it passes the sphere, it is `b = a diameter / distance` wide.
-/// As the sphere's edge crosses the cone from one side to the other, the covered share goes from 0 to 1.
+/// The rays from the point to the lamp form a cone. At the distance `a`, where it passes the sphere, it is `b = a diameter /
+/// distance` wide. As the sphere's edge crosses the cone from one side to the other, the covered share goes from 0 to 1.
 #[inline(always)]
 fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, ways: &Ways<S>) -> F<S> {
     let centre = sphere.centre;

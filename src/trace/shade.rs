@@ -14,8 +14,8 @@ use crate::quality::Quality;
 
 /// The largest contribution of a node of the ray tree, as a multiple of full brightness.
 ///
-/// More than 1 is not visible, since contributions are not negative. With this bound the sum over the 255 nodes of the deepest tree does
-/// not overflow.
+/// More than 1 is not visible, since contributions are not negative. With this bound the sum over the 255 nodes of the deepest
+/// tree does not overflow.
 const BRIGHTEST: f32 = 2.0;
 
 /// The contributions of a packet's hits to their points.

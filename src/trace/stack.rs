@@ -11,8 +11,8 @@ pub(crate) struct Rays<S: Isa> {
     pub d: Vec3x<S>,
     /// The product of the coefficients along the ray's path.
     pub weight: F<S>,
-    /// The point of the batch that the ray belongs to, and its node in that point's ray tree: `slot << PATH_BITS | path`. The path of a
-    /// primary ray is 1; a ray with path p has the reflected ray 2 p and the transmitted ray 2 p + 1.
+    /// The point of the batch that the ray belongs to, and its node in that point's ray tree: `slot << PATH_BITS | path`. The
+    /// path of a primary ray is 1; a ray with path p has the reflected ray 2 p and the transmitted ray 2 p + 1.
     pub slot_path: U<S>,
 }
 
@@ -66,11 +66,12 @@ impl<S: Isa> Rays<S> {
 
 /// The capacity of the stack, a power of two.
 ///
-/// A packet of depth d is taken from the top and replaced by at most two packets of depth d + 1. So at most two packets of each of the
-/// depths 1 to 7 wait at once.
+/// A packet of depth d is taken from the top and replaced by at most two packets of depth d + 1. So at most two packets of each
+/// of the depths 1 to 7 wait at once.
 const CAPACITY: usize = 256;
 
-/// The waiting rays as a structure of arrays. The arrays are longer than the capacity, so that a whole packet can be written at the top.
+/// The waiting rays as a structure of arrays. The arrays are longer than the capacity, so that a whole packet can be written at
+/// the top.
 pub(crate) struct Stack {
     /// Origin, direction, weight, and the bits of `slot_path`.
     columns: [[f32; CAPACITY + MAX_LANES]; 8],
@@ -120,8 +121,8 @@ impl Stack {
             y: load(simd, dy, start),
             z: load(simd, dz, start),
         };
-        // One Newton step normalises the direction. Otherwise its error would grow with each reflection, and after four of them exceed the
-        // bound that tells a ray's origin from a hit.
+        // One Newton step normalises the direction. Otherwise its error would grow with each reflection, and after four of them
+        // exceed the bound that tells a ray's origin from a hit.
         let correction = d.dot(d).mul_add(splat(simd, -0.5), splat(simd, 1.5));
         let rays = Rays {
             o: Vec3x {

@@ -59,8 +59,8 @@ impl<S: Isa> TexturePoint<S> {
     }
 }
 
-/// The share that the pattern of an object leaves of its colour, 0 to 1, at the pixel (x, y) of the picture and the three to its right.
-/// For pixels that do not show the object it is of no meaning.
+/// The share that the pattern of an object leaves of its colour, 0 to 1, at the pixel (x, y) of the picture and the three to its
+/// right. For pixels that do not show the object it is of no meaning.
 pub(crate) fn pattern_at_pixels(scene: &Prepared, id: ObjectId, x: usize, y: usize) -> [f32; 4] {
     let mut shares = [0.0; 4];
     let found = pattern_at_row(baseline(), scene, id, x, y);

@@ -8,8 +8,8 @@ use eightfold::show::{self, grid};
 use eightfold_oracle::frame::Frame;
 use glam::{Vec3A, vec3a};
 
-/// Asserts that a picture is the oracle's: the mean error is at most 0.01/255, and at most 0.02 % of the pixels, or one in a small
-/// picture, are wrong by more than 8/255, on silhouettes alone.
+/// Asserts that a picture is the oracle's: the mean error is at most 0.01/255, and at most 0.02 % of the pixels, or one in a
+/// small picture, are wrong by more than 8/255, on silhouettes alone.
 #[track_caller]
 pub fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
     let expected = frame.picture();

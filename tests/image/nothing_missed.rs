@@ -21,8 +21,8 @@ fn qualities() -> impl Iterator<Item = Quality> {
     named.chain([3, 5, 12, 17].map(of_side))
 }
 
-/// Asserts that every quality shows each colour of the exhaustive picture at one of its pixels. The background is exempt: gaps between
-/// objects may be missed.
+/// Asserts that every quality shows each colour of the exhaustive picture at one of its pixels. The background is exempt: gaps
+/// between objects may be missed.
 fn assert_nothing_is_missed(scene: &Scene, width: usize, height: usize) {
     let mut studio = Studio::new(1);
     let mut draw = |isa: Isa, scene: &Scene, quality: &Quality| {

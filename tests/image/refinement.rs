@@ -8,8 +8,8 @@ use eightfold::{Quality, show};
 use eightfold_oracle::squares::{Squares, TILE};
 use glam::{Vec3A, vec3a};
 
-/// Asserts that a picture is that of the oracle's squares: the number of points differs by at most 0.2 %, or 24, and the pixels differ
-/// in a few squares at most, which rounding decides.
+/// Asserts that a picture is that of the oracle's squares: the number of points differs by at most 0.2 %, or 24, and the pixels
+/// differ in a few squares at most, which rounding decides.
 #[track_caller]
 pub fn assert_as_refined(drawn: &Drawn, squares: &Squares<'_>, what: &str) {
     let (points, expected) = (drawn.counts.points, squares.points() as u64);

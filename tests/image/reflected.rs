@@ -1,7 +1,7 @@
 //! Small reflections, which the guard does not look for, are missed by no more than a stated share.
 //!
-//! Measured: 34 % of the pixels of small reflections, most of them narrower than a square, are wrong by the finest quality, the default
-//! quality and the rules of 2008 alike. The largest patches have 77 pixels.
+//! Measured: 34 % of the pixels of small reflections, most of them narrower than a square, are wrong by the finest quality, the
+//! default quality and the rules of 2008 alike. The largest patches have 77 pixels.
 
 use crate::cpu;
 use crate::drawn::draw;

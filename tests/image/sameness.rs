@@ -88,8 +88,8 @@ fn a_frame_does_not_depend_on_earlier_frames() {
     let mut studio = Studio::new(2);
     let mut others = vec![0; 500 * 400];
     for quality in QUALITIES {
-        // Scenes of spheres alone, and with boxes, cylinders and patterns: an object number may belong to a sphere in one frame and
-        // to a box in another.
+        // Scenes of spheres alone, and with boxes, cylinders and patterns: an object number may belong to a sphere in one frame
+        // and to a box in another.
         let many = [
             show::scene(6.0),
             show::field(320, 0.0),

@@ -1,8 +1,8 @@
-//! Any scene of any size, by any quality and any instruction set, is drawn with the same bits on any number of threads, for bounded
-//! work.
+//! Any scene of any size, by any quality and any instruction set, is drawn with the same bits on any number of threads, for
+//! bounded work.
 //!
-//! `tests/run --soak` draws random cases for `SOAK_SECONDS` (600, ten minutes) and prints their number; otherwise a fixed number is
-//! drawn. The cases are the same in each run. `SOAK_SEED` selects other cases, `SOAK_FIRST` the case to begin with.
+//! `tests/run --soak` draws random cases for `SOAK_SECONDS` (600, ten minutes) and prints their number; otherwise a fixed number
+//! is drawn. The cases are the same in each run. `SOAK_SEED` selects other cases, `SOAK_FIRST` the case to begin with.
 
 use crate::cpu;
 use crate::error::Difference;
@@ -14,13 +14,13 @@ use std::time::{Duration, Instant};
 
 /// The number of cases without `SOAK_SECONDS`.
 const CASES: u64 = 150;
-/// Cases of seed 2008 in which long runs have found faults: boxes, spheres and lights with invalid numbers, in packets whose other rays
-/// come near to them.
+/// Cases of seed 2008 in which long runs have found faults: boxes, spheres and lights with invalid numbers, in packets whose
+/// other rays come near to them.
 const FOUND: [u64; 6] = [139, 2402, 3245, 8120, 14_319, 23_323];
 /// The time between two lines about the progress of a long run.
 const PROGRESS: Duration = Duration::from_secs(5);
-/// The largest mean error of the default quality, in steps of 1/255, for pictures of 5,000 pixels and more: small spheres take up a
-/// large part of these.
+/// The largest mean error of the default quality, in steps of 1/255, for pictures of 5,000 pixels and more: small spheres take up
+/// a large part of these.
 const MAX_MEAN_ERROR: f64 = 8.0;
 /// The largest width and height.
 const MAX_SIZE: (usize, usize) = (160, 120);
@@ -32,8 +32,8 @@ struct Studios {
     exhaustive: Studio,
 }
 
-/// Draws a case and asserts everything that holds for all cases. Returns the error of the default quality if the case serves to measure
-/// it.
+/// Draws a case and asserts everything that holds for all cases. Returns the error of the default quality if the case serves to
+/// measure it.
 fn hold(studios: &mut Studios, seed: u64, case: u64) -> Option<Difference> {
     let what = format!("case {case} of seed {seed}");
     let mut random = Random(seed ^ case.wrapping_mul(0xd134_2543_de82_ef95));

@@ -54,8 +54,8 @@ impl Frame {
         self.map_pixels(|x, y| self.at(x, y).pixel())
     }
 
-    /// Which pixels lie on silhouettes: the ray trees of the 3x3 pixels around them differ, so that the smallest rounding error can
-    /// make a ray hit another object.
+    /// Which pixels lie on silhouettes: the ray trees of the 3x3 pixels around them differ, so that the smallest rounding error
+    /// can make a ray hit another object.
     pub fn silhouettes(&self) -> Vec<bool> {
         self.map_pixels(|x, y| {
             let tree = self.at(x, y).tree;

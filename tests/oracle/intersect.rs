@@ -4,8 +4,8 @@ use super::{Object, Oracle, Ray};
 use eightfold::scene::{Block, Light, Plane, Shape};
 use glam::{DVec3, Vec3A};
 
-/// The smallest distance that counts as a hit. The error of the roots for a ray that touches a sphere is about the square root of the
-/// rounding error of f64.
+/// The smallest distance that counts as a hit. The error of the roots for a ray that touches a sphere is about the square root of
+/// the rounding error of f64.
 const T_MIN: f64 = 1e-6;
 
 impl Oracle<'_> {

@@ -67,8 +67,8 @@ impl Oracle<'_> {
 /// The share of a light with a size that a sphere does not block (after Parker, Shirley and Smits: Single Sample Soft Shadows,
 /// 1998).
 ///
-/// The rays from `p` to the light form a cone. At the distance `a`, where it passes the sphere, it is `b = a size / distance` wide.
-/// As the sphere's edge crosses the cone from one side to the other, the share goes from 1 to 0.
+/// The rays from `p` to the light form a cone. At the distance `a`, where it passes the sphere, it is `b = a size / distance`
+/// wide. As the sphere's edge crosses the cone from one side to the other, the share goes from 1 to 0.
 fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {
     let centre = sphere.centre.as_dvec3();
     let radius = f64::from(sphere.radius);

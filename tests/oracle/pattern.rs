@@ -57,8 +57,8 @@ fn noise(p: [f64; 2]) -> f64 {
     sum
 }
 
-/// The pseudorandom number, -1 to 1, of integer coordinates. They are hashed as offsets to the bits of the float 1.5 * 2^23, as the
-/// library has them.
+/// The pseudorandom number, -1 to 1, of integer coordinates. They are hashed as offsets to the bits of the float 1.5 * 2^23, as
+/// the library has them.
 fn random(point: [u32; 2]) -> f64 {
     let [u, v] = point.map(|n| n.wrapping_add(0x4b40_0000));
     let h = u

@@ -17,8 +17,8 @@ enum State {
 }
 
 impl Oracle<'_> {
-    /// The colour that a ray sees. `weight` is the product of the coefficients along its path. `path` identifies its node in the ray
-    /// tree: 1 for a primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of the node p.
+    /// The colour that a ray sees. `weight` is the product of the coefficients along its path. `path` identifies its node in the
+    /// ray tree: 1 for a primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of the node p.
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
         let (object, t) = self.nearest(ray);
@@ -133,8 +133,8 @@ impl Oracle<'_> {
         colour
     }
 
-    /// The state of a light at a hit at `p` with normal `n`, and the light that it adds. `within` is the radius if the hit is on the
-    /// inside of a sphere.
+    /// The state of a light at a hit at `p` with normal `n`, and the light that it adds. `within` is the radius if the hit is on
+    /// the inside of a sphere.
     #[allow(clippy::too_many_arguments, reason = "a light and a hit")]
     fn lit(
         &self,

@@ -7,8 +7,8 @@ use eightfold::sound::{RATE, pulse};
 /// The samples of a millisecond, over which energy is summed.
 const FRAME: usize = RATE as usize / 1000;
 
-/// The energy of the treble in each millisecond: of the differences between samples. A hit starts with treble; the bass of a kick rises
-/// over 50 ms.
+/// The energy of the treble in each millisecond: of the differences between samples. A hit starts with treble; the bass of a kick
+/// rises over 50 ms.
 fn energies() -> Vec<f32> {
     let song = song();
     let energy = |frame: usize| {

@@ -81,8 +81,8 @@ impl Process {
         Process(command.spawn().expect("the command starts"))
     }
 
-    /// Waits for the end. Returns the time that this took, the exit code (`None` after a signal), the standard output and the standard
-    /// error.
+    /// Waits for the end. Returns the time that this took, the exit code (`None` after a signal), the standard output and the
+    /// standard error.
     pub fn end(mut self) -> (Duration, Option<i32>, String, String) {
         let start = Instant::now();
         let status = wait_for("the end of a process", || {
@@ -266,8 +266,8 @@ impl Server {
     }
 }
 
-/// Runs `work` on several servers, each given by its arguments. For each the test program, which must have only one test, starts itself
-/// again with another `DISPLAY`, since the environment cannot be changed safely while a program runs.
+/// Runs `work` on several servers, each given by its arguments. For each the test program, which must have only one test, starts
+/// itself again with another `DISPLAY`, since the environment cannot be changed safely while a program runs.
 pub fn on_displays(servers: &[&[&str]], work: fn()) {
     const INSIDE: &str = "EIGHTFOLD_TEST_INSIDE";
     if env::var_os(INSIDE).is_some() {

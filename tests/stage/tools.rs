@@ -1,7 +1,7 @@
 //! Tools of the system that some tests need.
 //!
-//! `cargo test` passes without them: a test that lacks a tool prints a line and does nothing. If the variable `EIGHTFOLD_TOOLS` is
-//! `required`, as `tests/run` sets it, a missing tool is a failure.
+//! `cargo test` passes without them: a test that lacks a tool prints a line and does nothing. If the variable `EIGHTFOLD_TOOLS`
+//! is `required`, as `tests/run` sets it, a missing tool is a failure.
 
 #![allow(dead_code, reason = "each test uses a part of it")]
 

@@ -48,8 +48,8 @@ fn png(film: &Film, frame: usize, pixels: &[u32]) -> Result<Vec<u8>> {
 
 /// The frames whose files are missing, incomplete or of another film.
 ///
-/// The first and the last of the existing frames are drawn again. If they differ, the tracer has changed in between, and all frames are
-/// drawn.
+/// The first and the last of the existing frames are drawn again. If they differ, the tracer has changed in between, and all
+/// frames are drawn.
 fn missing(queue: &FrameQueue<'_>, frames: Range<usize>, folder: &Path) -> Result<Vec<usize>> {
     let film = queue.film;
     let is_whole = |&frame: &usize| {

@@ -28,8 +28,8 @@ struct State<T, H> {
 }
 
 impl FrameQueue<'_> {
-    /// Draws the frames of the given numbers. `make` turns each picture into a result, on the thread that drew it; `hand_over` gets
-    /// the results in the order of the list.
+    /// Draws the frames of the given numbers. `make` turns each picture into a result, on the thread that drew it; `hand_over`
+    /// gets the results in the order of the list.
     ///
     /// # Errors
     /// The first error of `make` or `hand_over`, after which no more frames are drawn.

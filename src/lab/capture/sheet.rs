@@ -98,8 +98,8 @@ fn spread(range: &Range<usize>, i: usize, count: usize) -> usize {
     range.start + (2 * i + 1) * range.len() / (2 * count)
 }
 
-/// The number of columns for a number of frames. Between as many columns as rows and twice that, it leaves the fewest tiles empty; among
-/// equals it is the smallest.
+/// The number of columns for a number of frames. Between as many columns as rows and twice that, it leaves the fewest tiles
+/// empty; among equals it is the smallest.
 fn columns(count: usize) -> usize {
     let least = (count as f64).sqrt().ceil() as usize;
     let empty = |&columns: &usize| count.next_multiple_of(columns) - count;

@@ -45,8 +45,8 @@ pub fn send(
     done
 }
 
-/// Whether a file holds exactly this stream. The header, the length and the first and last frame are compared. A file under its final
-/// name is complete, so the frames between are there, too.
+/// Whether a file holds exactly this stream. The header, the length and the first and last frame are compared. A file under its
+/// final name is complete, so the frames between are there, too.
 fn is_there(film: &Film, frames: &Range<usize>, name: &Path) -> io::Result<bool> {
     let header = y4m::header(film.size, film.rate);
     let bytes = y4m::frame_bytes(film.size);

@@ -1,8 +1,8 @@
 //! YUV4MPEG2, the stream of raw pictures that video programs read.
 //!
-//! The stream has a header of one line, then for each frame the line `FRAME` and three planes. The colours are those of HDTV (BT.709,
-//! limited range) in full resolution (4:4:4). The format cannot express the matrix. Players assume BT.709 for large pictures; ffmpeg
-//! assumes BT.601 and has to be told.
+//! The stream has a header of one line, then for each frame the line `FRAME` and three planes. The colours are those of HDTV
+//! (BT.709, limited range) in full resolution (4:4:4). The format cannot express the matrix. Players assume BT.709 for large
+//! pictures; ffmpeg assumes BT.601 and has to be told.
 
 use crate::arguments::Size;
 use crate::rate::Rate;
@@ -76,9 +76,9 @@ const fn fixed(weight: f64) -> i32 {
     }) as i32
 }
 
-/// The weights of a colour difference: a colour minus luma. `share` and `other` are the weights in luma of the colour itself and of the
-/// other one besides green; `indices` are the indices of the colour, the other one and green. The weights add up to 0, so that greys have no
-/// colour difference.
+/// The weights of a colour difference: a colour minus luma. `share` and `other` are the weights in luma of the colour itself and
+/// of the other one besides green; `indices` are the indices of the colour, the other one and green. The weights add up to 0, so
+/// that greys have no colour difference.
 const fn difference(share: f64, other: f64, indices: [usize; 3]) -> [i32; 3] {
     let scale = CHROMA_STEPS / (2.0 * (1.0 - share));
     let mut weights = [0; 3];

@@ -78,8 +78,8 @@ fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
     symbols.into_values().collect()
 }
 
-/// The crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. A unit's private symbols follow its name in the symbol
-/// table; shared symbols follow a name that is no codegen unit.
+/// The crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. A unit's private symbols follow its name in the
+/// symbol table; shared symbols follow a name that is no codegen unit.
 fn crate_of_unit(file: &str) -> Option<&str> {
     let (name, _) = file.split_once('.')?;
     file.contains("-cgu.").then_some(name)

@@ -92,7 +92,8 @@ impl Curves<'_> {
         curves
     }
 
-    /// For each quality, the time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one sphere.
+    /// For each quality, the time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one
+    /// sphere.
     pub fn by_objects(&mut self, counts: &[usize]) -> Vec<Curve> {
         let one = SceneName::Field(1).at(self.time);
         let mut curves = empty(&qualities());

@@ -39,8 +39,8 @@ pub struct Plan {
 /// Draws and compares frames.
 pub struct Measurement<'a> {
     pub plan: &'a Plan,
-    /// Draws timed frames on one thread. What is measured is the thread's time on a processor, which does not include the time that
-    /// other programs take.
+    /// Draws timed frames on one thread. What is measured is the thread's time on a processor, which does not include the time
+    /// that other programs take.
     pub timed: Studio,
     /// Draws all other frames, on all threads.
     studio: Studio,

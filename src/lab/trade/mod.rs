@@ -29,9 +29,10 @@ use tally::Tally;
 
 /// Turns every dial of the quality, and measures what that gains in speed and costs in accuracy
 ///
-/// Writes trade.csv, trade.json and plots, each as SVG and PNG, into a folder, and prints the Pareto front, of the settings
-/// that compare colours, objects and lights and miss nothing, as a Markdown table. Speed is a ratio to exhaustive frames, every pixel traced, that are drawn in between, all on one thread, by its
-/// time on a processor; errors are against the same frames. Ctrl-C writes what has been measured so far.
+/// Writes trade.csv, trade.json and plots, each as SVG and PNG, into a folder, and prints the Pareto front, of the settings that
+/// compare colours, objects and lights and miss nothing, as a Markdown table. Speed is a ratio to exhaustive frames, every pixel
+/// traced, that are drawn in between, all on one thread, by its time on a processor; errors are against the same frames. Ctrl-C
+/// writes what has been measured so far.
 ///
 /// Dials in names: s side of the squares in pixels, k depth of the objects / of the lights' states compared (0/0 if not told),
 /// c tolerance within which colours fill a square, in 255ths, where these agree / where they differ (0 if not told), e tolerance

@@ -7,8 +7,8 @@ use serde::Serialize;
 /// The results for one quality.
 ///
 /// Counts are means per frame, fractions are from 0 to 1, errors are against the exhaustive frames. In JSON `null` stands for an
-/// infinite dial, for the PSNR of equal frames, and for what was not measured before Ctrl-C. In CSV an infinite dial is `inf`, and the
-/// others are empty.
+/// infinite dial, for the PSNR of equal frames, and for what was not measured before Ctrl-C. In CSV an infinite dial is `inf`,
+/// and the others are empty.
 #[derive(Clone, Serialize)]
 pub struct Outcome {
     pub name: String,
@@ -110,16 +110,16 @@ impl Outcome {
         self.psnr_db.is_infinite()
     }
 
-    /// Whether it keeps the rules of the product: a square is filled only where the corners' colours, the objects that they show and
-    /// the states of the lights agree, and no object is missed.
+    /// Whether it keeps the rules of the product: a square is filled only where the corners' colours, the objects that they show
+    /// and the states of the lights agree, and no object is missed.
     fn keeps_the_rules(&self) -> bool {
         let compares_keys = self.keys && self.tolerance_differing == 0.0;
         (compares_keys || self.square == 1) && self.guarded && self.missed_objects == 0.0
     }
 }
 
-/// Marks the Pareto front: the points for which no other point is both faster and more accurate, among those that keep the rules of
-/// the product.
+/// Marks the Pareto front: the points for which no other point is both faster and more accurate, among those that keep the rules
+/// of the product.
 pub fn mark_front(rows: &mut [Outcome]) {
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by(|&a, &b| rows[b].speedup.total_cmp(&rows[a].speedup));

@@ -226,9 +226,9 @@ fn has_keys(quality: &Quality) -> bool {
     quality.square > 1 && quality.tolerance_agreeing != quality.tolerance_differing
 }
 
-/// A quality's dials in short notation: `s` is the square, `k` the depths of objects and states in keys, `c` the tolerances for agreeing
-/// and differing keys, `e` the tolerance for midpoints of sides, `h` the highlight, `u` unguarded, `d` the depth and `w` the least
-/// contribution. What has its usual value is left out, as the help of `lab trade` explains.
+/// A quality's dials in short notation: `s` is the square, `k` the depths of objects and states in keys, `c` the tolerances for
+/// agreeing and differing keys, `e` the tolerance for midpoints of sides, `h` the highlight, `u` unguarded, `d` the depth and `w`
+/// the least contribution. What has its usual value is left out, as the help of `lab trade` explains.
 fn dials(quality: &Quality) -> String {
     let mut text = format!("s{}", quality.square);
     let number = |tolerance: f32| {

@@ -63,8 +63,8 @@ impl FrameViewer {
         }
     }
 
-    /// Draws the frame that the controls select. Returns false if it is the same as before. With `measure` it measures the error, which
-    /// takes an exhaustive frame.
+    /// Draws the frame that the controls select. Returns false if it is the same as before. With `measure` it measures the error,
+    /// which takes an exhaustive frame.
     pub fn draw(&mut self, controls: &Controls, size: Size, measure: bool) -> bool {
         if self.drawn == Some((*controls, size)) && (self.has_exhaustive || !measure) {
             return false;

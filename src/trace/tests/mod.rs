@@ -1,4 +1,5 @@
-//! Properties of the kernels, checked with many rays on every instruction set of the machine. [`crate::limits`] lists their figures.
+//! Properties of the kernels, checked with many rays on every instruction set of the machine. [`crate::limits`] lists their
+//! figures.
 
 mod blocks;
 mod neighbours;

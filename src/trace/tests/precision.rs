@@ -1,10 +1,10 @@
 //! Rays hit or miss small spheres far away correctly, with a stated number of exceptions.
 //!
-//! Since the rays are random, the stated figures are means over seeds; the asserted bound for a single seed is exceeded by less than one
-//! seed in a million.
+//! Since the rays are random, the stated figures are means over seeds; the asserted bound for a single seed is exceeded by less
+//! than one seed in a million.
 //!
-//! The test uses [`SEEDS`] seeds. `PRECISION_SEEDS=60 cargo test --release --lib small_sphere_far -- --nocapture` uses sixty, takes a
-//! minute, and prints the figures of [`crate::limits`].
+//! The test uses [`SEEDS`] seeds. `PRECISION_SEEDS=60 cargo test --release --lib small_sphere_far -- --nocapture` uses sixty,
+//! takes a minute, and prints the figures of [`crate::limits`].
 
 use super::*;
 

@@ -1,5 +1,5 @@
-//! Rays that leave a surface of any size and position do not hit it again, wherever they came from (after `TestReintersectConvex` of
-//! pbrt).
+//! Rays that leave a surface of any size and position do not hit it again, wherever they came from (after `TestReintersectConvex`
+//! of pbrt).
 
 use super::*;
 use crate::scene::Plane;

@@ -29,8 +29,8 @@ fn number(cell: &str) -> f64 {
     number.unwrap_or_else(|| panic!("no number: {cell}"))
 }
 
-/// The allowed difference between a documented and a measured figure: one unit of the last documented digit, and the share by which
-/// instruction sets may differ.
+/// The allowed difference between a documented and a measured figure: one unit of the last documented digit, and the share by
+/// which instruction sets may differ.
 fn tolerance(cell: &str, share: f64) -> f64 {
     let digits = cell.split(' ').next().and_then(|text| text.split_once('.'));
     let last = 0.1_f64.powi(digits.map_or(0, |(_, digits)| digits.len() as i32));

@@ -76,8 +76,8 @@ fn cut(video: &Path, pixels: usize) -> f64 {
     (last + 1) as f64 / FPS as f64
 }
 
-/// The time, in seconds, of the steepest rise of a video's treble within 60 ms of a given time: the start of a kick, which has more
-/// treble than everything else.
+/// The time, in seconds, of the steepest rise of a video's treble within 60 ms of a given time: the start of a kick, which has
+/// more treble than everything else.
 fn onset(video: &Path, around: f64) -> f64 {
     /// The samples of a millisecond, and the milliseconds compared before and after a time.
     const MS: usize = RATE as usize / 1000;
