@@ -48,9 +48,6 @@ pub(crate) type PerLane = [f32; MAX_LANES];
 /// The surfaces that the lanes of a packet hit.
 pub(crate) type SurfaceRow = Surface<PerLane>;
 
-/// The number of parameters of a surface.
-const PARAMETERS: usize = 19;
-
 /// More than any parameter of a valid scene, and so small that products of a few such numbers do not overflow.
 const LARGEST: f32 = 2e9;
 
@@ -75,59 +72,35 @@ impl<T: Copy> Surface<T> {
     }
 }
 
-/// The parameters of a surface as an array of references, shared or mutable as the surface's is, in the order of the fields.
-macro_rules! parameters {
-    ($surface:expr) => {{
-        let Surface {
-            centre: [x, y, z],
-            inverse_radius,
-            upright,
-            is_lit,
-            emitted: [red, green, blue],
-            diffuse: [diffuse_red, diffuse_green, diffuse_blue],
-            ks,
-            exponent,
-            highlight_start,
-            kr,
-            kt,
-            index,
-            haze,
-        } = $surface;
-        [
-            x,
-            y,
-            z,
-            inverse_radius,
-            upright,
-            is_lit,
-            red,
-            green,
-            blue,
-            diffuse_red,
-            diffuse_green,
-            diffuse_blue,
-            ks,
-            exponent,
-            highlight_start,
-            kr,
-            kt,
-            index,
-            haze,
-        ]
-    }};
-}
-
 impl<T> Surface<T> {
-    /// Its parameters, in the order of the fields.
+    /// Calls with each of its parameters and the same ones of other surfaces.
     #[inline(always)]
-    pub fn parameters(&self) -> [&T; PARAMETERS] {
-        parameters!(self)
-    }
-
-    /// Its parameters, to be written.
-    #[inline(always)]
-    pub fn parameters_mut(&mut self) -> [&mut T; PARAMETERS] {
-        parameters!(self)
+    pub fn for_each<const N: usize>(
+        &mut self,
+        others: [&Surface<f32>; N],
+        mut call: impl FnMut(&mut T, [f32; N]),
+    ) {
+        for i in 0..3 {
+            call(&mut self.centre[i], others.map(|other| other.centre[i]));
+            call(&mut self.emitted[i], others.map(|other| other.emitted[i]));
+            call(&mut self.diffuse[i], others.map(|other| other.diffuse[i]));
+        }
+        call(
+            &mut self.inverse_radius,
+            others.map(|other| other.inverse_radius),
+        );
+        call(&mut self.upright, others.map(|other| other.upright));
+        call(&mut self.is_lit, others.map(|other| other.is_lit));
+        call(&mut self.ks, others.map(|other| other.ks));
+        call(&mut self.exponent, others.map(|other| other.exponent));
+        call(
+            &mut self.highlight_start,
+            others.map(|other| other.highlight_start),
+        );
+        call(&mut self.kr, others.map(|other| other.kr));
+        call(&mut self.kt, others.map(|other| other.kt));
+        call(&mut self.index, others.map(|other| other.index));
+        call(&mut self.haze, others.map(|other| other.haze));
     }
 }
 
@@ -138,9 +111,7 @@ impl SurfaceRow {
     /// Copies a surface to all lanes. Few packets need that, so it is compiled only once, not for each instruction set.
     #[inline(never)]
     pub fn set(&mut self, surface: &Surface<f32>) {
-        for (row, &number) in self.parameters_mut().into_iter().zip(surface.parameters()) {
-            *row = [number; MAX_LANES];
-        }
+        self.for_each([surface], |row, [number]| *row = [number; MAX_LANES]);
     }
 }
 
@@ -157,9 +128,7 @@ impl Surface<f32> {
     /// Prepares the surface of an object, with all numbers [`bounded`].
     pub fn set(&mut self, object: &Object<'_>, material: &Material, scene: &Scene) {
         *self = Self::of(object, material, scene);
-        for number in self.parameters_mut() {
-            *number = bounded(*number);
-        }
+        self.for_each([], |number, []| *number = bounded(*number));
     }
 
     /// The surface of an object, without bounds on its numbers.

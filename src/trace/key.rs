@@ -14,51 +14,69 @@ const OBJECT_BITS: u32 = 12;
 /// Bits that hold one light's state.
 const STATE_BITS: u32 = 2;
 
-/// The lights' states at a hit: 0 dark (shadowed or facing away), 1 lit, 2 lit with a highlight.
+/// Which nodes a packet's keys hold, and the lights' states there: 0 dark (shadowed or facing away), 1 lit, 2 lit with a
+/// highlight.
 #[derive(Clone, Copy)]
-pub(crate) struct States<S: Isa>(U<S>);
+pub(crate) struct Keys<S: Isa> {
+    paths: U<S>,
+    /// Lanes whose node the key holds.
+    counted: M<S>,
+    /// Whether there are any: of most secondary rays there are none.
+    has_any: bool,
+    states: U<S>,
+}
 
-impl<S: Isa> States<S> {
+impl<S: Isa> Keys<S> {
+    /// The keys of the active lanes' nodes, which have these places in their trees; nothing is lit so far.
     #[inline(always)]
-    pub fn new(simd: S) -> Self {
-        Self(U::<S>::splat(simd, 0))
+    pub fn new(simd: S, quality: &Quality, active: M<S>, paths: U<S>) -> Self {
+        let mut keys = Self {
+            paths,
+            counted: active,
+            has_any: quality.needs_keys(),
+            states: U::<S>::splat(simd, 0),
+        };
+        if keys.has_any {
+            keys.counted &= to_depth(simd, paths, quality.key_depth);
+            keys.has_any = keys.counted.any_true();
+        }
+        keys
     }
 
     /// Adds one light's state. A highlight implies lit.
     #[inline(always)]
     pub fn push(&mut self, lit: M<S>, highlight: M<S>) {
-        let simd = self.0.token();
+        if !self.has_any {
+            return;
+        }
+        let simd = self.states.token();
         let one = U::<S>::splat(simd, 1);
         let zero = U::<S>::splat(simd, 0);
         let state = lit.select(one, zero) + highlight.select(one, zero);
-        self.0 = (self.0 << STATE_BITS) | state;
+        self.states = (self.states << STATE_BITS) | state;
+    }
+
+    /// The nodes' terms of the keys; 0 where nothing is compared.
+    #[inline(always)]
+    pub fn terms(&self, simd: S, quality: &Quality, objects: U<S>) -> U<S> {
+        let zero = U::<S>::splat(simd, 0);
+        if !self.has_any {
+            return zero;
+        }
+        let with_states = to_depth(simd, self.paths, quality.state_depth);
+        let states = with_states.select(self.states, zero) << (PATH_BITS + OBJECT_BITS);
+        let mut h = self.paths | (objects << PATH_BITS) | states;
+        // Two rounds of multiply and shift (after Wellons' searched 32-bit mixers) spread every bit.
+        h ^= h >> 16;
+        h *= U::<S>::splat(simd, 0x7feb_352d);
+        h ^= h >> 15;
+        h *= U::<S>::splat(simd, 0x846c_a68b);
+        self.counted.select(h ^ (h >> 16), zero)
     }
 }
 
-/// The nodes' terms of the keys; 0 where nothing is compared.
+/// Which nodes are of at most a depth.
 #[inline(always)]
-pub(crate) fn term<S: Isa>(
-    simd: S,
-    quality: &Quality,
-    active: M<S>,
-    paths: U<S>,
-    objects: U<S>,
-    states: States<S>,
-) -> U<S> {
-    if !quality.needs_keys() {
-        return U::<S>::splat(simd, 0);
-    }
-    let zero = U::<S>::splat(simd, 0);
-    let to_depth =
-        |depth: u32| paths.simd_lt(U::<S>::splat(simd, 2 << depth.min(Quality::MAX_DEPTH)));
-    let with_states = to_depth(quality.state_depth);
-    let counted = active & to_depth(quality.key_depth);
-    let states = with_states.select(states.0, zero) << (PATH_BITS + OBJECT_BITS);
-    let mut h = paths | (objects << PATH_BITS) | states;
-    // Two rounds of multiply and shift (after Wellons' searched 32-bit mixers) spread every bit.
-    h ^= h >> 16;
-    h *= U::<S>::splat(simd, 0x7feb_352d);
-    h ^= h >> 15;
-    h *= U::<S>::splat(simd, 0x846c_a68b);
-    counted.select(h ^ (h >> 16), zero)
+fn to_depth<S: Isa>(simd: S, paths: U<S>, depth: u32) -> M<S> {
+    paths.simd_lt(U::<S>::splat(simd, 2 << depth.min(Quality::MAX_DEPTH)))
 }

@@ -4,7 +4,7 @@ use super::Counts;
 use super::block;
 use super::candidates::Candidates;
 use super::intersect::blocked;
-use super::key::States;
+use super::key::Keys;
 use super::point::ShadingPoint;
 use super::surface::SurfaceLanes;
 use crate::lanes::*;
@@ -30,7 +30,7 @@ pub(super) fn gather<S: Isa>(
     quality: &Quality,
     surface: &SurfaceLanes<'_, S>,
     point: &ShadingPoint<S>,
-    states: &mut States<S>,
+    keys: &mut Keys<S>,
     counts: &mut Counts,
     candidates: &mut Candidates,
 ) -> Reflected<S> {
@@ -78,9 +78,7 @@ pub(super) fn gather<S: Isa>(
                 specular = specular.add_scaled(colour, strength);
             }
         }
-        if quality.needs_keys() {
-            states.push(lit, highlight);
-        }
+        keys.push(lit, highlight);
     }
     Reflected {
         untextured: surface.emitted() + surface.diffuse() * diffuse,

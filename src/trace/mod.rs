@@ -135,7 +135,7 @@ fn trace_packets<S: Isa>(
         } else if (rays.mirrored(simd) | !active).all_true() {
             (seen.mirrored, scene.tree.start(seen.mirrored))
         } else {
-            (GroupSet::MAX, 0)
+            (GroupSet::MAX, scene.tree.start(GroupSet::MAX))
         };
         batch.counts.rays += count as u64;
         batch.counts.lanes += lanes::<S>() as u64;

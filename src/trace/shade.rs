@@ -3,7 +3,7 @@
 use super::air::AirLanes;
 use super::batch::{Batch, FIXED_POINT};
 use super::intersect::Hit;
-use super::key::{self, States};
+use super::key::Keys;
 use super::light::{self, Reflected};
 use super::point::ShadingPoint;
 use super::stack::{Rays, Stack};
@@ -89,7 +89,7 @@ pub(super) fn shade<S: Isa>(
         ..
     } = batch;
     let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, surfaces);
-    let solid = active & surface.is_lit().simd_gt(splat(simd, 0.0));
+    let solid = active & surface.is_lit();
     let air = AirLanes::along(simd, scene, &rays.d, hit.t, &surface);
     // What the light that leaves the surface is multiplied by on its way to the eye.
     let weight = match &air {
@@ -99,18 +99,11 @@ pub(super) fn shade<S: Isa>(
     let mut colour = surface.emitted();
     let mut untextured = colour;
     let mut reflectance = splat(simd, 1.0);
-    let mut states = States::new(simd);
+    let mut keys = Keys::new(simd, quality, active, rays.paths());
     if solid.any_true() {
         let point = ShadingPoint::new(simd, scene, rays, hit, &surface, solid);
         let reflected = light::gather(
-            simd,
-            scene,
-            quality,
-            &surface,
-            &point,
-            &mut states,
-            counts,
-            candidates,
+            simd, scene, quality, &surface, &point, &mut keys, counts, candidates,
         );
         Reflected { untextured, .. } = reflected;
         reflectance = point.reflectance;
@@ -121,10 +114,9 @@ pub(super) fn shade<S: Isa>(
     if let Some(air) = &air {
         colour = air.veil(colour);
     }
-    let paths = rays.paths();
     Contribution {
         colour: colour.scaled(active.select(rays.weight, splat(simd, 0.0))),
-        key: key::term(simd, quality, active, paths, hit.object, states),
+        key: keys.terms(simd, quality, hit.object),
         untextured: untextured.scaled(weight),
         reflectance,
     }

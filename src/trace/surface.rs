@@ -1,7 +1,7 @@
 //! The surfaces that a packet hits.
 
 use crate::lanes::*;
-use crate::prepare::{ObjectId, PerLane, Prepared, SurfaceRow};
+use crate::prepare::{ObjectId, PerLane, Prepared, Surface, SurfaceRow};
 
 /// Surfaces that are kept in all lanes: more than a picture's tile shows of most scenes. Packets of primary and of secondary rays
 /// take turns and so do their objects: with one, the model scene's frame takes 3 % more instructions.
@@ -33,12 +33,15 @@ impl SurfaceRows {
 /// What shading needs of an object, per lane.
 pub(super) struct SurfaceLanes<'a, S: Isa> {
     simd: S,
+    /// Of lanes that hit the background, any object's.
     rows: &'a SurfaceRow,
+    background: &'a Surface<f32>,
+    is_background: M<S>,
 }
 
 impl<'a, S: Isa> SurfaceLanes<'a, S> {
-    /// Looks the objects of the active lanes up. Most packets meet one object, whose numbers lie ready as a rule; else each
-    /// object's go to those lanes that hit it. What `memory` keeps has to be of this frame.
+    /// Looks the objects of the active lanes up. Most packets meet one object, and the background at most, whose numbers lie
+    /// ready as a rule; else each object's go to those lanes that hit it. What `memory` keeps has to be of this frame.
     #[inline(always)]
     pub fn look_up(
         simd: S,
@@ -47,8 +50,20 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         active: M<S>,
         memory: &'a mut SurfaceRows,
     ) -> Self {
-        let mut rest = active.to_bitmask();
-        let id = object_at(simd, objects, &mut rest).0;
+        let background = ObjectId::new(scene.background());
+        let is_background = objects.simd_eq(U::<S>::splat(simd, background.lane()));
+        let surfaces = |rows| Self {
+            simd,
+            rows,
+            background: scene.surface(background),
+            is_background,
+        };
+        let mut rest = (active & !is_background).to_bitmask();
+        let id = if rest == 0 {
+            background
+        } else {
+            object_at(simd, objects, &mut rest).0
+        };
         let first = scene.surface(id);
         if rest == 0 {
             let rows = &mut memory.kept[id.index() % KEPT];
@@ -57,7 +72,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
                 *kept = Some(id);
                 rows.set(first);
             }
-            return Self { simd, rows };
+            return surfaces(rows);
         }
         let mixed = &mut memory.mixed;
         let mut is_first = true;
@@ -65,21 +80,24 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
             let (id, same) = object_at(simd, objects, &mut rest);
             let mask: U<S> = same.to_vector().bitcast();
             let new = scene.surface(id);
-            let rows = mixed.parameters_mut().into_iter().zip(first.parameters());
-            for ((row, &first), &new) in rows.zip(new.parameters()) {
-                // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
-                let old: F<S> = if is_first {
-                    splat(simd, first)
-                } else {
-                    load(simd, row)
-                };
-                let (old, new): (U<S>, U<S>) = (old.bitcast(), splat::<S>(simd, new).bitcast());
-                let both: F<S> = (old ^ ((old ^ new) & mask)).bitcast();
-                both.store_slice(&mut row[..lanes::<S>()]);
-            }
+            mixed.for_each(
+                [first, new],
+                #[inline(always)]
+                |row, [first, new]| {
+                    // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
+                    let old: F<S> = if is_first {
+                        splat(simd, first)
+                    } else {
+                        load(simd, row)
+                    };
+                    let (old, new): (U<S>, U<S>) = (old.bitcast(), splat::<S>(simd, new).bitcast());
+                    let both: F<S> = (old ^ ((old ^ new) & mask)).bitcast();
+                    both.store_slice(&mut row[..lanes::<S>()]);
+                },
+            );
             is_first = false;
         }
-        Self { simd, rows: mixed }
+        surfaces(mixed)
     }
 
     #[inline(always)]
@@ -111,14 +129,18 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         self.number(&self.rows.upright)
     }
 
+    /// Which lanes hit what lamps shine on.
     #[inline(always)]
-    pub fn is_lit(&self) -> F<S> {
-        self.number(&self.rows.is_lit)
+    pub fn is_lit(&self) -> M<S> {
+        let zero = splat(self.simd, 0.0);
+        self.number(&self.rows.is_lit).simd_gt(zero) & !self.is_background
     }
 
     #[inline(always)]
     pub fn emitted(&self) -> Vec3x<S> {
-        self.vector(&self.rows.emitted)
+        let background = Vec3x::splat(self.simd, self.background.emitted.into());
+        let emitted = self.vector(&self.rows.emitted);
+        Vec3x::select(self.is_background, background, emitted)
     }
 
     #[inline(always)]
@@ -158,7 +180,9 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
 
     #[inline(always)]
     pub fn haze(&self) -> F<S> {
-        self.number(&self.rows.haze)
+        let background = splat(self.simd, self.background.haze);
+        let haze = self.number(&self.rows.haze);
+        self.is_background.select(background, haze)
     }
 }
 
