@@ -16,6 +16,7 @@ pub(crate) use cone::ROUNDING;
 pub(crate) use lamp::{Lamp, ShadowCone};
 pub(crate) use object::{Object, ObjectId};
 use outline::Outline;
+pub(crate) use outline::SeenOutline;
 use screen::ScreenBounds;
 pub(crate) use screen::{Axes, rectangle};
 use shadow::Shadows;
@@ -57,6 +58,8 @@ pub(crate) struct Prepared {
     bounds: [ScreenBounds; MAX_GROUPS],
     /// The same for its mirror image in the first plane.
     mirrored_bounds: [ScreenBounds; MAX_GROUPS],
+    /// The groups that have an object.
+    used_groups: GroupSet,
     pub axes: Axes,
     /// The outline of each object in the picture.
     outlines: [Outline; MAX_OBJECTS],
@@ -112,6 +115,7 @@ impl Prepared {
             tree: Tree::ZERO,
             bounds: [ScreenBounds::ZERO; MAX_GROUPS],
             mirrored_bounds: [ScreenBounds::ZERO; MAX_GROUPS],
+            used_groups: 0,
             axes: Axes::NONE,
             outlines: [Outline::NONE; MAX_OBJECTS],
             block_ends: [Cone::NONE; MAX_BLOCKS],
@@ -197,9 +201,12 @@ impl Prepared {
     ) -> VisibleGroups {
         let rect = self.axes.rect(rectangle(left, top, right, bottom));
         let mut groups = VisibleGroups::default();
-        for (i, (bounds, mirrored)) in self.bounds.iter().zip(&self.mirrored_bounds).enumerate() {
-            groups.directly |= GroupSet::from(bounds.meets(rect)) << i;
-            groups.mirrored |= GroupSet::from(mirrored.meets(rect)) << i;
+        let mut rest = self.used_groups;
+        while rest != 0 {
+            let i = rest.trailing_zeros() as usize % MAX_GROUPS;
+            rest &= rest - 1;
+            groups.directly |= GroupSet::from(self.bounds[i].meets(rect)) << i;
+            groups.mirrored |= GroupSet::from(self.mirrored_bounds[i].meets(rect)) << i;
         }
         groups
     }
@@ -242,6 +249,7 @@ impl Prepared {
     fn set_outlines(&mut self) {
         self.bounds = [ScreenBounds::NONE; MAX_GROUPS];
         self.mirrored_bounds = [ScreenBounds::NONE; MAX_GROUPS];
+        self.used_groups = 0;
         let floor = self.planes[0].centre.y;
         for node in self.tree.nodes() {
             if node.is_bound {
@@ -250,6 +258,7 @@ impl Prepared {
             let mut to = node.centre - self.eye;
             let outline = &mut self.outlines[node.object.index()];
             outline.set_sphere(&self.axes, to, node);
+            self.used_groups |= node.groups;
             let group = node.groups.trailing_zeros() as usize;
             self.bounds[group].join(outline.bounds);
             if node.is_block {

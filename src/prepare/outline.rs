@@ -160,23 +160,47 @@ impl Rectangle {
     }
 }
 
-impl Prepared {
-    /// The least and the greatest u in a rectangle of the picture that may show what has the outline of a number, if it may.
-    pub fn narrowed(&self, number: usize, mut rect: Rect) -> Option<[f32; 2]> {
-        if number < self.background() {
-            let outline = &self.outlines[number];
-            outline.bounds.narrow(&mut rect);
-            if rect.x <= rect.z {
-                outline.cone.narrow(&mut rect, -ROUNDING);
-            }
-            if outline.is_block && rect.x <= rect.z {
-                let ends = &self.block_ends[number - self.scene.spheres.len()];
-                ends.narrow(&mut rect, -ROUNDING);
-            }
-        } else {
-            self.shadow_cone(number).narrow(&mut rect, -ROUNDING);
+/// What has an outline, as a part of the picture is held against it.
+pub(crate) struct SeenOutline<'a> {
+    bounds: ScreenBounds,
+    pub cone: Cone,
+    /// More of the sides of a box or a cylinder.
+    ends: Option<&'a Cone>,
+}
+
+impl SeenOutline<'_> {
+    /// The least and the greatest u in a rectangle of the picture that may show it, if it may.
+    pub fn narrow(&self, mut rect: Rect) -> Option<[f32; 2]> {
+        self.bounds.narrow(&mut rect);
+        if rect.x <= rect.z {
+            self.cone.narrow(&mut rect, -ROUNDING);
+        }
+        if let (Some(ends), true) = (self.ends, rect.x <= rect.z) {
+            ends.narrow(&mut rect, -ROUNDING);
         }
         (rect.x <= rect.z).then_some([rect.x, rect.z])
+    }
+}
+
+impl Prepared {
+    /// What has the outline of a number.
+    #[inline(never)]
+    pub fn outline(&self, number: usize) -> SeenOutline<'_> {
+        if number < self.background() {
+            let outline = &self.outlines[number];
+            let block = number.wrapping_sub(self.scene.spheres.len());
+            SeenOutline {
+                bounds: outline.bounds,
+                cone: outline.cone,
+                ends: self.block_ends.get(block).filter(|_| outline.is_block),
+            }
+        } else {
+            SeenOutline {
+                bounds: ScreenBounds::ALL,
+                cone: self.shadow_cone(number),
+                ends: None,
+            }
+        }
     }
 
     /// Whether a patch whose corners all see the object `front` cannot see the object `back` anywhere.

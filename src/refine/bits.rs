@@ -86,6 +86,26 @@ impl Bits {
     /// The parts of some squares: for each bit so many, in a row of squares that are narrower by as much.
     #[inline(never)]
     pub fn parts(self, count: usize) -> Self {
+        if count == 2 {
+            self.halves()
+        } else {
+            self.many_parts(count)
+        }
+    }
+
+    /// Each bit twice.
+    #[inline(always)]
+    fn halves(self) -> Self {
+        let mut bits = Self::NONE;
+        for (to, &word) in bits.0.as_chunks_mut::<2>().0.iter_mut().zip(&self.0) {
+            *to = [word & 0xffff_ffff, word >> 32].map(|half| 3 * spread(half));
+        }
+        bits
+    }
+
+    /// Each bit so many times.
+    #[inline(always)]
+    fn many_parts(self, count: usize) -> Self {
         let mut bits = Self::NONE;
         let parts: u64 = (1 << count) - 1;
         self.for_each(|i| {
@@ -110,6 +130,22 @@ impl Bits {
             }
         }
     }
+}
+
+/// The lower half of a word's bits at even numbers.
+#[inline(always)]
+fn spread(word: u64) -> u64 {
+    let mut bits = word;
+    for (shift, mask) in [
+        (16, 0x0000_ffff_0000_ffff),
+        (8, 0x00ff_00ff_00ff_00ff),
+        (4, 0x0f0f_0f0f_0f0f_0f0f),
+        (2, 0x3333_3333_3333_3333),
+        (1, 0x5555_5555_5555_5555),
+    ] {
+        bits = (bits | bits << shift) & mask;
+    }
+    bits
 }
 
 impl BitAnd for Bits {

@@ -145,17 +145,22 @@ fn fill_square<S: Simd, const LEVEL: u32>(
     let (across, across_below) = (step::<S, LEVEL>(b, a), step::<S, LEVEL>(d, c));
     let (upper, lower) = (a + a + HALF, c + c + HALF);
     let number = u16x16::simd_from(simd, [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3]);
-    let side = 1 << LEVEL;
     let (mut first, lower) = (upper + across * number, lower + across_below * number);
     let first_down = step::<S, LEVEL>(lower >> 1, first >> 1);
     let (mut second, lower) = (first + across * 4, lower + across_below * 4);
     let second_down = step::<S, LEVEL>(lower >> 1, second >> 1);
-    let mut rest = pixels;
-    for _ in 0..side {
+    let side = 1 << LEVEL;
+    let pixels = &mut pixels[..(side - 1) * width + side];
+    for y in 0..side {
         let bytes: u8x32<S> = (first >> 8).relaxed_narrow(second >> 8);
-        let eight: [u32; 8] = bytes.bitcast::<u32x8<S>>().into();
-        rest[..side].copy_from_slice(&eight[..side]);
-        rest = rest.get_mut(width..).unwrap_or_default();
+        let eight: u32x8<S> = bytes.bitcast();
+        let row = &mut pixels[y * width..y * width + side];
+        if LEVEL == 3 {
+            eight.store_slice(row);
+        } else {
+            let eight: [u32; 8] = eight.into();
+            row.copy_from_slice(&eight[..side]);
+        }
         first += first_down;
         second += second_down;
     }

@@ -7,7 +7,7 @@ use super::bits::Bits;
 use super::pyramid::Pyramid;
 use super::tile::Area;
 use super::{TILE_HEIGHT, TILE_WIDTH};
-use crate::prepare::{MAX_OUTLINES, ObjectId, Prepared, ROUNDING, rectangle};
+use crate::prepare::{MAX_OUTLINES, ObjectId, Prepared, ROUNDING, SeenOutline, rectangle};
 use core::ops::RangeInclusive;
 use glam::{Vec2Swizzles, vec2};
 
@@ -37,7 +37,7 @@ impl CoverageGuard {
             .rect(corner + glam::vec4(0.0, 0.0, width, height));
         self.count = 0;
         for outline in 0..scene.outlined.min(MAX_OUTLINES) {
-            if scene.narrowed(outline, rect).is_some() {
+            if scene.outline(outline).narrow(rect).is_some() {
                 self.outlines[self.count] = outline as u16;
                 self.count += 1;
             }
@@ -59,12 +59,13 @@ impl CoverageGuard {
         let mut kept = 0;
         for i in 0..self.count {
             let number = self.outlines[i];
+            let outline = scene.outline(number.into());
             let mut is_kept = false;
             for y in 0..rows {
                 if open[y].is_empty() {
                     continue;
                 }
-                let Some(range) = area.range(scene, number as usize, level, y) else {
+                let Some(range) = area.range(scene, &outline, level, y) else {
                     continue;
                 };
                 (open[y] & Bits::range(range)).for_each(|x| {
@@ -80,7 +81,7 @@ impl CoverageGuard {
                         y,
                         objects: pyramid.corners(level, x, y).map(|corner| corner.object()),
                     };
-                    if !square.shows(scene, number as usize) {
+                    if !square.shows(scene, number.into(), &outline) {
                         uncovered[y].set(x);
                         is_kept = true;
                     }
@@ -101,7 +102,7 @@ impl Area {
     fn range(
         &self,
         scene: &Prepared,
-        outline: usize,
+        outline: &SeenOutline<'_>,
         level: usize,
         y: usize,
     ) -> Option<RangeInclusive<usize>> {
@@ -109,7 +110,7 @@ impl Area {
         let columns = self.columns(level);
         let (left, top) = (self.left, self.top + y * side);
         let row = rectangle(left, top, left + columns * side, top + side);
-        let [from, to] = scene.narrowed(outline, scene.axes.rect(row))?;
+        let [from, to] = outline.narrow(scene.axes.rect(row))?;
         let [from, to] = [from, to].map(|u| scene.axes.column(u) - left as f32);
         // A square that ends where the outline begins shows it on its side.
         let first = libm::ceilf((from - MARGIN) / side as f32) as usize;
@@ -130,13 +131,13 @@ struct Square<'a> {
 
 impl Square<'_> {
     /// Whether its corners show what has an outline, or that it cannot be seen.
-    fn shows(&self, scene: &Prepared, number: usize) -> bool {
+    fn shows(&self, scene: &Prepared, number: usize, outline: &SeenOutline<'_>) -> bool {
         let object = scene.outlined_object(number);
         if number == object.index() {
             self.shows_object(object) || self.is_hidden(scene, object)
         } else {
             // Where no corner shows the plane of a shadow it cannot be seen, or is looked for itself.
-            !self.shows_object(object) || self.shows_shadow(scene, number, object)
+            !self.shows_object(object) || self.shows_shadow(scene, outline, object)
         }
     }
 
@@ -159,15 +160,14 @@ impl Square<'_> {
             .is_some_and(|front| scene.occludes(front, object))
     }
 
-    /// Whether a corner that is a pixel shows a plane in a shadow on it, which has the outline of a number.
-    fn shows_shadow(&self, scene: &Prepared, number: usize, plane: ObjectId) -> bool {
-        let cone = scene.shadow_cone(number);
+    /// Whether a corner that is a pixel shows a plane in a shadow on it.
+    fn shows_shadow(&self, scene: &Prepared, shadow: &SeenOutline<'_>, plane: ObjectId) -> bool {
         (0..4).any(|i| {
             let [x, y] = self.corner(i);
             let at = scene.axes.rect(rectangle(x, y, x, y));
             self.objects[i] == Some(plane)
                 && self.is_pixel(i)
-                && cone.meets(&vec2(at.x, at.y).xyxy(), ROUNDING)
+                && shadow.cone.meets(&vec2(at.x, at.y).xyxy(), ROUNDING)
         })
     }
 

@@ -62,6 +62,12 @@ impl Pyramid {
         STARTS[level] + y * columns(level) + x
     }
 
+    /// How many places a row of a level's points takes.
+    #[inline(always)]
+    pub fn stride(level: usize) -> usize {
+        columns(level)
+    }
+
     #[inline(always)]
     pub fn sample(&self, place: usize) -> Sample {
         Sample(self.samples[place])

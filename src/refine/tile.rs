@@ -3,6 +3,7 @@
 use super::TILE_HEIGHT;
 use super::bits::Bits;
 use super::fill::{Canvas, Run};
+use super::points::BLOCK_HEIGHT;
 use super::pyramid::LEVELS;
 use super::verdict::{Rules, Verdict, judge};
 use super::worker::Worker;
@@ -63,8 +64,8 @@ pub(super) struct Marks {
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
     /// Those that were filled.
     pub filled: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// Points that were traced.
-    pub traced: [[Bits; TILE_HEIGHT + 1]; LEVELS],
+    /// Points that were traced; blocks of them end with more rows than there are.
+    pub traced: [[Bits; TILE_HEIGHT + BLOCK_HEIGHT]; LEVELS],
 }
 
 impl Marks {
@@ -73,7 +74,7 @@ impl Marks {
             squares: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
             open: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
             filled: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
-            traced: [[Bits::NONE; TILE_HEIGHT + 1]; LEVELS],
+            traced: [[Bits::NONE; TILE_HEIGHT + BLOCK_HEIGHT]; LEVELS],
         }
     }
 }
@@ -202,8 +203,11 @@ impl<O: Observer> Tile<'_, O> {
         let (columns, rows) = (self.area.columns(part), self.area.rows(part));
         let marks = &mut self.worker.marks;
         let split = marks.squares[level][y] & !marks.filled[level][y];
-        let squares = split.parts(parts) & Bits::first(columns);
-        let open = marks.open[level][y].parts(parts) & Bits::first(columns);
+        let (mut squares, mut open) = (Bits::NONE, Bits::NONE);
+        if !split.is_empty() {
+            squares = split.parts(parts) & Bits::first(columns);
+            open = marks.open[level][y].parts(parts) & Bits::first(columns);
+        }
         for row in parts * y..rows.min(parts * y + parts) {
             marks.squares[part][row] = squares;
             marks.open[part][row] = open;

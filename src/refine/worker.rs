@@ -3,9 +3,9 @@
 use super::guard::CoverageGuard;
 use super::pyramid::Pyramid;
 use super::tile::Marks;
-use crate::trace::{Batch, Counts};
+use crate::trace::{BATCH, Batch, Counts};
 
-/// What one thread works in, of fixed size, and reused from tile to tile: at most 430,000 bytes, see [`Worker::BYTES`].
+/// What one thread works in, of fixed size, and reused from tile to tile: at most 440,000 bytes, see [`Worker::BYTES`].
 ///
 /// Alone, it renders on the caller's thread: see [`Threads`](crate::Threads).
 pub struct Worker {
@@ -13,6 +13,8 @@ pub struct Worker {
     pub(super) pyramid: Pyramid,
     pub(super) marks: Marks,
     pub(super) guard: CoverageGuard,
+    /// Where the batch's points go: in the pyramid, or pixels in the band.
+    pub(super) places: [u32; BATCH],
 }
 
 impl Worker {
@@ -29,6 +31,7 @@ impl Worker {
                 pyramid: Pyramid::new(),
                 marks: Marks::new(),
                 guard: CoverageGuard::new(),
+                places: [0; BATCH],
             }
         }
     }

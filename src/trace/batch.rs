@@ -80,12 +80,6 @@ impl Batch {
         self.len
     }
 
-    /// Whether there is no room for another point.
-    #[inline(always)]
-    pub fn is_full(&self) -> bool {
-        self.len == BATCH
-    }
-
     /// Adds the point at pixel (x, y); the batch must not be full.
     #[inline(always)]
     pub fn push(&mut self, x: usize, y: usize) {
@@ -110,17 +104,19 @@ impl Batch {
         self.len = 0;
     }
 
-    /// The place of traced point number `i`, x and y, with its sample and key.
+    /// The place of point number `i`, x and y.
     #[inline(always)]
-    pub fn result(&self, i: usize) -> (usize, usize, Sample, u32) {
+    pub fn place(&self, i: usize) -> (usize, usize) {
+        let place = self.places[i % BATCH] as usize;
+        (place & 0xffff, place >> 16)
+    }
+
+    /// The sample and the key of traced point number `i`.
+    #[inline(always)]
+    pub fn sample(&self, i: usize) -> (Sample, u32) {
         let i = i % BATCH;
-        let place = self.places[i] as usize;
-        (
-            place & 0xffff,
-            place >> 16,
-            Sample(self.samples[i]).showing(self.objects[i]),
-            self.sums[i][KEY] as u32,
-        )
+        let sample = Sample(self.samples[i]).showing(self.objects[i]);
+        (sample, self.sums[i][KEY] as u32)
     }
 
     /// The layers of traced point number `i`, if it shows an object with a pattern.
