@@ -17,6 +17,34 @@ pub trait Observer: Copy + Sync {
 
     /// The square of `w` by `h` pixels with its upper left at (x, y) was drawn.
     fn square(self, x: usize, y: usize, w: usize, h: usize, fill: Fill);
+
+    /// Whether it takes the time of [`Stage::Primary`], for which all points are traced twice.
+    const TIMES: bool = false;
+
+    /// From now on the thread is at work on this.
+    #[inline(always)]
+    fn stage(self, _stage: Stage) {}
+}
+
+/// What a thread is at work on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Which points a level needs, and which of them are known.
+    Points,
+    /// Tracing points without secondary rays: once more, for [`Observer::TIMES`] alone.
+    Primary,
+    /// Tracing points.
+    Tracing,
+    /// Putting traced points where the verdict and the picture want them.
+    Results,
+    /// Looking for what lies between corners.
+    Guard,
+    /// Judging squares.
+    Verdict,
+    /// Filling squares.
+    Fill,
+    /// Listing the parts of those that were not filled.
+    Split,
 }
 
 /// How the pixels of a square were computed.

@@ -5,7 +5,7 @@ use super::tile::{Area, Tile};
 use super::worker::Worker;
 use super::{TILE_HEIGHT, TILE_WIDTH};
 use crate::MAX_HEIGHT;
-use crate::observe::Observer;
+use crate::observe::{Observer, Stage};
 use crate::prepare::Prepared;
 use crate::quality::Quality;
 use crate::trace::{BATCH, Counts};
@@ -106,6 +106,7 @@ impl<O: Observer> Tile<'_, O> {
             }
         }
         self.trace_batch();
+        self.observer.stage(Stage::Results);
         let batch = &mut self.worker.batch;
         let pixels = by_isa!(self.isa, simd => batch.pixels(simd));
         let rows = self.canvas.pixels.chunks_exact_mut(self.canvas.width);

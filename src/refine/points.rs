@@ -6,7 +6,7 @@ use super::pyramid::Pyramid;
 use super::tile::Tile;
 use super::verdict::Limit;
 use super::worker::Worker;
-use crate::observe::Observer;
+use crate::observe::{Observer, Stage};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Counts, trace};
 
@@ -20,6 +20,7 @@ const BLOCK_MASK: u64 = (1 << BLOCK_WIDTH) - 1;
 impl<O: Observer> Tile<'_, O> {
     /// Finds the points of a level: the corners of all its squares, or the squares themselves where they are pixels.
     pub(super) fn find_points(&mut self, level: usize, is_first: bool) {
+        self.observer.stage(Stage::Points);
         let squares = self.area.rows(level);
         let rows = squares + usize::from(level > 0);
         let parts = self.area.parts(level);
@@ -150,6 +151,7 @@ impl<O: Observer> Tile<'_, O> {
     /// Traces the points of a level that wait in the batch.
     fn trace(&mut self, level: usize) {
         self.trace_batch();
+        self.observer.stage(Stage::Results);
         let Worker {
             batch,
             pyramid,
@@ -172,11 +174,23 @@ impl<O: Observer> Tile<'_, O> {
             pyramid.put(place, sample, key);
         }
         self.end_batch();
+        self.observer.stage(Stage::Points);
     }
 
     /// Has the batch traced.
     pub(super) fn trace_batch(&mut self) {
         let batch = &mut self.worker.batch;
+        if O::TIMES {
+            self.observer.stage(Stage::Primary);
+            let counts = batch.counts;
+            let quality = Quality {
+                depth: 0,
+                ..*self.quality
+            };
+            trace(self.isa, self.scene, &quality, self.seen, batch);
+            batch.counts = counts;
+        }
+        self.observer.stage(Stage::Tracing);
         trace(self.isa, self.scene, self.quality, self.seen, batch);
     }
 

@@ -7,7 +7,7 @@ use super::points::BLOCK_HEIGHT;
 use super::pyramid::LEVELS;
 use super::verdict::{Rules, Verdict, judge};
 use super::worker::Worker;
-use crate::observe::{Fill, Observer};
+use crate::observe::{Fill, Observer, Stage};
 use crate::prepare::{Prepared, VisibleGroups};
 use crate::quality::Quality;
 use fearless_simd::Level;
@@ -122,6 +122,7 @@ impl<O: Observer> Tile<'_, O> {
     /// Has the guard look at a level's squares.
     fn look_for_uncovered(&mut self, level: usize) {
         if self.quality.guarded {
+            self.observer.stage(Stage::Guard);
             let Worker {
                 guard,
                 marks,
@@ -135,6 +136,7 @@ impl<O: Observer> Tile<'_, O> {
 
     /// Judges a row of squares, and fills those that pass.
     fn fill_row(&mut self, level: usize, y: usize) {
+        self.observer.stage(Stage::Verdict);
         let marks = &self.worker.marks;
         let squares = marks.squares[level][y] & !marks.open[level][y];
         let pyramid = &self.worker.pyramid;
@@ -142,6 +144,7 @@ impl<O: Observer> Tile<'_, O> {
         let side = self.area.side(level);
         let rules = Rules::new(self.quality, side);
         let mut verdict = judge(self.isa, rules, &squares, above, below);
+        self.observer.stage(Stage::Fill);
         let patterned = self.fill_patterned(level, y, &mut verdict);
         if side.is_power_of_two() {
             self.fill_by_isa(level, y, &verdict);
@@ -198,6 +201,7 @@ impl<O: Observer> Tile<'_, O> {
 
     /// Lists the parts of a row's squares that were not filled, as far as they are in the picture.
     fn split_row(&mut self, level: usize, y: usize) {
+        self.observer.stage(Stage::Split);
         let part = level - 1;
         let parts = self.area.parts(part);
         let (columns, rows) = (self.area.columns(part), self.area.rows(part));

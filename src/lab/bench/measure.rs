@@ -7,6 +7,7 @@ use crate::scenes::SceneName;
 use crate::studio::Studio;
 use crate::timing::{flicker_time, real_time};
 use eightfold::Counts;
+use eightfold::scene::Scene;
 use eightfold_window::cpu::Isa;
 use eightfold_window::pool::Pool;
 
@@ -155,6 +156,17 @@ impl Way {
         format!("{}{shadows}", self.quality)
     }
 
+    /// The scene of a time.
+    pub fn scene(&self, scene: SceneName, time: f32) -> Scene {
+        let mut scene = scene.without_overlay(time);
+        if self.hard_shadows {
+            for light in scene.lights.iter_mut() {
+                light.size = 0.0;
+            }
+        }
+        scene
+    }
+
     /// Makes the scene of a time and draws it `width` pixels wide.
     fn draw(
         &self,
@@ -165,12 +177,7 @@ impl Way {
         width: usize,
         picture: &mut [u32],
     ) -> Counts {
-        let mut scene = scene.without_overlay(time);
-        if self.hard_shadows {
-            for light in scene.lights.iter_mut() {
-                light.size = 0.0;
-            }
-        }
+        let scene = self.scene(scene, time);
         studio.draw(isa.level, &scene, &self.quality.quality, width, picture)
     }
 }

@@ -2,6 +2,7 @@
 
 mod measure;
 mod row;
+mod stages;
 mod table;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
@@ -62,6 +63,10 @@ pub struct Arguments {
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
+    /// Tells where the time of a frame goes instead, stage by stage, on one thread, and how many times as fast more threads can
+    /// be by the times of the pieces of work
+    #[arg(long, conflicts_with_all = ["threads", "json", "flicker"])]
+    stages: bool,
     /// File to write the figures to as JSON, or - for standard output; the table then goes to standard error
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -76,6 +81,13 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         output::check(file)?;
     }
     let plan = plan(arguments)?;
+    if arguments.stages {
+        let bar = progress::bar(plan.shots.len() * plan.sizes.len() * plan.ways.len());
+        let tables = stages::tables(&plan, || bar.inc(1));
+        bar.finish_and_clear();
+        let text = format!("{}\n\n{tables}", machine());
+        return output::write(Path::new("-"), text.as_bytes());
+    }
     let bar = progress::bar(plan.steps());
     let settings = plan.measure(|| bar.inc(1));
     let rows = settings.iter().flat_map(|setting| Row::of(&plan, setting));

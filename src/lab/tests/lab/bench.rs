@@ -63,6 +63,44 @@ fn cells(table: &str) -> Vec<Vec<&str>> {
 }
 
 #[test]
+fn stages_are_all_told_and_threads_help_no_more_than_there_are() {
+    let output = lab(
+        &"bench --stages --frames 2 --size 96x64 --quality default --scene field:9"
+            .split(' ')
+            .collect::<Vec<_>>(),
+    );
+    let text = String::from_utf8(output.stdout).expect("text");
+    assert!(output.status.success(), "{text}");
+    // One table of every pixel traced, and one of squares.
+    for stage in [
+        "preparing",
+        "primary rays",
+        "secondary rays",
+        "finding points",
+        "guard",
+        "verdict",
+        "filling",
+    ] {
+        let rows = text
+            .lines()
+            .filter(|line| line.starts_with('|') && line.contains(stage));
+        assert_eq!(rows.count(), 2, "{stage} in {text}");
+    }
+    let bounds: Vec<&str> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("At most "))
+        .collect();
+    assert_eq!(bounds.len(), 2, "{text}");
+    for bound in bounds {
+        let (times, _) = bound.split_once(" times").expect("a sentence");
+        for (time, threads) in times.split(", ").zip([4.0, 16.0, 64.0]) {
+            let time: f64 = time.parse().expect("a number");
+            assert!((1.0..=threads).contains(&time), "{text}");
+        }
+    }
+}
+
+#[test]
 fn every_combination_has_its_row_with_every_figure() {
     let (table, rows) = bench(
         "--scene field:9 --size 96x64 --size 50x70 --threads 1 --threads 3 \
