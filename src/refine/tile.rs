@@ -139,6 +139,10 @@ impl<O: Observer> Tile<'_, O> {
         self.observer.stage(Stage::Verdict);
         let marks = &self.worker.marks;
         let squares = marks.squares[level][y] & !marks.open[level][y];
+        if squares.is_empty() {
+            self.worker.marks.filled[level][y] = Bits::NONE;
+            return;
+        }
         let pyramid = &self.worker.pyramid;
         let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
         let side = self.area.side(level);
