@@ -78,7 +78,7 @@ impl Quality {
 
     /// The middle of the ladder: squares of 8 pixels are filled if the corners' colours are close and they show the same object
     /// with the same lights lit.
-    pub const DEFAULT: Self = Self::within(8, 10.0);
+    pub const DEFAULT: Self = Self::within(8, 9.0).followed(5, 0.02);
 
     /// The named qualities from the finest to the fastest, with [`Quality::DEFAULT`] among them.
     ///
@@ -89,13 +89,13 @@ impl Quality {
     ///
     /// | name | dials | speed | traced | PSNR | over | flicker | FLIP |
     /// | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |
-    /// | finest | s8 c2 | 2.9 | 7.7 % | 53.8 dB | 283 | 0.1 | 0.0032 |
-    /// | finer | s8 c4 | 3.5 | 5.9 % | 51.2 dB | 565 | 0.3 | 0.0051 |
+    /// | finest | s8 c2 | 3.0 | 7.7 % | 53.8 dB | 283 | 0.1 | 0.0032 |
+    /// | finer | s8 c4 | 3.6 | 5.9 % | 51.2 dB | 565 | 0.3 | 0.0051 |
     /// | fine | s8 c7 | 4.0 | 5.0 % | 48.9 dB | 1872 | 0.5 | 0.0069 |
-    /// | default | s8 c10 | 4.3 | 4.6 % | 47.1 dB | 3300 | 0.7 | 0.0084 |
-    /// | fast | s8 c14 d4 w0.02 | 4.7 | 4.4 % | 45.3 dB | 4797 | 1.0 | 0.0119 |
-    /// | faster | s8 c22 d4 w0.02 | 4.8 | 4.2 % | 43.7 dB | 7114 | 2.0 | 0.0138 |
-    /// | fastest | s8 c40 d3 w0.05 | 5.2 | 4.0 % | 41.3 dB | 12602 | 8.9 | 0.0201 |
+    /// | default | s8 c9 w0.02 | 4.3 | 4.7 % | 47.3 dB | 2937 | 0.6 | 0.0097 |
+    /// | fast | s8 c12 d4 w0.02 | 4.5 | 4.5 % | 45.9 dB | 4157 | 0.8 | 0.0111 |
+    /// | faster | s8 c18 d4 w0.02 | 4.7 | 4.2 % | 44.4 dB | 6055 | 1.5 | 0.0130 |
+    /// | fastest | s8 c28 d3 w0.05 | 5.0 | 4.1 % | 42.0 dB | 10691 | 3.4 | 0.0189 |
     ///
     /// These figures are for AVX-512. With AVX2 an exhaustive frame takes 1.8 times as long, and the default quality is 6 times
     /// as fast. In the dials `s` is the square, `c` the tolerance, and where they are not those of [`Quality::EXHAUSTIVE`], `d`
@@ -106,9 +106,9 @@ impl Quality {
         Self::within(8, 4.0),
         Self::within(8, 7.0),
         Self::DEFAULT,
-        Self::within(8, 14.0).followed(4, 0.02),
-        Self::within(8, 22.0).followed(4, 0.02),
-        Self::within(8, 40.0).followed(3, 0.05),
+        Self::within(8, 12.0).followed(4, 0.02),
+        Self::within(8, 18.0).followed(4, 0.02),
+        Self::within(8, 28.0).followed(3, 0.05),
     ];
 
     /// The index of [`Quality::DEFAULT`] in the [`Quality::LADDER`].

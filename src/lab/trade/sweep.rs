@@ -17,8 +17,8 @@ pub struct Point {
 
 /// Sides of squares: powers of two, some between them, and 17, whose squares are split directly into pixels.
 pub const SQUARES: [usize; 13] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 17, 20, 24, 32];
-/// Tolerances around the default of 10.
-const TOLERANCES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 7.0, 9.0, 14.0, 18.0, 26.0, 40.0, 64.0];
+/// Tolerances around the default of 9.
+const TOLERANCES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 7.0, 10.0, 14.0, 18.0, 26.0, 40.0, 64.0];
 /// Tolerances for agreeing and for differing keys.
 const KEYED: [(f32, f32); 8] = [
     (f32::INFINITY, 4.0),
