@@ -53,6 +53,9 @@ pub struct Player {
 /// Nanoseconds that the sound is ahead of the clock, of the one player that a program has.
 static AHEAD: AtomicI64 = AtomicI64::new(0);
 
+/// Nanoseconds of sound that its device has been given; without end where there is none.
+static WRITTEN: AtomicI64 = AtomicI64::new(i64::MAX);
+
 /// What the thread that plays works with. It lives as long as the process.
 struct Work {
     clock: Clock,
@@ -96,8 +99,14 @@ impl Player {
 
     /// Nanoseconds of the show until now. If the device is lost, it goes on from where it was.
     pub fn time(&mut self) -> u64 {
-        self.heard.time(self.clock.time(), AHEAD.load(Relaxed))
+        let (ahead, written) = (AHEAD.load(Relaxed), WRITTEN.load(Relaxed));
+        self.heard.time(self.clock.time() as i64, ahead, written)
     }
+}
+
+/// How long so many samples last.
+fn nanoseconds(samples: i64) -> i64 {
+    samples * (SECOND as i64 / 1000) / i64::from(RATE / 1000)
 }
 
 /// Says why the show goes on without sound.
@@ -118,14 +127,16 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
     loop {
         let block = source.block();
         if !device.write(block) {
+            WRITTEN.store(i64::MAX, Relaxed);
             say_silent("sound device lost");
             return null_mut();
         }
         let count = block.len() as u64;
         written += count;
+        WRITTEN.store(nanoseconds(written as i64), Relaxed);
         let now = clock.time();
         if let Some(delay) = device.delay() {
-            let heard = (written as i64 - delay) * (SECOND as i64 / 1000) / i64::from(RATE / 1000);
+            let heard = nanoseconds(written as i64 - delay);
             let most = now / FASTEST;
             AHEAD.store((heard - now as i64).min(most as i64), Relaxed);
         }

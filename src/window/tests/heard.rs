@@ -19,8 +19,14 @@ const LENGTH: u64 = 96;
 /// The most that the picture may be from the sound, in nanoseconds.
 const DRIFT: u64 = SECOND / 50;
 
+/// Nothing that happens.
+const NOTHING: (&str, u64) = ("SIMULATED_STOP", 0);
+
 /// How long a writer sleeps that is late, in nanoseconds.
 const LATE: u64 = 3 * SECOND / 10;
+
+/// How long a program that is stopped stays so, in nanoseconds.
+const STOP: u64 = 3 * SECOND / 2;
 
 /// Sound that says which sample it is.
 struct Numbers {
@@ -53,14 +59,14 @@ fn play() {
     }
 }
 
-/// The times of the clock and of the player, and what was heard, on a device that is fast by so many parts per million and
-/// is written to too late from a time on.
-fn scene(library: &Path, fast: i64, late: u64) -> (Vec<(u64, u64)>, Played) {
+/// The times of the clock and of the player, and what was heard, on a device that is fast by so many parts per million, with
+/// one more variable that says what happens to it, and the nanosecond or the length of that.
+fn scene(library: &Path, fast: i64, (event, time): (&str, u64)) -> (Vec<(u64, u64)>, Played) {
     let mut program = Command::new(env::current_exe().expect("this program"));
     program
         .env("EIGHTFOLD_SOUND_SCENE", "1")
         .env("SIMULATED_FAST", fast.to_string())
-        .env("SIMULATED_LATE", late.to_string());
+        .env(event, time.to_string());
     let (output, played) = simulated::run(library, &mut program);
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success() && errors.is_empty(), "{errors}");
@@ -85,7 +91,7 @@ fn heard(played: &Played, time: u64) -> u64 {
 
 fn the_picture_is_at_most_20_ms_from_the_sound(library: &Path) {
     for fast in [-500, -20, 0, 20, 500] {
-        let (times, played) = scene(library, fast, 0);
+        let (times, played) = scene(library, fast, NOTHING);
         assert_eq!(times.len() as u64, LENGTH * 60);
         let mut worst = 0;
         for pair in times.windows(2) {
@@ -104,7 +110,7 @@ fn the_picture_is_at_most_20_ms_from_the_sound(library: &Path) {
 
 fn a_device_that_has_run_out_goes_on(library: &Path) {
     let late = 30 * SECOND;
-    let (times, played) = scene(library, 20, late);
+    let (times, played) = scene(library, 20, ("SIMULATED_LATE", late));
     let gap = |pair: &[(u64, Vec<[f32; 2]>)]| pair[1].0 - pair[0].0;
     let holes: Vec<_> = played
         .windows(2)
@@ -125,6 +131,20 @@ fn a_device_that_has_run_out_goes_on(library: &Path) {
     }
 }
 
+fn a_program_that_was_stopped_goes_on_where_it_was(library: &Path) {
+    let stop = 30 * SECOND;
+    let (times, played) = scene(library, 20, ("SIMULATED_STOP", stop));
+    let stopped = times
+        .windows(2)
+        .find(|pair| pair[1].0 - pair[0].0 >= STOP)
+        .expect("it was stopped");
+    assert!(stopped[0].0.abs_diff(stop) < SECOND / 20);
+    for (clock, player) in times {
+        let drift = player.abs_diff(heard(&played, clock));
+        assert!(drift <= DRIFT, "{drift} ns at {clock} ns");
+    }
+}
+
 fn main() {
     if env::var_os("EIGHTFOLD_SOUND_SCENE").is_some() {
         return play();
@@ -136,5 +156,7 @@ fn main() {
     println!("the picture is at most 20 ms from the sound: ok");
     a_device_that_has_run_out_goes_on(&library);
     println!("a device that has run out goes on: ok");
+    a_program_that_was_stopped_goes_on_where_it_was(&library);
+    println!("a program that was stopped goes on where it was: ok");
     fs::remove_dir_all(&folder).expect("it goes");
 }

@@ -6,7 +6,8 @@
 //!
 //! The environment says how many threads there are that sleep (`SIMULATED_THREADS`), how many parts per million the device
 //! is fast (`SIMULATED_FAST`), when it is written to so late that it has run out of samples (`SIMULATED_LATE`, in
-//! nanoseconds), and where to write what it plays (`SIMULATED_FILE`): blocks, each after the nanosecond it is heard from.
+//! nanoseconds), when the program is stopped for a while (`SIMULATED_STOP`, in nanoseconds), and where to write what it plays
+//! (`SIMULATED_FILE`): blocks, each after the nanosecond it is heard from.
 
 use std::{
     env,
@@ -29,6 +30,9 @@ const STEP: u64 = 240;
 /// How late a writer comes that is late: 300 ms.
 const LATE: u64 = 300_000_000;
 
+/// How long a program that is stopped stays so: 1.5 s.
+const STOP: u64 = 1_500_000_000;
+
 /// The errors of a device that has run out, and of one that isn't there.
 const OUT_OF_SAMPLES: c_int = -32;
 const NO_DEVICE: c_int = -19;
@@ -43,6 +47,8 @@ struct World {
     rate: u64,
     /// When a writer is late next.
     late: u64,
+    /// When the program is stopped next.
+    stop: u64,
     /// Where the device has begun to play, if it does.
     start: Option<u64>,
     /// Samples that were written since it was ready.
@@ -54,16 +60,19 @@ struct World {
 
 static WORLD: LazyLock<Mutex<World>> = LazyLock::new(|| {
     let number = |name| env::var(name).map_or(0, |text| text.parse::<i64>().expect("a number"));
+    // A time; if none is given, never.
+    let time = |name| match number(name) {
+        0 => u64::MAX,
+        time => time as u64,
+    };
     let path = env::var_os("SIMULATED_FILE").expect("a file");
     Mutex::new(World {
         now: 0,
         sleepers: Vec::new(),
         threads: number("SIMULATED_THREADS") as usize,
         rate: 48_000 * (1_000_000 + number("SIMULATED_FAST")) as u64,
-        late: match number("SIMULATED_LATE") {
-            0 => u64::MAX,
-            late => late as u64,
-        },
+        late: time("SIMULATED_LATE"),
+        stop: time("SIMULATED_STOP"),
         start: None,
         written: 0,
         waiting: Vec::new(),
@@ -82,6 +91,7 @@ fn sleep(mut world: MutexGuard<'static, World>, time: u64) -> MutexGuard<'static
         return world;
     }
     world.sleepers.push(time);
+    WOKEN.notify_all();
     while world.now < time {
         let asleep = world.sleepers.iter().filter(|&&time| time > world.now);
         if asleep.clone().count() < world.threads {
@@ -250,10 +260,12 @@ unsafe extern "C" fn clock_nanosleep(
 ) -> c_int {
     // SAFETY: the caller passes a time.
     let [seconds, nanoseconds] = unsafe { *until };
-    drop(sleep(
-        world(),
-        (seconds * 1_000_000_000 + nanoseconds) as u64,
-    ));
+    let mut world = sleep(world(), (seconds * 1_000_000_000 + nanoseconds) as u64);
+    if world.now >= world.stop {
+        // It goes on with this thread. The others wake up when it sleeps again.
+        world.stop = u64::MAX;
+        world.now += STOP;
+    }
     0
 }
 
