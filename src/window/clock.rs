@@ -8,7 +8,8 @@ pub const SECOND: u64 = 1_000_000_000;
 /// Time since it was started.
 #[derive(Clone, Copy)]
 pub struct Clock {
-    start: u64,
+    /// When, on the system's clock.
+    pub(crate) start: u64,
 }
 
 impl Clock {

@@ -9,14 +9,14 @@ mod heard;
 use core::{
     ffi::{CStr, c_void},
     ptr::null_mut,
-    sync::atomic::{AtomicI64, Ordering::Relaxed},
+    sync::atomic::{AtomicI64, AtomicU64, Ordering::Relaxed},
 };
 
 use alsa::Device;
 use heard::Heard;
 
 use crate::{
-    clock::{Clock, SECOND},
+    clock::{self, Clock, SECOND},
     line, pool,
 };
 
@@ -38,6 +38,9 @@ const SLACK: u64 = 3 * LATENCY as u64 * 1000;
 /// has heard at once all that it is given, which is no time to go by.
 const FASTEST: u64 = 1000;
 
+/// Nanoseconds that a device may take to be opened. One on the network or by radio takes a second or two.
+const LONGEST_OPENING: u64 = 3 * SECOND;
+
 /// What makes sound.
 pub trait Source: Send {
     /// Makes the next samples, some milliseconds at most: left and right, full scale 1.
@@ -56,10 +59,14 @@ static AHEAD: AtomicI64 = AtomicI64::new(0);
 /// Nanoseconds of sound that its device has been given; without end where there is none.
 static WRITTEN: AtomicI64 = AtomicI64::new(i64::MAX);
 
+/// When the device was open, by the clock that [`Clock::start`] takes; before, [`OPENING`], and [`SILENT`] if it is not in time.
+static OPENED: AtomicU64 = AtomicU64::new(OPENING);
+const OPENING: u64 = u64::MAX;
+const SILENT: u64 = u64::MAX - 1;
+
 /// What the thread that plays works with. It lives as long as the process.
 struct Work {
-    clock: Clock,
-    device: Device,
+    device: &'static CStr,
     source: &'static mut dyn Source,
 }
 
@@ -76,25 +83,22 @@ impl Player {
     /// Plays a source on a device of ALSA's, by its name: `default` is what the desktop plays on. The thread that does
     /// ends with the process.
     ///
-    /// If there is no such device, or it refuses the sound as it is made, the time goes by the clock, and standard error
-    /// says why.
-    pub fn start(device: &CStr, source: &'static mut dyn Source) -> Player {
-        let player = Player::silent();
-        match Device::open(device, RATE, LATENCY) {
-            Err(why) => say_silent(why),
-            Ok(device) => {
-                let work = Box::leak(Box::new(Work {
-                    clock: player.clock,
-                    device,
-                    source,
-                }));
-                // SAFETY: the work lasts, and there is one thread that does it.
-                if !unsafe { pool::spawn(&mut 0, play, (&raw mut *work).cast()) } {
-                    say_silent("no thread for sound");
-                }
-            }
+    /// If there is no such device, or it refuses the sound as it is made, or can't be opened in three seconds, the time goes
+    /// by the clock, and standard error says why.
+    pub fn start(device: &'static CStr, source: &'static mut dyn Source) -> Player {
+        let work = Box::leak(Box::new(Work { device, source }));
+        // SAFETY: the work lasts, and there is one thread that does it.
+        if !unsafe { pool::spawn(&mut 0, play, (&raw mut *work).cast()) } {
+            say_silent("no thread for sound");
+            return Player::silent();
         }
-        player
+        match wait_for_device() {
+            SILENT => Player::silent(),
+            start => Player {
+                clock: Clock { start },
+                heard: Heard::default(),
+            },
+        }
     }
 
     /// Nanoseconds of the show until now. If the device is lost, it goes on from where it was.
@@ -114,14 +118,44 @@ fn say_silent(why: &str) {
     line::complain(format_args!("{why}; playing silently"));
 }
 
-/// Plays until the device is lost, or the process ends.
+/// Waits until [`play`] has opened the device, or said why it can't, or has taken too long. Returns [`OPENED`].
+fn wait_for_device() -> u64 {
+    let clock = Clock::start();
+    while clock.time() <= LONGEST_OPENING {
+        clock::sleep(SECOND / 200);
+        let opened = OPENED.load(Relaxed);
+        if opened != OPENING {
+            return opened;
+        }
+    }
+    let late = OPENED.compare_exchange(OPENING, SILENT, Relaxed, Relaxed);
+    if late.is_ok() {
+        say_silent("sound device does not open");
+    }
+    late.err().unwrap_or(SILENT)
+}
+
+/// Opens the device, and plays until it is lost, or the process ends.
 extern "C" fn play(work: *mut c_void) -> *mut c_void {
     // SAFETY: `Player::start` passes it, never frees it, and nobody else looks at it.
-    let Work {
-        clock,
-        device,
-        source,
-    } = unsafe { &mut *work.cast::<Work>() };
+    let Work { device, source } = unsafe { &mut *work.cast::<Work>() };
+    let opened = Device::open(device, RATE, LATENCY);
+    let clock = Clock::start();
+    let begin = |opened| {
+        OPENED
+            .compare_exchange(OPENING, opened, Relaxed, Relaxed)
+            .is_ok()
+    };
+    let mut device = match opened {
+        Ok(device) if begin(clock.start) => device,
+        Err(why) if OPENED.load(Relaxed) == OPENING => {
+            say_silent(why);
+            begin(SILENT);
+            return null_mut();
+        }
+        // Nobody waits for it any more.
+        _ => return null_mut(),
+    };
     let mut written = 0;
     let mut due = 0;
     loop {

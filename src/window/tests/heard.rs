@@ -22,6 +22,9 @@ const DRIFT: u64 = SECOND / 50;
 /// Nothing that happens.
 const NOTHING: (&str, u64) = ("SIMULATED_STOP", 0);
 
+/// A device that does not open within 1,000 s.
+const NEVER_OPEN: (&str, u64) = ("SIMULATED_SLOW", 1000 * SECOND);
+
 /// How long a writer sleeps that is late, in nanoseconds.
 const LATE: u64 = 3 * SECOND / 10;
 
@@ -69,7 +72,12 @@ fn scene(library: &Path, fast: i64, (event, time): (&str, u64)) -> (Vec<(u64, u6
         .env(event, time.to_string());
     let (output, played) = simulated::run(library, &mut program);
     let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success() && errors.is_empty(), "{errors}");
+    let expected = if (event, time) == NEVER_OPEN {
+        "eightfold: sound device does not open; playing silently\n"
+    } else {
+        ""
+    };
+    assert!(output.status.success() && errors == expected, "{errors}");
     let said = String::from_utf8(output.stdout).expect("text");
     let times = said.lines().map(|line| {
         let (clock, player) = line.split_once(' ').expect("two numbers");
@@ -145,6 +153,25 @@ fn a_program_that_was_stopped_goes_on_where_it_was(library: &Path) {
     }
 }
 
+fn time_begins_when_the_device_is_open(library: &Path) {
+    let (times, played) = scene(library, 20, ("SIMULATED_SLOW", 2 * SECOND));
+    assert!(times[0].0 >= 2 * SECOND && times[0].1 <= DRIFT);
+    for (clock, player) in times {
+        let drift = player.abs_diff(heard(&played, clock));
+        assert!(drift <= DRIFT, "{drift} ns at {clock} ns");
+    }
+}
+
+fn a_device_that_does_not_open_is_given_up(library: &Path) {
+    let (times, played) = scene(library, 20, NEVER_OPEN);
+    assert!(played.is_empty());
+    let (start, _) = times[0];
+    assert!((3 * SECOND..4 * SECOND).contains(&start), "{start} ns");
+    for (clock, player) in times {
+        assert_eq!(player, clock - start);
+    }
+}
+
 fn main() {
     if env::var_os("EIGHTFOLD_SOUND_SCENE").is_some() {
         return play();
@@ -158,5 +185,9 @@ fn main() {
     println!("a device that has run out goes on: ok");
     a_program_that_was_stopped_goes_on_where_it_was(&library);
     println!("a program that was stopped goes on where it was: ok");
+    time_begins_when_the_device_is_open(&library);
+    println!("time begins when the device is open: ok");
+    a_device_that_does_not_open_is_given_up(&library);
+    println!("a device that does not open is given up: ok");
     fs::remove_dir_all(&folder).expect("it goes");
 }

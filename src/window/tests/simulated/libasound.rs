@@ -6,8 +6,9 @@
 //!
 //! The environment says how many threads there are that sleep (`SIMULATED_THREADS`), how many parts per million the device
 //! is fast (`SIMULATED_FAST`), when it is written to so late that it has run out of samples (`SIMULATED_LATE`, in
-//! nanoseconds), when the program is stopped for a while (`SIMULATED_STOP`, in nanoseconds), and where to write what it plays
-//! (`SIMULATED_FILE`): blocks, each after the nanosecond it is heard from.
+//! nanoseconds), when the program is stopped for a while (`SIMULATED_STOP`, in nanoseconds), how long it takes to open
+//! (`SIMULATED_SLOW`, in nanoseconds), and where to write what it plays (`SIMULATED_FILE`): blocks, each after the nanosecond
+//! it is heard from.
 
 use std::{
     env,
@@ -58,8 +59,12 @@ struct World {
     file: BufWriter<File>,
 }
 
+/// A number in the environment, or 0.
+fn number(name: &str) -> i64 {
+    env::var(name).map_or(0, |text| text.parse().expect("a number"))
+}
+
 static WORLD: LazyLock<Mutex<World>> = LazyLock::new(|| {
-    let number = |name| env::var(name).map_or(0, |text| text.parse::<i64>().expect("a number"));
     // A time; if none is given, never.
     let time = |name| match number(name) {
         0 => u64::MAX,
@@ -143,6 +148,9 @@ unsafe extern "C" fn snd_pcm_open(
     _: c_int,
     _: c_int,
 ) -> c_int {
+    let world = world();
+    let open = world.now + number("SIMULATED_SLOW") as u64;
+    drop(sleep(world, open));
     // SAFETY: the caller has room for it.
     unsafe { *pcm = null_mut() };
     0
