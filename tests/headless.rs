@@ -100,6 +100,21 @@ fn a_display_that_cannot_be_opened_counts_as_none() {
     }
 }
 
+#[test]
+fn a_library_that_can_not_be_loaded_is_told_as_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let library = folder.path().join("libX11.so.6");
+    fs::write(&library, "not a library").unwrap();
+    let (output, _) = run(headless()
+        .args(["--seconds", "0.1", "--size", "64x48"])
+        .env("LD_LIBRARY_PATH", folder.path()));
+    let why = format!("{}: file too short", library.display());
+    assert_eq!(
+        texts(&output).1,
+        format!("eightfold: {why}; playing without a screen\n")
+    );
+}
+
 /// Runs a script in which `INTRO` stands for the intro. Returns its exit code and its standard error.
 fn shell(script: &str) -> (Option<i32>, String) {
     let script = script.replace("INTRO", &intro().display().to_string());

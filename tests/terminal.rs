@@ -31,7 +31,7 @@ impl Terminal {
             socket: env::temp_dir().join(name),
         };
         let script = format!(
-            "unset DISPLAY; stty sane; before=$(stty -g); {} {options}; code=$?; \
+            "unset DISPLAY; export ALSA_CONFIG_PATH=/dev/null; stty sane; before=$(stty -g); {} {options}; code=$?; \
              [ \"$before\" = \"$(stty -g)\" ] && echo mode restored; echo code $code; sleep 60",
             intro().display()
         );
@@ -86,6 +86,7 @@ impl Terminal {
             text.contains("no X display; playing in the terminal"),
             "{text}"
         );
+        assert!(text.contains("; playing silently"), "not wiped out: {text}");
         assert!(text.contains("frames in"), "the report: {text}");
         let flags = self.tmux(&[
             "display",

@@ -213,9 +213,10 @@ fn a_display_without_pixels_of_32_bits_is_as_good_as_none() {
     );
     let (_, code, output, errors) = intro.end();
     assert_eq!(code, Some(0), "{output}{errors}");
+    let why = "X display without pixels of 32 bits";
     assert_eq!(
         errors,
-        "eightfold: no X display; playing without a screen\n"
+        format!("eightfold: {why}; playing without a screen\n")
     );
 }
 

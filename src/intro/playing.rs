@@ -8,7 +8,7 @@ use eightfold_window::{
     screen::{Headless, Next, Screen},
     sound::{Player, Source},
     terminal::Terminal,
-    window::{NoWindow, Window},
+    window::Window,
 };
 
 use super::{
@@ -33,12 +33,39 @@ impl Source for Music {
 
 /// Plays the show and prints its statistics. Returns the exit code.
 pub fn play(options: &Options) -> i32 {
+    // The window first, then the sound's thread: the threads that trace make do with what the system has left. A terminal is
+    // taken when all has been said that there is to say.
+    let (width, height) = options.size;
+    let window = Window::open(c"Eightfold", width, height);
+    let has_terminal = line::terminal(line::OUTPUT);
+    if let Err(why) = &window {
+        let place = if has_terminal {
+            "in the terminal"
+        } else {
+            "without a screen"
+        };
+        line::complain(format_args!("{why}; playing {place}"));
+    }
     let mut playing = Playing {
         options,
+        player: if options.is_silent {
+            Player::silent()
+        } else {
+            Player::start(c"default", MUSIC.take())
+        },
         renderer: ShowRenderer::new(options),
         tally: Tally::default(),
     };
-    let code = playing.on_best_screen();
+    let code = match window {
+        Ok(mut window) => {
+            if options.is_fullscreen {
+                window.set_fullscreen(true);
+            }
+            playing.on(&mut window)
+        }
+        Err(_) if has_terminal => playing.on(&mut Terminal::open()),
+        Err(_) => playing.on(&mut Headless::new(width, height)),
+    };
     let Playing {
         renderer, tally, ..
     } = &playing;
@@ -49,33 +76,12 @@ pub fn play(options: &Options) -> i32 {
 /// A run of the show.
 struct Playing<'a> {
     options: &'a Options,
+    player: Player,
     renderer: ShowRenderer,
     tally: Tally,
 }
 
 impl Playing<'_> {
-    /// Plays in a window, else in the terminal, else without a screen. Returns the exit code.
-    fn on_best_screen(&mut self) -> i32 {
-        let (width, height) = self.options.size;
-        let why = match Window::open(c"Eightfold", width, height) {
-            Ok(mut window) => {
-                if self.options.is_fullscreen {
-                    window.set_fullscreen(true);
-                }
-                return self.on(&mut window);
-            }
-            Err(NoWindow::NoLibrary) => "libX11 is not installed",
-            Err(NoWindow::NoDisplay) => "no X display",
-        };
-        if line::terminal(line::OUTPUT) {
-            line::complain(format_args!("{why}; playing in the terminal"));
-            self.on(&mut Terminal::open())
-        } else {
-            line::complain(format_args!("{why}; playing without a screen"));
-            self.on(&mut Headless::new(width, height))
-        }
-    }
-
     /// Plays on a screen until the show ends or the viewer ends it. Returns the exit code.
     fn on(&mut self, screen: &mut dyn Screen) -> i32 {
         let options = self.options;
@@ -88,17 +94,12 @@ impl Playing<'_> {
             SHOW_NANOSECONDS
         });
         let mut governor = Governor::new(options.fps);
-        let mut player = if options.is_silent {
-            Player::silent()
-        } else {
-            Player::start(c"default", MUSIC.take())
-        };
         let clock = Clock::start();
         // The time at which the next frame should begin.
         let mut due = 0;
         loop {
             let start = clock.time();
-            let heard = player.time();
+            let heard = self.player.time();
             if heard >= length {
                 self.tally.end(start);
                 return 0;

@@ -54,14 +54,8 @@ pub struct Window {
     _made: ManuallyDrop<minifb::Window>,
 }
 
-/// Why there is no window.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoWindow {
-    /// libX11 is not installed.
-    NoLibrary,
-    /// There is no display, or it has no window for us.
-    NoDisplay,
-}
+/// Why there is no window on a computer without a desktop.
+const NO_DISPLAY: &str = "no X display";
 
 /// Set when the server no longer knows the window.
 static CLOSED: AtomicBool = AtomicBool::new(false);
@@ -70,16 +64,16 @@ impl Window {
     /// Opens a window whose inside has a size in pixels.
     ///
     /// # Errors
-    /// If there is no display to open it on.
-    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, NoWindow> {
-        let x = Functions::load().ok_or(NoWindow::NoLibrary)?;
+    /// If there is no display to open it on: why not.
+    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
+        let x = Functions::load().ok_or_else(x11_dl::why_not_loaded)?;
         // SAFETY: the functions have the signatures that Xlib calls them by, and stay.
         unsafe {
             (x.XSetErrorHandler)(refused);
             (x.XSetIOErrorHandler)(lost);
         }
-        let made = ManuallyDrop::new(make(title).ok_or(NoWindow::NoDisplay)?);
-        let (display, window) = handles(&made).ok_or(NoWindow::NoDisplay)?;
+        let made = ManuallyDrop::new(make(title).ok_or(NO_DISPLAY)?);
+        let (display, window) = handles(&made).ok_or(NO_DISPLAY)?;
         // SAFETY: display and window are open, zero is a colour, and what is pointed to outlives the calls. Xlib's picture
         // without pixels belongs to nobody else.
         let mut window = unsafe {
@@ -89,7 +83,7 @@ impl Window {
             let image =
                 (x.XCreateImage)(display, visual, depth, format, 0, null_mut(), 1, 1, 32, 0);
             if (*image).bits_per_pixel != 32 {
-                return Err(NoWindow::NoDisplay);
+                return Err("X display without pixels of 32 bits");
             }
             let dot = (x.XCreateBitmapFromData)(display, window, c"".as_ptr(), 1, 1);
             let mut colour: xlib::XColor = zeroed();

@@ -6,13 +6,13 @@ mod frame_viewer;
 use crate::arguments::{self, NamedQuality, Size};
 use crate::rate::Rate;
 use crate::scenes::{self, SceneName};
-use anyhow::{Result, bail};
+use anyhow::{Result, anyhow};
 use clap::Args;
 use controls::{Controls, KEYS, Overlay};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::cpu::{self, Isa};
 use eightfold_window::screen::{Next, Screen};
-use eightfold_window::window::{NoWindow, Window};
+use eightfold_window::window::Window;
 use frame_viewer::{Figures, FrameViewer};
 use std::ffi::CString;
 use std::thread::{available_parallelism, sleep};
@@ -62,11 +62,8 @@ const TITLE_EVERY: Duration = Duration::from_millis(500);
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Size { width, height } = arguments.size;
-    let window = match Window::open(c"Eightfold", width, height) {
-        Ok(window) => window,
-        Err(NoWindow::NoLibrary) => bail!("view needs a window: libX11 is not installed"),
-        Err(NoWindow::NoDisplay) => bail!("view needs a window: there is no X display"),
-    };
+    let window = Window::open(c"Eightfold", width, height)
+        .map_err(|why| anyhow!("view needs a window: {why}"))?;
     eprintln!("view: the key ? lists the keys");
     let threads = arguments
         .threads

@@ -58,7 +58,7 @@ impl Device {
         const SIDES: c_uint = 2;
         const RESAMPLED: c_int = 1;
         let Some(alsa) = ALSA.open(c"libasound.so.2", ALSA_NAMES) else {
-            return Err("libasound is not installed");
+            return Err(x11_dl::why_not_loaded());
         };
         let mut pcm = null_mut();
         // SAFETY: the functions have the signatures of ALSA's headers, and all that is pointed to

@@ -174,7 +174,8 @@ fn time_goes_on_without_the_library(folder: &Path) {
     fs::write(folder.join("libasound.so.2"), "not a library").unwrap();
     let command = format!("LD_LIBRARY_PATH='{}' exec \"$0\"", folder.display());
     let scene = scene(folder, "pcm.default { type null }", &command);
-    says_silent(&scene, "libasound is not installed");
+    let path = folder.join("libasound.so.2");
+    says_silent(&scene, &format!("{}: file too short", path.display()));
     assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
 }
 

@@ -181,3 +181,17 @@ unsafe fn load(
     ready.store(true, Release);
     true
 }
+
+/// Why the last library that was asked for by this thread could not be loaded, in the system's words: it is not there, or there
+/// is no memory left for it, or it lacks a function.
+#[must_use]
+pub fn why_not_loaded() -> &'static str {
+    // SAFETY: it is null or a string, which stays until this thread asks for another library.
+    unsafe {
+        let why = libc::dlerror();
+        if why.is_null() {
+            return "a library can't be loaded";
+        }
+        CStr::from_ptr(why).to_str().unwrap_or_default()
+    }
+}

@@ -25,7 +25,7 @@ mod layout;
 mod types;
 pub mod xcursor;
 
-pub use functions::Table;
+pub use functions::{Table, why_not_loaded};
 
 /// Types, constants and functions of libX11.
 pub mod xlib {
