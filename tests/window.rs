@@ -42,6 +42,10 @@ fn the_window_has_its_title_and_size_and_shows_the_frame() {
             2,
             "{manager}: {properties}"
         );
+        let (_, class) = run(server
+            .tool("xprop")
+            .args(["-name", "Eightfold", "WM_CLASS"]));
+        assert!(class.contains("\"eightfold\", \"Eightfold\""), "{class}");
         drop(intro);
 
         // A small one, to look for its frame among those of the time it can be of; when the show is out of the dark, which
@@ -81,6 +85,47 @@ fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
         // Of keys pressed at once the last counts.
         server.xdotool("key --delay 0 f w f w");
         sleep(Duration::from_millis(300));
+        server.wait_for_window(window);
+        drop(intro);
+    }
+}
+
+#[test]
+fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_in_the_usa() {
+    if stage::lacks(stage::DISPLAY) || stage::lacks(&["setxkbmap"]) {
+        return;
+    }
+    let [_, _, width, height] = SCREEN.map(|side| side as usize);
+    let server = Server::start(width, height);
+    // Places of keys, by their numbers: those of F and W in the USA, and that of W in France; right Alt, and left Ctrl.
+    let [f, usual_w, french_w, alt, control] = [41, 25, 52, 108, 37];
+    let tap = |place: u32| server.xdotool(&format!("key {place}"));
+    for (layout, w) in [
+        ("us", usual_w),
+        ("ru", usual_w),
+        ("gr", usual_w),
+        ("il", usual_w),
+        ("ara", usual_w),
+        ("fr", french_w),
+        ("fr,us", usual_w),
+    ] {
+        run(server
+            .tool("setxkbmap")
+            .args(["-layout", layout, "-option", "grp:switch"]));
+        let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+        let window = server.window().expect("a window");
+        server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
+        server.xdotool(&format!("keydown {control} key {f} keyup {control}"));
+        sleep(Duration::from_millis(300));
+        assert_eq!(server.window(), Some(window), "{layout}: Ctrl+F is no F");
+        tap(f);
+        server.wait_for_window(SCREEN);
+        if layout.contains(',') {
+            // The second layout is in use as long as right Alt is held.
+            server.xdotool(&format!("keydown {alt} key {w} keyup {alt}"));
+        } else {
+            tap(w);
+        }
         server.wait_for_window(window);
         drop(intro);
     }

@@ -1,8 +1,41 @@
-//! Keys beyond the intro's, for the lab.
+//! What a key means, whatever alphabet is typed; and keys beyond the intro's, for the lab.
 
-use core::ffi::c_uint;
+use core::ffi::{c_int, c_uint};
 
-use x11_dl::keysym;
+use x11_dl::{
+    keysym,
+    xlib::{self, Functions},
+};
+
+/// Modifiers that make a key a command to somebody else: Ctrl, Alt, and the one with the desktop's sign.
+const COMMAND: c_uint = xlib::ControlMask | xlib::Mod1Mask | xlib::Mod4Mask;
+
+/// The `keysym` of a key that was pressed, without Shift: by the layout, of several the one that is in use. Where that has no
+/// Latin letter, as those of other alphabets, it is the one in the same place on a keyboard of the USA. `XK_VoidSymbol` with Ctrl
+/// or Alt.
+pub(crate) fn pressed(x: Functions, event: &xlib::XKeyEvent) -> c_uint {
+    if event.state & COMMAND != 0 {
+        return keysym::XK_VoidSymbol;
+    }
+    let layout = (event.state >> 13 & 3) as c_int;
+    // SAFETY: the event's display is open.
+    let key =
+        unsafe { (x.XkbKeycodeToKeysym)(event.display, event.keycode as u8, layout, 0) } as c_uint;
+    if (b'a'.into()..=b'z'.into()).contains(&key) {
+        return key;
+    }
+    // Places have these numbers on every Linux.
+    match event.keycode {
+        25 => keysym::XK_w,
+        26 => keysym::XK_e,
+        33 => keysym::XK_p,
+        39 => keysym::XK_s,
+        41 => keysym::XK_f,
+        43 => keysym::XK_h,
+        61 => keysym::XK_slash,
+        _ => key,
+    }
+}
 
 /// A key that the lab listens to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

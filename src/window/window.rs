@@ -18,7 +18,7 @@ pub use crate::keyboard::Press;
 use crate::{
     blit::{self, PutImage},
     fullscreen::Place,
-    keyboard::Presses,
+    keyboard::{Presses, pressed},
     line,
     screen::{Next, Screen},
 };
@@ -114,6 +114,18 @@ impl Window {
             let events = xlib::StructureNotifyMask | xlib::KeyPressMask;
             (x.XSelectInput)(display, window.window, events);
             (x.XSetWMProtocols)(display, window.window, &mut window.delete, 1);
+            // The name of the window and that of the program, by which desktops find its rules.
+            let class = b"eightfold\0Eightfold\0";
+            (x.XChangeProperty)(
+                display,
+                window.window,
+                xlib::XA_WM_CLASS,
+                xlib::XA_STRING,
+                8,
+                xlib::PropModeReplace,
+                class.as_ptr(),
+                class.len() as c_int,
+            );
         }
         window.place(width, height);
         // SAFETY: the display is open.
@@ -176,7 +188,7 @@ impl Screen for Window {
             while (self.x.XPending)(self.display) > 0 {
                 (self.x.XNextEvent)(self.display, &mut event);
                 match event.type_ {
-                    xlib::KeyPress => match (self.x.XLookupKeysym)(&mut event.key, 0) as c_uint {
+                    xlib::KeyPress => match pressed(self.x, &event.key) {
                         keysym::XK_Escape => return Next::End(0),
                         keysym::XK_f => fullscreen = Some(true),
                         keysym::XK_w => fullscreen = Some(false),

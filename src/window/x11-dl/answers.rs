@@ -124,4 +124,5 @@ left_out! {
     fn XMoveWindow(_: *mut Display, _: Window, _: c_int, _: c_int) -> c_int = 0;
     fn XTranslateCoordinates(_: *mut Display, _: Window, _: Window, _: c_int, _: c_int, _: *mut c_int, _: *mut c_int, _: *mut Window) -> Bool = False;
     fn XkbKeycodeToKeysym(_: *mut Display, _: KeyCode, _: c_int, _: c_int) -> KeySym = 0;
+    fn XLookupKeysym(_: *mut XKeyEvent, _: c_int) -> KeySym = 0;
 }

@@ -40,7 +40,6 @@ loaded! {
     fn XDefineCursor(*mut Display, Window, Cursor) -> c_int;
     fn XGetWindowAttributes(*mut Display, Window, *mut XWindowAttributes) -> Status;
     fn XInternAtom(*mut Display, *const c_char, Bool) -> Atom;
-    fn XLookupKeysym(*mut XKeyEvent, c_int) -> KeySym;
     fn XMapRaised(*mut Display, Window) -> c_int;
     fn XMoveResizeWindow(*mut Display, Window, c_int, c_int, c_uint, c_uint) -> c_int;
     fn XNextEvent(*mut Display, *mut XEvent) -> c_int;
@@ -55,6 +54,7 @@ loaded! {
     fn XSetWMProtocols(*mut Display, Window, *mut Atom, c_int) -> Status;
     fn XStoreName(*mut Display, Window, *const c_char) -> c_int;
     fn XSync(*mut Display, Bool) -> c_int;
+    fn XkbKeycodeToKeysym(*mut Display, KeyCode, c_int, c_int) -> KeySym;
 }
 
 loaded! {

@@ -19,11 +19,11 @@ keys! {
 
 /// Gives names the value of no key.
 macro_rules! unheard {
-    ($($name:ident)*) => { $( pub const $name: c_uint = VOID; )* };
+    ($($name:ident)*) => { $( pub const $name: c_uint = XK_VoidSymbol; )* };
 }
 
-/// `XK_VoidSymbol`: no key has it.
-const VOID: c_uint = 0xff_ffff;
+/// No key has it.
+pub const XK_VoidSymbol: c_uint = 0xff_ffff;
 
 unheard! {
     XK_apostrophe XK_comma XK_minus XK_period XK_0 XK_semicolon XK_equal XK_bracketleft

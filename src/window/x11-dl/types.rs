@@ -82,6 +82,8 @@ pub const Success: c_int = 0;
 pub const AllocNone: c_int = 0;
 pub const InputOutput: c_int = 1;
 pub const NotUseful: c_int = 0;
+pub const XA_STRING: Atom = 31;
+pub const XA_WM_CLASS: Atom = 67;
 pub const PropModeReplace: c_int = 0;
 pub const RevertToPointerRoot: c_int = 1;
 pub const TrueColor: c_int = 4;
@@ -104,6 +106,10 @@ pub const StructureNotifyMask: c_long = 1 << 17;
 pub const SubstructureNotifyMask: c_long = 1 << 19;
 pub const SubstructureRedirectMask: c_long = 1 << 20;
 pub const FocusChangeMask: c_long = 1 << 21;
+
+pub const ControlMask: c_uint = 1 << 2;
+pub const Mod1Mask: c_uint = 1 << 3;
+pub const Mod4Mask: c_uint = 1 << 6;
 
 pub const Button1: c_uint = 1;
 pub const Button2: c_uint = 2;
