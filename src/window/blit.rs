@@ -7,10 +7,9 @@
 
 use core::{
     ffi::{c_int, c_uint},
-    mem::size_of,
+    mem::{size_of, zeroed},
     ptr::{null, null_mut},
     slice::from_raw_parts_mut,
-    sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
 
 use x11_dl::{
@@ -22,9 +21,6 @@ use crate::{
     screen::{MOST_PIXELS, pixels},
     window::Window,
 };
-
-/// Set when the server refuses a request for another reason than that the window is gone.
-pub(crate) static REFUSED: AtomicBool = AtomicBool::new(false);
 
 /// How pixels come to the server.
 #[derive(Clone, Copy)]
@@ -115,22 +111,25 @@ impl Window {
         }
     }
 
-    /// Memory for two frames that the server shares, if it can, or for the intro alone.
+    /// Memory for two frames, which the server shares if it can.
     pub(crate) fn find_memory(&mut self) {
         let memory = self.share().unwrap_or_else(pixels);
         let (first, second) = memory.split_at_mut(MOST_PIXELS);
         self.frames = [first, second];
     }
 
-    /// Memory for two frames that the server shares, if it can.
+    /// Memory for two frames that other processes can share, if the system has it. If the server does, it takes frames from
+    /// there.
     fn share(&mut self) -> Option<&'static mut [u32]> {
         let shared = Xext::load()?;
         let size = 2 * MOST_PIXELS * size_of::<u32>();
         // SAFETY: the display is open and the image is one. The segment is as large as it says, zero to begin with, and
-        // stays as long as the process. The server reads it, and writes never.
+        // stays as long as the process. The server reads it, and writes never. Zero is a value of every field of its state.
         unsafe {
             let id = libc::shmget(libc::IPC_PRIVATE, size, libc::IPC_CREAT | 0o600);
             let memory = libc::shmat(id, null(), 0);
+            // It goes away with the last that is attached, however that ends. Linux lets others attach to it all the same.
+            libc::shmctl(id, libc::IPC_RMID, null_mut());
             if memory.addr() == usize::MAX {
                 return None;
             }
@@ -142,16 +141,17 @@ impl Window {
                 readOnly: xlib::True,
             }));
             (*self.image).obdata = (&raw mut *segment).cast();
-            REFUSED.store(false, Relaxed);
-            let attached = (shared.XShmQueryExtension)(self.display) != 0
-                && (shared.XShmAttach)(self.display, segment) != 0;
-            (self.x.XSync)(self.display, xlib::False);
-            // It goes away with the last that is attached, however that ends.
-            libc::shmctl(id, libc::IPC_RMID, null_mut());
-            if !attached || REFUSED.load(Relaxed) {
-                return None;
+            if (shared.XShmQueryExtension)(self.display) != 0 {
+                (shared.XShmAttach)(self.display, segment);
+                (self.x.XSync)(self.display, xlib::False);
             }
-            self.put_image = PutImage::Shared(shared);
+            // This process is attached, and the server should be. From within a container it may not find the memory, or
+            // find another by its number.
+            let mut state: libc::shmid_ds = zeroed();
+            libc::shmctl(id, libc::IPC_STAT, &mut state);
+            if state.shm_nattch > 1 {
+                self.put_image = PutImage::Shared(shared);
+            }
             Some(from_raw_parts_mut(memory, 2 * MOST_PIXELS))
         }
     }

@@ -16,7 +16,7 @@ use x11_dl::{
 
 pub use crate::keyboard::Press;
 use crate::{
-    blit::{self, PutImage},
+    blit::PutImage,
     fullscreen::Place,
     keyboard::{Presses, pressed},
     line,
@@ -244,16 +244,15 @@ fn handles(made: &minifb::Window) -> Option<(*mut xlib::Display, xlib::Window)> 
     Some((display.display?.as_ptr().cast(), window.window))
 }
 
-/// Takes note of requests that the server refuses. Xlib's own function would end the process.
+/// Takes note if somebody destroyed the window. Xlib's own function would end the process.
 ///
-/// The window is gone if somebody destroyed it. Of the rest, only whether memory can be shared matters;
-/// a focus that can't be set yet does no harm.
+/// What else the server refuses, as a focus that can't be set yet, does no harm.
 unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEvent) -> c_int {
     // SAFETY: Xlib hands over the error it got.
     let code = unsafe { (*error).error_code };
-    let gone = code == xlib::BadWindow || code == xlib::BadDrawable;
-    let flag = if gone { &CLOSED } else { &blit::REFUSED };
-    flag.store(true, Relaxed);
+    if code == xlib::BadWindow || code == xlib::BadDrawable {
+        CLOSED.store(true, Relaxed);
+    }
     0
 }
 

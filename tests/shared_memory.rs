@@ -1,0 +1,87 @@
+//! The memory that the intro shares with the X server: where the system or the server behaves as in a container.
+
+mod stage;
+
+use stage::{Process, Server, intro, run, wait_for};
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+/// libXext as a server has it that says yes to everything, and shows nothing.
+const YES_AND_NOTHING: &str = "
+    #[unsafe(no_mangle)] extern \"C\" fn XShmQueryExtension() -> i32 { 1 }
+    #[unsafe(no_mangle)] extern \"C\" fn XShmAttach() -> i32 { 1 }
+    #[unsafe(no_mangle)] extern \"C\" fn XShmPutImage() -> i32 { 1 }";
+
+/// A system that makes shared memory, and has no addresses left for it.
+const NO_ADDRESSES: &str = "
+    #[unsafe(no_mangle)] extern \"C\" fn shmat() -> isize { -1 }";
+
+/// Builds a library.
+fn build(folder: &Path, name: &str, code: &str) -> PathBuf {
+    let (source, library) = (folder.join("library.rs"), folder.join(name));
+    fs::write(&source, code).expect("a file");
+    let mut rustc = Command::new(env::var_os("RUSTC").unwrap_or("rustc".into()));
+    let rustc = rustc.args(["--edition", "2024", "--crate-type", "cdylib", "-o"]);
+    let (output, _) = run(rustc.arg(&library).arg(source));
+    assert!(output.status.success(), "{output:?}");
+    library
+}
+
+/// Plays until the window shows a frame: its background is not black.
+fn play(server: &Server, command: &mut Command) -> Process {
+    let command = command.args(["--silent", "--size", "200x150"]);
+    let intro = server.open(command, || server.window());
+    wait_for("a frame", || {
+        let shot = server.screenshot(server.window().expect("a window"));
+        shot.iter().all(|&pixel| pixel != 0).then_some(())
+    });
+    intro
+}
+
+/// Segments of shared memory that a process has made.
+fn segments(process: &Process) -> usize {
+    let id = process.0.id().to_string();
+    let table = fs::read_to_string("/proc/sysvipc/shm").expect("the system tells");
+    let makers = table
+        .lines()
+        .filter_map(|line| line.split_whitespace().nth(4));
+    makers.filter(|&maker| maker == id).count()
+}
+
+#[test]
+fn a_server_that_does_not_share_memory_gets_the_frames_all_the_same() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    build(folder.path(), "libXext.so.6", YES_AND_NOTHING);
+    let server = Server::start(320, 240);
+    let mut command = Command::new(intro());
+    play(&server, command.env("LD_LIBRARY_PATH", folder.path()));
+}
+
+#[test]
+fn no_shared_memory_is_left() {
+    if stage::lacks(stage::DISPLAY) {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let library = build(folder.path(), "no_addresses.so", NO_ADDRESSES);
+    let server = Server::start(320, 240);
+    let mut command = Command::new(intro());
+    let intro = play(&server, command.env("LD_PRELOAD", library));
+    assert_eq!(segments(&intro), 0, "none while it plays");
+    drop(intro);
+
+    let mut command = Command::new(stage::intro());
+    let mut intro = play(&server, &mut command);
+    assert_eq!(segments(&intro), 1, "the server shares it");
+    intro.0.kill().expect("it runs");
+    intro.0.wait().expect("it has ended");
+    wait_for("the server to let go", || {
+        (segments(&intro) == 0).then_some(())
+    });
+}
