@@ -6,7 +6,7 @@
 //! can't be shared, as with a display on another machine, frames go through the socket.
 
 use core::{
-    ffi::{c_int, c_uint},
+    ffi::{c_int, c_uint, c_ulong},
     mem::{size_of, zeroed},
     ptr::{null, null_mut},
     slice::from_raw_parts_mut,
@@ -31,11 +31,28 @@ pub(crate) enum PutImage {
     Shared(&'static Xext),
 }
 
+/// The masks of a frame's pixels, `0x00RRGGBB`.
+const MASKS: [c_ulong; 3] = [0xff_0000, 0xff00, 0xff];
+
+/// A frame's pixel with other masks, such as those of ten bits a channel.
+fn with_masks(pixel: u32, masks: [c_ulong; 3]) -> u32 {
+    if masks == MASKS {
+        return pixel;
+    }
+    let [_, channels @ ..] = pixel.to_be_bytes();
+    let parts = channels.iter().zip(masks);
+    // The mask is the brightest; below its lowest bit is what is cut off.
+    parts.fold(0, |sum, (&channel, mask)| {
+        sum | (c_ulong::from(channel) * mask / 255 & mask) as u32
+    })
+}
+
 impl Window {
-    /// Shows the frame in the window, stretched where its size is another.
+    /// Shows the frame in the window, stretched where its size is another, and by the server's own colours where it has them.
     pub(crate) fn blit(&mut self) {
         let (width, height) = self.size;
-        if self.drawn == (width, height) {
+        let masks = self.masks();
+        if self.drawn == (width, height) && masks == MASKS {
             self.finish();
             self.put(0, width, 0, height);
             self.frames.swap(0, 1);
@@ -46,14 +63,27 @@ impl Window {
         while top < height {
             let bottom = height.min(top + rows);
             self.finish();
-            self.stretch((width, height), top, bottom);
+            self.stretch((width, height), top, bottom, masks);
             self.put(1, width, top, bottom);
             top = bottom;
         }
     }
 
-    /// Stretches the frame for some rows of a window, to the place of the other frame.
-    fn stretch(&mut self, (width, height): (usize, usize), top: usize, bottom: usize) {
+    /// The bits of a pixel of the server's that are red, green and blue.
+    fn masks(&self) -> [c_ulong; 3] {
+        // SAFETY: the image is this one's own.
+        let image = unsafe { &*self.image };
+        [image.red_mask, image.green_mask, image.blue_mask]
+    }
+
+    /// Stretches the frame for some rows of a window, to the place of the other frame, and to pixels with such masks.
+    fn stretch(
+        &mut self,
+        (width, height): (usize, usize),
+        top: usize,
+        bottom: usize,
+        masks: [c_ulong; 3],
+    ) {
         let [from, to] = &mut self.frames;
         let (from_width, from_height) = self.drawn;
         // Steps in units of 2^-32 pixels, rounded up, so that what is just a pixel stays one.
@@ -62,7 +92,7 @@ impl Window {
         for (row, y) in to.chunks_exact_mut(width).zip(top..bottom) {
             let from_row = &from[((y * down) >> 32) * from_width..][..from_width];
             for (x, pixel) in row.iter_mut().enumerate() {
-                *pixel = from_row[(x * across) >> 32];
+                *pixel = with_masks(from_row[(x * across) >> 32], masks);
             }
         }
     }
