@@ -2,7 +2,7 @@
 
 mod stage;
 
-use stage::{intro, run, tool, wait_for};
+use stage::{intro, run, tool, try_for, wait_for};
 use std::{
     env, fs,
     path::PathBuf,
@@ -196,4 +196,40 @@ fn keys_come_from_the_terminal_where_standard_input_is_none() {
     terminal.wait_for_picture(60, 20);
     terminal.tmux(&["send-keys", "Escape"]);
     terminal.wait_for_end(0);
+}
+
+#[test]
+fn a_terminal_that_nobody_reads_does_not_keep_it_from_ending() {
+    if stage::lacks(&["tmux", "pkill", "pgrep"]) {
+        return;
+    }
+    for (options, signal) in [("", Some("TERM")), ("", Some("HUP")), ("--seconds 4", None)] {
+        let terminal = Terminal::play(200, 50, options);
+        terminal.wait_for_picture(200, 50);
+        let [shell, tmux] = ["#{pane_pid}", "#{pid}"].map(|what| {
+            let id = terminal.tmux(&["display", "-p", what]);
+            id.trim().to_owned()
+        });
+        let intro = run(tool("pgrep").args(["-P", &shell, "eightfold"])).1;
+        let intro = PathBuf::from("/proc").join(intro.trim());
+        // tmux is stopped, and takes up nothing more.
+        let tell = |name: &str| {
+            let kill = format!("kill -{name} {tmux}");
+            assert!(
+                run(process::Command::new("sh").args(["-c", &kill]))
+                    .0
+                    .status
+                    .success()
+            );
+        };
+        tell("STOP");
+        // Frames fill all the room there is.
+        sleep(Duration::from_secs(2));
+        if let Some(name) = signal {
+            run(tool("pkill").args(["--signal", name, "-P", &shell, "eightfold"]));
+        }
+        let ended = try_for(|| (!intro.exists()).then_some(()));
+        tell("CONT");
+        assert_eq!(ended, Some(()), "{options} {signal:?}");
+    }
 }

@@ -5,10 +5,7 @@
 
 use core::fmt::{self, Arguments, Display, Formatter, Write};
 
-use crate::{
-    clock::{self, SECOND},
-    system,
-};
+use crate::{system, terminal};
 
 /// The file descriptor of standard output.
 pub const OUTPUT: i32 = libc::STDOUT_FILENO;
@@ -110,11 +107,11 @@ pub fn complain(message: Arguments<'_>) {
 /// Whether a file descriptor is a terminal.
 #[must_use]
 pub fn terminal(file: i32) -> bool {
-    crate::terminal::mode(file).is_some()
+    terminal::mode(file).is_some()
 }
 
-/// Writes everything to a file descriptor, waiting while it is full. False if that fails, or if a
-/// signal that ends the program arrives meanwhile.
+/// Writes everything to a file descriptor, waiting while it is full. False if that fails, if a signal that ends the program
+/// arrives meanwhile, or, once there is a [`Terminal`](crate::terminal::Terminal), if it is full for a second.
 pub fn write(file: i32, mut bytes: &[u8]) -> bool {
     while !bytes.is_empty() {
         let written = system::write(file, bytes);
@@ -122,10 +119,9 @@ pub fn write(file: i32, mut bytes: &[u8]) -> bool {
             bytes = &bytes[written as usize..];
             continue;
         }
-        // SAFETY: errno is this thread's own.
-        match unsafe { *libc::__errno_location() } {
-            libc::EINTR | libc::EAGAIN if crate::terminal::signal() == 0 => {
-                clock::sleep(SECOND / 1000);
+        match system::error() {
+            libc::EINTR | libc::EAGAIN
+                if terminal::signal() == 0 && system::wait_for_room(file, terminal::patience()) => {
             }
             _ => return false,
         }

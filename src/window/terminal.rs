@@ -40,7 +40,6 @@ const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 /// that ask a process to end.
 pub struct Terminal {
     escape: Escape,
-    text: Writer,
     pixels: &'static mut [u32],
     size: (usize, usize),
     shown: (usize, usize),
@@ -53,7 +52,6 @@ impl Terminal {
         SAVED.take_over();
         Terminal {
             escape: Escape::default(),
-            text: Writer::new(line::OUTPUT),
             pixels: pixels(),
             size: (0, 0),
             shown: (0, 0),
@@ -62,24 +60,25 @@ impl Terminal {
 
     /// Writes the picture.
     fn draw(&mut self) -> fmt::Result {
+        let mut text = Writer::new(line::OUTPUT);
         if self.shown != self.size {
+            text.write_str(CLEAR)?;
             self.shown = self.size;
-            self.text.write_str(CLEAR)?;
         }
         let (width, height) = self.size;
         for row in 0..height / 2 {
-            write!(self.text, "\x1b[{};1H", row + 1)?;
+            write!(text, "\x1b[{};1H", row + 1)?;
             // The colours of the last cell; no pixel has one with all bits set, so each row begins with its own.
             let (mut foreground, mut background) = (u32::MAX, u32::MAX);
             for x in 0..width {
                 let upper = self.pixels[2 * row * width + x];
                 let lower = self.pixels[(2 * row + 1) * width + x];
-                set_colour(&mut self.text, FOREGROUND, &mut foreground, upper)?;
-                set_colour(&mut self.text, BACKGROUND, &mut background, lower)?;
-                self.text.write_str(UPPER_HALF)?;
+                set_colour(&mut text, FOREGROUND, &mut foreground, upper)?;
+                set_colour(&mut text, BACKGROUND, &mut background, lower)?;
+                text.write_str(UPPER_HALF)?;
             }
         }
-        self.text.flush()
+        text.flush()
     }
 }
 
@@ -114,7 +113,8 @@ impl Screen for Terminal {
     fn show(&mut self) -> Next {
         let drawn = self.draw();
         match signal() {
-            0 if drawn.is_err() => Next::End(1),
+            // Where nobody reads, a later frame may find room; the show goes on meanwhile, to its end.
+            0 if drawn.is_err() && system::error() != libc::EAGAIN => Next::End(1),
             0 if self.escape.read(SAVED.keyboard()) => Next::End(0),
             0 => Next::GoOn,
             signal => Next::End(128 + signal),
@@ -181,6 +181,14 @@ static SAVED: Saved = Saved {
 /// The last signal that asked the process to end.
 static SIGNAL: AtomicI32 = AtomicI32::new(0);
 
+/// Milliseconds that writing waits for room: without end as long as there is no [`Terminal`], for which it is a second.
+static PATIENCE: AtomicI32 = AtomicI32::new(-1);
+
+/// See [`PATIENCE`].
+pub(crate) fn patience() -> c_int {
+    PATIENCE.load(Relaxed)
+}
+
 /// The signal that asked a process with a [`Terminal`] to end, or 0.
 pub(crate) fn signal() -> c_int {
     SIGNAL.load(Relaxed)
@@ -231,6 +239,11 @@ impl Saved {
             for signal in &[libc::SIGHUP, libc::SIGINT, libc::SIGQUIT, libc::SIGTERM] {
                 on_signal(*signal, note as extern "C" fn(c_int) as libc::sighandler_t);
             }
+            PATIENCE.store(1000, Relaxed);
+            system::never_wait(line::OUTPUT, c"/dev/stdout");
+            if line::terminal(line::ERROR) {
+                system::never_wait(line::ERROR, c"/dev/stderr");
+            }
             let mut keyboard = libc::STDIN_FILENO;
             if !line::terminal(keyboard) {
                 keyboard = system::open(c"/dev/tty");
@@ -254,6 +267,8 @@ impl Saved {
 /// Gives the terminal back as it was, if it was taken. A signal's function may call it.
 pub(crate) fn restore() {
     if SAVED.active.swap(false, AcqRel) {
+        // What asked for the end has been heard, and does not keep this from being written.
+        SIGNAL.store(0, Relaxed);
         line::write(line::OUTPUT, LEAVE);
         let keyboard = SAVED.keyboard();
         if keyboard >= 0 {

@@ -59,7 +59,7 @@ pub fn wait_for<T>(what: &str, look: impl FnMut() -> Option<T>) -> T {
 }
 
 /// Waits up to ten seconds until a function returns something.
-fn try_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
+pub fn try_for<T>(mut look: impl FnMut() -> Option<T>) -> Option<T> {
     let start = Instant::now();
     while start.elapsed() < Duration::from_secs(10) {
         if let Some(seen) = look() {
