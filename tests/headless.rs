@@ -159,6 +159,18 @@ fn what_opens_the_display_takes_no_number_of_a_closed_stream() {
 }
 
 #[test]
+fn it_reserves_little_address_space() {
+    // In units of 1,024 bytes. Memory for the largest frames and the most threads is the larger part.
+    let (code, errors) =
+        shell("ulimit -v 120000; INTRO --silent --seconds 0.2 --threads 2 > /dev/null");
+    assert_eq!(
+        errors,
+        "eightfold: no X display; playing without a screen\n"
+    );
+    assert_eq!(code, Some(0));
+}
+
+#[test]
 fn the_report_says_how_long_each_rung_was_used() {
     let names = qualities();
     // The rungs in the report, and the time for which each was used.

@@ -49,13 +49,14 @@ impl Terminal {
     /// Takes over the terminal; standard output has to be [one](line::terminal).
     #[must_use]
     pub fn open() -> Terminal {
-        SAVED.take_over();
-        Terminal {
+        let terminal = Terminal {
             escape: Escape::default(),
             pixels: pixels(),
             size: (0, 0),
             shown: (0, 0),
-        }
+        };
+        SAVED.take_over();
+        terminal
     }
 
     /// Writes the picture.
