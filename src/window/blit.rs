@@ -43,7 +43,7 @@ fn with_masks(pixel: u32, masks: [c_ulong; 3]) -> u32 {
     let parts = channels.iter().zip(masks);
     // The mask is the brightest; below its lowest bit is what is cut off.
     parts.fold(0, |sum, (&channel, mask)| {
-        sum | (c_ulong::from(channel) * mask / 255 & mask) as u32
+        sum | ((c_ulong::from(channel) * mask / 255) & mask) as u32
     })
 }
 

@@ -17,7 +17,7 @@ pub(crate) fn pressed(x: Functions, event: &xlib::XKeyEvent) -> c_uint {
     if event.state & COMMAND != 0 {
         return keysym::XK_VoidSymbol;
     }
-    let layout = (event.state >> 13 & 3) as c_int;
+    let layout = ((event.state >> 13) & 3) as c_int;
     // SAFETY: the event's display is open.
     let key =
         unsafe { (x.XkbKeycodeToKeysym)(event.display, event.keycode as u8, layout, 0) } as c_uint;
