@@ -57,6 +57,9 @@ pub struct Window {
 /// Why there is no window on a computer without a desktop.
 const NO_DISPLAY: &str = "no X display";
 
+/// The longest side of a window, in pixels: the X protocol has no more.
+const MAX_SIDE: c_int = 32_767;
+
 /// Set when the server no longer knows the window.
 static CLOSED: AtomicBool = AtomicBool::new(false);
 
@@ -199,8 +202,8 @@ impl Screen for Window {
                         }
                     },
                     xlib::ConfigureNotify => {
-                        // The server knows no size of 0, but anybody can send such an event.
-                        let side = |length: c_int| length.max(1) as usize;
+                        // The server sends no other sizes, but anybody can send such an event.
+                        let side = |length: c_int| length.clamp(1, MAX_SIDE) as usize;
                         self.size = (side(event.configure.width), side(event.configure.height));
                     }
                     xlib::ClientMessage
