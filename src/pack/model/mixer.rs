@@ -8,15 +8,15 @@ pub const ROWS: usize = 3;
 /// A weight for each input, in 65,536ths.
 type Weights = [Lanes; ROWS];
 
-/// What the sum of two weights is to begin with: all 24 inputs together are believed half of what they say.
-const FIRST_WEIGHT: i16 = 1400;
+/// What the sum of two weights is to begin with: all 24 inputs together are believed three eighths of what they say.
+const FIRST_WEIGHT: i16 = 1000;
 
 /// Sets of weights: for each kind of byte and each beginning of it; that of beginning 0, which no byte has, is for all of that kind;
 /// and for each kind of byte and each byte before it.
 const SETS: usize = (2 * KINDS) << 8;
 
-/// How fast weights are learned: of 3, 4, 5 and 6 the best.
-const RATE: i32 = 4;
+/// How fast weights are learned: of 3, 4 and 5 the best.
+const RATE: i32 = 3;
 
 /// The numbers of probabilities and of logits in tables.
 const STEPS: usize = 4096;

@@ -24,14 +24,10 @@ use slot::{Rates, Slot, Slots};
 /// The features that each context is made of, as a bit for each: found by changing one at random and keeping what packs the intro
 /// better.
 static CONTEXTS: [u32; COUNT] = [
-    context(&[KIND]),
-    context(&[KIND, 0]),
-    context(&[KIND, OPCODE, SAME_FIELD]),
-    context(&[0, 1, PREFIXES]),
-    context(&[PLACE]),
-    context(&[PLACE, 0]),
-    context(&[KIND, OPCODE]),
+    context(&[KIND, OPCODE, before(OPCODE, 2), SAME_FIELD]),
     context(&[KIND, OPCODE, before(OPCODE, 1)]),
+    context(&[0, KIND]),
+    context(&[KIND, OPCODE]),
     context(&[
         KIND,
         OPCODE,
@@ -39,23 +35,29 @@ static CONTEXTS: [u32; COUNT] = [
         before(OPCODE, 2),
         before(OPCODE, 3),
     ]),
-    context(&[KIND, OPERAND, PREFIXES]),
-    context(&[
-        OPERAND,
-        OPCODE,
-        PREFIXES,
-        before(OPCODE, 1),
-        before(PREFIXES, 1),
-    ]),
+    context(&[PLACE]),
+    context(&[0, PLACE]),
     context(&[
         0,
         1,
         3,
-        OPERAND,
+        4,
+        OPCODE,
         before(OPCODE, 1),
         before(MODRM, 1),
         before(PREFIXES, 1),
+        OPERAND,
     ]),
+    context(&[KIND, PREFIXES, OPERAND]),
+    context(&[0, 1, PREFIXES]),
+    context(&[
+        OPCODE,
+        PREFIXES,
+        before(OPCODE, 1),
+        before(PREFIXES, 1),
+        OPERAND,
+    ]),
+    context(&[KIND]),
 ];
 const COUNT: usize = 12;
 

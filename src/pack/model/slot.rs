@@ -39,7 +39,7 @@ impl Slot {
     }
 }
 
-/// How far a probability moves to what was seen, in 65,536ths of the distance, when so many were seen before: 12 / (8 n + 13). From
+/// How far a probability moves to what was seen, in 65,536ths of the distance, when so many were seen before: 16 / (10 n + 17). From
 /// the highest count on, what was seen longer ago counts less and less.
 pub struct Rates([u32; 256]);
 
@@ -48,7 +48,7 @@ impl Rates {
     #[inline(always)]
     pub fn fill(&mut self) {
         for (count, rate) in self.0.iter_mut().enumerate() {
-            *rate = 0x10000 * 12 / (8 * count as u32 + 13);
+            *rate = 0x10000 * 16 / (10 * count as u32 + 17);
         }
     }
 }
