@@ -167,7 +167,7 @@ fn take(n: usize, worker: &mut Worker, band: &mut Band<'_>) {
     let batch = &mut worker.batch;
     let count = (n * n) as u32;
     for first in (0..batch.len()).step_by(n * n) {
-        let (x, y) = batch.place(first);
+        let (x, y) = batch.position(first);
         let mut pixel = 0;
         for channel in [32, 16, 0] {
             let value = |i: usize| (batch.sample(i).0.0 >> channel & 0xffff) as u32;

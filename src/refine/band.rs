@@ -1,7 +1,8 @@
 //! A band of the picture: the unit of work that threads share.
 
+use super::area::Area;
 use super::fill::Canvas;
-use super::tile::{Area, Tile};
+use super::tile::Tile;
 use super::worker::Worker;
 use super::{TILE_HEIGHT, TILE_WIDTH};
 use crate::MAX_HEIGHT;

@@ -3,9 +3,9 @@
 //! Everything that can be seen has an outline (see `prepare::outline`), which is convex. So along a row of squares it covers a
 //! range, found by tangents; only squares in that range are looked at.
 
+use super::area::Area;
 use super::bits::Bits;
 use super::pyramid::Pyramid;
-use super::tile::Area;
 use super::{TILE_HEIGHT, TILE_WIDTH};
 use crate::prepare::{MAX_OUTLINES, ObjectId, Prepared, ROUNDING, SeenOutline, rectangle};
 use core::ops::RangeInclusive;
@@ -70,7 +70,7 @@ impl CoverageGuard {
                 };
                 (open[y] & Bits::range(range)).for_each(|x| {
                     // The first corner is always a pixel, and shows most of what there is.
-                    let first = pyramid.sample(Pyramid::place(level, x, y)).object();
+                    let first = pyramid.sample(Pyramid::index(level, x, y)).object();
                     if first.is_some_and(|id| id.index() == usize::from(number)) {
                         return;
                     }

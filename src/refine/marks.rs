@@ -1,70 +1,34 @@
-//! The method made visible: what was traced and filled, on top of the picture.
-//!
-//! Points on the upper row of a band have a mark where this band traced them, which the band above may have done as well.
-//! Where every pixel is traced there is nothing to show.
+//! Bits for the squares and points of a tile.
 
-use super::TILE_WIDTH;
-use super::tile::Tile;
-use crate::observe::Observer;
+use super::TILE_HEIGHT;
+use super::bits::Bits;
+use super::pyramid::LEVELS;
 
-/// A pixel on the upper or the left side of a filled square: the other sides are its neighbours'.
-const SIDE: u8 = 1;
-/// A pixel that is a traced point.
-const POINT: u8 = 2;
+/// Points are traced block by block: rays of neighbours meet the same objects. A block is as many points wide.
+pub(super) const BLOCK_WIDTH: usize = 4;
+/// Rows of a block: its points are the bits of a word. (Blocks of 8x8 points take the show 6 % longer.)
+pub(super) const BLOCK_HEIGHT: usize = 64 / BLOCK_WIDTH;
 
-impl<O: Observer> Tile<'_, O> {
-    /// Draws the points and sides of a tile that is done, as bright as the scene wants them.
-    pub(super) fn show_method(&mut self) {
-        if !self.scene.shows_method() {
-            return;
-        }
-        let method = &self.scene.scene.method;
-        let both = method.squares.max(method.points);
-        let blends = [0.0, method.squares, method.points, both].map(|mark| {
-            // What is left of the picture, in 256ths, and the white that is added to it; no more than full brightness together,
-            // whatever the numbers are.
-            let white = byte(mark);
-            (byte((1.0 - mark) * method.picture).min(255 - white), white)
-        });
-        for y in 0..self.area.rows(0) {
-            let marks = self.marks(y);
-            let row = y * self.canvas.width;
-            let row = &mut self.canvas.pixels[row + self.area.left..row + self.area.right];
-            for (pixel, mark) in row.iter_mut().zip(marks) {
-                let (left, white) = blends[mark as usize];
-                let red_blue = (((*pixel & 0xff_00_ff) * left) >> 8) & 0xff_00_ff;
-                let green = (((*pixel & 0xff_00) * left) >> 8) & 0xff_00;
-                *pixel = red_blue + green + white * 0x01_01_01;
-            }
-        }
-    }
-
-    /// The marks of a row of pixels.
-    fn marks(&self, y: usize) -> [u8; TILE_WIDTH] {
-        let mut row = [0; TILE_WIDTH];
-        for level in 0..=self.quality.top_level() {
-            let side = self.area.side(level);
-            let is_upper = y.is_multiple_of(side);
-            if level > 0 {
-                self.worker.marks.filled[level][y / side].for_each(|x| {
-                    let length = if is_upper { side } else { 1 };
-                    let sides = row.iter_mut().skip(x * side).take(length);
-                    sides.for_each(|mark| *mark |= SIDE);
-                });
-            }
-            if is_upper {
-                self.worker.marks.traced[level][y / side].for_each(|x| {
-                    if let Some(mark) = row.get_mut(x * side) {
-                        *mark |= POINT;
-                    }
-                });
-            }
-        }
-        row
-    }
+/// The squares and points of a tile that matter, a row of bits for each row of a level's.
+pub(super) struct Marks {
+    /// Squares that are looked at: all of the largest, then the parts of those that were split.
+    pub squares: [[Bits; TILE_HEIGHT]; LEVELS],
+    /// Those of them that may show something which their corners do not; before the guard has looked at them, the parts of
+    /// such ones.
+    pub open: [[Bits; TILE_HEIGHT]; LEVELS],
+    /// Those that were filled.
+    pub filled: [[Bits; TILE_HEIGHT]; LEVELS],
+    /// Points that were traced; blocks of them end with more rows than there are.
+    pub traced: [[Bits; TILE_HEIGHT + BLOCK_HEIGHT]; LEVELS],
 }
 
-/// A share of 255, rounded.
-fn byte(share: f32) -> u32 {
-    u32::from((share * 255.0 + 0.5) as u8)
+impl Marks {
+    pub const fn new() -> Self {
+        Self {
+            squares: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
+            open: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
+            filled: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
+            traced: [[Bits::NONE; TILE_HEIGHT + BLOCK_HEIGHT]; LEVELS],
+        }
+    }
 }

@@ -103,11 +103,13 @@ macro_rules! by_isa {
 }
 
 pub(crate) mod antialias;
+mod area;
 mod band;
 mod bits;
 mod fill;
 mod guard;
 mod marks;
+mod method;
 mod patterned;
 mod points;
 mod pyramid;

@@ -23,8 +23,8 @@ impl<O: Observer> Tile<'_, O> {
     pub(super) fn fill_pattern(&mut self, level: usize, [x, y]: [usize; 2], agree: bool) -> bool {
         let side = self.area.side(level);
         let pyramid = &self.worker.pyramid;
-        let (above, below) = (Pyramid::place(level, x, y), Pyramid::place(level, x, y + 1));
-        let corners = [above, above + 1, below, below + 1].map(|place| pyramid.layers(place));
+        let (above, below) = (Pyramid::index(level, x, y), Pyramid::index(level, x, y + 1));
+        let corners = [above, above + 1, below, below + 1].map(|index| pyramid.layers(index));
         let tolerance = if agree {
             self.quality.tolerance_agreeing
         } else {

@@ -2,6 +2,7 @@
 
 use super::TILE_WIDTH;
 use super::bits::{Bits, WORDS};
+use super::marks::{BLOCK_HEIGHT, BLOCK_WIDTH};
 use super::pyramid::Pyramid;
 use super::tile::Tile;
 use super::verdict::Limit;
@@ -10,10 +11,6 @@ use crate::observe::{Observer, Stage};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Counts, trace};
 
-/// Points are traced block by block: rays of neighbours meet the same objects. A block is as many points wide.
-const BLOCK_WIDTH: usize = 4;
-/// Rows of a block: its points are the bits of a word. (Blocks of 8x8 points take the show 6 % longer.)
-pub(super) const BLOCK_HEIGHT: usize = 64 / BLOCK_WIDTH;
 /// The bits of a row of a block.
 const BLOCK_MASK: u64 = (1 << BLOCK_WIDTH) - 1;
 
@@ -83,14 +80,14 @@ impl<O: Observer> Tile<'_, O> {
             let start = top * self.canvas.width + self.area.left + left;
             (start, self.canvas.width)
         } else {
-            (Pyramid::place(level, left, top), Pyramid::stride(level))
+            (Pyramid::index(level, left, top), Pyramid::stride(level))
         };
         let (left, top) = (self.area.left + left * side, self.area.top + top * side);
-        let Worker { batch, places, .. } = &mut *self.worker;
+        let Worker { batch, targets, .. } = &mut *self.worker;
         while block != 0 {
             let i = block.trailing_zeros() as usize;
             let (x, y) = (i % BLOCK_WIDTH, i / BLOCK_WIDTH);
-            places[batch.len() % BATCH] = (start + y * stride + x) as u32;
+            targets[batch.len() % BATCH] = (start + y * stride + x) as u32;
             batch.push(left + x * side, top + y * side);
             block &= block - 1;
         }
@@ -100,7 +97,7 @@ impl<O: Observer> Tile<'_, O> {
     fn take_over(&mut self, level: usize, y: usize, points: Bits) {
         let has_patterns = self.scene.has_patterns();
         let parts = Divisor::new(self.area.parts(level));
-        let row = Pyramid::place(level + 1, 0, parts.divide(y));
+        let row = Pyramid::index(level + 1, 0, parts.divide(y));
         points.for_each(|x| {
             let pyramid = &mut self.worker.pyramid;
             let from = row + parts.divide(x);
@@ -109,7 +106,7 @@ impl<O: Observer> Tile<'_, O> {
                 self.canvas.put(self.area.left + x, y, sample.pixel());
                 return;
             }
-            let to = Pyramid::place(level, x, y);
+            let to = Pyramid::index(level, x, y);
             pyramid.put(to, sample, key);
             if has_patterns {
                 let layers = pyramid.layers(from);
@@ -127,7 +124,7 @@ impl<O: Observer> Tile<'_, O> {
         } else {
             (Bits::EVEN, Pyramid::stride(level + 1))
         };
-        let start = Pyramid::place(level + 1, 0, y / 2);
+        let start = Pyramid::index(level + 1, 0, y / 2);
         (points & middles).for_each(|x| {
             let pyramid = &mut self.worker.pyramid;
             let (from, to) = (start + x / 2, start + x / 2 + way);
@@ -142,7 +139,7 @@ impl<O: Observer> Tile<'_, O> {
             if level == 0 {
                 self.canvas.put(self.area.left + x, y, a.mean(b).pixel());
             } else {
-                pyramid.put(Pyramid::place(level, x, y), a.mean(b), key);
+                pyramid.put(Pyramid::index(level, x, y), a.mean(b), key);
             }
         });
         averaged
@@ -155,23 +152,23 @@ impl<O: Observer> Tile<'_, O> {
         let Worker {
             batch,
             pyramid,
-            places,
+            targets,
             ..
         } = &mut *self.worker;
         let has_patterns = self.scene.has_patterns();
-        for (i, &place) in places[..batch.len()].iter().enumerate() {
-            let place = place as usize;
+        for (i, &target) in targets[..batch.len()].iter().enumerate() {
+            let target = target as usize;
             let (mut sample, key) = batch.sample(i);
             if level == 0 {
-                self.canvas.pixels[place] = sample.pixel();
+                self.canvas.pixels[target] = sample.pixel();
                 continue;
             }
             let has_pattern = |id| self.scene.has_pattern(id);
             if has_patterns && sample.object().is_some_and(has_pattern) {
                 sample = sample.patterned();
-                pyramid.put_layers(place, batch.layers(i));
+                pyramid.put_layers(target, batch.layers(i));
             }
-            pyramid.put(place, sample, key);
+            pyramid.put(target, sample, key);
         }
         self.end_batch();
         self.observer.stage(Stage::Points);
@@ -206,13 +203,13 @@ impl<O: Observer> Tile<'_, O> {
     /// batch's counts as they were.
     fn tell_points(&mut self) {
         let batch = &mut self.worker.batch;
-        let mut places = [(0, 0); BATCH];
+        let mut positions = [(0, 0); BATCH];
         let count = batch.len();
-        for (i, place) in places[..count].iter_mut().enumerate() {
-            *place = batch.place(i);
+        for (i, position) in positions[..count].iter_mut().enumerate() {
+            *position = batch.position(i);
         }
         let counts = batch.counts;
-        for &(x, y) in &places[..count] {
+        for &(x, y) in &positions[..count] {
             batch.clear();
             batch.counts = Counts::NONE;
             batch.push(x, y);

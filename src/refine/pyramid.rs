@@ -58,46 +58,46 @@ impl Pyramid {
 
     /// Where a level has its point (x, y).
     #[inline(always)]
-    pub fn place(level: usize, x: usize, y: usize) -> usize {
+    pub fn index(level: usize, x: usize, y: usize) -> usize {
         STARTS[level] + y * columns(level) + x
     }
 
-    /// How many places a row of a level's points takes.
+    /// How many indices a row of a level's points takes.
     #[inline(always)]
     pub fn stride(level: usize) -> usize {
         columns(level)
     }
 
     #[inline(always)]
-    pub fn sample(&self, place: usize) -> Sample {
-        Sample(self.samples[place])
+    pub fn sample(&self, index: usize) -> Sample {
+        Sample(self.samples[index])
     }
 
     #[inline(always)]
-    pub fn key(&self, place: usize) -> u32 {
-        self.keys[place]
+    pub fn key(&self, index: usize) -> u32 {
+        self.keys[index]
     }
 
     #[inline(always)]
-    pub fn layers(&self, place: usize) -> Layers {
-        self.layers[place]
+    pub fn layers(&self, index: usize) -> Layers {
+        self.layers[index]
     }
 
     #[inline(always)]
-    pub fn put(&mut self, place: usize, sample: Sample, key: u32) {
-        self.samples[place] = sample.0;
-        self.keys[place] = key;
+    pub fn put(&mut self, index: usize, sample: Sample, key: u32) {
+        self.samples[index] = sample.0;
+        self.keys[index] = key;
     }
 
     #[inline(always)]
-    pub fn put_layers(&mut self, place: usize, layers: Layers) {
-        self.layers[place] = layers;
+    pub fn put_layers(&mut self, index: usize, layers: Layers) {
+        self.layers[index] = layers;
     }
 
     /// A row of a level's grid.
     #[inline(always)]
     pub fn row(&self, level: usize, y: usize) -> Row<'_> {
-        let start = Self::place(level, 0, y);
+        let start = Self::index(level, 0, y);
         let range = start..start + columns(level) + 2 * MAX_LANES - 1;
         Row {
             samples: &self.samples[range.clone()],
@@ -108,7 +108,7 @@ impl Pyramid {
     /// The samples at the corners of a level's square (x, y): upper left, upper right, lower left, lower right.
     #[inline(always)]
     pub fn corners(&self, level: usize, x: usize, y: usize) -> [Sample; 4] {
-        let (upper, lower) = (Self::place(level, x, y), Self::place(level, x, y + 1));
-        [upper, upper + 1, lower, lower + 1].map(|place| self.sample(place))
+        let (upper, lower) = (Self::index(level, x, y), Self::index(level, x, y + 1));
+        [upper, upper + 1, lower, lower + 1].map(|index| self.sample(index))
     }
 }

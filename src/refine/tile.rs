@@ -1,83 +1,14 @@
 //! A tile at work: level by level, points are traced, squares judged, filled or split.
 
-use super::TILE_HEIGHT;
+use super::area::Area;
 use super::bits::Bits;
 use super::fill::{Canvas, Run};
-use super::points::BLOCK_HEIGHT;
-use super::pyramid::LEVELS;
 use super::verdict::{Rules, Verdict, judge};
 use super::worker::Worker;
 use crate::observe::{Fill, Observer, Stage};
 use crate::prepare::{Prepared, VisibleGroups};
 use crate::quality::Quality;
 use fearless_simd::Level;
-
-/// Where a tile is in the picture, in pixels.
-pub(super) struct Area {
-    pub left: usize,
-    pub top: usize,
-    /// The end of its pixels.
-    pub right: usize,
-    pub bottom: usize,
-    /// Width and height of the picture.
-    pub picture: [usize; 2],
-    /// Side of the smallest squares that are more than a pixel: see [`Quality::least_square`].
-    pub least: usize,
-}
-
-impl Area {
-    /// Side of a level's squares in pixels.
-    #[inline(never)]
-    pub fn side(&self, level: usize) -> usize {
-        if level == 0 {
-            1
-        } else {
-            self.least << (level - 1)
-        }
-    }
-
-    /// How many of a level's squares lie along a side of one of the level above.
-    #[inline(always)]
-    pub fn parts(&self, level: usize) -> usize {
-        if level == 0 { self.least } else { 2 }
-    }
-
-    /// Squares of a level side by side; the last ones may end beyond the picture.
-    #[inline(never)]
-    pub fn columns(&self, level: usize) -> usize {
-        (self.right - self.left).div_ceil(self.side(level))
-    }
-
-    /// Squares of a level on top of each other.
-    #[inline(never)]
-    pub fn rows(&self, level: usize) -> usize {
-        (self.bottom - self.top).div_ceil(self.side(level))
-    }
-}
-
-/// The squares and points of a tile that matter, a row of bits for each row of a level's.
-pub(super) struct Marks {
-    /// Squares that are looked at: all of the largest, then the parts of those that were split.
-    pub squares: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// Those of them that may show something which their corners do not; before the guard has looked at them, the parts of
-    /// such ones.
-    pub open: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// Those that were filled.
-    pub filled: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// Points that were traced; blocks of them end with more rows than there are.
-    pub traced: [[Bits; TILE_HEIGHT + BLOCK_HEIGHT]; LEVELS],
-}
-
-impl Marks {
-    pub const fn new() -> Self {
-        Self {
-            squares: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
-            open: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
-            filled: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
-            traced: [[Bits::NONE; TILE_HEIGHT + BLOCK_HEIGHT]; LEVELS],
-        }
-    }
-}
 
 /// Draws a tile.
 pub(super) struct Tile<'a, O: Observer> {

@@ -1,8 +1,8 @@
 //! A thread's working memory.
 
 use super::guard::CoverageGuard;
+use super::marks::Marks;
 use super::pyramid::Pyramid;
-use super::tile::Marks;
 use crate::trace::{BATCH, Batch, Counts};
 
 /// What one thread works in, of fixed size, and reused from tile to tile: at most 440,000 bytes, see [`Worker::BYTES`].
@@ -14,7 +14,7 @@ pub struct Worker {
     pub(super) marks: Marks,
     pub(super) guard: CoverageGuard,
     /// Where the batch's points go: in the pyramid, or pixels in the band.
-    pub(super) places: [u32; BATCH],
+    pub(super) targets: [u32; BATCH],
 }
 
 impl Worker {
@@ -31,7 +31,7 @@ impl Worker {
                 pyramid: Pyramid::new(),
                 marks: Marks::new(),
                 guard: CoverageGuard::new(),
-                places: [0; BATCH],
+                targets: [0; BATCH],
             }
         }
     }

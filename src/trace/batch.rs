@@ -1,7 +1,8 @@
 //! Points that are traced together.
 
 use super::candidates::Candidates;
-use super::shade::Contribution;
+use super::contribution::Contribution;
+use super::sample::{STEP_BITS, Sum};
 use super::stack::{Rays, Stack};
 use super::surface::SurfaceRows;
 use super::{Counts, Layers, Sample, sample};
@@ -13,24 +14,13 @@ use glam::Vec3A;
 /// Points traced in one go: 16 kB of sums, which stay in the nearest cache.
 pub(crate) const BATCH: usize = 1024;
 
-/// Bits below the point of a sum of output steps.
-///
-/// Sums count in 1/16384 of a step, so that a colour half-way between two of the 255 steps of the output stays just
-/// there, and the rounding of a tree's nodes stays below 1/100 of a step.
-pub(super) const STEP_BITS: i32 = 14;
-
-/// Full brightness as a sum.
-pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
-
-/// Blue, green and red, in the order of a pixel's bytes, and the key of a point.
-pub(super) type Sum = [i32; 4];
 /// Where the key is.
 const KEY: usize = 3;
 
 /// Points to trace and what came of them.
 pub(crate) struct Batch {
     /// Where the points are: `y << 16 | x`.
-    places: [u32; BATCH],
+    positions: [u32; BATCH],
     len: usize,
     sums: [Sum; BATCH],
     /// What a packet of secondary rays adds to the sums.
@@ -54,7 +44,7 @@ impl Batch {
     /// Room for points, empty.
     pub const fn new() -> Self {
         Self {
-            places: [0; BATCH],
+            positions: [0; BATCH],
             len: 0,
             sums: [[0; 4]; BATCH],
             terms: [[0; 4]; MAX_LANES],
@@ -83,7 +73,7 @@ impl Batch {
     /// Adds the point at pixel (x, y); the batch must not be full.
     #[inline(always)]
     pub fn push(&mut self, x: usize, y: usize) {
-        self.places[self.len % BATCH] = (y << 16 | x) as u32;
+        self.positions[self.len % BATCH] = (y << 16 | x) as u32;
         self.len += 1;
     }
 
@@ -104,11 +94,11 @@ impl Batch {
         self.len = 0;
     }
 
-    /// The place of point number `i`, x and y.
+    /// The position of point number `i` in the picture, x and y.
     #[inline(always)]
-    pub fn place(&self, i: usize) -> (usize, usize) {
-        let place = self.places[i % BATCH] as usize;
-        (place & 0xffff, place >> 16)
+    pub fn position(&self, i: usize) -> (usize, usize) {
+        let position = self.positions[i % BATCH] as usize;
+        (position & 0xffff, position >> 16)
     }
 
     /// The sample and the key of traced point number `i`.
@@ -149,9 +139,9 @@ impl Batch {
     #[inline(always)]
     pub(super) fn primary_rays<S: Isa>(&self, simd: S, scene: &Prepared, start: usize) -> Rays<S> {
         let start = start % BATCH / lanes::<S>() * lanes::<S>();
-        let places = U::<S>::from_slice(simd, &self.places[start..start + lanes::<S>()]);
-        let x: I<S> = (places & 0xffff).bitcast();
-        let y: I<S> = (places >> 16).bitcast();
+        let positions = U::<S>::from_slice(simd, &self.positions[start..start + lanes::<S>()]);
+        let x: I<S> = (positions & 0xffff).bitcast();
+        let y: I<S> = (positions >> 16).bitcast();
         Rays {
             o: Vec3x::splat(simd, scene.eye),
             d: primary_directions(simd, scene, x.to_float(), y.to_float()),
@@ -178,13 +168,13 @@ impl Batch {
         node: &Contribution<S>,
         has_patterns: bool,
     ) {
-        let place = first.map(|first| first % BATCH / lanes::<S>() * lanes::<S>());
-        let sums = match place {
+        let start = first.map(|first| first % BATCH / lanes::<S>() * lanes::<S>());
+        let sums = match start {
             Some(first) => &mut self.sums[first..first + lanes::<S>()],
             None => &mut self.terms[..lanes::<S>()],
         };
         node.store(simd, sums.as_flattened_mut());
-        if let Some(first) = place {
+        if let Some(first) = start {
             if has_patterns {
                 let layers = &mut self.patterned[first..first + lanes::<S>()];
                 node.store_layers(layers.as_flattened_mut());

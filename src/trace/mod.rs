@@ -9,6 +9,7 @@ mod air;
 mod batch;
 mod block;
 mod candidates;
+mod contribution;
 mod intersect;
 mod key;
 mod layers;

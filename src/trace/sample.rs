@@ -1,10 +1,20 @@
 //! What is kept of a traced point.
 
-use super::batch::{STEP_BITS, Sum};
 use crate::lanes::*;
 use crate::prepare::ObjectId;
 use fearless_simd::{u16x8, u32x4, u64x2};
 
+/// Bits below the point of a sum of output steps.
+///
+/// Sums count in 1/16384 of a step, so that a colour half-way between two of the 255 steps of the output stays just
+/// there, and the rounding of a tree's nodes stays below 1/100 of a step.
+pub(super) const STEP_BITS: i32 = 14;
+
+/// Full brightness as a sum.
+pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
+
+/// Blue, green and red, in the order of a pixel's bytes, and the key of a point.
+pub(super) type Sum = [i32; 4];
 /// A traced point's colour: blue, green and red from the low bits up, 16 bits each, in 128ths of an output step. Above
 /// them, 14 bits tell the object that the point shows: its number plus one, or 0 where it is not known; and one bit whether
 /// that has a pattern.

@@ -64,7 +64,7 @@ fn two_rows(level: usize, corners: &[[(Sample, u32); 2]]) -> Box<Pyramid> {
     let mut pyramid = Box::new(Pyramid::new());
     for (x, column) in corners.iter().enumerate() {
         for (y, &(sample, key)) in column.iter().enumerate() {
-            pyramid.put(Pyramid::place(level, x, y), sample, key);
+            pyramid.put(Pyramid::index(level, x, y), sample, key);
         }
     }
     pyramid

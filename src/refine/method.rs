@@ -1,0 +1,70 @@
+//! The method made visible: what was traced and filled, on top of the picture.
+//!
+//! Points on the upper row of a band have a mark where this band traced them, which the band above may have done as well.
+//! Where every pixel is traced there is nothing to show.
+
+use super::TILE_WIDTH;
+use super::tile::Tile;
+use crate::observe::Observer;
+
+/// A pixel on the upper or the left side of a filled square: the other sides are its neighbours'.
+const SIDE: u8 = 1;
+/// A pixel that is a traced point.
+const POINT: u8 = 2;
+
+impl<O: Observer> Tile<'_, O> {
+    /// Draws the points and sides of a tile that is done, as bright as the scene wants them.
+    pub(super) fn show_method(&mut self) {
+        if !self.scene.shows_method() {
+            return;
+        }
+        let method = &self.scene.scene.method;
+        let both = method.squares.max(method.points);
+        let blends = [0.0, method.squares, method.points, both].map(|mark| {
+            // What is left of the picture, in 256ths, and the white that is added to it; no more than full brightness together,
+            // whatever the numbers are.
+            let white = byte(mark);
+            (byte((1.0 - mark) * method.picture).min(255 - white), white)
+        });
+        for y in 0..self.area.rows(0) {
+            let marks = self.marks(y);
+            let row = y * self.canvas.width;
+            let row = &mut self.canvas.pixels[row + self.area.left..row + self.area.right];
+            for (pixel, mark) in row.iter_mut().zip(marks) {
+                let (left, white) = blends[mark as usize];
+                let red_blue = (((*pixel & 0xff_00_ff) * left) >> 8) & 0xff_00_ff;
+                let green = (((*pixel & 0xff_00) * left) >> 8) & 0xff_00;
+                *pixel = red_blue + green + white * 0x01_01_01;
+            }
+        }
+    }
+
+    /// The marks of a row of pixels.
+    fn marks(&self, y: usize) -> [u8; TILE_WIDTH] {
+        let mut row = [0; TILE_WIDTH];
+        for level in 0..=self.quality.top_level() {
+            let side = self.area.side(level);
+            let is_upper = y.is_multiple_of(side);
+            if level > 0 {
+                self.worker.marks.filled[level][y / side].for_each(|x| {
+                    let length = if is_upper { side } else { 1 };
+                    let sides = row.iter_mut().skip(x * side).take(length);
+                    sides.for_each(|mark| *mark |= SIDE);
+                });
+            }
+            if is_upper {
+                self.worker.marks.traced[level][y / side].for_each(|x| {
+                    if let Some(mark) = row.get_mut(x * side) {
+                        *mark |= POINT;
+                    }
+                });
+            }
+        }
+        row
+    }
+}
+
+/// A share of 255, rounded.
+fn byte(share: f32) -> u32 {
+    u32::from((share * 255.0 + 0.5) as u8)
+}
