@@ -2,7 +2,7 @@
 
 use eightfold::{Frame, Governor, MAX_HEIGHT, MAX_WIDTH, sound::Synthesizer};
 use eightfold_window::{
-    clock::{Clock, SECOND},
+    clock::SECOND,
     fixed::Fixed,
     line,
     screen::{Headless, Next, Screen},
@@ -94,7 +94,7 @@ impl Playing<'_> {
             SHOW_NANOSECONDS
         });
         let mut governor = Governor::new(options.fps);
-        let clock = Clock::start();
+        let clock = self.player.clock();
         // The time at which the next frame should begin.
         let mut due = 0;
         loop {

@@ -71,6 +71,12 @@ struct Work {
 }
 
 impl Player {
+    /// The clock, which started with the time.
+    #[must_use]
+    pub fn clock(&self) -> Clock {
+        self.clock
+    }
+
     /// Plays nothing: the time goes by the clock.
     #[must_use]
     pub fn silent() -> Player {
