@@ -82,7 +82,7 @@ impl Quality {
 
     /// The named qualities from the finest to the fastest, with [`Quality::DEFAULT`] among them.
     ///
-    /// `cargo lab trade --ladder` measured the model scene at 1024x768 on one thread of an AMD EPYC (Zen 4). Speed is relative to
+    /// `cargo lab trade --ladder` measured the model scene at 1024x768 on one thread of an AMD EPYC (Zen 5). Speed is relative to
     /// [`Quality::EXHAUSTIVE`], and errors are against its frames; a test measures the errors again. `over` is the number of
     /// pixels per frame with an error of more than 8/255 in a channel, `flicker` the number of 8x8 blocks per frame whose mean
     /// error changes by more than that from one frame to the next. FLIP is computed for 67 pixels per degree.

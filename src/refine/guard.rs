@@ -1,7 +1,7 @@
-//! The guard against what lies between corners: objects, and shadows on planes, that a square may show and its corners do not.
+//! The guard against what lies between corners: objects and shadows on planes that a square may show although no corner does.
 //!
-//! Everything that can be seen has an outline (see `prepare::outline`), which is convex. So along a row of squares it covers a
-//! range, found by tangents; only squares in that range are looked at.
+//! Everything that can be seen has a convex outline (see `prepare::outline`). It covers one range of a row of squares, which its
+//! tangents give. Only squares in that range are looked at.
 
 use super::area::Area;
 use super::bits::Bits;
@@ -11,13 +11,13 @@ use crate::prepare::{MAX_OUTLINES, ObjectId, Prepared, ROUNDING, SeenOutline, re
 use core::ops::RangeInclusive;
 use glam::{Vec2Swizzles, vec2};
 
-/// What may be seen in a tile that no corner has shown so far, by the numbers of their outlines.
+/// The outlines of what may be seen in a tile although no corner has shown it so far, by number.
 pub(super) struct CoverageGuard {
     outlines: [u16; MAX_OUTLINES],
     count: usize,
 }
 
-/// What rounding may move the ends of a range by, in pixels.
+/// The most that rounding moves the ends of a range, in pixels.
 const MARGIN: f32 = 0.02;
 
 impl CoverageGuard {
@@ -28,7 +28,7 @@ impl CoverageGuard {
         }
     }
 
-    /// Lists what a tile may show.
+    /// Lists the outlines that a tile may show.
     pub fn begin(&mut self, scene: &Prepared, area: &Area) {
         let (width, height) = (area.columns(0) as f32, area.rows(0) as f32);
         let corner = rectangle(area.left, area.top, area.left, area.top);
@@ -171,7 +171,7 @@ impl Square<'_> {
         })
     }
 
-    /// Where corner number `i` is in the picture.
+    /// The position of corner number `i` in the picture.
     fn corner(&self, i: usize) -> [usize; 2] {
         let side = self.area.side(self.level);
         [

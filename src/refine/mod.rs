@@ -3,8 +3,8 @@
 //! Threads share the picture by bands of rows (see [`Band`]). A band is drawn a *tile* after the other, 512 pixels wide or as
 //! many as whole squares fill of these, and a tile by *levels*: squares of 8 pixels, then of 4, of 2, and single pixels. Squares
 //! of any other side are halved as long as their side is even, and then split into pixels: those of 12 have levels of 12, 6, 3
-//! and 1. A level is a grid of points, the corners of its
-//! squares, and a bit for each square and each point. These are its steps, each a pass over rows:
+//! and 1. A level is a grid of points, the corners of its squares, and a bit for each square and each point. These are its steps,
+//! each a pass over rows:
 //!
 //! ```text
 //!   squares of 8         which points?        verdict                 parts of 4           which points?
@@ -124,8 +124,8 @@ pub use band::Band;
 pub(crate) use band::{MAX_BANDS, render};
 pub use worker::Worker;
 
-/// The most that a tile is wide, in pixels; it has as many whole squares as fit in. A level's bits are eight words, and what is
-/// known of its points stays in a core's own cache.
+/// The largest width of a tile in pixels; it has as many whole squares as fit. A row of a level's bits is then eight words, and the
+/// samples of its points stay in a core's own cache.
 const TILE_WIDTH: usize = 512;
-/// Height of the tallest tile: one largest square.
+/// The height of the tallest tile in pixels: that of the largest square.
 const TILE_HEIGHT: usize = 32;

@@ -1,4 +1,4 @@
-//! Which points a level needs, and how they become known: from the level above, as a mean of two, or traced.
+//! Which points a level needs, and where their samples come from: the level above, the mean of two points, or tracing.
 
 use super::TILE_WIDTH;
 use super::bits::{Bits, WORDS};
@@ -69,7 +69,7 @@ impl<O: Observer> Tile<'_, O> {
         self.trace(level);
     }
 
-    /// Has the points of a block traced sooner or later.
+    /// Adds the points of a block to the batch. A full batch is traced first.
     #[inline(always)]
     fn trace_block(&mut self, level: usize, [left, top]: [usize; 2], mut block: u64) {
         if self.worker.batch.len() + BLOCK_WIDTH * BLOCK_HEIGHT > BATCH {
@@ -93,7 +93,7 @@ impl<O: Observer> Tile<'_, O> {
         }
     }
 
-    /// Takes points over from the level above, where their numbers are divided by a square's parts along a side.
+    /// Copies points from the level above. Their indices there are these divided by the number of parts along a square's side.
     fn take_over(&mut self, level: usize, y: usize, points: Bits) {
         let has_patterns = self.scene.has_patterns();
         let parts = Divisor::new(self.area.parts(level));
@@ -115,7 +115,7 @@ impl<O: Observer> Tile<'_, O> {
         });
     }
 
-    /// Gives the middles of sides the mean of the ends, where these agree and are near enough; says which points.
+    /// Sets the middles of sides to the mean of their ends, and returns those whose ends agree and are near enough.
     fn average(&mut self, level: usize, y: usize, points: Bits, limit: Limit) -> Bits {
         let mut averaged = Bits::NONE;
         // In rows that the level above has, middles lie between two of its columns; else between two rows.
@@ -130,11 +130,11 @@ impl<O: Observer> Tile<'_, O> {
             let (from, to) = (start + x / 2, start + x / 2 + way);
             let (a, b) = (pyramid.sample(from), pyramid.sample(to));
             let key = pyramid.key(from);
-            // What a pattern leaves at the middle its ends do not tell.
+            // The ends do not tell what a pattern does in the middle.
             let is_patterned = a.is_patterned() | b.is_patterned();
             let is_near = (key == pyramid.key(to)) & limit.has(a, b) & !is_patterned;
-            // No branch, which would be taken by chance: the mean of ends that are not near is in the place of a point that is
-            // traced afterwards.
+            // No branch, since it could not be predicted. If the ends are not near, the mean is overwritten when the point is
+            // traced.
             averaged.0[x / 64] |= u64::from(is_near) << (x % 64);
             if level == 0 {
                 self.canvas.put(self.area.left + x, y, a.mean(b).pixel());
@@ -145,7 +145,7 @@ impl<O: Observer> Tile<'_, O> {
         averaged
     }
 
-    /// Traces the points of a level that wait in the batch.
+    /// Traces the points in the batch, and stores their samples in a level.
     fn trace(&mut self, level: usize) {
         self.trace_batch();
         self.observer.stage(Stage::Results);
@@ -191,7 +191,7 @@ impl<O: Observer> Tile<'_, O> {
         trace(self.isa, self.scene, self.quality, self.seen, batch);
     }
 
-    /// Ends a batch that has been read.
+    /// Empties a batch whose results have been stored.
     pub(super) fn end_batch(&mut self) {
         if O::LISTENS {
             self.tell_points();
@@ -199,8 +199,8 @@ impl<O: Observer> Tile<'_, O> {
         self.worker.batch.clear();
     }
 
-    /// Tells the observer of the batch's points. Each is traced once more by itself, to see what it costs; that leaves the
-    /// batch's counts as they were.
+    /// Tells the observer of the batch's points. Each is traced once more by itself, to count its rays. The batch's own counts stay
+    /// as they were.
     fn tell_points(&mut self) {
         let batch = &mut self.worker.batch;
         let mut positions = [(0, 0); BATCH];

@@ -1,4 +1,4 @@
-//! A tile at work: level by level, points are traced, squares judged, filled or split.
+//! Drawing a tile: level by level its points are traced, and its squares judged, then filled or split.
 
 use super::area::Area;
 use super::bits::Bits;
@@ -10,7 +10,7 @@ use crate::prepare::{Prepared, VisibleGroups};
 use crate::quality::Quality;
 use fearless_simd::Level;
 
-/// Draws a tile.
+/// A tile that is being drawn.
 pub(super) struct Tile<'a, O: Observer> {
     /// The instruction set.
     pub isa: Level,
@@ -26,7 +26,7 @@ pub(super) struct Tile<'a, O: Observer> {
 }
 
 impl<O: Observer> Tile<'_, O> {
-    /// Draws it, from the largest squares down to pixels.
+    /// Draws the tile, from the largest squares down to pixels.
     pub fn draw(&mut self) {
         let top = self.quality.top_level();
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
@@ -134,7 +134,7 @@ impl<O: Observer> Tile<'_, O> {
         filled
     }
 
-    /// Lists the parts of a row's squares that were not filled, as far as they are in the picture.
+    /// Splits a row's squares that were not filled: marks those of their parts that are in the picture.
     fn split_row(&mut self, level: usize, y: usize) {
         self.observer.stage(Stage::Split);
         let part = level - 1;

@@ -1,4 +1,4 @@
-//! Points that are traced together.
+//! Points that are traced together: the queue of their positions, and the sums of what their rays bring back.
 
 use super::candidates::Candidates;
 use super::contribution::Contribution;
@@ -11,7 +11,7 @@ use crate::prepare::Prepared;
 use fearless_simd::i32x4;
 use glam::Vec3A;
 
-/// Points traced in one go: 16 kB of sums, which stay in the nearest cache.
+/// The most points that are traced together: their sums take 16 kB, which stay in the nearest cache.
 pub(crate) const BATCH: usize = 1024;
 
 /// Where the key is.
@@ -26,7 +26,7 @@ pub(crate) struct Batch {
     /// What a packet of secondary rays adds to the sums.
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
-    /// What a pattern leaves a share of, blue, green and red in output steps, and that share.
+    /// The part of the colour that a pattern darkens, blue, green and red in output steps, and the share that the pattern leaves.
     patterned: [[f32; 4]; BATCH],
     /// The objects that the primary rays hit.
     objects: [u32; BATCH],
@@ -36,7 +36,7 @@ pub(crate) struct Batch {
     pub candidates: Candidates,
     /// The surfaces of the packet at work.
     pub(super) surfaces: SurfaceRows,
-    /// What was done since it was last reset.
+    /// The work since they were last reset.
     pub counts: Counts,
 }
 
@@ -59,7 +59,7 @@ impl Batch {
         }
     }
 
-    /// Begins a part of a picture: forgets what it keeps of other frames.
+    /// Begins a part of a picture: forgets the surfaces of other frames.
     pub fn begin(&mut self) {
         self.surfaces.clear();
     }
@@ -88,7 +88,7 @@ impl Batch {
         &self.pixels
     }
 
-    /// Takes all points out.
+    /// Removes all points.
     #[inline(always)]
     pub fn clear(&mut self) {
         self.len = 0;
@@ -123,7 +123,7 @@ impl Batch {
         }
     }
 
-    /// Makes samples of the sums.
+    /// Turns the sums into samples.
     #[inline(always)]
     pub(super) fn finish<S: Isa>(&mut self, simd: S) {
         let n = lanes::<S>();
@@ -134,8 +134,8 @@ impl Batch {
         }
     }
 
-    /// The primary rays of a packet of points from number `start`, a multiple of the lanes. Lanes beyond the last point
-    /// hold points of earlier batches: their rays go nowhere that is looked at.
+    /// The primary rays of a packet of points from number `start`, a multiple of the number of lanes. Lanes beyond the last point
+    /// have rays of an earlier batch, whose results nobody reads.
     #[inline(always)]
     pub(super) fn primary_rays<S: Isa>(&self, simd: S, scene: &Prepared, start: usize) -> Rays<S> {
         let start = start % BATCH / lanes::<S>() * lanes::<S>();
@@ -150,15 +150,15 @@ impl Batch {
         }
     }
 
-    /// Keeps what a packet of primary rays hit, whose first point is number `first`.
+    /// Keeps the objects that a packet of primary rays hit. Its first point is number `first`.
     #[inline(always)]
     pub(super) fn keep_objects<S: Isa>(&mut self, first: usize, objects: U<S>) {
         let first = first % BATCH / lanes::<S>() * lanes::<S>();
         objects.store_slice(&mut self.objects[first..first + lanes::<S>()]);
     }
 
-    /// Adds what a packet's nodes give to the points' sums; `first` is the first point of a packet of primary rays, which
-    /// starts the sums.
+    /// Adds the contribution of a packet's hits to the points' sums. A packet of primary rays, whose first point is number `first`,
+    /// starts these sums.
     #[inline(always)]
     pub(super) fn add<S: Isa>(
         &mut self,
@@ -185,7 +185,7 @@ impl Batch {
         let slots = rays.slots();
         let first = slots.as_slice()[0];
         let start = first as usize % BATCH;
-        // A shorter way for most packets.
+        // Most packets have their slots in order, and are added as vectors.
         let in_order = slots.simd_eq(numbers(simd) + first).all_true();
         if let (true, Some(sums)) = (in_order, self.sums.get_mut(start..start + lanes::<S>())) {
             let (sums, terms) = (sums.as_flattened_mut(), self.terms.as_flattened());

@@ -1,17 +1,17 @@
 //! A point's key: what its ray tree met.
 //!
-//! A node of the tree gives a number that depends on its place in the tree, its object and its lights' states; the key
-//! is the sum of those numbers. Equal trees have equal keys. Different trees have equal keys with a chance of 2^-32: a
-//! sum of hashes, not a proof, but a frame compares some 10^5 keys, so one frame in 40,000 fills one square wrongly.
+//! Each node of the tree has a hash of its position in the tree, its object and the states of the lights there. The key is the
+//! sum of these hashes. Equal trees have equal keys. Different trees have equal keys with a probability of 2^-32: a frame compares
+//! some 10^5 keys, so one frame in 40,000 fills one square wrongly.
 
 use crate::lanes::*;
 use crate::quality::Quality;
 
-/// Bits of a node's number that hold the place in the tree.
+/// Bits for the position in the tree, before hashing.
 const PATH_BITS: u32 = 8;
-/// Bits that hold the object.
+/// Bits for the object.
 const OBJECT_BITS: u32 = 12;
-/// Bits that hold one light's state.
+/// Bits for the state of one light.
 const STATE_BITS: u32 = 2;
 
 /// Which nodes a packet's keys hold, and the lights' states there: 0 dark (shadowed or facing away), 1 lit, 2 lit with a
@@ -19,15 +19,15 @@ const STATE_BITS: u32 = 2;
 #[derive(Clone, Copy)]
 pub(crate) struct Keys<S: Isa> {
     paths: U<S>,
-    /// Lanes whose node the key holds.
+    /// Lanes whose node counts in the key.
     counted: M<S>,
-    /// Whether there are any: of most secondary rays there are none.
+    /// Whether there are any. Most secondary rays have none.
     has_any: bool,
     states: U<S>,
 }
 
 impl<S: Isa> Keys<S> {
-    /// The keys of the active lanes' nodes, which have these places in their trees; nothing is lit so far.
+    /// The keys of the active lanes' nodes, which have these paths in their trees. No light is lit so far.
     #[inline(always)]
     pub fn new(simd: S, quality: &Quality, active: M<S>, paths: U<S>) -> Self {
         let mut keys = Self {
@@ -56,7 +56,7 @@ impl<S: Isa> Keys<S> {
         self.states = (self.states << STATE_BITS) | state;
     }
 
-    /// The nodes' terms of the keys; 0 where nothing is compared.
+    /// What the nodes add to the keys: 0 where nothing is compared.
     #[inline(always)]
     pub fn terms(&self, simd: S, quality: &Quality, objects: U<S>) -> U<S> {
         let zero = U::<S>::splat(simd, 0);
@@ -75,7 +75,7 @@ impl<S: Isa> Keys<S> {
     }
 }
 
-/// Which nodes are of at most a depth.
+/// Which nodes are at most so deep in their trees.
 #[inline(always)]
 fn to_depth<S: Isa>(simd: S, paths: U<S>, depth: u32) -> M<S> {
     paths.simd_lt(U::<S>::splat(simd, 2 << depth.min(Quality::MAX_DEPTH)))

@@ -90,7 +90,7 @@ pub(crate) fn trace(
         Level::Avx2(simd) => trace_by(simd, scene, quality, seen, batch),
         _ => trace_by(baseline(), scene, quality, seen, batch),
     }
-    // A thousandth of the time, so once for all instruction sets.
+    // This takes a thousandth of the time, so one instruction set is enough.
     batch.finish(baseline());
 }
 

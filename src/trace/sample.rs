@@ -4,10 +4,10 @@ use crate::lanes::*;
 use crate::prepare::ObjectId;
 use fearless_simd::{u16x8, u32x4, u64x2};
 
-/// Bits below the point of a sum of output steps.
+/// Fractional bits of a sum of output steps.
 ///
-/// Sums count in 1/16384 of a step, so that a colour half-way between two of the 255 steps of the output stays just
-/// there, and the rounding of a tree's nodes stays below 1/100 of a step.
+/// Sums count in 1/16384 of a step. So a colour half-way between two of the 255 steps of the output stays exactly there, and the
+/// rounding errors of a tree's nodes add up to less than 1/100 of a step.
 pub(super) const STEP_BITS: i32 = 14;
 
 /// Full brightness as a sum.
@@ -15,26 +15,27 @@ pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
 
 /// Blue, green and red, in the order of a pixel's bytes, and the key of a point.
 pub(super) type Sum = [i32; 4];
-/// A traced point's colour: blue, green and red from the low bits up, 16 bits each, in 128ths of an output step. Above
-/// them, 14 bits tell the object that the point shows: its number plus one, or 0 where it is not known; and one bit whether
-/// that has a pattern.
+
+/// A traced point's colour and object. Blue, green and red have 16 bits each, from the low bits up, in 128ths of an output step.
+/// The next 14 bits are the number of the object that the point shows plus one, or 0 if it is not known. Bit 62 says whether that
+/// object has a pattern.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
 
-/// Bits below the point of a sample.
+/// Fractional bits of a sample's channel.
 const SAMPLE_BITS: i32 = 7;
 
-/// Parts that a sample counts an output step in.
+/// One output step in a sample's unit.
 pub(crate) const STEP: i32 = 1 << SAMPLE_BITS;
 
-/// Where a sample tells its object.
+/// The lowest bit of the object's number in a sample.
 const OBJECT: u32 = 48;
 
 impl Sample {
     /// The colour's bits, without what else the word holds.
     pub const COLOUR: u64 = (1 << OBJECT) - 1;
 
-    /// The bit that tells that the object has a pattern.
+    /// Set if the object has a pattern.
     pub const PATTERN: u64 = 1 << 62;
 
     /// The sample, with the object that it shows.
@@ -43,7 +44,7 @@ impl Sample {
         Self(self.0 | u64::from(object + 1) << OBJECT)
     }
 
-    /// The sample, with word that its object has a pattern.
+    /// The sample, marked as showing an object with a pattern.
     #[inline(always)]
     pub fn patterned(self) -> Self {
         Self(self.0 | Self::PATTERN)
@@ -99,7 +100,7 @@ pub(super) fn pixels<S: Simd>(simd: S, &[a, b, c, d]: &[u64; 4]) -> [u32; 4] {
 
 /// The samples of as many sums as there are lanes.
 ///
-/// They are cut off, not rounded, so that a pixel made of a sample is the sum rounded once.
+/// They are truncated. A pixel made of a sample is then the sum rounded once.
 #[inline(always)]
 pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum], samples: &mut [u64]) {
     let n = lanes::<S>();

@@ -7,7 +7,7 @@ use crate::prepare::{ObjectId, PerLane, Prepared, Surface, SurfaceRow};
 /// take turns and so do their objects: with one, the model scene's frame takes 3 % more instructions.
 const KEPT: usize = 16;
 
-/// Surfaces spread over lanes, as a thread keeps them: of each object, if at all, in the place that its number gives.
+/// Surfaces spread over lanes, which a thread keeps from packet to packet. That of an object is kept at its number modulo [`KEPT`].
 pub(super) struct SurfaceRows {
     kept: [SurfaceRow; KEPT],
     /// The objects whose surfaces are kept.
@@ -24,7 +24,7 @@ impl SurfaceRows {
         mixed: SurfaceRow::ZERO,
     };
 
-    /// Forgets all.
+    /// Forgets all surfaces.
     pub fn clear(&mut self) {
         self.objects = [None; KEPT];
     }
@@ -40,8 +40,8 @@ pub(super) struct SurfaceLanes<'a, S: Isa> {
 }
 
 impl<'a, S: Isa> SurfaceLanes<'a, S> {
-    /// Looks the objects of the active lanes up. Most packets meet one object, and the background at most, whose numbers lie
-    /// ready as a rule; else each object's go to those lanes that hit it. What `memory` keeps has to be of this frame.
+    /// Looks up the objects of the active lanes. Most packets hit one object and perhaps the background; its surface is usually
+    /// kept already. Otherwise the surfaces of all objects are mixed, lane by lane. What `memory` keeps has to be of this frame.
     #[inline(always)]
     pub fn look_up(
         simd: S,
@@ -129,7 +129,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         self.number(&self.rows.upright)
     }
 
-    /// Which lanes hit what lamps shine on.
+    /// Which lanes hit something that lamps light: no lamp, and not the background.
     #[inline(always)]
     pub fn is_lit(&self) -> M<S> {
         let zero = splat(self.simd, 0.0);
@@ -186,7 +186,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     }
 }
 
-/// The object of the first lane in `rest`, and the lanes that hit it, which are taken out.
+/// The object of the first lane in `rest`, and all lanes that hit it. These lanes are removed from `rest`.
 #[inline(always)]
 pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (ObjectId, M<S>) {
     let lane = rest.trailing_zeros() as usize % lanes::<S>();
