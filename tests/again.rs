@@ -1,12 +1,11 @@
 //! With `--loop` the show plays a second time with the same pictures and sound. Sound device and clock are simulated.
 
-mod stage;
-
 #[path = "../src/window/tests/simulated/mod.rs"]
 mod simulated;
 
 use eightfold::show::grid;
 use eightfold::sound::{RATE, SONG_LENGTH, Synthesizer};
+use eightfold_stage::intro;
 use std::process::{Command, Stdio};
 
 /// Frames per second, so that a frame lasts a whole number of nanoseconds.
@@ -52,7 +51,7 @@ fn the_second_time_is_as_the_first_in_sound_and_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let library = simulated::build(folder.path());
     let length = (SHOW / FPS + SECONDS).to_string();
-    let mut intro = Command::new(stage::intro());
+    let mut intro = Command::new(intro());
     intro
         .args(["--loop", "--threads", "1", "--quality", "fastest"])
         .args(["--seconds", &length, "--fps", &FPS.to_string()])

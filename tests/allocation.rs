@@ -1,8 +1,7 @@
 //! Nothing is allocated while frames are drawn and while a window shows them.
 
-mod stage;
-
 use eightfold::{Band, Frame, Job, Memory, Quality, Renderer, Threads, Worker, show};
+use eightfold_stage::on_displays;
 use eightfold_window::{
     cpu,
     fixed::Fixed,
@@ -65,7 +64,7 @@ impl Threads for PoolThreads {
 
 #[test]
 fn nothing_is_allocated_while_frames_are_drawn_and_shown() {
-    stage::on_displays(&[&[]], || {
+    on_displays(&[&[]], || {
         let mut window = Window::open(c"Eightfold", 320, 240).expect("there is a display");
         let mut renderer = Renderer::with_memory(cpu::best().level, MEMORY.take());
         let mut threads = PoolThreads(Pool::new(THREADS), WORKERS.take());

@@ -1,9 +1,7 @@
 //! The intro accepts valid command lines and refuses others in one line.
 
-mod stage;
-
+use eightfold_stage::{headless, qualities, run, texts};
 use eightfold_window::cpu;
-use stage::{headless, qualities, run, texts};
 
 #[test]
 fn bad_arguments_are_named_in_one_line() {

@@ -1,12 +1,7 @@
 //! The examples: each is built, runs, and draws what it says.
 
-#[path = "reader/mod.rs"]
-mod reader;
-mod stage;
-
 use eightfold_lab::cargo::Build;
-use reader::read_png;
-use stage::{Server, run, texts};
+use eightfold_stage::{DISPLAY, Server, lacks, reader::read_png, run, texts, wait_for};
 use std::{
     collections::BTreeSet,
     fs,
@@ -106,14 +101,14 @@ fn assert_shows(program: &mut Command, name: &str) {
     let server = Server::start(1280, 800);
     let program = server.open(program, || server.geometry(&["-name", name]));
     let place = server.geometry(&["-name", name]).expect("a window");
-    stage::wait_for("a picture", || {
+    wait_for("a picture", || {
         let colours: BTreeSet<u32> = server.screenshot(place).into_iter().collect();
         (colours.len() > 500).then_some(())
     });
     let [x, y, ..] = place;
     server.xdotool(&format!("mousemove {} {}", x + 20, y + 20));
     // One that is released before the program looks at its keys is not seen by minifb.
-    stage::wait_for("the end", || {
+    wait_for("the end", || {
         server.xdotool("keydown Escape sleep 0.1 keyup Escape");
         server.geometry(&["-name", name]).is_none().then_some(())
     });
@@ -123,14 +118,14 @@ fn assert_shows(program: &mut Command, name: &str) {
 
 #[test]
 fn intro_shows_a_picture_until_esc() {
-    if !stage::lacks(stage::DISPLAY) {
+    if !lacks(DISPLAY) {
         assert_shows(&mut example("intro"), "Ten seconds");
     }
 }
 
 #[test]
 fn window_is_a_crate_of_its_own_that_shows_a_picture_until_esc() {
-    if !stage::lacks(stage::DISPLAY) {
+    if !lacks(DISPLAY) {
         assert_shows(&mut window(), "Ring");
     }
 }

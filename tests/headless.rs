@@ -1,9 +1,7 @@
 //! Without a display and without a terminal the intro plays, says so, and ends with the right exit code.
 
-mod stage;
-
 use eightfold::sound::Synthesizer;
-use stage::{Process, headless, intro, qualities, run, texts};
+use eightfold_stage::{DISPLAY, Process, Server, headless, intro, lacks, qualities, run, texts};
 use std::{
     fs,
     path::Path,
@@ -30,7 +28,7 @@ fn without_display_and_terminal_it_plays_without_a_screen() {
 
 #[test]
 fn the_soundtrack_is_played() {
-    if stage::lacks(&["libasound.so.2"]) {
+    if lacks(&["libasound.so.2"]) {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
@@ -147,10 +145,10 @@ fn a_standard_output_that_takes_nothing_is_an_error() {
 
 #[test]
 fn what_opens_the_display_takes_no_number_of_a_closed_stream() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
-    let server = stage::Server::start(320, 240);
+    let server = Server::start(320, 240);
     let (code, _) = shell(&format!(
         "DISPLAY={} INTRO --seconds 0.2 <&- >&- 2>&-",
         server.display

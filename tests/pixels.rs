@@ -1,8 +1,7 @@
 //! A window shows exactly the pixels that were drawn, at any size, and stretches pictures of another size; with shared memory and
 //! without.
 
-mod stage;
-
+use eightfold_stage::{on_displays, run, tool};
 use eightfold_window::{
     screen::{Next, Screen},
     window::Window,
@@ -17,7 +16,7 @@ fn colour(x: usize, y: usize, round: usize) -> u32 {
 
 #[test]
 fn a_window_shows_the_pixels_drawn_at_any_size() {
-    stage::on_displays(&[&[], &["-extension", "MIT-SHM"]], check_all_sizes);
+    on_displays(&[&[], &["-extension", "MIT-SHM"]], check_all_sizes);
 }
 
 fn check_all_sizes() {
@@ -74,17 +73,17 @@ fn halves(width: usize, height: usize) -> (usize, usize) {
 
 /// Resizes the window.
 fn resize(display: &str, (width, height): (usize, usize)) {
-    let mut xdotool = stage::tool("xdotool");
+    let mut xdotool = tool("xdotool");
     let words =
         format!("search --sync --name Eightfold windowmove 0 0 windowsize {width} {height}");
-    stage::run(xdotool.env("DISPLAY", display).args(words.split(' ')));
+    run(xdotool.env("DISPLAY", display).args(words.split(' ')));
 }
 
 /// Compares the window's pixels on the screen with those drawn.
 fn compare(display: &str, (width, height): (usize, usize), round: usize, half: bool) {
-    let mut import: Command = stage::tool("import");
+    let mut import: Command = tool("import");
     let part = format!("{width}x{height}+0+0");
-    let (output, _) = stage::run(import.env("DISPLAY", display).args([
+    let (output, _) = run(import.env("DISPLAY", display).args([
         "-window", "root", "-crop", &part, "+repage", "-depth", "8", "rgb:-",
     ]));
     assert_eq!(

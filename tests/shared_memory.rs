@@ -1,8 +1,6 @@
 //! The memory that the intro shares with the X server: where the system or the server behaves as in a container.
 
-mod stage;
-
-use stage::{Process, Server, intro, run, wait_for};
+use eightfold_stage::{DISPLAY, Process, Server, intro, lacks, run, wait_for};
 use std::{
     env, fs,
     path::{Path, PathBuf},
@@ -53,7 +51,7 @@ fn segments(process: &Process) -> usize {
 
 #[test]
 fn a_server_that_does_not_share_memory_gets_the_frames_all_the_same() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let folder = tempfile::tempdir().expect("a folder");
@@ -65,23 +63,23 @@ fn a_server_that_does_not_share_memory_gets_the_frames_all_the_same() {
 
 #[test]
 fn no_shared_memory_is_left() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let folder = tempfile::tempdir().expect("a folder");
     let library = build(folder.path(), "no_addresses.so", NO_ADDRESSES);
     let server = Server::start(320, 240);
     let mut command = Command::new(intro());
-    let intro = play(&server, command.env("LD_PRELOAD", library));
-    assert_eq!(segments(&intro), 0, "none while it plays");
-    drop(intro);
+    let playing = play(&server, command.env("LD_PRELOAD", library));
+    assert_eq!(segments(&playing), 0, "none while it plays");
+    drop(playing);
 
-    let mut command = Command::new(stage::intro());
-    let mut intro = play(&server, &mut command);
-    assert_eq!(segments(&intro), 1, "the server shares it");
-    intro.0.kill().expect("it runs");
-    intro.0.wait().expect("it has ended");
+    let mut command = Command::new(intro());
+    let mut playing = play(&server, &mut command);
+    assert_eq!(segments(&playing), 1, "the server shares it");
+    playing.0.kill().expect("it runs");
+    playing.0.wait().expect("it has ended");
     wait_for("the server to let go", || {
-        (segments(&intro) == 0).then_some(())
+        (segments(&playing) == 0).then_some(())
     });
 }

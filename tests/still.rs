@@ -1,11 +1,6 @@
 //! `--still` writes one frame of the show. `tests/image/shipped.rs` compares such frames with the library's and the oracle's.
 
-#[path = "reader/mod.rs"]
-mod reader;
-mod stage;
-
-use reader::read_ppm;
-use stage::{headless, intro, run, texts};
+use eightfold_stage::{headless, intro, reader::read_ppm, run, texts};
 use std::process::Command;
 
 /// The frame that the intro writes with some options: its width and its pixels.

@@ -1,8 +1,6 @@
 //! Without a display the intro plays in a terminal (tmux), and restores it at the end.
 
-mod stage;
-
-use stage::{intro, run, tool, try_for, wait_for};
+use eightfold_stage::{intro, lacks, run, tool, try_for, wait_for};
 use std::{
     env, fs,
     path::PathBuf,
@@ -114,7 +112,7 @@ impl Drop for Terminal {
 
 #[test]
 fn it_plays_in_a_terminal_of_any_size() {
-    if stage::lacks(&["tmux", "pkill"]) {
+    if lacks(&["tmux", "pkill"]) {
         return;
     }
     let terminal = Terminal::play(80, 24, "");
@@ -135,7 +133,7 @@ fn it_plays_in_a_terminal_of_any_size() {
 
 #[test]
 fn it_moves() {
-    if stage::lacks(&["tmux", "pkill"]) {
+    if lacks(&["tmux", "pkill"]) {
         return;
     }
     let terminal = Terminal::play(80, 24, "");
@@ -148,7 +146,7 @@ fn it_moves() {
 
 #[test]
 fn escape_and_control_c_end_it_and_other_keys_do_not() {
-    if stage::lacks(&["tmux", "pkill"]) {
+    if lacks(&["tmux", "pkill"]) {
         return;
     }
     for key in ["Escape", "C-c"] {
@@ -165,7 +163,7 @@ fn escape_and_control_c_end_it_and_other_keys_do_not() {
 
 #[test]
 fn signals_end_it_with_the_terminal_restored() {
-    if stage::lacks(&["tmux", "pkill"]) {
+    if lacks(&["tmux", "pkill"]) {
         return;
     }
     for (name, number) in [("TERM", 15), ("HUP", 1), ("INT", 2)] {
@@ -178,7 +176,7 @@ fn signals_end_it_with_the_terminal_restored() {
 
 #[test]
 fn it_ends_by_itself_in_a_terminal() {
-    if stage::lacks(&["tmux", "pkill"]) {
+    if lacks(&["tmux", "pkill"]) {
         return;
     }
     let terminal = Terminal::play(60, 20, "--seconds 1");
@@ -189,7 +187,7 @@ fn it_ends_by_itself_in_a_terminal() {
 
 #[test]
 fn keys_come_from_the_terminal_where_standard_input_is_none() {
-    if stage::lacks(&["tmux", "pkill"]) {
+    if lacks(&["tmux", "pkill"]) {
         return;
     }
     let terminal = Terminal::play(60, 20, "< /dev/null");
@@ -200,7 +198,7 @@ fn keys_come_from_the_terminal_where_standard_input_is_none() {
 
 #[test]
 fn a_terminal_that_nobody_reads_does_not_keep_it_from_ending() {
-    if stage::lacks(&["tmux", "pkill", "pgrep"]) {
+    if lacks(&["tmux", "pkill", "pgrep"]) {
         return;
     }
     for (options, signal) in [("", Some("TERM")), ("", Some("HUP")), ("--seconds 4", None)] {

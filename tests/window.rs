@@ -1,10 +1,8 @@
 //! In a window the intro shows the frames of the show, and obeys keys and the window manager.
 
-mod stage;
-
 use eightfold::{Frame, Memory, Quality, Renderer, Worker, scene::Scene, show};
+use eightfold_stage::{DISPLAY, Process, Server, intro, lacks, run, wait_for};
 use eightfold_window::{cpu, fixed::Fixed};
-use stage::{Process, Server, run, wait_for};
 use std::{
     process::Command,
     sync::{LazyLock, Mutex},
@@ -28,7 +26,7 @@ fn servers() -> [(&'static str, Server); 2] {
 
 #[test]
 fn the_window_has_its_title_and_size_and_shows_the_frame() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     for (manager, server) in servers() {
@@ -54,7 +52,7 @@ fn the_window_has_its_title_and_size_and_shows_the_frame() {
 
 #[test]
 fn the_frame_has_its_colours_by_ten_bits_as_well() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let server = Server::start_with(1280, 800, &["-screen", "0", "1280x800x30"]);
@@ -80,7 +78,7 @@ fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
 
 #[test]
 fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     for (manager, server) in servers() {
@@ -106,7 +104,7 @@ fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
 
 #[test]
 fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_in_the_usa() {
-    if stage::lacks(stage::DISPLAY) || stage::lacks(&["setxkbmap"]) {
+    if lacks(DISPLAY) || lacks(&["setxkbmap"]) {
         return;
     }
     let [_, _, width, height] = SCREEN.map(|side| side as usize);
@@ -147,7 +145,7 @@ fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_i
 
 #[test]
 fn it_can_start_over_the_whole_screen() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     for (manager, server) in servers() {
@@ -165,7 +163,7 @@ fn it_can_start_over_the_whole_screen() {
 
 #[test]
 fn the_window_can_have_any_size() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     for (manager, server) in servers() {
@@ -189,7 +187,7 @@ fn the_window_can_have_any_size() {
 
 #[test]
 fn a_window_beyond_the_largest_picture_is_filled() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let server = Server::start(4100, 2200);
@@ -208,7 +206,7 @@ fn a_window_beyond_the_largest_picture_is_filled() {
 
 #[test]
 fn escape_ends_it_at_once() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     for (manager, server) in servers() {
@@ -223,7 +221,7 @@ fn escape_ends_it_at_once() {
 
 #[test]
 fn closing_the_window_ends_it_at_once() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let [_, _, width, height] = SCREEN.map(|side| side as usize);
@@ -246,7 +244,7 @@ fn closing_the_window_ends_it_at_once() {
 
 #[test]
 fn the_end_of_the_server_is_an_error_and_no_crash() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     for (manager, mut server) in servers() {
@@ -261,12 +259,12 @@ fn the_end_of_the_server_is_an_error_and_no_crash() {
 
 #[test]
 fn a_display_without_pixels_of_32_bits_is_as_good_as_none() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let server = Server::start_with(320, 240, &["-screen", "0", "320x240x16"]);
     let intro = Process::start(
-        Command::new(stage::intro())
+        Command::new(intro())
             .args(["--seconds", "0.3", "--silent"])
             .env("DISPLAY", &server.display),
     );
@@ -281,7 +279,7 @@ fn a_display_without_pixels_of_32_bits_is_as_good_as_none() {
 
 #[test]
 fn it_ends_by_itself() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     for (manager, server) in servers() {
@@ -295,7 +293,7 @@ fn it_ends_by_itself() {
 
 #[test]
 fn frames_are_at_most_sixty_a_second_unless_uncapped() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let server = Server::start(320, 240);
@@ -313,7 +311,7 @@ fn frames_are_at_most_sixty_a_second_unless_uncapped() {
 }
 
 /// Ends the intro with Esc. Returns its standard output.
-fn end_by_escape(server: &Server, intro: stage::Process) -> String {
+fn end_by_escape(server: &Server, intro: Process) -> String {
     let [x, y, ..] = server.window().expect("a window");
     server.xdotool(&format!("mousemove {x} {y}"));
     server.xdotool("key Escape");

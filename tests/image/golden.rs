@@ -10,11 +10,11 @@ use crate::drawn::draw_by_all;
 use crate::error::Difference;
 use crate::generator::placed::between_corners;
 use crate::picture::png;
-use crate::reader::read_png;
 use crate::shipped::Still;
 use eightfold::scene::Scene;
 use eightfold::{Quality, show};
 use eightfold_lab::arguments::NamedQuality;
+use eightfold_stage::reader::read_png;
 use std::fs;
 use std::path::{Path, PathBuf};
 

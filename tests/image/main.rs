@@ -3,11 +3,6 @@
 use eightfold_lab::{error, flicker, flip, missed, overlay, picture, studio};
 use eightfold_window::cpu;
 
-#[path = "../reader/mod.rs"]
-mod reader;
-#[path = "../stage/mod.rs"]
-mod stage;
-
 mod accuracy;
 mod antialias;
 mod any_scene;

@@ -4,12 +4,11 @@ use crate::accuracy::assert_as_traced;
 use crate::cpu::{self, Isa};
 use crate::drawn::{Drawn, draw};
 use crate::error::{Difference, worst_channel};
-use crate::reader::read_ppm;
-use crate::stage::intro;
 use eightfold::scene::{Method, Scene};
 use eightfold::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality, show};
 use eightfold_lab::arguments::NamedQuality;
 use eightfold_oracle::frame::Frame;
+use eightfold_stage::{intro, reader::read_ppm};
 use std::process::Command;
 
 /// A frame of the show, and how the program that ships draws it.

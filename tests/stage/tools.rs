@@ -3,8 +3,6 @@
 //! `cargo test` passes without them: a test that lacks a tool prints a line and does nothing. If the variable `EIGHTFOLD_TOOLS`
 //! is `required`, as `tests/run` sets it, a missing tool is a failure.
 
-#![allow(dead_code, reason = "each test uses a part of it")]
-
 use std::{
     env,
     io::{Write, stderr},
@@ -63,9 +61,18 @@ pub fn tool(name: &str) -> Command {
 /// The name of the running test: that of its thread, or that of its program if there is only one test.
 fn test() -> String {
     match thread::current().name() {
-        Some("main") | None => env!("CARGO_CRATE_NAME").to_owned(),
+        Some("main") | None => program(),
         Some(name) => name.to_owned(),
     }
+}
+
+/// The name of this program's file.
+fn program() -> String {
+    let file = env::current_exe().unwrap_or_default();
+    file.file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
 }
 
 /// The Debian package of a tool.

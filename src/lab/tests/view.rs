@@ -1,12 +1,6 @@
 //! `lab view` shows in its window what the keys select.
 
-#[path = "../../../tests/reader/mod.rs"]
-mod reader;
-#[path = "../../../tests/stage/mod.rs"]
-mod stage;
-
-use reader::read_png;
-use stage::{Process, Server, run, wait_for};
+use eightfold_stage::{DISPLAY, Process, Server, lacks, reader::read_png, run, wait_for};
 use std::process::Command;
 
 /// The window's size.
@@ -92,7 +86,7 @@ fn number(title: &str, unit: &str) -> f64 {
 
 #[test]
 fn it_shows_the_picture_of_the_moment_and_says_how_right_it_is() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let view = View::start(&[]);
@@ -111,7 +105,7 @@ fn it_shows_the_picture_of_the_moment_and_says_how_right_it_is() {
 
 #[test]
 fn it_is_the_show_unless_asked_otherwise() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let view = View::of(&["--time", "20", "--paused"]);
@@ -125,7 +119,7 @@ fn it_is_the_show_unless_asked_otherwise() {
 
 #[test]
 fn time_is_under_control() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let view = View::start(&["--fps", "50"]);
@@ -151,7 +145,7 @@ fn time_is_under_control() {
 
 #[test]
 fn digits_choose_qualities() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let view = View::start(&[]);
@@ -166,7 +160,7 @@ fn digits_choose_qualities() {
 
 #[test]
 fn letters_show_what_a_frame_is_made_of() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let view = View::start(&["--quality", "thesis"]);
@@ -219,7 +213,7 @@ fn letters_show_what_a_frame_is_made_of() {
 
 #[test]
 fn the_keys_are_listed_and_escape_ends_it() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let view = View::start(&[]);
@@ -238,7 +232,7 @@ fn the_keys_are_listed_and_escape_ends_it() {
 
 #[test]
 fn a_larger_window_has_a_larger_picture() {
-    if stage::lacks(stage::DISPLAY) {
+    if lacks(DISPLAY) {
         return;
     }
     let view = View::start(&[]);

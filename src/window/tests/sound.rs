@@ -2,9 +2,7 @@
 //!
 //! A process reads ALSA's configuration once, so each scene is this program, started again.
 
-#[path = "../../../tests/stage/tools.rs"]
-mod tools;
-
+use eightfold_stage::lacks;
 use eightfold_window::sound::{Player, RATE, Source};
 use std::{
     alloc::{GlobalAlloc, Layout, System},
@@ -209,7 +207,7 @@ fn main() {
     if env::var_os("EIGHTFOLD_SOUND_SCENE").is_some() {
         return play();
     }
-    if tools::lacks(&["libasound.so.2"]) {
+    if lacks(&["libasound.so.2"]) {
         return;
     }
     let folder = env::temp_dir().join(format!("eightfold-sound-{}", std::process::id()));

@@ -1,8 +1,8 @@
 //! The figures of `lab bench` are consistent with each other. No test depends on measured times.
 
 use super::{assert_one_line, lab, render};
-use crate::reader::read_png;
 use eightfold::Quality;
+use eightfold_stage::reader::read_png;
 use serde_json::Value;
 use std::path::Path;
 

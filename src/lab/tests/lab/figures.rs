@@ -1,7 +1,7 @@
 //! `lab figures` writes a picture for each figure, and a sheet of all.
 
 use super::{assert_one_line, lab};
-use crate::reader::read_png;
+use eightfold_stage::reader::read_png;
 use std::collections::BTreeSet;
 use std::fs;
 

@@ -4,18 +4,14 @@ mod bench;
 mod capture;
 mod figures;
 mod ladder;
-#[path = "../../../../tests/reader/mod.rs"]
-mod reader;
 mod release;
 mod report;
 mod size;
 mod sound;
-#[path = "../../../../tests/stage/mod.rs"]
-mod stage;
 mod trade;
 
 use eightfold::Quality;
-use reader::read_png;
+use eightfold_stage::reader::read_png;
 use std::path::Path;
 use std::process::{Command, Output};
 

@@ -1,7 +1,7 @@
 //! `lab release` packs the intro and its text file, which names all flags.
 
 use super::{assert_one_line, lab};
-use crate::stage;
+use eightfold_stage::{intro, run};
 use std::fs;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -35,7 +35,7 @@ fn the_intro_and_its_nfo_are_in_the_zip() {
     let output = lab(&["release", "--out", text(&out)]);
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}");
-    let intro = fs::read(stage::intro()).unwrap();
+    let intro = fs::read(intro()).unwrap();
     let zip = fs::read(&out).unwrap();
     for size in [intro.len(), NFO.len(), zip.len()] {
         assert!(said.contains(&format!(" {size} bytes")), "{size}: {said}");
@@ -85,7 +85,7 @@ fn flags(text: &str) -> Vec<&str> {
 
 #[test]
 fn the_nfo_tells_every_flag_and_key_that_the_intro_knows() {
-    let (output, help) = stage::run(Command::new(stage::intro()).arg("--help"));
+    let (output, help) = run(Command::new(intro()).arg("--help"));
     assert!(output.status.success());
     assert!(flags(&help).len() > 10, "{help}");
     assert_eq!(flags(NFO), flags(&help));

@@ -1,7 +1,7 @@
 //! `lab report` rewrites the marked parts of a file, and nothing else.
 
-use super::{assert_one_line, lab, stage};
-use crate::reader::read_png;
+use super::{assert_one_line, lab};
+use eightfold_stage::{lacks, reader::read_png};
 use std::fs;
 use std::path::Path;
 use std::process::Output;
@@ -138,7 +138,7 @@ fn the_marked_parts_are_rewritten_and_a_second_time_changes_timings_only() {
 
 #[test]
 fn the_moving_picture_has_all_its_frames_and_begins_again() {
-    if stage::lacks(&["ffmpeg"]) {
+    if lacks(&["ffmpeg"]) {
         return;
     }
     let folder = folder(&[(

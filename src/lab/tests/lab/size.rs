@@ -1,6 +1,7 @@
 //! The tables of `lab size` add up to the size of the file.
 
-use crate::{assert_one_line, lab, stage};
+use crate::{assert_one_line, lab};
+use eightfold_stage::intro;
 
 /// The cells of the table whose first column has a given title, line by line.
 fn table<'a>(text: &'a str, title: &str) -> Vec<Vec<&'a str>> {
@@ -26,7 +27,7 @@ fn every_byte_of_the_intro_is_told_of_as_it_is_linked_and_as_it_is_packed() {
     let text = String::from_utf8(output.stdout).expect("text");
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{errors}");
-    let file = std::fs::metadata(stage::intro()).expect("the intro").len();
+    let file = std::fs::metadata(intro()).expect("the intro").len();
 
     // Rows are rounded to bytes.
     let sections = table(&text, "section");

@@ -1,7 +1,7 @@
 //! `lab trade` writes all its files, and its figures are consistent. No test depends on measured times.
 
 use super::{assert_one_line, lab};
-use crate::reader::read_png;
+use eightfold_stage::reader::read_png;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;

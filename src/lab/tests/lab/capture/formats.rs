@@ -2,9 +2,8 @@
 
 use super::{captured, files};
 use crate::lab;
-use crate::reader::read_png;
-use crate::stage;
 use eightfold::show::grid;
+use eightfold_stage::{lacks, reader::read_png, run, tool};
 use std::fs;
 use std::ops::Range;
 use std::path::Path;
@@ -118,19 +117,17 @@ fn rgb(ycc: [u8; 3]) -> u32 {
 
 #[test]
 fn ffmpeg_reads_a_stream_as_it_was_meant() {
-    if stage::lacks(&["ffmpeg"]) {
+    if lacks(&["ffmpeg"]) {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     captured("--y4m", &path("show.y4m"), "--fps 4 --to 3");
-    let mut ffmpeg = stage::tool("ffmpeg");
-    let (output, _) = stage::run(
-        ffmpeg
-            .args(["-v", "error", "-colorspace", "bt709", "-i"])
-            .arg(path("show.y4m"))
-            .args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"]),
-    );
+    let mut ffmpeg = tool("ffmpeg");
+    let (output, _) = run(ffmpeg
+        .args(["-v", "error", "-colorspace", "bt709", "-i"])
+        .arg(path("show.y4m"))
+        .args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"]));
     assert!(output.status.success() && output.stderr.is_empty());
     let wanted = rendered(&["0", "0.25", "0.5"], "48x32");
     assert!(worst(&pixels(&output.stdout), &wanted) <= 3);
@@ -138,21 +135,19 @@ fn ffmpeg_reads_a_stream_as_it_was_meant() {
 
 #[test]
 fn a_video_has_all_frames_and_their_colours() {
-    if stage::lacks(&["ffmpeg"]) {
+    if lacks(&["ffmpeg"]) {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     for name in ["show.mp4", "show.mkv"] {
-        stage::tool("ffmpeg");
+        tool("ffmpeg");
         captured("--video", &path(name), "--fps 4 --to 3 --size 480x360");
-        let mut ffmpeg = stage::tool("ffmpeg");
-        let (output, _) = stage::run(
-            ffmpeg
-                .args(["-v", "error", "-i"])
-                .arg(path(name))
-                .args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"]),
-        );
+        let mut ffmpeg = tool("ffmpeg");
+        let (output, _) = run(ffmpeg
+            .args(["-v", "error", "-i"])
+            .arg(path(name))
+            .args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"]));
         let decoded = pixels(&output.stdout);
         let wanted = rendered(&["0", "0.25", "0.5"], "480x360");
         assert_eq!(decoded.len(), wanted.len(), "{name}");

@@ -1,7 +1,7 @@
 //! Parts of a capture equal the whole, and existing frames are kept.
 
 use super::{captured, files, flags};
-use crate::reader::read_png;
+use eightfold_stage::reader::read_png;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};

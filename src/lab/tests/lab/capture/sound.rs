@@ -1,9 +1,10 @@
 //! Captured sound belongs to the captured frames, and is in sync with them in a video.
 
 use super::captured;
-use crate::{lab, stage};
+use crate::lab;
 use eightfold::show::grid::{self, BAR};
 use eightfold::sound::RATE;
+use eightfold_stage::{lacks, run, tool};
 use std::fs;
 use std::path::Path;
 
@@ -51,13 +52,11 @@ fn the_sound_of_frames_is_their_part_of_the_soundtrack() {
 
 /// Decodes a file as a player does, respecting its time stamps.
 fn decoded(file: &Path, how: &str) -> Vec<u8> {
-    let mut ffmpeg = stage::tool("ffmpeg");
-    let (output, _) = stage::run(
-        ffmpeg
-            .args(["-v", "error", "-i"])
-            .arg(file)
-            .args(how.split(' ')),
-    );
+    let mut ffmpeg = tool("ffmpeg");
+    let (output, _) = run(ffmpeg
+        .args(["-v", "error", "-i"])
+        .arg(file)
+        .args(how.split(' ')));
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success() && errors.is_empty(), "{errors}");
     output.stdout
@@ -109,7 +108,7 @@ fn flash(brightness: &[f64], around: f64) -> f64 {
 /// In the machine the lights flash on the kick, and there are no cuts.
 #[test]
 fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
-    if stage::lacks(&["ffmpeg"]) {
+    if lacks(&["ffmpeg"]) {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
@@ -146,7 +145,7 @@ fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
 /// Two scenes begin with a kick and a cut.
 #[test]
 fn picture_and_sound_of_a_video_are_in_step() {
-    if stage::lacks(&["ffmpeg"]) {
+    if lacks(&["ffmpeg"]) {
         return;
     }
     let folder = tempfile::tempdir().unwrap();

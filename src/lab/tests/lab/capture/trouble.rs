@@ -1,7 +1,8 @@
 //! Bad input, full disks and closed pipes lead to one line of explanation and no broken files.
 
 use super::{capture, files, flags};
-use crate::{assert_one_line, stage};
+use crate::assert_one_line;
+use eightfold_stage::lacks;
 use std::fs;
 use std::io::Read;
 use std::path::Path;
@@ -77,7 +78,7 @@ fn a_full_disk_is_named_in_one_line_and_leaves_no_broken_file() {
 
 #[test]
 fn a_video_on_a_full_disk_is_named_in_one_line_and_leaves_no_broken_file() {
-    if stage::lacks(&["ffmpeg"]) {
+    if lacks(&["ffmpeg"]) {
         return;
     }
     let folder = tempfile::tempdir().unwrap();

@@ -1,7 +1,5 @@
 //! Reads PNG and PPM files.
 
-#![allow(dead_code, reason = "each test uses a part of it")]
-
 use std::io::Cursor;
 
 /// Decodes a PNG file in 8-bit RGB. Returns the width and the `0x00RRGGBB` pixels.

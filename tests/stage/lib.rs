@@ -1,7 +1,6 @@
-//! Starts what tests of the intro need: the intro itself, X servers, and tools to observe them.
+//! What tests of the programs share: the intro itself, X servers, tools to observe them, and readers of pictures.
 
-#![allow(dead_code, reason = "each test uses a part of it")]
-
+pub mod reader;
 mod tools;
 
 pub use tools::{DISPLAY, lacks, tool};
