@@ -27,7 +27,7 @@ pub mod report;
 pub mod scenes;
 pub mod size;
 pub mod sound;
-pub mod studio;
+pub mod threaded_renderer;
 pub mod timing;
 pub mod trade;
 pub mod view;

@@ -2,10 +2,8 @@
 //! picture.
 
 use crate::error::worst_channel;
-use crate::studio::{Studio, whole};
 use eightfold::observe::{Fill, Observer};
-use eightfold::scene::Scene;
-use eightfold::{Counts, Level, Quality};
+use eightfold::{Counts, Quality};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
@@ -129,24 +127,6 @@ impl Observer for &FrameTrace {
             let word = (w << 16 | h << 8 | fill) as u32;
             self.squares[y * self.width + x].store(word, Relaxed);
         }
-    }
-}
-
-impl Studio {
-    /// Draws a frame like [`Studio::draw`], and records it in an empty trace.
-    pub fn draw_observed(
-        &mut self,
-        level: Level,
-        scene: &Scene,
-        quality: &Quality,
-        trace: &FrameTrace,
-        pixels: &mut [u32],
-    ) -> Counts {
-        let frame = whole(trace.width, pixels);
-        self.renderer.set_level(level);
-        self.renderer
-            .render_observed(scene, quality, frame, &mut self.threads, trace)
-            .expect("a valid scene, and a frame of the trace's size")
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::scenes::{self, SceneName};
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use crate::{output, picture};
 use anyhow::Result;
 use clap::Args;
@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let scene = arguments.scene.at(arguments.time);
     scene.validate()?;
     let mut pixels = vec![0; size.area()];
-    Studio::new(threads).draw(
+    ThreadedRenderer::new(threads).draw(
         arguments.isa.unwrap_or_else(cpu::best).level,
         &scene,
         &arguments.quality.antialiased(arguments.antialias).quality,

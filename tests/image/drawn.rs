@@ -1,7 +1,7 @@
-//! Draws pictures with the library, through the lab's studio.
+//! Draws pictures with the library, through the lab's renderer.
 
 use crate::cpu::{self, Isa};
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::scene::Scene;
 use eightfold::{Counts, Quality};
 
@@ -24,7 +24,7 @@ pub fn draw(
     height: usize,
 ) -> Drawn {
     let mut pixels = vec![UNDRAWN; width * height];
-    let counts = Studio::new(threads).draw(isa.level, scene, quality, width, &mut pixels);
+    let counts = ThreadedRenderer::new(threads).draw(isa.level, scene, quality, width, &mut pixels);
     let undrawn = pixels.iter().position(|&pixel| pixel >> 24 != 0);
     assert_eq!(undrawn, None, "a pixel was left out, {width}x{height}");
     Drawn { pixels, counts }

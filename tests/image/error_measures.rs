@@ -5,7 +5,7 @@ use crate::error::Difference;
 use crate::flicker::Flicker;
 use crate::flip::Flip;
 use crate::missed::Visible;
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::scene::{List, Scene};
 use eightfold::{Quality, show};
 
@@ -97,7 +97,7 @@ fn a_percentile_of_flip_looks_past_one_pixel_in_a_hundred() {
 
 fn exhaustive(scene: &Scene) -> Vec<u32> {
     let mut pixels = vec![0; 160 * 120];
-    Studio::new(1).draw(
+    ThreadedRenderer::new(1).draw(
         cpu::best().level,
         scene,
         &Quality::EXHAUSTIVE,

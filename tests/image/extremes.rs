@@ -4,7 +4,7 @@ use crate::accuracy::assert_as_traced;
 use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::Difference;
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::scene::{Block, Camera, Caption, List, Material, Scene, Shape, Spot};
 use eightfold::{Counts, Quality, show};
 use eightfold_oracle::frame::Frame;
@@ -264,7 +264,7 @@ fn assert_numbers_are_checked(mut scene: Scene) {
     });
     assert_eq!(scene.validate(), Ok(()));
     let count = numbers(&mut scene.clone()).len();
-    let mut studio = Studio::new(1);
+    let mut renderer = ThreadedRenderer::new(1);
     let mut pixels = vec![0; 64 * 48];
     for quality in QUALITIES {
         for isa in cpu::instruction_sets() {
@@ -279,7 +279,7 @@ fn assert_numbers_are_checked(mut scene: Scene) {
                     let is_refused = scene.validate().is_err();
                     assert!(is_refused || name == "index", "{what}");
                     pixels.fill(u32::MAX);
-                    let rays = work(&studio.draw(isa.level, &scene, &quality, 64, &mut pixels));
+                    let rays = work(&renderer.draw(isa.level, &scene, &quality, 64, &mut pixels));
                     assert!(2 * rays <= 5 * normal, "{what}: {rays} rays, not {normal}");
                     assert!(pixels.iter().all(|pixel| pixel >> 24 == 0), "{what}");
                 }

@@ -1,6 +1,6 @@
 //! Properties of the pictures, each checked on every instruction set of the machine.
 
-use eightfold_lab::{error, flicker, flip, missed, overlay, picture, studio};
+use eightfold_lab::{error, flicker, flip, missed, overlay, picture, threaded_renderer};
 use eightfold_window::cpu;
 
 mod accuracy;

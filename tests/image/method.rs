@@ -3,7 +3,7 @@
 use crate::cpu;
 use crate::drawn::draw;
 use crate::overlay::FrameTrace;
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::observe::Fill;
 use eightfold::scene::{Method, Scene};
 use eightfold::{Quality, show};
@@ -29,7 +29,14 @@ fn draw_traced(scene: &Scene, quality: &Quality) -> (Vec<u32>, FrameTrace) {
     let (width, height) = SIZE;
     let trace = FrameTrace::new(width, height);
     let mut pixels = vec![0; width * height];
-    Studio::new(2).draw_observed(cpu::best().level, scene, quality, &trace, &mut pixels);
+    ThreadedRenderer::new(2).draw_observed(
+        cpu::best().level,
+        scene,
+        quality,
+        width,
+        &mut pixels,
+        &trace,
+    );
     (pixels, trace)
 }
 

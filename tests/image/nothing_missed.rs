@@ -5,7 +5,7 @@ use crate::drawn::draw;
 use crate::generator::config;
 use crate::generator::placed::{between_corners, extreme_blocks, of_the_show, placed};
 use crate::refinement::bare;
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::scene::Scene;
 use eightfold::{Quality, show};
 use proptest::prelude::*;
@@ -24,10 +24,10 @@ fn qualities() -> impl Iterator<Item = Quality> {
 /// Asserts that every quality shows each colour of the exhaustive picture at one of its pixels. The background is exempt: gaps
 /// between objects may be missed.
 fn assert_nothing_is_missed(scene: &Scene, width: usize, height: usize) {
-    let mut studio = Studio::new(1);
+    let mut renderer = ThreadedRenderer::new(1);
     let mut draw = |isa: Isa, scene: &Scene, quality: &Quality| {
         let mut pixels = vec![0; width * height];
-        studio.draw(isa.level, scene, quality, width, &mut pixels);
+        renderer.draw(isa.level, scene, quality, width, &mut pixels);
         pixels
     };
     let empty = Scene {

@@ -2,9 +2,9 @@
 
 use crate::cpu;
 use crate::overlay::{FrameTrace, draw_error, heat};
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::observe::{Fill, Observer};
-use eightfold::{Counts, Frame, Quality, show};
+use eightfold::{Counts, Quality, show};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// A size that is no multiple of any square's side.
@@ -31,7 +31,7 @@ fn qualities() -> impl Iterator<Item = Quality> {
 fn an_observer_does_not_change_the_frame() {
     let (width, height) = SIZE;
     let scene = show::field(40, 2.0);
-    let mut studio = Studio::new(2);
+    let mut renderer = ThreadedRenderer::new(2);
     for isa in cpu::instruction_sets() {
         let smooth = Quality {
             antialias: 2,
@@ -41,10 +41,11 @@ fn an_observer_does_not_change_the_frame() {
             // The counts have to be the same, too: no point depends on earlier frames.
             let (mut observed, mut plain) = (vec![0; width * height], vec![1; width * height]);
             let trace = FrameTrace::new(width, height);
-            let counts = studio.draw_observed(isa.level, &scene, &quality, &trace, &mut observed);
+            let counts =
+                renderer.draw_observed(isa.level, &scene, &quality, width, &mut observed, &trace);
             assert_eq!(
                 counts,
-                studio.draw(isa.level, &scene, &quality, width, &mut plain)
+                renderer.draw(isa.level, &scene, &quality, width, &mut plain)
             );
             assert!(observed == plain, "{quality:?} by {}", isa.name);
         }
@@ -56,11 +57,18 @@ fn the_reported_points_cast_all_rays() {
     // The size is a multiple of the squares' side, so that no square reaches beyond the picture.
     let (width, height) = (328, 216);
     let scene = show::scene(2.5);
-    let mut studio = Studio::new(2);
+    let mut renderer = ThreadedRenderer::new(2);
     let mut pixels = vec![0; width * height];
     let trace = FrameTrace::new(width, height);
     let level = cpu::best().level;
-    let counts = studio.draw_observed(level, &scene, &Quality::EXHAUSTIVE, &trace, &mut pixels);
+    let counts = renderer.draw_observed(
+        level,
+        &scene,
+        &Quality::EXHAUSTIVE,
+        width,
+        &mut pixels,
+        &trace,
+    );
     let rays: u64 = trace.rays().map(u64::from).sum();
     assert_eq!(rays, counts.rays + counts.shadow_rays);
     assert_eq!(
@@ -70,16 +78,7 @@ fn the_reported_points_cast_all_rays() {
 
     for quality in Quality::LADDER {
         let counter = Counter::default();
-        let frame = Frame {
-            width,
-            height,
-            pixels: &mut pixels,
-        };
-        let threads = &mut studio.threads;
-        let counts = studio
-            .renderer
-            .render_observed(&scene, quality, frame, threads, &counter)
-            .expect("all is valid");
+        let counts = renderer.draw_observed(level, &scene, quality, width, &mut pixels, &counter);
         assert_eq!(counter.points.into_inner(), counts.points);
         assert_eq!(counter.rays.into_inner(), counts.rays + counts.shadow_rays);
     }
@@ -105,11 +104,18 @@ impl Observer for &Counter {
 fn squares_cover_each_pixel_once() {
     let (width, height) = SIZE;
     let scene = show::scene(1.0);
-    let mut studio = Studio::new(2);
+    let mut renderer = ThreadedRenderer::new(2);
     for quality in qualities().filter(|quality| quality.square > 1) {
         let trace = FrameTrace::new(width, height);
         let mut pixels = vec![0; width * height];
-        studio.draw_observed(cpu::best().level, &scene, &quality, &trace, &mut pixels);
+        renderer.draw_observed(
+            cpu::best().level,
+            &scene,
+            &quality,
+            width,
+            &mut pixels,
+            &trace,
+        );
         let mut covered = vec![0; width * height];
         for square in trace.squares() {
             assert!(square.side <= quality.square, "{square:?} by {quality:?}");

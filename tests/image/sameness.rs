@@ -3,7 +3,7 @@
 use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::worst_channel;
-use crate::studio::{Studio, whole};
+use crate::threaded_renderer::{ThreadedRenderer, whole};
 use eightfold::scene::Scene;
 use eightfold::{Band, Job, Memory, Quality, Renderer, Threads, Worker, show};
 use eightfold_oracle::frame::Frame;
@@ -85,7 +85,7 @@ impl Threads for Backwards {
 #[test]
 fn a_frame_does_not_depend_on_earlier_frames() {
     let level = cpu::best().level;
-    let mut studio = Studio::new(2);
+    let mut renderer = ThreadedRenderer::new(2);
     let mut others = vec![0; 500 * 400];
     for quality in QUALITIES {
         // Scenes of spheres alone, and with boxes, cylinders and patterns: an object number may belong to a sphere in one frame
@@ -106,9 +106,9 @@ fn a_frame_does_not_depend_on_earlier_frames() {
                 square: 32,
                 ..quality
             };
-            studio.draw(level, before, &larger, 500, &mut others);
+            renderer.draw(level, before, &larger, 500, &mut others);
             let mut pixels = vec![0; 301 * 203];
-            let counts = studio.draw(level, scene, &quality, 301, &mut pixels);
+            let counts = renderer.draw(level, scene, &quality, 301, &mut pixels);
             assert!(pixels == fresh.pixels);
             assert_eq!(counts.points, fresh.counts.points);
         }

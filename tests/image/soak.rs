@@ -7,7 +7,7 @@
 use crate::cpu;
 use crate::error::Difference;
 use crate::generator::seeded::{Random, corrupt, quality, scene};
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::{Counts, Quality, show};
 use std::env;
 use std::time::{Duration, Instant};
@@ -27,9 +27,9 @@ const MAX_SIZE: (usize, usize) = (160, 120);
 
 /// The renderers of a run.
 struct Studios {
-    one: Studio,
-    two: Studio,
-    exhaustive: Studio,
+    one: ThreadedRenderer,
+    two: ThreadedRenderer,
+    exhaustive: ThreadedRenderer,
 }
 
 /// Draws a case and asserts everything that holds for all cases. Returns the error of the default quality if the case serves to
@@ -116,9 +116,9 @@ fn any_case_is_drawn_by_the_same_bits_for_bounded_work() {
     let limit = number("SOAK_SECONDS").map(Duration::from_secs);
     let start = Instant::now();
     let mut studios = Studios {
-        one: Studio::new(1),
-        two: Studio::new(2),
-        exhaustive: Studio::new(1),
+        one: ThreadedRenderer::new(1),
+        two: ThreadedRenderer::new(2),
+        exhaustive: ThreadedRenderer::new(1),
     };
     if limit.is_none() {
         for case in FOUND {

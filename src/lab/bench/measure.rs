@@ -4,7 +4,7 @@ use crate::arguments::{NamedQuality, Size};
 use crate::error::Difference;
 use crate::flicker::Flicker;
 use crate::scenes::SceneName;
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{flicker_time, real_time};
 use eightfold::Counts;
 use eightfold::scene::Scene;
@@ -41,7 +41,7 @@ pub struct Shot {
 
 /// Where a size is drawn by a number of threads.
 struct Bench {
-    studio: Studio,
+    renderer: ThreadedRenderer,
     /// One for each size.
     cases: Vec<BenchCase>,
 }
@@ -108,17 +108,17 @@ impl Plan {
         let threads = self.threads.iter();
         let mut benches: Vec<Bench> = threads.map(|&threads| Bench::new(self, threads)).collect();
         for bench in &mut benches {
-            bench.each(|studio, canvas, setting| {
-                setting.warm_up(self, studio, canvas);
+            bench.each(|renderer, canvas, setting| {
+                setting.warm_up(self, renderer, canvas);
                 step();
             });
         }
         let longest = self.shots.iter().map(|shot| shot.times.len()).max();
         for frame in 0..longest.unwrap_or(0) {
             for bench in &mut benches {
-                bench.each(|studio, canvas, setting| {
+                bench.each(|renderer, canvas, setting| {
                     if let Some(&time) = self.shots[setting.shot].times.get(frame) {
-                        setting.draw(self, studio, canvas, time);
+                        setting.draw(self, renderer, canvas, time);
                         step();
                     }
                 });
@@ -126,11 +126,11 @@ impl Plan {
         }
         // The frames are the same on any number of threads.
         let last = benches.last_mut().expect("there is a number of threads");
-        last.each(|studio, canvas, setting| {
+        last.each(|renderer, canvas, setting| {
             let shot = &self.shots[setting.shot];
             for frame in 0..shot.flicker_frames {
                 let time = flicker_time(shot.times[0], frame);
-                setting.look_for_flicker(self, studio, canvas, time);
+                setting.look_for_flicker(self, renderer, canvas, time);
                 step();
             }
         });
@@ -173,12 +173,12 @@ impl Way {
         scene: SceneName,
         time: f32,
         isa: Isa,
-        studio: &mut Studio,
+        renderer: &mut ThreadedRenderer,
         width: usize,
         picture: &mut [u32],
     ) -> Counts {
         let scene = self.scene(scene, time);
-        studio.draw(isa.level, &scene, &self.quality.quality, width, picture)
+        renderer.draw(isa.level, &scene, &self.quality.quality, width, picture)
     }
 }
 
@@ -195,7 +195,7 @@ impl Bench {
                 .collect(),
         };
         Self {
-            studio: Studio::new(threads),
+            renderer: ThreadedRenderer::new(threads),
             cases: plan.sizes.iter().map(case).collect(),
         }
     }
@@ -205,10 +205,10 @@ impl Bench {
     }
 
     /// Does something in each setting.
-    fn each(&mut self, mut work: impl FnMut(&mut Studio, &mut Canvas, &mut Setting)) {
+    fn each(&mut self, mut work: impl FnMut(&mut ThreadedRenderer, &mut Canvas, &mut Setting)) {
         for BenchCase { canvas, settings } in &mut self.cases {
             for setting in settings {
-                work(&mut self.studio, canvas, setting);
+                work(&mut self.renderer, canvas, setting);
             }
         }
     }
@@ -238,8 +238,8 @@ impl Setting {
     }
 
     /// Draws a frame in each way that does not count.
-    fn warm_up(&mut self, plan: &Plan, studio: &mut Studio, canvas: &mut Canvas) {
-        self.draw(plan, studio, canvas, plan.shots[self.shot].times[0]);
+    fn warm_up(&mut self, plan: &Plan, renderer: &mut ThreadedRenderer, canvas: &mut Canvas) {
+        self.draw(plan, renderer, canvas, plan.shots[self.shot].times[0]);
         self.floor.clear();
         for run in &mut self.runs {
             run.times.clear();
@@ -249,7 +249,13 @@ impl Setting {
     }
 
     /// Draws a frame in each way and fills one, then compares.
-    fn draw(&mut self, plan: &Plan, studio: &mut Studio, canvas: &mut Canvas, time: f32) {
+    fn draw(
+        &mut self,
+        plan: &Plan,
+        renderer: &mut ThreadedRenderer,
+        canvas: &mut Canvas,
+        time: f32,
+    ) {
         let (scene, width) = (plan.shots[self.shot].scene, canvas.size.width);
         let mut runs: Vec<_> = self.runs.iter_mut().zip(&mut canvas.pictures).collect();
         // Each other frame the other way round: what is drawn after every pixel of the same scene finds caches full of it.
@@ -257,12 +263,15 @@ impl Setting {
             runs.reverse();
         }
         for (run, picture) in runs {
-            let draw = || run.way.draw(scene, time, plan.isa, studio, width, picture);
+            let draw = || {
+                run.way
+                    .draw(scene, time, plan.isa, renderer, width, picture)
+            };
             let (counts, seconds) = real_time(draw);
             run.times.push(1e3 * seconds);
             run.counts += counts;
         }
-        let fill = || fill(&mut studio.threads.pool, width, &mut canvas.filled);
+        let fill = || fill(&mut renderer.threads.pool, width, &mut canvas.filled);
         let ((), seconds) = real_time(fill);
         self.floor.push(1e3 * seconds);
 
@@ -279,10 +288,16 @@ impl Setting {
     }
 
     /// Draws a frame in each way and compares it to the one before.
-    fn look_for_flicker(&mut self, plan: &Plan, studio: &mut Studio, canvas: &mut Canvas, t: f32) {
+    fn look_for_flicker(
+        &mut self,
+        plan: &Plan,
+        renderer: &mut ThreadedRenderer,
+        canvas: &mut Canvas,
+        t: f32,
+    ) {
         let (scene, width) = (plan.shots[self.shot].scene, canvas.size.width);
         for (run, picture) in self.runs.iter().zip(&mut canvas.pictures) {
-            run.way.draw(scene, t, plan.isa, studio, width, picture);
+            run.way.draw(scene, t, plan.isa, renderer, width, picture);
         }
         let (reference, others) = canvas.pictures.split_first().expect("a reference");
         for (run, picture) in self.runs[1..].iter_mut().zip(others) {

@@ -2,7 +2,7 @@
 
 use super::measure::{Plan, Shot, Way};
 use crate::arguments::Size;
-use crate::studio::whole;
+use crate::threaded_renderer::whole;
 use crate::timing::real_time;
 use eightfold::observe::{Fill, Observer, Stage};
 use eightfold::scene::Scene;

@@ -3,7 +3,7 @@
 use crate::arguments::{NamedQuality, Size};
 use crate::rate::Rate;
 use crate::scenes::SceneName;
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::sound::RATE;
 use eightfold_window::cpu::Isa;
 use std::ops::Range;
@@ -24,7 +24,7 @@ pub const MAX_SUPERSAMPLE: usize = 16;
 
 /// The working memory for a picture.
 pub struct Canvas {
-    studio: Studio,
+    renderer: ThreadedRenderer,
     pixels: Vec<u32>,
     /// The sums of red, green and blue over the samples of each pixel.
     sums: Vec<[u16; 3]>,
@@ -77,7 +77,7 @@ impl Film {
         let scene = self.scene.at(self.time(frame));
         let n = self.supersample;
         let Canvas {
-            studio,
+            renderer,
             pixels,
             sums,
         } = canvas;
@@ -87,9 +87,9 @@ impl Film {
         let offset = |part: usize| (part as f32 + 0.5) / n as f32 - 0.5;
         for y in 0..n {
             for x in 0..n {
-                studio.renderer.set_offset(offset(x), offset(y));
+                renderer.set_offset(offset(x), offset(y));
                 let (quality, width) = (&self.quality.quality, self.size.width);
-                studio.draw(self.isa.level, &scene, quality, width, pixels);
+                renderer.draw(self.isa.level, &scene, quality, width, pixels);
                 if n > 1 {
                     add(sums, pixels);
                 }
@@ -106,7 +106,7 @@ impl Canvas {
     /// Working memory for one thread.
     pub fn new() -> Self {
         Self {
-            studio: Studio::new(1),
+            renderer: ThreadedRenderer::new(1),
             pixels: Vec::new(),
             sums: Vec::new(),
         }

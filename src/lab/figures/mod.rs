@@ -7,7 +7,7 @@ use crate::error::Difference;
 use crate::flip::Flip;
 use crate::overlay::{FrameTrace, heat};
 use crate::scenes::{self, SceneName};
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use crate::{output, picture};
 use anyhow::{Context, Result};
 use clap::Args;
@@ -65,12 +65,19 @@ struct Frames {
 
 fn draw(arguments: &Arguments) -> Vec<Figure> {
     let Size { width, height } = arguments.size;
-    let mut studio = Studio::new(available_parallelism().map_or(1, usize::from));
+    let mut renderer = ThreadedRenderer::new(available_parallelism().map_or(1, usize::from));
     let scene = arguments.scene.without_overlay(arguments.time);
     let mut draw = |quality: &Quality| {
         let trace = FrameTrace::new(width, height);
         let mut pixels = vec![0; width * height];
-        studio.draw_observed(cpu::best().level, &scene, quality, &trace, &mut pixels);
+        renderer.draw_observed(
+            cpu::best().level,
+            &scene,
+            quality,
+            width,
+            &mut pixels,
+            &trace,
+        );
         (pixels, trace)
     };
     let (exhaustive, all) = draw(&Quality::EXHAUSTIVE);

@@ -3,7 +3,7 @@
 use crate::arguments::{NamedQuality, Size};
 use crate::interrupt;
 use crate::scenes::SceneName;
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{percentile, thread_time};
 use eightfold::scene::{MAX_SPHERES, Scene};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH};
@@ -28,8 +28,8 @@ pub struct Curves<'a> {
     pub isa: Isa,
     pub size: Size,
     pub time: f32,
-    /// A studio with one thread.
-    pub studio: &'a mut Studio,
+    /// A renderer with one thread.
+    pub renderer: &'a mut ThreadedRenderer,
     /// Called after each point with the estimated microseconds that it took.
     pub progress: &'a dyn Fn(u64),
 }
@@ -130,7 +130,7 @@ impl Curves<'_> {
             for ((scene, quality), times) in pairs.zip(&mut times) {
                 let level = self.isa.level;
                 let draw = || {
-                    self.studio
+                    self.renderer
                         .draw(level, scene, quality, size.width, &mut pixels)
                 };
                 let (_, time) = thread_time(draw);

@@ -8,7 +8,7 @@ use crate::flip::Flip;
 use crate::interrupt;
 use crate::missed::Visible;
 use crate::scenes::SceneName;
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{evenly_spaced, flicker_time, thread_time};
 use eightfold::scene::Scene;
 use eightfold::{Counts, Quality};
@@ -41,9 +41,9 @@ pub struct Measurement<'a> {
     pub plan: &'a Plan,
     /// Draws timed frames on one thread. What is measured is the thread's time on a processor, which does not include the time
     /// that other programs take.
-    pub timed: Studio,
+    pub timed: ThreadedRenderer,
     /// Draws all other frames, on all threads.
-    studio: Studio,
+    renderer: ThreadedRenderer,
     threads: usize,
     /// The reference frame.
     exhaustive: Vec<u32>,
@@ -84,8 +84,8 @@ impl<'a> Measurement<'a> {
     pub fn new(plan: &'a Plan, threads: usize, progress: &'a dyn Fn(u64)) -> Self {
         Self {
             plan,
-            timed: Studio::new(1),
-            studio: Studio::new(threads),
+            timed: ThreadedRenderer::new(1),
+            renderer: ThreadedRenderer::new(threads),
             threads,
             exhaustive: vec![0; plan.size.area()],
             frames: vec![vec![0; plan.size.area()]; GROUP],
@@ -207,7 +207,7 @@ impl<'a> Measurement<'a> {
     fn draw_exhaustive(&mut self, scene: &Scene) {
         let (level, width) = (self.plan.isa.level, self.plan.size.width);
         let pixels = &mut self.exhaustive;
-        self.studio
+        self.renderer
             .draw(level, scene, &self.plan.reference, width, pixels);
     }
 
@@ -216,7 +216,7 @@ impl<'a> Measurement<'a> {
         let (level, width) = (self.plan.isa.level, self.plan.size.width);
         for (tally, pixels) in group.iter().zip(&mut self.frames) {
             let quality = &tally.point.quality;
-            self.studio.draw(level, scene, quality, width, pixels);
+            self.renderer.draw(level, scene, quality, width, pixels);
         }
     }
 
@@ -224,7 +224,7 @@ impl<'a> Measurement<'a> {
     fn compare(&mut self, group: &mut [Tally], job: impl Fn(&mut Tally, &[u32], &[u32]) + Sync) {
         let mut workers = vec![(); self.threads];
         let mut each: Vec<_> = group.iter_mut().zip(&self.frames).collect();
-        self.studio
+        self.renderer
             .threads
             .pool
             .run(&mut workers, &mut each, &|_, (tally, pixels)| {

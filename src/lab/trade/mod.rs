@@ -178,7 +178,7 @@ fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
             isa: plan.isa,
             size: plan.size,
             time: plan.time_from,
-            studio: &mut measurement.timed,
+            renderer: &mut measurement.timed,
             progress: &progress,
         };
         by_resolution = curves.by_resolution(&sizes);

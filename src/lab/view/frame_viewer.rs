@@ -5,7 +5,7 @@ use crate::arguments::Size;
 use crate::error::Difference;
 use crate::overlay::{FrameTrace, draw_error};
 use crate::scenes::SceneName;
-use crate::studio::Studio;
+use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::Quality;
 use eightfold::scene::Scene;
 use eightfold_window::cpu::Isa;
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 /// The memory and threads to draw with, and the last frame.
 pub struct FrameViewer {
-    studio: Studio,
+    renderer: ThreadedRenderer,
     isa: Isa,
     scene: SceneName,
     /// The frame rate of the show, in frames per second.
@@ -45,7 +45,7 @@ pub struct Figures {
 impl FrameViewer {
     pub fn new(threads: usize, isa: Isa, scene: SceneName, rate: f64) -> Self {
         Self {
-            studio: Studio::new(threads),
+            renderer: ThreadedRenderer::new(threads),
             isa,
             scene,
             rate,
@@ -76,7 +76,7 @@ impl FrameViewer {
         let quality = &controls.quality.quality;
         let level = self.isa.level;
         let counts = self
-            .studio
+            .renderer
             .draw(level, &scene, quality, size.width, &mut self.picture);
         self.figures.time = start.elapsed();
         self.figures.points = counts.points as f64 / size.area() as f64;
@@ -92,7 +92,7 @@ impl FrameViewer {
     fn compare(&mut self, scene: &Scene, size: Size) {
         let (level, quality) = (self.isa.level, &Quality::EXHAUSTIVE);
         self.exhaustive.resize(size.area(), 0);
-        self.studio
+        self.renderer
             .draw(level, scene, quality, size.width, &mut self.exhaustive);
         self.figures.psnr = Difference::between(&self.picture, &self.exhaustive).psnr;
     }
@@ -112,8 +112,14 @@ impl FrameViewer {
         }
         self.scratch.resize(size.area(), 0);
         let (level, quality) = (self.isa.level, &controls.quality.quality);
-        self.studio
-            .draw_observed(level, scene, quality, &self.trace, &mut self.scratch);
+        self.renderer.draw_observed(
+            level,
+            scene,
+            quality,
+            size.width,
+            &mut self.scratch,
+            &self.trace,
+        );
         match controls.overlay {
             Overlay::Points => self.trace.draw_points(&mut self.picture),
             Overlay::Squares => self.trace.draw_squares(&mut self.picture),

@@ -1,12 +1,13 @@
 //! Where frames are drawn: the tracer's memory, and threads that share the work.
 
+use eightfold::observe::Observer;
 use eightfold::scene::Scene;
 use eightfold::{Band, Counts, Frame, Job, Level, Memory, Quality, Renderer, Threads, Worker};
 use eightfold_window::pool::Pool;
 
 /// Memory for one frame at a time, and threads that start once.
-pub struct Studio {
-    pub renderer: Renderer<Box<Memory>>,
+pub struct ThreadedRenderer {
+    renderer: Renderer<Box<Memory>>,
     pub threads: PoolThreads,
 }
 
@@ -22,8 +23,8 @@ impl Threads for PoolThreads {
     }
 }
 
-impl Studio {
-    /// A studio of so many threads, at least 1, with the caller's.
+impl ThreadedRenderer {
+    /// A renderer of so many threads, at least 1, with the caller's.
     pub fn new(threads: usize) -> Self {
         let pool = Pool::new(threads);
         assert_eq!(
@@ -52,6 +53,28 @@ impl Studio {
         self.renderer.set_level(level);
         self.renderer
             .render_valid(scene, quality, frame, &mut self.threads)
+    }
+
+    /// Draws a frame of a valid scene like [`ThreadedRenderer::draw`], and tells an observer how.
+    pub fn draw_observed(
+        &mut self,
+        level: Level,
+        scene: &Scene,
+        quality: &Quality,
+        width: usize,
+        pixels: &mut [u32],
+        observer: impl Observer,
+    ) -> Counts {
+        let frame = whole(width, pixels);
+        self.renderer.set_level(level);
+        self.renderer
+            .render_observed(scene, quality, frame, &mut self.threads, observer)
+            .expect("a valid scene")
+    }
+
+    /// Moves the samples of the next frames by so many pixels.
+    pub fn set_offset(&mut self, x: f32, y: f32) {
+        self.renderer.set_offset(x, y);
     }
 }
 
