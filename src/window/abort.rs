@@ -28,10 +28,37 @@ pub extern "C" fn eightfold_ignore() -> usize {
     0
 }
 
+/// Instead of the function that counts the characters of texts of 32 bytes and more, where they are padded.
+#[unsafe(no_mangle)]
+pub fn eightfold_count_chars(text: &str) -> usize {
+    text.bytes().fold(0, |count, byte| {
+        // All bytes of a character but the first are 10xxxxxx.
+        count + usize::from(byte & 0xc0 != 0x80)
+    })
+}
+
 /// Instead of `Instant::now`: the time zero. `minifb` measures how long keys are held and frames take, which nobody asks
 /// it for; this crate has a [clock](crate::clock).
 #[unsafe(no_mangle)]
 pub fn eightfold_now() -> Instant {
     // SAFETY: it is made of seconds and nanoseconds, of which zero is a value.
     unsafe { core::mem::zeroed() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::eightfold_count_chars;
+
+    #[test]
+    fn characters_are_counted_and_not_bytes() {
+        for text in [
+            "",
+            "a",
+            "é",
+            "日本語",
+            "\u{10ffff} and a plain end, of more than 32 bytes",
+        ] {
+            assert_eq!(eightfold_count_chars(text), text.chars().count(), "{text}");
+        }
+    }
 }
