@@ -24,6 +24,8 @@ pub mod rate;
 pub mod release;
 pub mod render;
 pub mod report;
+pub mod scene;
+pub mod scene_file;
 pub mod scenes;
 pub mod size;
 pub mod sound;

@@ -5,8 +5,8 @@
 
 use clap::{Parser, Subcommand, error::ErrorKind};
 use eightfold_lab::{
-    arguments, bench, capture, figures, interrupt, output, release, render, report, size, sound,
-    trade, view,
+    arguments, bench, capture, figures, interrupt, output, release, render, report, scene, size,
+    sound, trade, view,
 };
 use std::env;
 use std::time::Instant;
@@ -27,6 +27,7 @@ enum Command {
     Release(release::Arguments),
     Render(render::Arguments),
     Report(report::Arguments),
+    Scene(scene::Arguments),
     Size(size::Arguments),
     Sound(sound::Arguments),
     Trade(trade::Arguments),
@@ -52,6 +53,7 @@ fn run(_: eightfold_window::arguments::Arguments) -> i32 {
         Command::Release(arguments) => release::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Scene(arguments) => scene::run(&arguments),
         Command::Size(arguments) => size::run(&arguments),
         Command::Sound(arguments) => sound::run(&arguments),
         Command::Trade(arguments) => trade::run(&arguments),

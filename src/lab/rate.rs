@@ -16,6 +16,16 @@ impl Rate {
     /// The largest numerator and denominator. The largest denominator in common use is 1001.
     const LARGEST: u32 = 1_000_000;
 
+    /// The time of a frame in seconds; the first one is frame 0.
+    pub fn time(self, frame: usize) -> f32 {
+        (frame as f64 * f64::from(self.den) / f64::from(self.num)) as f32
+    }
+
+    /// The number of frames that begin within so many seconds.
+    pub fn frames(self, seconds: f32) -> usize {
+        (f64::from(seconds) * f64::from(self.num) / f64::from(self.den)).ceil() as usize
+    }
+
     /// The rate as a number.
     pub fn hertz(self) -> f64 {
         f64::from(self.num) / f64::from(self.den)

@@ -1,5 +1,6 @@
-//! Scenes by name: the show, its scenes, and the scenes that serve measurements.
+//! Scenes by name: the show, its scenes, the scenes that serve measurements, and scene files.
 
+use crate::scene_file::{SUFFIX, SceneFile};
 use eightfold::scene::{MAX_SPHERES, Method, Scene};
 use eightfold::show::{self, grid};
 use std::fmt;
@@ -12,12 +13,12 @@ pub const SHOW_SCENES: [&str; grid::CUTS.len()] = grid::NAMES;
 pub fn takes() -> String {
     let parts = SHOW_SCENES.map(|part| format!("show:{part}")).join(", ");
     format!(
-        "model, field:N for N small spheres, 1 to {MAX_SPHERES}, show, or one of its scenes: {parts}"
+        "model, field:N for N small spheres, 1 to {MAX_SPHERES}, show, one of its scenes: {parts}, or a scene file, FILE{SUFFIX}"
     )
 }
 
 /// A scene by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SceneName {
     /// The whole show.
     Show,
@@ -27,6 +28,8 @@ pub enum SceneName {
     Model,
     /// A field with a number of small spheres.
     Field(usize),
+    /// A scene file, which is read once and kept as long as the program runs.
+    File(&'static SceneFile),
 }
 
 impl SceneName {
@@ -35,6 +38,7 @@ impl SceneName {
         match self {
             Self::Model => show::scene(time),
             Self::Field(count) => show::field(count, time),
+            Self::File(file) => file.at(time),
             Self::Show | Self::ShowScene(_) => {
                 // Before the show and after it, its first and its last moment are drawn.
                 let time = self.start().unwrap_or(0.0) + time;
@@ -57,7 +61,7 @@ impl SceneName {
         match self {
             Self::Show => Some(0.0),
             Self::ShowScene(part) => Some(grid::CUTS[part] as f32 * grid::BAR),
-            Self::Model | Self::Field(_) => None,
+            Self::Model | Self::Field(_) | Self::File(_) => None,
         }
     }
 
@@ -70,6 +74,7 @@ impl SceneName {
                 (end - grid::CUTS[part]) as f32 * grid::BAR
             }
             Self::Model | Self::Field(_) => show::MODEL_LENGTH,
+            Self::File(file) => file.length,
         }
     }
 
@@ -86,6 +91,9 @@ impl FromStr for SceneName {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
+        if name.ends_with(SUFFIX) {
+            return Ok(Self::File(Box::leak(Box::new(SceneFile::read(name)?))));
+        }
         let part = name
             .strip_prefix("show:")
             .and_then(|name| SHOW_SCENES.iter().position(|part| *part == name));
@@ -107,6 +115,7 @@ impl fmt::Display for SceneName {
             Self::ShowScene(part) => write!(f, "show:{}", SHOW_SCENES[*part]),
             Self::Model => write!(f, "model"),
             Self::Field(count) => write!(f, "field:{count}"),
+            Self::File(file) => f.write_str(&file.name),
         }
     }
 }

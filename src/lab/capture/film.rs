@@ -33,13 +33,12 @@ pub struct Canvas {
 impl Film {
     /// The time of a frame in seconds.
     pub fn time(&self, frame: usize) -> f32 {
-        (frame as f64 * f64::from(self.rate.den) / f64::from(self.rate.num)) as f32
+        self.rate.time(frame)
     }
 
     /// The number of frames of the scene.
     pub fn length(&self) -> usize {
-        let seconds = f64::from(self.scene.length());
-        (seconds * f64::from(self.rate.num) / f64::from(self.rate.den)).ceil() as usize
+        self.rate.frames(self.scene.length())
     }
 
     /// The range of the soundtrack, in samples, that belongs to a range of frames; `None` if the scene has no sound.

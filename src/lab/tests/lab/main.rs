@@ -6,6 +6,7 @@ mod figures;
 mod ladder;
 mod release;
 mod report;
+mod scene;
 mod size;
 mod sound;
 mod trade;

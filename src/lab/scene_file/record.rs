@@ -1,0 +1,112 @@
+//! Scene files of the scenes that are compiled in.
+
+use super::description::Description;
+use super::motion::{Between, Motion, Numbers};
+use super::path::leaves;
+use super::ron_text;
+use crate::rate::Rate;
+use crate::scenes::SceneName;
+use anyhow::{Result, bail};
+use eightfold::scene::{Caption, Scene};
+use serde_json::Value;
+
+/// The text of a file that shows a scene as it is at the times of so many frames a second, to the bit, and between them what lies
+/// between.
+///
+/// # Errors
+/// If the scene changes by more than its numbers.
+pub fn record(name: SceneName, fps: Rate) -> Result<String> {
+    let times: Vec<f32> = (0..fps.frames(name.length()))
+        .map(|frame| fps.time(frame))
+        .collect();
+    let mut scenes: Vec<Scene> = times.iter().map(|&time| name.at(time)).collect();
+    hold_captions(&mut scenes);
+    let mut descriptions = Description::of_each(&scenes).into_iter();
+    let Some(mut first) = descriptions.next() else {
+        bail!("{name} has no frames");
+    };
+    first.length = name.length();
+    let start = serde_json::to_value(&first)?;
+    let mut tracks = Vec::new();
+    leaves(&start, String::new(), &mut |path, value| {
+        tracks.push((path, vec![value.clone()]))
+    });
+    for (description, time) in descriptions.zip(&times[1..]) {
+        let tree = serde_json::to_value(&Description {
+            length: first.length,
+            ..description
+        })?;
+        let mut track = tracks.iter_mut();
+        leaves(
+            &tree,
+            String::new(),
+            &mut |path, value| match track.next() {
+                Some((known, values)) if *known == path => values.push(value.clone()),
+                _ => {}
+            },
+        );
+        if tracks
+            .iter()
+            .any(|(_, values)| values.len() != frame_count(&times, *time))
+        {
+            bail!("{name} has other objects at {time} s than before: a scene file can't say that");
+        }
+    }
+    for (path, values) in tracks {
+        if values.iter().any(|value| *value != values[0]) {
+            first.motions.push(motion(path, &times, &values)?);
+        }
+    }
+    Ok(ron_text::text(&first))
+}
+
+/// The number of frames up to a time.
+fn frame_count(times: &[f32], time: f32) -> usize {
+    times.partition_point(|&known| known <= time)
+}
+
+/// The motion of a value through the times of the frames, without the keys between equal ones.
+fn motion(path: String, times: &[f32], values: &[Value]) -> Result<Motion> {
+    let mut keys: Vec<(f32, Numbers)> = Vec::new();
+    for (i, value) in values.iter().enumerate() {
+        let is_still = |j: usize| values.get(j).is_none_or(|other| other == value);
+        if i > 0 && is_still(i - 1) && is_still(i + 1) {
+            continue;
+        }
+        let Some(numbers) = Numbers::of(value) else {
+            bail!("{path} changes at {} s, and is no number", times[i]);
+        };
+        keys.push((times[i], numbers));
+    }
+    Ok(Motion {
+        of: path,
+        between: Between::Linear,
+        repeat: false,
+        keys,
+    })
+}
+
+/// Has every scene all captions of all scenes; those that it has not are dark.
+fn hold_captions(scenes: &mut [Scene]) {
+    let mut all: Vec<Caption> = Vec::new();
+    for scene in scenes.iter() {
+        for caption in scene.captions.iter() {
+            if !all.iter().any(|known| *known.letters == *caption.letters) {
+                all.push(Caption {
+                    brightness: 0.0,
+                    ..*caption
+                });
+            }
+        }
+    }
+    for scene in scenes {
+        let shown = scene.captions;
+        scene.captions.clear();
+        for caption in &all {
+            let shown = shown
+                .iter()
+                .find(|shown| *shown.letters == *caption.letters);
+            scene.captions.push(*shown.unwrap_or(caption));
+        }
+    }
+}
