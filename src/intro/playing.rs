@@ -37,9 +37,8 @@ pub fn play(options: &Options) -> i32 {
     // taken when all has been said that there is to say.
     let (width, height) = options.size;
     let window = Window::open(c"Eightfold", width, height);
-    let has_terminal = line::terminal(line::OUTPUT);
     if let Err(why) = &window {
-        let place = if has_terminal {
+        let place = if Terminal::is_there() {
             "in the terminal"
         } else {
             "without a screen"
@@ -63,8 +62,10 @@ pub fn play(options: &Options) -> i32 {
             }
             playing.on(&mut window)
         }
-        Err(_) if has_terminal => playing.on(&mut Terminal::open()),
-        Err(_) => playing.on(&mut Headless::new(width, height)),
+        Err(_) => match Terminal::open() {
+            Some(mut terminal) => playing.on(&mut terminal),
+            None => playing.on(&mut Headless::new(width, height)),
+        },
     };
     let Playing {
         renderer, tally, ..

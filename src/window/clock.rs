@@ -1,6 +1,6 @@
 //! Time that only goes forward, in nanoseconds.
 
-use core::ptr::null_mut;
+use crate::backend::clock::{now, sleep_until};
 
 /// Nanoseconds in a second.
 pub const SECOND: u64 = 1_000_000_000;
@@ -35,27 +35,6 @@ impl Clock {
 /// Sleeps for so many nanoseconds, or until a signal arrives.
 pub(crate) fn sleep(time: u64) {
     sleep_until(now() + time);
-}
-
-fn sleep_until(end: u64) {
-    let end = libc::timespec {
-        tv_sec: (end / SECOND) as libc::time_t,
-        tv_nsec: (end % SECOND) as libc::c_long,
-    };
-    // SAFETY: the time outlives the call, and nothing is written to the null pointer.
-    unsafe {
-        libc::clock_nanosleep(libc::CLOCK_MONOTONIC, libc::TIMER_ABSTIME, &end, null_mut());
-    }
-}
-
-fn now() -> u64 {
-    let mut now = libc::timespec {
-        tv_sec: 0,
-        tv_nsec: 0,
-    };
-    // SAFETY: `now` is there to be written to.
-    unsafe { libc::clock_gettime(libc::CLOCK_MONOTONIC, &mut now) };
-    now.tv_sec as u64 * SECOND + now.tv_nsec as u64
 }
 
 #[cfg(test)]

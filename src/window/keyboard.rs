@@ -1,41 +1,23 @@
-//! What a key means, whatever alphabet is typed; and keys beyond the intro's, for the lab.
+//! Keys by number, and those that the lab listens to.
 
-use core::ffi::{c_int, c_uint};
+use core::ffi::c_uint;
 
-use x11_dl::{
-    keysym,
-    xlib::{self, Functions},
-};
-
-/// Modifiers that make a key a command to somebody else: Ctrl, Alt, and the one with the desktop's sign.
-const COMMAND: c_uint = xlib::ControlMask | xlib::Mod1Mask | xlib::Mod4Mask;
-
-/// The `keysym` of a key that was pressed, without Shift: by the layout, of several the one that is in use. Where that has no
-/// Latin letter, as those of other alphabets, it is the one in the same place on a keyboard of the USA. `XK_VoidSymbol` with Ctrl
-/// or Alt.
-pub(crate) fn pressed(x: Functions, event: &xlib::XKeyEvent) -> c_uint {
-    if event.state & COMMAND != 0 {
-        return keysym::XK_VoidSymbol;
-    }
-    let layout = ((event.state >> 13) & 3) as c_int;
-    // SAFETY: the event's display is open.
-    let key =
-        unsafe { (x.XkbKeycodeToKeysym)(event.display, event.keycode as u8, layout, 0) } as c_uint;
-    if (b'a'.into()..=b'z'.into()).contains(&key) {
-        return key;
-    }
-    // Places have these numbers on every Linux.
-    match event.keycode {
-        25 => keysym::XK_w,
-        26 => keysym::XK_e,
-        33 => keysym::XK_p,
-        39 => keysym::XK_s,
-        41 => keysym::XK_f,
-        43 => keysym::XK_h,
-        61 => keysym::XK_slash,
-        _ => key,
-    }
-}
+/// Keys have the numbers of X11 (`keysym`) on every system: letters and digits are their ASCII codes.
+pub(crate) const ESCAPE: c_uint = 0xff1b;
+/// To the beginning.
+pub(crate) const HOME: c_uint = 0xff50;
+/// The arrow to the left.
+pub(crate) const LEFT: c_uint = 0xff51;
+/// The arrow to the right.
+pub(crate) const RIGHT: c_uint = 0xff53;
+/// F1.
+pub(crate) const F1: c_uint = 0xffbe;
+/// The whole screen.
+pub(crate) const F: c_uint = b'f' as c_uint;
+/// The window.
+pub(crate) const W: c_uint = b'w' as c_uint;
+/// No key.
+pub(crate) const NONE: c_uint = 0xff_ffff;
 
 /// A key that the lab listens to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,13 +35,14 @@ pub enum Press {
 }
 
 impl Press {
-    /// The key with this `keysym` when no other is held.
+    /// The key with this number when no other is held.
     pub(crate) fn of(key: c_uint) -> Option<Press> {
+        const SLASH: c_uint = b'/' as c_uint;
         Some(match key {
-            keysym::XK_Left => Press::Left,
-            keysym::XK_Right => Press::Right,
-            keysym::XK_Home => Press::Home,
-            keysym::XK_slash | keysym::XK_F1 => Press::Help,
+            LEFT => Press::Left,
+            RIGHT => Press::Right,
+            HOME => Press::Home,
+            SLASH | F1 => Press::Help,
             _ => Press::Character(char::from_u32(key).filter(|character| {
                 matches!(character, ' ' | '1'..='9' | 'e' | 'h' | 'p' | 's')
             })?),

@@ -2,8 +2,7 @@
 //!
 //! | what | module |
 //! | --- | --- |
-//! | the C `main` and its arguments | [`main!`], [`arguments`] |
-//! | where a panic ends in the intro | [`abort`](mod@abort) |
+//! | the C `main` and the arguments | [`main!`], [`arguments`] |
 //! | a screen to show frames on: a window, a terminal, or none | [`screen`], [`window`], [`terminal`] |
 //! | sound, and the time by which it is heard | [`sound`] |
 //! | time, and sleeping until it comes | [`clock`] |
@@ -12,7 +11,8 @@
 //! | memory of fixed size | [`fixed`] |
 //! | lines of text to standard output and error | [`mod@line`] |
 //!
-//! Threads, waiting, time and output go through libc.
+//! `backend` has what is made for one system: the window by Xlib, and threads, the clock, memory and arguments by libc. Files and
+//! terminals are those of Unix.
 //!
 //! It runs on Linux, on any processor of 64 bits.
 
@@ -22,18 +22,22 @@
 #[cfg(not(target_os = "linux"))]
 compile_error!("Eightfold's windows, threads and terminals are made for Linux");
 
-pub mod abort;
 pub mod arguments;
-mod blit;
+#[path = "small/mod.rs"]
+mod backend;
 pub mod clock;
 pub mod cpu;
 pub mod fixed;
-mod fullscreen;
 mod keyboard;
 pub mod line;
+mod loading;
 pub mod pool;
 pub mod screen;
 pub mod sound;
+#[path = "system/unix.rs"]
 mod system;
+#[path = "system/terminal.rs"]
 pub mod terminal;
-pub mod window;
+mod x11;
+
+pub use backend::window;

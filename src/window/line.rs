@@ -5,12 +5,8 @@
 
 use core::fmt::{self, Arguments, Display, Formatter, Write};
 
-use crate::{system, terminal};
-
-/// The file descriptor of standard output.
-pub const OUTPUT: i32 = libc::STDOUT_FILENO;
-/// The file descriptor of standard error.
-pub const ERROR: i32 = libc::STDERR_FILENO;
+use crate::system;
+pub use crate::system::{ERROR, OUTPUT, write};
 
 /// A buffered writer to a file descriptor.
 ///
@@ -104,32 +100,13 @@ pub fn complain(message: Arguments<'_>) {
     let _ = writeln!(errors, "eightfold: {message}").and_then(|()| errors.flush());
 }
 
-/// Whether a file descriptor is a terminal.
+/// Whether a standard stream is a terminal.
 #[must_use]
 pub fn terminal(file: i32) -> bool {
-    terminal::mode(file).is_some()
+    system::is_terminal(file)
 }
 
-/// Writes everything to a file descriptor, waiting while it is full. False if that fails, if a signal that ends the program
-/// arrives meanwhile, or, once there is a [`Terminal`](crate::terminal::Terminal), if it is full for a second.
-pub fn write(file: i32, mut bytes: &[u8]) -> bool {
-    while !bytes.is_empty() {
-        let written = system::write(file, bytes);
-        if written > 0 {
-            bytes = &bytes[written as usize..];
-            continue;
-        }
-        match system::error() {
-            libc::EINTR | libc::EAGAIN
-                if terminal::signal() == 0 && system::wait_for_room(file, terminal::patience()) => {
-            }
-            _ => return false,
-        }
-    }
-    true
-}
-
-#[cfg(test)]
+#[cfg(all(test, unix))]
 mod tests {
     use super::{Hundredths, Printable, Tenths, Writer};
     use core::fmt::{self, Write};

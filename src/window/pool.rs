@@ -8,13 +8,16 @@ use core::{
     cell::UnsafeCell,
     ffi::c_void,
     hint::spin_loop,
-    mem::{MaybeUninit, transmute, zeroed},
-    ptr::{null, null_mut},
+    mem::{MaybeUninit, transmute},
+    ptr::null_mut,
     sync::atomic::{
         AtomicBool, AtomicU32, AtomicUsize,
         Ordering::{AcqRel, Acquire, Relaxed, Release, SeqCst},
     },
 };
+
+pub use crate::backend::threads::processors;
+use crate::backend::threads::{Thread, spawn, wait, wake};
 
 /// Turns of a spinning wait before the thread goes to sleep: about 50 microseconds, several times
 /// what the rest of a frame takes between two runs.
@@ -24,7 +27,7 @@ const SPINS: u32 = 1000;
 pub struct Pool {
     shared: Box<Shared>,
     /// The others; as many as `count` says.
-    threads: [MaybeUninit<libc::pthread_t>; Pool::MOST - 1],
+    threads: [MaybeUninit<Thread>; Pool::MOST - 1],
     count: usize,
 }
 
@@ -68,14 +71,15 @@ impl Pool {
             next: AtomicUsize::new(1),
             over: AtomicBool::new(false),
         });
-        let mut threads = [MaybeUninit::uninit(); Pool::MOST - 1];
+        let mut threads = [const { MaybeUninit::uninit() }; Pool::MOST - 1];
         let mut started = 0;
         let pointer = (&raw const *shared).cast_mut().cast();
         for thread in threads.iter_mut().take(count.saturating_sub(1)) {
             // SAFETY: `shared` has a place of its own that lasts until every thread has been joined.
-            if !unsafe { spawn(thread.as_mut_ptr(), thread_main, pointer) } {
+            let Some(new) = (unsafe { spawn(thread_main, pointer) }) else {
                 break;
-            }
+            };
+            thread.write(new);
             started += 1;
         }
         Pool {
@@ -137,9 +141,9 @@ impl Drop for Pool {
     fn drop(&mut self) {
         self.shared.over.store(true, Relaxed);
         self.shared.wake();
-        for &thread in &self.threads[..self.count] {
-            // SAFETY: it has been started; each thread is joined once, and none is detached.
-            unsafe { libc::pthread_join(thread.assume_init(), null_mut()) };
+        for thread in &self.threads[..self.count] {
+            // SAFETY: it has been started; each thread is joined once.
+            unsafe { thread.assume_init_read() }.join();
         }
     }
 }
@@ -166,7 +170,7 @@ impl Drop for Run<'_> {
                 spins += 1;
                 spin_loop();
             } else {
-                futex(inside, libc::FUTEX_WAIT, left);
+                wait(inside, left);
             }
             left = inside.load(Acquire);
         }
@@ -178,7 +182,7 @@ impl Shared {
     fn wake(&self) {
         self.run.fetch_add(1, SeqCst);
         if self.sleeping.load(SeqCst) != 0 {
-            futex(&self.run, libc::FUTEX_WAKE, i32::MAX as u32);
+            wake(&self.run);
         }
     }
 
@@ -194,7 +198,7 @@ impl Shared {
         self.sleeping.fetch_add(1, SeqCst);
         // It sleeps only if the number is still the same, so no run goes by unseen.
         while self.run.load(SeqCst) == seen {
-            futex(&self.run, libc::FUTEX_WAIT, seen);
+            wait(&self.run, seen);
         }
         self.sleeping.fetch_sub(1, SeqCst);
         self.run.load(Acquire)
@@ -210,29 +214,8 @@ impl Shared {
         let work = unsafe { (*self.work.get()).assume_init() };
         work(thread);
         if self.inside.fetch_sub(1, Release) == 1 {
-            futex(&self.inside, libc::FUTEX_WAKE, 1);
+            wake(&self.inside);
         }
-    }
-}
-
-/// Starts a thread. False if the system has no more.
-///
-/// # Safety
-/// There has to be room for the thread's name. What the thread does with the pointer has to be right for as long as it runs.
-pub(crate) unsafe fn spawn(
-    thread: *mut libc::pthread_t,
-    main: extern "C" fn(*mut c_void) -> *mut c_void,
-    pointer: *mut c_void,
-) -> bool {
-    // SAFETY: zero is a value of a set of signals. The caller vouches for the rest.
-    unsafe {
-        // Signals are for the caller's thread.
-        let [mut all, mut before]: [libc::sigset_t; 2] = zeroed();
-        libc::sigfillset(&mut all);
-        libc::pthread_sigmask(libc::SIG_SETMASK, &all, &mut before);
-        let failed = libc::pthread_create(thread, null(), main, pointer);
-        libc::pthread_sigmask(libc::SIG_SETMASK, &before, null_mut());
-        failed == 0
     }
 }
 
@@ -246,14 +229,6 @@ extern "C" fn thread_main(shared: *mut c_void) -> *mut c_void {
         shared.take_part(thread);
     }
     null_mut()
-}
-
-/// Waits while a word has a value, or wakes so many that wait for it.
-fn futex(word: &AtomicU32, operation: i32, value: u32) {
-    let operation = operation | libc::FUTEX_PRIVATE_FLAG;
-    let no_limit = null::<libc::timespec>();
-    // SAFETY: the word is there. (libc has no function of its own for it.)
-    unsafe { libc::syscall(libc::SYS_futex, word.as_ptr(), operation, value, no_limit) };
 }
 
 /// A slice whose elements go to different threads.
@@ -281,15 +256,4 @@ impl<T> Each<T> {
         // SAFETY: it is inside of the slice, and the caller vouches for the rest.
         (index < self.length).then(|| unsafe { &mut *self.start.add(index) })
     }
-}
-
-/// The processors that this process may use, at least 1.
-#[must_use]
-pub fn processors() -> usize {
-    // A bit for each of 8192, which are more than `cpu_set_t` has.
-    let mut set = [0_u64; 128];
-    // SAFETY: the set is as long as it says.
-    unsafe { libc::sched_getaffinity(0, size_of_val(&set), set.as_mut_ptr().cast()) };
-    let count: u32 = set.iter().map(|word| word.count_ones()).sum();
-    usize::max(count as usize, 1)
 }

@@ -11,7 +11,6 @@
 //! | --- | --- | ---: |
 //! | `rust_begin_unwind` and what is below, together | [`INSTEAD`] | 83,356 |
 //! | `str::slice_error_fail`, which formats what was to be cut | [`INSTEAD`] | 3,433 |
-//! | `print!`, which `minifb` calls | [`INSTEAD`] | 4,248 |
 //! | `handle_alloc_error`, which prints | [`INSTEAD`] | 2,122 |
 //! | `rust_eh_personality`, which reads unwind tables | [`INSTEAD`] | 936 |
 //! | the other ways to a panic, with the arguments of their messages | [`INSTEAD`] | 975 |
@@ -41,7 +40,7 @@ const CRATES: [&str; 6] = [
 ];
 
 /// What is called instead of functions of std, and those functions: parts of paths. One that std does not have is a warning.
-const INSTEAD: [(&str, &[&str]); 4] = [
+const INSTEAD: [(&str, &[&str]); 2] = [
     (
         ABORT,
         &[
@@ -59,9 +58,6 @@ const INSTEAD: [(&str, &[&str]); 4] = [
         "eightfold_count_chars",
         &["core::str::count::do_count_chars"],
     ),
-    ("eightfold_ignore", &["std::io::stdio::_print"]),
-    // It would explain a clock that does not work, by 6,083 packed bytes.
-    ("eightfold_now", &["Instant::now"]),
 ];
 
 /// Assembly that defines functions of std anew, for `main!` to include, and those that std does not have.

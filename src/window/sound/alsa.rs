@@ -6,7 +6,7 @@ use core::{
     ptr::null_mut,
 };
 
-use x11_dl::{Table, loaded};
+use crate::loading::{Table, loaded, why_not_loaded};
 
 /// `snd_pcm_t`, a device that plays.
 #[repr(C)]
@@ -58,7 +58,7 @@ impl Device {
         const SIDES: c_uint = 2;
         const RESAMPLED: c_int = 1;
         let Some(alsa) = ALSA.open(c"libasound.so.2", ALSA_NAMES) else {
-            return Err(x11_dl::why_not_loaded());
+            return Err(why_not_loaded());
         };
         let mut pcm = null_mut();
         // SAFETY: the functions have the signatures of ALSA's headers, and all that is pointed to

@@ -16,8 +16,9 @@ use alsa::Device;
 use heard::Heard;
 
 use crate::{
+    backend::threads::spawn,
     clock::{self, Clock, SECOND},
-    line, pool,
+    line,
 };
 
 /// Samples in a second, for each side.
@@ -94,7 +95,7 @@ impl Player {
     pub fn start(device: &'static CStr, source: &'static mut dyn Source) -> Player {
         let work = Box::leak(Box::new(Work { device, source }));
         // SAFETY: the work lasts, and there is one thread that does it.
-        if !unsafe { pool::spawn(&mut 0, play, (&raw mut *work).cast()) } {
+        if unsafe { spawn(play, (&raw mut *work).cast()) }.is_none() {
             say_silent("no thread for sound");
             return Player::silent();
         }

@@ -1,6 +1,6 @@
 //! Pixels to a window.
 //!
-//! `minifb` copies a frame pixel by pixel, and Xlib once more through a socket: together a third of
+//! To copy a frame pixel by pixel, and once more through a socket, as `minifb` and Xlib do, takes a third of
 //! the time of a frame at 1024x768. Here the tracer draws into memory that the server shares
 //! (MIT-SHM), two frames in turns, and the server copies one while the next is drawn. Where memory
 //! can't be shared, as with a display on another machine, frames go through the socket.
@@ -12,47 +12,32 @@ use core::{
     slice::from_raw_parts_mut,
 };
 
-use x11_dl::{
-    xlib,
-    xshm::{XShmSegmentInfo, Xext},
-};
-
-use crate::{
-    screen::{MOST_PIXELS, pixels},
+use super::{
+    memory::pixels,
     window::Window,
+    xext::{XShmSegmentInfo, Xext},
+};
+use crate::{
+    screen::MOST_PIXELS,
+    x11::{self, types as xlib},
 };
 
 /// How pixels come to the server.
 #[derive(Clone, Copy)]
-pub(crate) enum PutImage {
+pub(super) enum PutImage {
     /// By the connection to it, as copies.
     ThroughSocket,
     /// In memory that it shares, by functions of libXext.
     Shared(&'static Xext),
 }
 
-/// The masks of a frame's pixels, `0x00RRGGBB`.
-const MASKS: [c_ulong; 3] = [0xff_0000, 0xff00, 0xff];
-
-/// A frame's pixel with other masks, such as those of ten bits a channel.
-fn with_masks(pixel: u32, masks: [c_ulong; 3]) -> u32 {
-    if masks == MASKS {
-        return pixel;
-    }
-    let [_, channels @ ..] = pixel.to_be_bytes();
-    let parts = channels.iter().zip(masks);
-    // The mask is the brightest; below its lowest bit is what is cut off.
-    parts.fold(0, |sum, (&channel, mask)| {
-        sum | ((c_ulong::from(channel) * mask / 255) & mask) as u32
-    })
-}
-
 impl Window {
     /// Shows the frame in the window, stretched where its size is another, and by the server's own colours where it has them.
-    pub(crate) fn blit(&mut self) {
+    pub(super) fn blit(&mut self) {
         let (width, height) = self.size;
-        let masks = self.masks();
-        if self.drawn == (width, height) && masks == MASKS {
+        // SAFETY: the image is this one's own.
+        let masks = x11::masks(unsafe { &*self.image });
+        if self.drawn == (width, height) && masks == x11::MASKS {
             self.finish();
             self.put(0, width, 0, height);
             self.frames.swap(0, 1);
@@ -67,13 +52,6 @@ impl Window {
             self.put(1, width, top, bottom);
             top = bottom;
         }
-    }
-
-    /// The bits of a pixel of the server's that are red, green and blue.
-    fn masks(&self) -> [c_ulong; 3] {
-        // SAFETY: the image is this one's own.
-        let image = unsafe { &*self.image };
-        [image.red_mask, image.green_mask, image.blue_mask]
     }
 
     /// Stretches the frame for some rows of a window, to the place of the other frame, and to pixels with such masks.
@@ -92,7 +70,7 @@ impl Window {
         for (row, y) in to.chunks_exact_mut(width).zip(top..bottom) {
             let from_row = &from[((y * down) >> 32) * from_width..][..from_width];
             for (x, pixel) in row.iter_mut().enumerate() {
-                *pixel = with_masks(from_row[(x * across) >> 32], masks);
+                *pixel = x11::with_masks(from_row[(x * across) >> 32], masks);
             }
         }
     }
@@ -100,14 +78,14 @@ impl Window {
     /// Waits until the server has taken the pixels that it was given before.
     fn finish(&self) {
         // SAFETY: the display is open.
-        unsafe { (self.x.XSync)(self.display, xlib::False) };
+        unsafe { (self.top.x.XSync)(self.top.display, xlib::False) };
     }
 
     /// Has the server copy one of the frames to some rows of the window.
     fn put(&mut self, frame: usize, width: usize, top: usize, bottom: usize) {
         let height = bottom - top;
         let pixels = &mut self.frames[frame];
-        let (display, window, context) = (self.display, self.window, self.context);
+        let (display, window, context) = (self.top.display, self.top.window, self.context);
         let (top, columns, rows) = (top as c_int, width as c_uint, height as c_uint);
         // SAFETY: the image is this one's own, and says of the pixels what is so.
         unsafe {
@@ -118,7 +96,7 @@ impl Window {
             image.data = pixels.as_mut_ptr().cast();
             match self.put_image {
                 PutImage::ThroughSocket => {
-                    let put = self.x.XPutImage;
+                    let put = self.top.x.XPutImage;
                     put(display, window, context, image, 0, 0, 0, top, columns, rows);
                 }
                 PutImage::Shared(xext) => {
@@ -142,7 +120,7 @@ impl Window {
     }
 
     /// Memory for two frames, which the server shares if it can.
-    pub(crate) fn find_memory(&mut self) {
+    pub(super) fn find_memory(&mut self) {
         let memory = self.share().unwrap_or_else(pixels);
         let (first, second) = memory.split_at_mut(MOST_PIXELS);
         self.frames = [first, second];
@@ -171,9 +149,9 @@ impl Window {
                 readOnly: xlib::True,
             }));
             (*self.image).obdata = (&raw mut *segment).cast();
-            if (shared.XShmQueryExtension)(self.display) != 0 {
-                (shared.XShmAttach)(self.display, segment);
-                (self.x.XSync)(self.display, xlib::False);
+            if (shared.XShmQueryExtension)(self.top.display) != 0 {
+                (shared.XShmAttach)(self.top.display, segment);
+                (self.top.x.XSync)(self.top.display, xlib::False);
             }
             // This process is attached, and the server should be. From within a container it may not find the memory, or
             // find another by its number.

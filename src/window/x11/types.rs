@@ -1,11 +1,15 @@
-//! Xlib's types and constants, as in `X11/X.h`, `X11/Xlib.h` and `X11/Xutil.h`.
+//! Xlib's types and constants, as in `X11/X.h`, `X11/Xlib.h` and `X11/Xutil.h`, by their own names.
+
+#![allow(dead_code, reason = "each backend uses a part of it")]
+#![allow(non_camel_case_types, non_snake_case, reason = "Xlib's own names")]
+#![allow(non_upper_case_globals, reason = "Xlib's own names")]
+#![allow(clippy::upper_case_acronyms, reason = "Xlib's own names")]
 
 use core::ffi::{c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_ushort};
 
 pub type XID = c_ulong;
 pub type Atom = XID;
 pub type Bool = c_int;
-pub type Colormap = XID;
 pub type Cursor = XID;
 pub type Drawable = XID;
 pub type KeyCode = c_uchar;
@@ -13,9 +17,7 @@ pub type KeySym = XID;
 pub type Pixmap = XID;
 pub type Status = c_int;
 pub type Time = c_ulong;
-pub type VisualID = XID;
 pub type Window = XID;
-pub type XContext = c_int;
 
 /// Something of Xlib's that is only pointed to.
 macro_rules! opaque {
@@ -25,29 +27,9 @@ macro_rules! opaque {
     )* };
 }
 
-opaque! { Visual GraphicsContext InputContext InputMethod Database XGCValues }
+opaque! { Display Visual GraphicsContext }
 
 pub type GC = *mut GraphicsContext;
-pub type XIC = *mut InputContext;
-pub type XIM = *mut InputMethod;
-pub type XrmDatabase = *mut Database;
-
-/// What the macros of `Xlib.h` read of a display. (All before the number of the default screen is left out.)
-#[repr(C)]
-pub struct Display {
-    private: [c_long; 28],
-    default_screen: c_int,
-    nscreens: c_int,
-    pub(crate) screens: *mut Screen,
-}
-
-impl Display {
-    /// The screen that windows are on if nothing else is said.
-    #[inline]
-    pub fn screen(&self) -> *mut Screen {
-        self.screens.wrapping_add(self.default_screen as usize)
-    }
-}
 
 /// What the macros of `Xlib.h` read of a screen.
 #[repr(C)]
@@ -64,7 +46,7 @@ pub struct Screen {
     pub root_depth: c_int,
     pub root_visual: *mut Visual,
     pub default_gc: GC,
-    cmap: Colormap,
+    cmap: XID,
     white_pixel: c_ulong,
     black_pixel: c_ulong,
     max_maps: c_int,
@@ -76,78 +58,27 @@ pub struct Screen {
 
 pub const False: Bool = 0;
 pub const True: Bool = 1;
-pub const NoSymbol: c_int = 0;
-pub const Success: c_int = 0;
-
-pub const AllocNone: c_int = 0;
-pub const InputOutput: c_int = 1;
-pub const NotUseful: c_int = 0;
 pub const XA_STRING: Atom = 31;
 pub const XA_WM_CLASS: Atom = 67;
 pub const PropModeReplace: c_int = 0;
 pub const RevertToPointerRoot: c_int = 1;
-pub const TrueColor: c_int = 4;
 pub const ZPixmap: c_int = 2;
 
 pub const KeyPress: c_int = 2;
-pub const KeyRelease: c_int = 3;
-pub const ButtonPress: c_int = 4;
-pub const ButtonRelease: c_int = 5;
-pub const FocusIn: c_int = 9;
-pub const FocusOut: c_int = 10;
 pub const ConfigureNotify: c_int = 22;
 pub const ClientMessage: c_int = 33;
 
 pub const KeyPressMask: c_long = 1 << 0;
-pub const KeyReleaseMask: c_long = 1 << 1;
-pub const ButtonPressMask: c_long = 1 << 2;
-pub const ButtonReleaseMask: c_long = 1 << 3;
 pub const StructureNotifyMask: c_long = 1 << 17;
 pub const SubstructureNotifyMask: c_long = 1 << 19;
 pub const SubstructureRedirectMask: c_long = 1 << 20;
-pub const FocusChangeMask: c_long = 1 << 21;
 
 pub const ControlMask: c_uint = 1 << 2;
 pub const Mod1Mask: c_uint = 1 << 3;
 pub const Mod4Mask: c_uint = 1 << 6;
 
-pub const Button1: c_uint = 1;
-pub const Button2: c_uint = 2;
-pub const Button3: c_uint = 3;
-pub const Button4: c_uint = 4;
-pub const Button5: c_uint = 5;
-
-pub const CWBackPixel: c_ulong = 1 << 1;
-pub const CWBorderPixel: c_ulong = 1 << 3;
-pub const CWBackingStore: c_ulong = 1 << 6;
-pub const CWOverrideRedirect: c_ulong = 1 << 9;
-pub const CWColormap: c_ulong = 1 << 13;
-
-pub const USPosition: c_long = 1 << 0;
-pub const USSize: c_long = 1 << 1;
-pub const PMinSize: c_long = 1 << 4;
-pub const PMaxSize: c_long = 1 << 5;
-pub const PWinGravity: c_long = 1 << 9;
-pub const StaticGravity: c_int = 10;
-
 pub const BadWindow: c_uchar = 3;
 pub const BadDrawable: c_uchar = 9;
-
-pub const XIMPreeditNothing: c_int = 0x0008;
-pub const XIMStatusNothing: c_int = 0x0400;
-pub const XNInputStyle_0: &[u8] = b"inputStyle\0";
-pub const XNClientWindow_0: &[u8] = b"clientWindow\0";
-pub const XNFocusWindow_0: &[u8] = b"focusWindow\0";
-
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct XAnyEvent {
-    pub type_: c_int,
-    pub serial: c_ulong,
-    pub send_event: Bool,
-    pub display: *mut Display,
-    pub window: Window,
-}
 
 #[derive(Clone, Copy)]
 #[repr(C)]
@@ -166,26 +97,6 @@ pub struct XKeyEvent {
     pub y_root: c_int,
     pub state: c_uint,
     pub keycode: c_uint,
-    pub same_screen: Bool,
-}
-
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct XButtonEvent {
-    pub type_: c_int,
-    pub serial: c_ulong,
-    pub send_event: Bool,
-    pub display: *mut Display,
-    pub window: Window,
-    pub root: Window,
-    pub subwindow: Window,
-    pub time: Time,
-    pub x: c_int,
-    pub y: c_int,
-    pub x_root: c_int,
-    pub y_root: c_int,
-    pub state: c_uint,
-    pub button: c_uint,
     pub same_screen: Bool,
 }
 
@@ -227,13 +138,6 @@ pub struct ClientMessageData {
     pub longs: [c_long; 5],
 }
 
-impl ClientMessageData {
-    #[inline]
-    pub fn get_long(&self, index: usize) -> c_long {
-        self.longs[index]
-    }
-}
-
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct XErrorEvent {
@@ -250,8 +154,6 @@ pub struct XErrorEvent {
 #[repr(C)]
 pub union XEvent {
     pub type_: c_int,
-    pub any: XAnyEvent,
-    pub button: XButtonEvent,
     pub client_message: XClientMessageEvent,
     pub configure: XConfigureEvent,
     pub key: XKeyEvent,
@@ -282,15 +184,6 @@ pub struct XImage {
 
 #[derive(Clone, Copy)]
 #[repr(C)]
-pub struct XShmSegmentInfo {
-    pub shmseg: XID,
-    pub shmid: c_int,
-    pub shmaddr: *mut c_char,
-    pub readOnly: Bool,
-}
-
-#[derive(Clone, Copy)]
-#[repr(C)]
 pub struct XColor {
     pub pixel: c_ulong,
     pub red: c_ushort,
@@ -298,49 +191,6 @@ pub struct XColor {
     pub blue: c_ushort,
     pub flags: c_char,
     pub pad: c_char,
-}
-
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct XPixmapFormatValues {
-    pub depth: c_int,
-    pub bits_per_pixel: c_int,
-    pub scanline_pad: c_int,
-}
-
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct XVisualInfo {
-    pub visual: *mut Visual,
-    pub visualid: VisualID,
-    pub screen: c_int,
-    pub depth: c_int,
-    pub class: c_int,
-    pub red_mask: c_ulong,
-    pub green_mask: c_ulong,
-    pub blue_mask: c_ulong,
-    pub colormap_size: c_int,
-    pub bits_per_rgb: c_int,
-}
-
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct XSetWindowAttributes {
-    pub background_pixmap: Pixmap,
-    pub background_pixel: c_ulong,
-    pub border_pixmap: Pixmap,
-    pub border_pixel: c_ulong,
-    pub bit_gravity: c_int,
-    pub win_gravity: c_int,
-    pub backing_store: c_int,
-    pub backing_planes: c_ulong,
-    pub backing_pixel: c_ulong,
-    pub save_under: Bool,
-    pub event_mask: c_long,
-    pub do_not_propagate_mask: c_long,
-    pub override_redirect: Bool,
-    pub colormap: Colormap,
-    pub cursor: Cursor,
 }
 
 #[derive(Clone, Copy)]
@@ -361,7 +211,7 @@ pub struct XWindowAttributes {
     pub backing_planes: c_ulong,
     pub backing_pixel: c_ulong,
     pub save_under: Bool,
-    pub colormap: Colormap,
+    pub colormap: XID,
     pub map_installed: Bool,
     pub map_state: c_int,
     pub all_event_masks: c_long,
@@ -369,32 +219,4 @@ pub struct XWindowAttributes {
     pub do_not_propagate_mask: c_long,
     pub override_redirect: Bool,
     pub screen: *mut Screen,
-}
-
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct AspectRatio {
-    pub x: c_int,
-    pub y: c_int,
-}
-
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct XSizeHints {
-    pub flags: c_long,
-    pub x: c_int,
-    pub y: c_int,
-    pub width: c_int,
-    pub height: c_int,
-    pub min_width: c_int,
-    pub min_height: c_int,
-    pub max_width: c_int,
-    pub max_height: c_int,
-    pub width_inc: c_int,
-    pub height_inc: c_int,
-    pub min_aspect: AspectRatio,
-    pub max_aspect: AspectRatio,
-    pub base_width: c_int,
-    pub base_height: c_int,
-    pub win_gravity: c_int,
 }

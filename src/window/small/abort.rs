@@ -4,9 +4,6 @@
 //! redirects the functions that lead there to these. In other programs nobody calls them.
 //!
 //! What must report an error never goes through a panic, so that is only for mistakes in the code.
-//! What a dependency prints nobody gets to see: the intro has messages of its own.
-
-use std::time::Instant;
 
 use crate::{line, terminal};
 
@@ -22,12 +19,6 @@ pub extern "C" fn eightfold_abort() -> ! {
     unsafe { libc::abort() }
 }
 
-/// Instead of a function that returns nothing, or a result of which zero is `Ok(())`: does nothing.
-#[unsafe(no_mangle)]
-pub extern "C" fn eightfold_ignore() -> usize {
-    0
-}
-
 /// Instead of the function that counts the characters of texts of 32 bytes and more, where they are padded.
 #[unsafe(no_mangle)]
 pub fn eightfold_count_chars(text: &str) -> usize {
@@ -35,14 +26,6 @@ pub fn eightfold_count_chars(text: &str) -> usize {
         // All bytes of a character but the first are 10xxxxxx.
         count + usize::from(byte & 0xc0 != 0x80)
     })
-}
-
-/// Instead of `Instant::now`: the time zero. `minifb` measures how long keys are held and frames take, which nobody asks
-/// it for; this crate has a [clock](crate::clock).
-#[unsafe(no_mangle)]
-pub fn eightfold_now() -> Instant {
-    // SAFETY: it is made of seconds and nanoseconds, of which zero is a value.
-    unsafe { core::mem::zeroed() }
 }
 
 #[cfg(test)]

@@ -8,32 +8,18 @@ use core::{
     mem::zeroed,
 };
 
-use x11_dl::xlib;
-
-use crate::window::Window;
+use super::{Toplevel, types as xlib};
 
 /// Position on the screen, and size.
 #[derive(Clone, Copy)]
-pub(crate) struct Place {
-    x: c_int,
-    y: c_int,
-    width: c_int,
-    height: c_int,
+pub struct Place {
+    pub x: c_int,
+    pub y: c_int,
+    pub width: c_int,
+    pub height: c_int,
 }
 
-impl Window {
-    /// Shows the window for the first time, with a size, in the middle of the screen if no window manager knows better.
-    pub(crate) fn place(&self, width: usize, height: usize) {
-        let (width, height) = (width as c_int, height as c_int);
-        let (screen, _) = self.attributes(self.root);
-        self.move_to(Place {
-            x: c_int::max(screen.width - width, 0) / 2,
-            y: c_int::max(screen.height - height, 0) / 2,
-            width,
-            height,
-        });
-    }
-
+impl Toplevel {
     /// Goes to the whole screen and hides the pointer, or back to the window where it was and as it was.
     pub fn set_fullscreen(&mut self, on: bool) {
         let pointer = if on { self.no_pointer } else { 0 };
@@ -60,7 +46,7 @@ impl Window {
 
     /// A window's place in its parent, and the events that anybody listens to on it. (A window manager listens on the
     /// root window; its properties may be left over.)
-    fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
+    pub fn attributes(&self, window: xlib::Window) -> (Place, c_long) {
         // SAFETY: zero is a value of every field, and the window exists.
         let attributes = unsafe {
             let mut attributes: xlib::XWindowAttributes = zeroed();
@@ -102,7 +88,7 @@ impl Window {
     }
 
     /// Puts the window somewhere, above the others.
-    fn move_to(&self, place: Place) {
+    pub fn move_to(&self, place: Place) {
         let (width, height) = (place.width as c_uint, place.height as c_uint);
         let (display, window) = (self.display, self.window);
         // SAFETY: the window exists.

@@ -12,8 +12,9 @@ use core::{
 };
 
 use crate::{
+    backend::memory::pixels,
     line::{self, Writer},
-    screen::{Next, Screen, pixels},
+    screen::{Next, Screen},
     system,
 };
 
@@ -46,9 +47,18 @@ pub struct Terminal {
 }
 
 impl Terminal {
-    /// Takes over the terminal; standard output has to be [one](line::terminal).
+    /// Whether standard output is a terminal that [`Terminal::open`] takes over.
     #[must_use]
-    pub fn open() -> Terminal {
+    pub fn is_there() -> bool {
+        line::terminal(line::OUTPUT)
+    }
+
+    /// Takes over the terminal on standard output, if there is one.
+    #[must_use]
+    pub fn open() -> Option<Terminal> {
+        if !Terminal::is_there() {
+            return None;
+        }
         let terminal = Terminal {
             escape: Escape::default(),
             pixels: pixels(),
@@ -56,7 +66,7 @@ impl Terminal {
             shown: (0, 0),
         };
         SAVED.take_over();
-        terminal
+        Some(terminal)
     }
 
     /// Writes the picture.

@@ -1,0 +1,39 @@
+//! The command line, as C gives it.
+
+use core::ffi::{CStr, c_char, c_int};
+
+use crate::system;
+
+/// What follows the program's name on the command line.
+pub struct Arguments {
+    rest: &'static [*const c_char],
+}
+
+impl Arguments {
+    /// Takes the arguments and prepares the process, as [`main!`](crate::main) says.
+    ///
+    /// # Safety
+    /// `count` and `values` have to be those of the C `main`, with no other thread running yet.
+    #[doc(hidden)]
+    #[must_use]
+    pub unsafe fn start(count: c_int, values: *const *const c_char) -> Arguments {
+        // SAFETY: the caller vouches for `count` and `values`, which live as long as the process.
+        let all = unsafe { core::slice::from_raw_parts(values, count.max(0) as usize) };
+        // SAFETY: there is no other thread.
+        unsafe { system::start() };
+        Arguments {
+            rest: all.get(1..).unwrap_or_default(),
+        }
+    }
+}
+
+impl Iterator for Arguments {
+    type Item = &'static [u8];
+
+    fn next(&mut self) -> Option<&'static [u8]> {
+        let (first, rest) = self.rest.split_first()?;
+        self.rest = rest;
+        // SAFETY: each argument of the C `main` is a string with its NUL that lives on.
+        Some(unsafe { CStr::from_ptr(*first) }.to_bytes())
+    }
+}

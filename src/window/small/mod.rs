@@ -1,0 +1,12 @@
+//! The intro in 64 kB: Linux on x86-64, by what libc and Xlib have.
+//!
+//! Everything here has its counterpart in the portable backend, by the same name.
+
+mod abort;
+pub mod arguments;
+mod blit;
+pub mod clock;
+pub mod memory;
+pub mod threads;
+pub mod window;
+mod xext;

@@ -1,0 +1,181 @@
+//! The intro's own window on an X display: no more than it takes, and frames in memory that the server shares.
+
+use core::{
+    ffi::{CStr, c_int},
+    mem::{take, zeroed},
+};
+
+use super::blit::PutImage;
+pub use crate::keyboard::Press;
+use crate::{
+    keyboard::{self, Presses},
+    loading::why_not_loaded,
+    screen::{Next, Screen},
+    x11::{self, Place, Toplevel, Xlib, pressed, types as xlib},
+};
+
+/// A window that shows frames, with keys: F for the whole screen, W for the window, Esc to end.
+///
+/// What happens in it is taken from Xlib, so that a key that is pressed and released between two frames counts. It stays until
+/// the process ends, when the display closes it, at once and for sure.
+pub struct Window {
+    pub(super) top: Toplevel,
+    /// What a window manager sends instead of closing it.
+    delete: xlib::Atom,
+    pub(super) size: (usize, usize),
+    pub(super) context: xlib::GC,
+    /// What Xlib knows of a picture; made to fit each one.
+    pub(super) image: *mut xlib::XImage,
+    /// How pixels come to the window.
+    pub(super) put_image: PutImage,
+    /// Two frames; the first is the one to be drawn and shown next.
+    pub(super) frames: [&'static mut [u32]; 2],
+    /// Width and height of that one.
+    pub(super) drawn: (usize, usize),
+    /// Other keys that were pressed since they were last asked for.
+    presses: Presses,
+}
+
+/// The longest side of a window, in pixels: the X protocol has no more.
+const MAX_SIDE: c_int = 32_767;
+
+impl Window {
+    /// Opens a window whose inside has a size in pixels.
+    ///
+    /// # Errors
+    /// If there is no display to open it on: why not.
+    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
+        let x = Xlib::load().ok_or_else(why_not_loaded)?;
+        let display = x11::open(x)?;
+        // SAFETY: the display is open.
+        let (top, image, context) = unsafe {
+            let screen = &*(x.XDefaultScreenOfDisplay)(display);
+            let image = x11::picture(x, display)?;
+            let window = (x.XCreateSimpleWindow)(display, screen.root, 0, 0, 1, 1, 0, 0, 0);
+            (Toplevel::new(x, display, window), image, screen.default_gc)
+        };
+        let mut window = Window {
+            delete: top.atom(c"WM_DELETE_WINDOW"),
+            top,
+            size: (width, height),
+            context,
+            image,
+            put_image: PutImage::ThroughSocket,
+            frames: [&mut [], &mut []],
+            drawn: (0, 0),
+            presses: Presses::default(),
+        };
+        window.find_memory();
+        window.set_title(title);
+        window.top.set_class();
+        let Toplevel {
+            display,
+            window: id,
+            ..
+        } = window.top;
+        // SAFETY: the window exists, and what is pointed to outlives the call.
+        unsafe {
+            let events = xlib::StructureNotifyMask | xlib::KeyPressMask;
+            (x.XSelectInput)(display, id, events);
+            (x.XSetWMProtocols)(display, id, &mut window.delete, 1);
+        }
+        window.place(width, height);
+        // SAFETY: the display is open.
+        unsafe { (x.XSync)(display, xlib::False) };
+        Ok(window)
+    }
+
+    /// Names the window anew.
+    pub fn set_title(&mut self, title: &CStr) {
+        let Toplevel {
+            x, display, window, ..
+        } = self.top;
+        // SAFETY: the window exists, and the title outlives the call.
+        unsafe { (x.XStoreName)(display, window, title.as_ptr()) };
+        let (name, kind) = (
+            self.top.atom(c"_NET_WM_NAME"),
+            self.top.atom(c"UTF8_STRING"),
+        );
+        self.top.set_text(name, kind, title.to_bytes());
+    }
+
+    /// Shows the window for the first time, with a size, in the middle of the screen if no window manager knows better.
+    fn place(&self, width: usize, height: usize) {
+        let (width, height) = (width as c_int, height as c_int);
+        let (screen, _) = self.top.attributes(self.top.root);
+        self.top.move_to(Place {
+            x: c_int::max(screen.width - width, 0) / 2,
+            y: c_int::max(screen.height - height, 0) / 2,
+            width,
+            height,
+        });
+    }
+
+    /// Goes to the whole screen and hides the pointer, or back to the window where it was and as it was.
+    pub fn set_fullscreen(&mut self, on: bool) {
+        self.top.set_fullscreen(on);
+    }
+}
+
+/// What the lab asks of its window.
+impl Window {
+    /// The keys pressed since the last call, in order; one that is held comes again and again. Of more than 32 the rest is
+    /// lost.
+    pub fn presses(&mut self) -> impl Iterator<Item = Press> + use<> {
+        take(&mut self.presses).into_iter()
+    }
+}
+
+impl Screen for Window {
+    fn size(&self) -> (usize, usize) {
+        self.size
+    }
+
+    fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
+        self.drawn = (width, height);
+        &mut self.frames[0][..width * height]
+    }
+
+    fn show(&mut self) -> Next {
+        self.blit();
+        let mut fullscreen = None;
+        let Toplevel { x, display, .. } = self.top;
+        // SAFETY: zero is a value of every field of an event, and which of its parts is there is told by its type.
+        unsafe {
+            let mut event: xlib::XEvent = zeroed();
+            while (x.XPending)(display) > 0 {
+                (x.XNextEvent)(display, &mut event);
+                match event.type_ {
+                    xlib::KeyPress => match pressed(x, &event.key) {
+                        keyboard::ESCAPE => return Next::End(0),
+                        keyboard::F => fullscreen = Some(true),
+                        keyboard::W => fullscreen = Some(false),
+                        key => {
+                            if let Some(press) = Press::of(key) {
+                                self.presses.push(press);
+                            }
+                        }
+                    },
+                    xlib::ConfigureNotify => {
+                        // The server sends no other sizes, but anybody can send such an event.
+                        let side = |length: c_int| length.clamp(1, MAX_SIDE) as usize;
+                        self.size = (side(event.configure.width), side(event.configure.height));
+                    }
+                    xlib::ClientMessage
+                        if event.client_message.data.longs[0] as xlib::Atom == self.delete =>
+                    {
+                        return Next::End(0);
+                    }
+                    _ => {}
+                }
+            }
+        }
+        if x11::is_closed() {
+            return Next::End(0);
+        }
+        if let Some(on) = fullscreen {
+            self.set_fullscreen(on);
+        }
+        Next::GoOn
+    }
+}

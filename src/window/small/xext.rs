@@ -1,0 +1,37 @@
+//! Pictures in memory that the server shares: MIT-SHM, by libXext.
+
+#![allow(non_snake_case, reason = "Xlib's own names")]
+
+use core::ffi::{c_char, c_int, c_uint};
+
+use crate::{
+    loading::{Table, loaded},
+    x11::types::{Bool, Display, Drawable, GC, Status, XID, XImage},
+};
+
+/// A segment of memory, as both sides know it.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct XShmSegmentInfo {
+    pub shmseg: XID,
+    pub shmid: c_int,
+    pub shmaddr: *mut c_char,
+    pub readOnly: Bool,
+}
+
+loaded! {
+    /// The functions that are looked up in libXext.
+    Xext, NAMES:
+    fn XShmAttach(*mut Display, *mut XShmSegmentInfo) -> Status;
+    fn XShmQueryExtension(*mut Display) -> Bool;
+    fn XShmPutImage(*mut Display, Drawable, GC, *mut XImage, c_int, c_int, c_int, c_int, c_uint, c_uint, Bool) -> Status;
+}
+
+static TABLE: Table<Xext> = Table::new();
+
+impl Xext {
+    /// Opens libXext the first time it is called, from any one thread at a time.
+    pub fn load() -> Option<&'static Xext> {
+        TABLE.open(c"libXext.so.6", NAMES)
+    }
+}

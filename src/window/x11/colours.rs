@@ -1,0 +1,26 @@
+//! Pixels by the server's own bits.
+
+use core::ffi::c_ulong;
+
+use super::types::XImage;
+
+/// The masks of a frame's pixels, `0x00RRGGBB`.
+pub const MASKS: [c_ulong; 3] = [0xff_0000, 0xff00, 0xff];
+
+/// A frame's pixel with other masks, such as those of ten bits a channel.
+pub fn with_masks(pixel: u32, masks: [c_ulong; 3]) -> u32 {
+    if masks == MASKS {
+        return pixel;
+    }
+    let [_, channels @ ..] = pixel.to_be_bytes();
+    let parts = channels.iter().zip(masks);
+    // The mask is the brightest; below its lowest bit is what is cut off.
+    parts.fold(0, |sum, (&channel, mask)| {
+        sum | ((c_ulong::from(channel) * mask / 255) & mask) as u32
+    })
+}
+
+/// The bits of a picture's pixel that are red, green and blue.
+pub fn masks(image: &XImage) -> [c_ulong; 3] {
+    [image.red_mask, image.green_mask, image.blue_mask]
+}

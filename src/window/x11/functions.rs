@@ -1,0 +1,65 @@
+//! The functions of Xlib that are called, from which come a table and the names to fill it by.
+
+#![allow(non_snake_case, reason = "Xlib's own names")]
+
+use core::{
+    ffi::{c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_void},
+    ops::Deref,
+};
+
+use super::types::*;
+use crate::loading::{Table, loaded};
+
+loaded! {
+    /// The functions that are looked up in libX11.
+    Loaded, XLIB_NAMES:
+    fn XChangeProperty(*mut Display, Window, Atom, Atom, c_int, c_int, *const c_uchar, c_int) -> c_int;
+    fn XCreateBitmapFromData(*mut Display, Drawable, *const c_char, c_uint, c_uint) -> Pixmap;
+    fn XCreateImage(*mut Display, *mut Visual, c_uint, c_int, c_int, *mut c_char, c_uint, c_uint, c_int, c_int) -> *mut XImage;
+    fn XCreatePixmapCursor(*mut Display, Pixmap, Pixmap, *mut XColor, *mut XColor, c_uint, c_uint) -> Cursor;
+    fn XCreateSimpleWindow(*mut Display, Window, c_int, c_int, c_uint, c_uint, c_uint, c_ulong, c_ulong) -> Window;
+    fn XDefaultScreenOfDisplay(*mut Display) -> *mut Screen;
+    fn XDefineCursor(*mut Display, Window, Cursor) -> c_int;
+    fn XGetWindowAttributes(*mut Display, Window, *mut XWindowAttributes) -> Status;
+    fn XInternAtom(*mut Display, *const c_char, Bool) -> Atom;
+    fn XMapRaised(*mut Display, Window) -> c_int;
+    fn XMoveResizeWindow(*mut Display, Window, c_int, c_int, c_uint, c_uint) -> c_int;
+    fn XNextEvent(*mut Display, *mut XEvent) -> c_int;
+    fn XOpenDisplay(*const c_char) -> *mut Display;
+    fn XPending(*mut Display) -> c_int;
+    fn XPutImage(*mut Display, Drawable, GC, *mut XImage, c_int, c_int, c_int, c_int, c_uint, c_uint) -> c_int;
+    fn XSelectInput(*mut Display, Window, c_long) -> c_int;
+    fn XSendEvent(*mut Display, Window, Bool, c_long, *mut XEvent) -> Status;
+    fn XSetErrorHandler(unsafe extern "C" fn(*mut Display, *mut XErrorEvent) -> c_int) -> *mut c_void;
+    fn XSetIOErrorHandler(unsafe extern "C" fn(*mut Display) -> c_int) -> *mut c_void;
+    fn XSetInputFocus(*mut Display, Window, c_int, Time) -> c_int;
+    fn XSetWMProtocols(*mut Display, Window, *mut Atom, c_int) -> Status;
+    fn XStoreName(*mut Display, Window, *const c_char) -> c_int;
+    fn XSync(*mut Display, Bool) -> c_int;
+    fn XkbKeycodeToKeysym(*mut Display, KeyCode, c_int, c_int) -> KeySym;
+}
+
+static TABLE: Table<Loaded> = Table::new();
+
+/// libX11, opened: its functions. It has nothing in it, so that it costs nothing to hand it on.
+#[derive(Clone, Copy)]
+pub struct Xlib(());
+
+impl Xlib {
+    /// Opens libX11 the first time it is called, from any one thread at a time; `None` if it is not there, or lacks a
+    /// function.
+    pub fn load() -> Option<Xlib> {
+        TABLE.open(c"libX11.so.6", XLIB_NAMES)?;
+        Some(Xlib(()))
+    }
+}
+
+impl Deref for Xlib {
+    type Target = Loaded;
+
+    #[inline(always)]
+    fn deref(&self) -> &Loaded {
+        // SAFETY: there is an `Xlib` only after `load`.
+        unsafe { TABLE.loaded() }
+    }
+}

@@ -1,0 +1,125 @@
+//! A window on an X display, by Xlib: what every desktop of X11 understands.
+
+mod colours;
+mod errors;
+mod fullscreen;
+mod functions;
+mod keys;
+#[cfg(target_pointer_width = "64")]
+mod layout;
+pub mod types;
+
+use core::{
+    ffi::{CStr, c_int, c_uint},
+    mem::zeroed,
+    ptr::{null, null_mut},
+};
+
+pub use colours::{MASKS, masks, with_masks};
+pub use errors::is_closed;
+pub use fullscreen::Place;
+pub use functions::Xlib;
+pub use keys::pressed;
+use types as xlib;
+
+/// Opens the display that the environment names, or says why not.
+pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
+    errors::heed(x);
+    // SAFETY: no name stands for the environment's.
+    let display = unsafe { (x.XOpenDisplay)(null()) };
+    if display.is_null() {
+        return Err("no X display");
+    }
+    Ok(display)
+}
+
+/// What Xlib knows of a picture for a display, without pixels yet; it belongs to nobody else. Or says why there can't be one.
+///
+/// # Safety
+/// The display has to be open.
+pub unsafe fn picture(
+    x: Xlib,
+    display: *mut xlib::Display,
+) -> Result<*mut xlib::XImage, &'static str> {
+    // SAFETY: the caller vouches for the display.
+    unsafe {
+        let screen = &*(x.XDefaultScreenOfDisplay)(display);
+        let (visual, depth) = (screen.root_visual, screen.root_depth as c_uint);
+        let format = xlib::ZPixmap;
+        let image = (x.XCreateImage)(display, visual, depth, format, 0, null_mut(), 1, 1, 32, 0);
+        if (*image).bits_per_pixel != 32 {
+            return Err("X display without pixels of 32 bits");
+        }
+        Ok(image)
+    }
+}
+
+/// A window of the desktop, which the display closes when the process ends.
+pub struct Toplevel {
+    pub x: Xlib,
+    pub display: *mut xlib::Display,
+    pub window: xlib::Window,
+    pub root: xlib::Window,
+    /// A pointer without a picture.
+    no_pointer: xlib::Cursor,
+    /// Where the window was before it was placed over the screen.
+    before: Option<Place>,
+}
+
+impl Toplevel {
+    /// What there is to do with a window on a display, which exists already.
+    ///
+    /// # Safety
+    /// Display and window have to stay open.
+    pub unsafe fn new(x: Xlib, display: *mut xlib::Display, window: xlib::Window) -> Toplevel {
+        // SAFETY: the caller vouches for the window; zero is a colour, and what is pointed to outlives the calls.
+        unsafe {
+            let dot = (x.XCreateBitmapFromData)(display, window, c"".as_ptr(), 1, 1);
+            let mut colour: xlib::XColor = zeroed();
+            let colour = &raw mut colour;
+            Toplevel {
+                x,
+                display,
+                window,
+                root: (*(x.XDefaultScreenOfDisplay)(display)).root,
+                no_pointer: (x.XCreatePixmapCursor)(display, dot, dot, colour, colour, 0, 0),
+                before: None,
+            }
+        }
+    }
+
+    pub fn atom(&self, name: &CStr) -> xlib::Atom {
+        // SAFETY: the display is open, and the name outlives the call.
+        unsafe { (self.x.XInternAtom)(self.display, name.as_ptr(), xlib::False) }
+    }
+
+    /// Sets a property that is a text.
+    pub fn set_text(&self, property: xlib::Atom, kind: xlib::Atom, text: &[u8]) {
+        let (display, window) = (self.display, self.window);
+        let (format, replace) = (8, xlib::PropModeReplace);
+        // SAFETY: the window exists, and the text outlives the call and is as long as it says.
+        unsafe {
+            let set = self.x.XChangeProperty;
+            let length = text.len() as c_int;
+            set(
+                display,
+                window,
+                property,
+                kind,
+                format,
+                replace,
+                text.as_ptr(),
+                length,
+            );
+        }
+    }
+
+    /// Sets the name of the window and that of the program, by which desktops find its rules.
+    pub fn set_class(&self) {
+        self.set_text(
+            xlib::XA_WM_CLASS,
+            xlib::XA_STRING,
+            b"eightfold\0Eightfold\0",
+        );
+    }
+}
