@@ -11,33 +11,46 @@
 //! | memory of fixed size | [`fixed`] |
 //! | lines of text to standard output and error | [`mod@line`] |
 //!
-//! `backend` has what is made for one system: the window by Xlib, and threads, the clock, memory and arguments by libc. Files and
-//! terminals are those of Unix.
+//! There are two backends, with one interface: `window`, `threads`, `clock`, `memory` and `arguments` are modules of either.
 //!
-//! It runs on Linux, on any processor of 64 bits.
+//! - The small one has a window by Xlib, and the rest by libc: Linux on x86-64, where the intro has 64 kB.
+//! - The portable one has a window by `minifb`, and the rest by std: every other system and processor. On Linux on x86-64 it is
+//!   taken if `RUSTFLAGS` has `--cfg eightfold_portable`. (That is no feature of Cargo's, since a feature that anybody switches on is
+//!   on for everybody: what ships would depend on what else is built.)
+//!
+//! Files and terminals are those of Unix, or those of Windows, with either. Sound is by ALSA on Linux, and by `cpal` on Windows and
+//! macOS.
 
 #![deny(missing_docs)]
 #![warn(clippy::undocumented_unsafe_blocks)]
 
-#[cfg(not(target_os = "linux"))]
-compile_error!("Eightfold's windows, threads and terminals are made for Linux");
-
 pub mod arguments;
-#[path = "small/mod.rs"]
+#[cfg_attr(
+    all(target_os = "linux", target_arch = "x86_64", not(eightfold_portable)),
+    path = "small/mod.rs"
+)]
+#[cfg_attr(
+    not(all(target_os = "linux", target_arch = "x86_64", not(eightfold_portable))),
+    path = "portable/mod.rs"
+)]
 mod backend;
 pub mod clock;
 pub mod cpu;
 pub mod fixed;
 mod keyboard;
 pub mod line;
+#[cfg(target_os = "linux")]
 mod loading;
 pub mod pool;
 pub mod screen;
 pub mod sound;
-#[path = "system/unix.rs"]
+#[cfg_attr(unix, path = "system/unix.rs")]
+#[cfg_attr(windows, path = "system/windows.rs")]
 mod system;
-#[path = "system/terminal.rs"]
+#[cfg_attr(unix, path = "system/terminal.rs")]
+#[cfg_attr(windows, path = "system/no_terminal.rs")]
 pub mod terminal;
+#[cfg(target_os = "linux")]
 mod x11;
 
 pub use backend::window;

@@ -10,17 +10,37 @@ use eightfold_lab::cargo;
 use std::{
     env,
     io::{BufRead, BufReader, Read},
-    path::PathBuf,
+    path::{Path, PathBuf},
     process::{Child, Command, Output, Stdio},
     sync::LazyLock,
     thread::sleep,
     time::{Duration, Instant},
 };
 
-/// The path of the intro, which is built if anything has changed.
+/// The path of the intro, which is built if anything has changed; with the portable backend if `EIGHTFOLD_BACKEND` is `portable`.
 pub fn intro() -> PathBuf {
-    static BUILT: LazyLock<PathBuf> = LazyLock::new(|| cargo::intro().expect("it can be built"));
+    static BUILT: LazyLock<PathBuf> =
+        LazyLock::new(|| match env::var("EIGHTFOLD_BACKEND").as_deref() {
+            Ok("portable") => portable_intro(),
+            Ok(other) => panic!("EIGHTFOLD_BACKEND is 'portable' or not set, but not '{other}'"),
+            Err(_) => cargo::intro().expect("it can be built"),
+        });
     BUILT.clone()
+}
+
+/// Builds the intro with the portable backend, in a folder of its own, so that nothing else has to be compiled again.
+fn portable_intro() -> PathBuf {
+    let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let folder = target
+        .unwrap_or_else(|| Path::new(root).join("target"))
+        .join("platforms/portable");
+    let variables = [
+        ("RUSTFLAGS", "--cfg eightfold_portable"),
+        ("CARGO_TARGET_DIR", folder.to_str().expect("UTF-8")),
+    ];
+    let built = cargo::Build::release_with("eightfold", &variables).expect("it can be built");
+    built.program("eightfold").expect("it has the program")
 }
 
 /// The named qualities, as errors and `--help` list them.

@@ -48,8 +48,11 @@ pub fn main(program: &str) {
     println!("cargo::rustc-check-cfg=cfg(diet)");
     println!("cargo::rerun-if-changed={SOURCE}");
     println!("cargo::rerun-if-env-changed={UNPACKED}");
-    // Unoptimised, nobody minds the size.
-    if env::var("PROFILE").is_ok_and(|profile| profile != "release") {
+    // Unoptimised, nobody minds the size; nor where the window is by minifb, which alone is larger.
+    let is_portable = env::var_os("CARGO_CFG_EIGHTFOLD_PORTABLE").is_some()
+        || ["TARGET_OS", "TARGET_ARCH"].map(|part| env::var(format!("CARGO_CFG_{part}")).ok())
+            != ["linux", "x86_64"].map(|name| Some(name.to_owned()));
+    if is_portable || env::var("PROFILE").is_ok_and(|profile| profile != "release") {
         return;
     }
     if let Err(error) = prepare(program) {

@@ -1,9 +1,15 @@
 //! Sound, and the time by which it is heard.
 //!
-//! A thread makes samples and gives them to ALSA, which wants them 40 ms before they are heard; a frame that takes long
+//! A thread makes samples and gives them to ALSA or `cpal`, which want them 40 ms before they are heard; a frame that takes long
 //! does not keep it from that. Whoever draws the picture asks for the [time](Player::time) that is heard.
 
-mod alsa;
+#[cfg_attr(target_os = "linux", path = "alsa.rs")]
+#[cfg_attr(any(windows, target_os = "macos"), path = "cpal.rs")]
+#[cfg_attr(
+    not(any(target_os = "linux", windows, target_os = "macos")),
+    path = "none.rs"
+)]
+mod device;
 mod heard;
 
 use core::{
@@ -12,7 +18,7 @@ use core::{
     sync::atomic::{AtomicI64, AtomicU64, Ordering::Relaxed},
 };
 
-use alsa::Device;
+use device::Device;
 use heard::Heard;
 
 use crate::{

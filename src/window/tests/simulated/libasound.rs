@@ -258,17 +258,21 @@ unsafe extern "C" fn clock_gettime(clock: c_int, time: *mut [i64; 2]) -> c_int {
     libc!(c"clock_gettime" as extern "C" fn(c_int, *mut [i64; 2]) -> c_int)(clock, time)
 }
 
-/// Sleeps until a time of the clock that goes forward only.
+/// Sleeps until a time of the clock that goes forward only, or as long as that.
 #[unsafe(no_mangle)]
 unsafe extern "C" fn clock_nanosleep(
     _: c_int,
-    _: c_int,
+    flags: c_int,
     until: *const [i64; 2],
     _: *mut c_void,
 ) -> c_int {
+    const UNTIL: c_int = 1;
     // SAFETY: the caller passes a time.
     let [seconds, nanoseconds] = unsafe { *until };
-    let mut world = sleep(world(), (seconds * 1_000_000_000 + nanoseconds) as u64);
+    let time = (seconds * 1_000_000_000 + nanoseconds) as u64;
+    let world = world();
+    let start = if flags == UNTIL { 0 } else { world.now };
+    let mut world = sleep(world, start + time);
     if world.now >= world.stop {
         // It goes on with this thread. The others wake up when it sleeps again.
         world.stop = u64::MAX;

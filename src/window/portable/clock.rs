@@ -1,0 +1,19 @@
+//! The system's clock that only goes forward, in nanoseconds, by std.
+
+use std::{
+    sync::LazyLock,
+    thread,
+    time::{Duration, Instant},
+};
+
+static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+
+/// The time now, since the first that was asked for.
+pub fn now() -> u64 {
+    START.elapsed().as_nanos() as u64
+}
+
+/// Sleeps until a time.
+pub fn sleep_until(end: u64) {
+    thread::sleep(Duration::from_nanos(end.saturating_sub(now())));
+}

@@ -1,0 +1,15 @@
+//! What `minifb` cannot do, by the system's own functions.
+
+#[cfg(target_os = "linux")]
+mod linux;
+#[cfg(not(any(target_os = "linux", windows)))]
+mod other;
+#[cfg(windows)]
+mod windows;
+
+#[cfg(target_os = "linux")]
+pub use linux::{Desktop, Display};
+#[cfg(not(any(target_os = "linux", windows)))]
+pub use other::{Desktop, Display};
+#[cfg(windows)]
+pub use windows::{Desktop, Display};

@@ -1,0 +1,132 @@
+//! A window by `minifb`.
+
+use core::{ffi::CStr, mem::take};
+
+use minifb::{ScaleMode, WindowOptions};
+
+use super::{
+    desktop::{Desktop, Display},
+    memory::pixels,
+    typing::Typing,
+};
+pub use crate::keyboard::Press;
+use crate::{
+    keyboard::{self, Presses},
+    screen::{Next, Screen},
+};
+
+/// A window that shows frames, with keys: F for the whole screen, W for the window, Esc to end.
+pub struct Window {
+    shown: minifb::Window,
+    /// What `minifb` cannot do.
+    desktop: Desktop,
+    /// The frame to be drawn and shown next.
+    frame: &'static mut [u32],
+    /// Width and height of that one.
+    drawn: (usize, usize),
+    typing: Typing,
+    /// Other keys that were pressed since they were last asked for.
+    presses: Presses,
+}
+
+impl Window {
+    /// Opens a window whose inside has a size in pixels.
+    ///
+    /// # Errors
+    /// If there is no display to open it on: why not.
+    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
+        let display = Display::choose()?;
+        let options = WindowOptions {
+            resize: true,
+            scale_mode: ScaleMode::Stretch,
+            ..WindowOptions::default()
+        };
+        let name = title.to_string_lossy();
+        let mut shown = display
+            .open(|| minifb::Window::new(&name, width, height, options))
+            .map_err(|_| display.why_not)?;
+        // The intro has a pace of its own.
+        shown.set_target_fps(0);
+        let typing = Typing::default();
+        shown.set_input_callback(Box::new(typing.clone()));
+        Ok(Window {
+            desktop: Desktop::of(display, &shown),
+            shown,
+            frame: pixels(),
+            drawn: (0, 0),
+            typing,
+            presses: Presses::default(),
+        })
+    }
+
+    /// Names the window anew.
+    pub fn set_title(&mut self, title: &CStr) {
+        self.shown.set_title(&title.to_string_lossy());
+    }
+
+    /// Goes to the whole screen and hides the pointer, or back to the window where it was and as it was.
+    pub fn set_fullscreen(&mut self, on: bool) {
+        self.desktop.set_fullscreen(&mut self.shown, on);
+    }
+
+    /// The keys pressed since the last call, in order; one that is held comes again and again. Of more than 32 the rest is
+    /// lost.
+    pub fn presses(&mut self) -> impl Iterator<Item = Press> + use<> {
+        take(&mut self.presses).into_iter()
+    }
+}
+
+impl Screen for Window {
+    fn size(&self) -> (usize, usize) {
+        // One that is minimised has none.
+        let (width, height) = self.shown.get_size();
+        (width.max(1), height.max(1))
+    }
+
+    fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
+        self.drawn = (width, height);
+        &mut self.frame[..width * height]
+    }
+
+    fn show(&mut self) -> Next {
+        let (width, height) = self.drawn;
+        let frame = &mut self.frame[..width * height];
+        self.desktop.colour(frame);
+        let is_shown = self.shown.update_with_buffer(frame, width, height);
+        let typed = self.typing.take();
+        if !self.shown.is_active() {
+            self.typing.release();
+        }
+        let keys = if self.desktop.has_typing() {
+            typed
+        } else {
+            self.desktop.keys()
+        };
+        if let Some(code) = self.desktop.end() {
+            return Next::End(code);
+        }
+        if !self.shown.is_open() {
+            return Next::End(0);
+        }
+        if is_shown.is_err() {
+            return Next::End(1);
+        }
+        let mut fullscreen = None;
+        for key in keys {
+            match key {
+                keyboard::ESCAPE => return Next::End(0),
+                keyboard::F => fullscreen = Some(true),
+                keyboard::W => fullscreen = Some(false),
+                key => {
+                    if let Some(press) = Press::of(key) {
+                        self.presses.push(press);
+                    }
+                }
+            }
+        }
+        if let Some(on) = fullscreen {
+            self.set_fullscreen(on);
+        }
+        Next::GoOn
+    }
+}
