@@ -292,6 +292,36 @@ fn it_ends_by_itself() {
 }
 
 #[test]
+fn the_show_waits_while_the_process_is_stopped() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    /// How long it is stopped, in seconds.
+    const STOP: f64 = 2.0;
+    let server = Server::start(320, 240);
+    let intro = server.play(&["--size", "64x48", "--seconds", "3"]);
+    let tell = |signal: &str| {
+        let (output, _) = run(Command::new("sh")
+            .arg("-c")
+            .arg(format!("kill -{signal} {}", intro.0.id())));
+        assert!(output.status.success(), "{output:?}");
+    };
+    tell("STOP");
+    sleep(Duration::from_secs_f64(STOP));
+    tell("CONT");
+    let (_, code, output, errors) = intro.end();
+    assert_eq!(code, Some(0), "{errors}");
+    let (_, time) = output.split_once(" in ").expect("a report");
+    let time: f64 = time
+        .split(' ')
+        .next()
+        .expect("a time")
+        .parse()
+        .expect("a number");
+    assert!(time >= 3.0 + STOP, "{output}");
+}
+
+#[test]
 fn frames_are_at_most_sixty_a_second_unless_uncapped() {
     if lacks(DISPLAY) {
         return;

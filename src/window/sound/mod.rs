@@ -24,7 +24,7 @@ use heard::Heard;
 use crate::{
     backend::threads::spawn,
     clock::{self, Clock, SECOND},
-    line,
+    line, system,
 };
 
 /// Samples in a second, for each side.
@@ -54,10 +54,14 @@ pub trait Source: Send {
     fn block(&mut self) -> &[[f32; 2]];
 }
 
-/// The time of the show: by what is heard, or by the clock where nothing is.
+/// The time of the show: by what is heard, or by the clock where nothing is, but for the time that the process was stopped.
 pub struct Player {
     clock: Clock,
     heard: Heard,
+    /// The time of the clock that the show was last asked for.
+    last: u64,
+    /// How long the process was stopped, in nanoseconds, while no sound was heard.
+    stopped: u64,
 }
 
 /// Nanoseconds that the sound is ahead of the clock, of the one player that a program has.
@@ -87,9 +91,17 @@ impl Player {
     /// Plays nothing: the time goes by the clock.
     #[must_use]
     pub fn silent() -> Player {
+        Player::by(Clock::start())
+    }
+
+    /// A player of which the time begins with a clock.
+    fn by(clock: Clock) -> Player {
+        system::heed_stops();
         Player {
-            clock: Clock::start(),
+            clock,
             heard: Heard::default(),
+            last: 0,
+            stopped: 0,
         }
     }
 
@@ -107,17 +119,21 @@ impl Player {
         }
         match wait_for_device() {
             SILENT => Player::silent(),
-            start => Player {
-                clock: Clock { start },
-                heard: Heard::default(),
-            },
+            start => Player::by(Clock { start }),
         }
     }
 
     /// Nanoseconds of the show until now. If the device is lost, it goes on from where it was.
     pub fn time(&mut self) -> u64 {
         let (ahead, written) = (AHEAD.load(Relaxed), WRITTEN.load(Relaxed));
-        self.heard.time(self.clock.time() as i64, ahead, written)
+        let now = self.clock.time();
+        // With sound, what nobody has given to the device is not heard.
+        if system::was_stopped() && written == i64::MAX {
+            self.stopped += now - self.last;
+        }
+        self.last = now;
+        let clock = (now - self.stopped) as i64;
+        self.heard.time(clock, ahead, written)
     }
 }
 

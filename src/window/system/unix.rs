@@ -4,6 +4,7 @@ use core::{
     ffi::{CStr, c_int},
     mem::zeroed,
     ptr::null_mut,
+    sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
 
 use crate::terminal;
@@ -24,6 +25,24 @@ pub unsafe fn start() {
     // opened later takes its number and is written to by mistake: writing fails, as it would have when closed. One more stays
     // open, as the sign that the first three are.
     while (0..=2).contains(&open(c"/dev/null")) {}
+}
+
+/// Set when the process goes on after a stop.
+static STOPPED: AtomicBool = AtomicBool::new(false);
+
+extern "C" fn go_on(_: c_int) {
+    STOPPED.store(true, Relaxed);
+}
+
+/// Takes note of stops from now on, as by Ctrl-Z or SIGSTOP.
+pub fn heed_stops() {
+    // SAFETY: the function does only what a signal's function may.
+    unsafe { terminal::on_signal(libc::SIGCONT, go_on as extern "C" fn(c_int) as _) };
+}
+
+/// Whether the process was stopped since this was last asked.
+pub fn was_stopped() -> bool {
+    STOPPED.swap(false, Relaxed)
 }
 
 /// Starts something, such as a thread, that signals do not go to.

@@ -34,6 +34,14 @@ pub unsafe fn start() {
     }
 }
 
+/// Takes note of stops. (Windows has none.)
+pub fn heed_stops() {}
+
+/// Whether the process was stopped since this was last asked.
+pub fn was_stopped() -> bool {
+    false
+}
+
 /// Starts something. (Signals are a matter of Unix.)
 pub fn without_signals<T>(start: impl FnOnce() -> T) -> T {
     start()
