@@ -144,6 +144,26 @@ fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_i
 }
 
 #[test]
+fn a_window_manager_that_never_heard_of_fullscreen_does_not_keep_it_from_the_whole_screen() {
+    if lacks(DISPLAY) || lacks(&["twm"]) {
+        return;
+    }
+    let [_, _, width, height] = SCREEN.map(|side| side as usize);
+    let server = Server::start_with_twm(width, height);
+    let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+    let window = server.window().expect("a window");
+    server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
+    for _ in 0..2 {
+        server.xdotool("key f");
+        server.wait_for_window(SCREEN);
+        assert_covered(&server, "twm");
+        server.xdotool("key w");
+        server.wait_for_window(window);
+    }
+    end_by_escape(&server, intro);
+}
+
+#[test]
 fn it_can_start_over_the_whole_screen() {
     if lacks(DISPLAY) {
         return;

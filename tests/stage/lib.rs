@@ -8,7 +8,7 @@ pub use tools::{DISPLAY, lacks, tool};
 use eightfold::Quality;
 use eightfold_lab::cargo;
 use std::{
-    env,
+    env, fs,
     io::{BufRead, BufReader, Read},
     path::{Path, PathBuf},
     process::{Child, Command, Output, Stdio},
@@ -131,6 +131,8 @@ pub struct Server {
     /// The value for `DISPLAY`.
     pub display: String,
     manager: Option<Process>,
+    /// Whether the window manager gives keys to a new window, wherever the pointer is.
+    gives_focus: bool,
 }
 
 impl Server {
@@ -159,6 +161,7 @@ impl Server {
             process,
             display: format!(":{}", number.trim()),
             manager: None,
+            gives_focus: false,
         }
     }
 
@@ -168,10 +171,29 @@ impl Server {
         let mut openbox = tool("openbox");
         openbox.env("DISPLAY", &server.display);
         server.manager = Some(Process::start(&mut openbox));
+        server.gives_focus = true;
         wait_for("the window manager", || {
             let mut xprop = server.tool("xprop");
             let (_, text) = run(xprop.args(["-root", "_NET_SUPPORTED"]));
             text.contains("FULLSCREEN").then_some(())
+        });
+        server
+    }
+
+    /// Starts a server with the window manager twm, which has never heard of fullscreen. Windows are placed without a click.
+    pub fn start_with_twm(width: usize, height: usize) -> Server {
+        let mut server = Server::start(width, height);
+        let folder = tempfile::tempdir().expect("a folder");
+        let settings = folder.path().join("twmrc");
+        fs::write(&settings, "RandomPlacement\nNoGrabServer\n").expect("it is written");
+        // In other languages it complains of each font that is missing, more than a pipe holds.
+        let mut twm = server.tool("twm");
+        let twm = twm.env("LC_ALL", "C").arg("-f").arg(&settings);
+        server.manager = Some(Process::start(twm));
+        wait_for("the window manager", || {
+            let mut xwininfo = server.tool("xwininfo");
+            let (_, text) = run(xwininfo.args(["-root", "-events"]));
+            text.contains("SubstructureRedirect").then_some(())
         });
         server
     }
@@ -197,7 +219,7 @@ impl Server {
         let mut command = Command::new(intro());
         command.arg("--silent").args(options);
         let intro = self.open(&mut command, || self.window());
-        if self.manager.is_some() {
+        if self.gives_focus {
             wait_for("keys to go to the window", || {
                 let name = self.xdotool("getwindowfocus getwindowname");
                 (name.trim() == "Eightfold").then_some(())

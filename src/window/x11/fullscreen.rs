@@ -1,11 +1,12 @@
 //! The whole screen, and back.
 //!
-//! A window manager is asked to (EWMH): it keeps panels away and the window's place. Without one, the window is placed
-//! over the screen.
+//! A window manager is asked to (EWMH): it keeps panels away and the window's place. Without one, or with one that never heard
+//! of that, the window is placed over the screen.
 
 use core::{
     ffi::{c_int, c_long, c_uint},
     mem::zeroed,
+    slice::from_raw_parts,
 };
 
 use super::{Toplevel, types as xlib};
@@ -26,21 +27,53 @@ impl Toplevel {
         // SAFETY: the window exists, and the pointer, or 0 for the desktop's own.
         unsafe { (self.x.XDefineCursor)(self.display, self.window, pointer) };
         let (screen, listening) = self.attributes(self.root);
+        let is_managed = listening & xlib::SubstructureRedirectMask != 0;
         if let Some(place) = self.before {
             if !on {
                 self.before = None;
                 self.move_to(place);
             }
-        } else if listening & xlib::SubstructureRedirectMask != 0 {
+        } else if is_managed && self.has_property(self.root, self.atom(c"_NET_SUPPORTED")) {
             self.ask_manager(on);
         } else if on {
-            self.before = Some(self.attributes(self.window).0);
-            self.move_to(screen);
+            let (mut place, _) = self.attributes(self.window);
+            let mut over = screen;
+            if is_managed {
+                // A frame is around the window, of which the place is told; what is left of the window and above it goes beyond
+                // the screen.
+                let (left, top) = (place.x, place.y);
+                (over.x, over.y) = (-left, -top);
+                (place.x, place.y) = self.position();
+                place.x -= left;
+                place.y -= top;
+            }
+            self.before = Some(place);
+            self.move_to(over);
             // SAFETY: the window exists.
             unsafe {
                 let (display, window) = (self.display, self.window);
                 (self.x.XSetInputFocus)(display, window, xlib::RevertToPointerRoot, 0);
             }
+        }
+    }
+
+    /// Where the window's inside is on the screen.
+    fn position(&self) -> (c_int, c_int) {
+        let (mut x, mut y, mut child) = (0, 0, 0);
+        let (display, window, root) = (self.display, self.window, self.root);
+        let translate = self.x.XTranslateCoordinates;
+        // SAFETY: the windows exist, and there is room for the answers.
+        unsafe { translate(display, window, root, 0, 0, &mut x, &mut y, &mut child) };
+        (x, y)
+    }
+
+    /// Whether a window has a property.
+    fn has_property(&self, window: xlib::Window, property: xlib::Atom) -> bool {
+        let mut count = 0;
+        // SAFETY: the window exists. The list is as long as Xlib says, and is kept: nobody asks often.
+        unsafe {
+            let list = (self.x.XListProperties)(self.display, window, &mut count);
+            !list.is_null() && from_raw_parts(list, count as usize).contains(&property)
         }
     }
 

@@ -22,6 +22,7 @@ loaded! {
     fn XDefineCursor(*mut Display, Window, Cursor) -> c_int;
     fn XGetWindowAttributes(*mut Display, Window, *mut XWindowAttributes) -> Status;
     fn XInternAtom(*mut Display, *const c_char, Bool) -> Atom;
+    fn XListProperties(*mut Display, Window, *mut c_int) -> *mut Atom;
     fn XMapRaised(*mut Display, Window) -> c_int;
     fn XMoveResizeWindow(*mut Display, Window, c_int, c_int, c_uint, c_uint) -> c_int;
     fn XNextEvent(*mut Display, *mut XEvent) -> c_int;
@@ -36,6 +37,7 @@ loaded! {
     fn XSetWMProtocols(*mut Display, Window, *mut Atom, c_int) -> Status;
     fn XStoreName(*mut Display, Window, *const c_char) -> c_int;
     fn XSync(*mut Display, Bool) -> c_int;
+    fn XTranslateCoordinates(*mut Display, Window, Window, c_int, c_int, *mut c_int, *mut c_int, *mut Window) -> Bool;
     fn XkbKeycodeToKeysym(*mut Display, KeyCode, c_int, c_int) -> KeySym;
 }
 
