@@ -132,6 +132,23 @@ fn it_plays_in_a_terminal_of_any_size() {
 }
 
 #[test]
+fn a_terminal_wider_than_any_frame_shows_a_part() {
+    if lacks(&["script"]) {
+        return;
+    }
+    let play = format!(
+        "stty cols 65535 rows 2; {} --silent --seconds 0.5",
+        intro().display()
+    );
+    let mut script = tool("script");
+    let script = script.args(["--quiet", "--return", "--command", &play, "/dev/null"]);
+    let (output, text) = run(script.env_remove("DISPLAY").stdin(process::Stdio::null()));
+    assert!(output.status.success(), "{output:?}");
+    assert!(text.contains("3840x4"), "{text}");
+    assert!(text.contains('\u{2580}'), "a picture");
+}
+
+#[test]
 fn it_moves() {
     if lacks(&["tmux", "pkill"]) {
         return;

@@ -35,6 +35,10 @@ const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
 /// Undoes [`ENTER`], and the colours.
 const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
+/// The most cells beside each other and above each other that are drawn on: the pixels of the largest frame.
+const MOST_COLUMNS: usize = 3840;
+const MOST_ROWS: usize = 2160 / 2;
+
 /// The terminal on standard output. Esc and Ctrl-C end the show.
 ///
 /// It is given back as it was when this is dropped, when the process aborts, and after the signals
@@ -111,9 +115,15 @@ impl Screen for Terminal {
             libc::ioctl(line::OUTPUT, libc::TIOCGWINSZ, &raw mut size);
             size
         };
-        // Some say nothing of their size.
-        let or = |size: u16, usual| if size == 0 { usual } else { usize::from(size) };
-        (or(size.ws_col, 80), 2 * or(size.ws_row, 24))
+        // Some say nothing of their size. Of one that is larger than any screen, a part is drawn on.
+        let side = |size: u16, usual: usize, most: usize| match usize::from(size) {
+            0 => usual,
+            size => size.min(most),
+        };
+        (
+            side(size.ws_col, 80, MOST_COLUMNS),
+            2 * side(size.ws_row, 24, MOST_ROWS),
+        )
     }
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
