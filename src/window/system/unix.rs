@@ -21,6 +21,12 @@ pub const ERROR: c_int = libc::STDERR_FILENO;
 pub unsafe fn start() {
     // SAFETY: nobody relies on what is done on SIGPIPE.
     unsafe { terminal::on_signal(libc::SIGPIPE, libc::SIG_IGN) };
+    // One heap for all threads: glibc reserves 64 MB of addresses for a thread's own.
+    // SAFETY: it may be called at any time.
+    #[cfg(all(target_os = "linux", target_env = "gnu"))]
+    unsafe {
+        libc::mallopt(libc::M_ARENA_MAX, 1)
+    };
     // What is closed of standard input, output and error gets something that is open for reading only, so that no file or display
     // opened later takes its number and is written to by mistake: writing fails, as it would have when closed. One more stays
     // open, as the sign that the first three are.
