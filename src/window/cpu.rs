@@ -15,7 +15,10 @@ pub struct Isa {
 #[cfg(target_arch = "x86_64")]
 pub const NAMES: &[&str] = &["avx512", "avx2", "sse2"];
 /// The names of all instruction sets that there are kernels for on this kind of processor, the best first.
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(target_arch = "aarch64")]
+pub const NAMES: &[&str] = &["neon"];
+/// The names of all instruction sets that there are kernels for on this kind of processor, the best first.
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 pub const NAMES: &[&str] = &["portable"];
 
 /// The instruction sets that this machine has, the best first.
@@ -30,7 +33,7 @@ pub fn instruction_sets() -> impl Iterator<Item = Isa> {
             .map(|simd| isa("sse2", Level::Sse2(simd))),
     ];
     #[cfg(not(target_arch = "x86_64"))]
-    let sets = [Some(isa("portable", Level::baseline()))];
+    let sets = [Some(isa(NAMES[0], Level::baseline()))];
     sets.into_iter().flatten()
 }
 
