@@ -3,7 +3,7 @@
 #[path = "../src/window/tests/simulated/mod.rs"]
 mod simulated;
 
-use eightfold::show::grid;
+use eightfold::show::{self, grid};
 use eightfold::sound::{RATE, SONG_LENGTH, Synthesizer};
 use eightfold_stage::intro;
 use std::process::{Command, Stdio};
@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 /// Frames per second, so that a frame lasts a whole number of nanoseconds.
 const FPS: usize = 50;
 /// Frames of the show.
-const SHOW: usize = 96 * FPS;
+const SHOW: usize = show::LENGTH as usize * FPS;
 
 /// The seconds for which the second time is played.
 const SECONDS: usize = 14;
@@ -72,14 +72,14 @@ fn the_second_time_is_as_the_first_in_sound_and_picture() {
     }
     // The second time starts in sound when it starts in the picture.
     let (start, _) = played[SONG_LENGTH as usize / 48];
-    let drift = start.abs_diff(96 * SECOND);
+    let drift = start.abs_diff(show::LENGTH as u64 * SECOND);
     assert!(drift <= SECOND / FPS as u64, "{start} ns");
 
     let text = String::from_utf8(output.stdout).expect("text");
     let frames: Vec<&str> = text.split("\x1b[1;1H").skip(1).collect();
     assert!(frames.len() >= SHOW + SECONDS * FPS);
     // The title, and the start of the next scene.
-    assert!(grid::BAR * grid::MODEL as f32 + 1.0 < SECONDS as f32);
+    assert!(grid::BAR * show::cut("model") as f32 + 1.0 < SECONDS as f32);
     for at in (FPS..SECONDS * FPS).step_by(7) {
         let [first, second, before] =
             [at, SHOW + at, SHOW + at - FPS].map(|frame| colours(frames[frame]));

@@ -1,11 +1,13 @@
 //! The intro accepts valid command lines and refuses others in one line.
 
+use eightfold::show;
 use eightfold_stage::{headless, qualities, run, texts};
 use eightfold_window::cpu;
 
 #[test]
 fn bad_arguments_are_named_in_one_line() {
     let qualities = qualities();
+    let length = show::LENGTH.to_string();
     let bad: &[(&[&str], &str)] = &[
         (&["--bogus"], "--bogus"),
         (&["bogus"], "bogus"),
@@ -62,7 +64,7 @@ fn bad_arguments_are_named_in_one_line() {
         (&["--quality", "fast", "--quality=fine"], "two qualities"),
         (&["--isa", "neon"], "avx512 avx2 sse2"),
         (&["--isa"], "--isa NAME"),
-        (&["--still", "96"], "--still S"),
+        (&["--still", &length], "--still S"),
         (&["--still", "-1"], "--still S"),
         (&["--still"], "--still S"),
         (&["--loop", "--seconds", "1", "--size", "1x"], "--size WxH"),
@@ -108,6 +110,14 @@ fn help_and_version_are_printed() {
         version,
         format!("eightfold {}\n", env!("CARGO_PKG_VERSION"))
     );
+}
+
+#[test]
+fn the_help_tells_the_length_of_the_show() {
+    let (output, _) = run(headless().arg("--help"));
+    let (help, _) = texts(&output);
+    assert!(help.contains(&format!("({}, the show)", show::LENGTH)));
+    assert!(help.contains(&format!("0 to {},", show::LENGTH - 0.01)));
 }
 
 #[test]

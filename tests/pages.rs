@@ -1,5 +1,6 @@
 //! The pages in Markdown: links that lead somewhere, and a README that is read to its end.
 
+use eightfold::show::{self, grid};
 use std::{
     fs,
     path::{Path, PathBuf},
@@ -53,6 +54,28 @@ fn the_architecture_names_files_that_are_there() {
         count += 1;
     }
     assert!(count > 20, "{count} paths");
+}
+
+#[test]
+fn pages_tell_the_length_of_the_show_and_where_its_scenes_begin() {
+    let has = |page: &str, words: &str| {
+        let text = fs::read_to_string(root().join(page)).expect("text");
+        assert!(text.contains(words), "{page} does not say {words:?}");
+    };
+    let (seconds, bars) = (show::LENGTH, show::BARS);
+    has("README.md", &format!("a show of {seconds} seconds"));
+    has("CHANGELOG.md", &format!("The show of {seconds} seconds"));
+    has("src/eightfold.nfo", &format!("{seconds} seconds"));
+    has(
+        "docs/sound.md",
+        &format!("{bars} bars of {} seconds", grid::BAR),
+    );
+    has("docs/intro.md", &format!("the show, {seconds} s |"));
+    has("docs/intro.md", &format!("0 to {} s,", seconds - 0.01));
+    for (name, cut) in show::NAMES.iter().zip(show::CUTS) {
+        let start = cut as f32 * grid::BAR;
+        has("docs/intro.md", &format!("\n| {start} s | {name} |"));
+    }
 }
 
 #[test]

@@ -27,7 +27,7 @@ use eightfold_window::{
 use options::{Options, Task};
 
 /// The length of the show in nanoseconds.
-const SHOW_NANOSECONDS: u64 = (show::grid::SHOW_LENGTH as f64 * SECOND as f64) as u64;
+const SHOW_NANOSECONDS: u64 = (show::LENGTH as f64 * SECOND as f64) as u64;
 
 /// The exit code of a run that lost its screen or could not write its output.
 const FAILURE: i32 = 1;

@@ -6,8 +6,8 @@ use eightfold::show::{self, grid};
 use std::fmt;
 use std::str::FromStr;
 
-/// The names of the show's scenes, which begin at [`grid::CUTS`].
-pub const SHOW_SCENES: [&str; grid::CUTS.len()] = grid::NAMES;
+/// The names of the show's scenes, which begin at [`show::CUTS`].
+pub const SHOW_SCENES: [&str; show::CUTS.len()] = show::NAMES;
 
 /// What names a scene, for `--help` and for errors.
 pub fn takes() -> String {
@@ -43,7 +43,7 @@ impl SceneName {
                 // Before the show and after it, its first and its last moment are drawn.
                 let time = self.start().unwrap_or(0.0) + time;
                 let mut scene = Scene::default();
-                show::at(time.clamp(0.0, grid::SHOW_LENGTH), &mut scene);
+                show::at(time.clamp(0.0, show::LENGTH), &mut scene);
                 scene
             }
         }
@@ -60,7 +60,7 @@ impl SceneName {
     pub fn start(self) -> Option<f32> {
         match self {
             Self::Show => Some(0.0),
-            Self::ShowScene(part) => Some(grid::CUTS[part] as f32 * grid::BAR),
+            Self::ShowScene(part) => Some(show::CUTS[part] as f32 * grid::BAR),
             Self::Model | Self::Field(_) | Self::File(_) => None,
         }
     }
@@ -68,10 +68,10 @@ impl SceneName {
     /// Its length in seconds.
     pub fn length(self) -> f32 {
         match self {
-            Self::Show => grid::SHOW_LENGTH,
+            Self::Show => show::LENGTH,
             Self::ShowScene(part) => {
-                let end = grid::CUTS.get(part + 1).unwrap_or(&grid::BARS);
-                (end - grid::CUTS[part]) as f32 * grid::BAR
+                let end = show::CUTS.get(part + 1).unwrap_or(&show::BARS);
+                (end - show::CUTS[part]) as f32 * grid::BAR
             }
             Self::Model | Self::Field(_) => show::MODEL_LENGTH,
             Self::File(file) => file.length,

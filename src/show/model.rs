@@ -1,9 +1,9 @@
-//! The model scene: four spheres, a plane and two lights, around which the camera circles.
+//! The model scene of measurements: the set of the show's scene of that name, around which the camera circles.
 //!
-//! It follows the test scene of the 2008 thesis. Unless another is named, every measurement uses it.
+//! Unless another is named, every measurement uses it.
 
 use super::path::orbit;
-use super::{Set, environment, props};
+use super::scenes;
 use crate::grid::BEAT;
 use crate::scene::{Method, Scene};
 use glam::vec3a;
@@ -16,10 +16,7 @@ pub(super) const ORBIT_SPEED: f32 = 0.25;
 
 /// Sets a scene to the model scene at `time` seconds. The camera's way repeats every [`MODEL_LENGTH`].
 pub fn model(time: f32, scene: &mut Scene) {
-    environment::apply(Set::Model, scene);
-    scene.spheres.clear();
-    scene.blocks.clear();
-    props::add(Set::Model, time / BEAT, scene);
+    scenes::model::SET.apply(time / BEAT, scene);
     scene.camera = orbit(vec3a(0.0, 0.9, 0.0), ORBIT_SPEED * time, 7.5, 1.3);
     scene.fade = 0.0;
     scene.method = Method::default();

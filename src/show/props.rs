@@ -1,14 +1,12 @@
 //! Spheres, boxes and cylinders that stand in rows, and how they move. Coordinates are the scene's.
 
-use super::Set;
-use super::material;
 use crate::maths::{cos, round, sin, smooth_step};
 use crate::scene::{self, Block, Material, Scene, Sphere};
 use core::f32::consts::TAU;
 use glam::{Mat3A, Vec3A, vec3a};
 
 /// One object, or a grid of objects that are alike.
-struct Prop {
+pub(super) struct Prop {
     shape: Shape,
     material: &'static Material,
     /// The material of every other object along x.
@@ -31,7 +29,7 @@ enum Shape {
 }
 
 #[derive(Clone, Copy)]
-enum Motion {
+pub(super) enum Motion {
     Still,
     /// Floats up and down; `phase` is in radians.
     Bouncing {
@@ -50,66 +48,23 @@ enum Motion {
     },
 }
 
-use Motion::{Bouncing, Circling, Striking, Turning};
-
-#[rustfmt::skip]
-static MODEL: [Prop; 4] = [
-    sphere(&material::RED, [-2.2, 1.0, 0.5], 2.0),
-    sphere(&material::MIRROR, [0.0, 1.2, 1.8], 2.4),
-    sphere(&material::BLUE, [2.2, 1.0, 0.3], 2.0),
-    sphere(&material::GLASS, [0.6, 0.5, -1.6], 1.0).moving(Bouncing { phase: 0.0 }),
-];
-
-#[rustfmt::skip]
-static COLONNADE: [Prop; 8] = [
-    // The columns: plinths, shafts, capitals, and the beams on them.
-    cuboid(&material::MARBLE, [-2.6, 0.2, -6.0], [1.5, 0.4, 1.5]).repeat([2, 7], [5.2, 3.2]),
-    cylinder(&material::MARBLE, [-2.6, 2.7, -6.0], [0.9, 4.6, 0.9]).repeat([2, 7], [5.2, 3.2]),
-    cuboid(&material::MARBLE, [-2.6, 5.2, -6.0], [1.4, 0.4, 1.4]).repeat([2, 7], [5.2, 3.2]),
-    cuboid(&material::MARBLE, [-2.6, 5.7, -2.6], [1.1, 0.6, 11.2]).repeat([2, 2], [5.2, 11.2]),
-    // Spheres that float between the columns.
-    sphere(&material::CRYSTAL, [0.0, 1.7, 6.0], 1.8).moving(Bouncing { phase: 0.0 }),
-    sphere(&material::GOLD, [-0.9, 0.7, 1.4], 1.0).moving(Bouncing { phase: 1.0 }),
-    sphere(&material::SCARLET, [0.9, 1.0, 3.2], 0.9).moving(Bouncing { phase: 2.0 }),
-    sphere(&material::SILVER, [-0.2, 3.2, 9.0], 1.4).moving(Bouncing { phase: 3.0 }),
-];
-
-#[rustfmt::skip]
-static MACHINE: [Prop; 9] = [
-    // The wheel: axle, hub, spokes, rim.
-    cuboid(&material::STEEL, [0.0, 2.2, 1.2], [0.4, 0.4, 5.2]).moving(Turning { radius: 0.0 }),
-    sphere(&material::GOLD, [0.0, 2.2, 1.2], 1.2),
-    cuboid(&material::STEEL, [0.0, 2.2, 1.2], [0.2, 1.7, 0.2]).copies(8).moving(Turning { radius: 1.0 }),
-    cuboid(&material::SCARLET, [0.0, 2.2, 1.2], [1.2, 0.3, 0.6]).copies(8).alternating(&material::GOLD).moving(Turning { radius: 1.9 }),
-    // The posts that carry the axle, each with a knob.
-    cuboid(&material::STRIPED, [-3.4, 2.1, 1.2], [0.7, 4.2, 1.2]).repeat([2, 1], [6.8, 0.0]),
-    sphere(&material::GOLD, [-3.4, 4.6, 1.2], 1.0).repeat([2, 1], [6.8, 0.0]),
-    // The pistons: anvils, heads, rods.
-    cuboid(&material::STEEL, [-2.2, 0.3, -1.6], [1.1, 0.6, 1.1]).repeat([4, 1], [1.5, 0.0]),
-    cylinder(&material::SCARLET, [-2.2, 0.9, -1.6], [0.8, 0.6, 0.8]).repeat([4, 1], [1.5, 0.0]).alternating(&material::GOLD).moving(Striking),
-    cylinder(&material::STEEL, [-2.2, 2.2, -1.6], [0.3, 2.0, 0.3]).repeat([4, 1], [1.5, 0.0]).moving(Striking),
-];
-
-#[rustfmt::skip]
-static FINALE: [Prop; 2] = [
-    // A large glass sphere, and small spheres that circle it.
-    sphere(&material::GLASS, [0.0, 1.3, 0.0], 2.6),
-    sphere(&material::SCARLET, [0.0, 0.4, 0.0], 0.8).copies(8).alternating(&material::GOLD).moving(Circling { radius: 3.2 }),
-];
-
 /// A sphere.
-const fn sphere(material: &'static Material, centre: [f32; 3], diameter: f32) -> Prop {
+pub(super) const fn sphere(material: &'static Material, centre: [f32; 3], diameter: f32) -> Prop {
     let size = [diameter, diameter, diameter];
     prop(Shape::Sphere, material, centre, size)
 }
 
 /// A box, aligned with the scene's axes.
-const fn cuboid(material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
+pub(super) const fn cuboid(material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
     prop(Shape::Block(scene::Shape::Box), material, centre, size)
 }
 
 /// An upright cylinder.
-const fn cylinder(material: &'static Material, centre: [f32; 3], size: [f32; 3]) -> Prop {
+pub(super) const fn cylinder(
+    material: &'static Material,
+    centre: [f32; 3],
+    size: [f32; 3],
+) -> Prop {
     prop(Shape::Block(scene::Shape::Cylinder), material, centre, size)
 }
 
@@ -127,28 +82,9 @@ const fn prop(shape: Shape, material: &'static Material, centre: [f32; 3], size:
     }
 }
 
-/// Adds a set's props to the scene, as they are `beat` beats after the set's first bar.
-pub(super) fn add(set: Set, beat: f32, scene: &mut Scene) {
-    let props: &[Prop] = match set {
-        Set::Model => &MODEL,
-        Set::Colonnade => &COLONNADE,
-        Set::Machine => &MACHINE,
-        Set::Finale => &FINALE,
-        Set::Title | Set::Swarm => &[],
-    };
-    for prop in props {
-        let [columns, rows] = prop.count;
-        for row in 0..rows {
-            for column in 0..columns {
-                prop.add(column, row, beat, scene);
-            }
-        }
-    }
-}
-
 impl Prop {
     /// The same objects in a grid: `count` along x and z, `spacing` scene units apart.
-    const fn repeat(self, count: [u8; 2], spacing: [f32; 2]) -> Self {
+    pub const fn repeat(self, count: [u8; 2], spacing: [f32; 2]) -> Self {
         Self {
             count,
             spacing,
@@ -157,12 +93,12 @@ impl Prop {
     }
 
     /// Several objects in one position, which their motion spreads out.
-    const fn copies(self, count: u8) -> Self {
+    pub const fn copies(self, count: u8) -> Self {
         self.repeat([count, 1], [0.0, 0.0])
     }
 
     /// The same objects with another material for every other one along x.
-    const fn alternating(self, every_other: &'static Material) -> Self {
+    pub const fn alternating(self, every_other: &'static Material) -> Self {
         Self {
             every_other,
             ..self
@@ -170,8 +106,18 @@ impl Prop {
     }
 
     /// The same objects, in motion.
-    const fn moving(self, motion: Motion) -> Self {
+    pub const fn moving(self, motion: Motion) -> Self {
         Self { motion, ..self }
+    }
+
+    /// Adds the objects to a scene, as they are `beat` beats after the set was first shown.
+    pub fn add_all(&self, beat: f32, scene: &mut Scene) {
+        let [columns, rows] = self.count;
+        for row in 0..rows {
+            for column in 0..columns {
+                self.add(column, row, beat, scene);
+            }
+        }
     }
 
     /// Adds the object in a column and a row of the grid.
@@ -182,17 +128,17 @@ impl Prop {
         let mut axes = Mat3A::IDENTITY;
         match self.motion {
             Motion::Still => {}
-            Bouncing { phase } => {
+            Motion::Bouncing { phase } => {
                 let sine = sin(beat * 0.5 + phase);
                 centre.y += 0.4 * sine * sine;
             }
-            Striking => {
+            Motion::Striking => {
                 let since = beat + 4.0 - number;
                 let since = since - 4.0 * whole(since * 0.25);
                 // Up in the three beats after the strike, down in the last quarter before the next.
                 centre.y += 0.9 * (smooth_step(since / 3.0) - smooth_step((since - 3.75) * 4.0));
             }
-            Turning { radius } => {
+            Motion::Turning { radius } => {
                 let whole = whole(beat);
                 let turns = number * 0.125 + 0.25 * (whole + smooth_step((beat - whole) * 1.6));
                 let out = around(turns);
@@ -200,7 +146,7 @@ impl Prop {
                 axes = Mat3A::from_cols(vec3a(out.z, out.x, 0.0), up, Vec3A::Z);
                 centre += up * radius;
             }
-            Circling { radius } => centre += around(number * 0.125 + beat * 0.02) * radius,
+            Motion::Circling { radius } => centre += around(number * 0.125 + beat * 0.02) * radius,
         }
         let material = if column.is_multiple_of(2) {
             *self.material

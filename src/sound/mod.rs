@@ -35,5 +35,8 @@ const BLOCK: usize = 48;
 /// Sixteenths in a bar.
 const STEPS_PER_BAR: u32 = 16;
 
-/// The length of the song in samples: 96 s.
-pub const SONG_LENGTH: u32 = STEP * STEPS_PER_BAR * grid::BARS;
+/// The length of the song in bars.
+pub const BARS: u32 = song::BARS as u32;
+
+/// The length of the song in samples.
+pub const SONG_LENGTH: u32 = STEP * STEPS_PER_BAR * BARS;

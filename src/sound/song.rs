@@ -6,7 +6,6 @@
 //! The song is written as text, which the compiler parses. Spaces separate the scenes and the beats for the reader.
 
 use super::STEPS_PER_BAR;
-use crate::grid;
 
 /// The number of tracks; each is played by one instrument with one voice.
 pub(super) const TRACKS: usize = 13;
@@ -14,7 +13,8 @@ pub(super) const TRACKS: usize = 13;
 /// The track of the kick drum, on which the others get quieter.
 pub(super) const KICK: usize = 0;
 
-const BARS: usize = grid::BARS as usize;
+/// The length of the song in bars. The compiler holds every track to it, and the show, too.
+pub(super) const BARS: usize = letters(HARMONY_TEXT);
 
 /// The chords as MIDI notes: the bass, and three upper voices, which move little from chord to chord. 33 is A1, 55 Hz.
 static CHORDS: [[u8; 4]; 8] = [
@@ -31,10 +31,11 @@ static CHORDS: [[u8; 4]; 8] = [
 /// The names of the [`CHORDS`].
 const CHORD_NAMES: &[u8] = b"afcgdEeA";
 
+/// The chord of each bar.
+const HARMONY_TEXT: &[u8] = b"aaffdE aaffcgdE afcgafdE fgeafgEE aaaafE fgeafg afgAAA";
+
 /// The index in [`CHORDS`] of each bar's chord.
-#[rustfmt::skip]
-static HARMONY: [u8; BARS] = indices_of(
-    b"aaffdE aaffcgdE afcgafdE fgeafgEE aaaafE fgeafg afgAAA", CHORD_NAMES);
+static HARMONY: [u8; BARS] = indices_of(HARMONY_TEXT, CHORD_NAMES);
 
 /// The brightness of each bar, 0 to 15: filters open with it.
 #[rustfmt::skip]
@@ -198,6 +199,16 @@ const fn bars(text: &[u8]) -> [u8; BARS] {
 /// Parses a pattern's sixteen digits; `.` stands for 0.
 const fn pattern(text: &[u8]) -> [u8; STEPS] {
     indices_of(text, b".123456789abcdef")
+}
+
+/// The number of a text's letters; spaces are skipped.
+const fn letters(text: &[u8]) -> usize {
+    let (mut i, mut count) = (0, 0);
+    while i < text.len() {
+        count += (text[i] != b' ') as usize;
+        i += 1;
+    }
+    count
 }
 
 /// The indices of a text's letters in a list; spaces are skipped.

@@ -60,7 +60,7 @@ fn a_field_of_spheres_is_as_the_oracle_sees_it() {
 
 #[test]
 fn every_scene_of_the_show_is_as_the_oracle_sees_it() {
-    for bar in 0..grid::BARS {
+    for bar in 0..show::BARS {
         if bar % 3 != 1 {
             continue;
         }

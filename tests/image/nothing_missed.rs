@@ -76,7 +76,7 @@ proptest! {
 
     #[test]
     fn every_object_of_the_show_is_shown_at_any_time_and_size(
-        time in 0.0..show::grid::SHOW_LENGTH,
+        time in 0.0..show::LENGTH,
         width in 1_usize..160,
         height in 1_usize..120,
     ) {

@@ -16,7 +16,7 @@ fn at(time: f32) -> Scene {
 
 #[test]
 fn the_show_is_valid_all_along() {
-    for i in 0..=(grid::SHOW_LENGTH * 10.0) as usize {
+    for i in 0..=(show::LENGTH * 10.0) as usize {
         let time = i as f32 / 10.0;
         assert_eq!(at(time).validate(), Ok(()), "{time} s");
     }
@@ -38,7 +38,7 @@ fn brightness(time: f32, frames: f32) -> f64 {
 
 #[test]
 fn a_kick_is_a_flash_in_its_own_frame() {
-    for bar in [grid::MACHINE + 1, grid::SWARM + 1] {
+    for bar in [show::cut("machine") + 1, show::cut("swarm") + 1] {
         let time = bar as f32 * grid::BAR;
         assert_eq!(pulse(time).kick, 1.0, "a kick, and no cut");
         let [calm, before, flash] = [-2.0, -1.0, 0.0].map(|frames| brightness(time, frames));
@@ -49,9 +49,9 @@ fn a_kick_is_a_flash_in_its_own_frame() {
 
 #[test]
 fn a_scene_does_not_depend_on_the_one_that_it_replaces() {
-    for cut in grid::CUTS {
+    for cut in show::CUTS {
         let time = (cut as f32 + 0.7) * grid::BAR;
-        let mut scene = at(grid::SHOW_LENGTH - time);
+        let mut scene = at(show::LENGTH - time);
         show::at(time, &mut scene);
         assert_eq!(
             format!("{:?}", scene.spheres.to_vec()),
@@ -68,7 +68,7 @@ fn a_scene_does_not_depend_on_the_one_that_it_replaces() {
 #[test]
 fn the_camera_jumps_on_bars_alone_and_at_every_cut() {
     let mut jumps = Vec::new();
-    let frames = (grid::SHOW_LENGTH * 60.0) as usize;
+    let frames = (show::LENGTH * 60.0) as usize;
     for i in 1..frames {
         let eye = |i: usize| at(i as f32 / 60.0).camera.eye;
         if (eye(i) - eye(i - 1)).length() > 0.4 {
@@ -77,7 +77,7 @@ fn the_camera_jumps_on_bars_alone_and_at_every_cut() {
             jumps.push((i / 120) as u32);
         }
     }
-    for cut in &grid::CUTS[1..] {
+    for cut in &show::CUTS[1..] {
         assert!(jumps.contains(cut), "bar {cut} of {jumps:?}");
     }
 }
@@ -86,7 +86,7 @@ fn the_camera_jumps_on_bars_alone_and_at_every_cut() {
 fn captions_are_inside_the_picture_and_bright() {
     for (width, height) in [(640, 360), (3840, 2160), (360, 640)] {
         let mut seen = 0;
-        for beat in 0..grid::BARS * grid::BEATS_PER_BAR {
+        for beat in 0..show::BARS * grid::BEATS_PER_BAR {
             let mut scene = Scene {
                 captions: at((beat as f32 + 0.5) * grid::BEAT).captions,
                 ..Scene::default()

@@ -2,7 +2,7 @@
 
 use super::{BAR, decibels, peak, song};
 use ebur128::{EbuR128, Mode};
-use eightfold::show::grid;
+use eightfold::show;
 use eightfold::sound::RATE;
 
 /// The loudness by EBU R128 in LUFS, and the largest peak between samples.
@@ -27,12 +27,12 @@ fn the_song_is_as_loud_as_music_is() {
 #[test]
 fn the_song_has_a_build_a_break_and_a_climax() {
     let loudness = |from: u32, to: u32| meter(&song()[from as usize * BAR..to as usize * BAR]).0;
-    let title = loudness(grid::TITLE, grid::MODEL);
-    let model = loudness(grid::MODEL, grid::METHOD);
-    let method = loudness(grid::METHOD, grid::COLONNADE);
-    let colonnade = loudness(grid::COLONNADE, grid::MACHINE);
-    let field = loudness(grid::SWARM, grid::FINALE);
-    let finale = loudness(grid::FINALE, grid::BARS);
+    let title = loudness(show::cut("title"), show::cut("model"));
+    let model = loudness(show::cut("model"), show::cut("method"));
+    let method = loudness(show::cut("method"), show::cut("colonnade"));
+    let colonnade = loudness(show::cut("colonnade"), show::cut("machine"));
+    let field = loudness(show::cut("swarm"), show::cut("finale"));
+    let finale = loudness(show::cut("finale"), show::BARS);
     assert!(
         title + 2.0 < model && model + 1.0 < method,
         "{title} {model} {method}"
@@ -46,7 +46,7 @@ fn the_song_has_a_build_a_break_and_a_climax() {
 
 #[test]
 fn no_bar_but_the_last_two_is_silent() {
-    let bars = song().chunks_exact(BAR).take(grid::BARS as usize - 2);
+    let bars = song().chunks_exact(BAR).take(show::BARS as usize - 2);
     for (bar, samples) in bars.enumerate() {
         let (loudness, _) = meter(samples);
         assert!(loudness > -24.0, "bar {bar}: {loudness} LUFS");
@@ -90,7 +90,7 @@ fn cuts_are_no_louder_steps_than_the_music_around_them() {
             .map(|side| (song[at][side] - song[at - 1][side]).abs())
             .fold(0.0, f32::max)
     };
-    for cut in &grid::CUTS[1..] {
+    for cut in &show::CUTS[1..] {
         let at = *cut as usize * BAR;
         let around = (at - BAR..at + BAR).map(step).fold(0.0, f32::max);
         let here = (at - 2..at + 2).map(step).fold(0.0, f32::max);

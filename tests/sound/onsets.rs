@@ -1,7 +1,7 @@
 //! The kicks that the picture follows are those of the sound.
 
 use super::song;
-use eightfold::show::grid;
+use eightfold::show::{self, grid};
 use eightfold::sound::{RATE, pulse};
 
 /// The samples of a millisecond, over which energy is summed.
@@ -39,7 +39,7 @@ fn steepest(energies: &[f32], from: usize, to: usize) -> usize {
 fn a_kick_is_heard_where_the_picture_has_one() {
     let energies = energies();
     let mut kicks = 0;
-    let beats = grid::BARS * grid::BEATS_PER_BAR;
+    let beats = show::BARS * grid::BEATS_PER_BAR;
     for beat in 0..beats {
         let time = grid::BEAT * beat as f32;
         if pulse(time).kick < 0.9 {
@@ -71,7 +71,7 @@ fn the_pulse_counts_bars_and_beats() {
 
 #[test]
 fn the_pulse_of_a_kick_fades_until_the_next() {
-    let start = grid::BAR * grid::MODEL as f32;
+    let start = grid::BAR * show::cut("model") as f32;
     assert_eq!(pulse(start).kick, 1.0);
     let mut last = 1.0;
     for i in 1..30 {
@@ -80,6 +80,6 @@ fn the_pulse_of_a_kick_fades_until_the_next() {
         last = kick;
     }
     assert!(last < 0.03, "{last}");
-    assert_eq!(pulse(grid::BAR * grid::COLONNADE as f32).kick, 0.0);
+    assert_eq!(pulse(grid::BAR * show::cut("colonnade") as f32).kick, 0.0);
     assert_eq!(pulse(0.0).kick, 0.0);
 }

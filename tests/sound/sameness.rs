@@ -1,7 +1,7 @@
 //! A sample depends on its position in the song alone.
 
 use super::{BAR, song};
-use eightfold::show::grid;
+use eightfold::show;
 use eightfold::sound::{SONG_LENGTH, Synthesizer};
 
 /// Whether two sequences of samples have the same bits.
@@ -44,7 +44,7 @@ fn a_bar_gone_to_sounds_as_a_bar_played_to() {
     let mut synthesizer = Box::<Synthesizer>::default();
     // Forwards, backwards, and to the middle of a block.
     for start in
-        grid::CUTS
+        show::CUTS
             .map(|bar| bar as usize * BAR)
             .into_iter()
             .chain([9 * BAR + 1, 0, 12_345])

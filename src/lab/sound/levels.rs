@@ -3,7 +3,7 @@
 use crate::scenes::SHOW_SCENES;
 use anyhow::Result;
 use ebur128::{EbuR128, Mode};
-use eightfold::show::grid::{BARS, CUTS};
+use eightfold::show::{BARS, CUTS};
 use eightfold::sound::{RATE, SONG_LENGTH};
 use std::fmt::Write;
 

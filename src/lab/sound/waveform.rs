@@ -1,6 +1,6 @@
 //! Draws the waveform: the left channel above the right.
 
-use eightfold::show::grid::{BARS, CUTS};
+use eightfold::show::{BARS, CUTS};
 
 const BACKGROUND: u32 = 0x10_1218;
 /// The colours of the lines at the start of a bar, and of a scene.

@@ -25,7 +25,7 @@ impl Property for Patterns {
         let mut scene = Box::new(Scene::default());
         let mut prepared = prepared(&scene);
         let (mut seen, mut far) = (0, 0);
-        for bar in (0..grid::BARS).step_by(3) {
+        for bar in (0..show::BARS).step_by(3) {
             show::at((bar as f32 + 0.3) * grid::BAR, &mut scene);
             // Marble, too, is seen by pixels if it has edges, and so are spheres with a pattern.
             for block in scene.blocks.iter_mut() {

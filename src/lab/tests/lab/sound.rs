@@ -1,7 +1,7 @@
 //! `lab sound` prints the levels and writes its files.
 
 use super::{assert_one_line, lab, read_png};
-use eightfold::show::grid;
+use eightfold::show;
 use eightfold::sound::{RATE, SONG_LENGTH};
 
 #[test]
@@ -25,7 +25,7 @@ fn every_bar_has_a_row_and_files_are_whole() {
     assert!(output.status.success());
     let text = String::from_utf8(output.stdout).unwrap();
     let rows = text.lines().filter(|line| line.starts_with("| ")).count();
-    assert_eq!(rows, grid::BARS as usize + 2, "{text}");
+    assert_eq!(rows, show::BARS as usize + 2, "{text}");
     for word in ["title", "finale", "LUFS", "of one core"] {
         assert!(text.contains(word), "{word}");
     }

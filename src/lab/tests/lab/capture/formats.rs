@@ -2,7 +2,7 @@
 
 use super::{captured, files};
 use crate::lab;
-use eightfold::show::grid;
+use eightfold::show;
 use eightfold_stage::{lacks, reader::read_png, run, tool};
 use std::fs;
 use std::ops::Range;
@@ -48,9 +48,9 @@ fn frames_are_the_pictures_of_their_times() {
 #[test]
 fn without_a_range_it_is_the_whole_show() {
     for (scene, seconds) in [
-        ("show", grid::SHOW_LENGTH),
+        ("show", show::LENGTH),
         ("show:machine", 12.0),
-        ("model", eightfold::show::MODEL_LENGTH.ceil()),
+        ("model", show::MODEL_LENGTH.ceil()),
     ] {
         let folder = tempfile::tempdir().unwrap();
         let more = format!("--scene {scene} --fps 1 --size 8x8");

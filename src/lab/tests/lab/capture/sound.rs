@@ -2,8 +2,11 @@
 
 use super::captured;
 use crate::lab;
-use eightfold::show::grid::{self, BAR};
-use eightfold::sound::RATE;
+use eightfold::show::{
+    self,
+    grid::{self, BAR},
+};
+use eightfold::sound::{RATE, SONG_LENGTH};
 use eightfold_stage::{lacks, run, tool};
 use std::fs;
 use std::path::Path;
@@ -33,7 +36,7 @@ fn the_sound_of_frames_is_their_part_of_the_soundtrack() {
             2_952_000,
         ),
         ("--scene show --fps 7 --from 1 --to 2", 6858, 13_715),
-        ("--scene show", 0, 96 * 48_000),
+        ("--scene show", 0, SONG_LENGTH as usize),
     ] {
         captured("--audio", &path("part.wav"), more);
         let part = fs::read(path("part.wav")).unwrap();
@@ -114,7 +117,7 @@ fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
     let folder = tempfile::tempdir().unwrap();
     let video = folder.path().join("machine.mp4");
     // Two bars from the second bar of the machine, captured from a quarter of a second before.
-    let start = BAR * (grid::MACHINE + 1) as f32 - 0.25;
+    let start = BAR * (show::cut("machine") + 1) as f32 - 0.25;
     let from = (start * FPS as f32) as usize;
     let more = format!(
         "--scene show --size 64x36 --from {from} --to {}",
@@ -149,7 +152,10 @@ fn picture_and_sound_of_a_video_are_in_step() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    for (name, bar) in [("model.mp4", grid::MODEL), ("field.mkv", grid::SWARM)] {
+    for (name, bar) in [
+        ("model.mp4", show::cut("model")),
+        ("field.mkv", show::cut("swarm")),
+    ] {
         assert_eq!(eightfold::sound::pulse(BAR * bar as f32).kick, 1.0);
         let video = folder.path().join(name);
         // From half a second before the cut to half a second after it.

@@ -1,11 +1,49 @@
 //! The title: spheres fly in from all around and form a word.
 
-use super::material;
-use super::random::Random;
 use crate::font::{ADVANCE, strokes};
 use crate::maths::{round, smooth_step, sqrt};
 use crate::scene::{Scene, Sphere};
+use crate::show::act::{Act, Shot, shot};
+use crate::show::captions::Line;
+use crate::show::material;
+use crate::show::path::key;
+use crate::show::random::Random;
+use crate::show::set::{FAR, Set, point};
 use glam::{Vec3A, vec3a};
+
+/// The scene as a record.
+pub(in crate::show) const ACT: Act = Act {
+    set: &SET,
+    set_since: 0,
+    shots: SHOTS,
+    captions: CAPTIONS,
+};
+
+static SET: Set = Set {
+    background: vec3a(0.05, 0.07, 0.14),
+    sky: vec3a(-0.04, -0.05, -0.08),
+    ambient: vec3a(0.10, 0.10, 0.10),
+    haze: 0.015,
+    floor: &material::NIGHT,
+    floor_half: FAR,
+    lights: &[
+        point([7.0, 8.0, -9.0], [1.25, 0.95, 0.62]),
+        point([-9.0, 4.0, -5.0], [0.30, 0.48, 0.95]),
+    ],
+    flash: 0.0,
+    props: &[],
+    special: Some(add),
+};
+
+#[rustfmt::skip]
+static SHOTS: &[Shot] = &[
+    shot(6, key([4.0, 1.0, 0.0],   0.9,  9.0, 0.4), key([0.0, 1.2, 0.0], -0.2, 14.6, 1.8)),
+];
+
+#[rustfmt::skip]
+static CAPTIONS: &[Line] = &[
+    Line { first: 12.0, beats: 11.0, middle: 0.82, size: 0.040, text: "RAYS BY SQUARES OF EIGHT" },
+];
 
 const WORD: &[u8; 9] = b"EIGHTFOLD";
 
@@ -28,7 +66,7 @@ const START: Vec3A = vec3a(-15.0, 4.0, -12.0);
 const START_EXTENT: Vec3A = vec3a(30.0, 10.0, 24.0);
 
 /// Adds the spheres as they are `beat` beats after the start of the show.
-pub(super) fn add(beat: f32, scene: &mut Scene) {
+fn add(beat: f32, scene: &mut Scene) {
     let mut random = Random(8);
     let mut left = 0.0;
     for &letter in WORD {

@@ -1,11 +1,47 @@
 //! The swarm: 256 spheres that undulate in a square, fly one after another into a ball, and on into a figure of eight.
 
-use super::material;
-use super::props::around;
 use crate::maths::{cos, sin, smooth_step, sqrt};
-use crate::scene::{Material, Scene, Sphere};
+use crate::scene::{Light, Material, Scene, Sphere};
+use crate::show::act::{Act, Shot, shot};
+use crate::show::material;
+use crate::show::path::key;
+use crate::show::props::around;
+use crate::show::set::{FAR, FLASH, Set, point};
 use core::f32::consts::TAU;
 use glam::{Vec3A, vec3a};
+
+/// The scene as a record.
+pub(in crate::show) const ACT: Act = Act {
+    set: &SET,
+    set_since: 0,
+    shots: SHOTS,
+    captions: &[],
+};
+
+static SET: Set = Set {
+    background: vec3a(0.10, 0.12, 0.20),
+    sky: vec3a(-0.08, -0.09, -0.12),
+    ambient: vec3a(0.12, 0.12, 0.15),
+    haze: 0.03,
+    floor: &material::NIGHT,
+    floor_half: FAR,
+    lights: &[
+        Light {
+            size: 1.25,
+            ..point([-8.0, 12.0, -6.0], [1.00, 0.86, 0.70])
+        },
+        point([10.0, 6.0, 4.0], [0.16, 0.26, 0.55]),
+    ],
+    flash: FLASH,
+    props: &[],
+    special: Some(add),
+};
+
+#[rustfmt::skip]
+static SHOTS: &[Shot] = &[
+    shot(3, key([0.0, 0.8, 0.0],    0.6, 12.0, 5.5), key([0.0, 2.0, 0.0], -1.2, 10.0, 3.4)),
+    shot(3, key([0.0, 2.6, 0.0],   -1.2, 8.0, 0.4), key([0.0, 2.6, 0.0],   0.4,  9.0, 0.4)),
+];
 
 /// Spheres along a side of the square in which they start.
 const SIDE: i32 = 16;
@@ -22,8 +58,8 @@ const TO_BLUE: Vec3A = vec3a(-0.78, 0.17, 0.80);
 /// The colour of the waves' crests: darker than [`material::GOLD`], since the diffuse coefficient of plastic is larger.
 const GOLD: Vec3A = vec3a(0.85, 0.62, 0.30);
 
-/// Adds the spheres as they are `beat` beats after the set's first bar.
-pub(super) fn add(beat: f32, scene: &mut Scene) {
+/// Adds the spheres as they are `beat` beats after the act's first bar.
+fn add(beat: f32, scene: &mut Scene) {
     for i in 0..COUNT {
         scene.spheres.push(sphere(i, beat));
     }

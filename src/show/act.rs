@@ -1,0 +1,48 @@
+//! A scene of the show as a record: its set, its shots and its captions.
+//!
+//! "Scene" alone is what one frame shows, [`crate::scene::Scene`]; in the code a scene of the show is an act.
+
+use super::captions::Line;
+use super::path::Keyframe;
+use super::set::Set;
+
+/// A scene of the show.
+#[derive(Clone, Copy)]
+pub(super) struct Act {
+    /// Where it is filmed.
+    pub set: &'static Set,
+    /// The bars for which the act before it was filmed on the same set, whose movements go on; 0 on a set of its own.
+    pub set_since: u32,
+    /// Its shots, one after another.
+    pub shots: &'static [Shot],
+    /// Its captions.
+    pub captions: &'static [Line],
+}
+
+/// One uninterrupted movement of the camera.
+pub(super) struct Shot {
+    /// Its length in bars.
+    pub bars: u8,
+    /// The camera at the beginning and at the end.
+    pub keyframes: [Keyframe; 2],
+}
+
+impl Act {
+    /// Its length in bars: that of its shots.
+    pub const fn bars(&self) -> u32 {
+        let (mut bars, mut i) = (0, 0);
+        while i < self.shots.len() {
+            bars += self.shots[i].bars as u32;
+            i += 1;
+        }
+        bars
+    }
+}
+
+/// A shot of so many bars, from one keyframe to another.
+pub(super) const fn shot(bars: u8, from: Keyframe, to: Keyframe) -> Shot {
+    Shot {
+        bars,
+        keyframes: [from, to],
+    }
+}

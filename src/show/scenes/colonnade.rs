@@ -1,0 +1,65 @@
+//! A low sun through two rows of marble columns.
+
+use crate::scene::{Light, Spot};
+use crate::show::act::{Act, Shot, shot};
+use crate::show::material;
+use crate::show::path::key;
+use crate::show::props::{Motion::Bouncing, Prop, cuboid, cylinder, sphere};
+use crate::show::set::{FAR, Set, point, sun};
+use glam::vec3a;
+
+/// The scene as a record.
+pub(in crate::show) const ACT: Act = Act {
+    set: &SET,
+    set_since: 0,
+    shots: SHOTS,
+    captions: &[],
+};
+
+static SET: Set = Set {
+    background: vec3a(0.78, 0.50, 0.36),
+    sky: vec3a(-0.62, -0.26, 0.10),
+    ambient: vec3a(0.16, 0.15, 0.20),
+    haze: 0.022,
+    floor: &material::SANDSTONE,
+    floor_half: FAR,
+    lights: &[
+        Light {
+            size: 0.2,
+            ..sun([7.0, 4.2, -3.4], [1.00, 0.70, 0.40])
+        },
+        sun([-4.0, 5.0, -5.0], [0.16, 0.22, 0.38]),
+        Light {
+            size: 1.2,
+            spot: Some(Spot {
+                aim: vec3a(0.0, -1.0, 0.0),
+                dark: 0.96,
+                bright: 0.98,
+            }),
+            ..point([0.0, 9.0, 6.0], [0.45, 0.50, 0.65])
+        },
+    ],
+    flash: 0.0,
+    props: PROPS,
+    special: None,
+};
+
+#[rustfmt::skip]
+static PROPS: &[Prop] = &[
+    // The columns: plinths, shafts, capitals, and the beams on them.
+    cuboid(&material::MARBLE, [-2.6, 0.2, -6.0], [1.5, 0.4, 1.5]).repeat([2, 7], [5.2, 3.2]),
+    cylinder(&material::MARBLE, [-2.6, 2.7, -6.0], [0.9, 4.6, 0.9]).repeat([2, 7], [5.2, 3.2]),
+    cuboid(&material::MARBLE, [-2.6, 5.2, -6.0], [1.4, 0.4, 1.4]).repeat([2, 7], [5.2, 3.2]),
+    cuboid(&material::MARBLE, [-2.6, 5.7, -2.6], [1.1, 0.6, 11.2]).repeat([2, 2], [5.2, 11.2]),
+    // Spheres that float between the columns.
+    sphere(&material::CRYSTAL, [0.0, 1.7, 6.0], 1.8).moving(Bouncing { phase: 0.0 }),
+    sphere(&material::GOLD, [-0.9, 0.7, 1.4], 1.0).moving(Bouncing { phase: 1.0 }),
+    sphere(&material::SCARLET, [0.9, 1.0, 3.2], 0.9).moving(Bouncing { phase: 2.0 }),
+    sphere(&material::SILVER, [-0.2, 3.2, 9.0], 1.4).moving(Bouncing { phase: 3.0 }),
+];
+
+#[rustfmt::skip]
+static SHOTS: &[Shot] = &[
+    shot(5, key([-0.4, 1.6, -3.0], -0.4, 9.0, 0.1), key([0.1, 1.8, 2.0],   0.0,  7.8, 0.9)),
+    shot(3, key([0.0, 1.9, 5.0],    0.2, 6.0, 1.4), key([0.0, 1.9, 6.0],  -0.3,  5.0, 0.4)),
+];

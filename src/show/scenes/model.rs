@@ -1,0 +1,56 @@
+//! The model scene: four spheres, a plane and two lights.
+//!
+//! It follows the test scene of the 2008 thesis.
+
+use crate::scene::Light;
+use crate::show::act::{Act, Shot, shot};
+use crate::show::material;
+use crate::show::path::key;
+use crate::show::props::{Motion::Bouncing, Prop, sphere};
+use crate::show::set::{Set, point};
+use glam::{Vec3A, vec3a};
+
+/// The scene as a record.
+pub(in crate::show) const ACT: Act = Act {
+    set: &SET,
+    set_since: 0,
+    shots: SHOTS,
+    captions: &[],
+};
+
+/// The set of this scene, of the method scene, and of measurements.
+pub(in crate::show) static SET: Set = Set {
+    background: vec3a(0.10, 0.12, 0.20),
+    sky: Vec3A::ZERO,
+    ambient: vec3a(0.12, 0.12, 0.14),
+    haze: 0.0,
+    floor: &material::PAPER,
+    floor_half: 12.0,
+    lights: &[
+        Light {
+            radius: 0.15,
+            ..point([-4.0, 6.0, -4.0], [0.90, 0.85, 0.80])
+        },
+        Light {
+            radius: 0.15,
+            ..point([5.0, 5.0, -2.0], [0.35, 0.40, 0.50])
+        },
+    ],
+    flash: 0.0,
+    props: PROPS,
+    special: None,
+};
+
+#[rustfmt::skip]
+static PROPS: &[Prop] = &[
+    sphere(&material::RED, [-2.2, 1.0, 0.5], 2.0),
+    sphere(&material::MIRROR, [0.0, 1.2, 1.8], 2.4),
+    sphere(&material::BLUE, [2.2, 1.0, 0.3], 2.0),
+    sphere(&material::GLASS, [0.6, 0.5, -1.6], 1.0).moving(Bouncing { phase: 0.0 }),
+];
+
+#[rustfmt::skip]
+static SHOTS: &[Shot] = &[
+    shot(4, key([0.0, 0.9, 0.0],  -1.2,  8.0, 1.3), key([0.0, 0.9, 0.0],  0.9,  7.0, 1.3)),
+    shot(4, key([0.4, 0.8, -0.6],  0.5,  4.0, 0.3), key([0.2, 0.9, 0.2], -0.9,  6.0, 2.6)),
+];

@@ -1,0 +1,93 @@
+//! What is set up for a scene of the show: air, floor, lamps, props.
+
+use super::props::Prop;
+use crate::scene::{Light, Material, Plane, Scene, Spot};
+use glam::Vec3A;
+
+/// What is set up for an act, or for several in a row.
+pub(super) struct Set {
+    /// See [`Scene::background`].
+    pub background: Vec3A,
+    /// See [`Scene::sky`].
+    pub sky: Vec3A,
+    /// See [`Scene::ambient`].
+    pub ambient: Vec3A,
+    /// See [`Scene::haze`].
+    pub haze: f32,
+    /// The material of the floor, a square about the origin at y = 0.
+    pub floor: &'static Material,
+    /// Half the side of the floor, in scene units.
+    pub floor_half: f32,
+    /// The lights. Here a spotlight's aim may have any length.
+    pub lights: &'static [Light],
+    /// The share by which the lights get brighter on a kick of the drum; 0 leaves them as they are.
+    pub flash: f32,
+    /// Objects, alone or in rows.
+    pub props: &'static [Prop],
+    /// Adds objects that no table describes, as they are so many beats after the set was first shown.
+    pub special: Option<fn(f32, &mut Scene)>,
+}
+
+/// Half the side of a floor that seems endless: haze hides its edge.
+pub(super) const FAR: f32 = 100.0;
+
+/// The usual [`Set::flash`]: visible, but not dazzling.
+pub(super) const FLASH: f32 = 0.3;
+
+/// An invisible point light, whose shadows are hard.
+pub(super) const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {
+    Light {
+        position: Vec3A::from_array(position),
+        colour: Vec3A::from_array(colour),
+        ..Light::DARK
+    }
+}
+
+/// An invisible light whose rays are parallel.
+pub(super) const fn sun(position: [f32; 3], colour: [f32; 3]) -> Light {
+    Light {
+        parallel: true,
+        ..point(position, colour)
+    }
+}
+
+impl Set {
+    /// Replaces a scene's background, haze, lights and objects by those of the set, `beat` beats after it was first shown.
+    pub fn apply(&self, beat: f32, scene: &mut Scene) {
+        scene.background = self.background;
+        scene.sky = self.sky;
+        scene.ambient = self.ambient;
+        scene.haze = self.haze;
+        scene.planes.clear();
+        scene.planes.push(Plane {
+            centre: Vec3A::ZERO,
+            half_x: self.floor_half,
+            half_z: self.floor_half,
+            material: *self.floor,
+        });
+        scene.lights.clear();
+        for &light in self.lights {
+            let spot = light.spot.map(|spot| Spot {
+                aim: spot.aim.normalize(),
+                ..spot
+            });
+            scene.lights.push(Light { spot, ..light });
+        }
+        scene.spheres.clear();
+        scene.blocks.clear();
+        for prop in self.props {
+            prop.add_all(beat, scene);
+        }
+        if let Some(add) = self.special {
+            add(beat, scene);
+        }
+    }
+
+    /// Makes a scene's lights brighter, as they are while a kick of the drum is so loud, 0 to 1.
+    pub fn flash(&self, kick: f32, scene: &mut Scene) {
+        let brighter = 1.0 + self.flash * kick;
+        for light in scene.lights.iter_mut() {
+            light.colour *= brighter;
+        }
+    }
+}
