@@ -32,7 +32,7 @@ static CAPITALS: [&str; 26] = [
     "maoc", // N
     "bdjnlfb", // O
     "mabfhg", // P
-    "bdjnlfbo", // Q
+    "bdjnlfb ko", // Q
     "mabfhgo", // R
     "cbdlnm", // S
     "ac bn", // T
