@@ -3,7 +3,7 @@
 //! "Scene" alone is what one frame shows, [`crate::scene::Scene`]; in the code a scene of the show is an act.
 
 use super::captions::Line;
-use super::path::Keyframe;
+use super::path::Key;
 use super::set::Set;
 
 /// A scene of the show.
@@ -23,8 +23,8 @@ pub(super) struct Act {
 pub(super) struct Shot {
     /// Its length in bars.
     pub bars: u8,
-    /// The camera at the beginning and at the end.
-    pub keyframes: [Keyframe; 2],
+    /// What the camera passes through, at equal distances in time, from the start to the end; two at least.
+    pub keys: &'static [Key],
 }
 
 impl Act {
@@ -39,10 +39,7 @@ impl Act {
     }
 }
 
-/// A shot of so many bars, from one keyframe to another.
-pub(super) const fn shot(bars: u8, from: Keyframe, to: Keyframe) -> Shot {
-    Shot {
-        bars,
-        keyframes: [from, to],
-    }
+/// A shot of so many bars, through several keys.
+pub(super) const fn shot(bars: u8, keys: &'static [Key]) -> Shot {
+    Shot { bars, keys }
 }

@@ -97,7 +97,7 @@ pub(super) static SILVER: Material = Material {
     ..MATT
 };
 
-/// Cast steel without reflections: they took a quarter of the machine's time and were hardly visible.
+/// Cast steel without reflections, which were hardly visible.
 pub(super) static STEEL: Material = Material {
     colour: vec3a(0.55, 0.62, 0.75),
     kd: 0.55,
@@ -122,7 +122,7 @@ pub(super) static STRIPED: Material = Material {
     ks: 0.4,
     exponent: 40.0,
     pattern: Pattern {
-        waves: vec3a(0.0, 1.0, 0.0),
+        waves: vec3a(0.0, 2.0, 0.0),
         depth: 0.7,
         edge: 30.0,
         ..Pattern::NONE
@@ -162,23 +162,7 @@ pub(super) static SANDSTONE: Material = Material {
     ..MATT
 };
 
-/// Polished slate tiles in a checker pattern.
-pub(super) static SLATE: Material = Material {
-    colour: vec3a(0.62, 0.62, 0.66),
-    kd: 0.8,
-    ks: 0.2,
-    exponent: 30.0,
-    kr: 0.2,
-    pattern: Pattern {
-        waves: vec3a(0.55, 0.0, 0.55),
-        depth: 0.38,
-        edge: 40.0,
-        ..Pattern::NONE
-    },
-    ..MATT
-};
-
-/// The finale's floor, which reflects like water.
+/// Still, dark water: the floor of the title, the machine and the finale.
 pub(super) static DUSK: Material = Material {
     colour: vec3a(0.2, 0.2, 0.27),
     kd: 0.8,
@@ -188,7 +172,7 @@ pub(super) static DUSK: Material = Material {
     ..MATT
 };
 
-/// The floor of the title and the swarm, which reflects like dark water.
+/// The floor of the swarm, which reflects a little.
 pub(super) static NIGHT: Material = Material {
     colour: vec3a(0.22, 0.24, 0.34),
     kd: 0.8,

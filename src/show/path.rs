@@ -1,67 +1,88 @@
-//! The camera's movements, in scene coordinates.
+//! The camera's way: a curve through the keys of a shot, in scene coordinates.
 
 use crate::maths::{cos, sin};
 use crate::scene::{Camera, Method, Scene};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3A, Vec4, vec3a, vec4};
 
-/// The camera and the overlay at the start or the end of a shot. The camera's position is relative to the point it looks at.
-#[derive(Clone, Copy)]
-pub(super) struct Keyframe {
+/// Where the camera is at some time of a shot, and what is drawn over the picture. Its position is relative to the point that it
+/// looks at.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Key {
     /// The point in the middle of the picture, in scene units.
     look_at: Vec3A,
-    /// The angle about the y axis in radians. At 0 the camera looks along z.
-    angle: f32,
-    /// The horizontal distance, in scene units.
-    distance: f32,
-    /// The height, in scene units.
-    height: f32,
-    /// The overlay.
-    method: Method,
+    /// The angle about the y axis in radians, at 0 the camera looks along z; the horizontal distance and the height, in scene
+    /// units; the roll, as the slope of the horizon, which is lower on the left if it is positive.
+    away: Vec4,
+    /// The points, the squares and the picture of a [`Method`].
+    overlay: Vec3A,
 }
 
-/// A keyframe without an overlay.
-pub(super) const fn key(look_at: [f32; 3], angle: f32, distance: f32, height: f32) -> Keyframe {
-    Keyframe {
+/// A key without roll and overlay.
+pub(super) const fn key(look_at: [f32; 3], angle: f32, distance: f32, height: f32) -> Key {
+    Key {
         look_at: Vec3A::from_array(look_at),
-        angle,
-        distance,
-        height,
-        method: Method::PLAIN,
+        away: vec4(angle, distance, height, 0.0),
+        overlay: Vec3A::Z,
     }
 }
 
-impl Keyframe {
-    /// The same keyframe with an overlay, see [`Method`].
+impl Key {
+    /// The same key with an overlay, see [`Method`].
     pub const fn overlaid(self, points: f32, squares: f32, picture: f32) -> Self {
         Self {
-            method: Method {
-                points,
-                squares,
-                picture,
-            },
+            overlay: vec3a(points, squares, picture),
+            ..self
+        }
+    }
+
+    /// The same key with a roll.
+    pub const fn rolled(self, roll: f32) -> Self {
+        let [angle, distance, height, _] = self.away.to_array();
+        Self {
+            away: vec4(angle, distance, height, roll),
             ..self
         }
     }
 }
 
-/// Sets a scene's camera and overlay to the linear interpolation between two keyframes, 0 to 1 from the first to the second. The
-/// camera moves on a circle, a spiral or a line.
-pub(super) fn interpolate([from, to]: &[Keyframe; 2], u: f32, scene: &mut Scene) {
-    let between = |from: f32, to: f32| from + (to - from) * u;
-    scene.camera = orbit(
-        from.look_at + (to.look_at - from.look_at) * u,
-        between(from.angle, to.angle),
-        between(from.distance, to.distance),
-        between(from.height, to.height),
-    );
+/// Sets a scene's camera and overlay to those of a shot at `time`, 0 to 1 from its start to its end. `push` is the share by which
+/// the camera is closer to what it looks at than its way says.
+///
+/// The keys are evenly spaced in time. Between them runs a Catmull-Rom spline, whose speed does not jump. At either end the last
+/// key counts twice: the camera sets off, and arrives, at about half of its speed, so that it eases into a shot and out of it
+/// without standing still at a cut. The overlay changes linearly.
+pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
+    let last = keys.len() - 1;
+    let time = time * last as f32;
+    let from = (time as usize).min(last - 1);
+    let u = time - from as f32;
+    let four = [from.saturating_sub(1), from, from + 1, (from + 2).min(last)];
+    let [a, b, c, d] = four.map(|number| &keys[number]);
+    let [wa, wb, wc, wd] = catmull_rom(u);
+    let look_at = a.look_at * wa + b.look_at * wb + c.look_at * wc + d.look_at * wd;
+    let away = a.away * wa + b.away * wb + c.away * wc + d.away * wd;
+    scene.camera = orbit(look_at, away.x, away.y * (1.0 - push), away.z);
+    scene.camera.up += vec3a(cos(away.x), 0.0, sin(away.x)) * away.w;
+    let overlay = b.overlay.lerp(c.overlay, u);
     scene.method = Method {
-        points: between(from.method.points, to.method.points),
-        squares: between(from.method.squares, to.method.squares),
-        picture: between(from.method.picture, to.method.picture),
+        points: overlay.x,
+        squares: overlay.y,
+        picture: overlay.z,
     };
 }
 
-/// A camera that looks at a point; the other arguments are those of a [`Keyframe`].
+/// The weights of four neighbouring keys `u` of the way from the second to the third, 0 to 1, by the uniform Catmull-Rom spline:
+/// a cubic that passes through these two, and whose slope at either is half the difference of its neighbours.
+fn catmull_rom(u: f32) -> [f32; 4] {
+    [
+        ((2.0 - u) * u - 1.0) * u * 0.5,
+        (3.0 * u - 5.0) * u * u * 0.5 + 1.0,
+        ((4.0 - 3.0 * u) * u + 1.0) * u * 0.5,
+        (u - 1.0) * u * u * 0.5,
+    ]
+}
+
+/// A camera that looks at a point from an angle, a distance and a height as those of a [`Key`].
 pub(super) fn orbit(look_at: Vec3A, angle: f32, distance: f32, height: f32) -> Camera {
     let away = vec3a(distance * sin(angle), height, -distance * cos(angle));
     Camera {
@@ -69,5 +90,65 @@ pub(super) fn orbit(look_at: Vec3A, angle: f32, distance: f32, height: f32) -> C
         look_at,
         up: Vec3A::Y,
         field_of_view: core::f32::consts::FRAC_PI_4,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Key, catmull_rom, film, key, orbit};
+    use crate::scene::{Camera, Method, Scene};
+    use proptest::array::uniform5;
+    use proptest::prelude::*;
+
+    fn keys() -> impl Strategy<Value = [Key; 5]> {
+        let coordinate = || -5.0_f32..5.0;
+        let way = (coordinate(), coordinate(), coordinate(), -3.0_f32..3.0);
+        let any = (way, 1.0_f32..20.0, 0.0_f32..5.0, -0.2_f32..0.2);
+        let any = any.prop_map(|((x, y, z, angle), distance, height, roll)| {
+            key([x, y, z], angle, distance, height)
+                .rolled(roll)
+                .overlaid(roll.abs(), 0.5, 1.0)
+        });
+        uniform5(any)
+    }
+
+    fn at(keys: &[Key], time: f32) -> (Camera, Method) {
+        let mut scene = Scene::default();
+        film(keys, time, 0.0, &mut scene);
+        (scene.camera, scene.method)
+    }
+
+    proptest! {
+        #[test]
+        fn the_camera_passes_through_its_keys(keys in keys(), count in 2_usize..6) {
+            let keys = &keys[..count];
+            for (number, key) in keys.iter().enumerate() {
+                let (camera, method) = at(keys, number as f32 / (keys.len() - 1) as f32);
+                let wanted = orbit(key.look_at, key.away.x, key.away.y, key.away.z);
+                prop_assert!(camera.eye.abs_diff_eq(wanted.eye, 1e-3));
+                prop_assert!(camera.look_at.abs_diff_eq(wanted.look_at, 1e-3));
+                prop_assert!((method.points - key.away.w.abs()).abs() < 1e-3);
+                // The picture's right has the slope of the roll.
+                let forward = (camera.look_at - camera.eye).with_y(0.0);
+                let right = forward.cross(camera.up).normalize();
+                let slope = right.y / right.with_y(0.0).length();
+                prop_assert!((slope.abs() - key.away.w.abs()).abs() < 1e-3);
+            }
+        }
+    }
+
+    #[test]
+    fn the_speed_does_not_jump_at_a_key() {
+        const STEP: f32 = 1.0 / 1024.0;
+        let slope = |u: f32| {
+            let (from, to) = (catmull_rom(u), catmull_rom(u + STEP));
+            core::array::from_fn::<f32, 4, _>(|i| (to[i] - from[i]) / STEP)
+        };
+        let (arriving, leaving) = (slope(1.0 - STEP), slope(0.0));
+        // The first of four keys is behind it when the camera leaves the third, and a fifth one comes in.
+        assert!(arriving[0].abs() < 0.01 && leaving[3].abs() < 0.01);
+        for i in 1..4 {
+            assert!((arriving[i] - leaving[i - 1]).abs() < 0.01, "key {i}");
+        }
     }
 }

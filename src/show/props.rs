@@ -1,6 +1,6 @@
 //! Spheres, boxes and cylinders that stand in rows, and how they move. Coordinates are the scene's.
 
-use crate::maths::{cos, round, sin, smooth_step};
+use crate::maths::{cos, sin};
 use crate::scene::{self, Block, Material, Scene, Sphere};
 use core::f32::consts::TAU;
 use glam::{Mat3A, Vec3A, vec3a};
@@ -9,8 +9,6 @@ use glam::{Mat3A, Vec3A, vec3a};
 pub(super) struct Prop {
     shape: Shape,
     material: &'static Material,
-    /// The material of every other object along x.
-    every_other: &'static Material,
     motion: Motion,
     /// The centre of the first object, in scene units.
     centre: Vec3A,
@@ -34,17 +32,6 @@ pub(super) enum Motion {
     /// Floats up and down; `phase` is in radians.
     Bouncing {
         phase: f32,
-    },
-    /// Strikes down on the beat; the objects of a row take turns, one on each beat of the bar.
-    Striking,
-    /// Sits on a wheel about the z axis at `radius` scene units from the axle, eight objects to a full circle. The wheel jerks
-    /// on by a quarter of a turn on each beat.
-    Turning {
-        radius: f32,
-    },
-    /// Circles slowly about the y axis at `radius` scene units from it, eight objects to a full circle.
-    Circling {
-        radius: f32,
     },
 }
 
@@ -73,7 +60,6 @@ const fn prop(shape: Shape, material: &'static Material, centre: [f32; 3], size:
     Prop {
         shape,
         material,
-        every_other: material,
         motion: Motion::Still,
         centre: Vec3A::from_array(centre),
         size: Vec3A::from_array(size),
@@ -88,19 +74,6 @@ impl Prop {
         Self {
             count,
             spacing,
-            ..self
-        }
-    }
-
-    /// Several objects in one position, which their motion spreads out.
-    pub const fn copies(self, count: u8) -> Self {
-        self.repeat([count, 1], [0.0, 0.0])
-    }
-
-    /// The same objects with another material for every other one along x.
-    pub const fn alternating(self, every_other: &'static Material) -> Self {
-        Self {
-            every_other,
             ..self
         }
     }
@@ -122,62 +95,52 @@ impl Prop {
 
     /// Adds the object in a column and a row of the grid.
     fn add(&self, column: u8, row: u8, beat: f32, scene: &mut Scene) {
-        let number = f32::from(column);
         let [dx, dz] = self.spacing;
-        let mut centre = self.centre + vec3a(number * dx, 0.0, f32::from(row) * dz);
-        let mut axes = Mat3A::IDENTITY;
-        match self.motion {
-            Motion::Still => {}
-            Motion::Bouncing { phase } => {
-                let sine = sin(beat * 0.5 + phase);
-                centre.y += 0.4 * sine * sine;
-            }
-            Motion::Striking => {
-                let since = beat + 4.0 - number;
-                let since = since - 4.0 * whole(since * 0.25);
-                // Up in the three beats after the strike, down in the last quarter before the next.
-                centre.y += 0.9 * (smooth_step(since / 3.0) - smooth_step((since - 3.75) * 4.0));
-            }
-            Motion::Turning { radius } => {
-                let whole = whole(beat);
-                let turns = number * 0.125 + 0.25 * (whole + smooth_step((beat - whole) * 1.6));
-                let out = around(turns);
-                let up = vec3a(-out.x, out.z, 0.0);
-                axes = Mat3A::from_cols(vec3a(out.z, out.x, 0.0), up, Vec3A::Z);
-                centre += up * radius;
-            }
-            Motion::Circling { radius } => centre += around(number * 0.125 + beat * 0.02) * radius,
+        let mut centre = self.centre + vec3a(f32::from(column) * dx, 0.0, f32::from(row) * dz);
+        if let Motion::Bouncing { phase } = self.motion {
+            let sine = sin(beat * 0.5 + phase);
+            centre.y += 0.4 * sine * sine;
         }
-        let material = if column.is_multiple_of(2) {
-            *self.material
-        } else {
-            *self.every_other
-        };
         let half = self.size * 0.5;
         match self.shape {
-            Shape::Sphere => scene.spheres.push(Sphere {
-                centre,
-                radius: half.x,
-                material,
-            }),
-            Shape::Block(shape) => scene.blocks.push(Block {
-                centre,
-                half,
-                axes,
-                shape,
-                material,
-            }),
-        };
+            Shape::Sphere => add_sphere(centre, half.x, self.material, scene),
+            Shape::Block(shape) => {
+                add_block(shape, centre, half, Mat3A::IDENTITY, self.material, scene);
+            }
+        }
     }
+}
+
+/// Adds a sphere.
+#[inline(never)]
+pub(super) fn add_sphere(centre: Vec3A, radius: f32, material: &Material, scene: &mut Scene) {
+    scene.spheres.push(Sphere {
+        centre,
+        radius,
+        material: *material,
+    });
+}
+
+/// Adds a box or a cylinder, see [`Block`].
+#[inline(never)]
+pub(super) fn add_block(
+    shape: scene::Shape,
+    centre: Vec3A,
+    half: Vec3A,
+    axes: Mat3A,
+    material: &Material,
+    scene: &mut Scene,
+) {
+    scene.blocks.push(Block {
+        centre,
+        half,
+        axes,
+        shape,
+        material: *material,
+    });
 }
 
 /// The horizontal direction at an angle, in turns, from the z axis towards the x axis.
 pub(super) fn around(turns: f32) -> Vec3A {
     vec3a(sin(TAU * turns), 0.0, cos(TAU * turns))
-}
-
-/// The floor of a time in beats, but one less on the beat itself, when the movement that it triggers is about to begin; a tie
-/// half-way between two beats rounds to even.
-fn whole(beat: f32) -> f32 {
-    round(beat - 0.5)
 }

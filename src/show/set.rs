@@ -20,8 +20,8 @@ pub(super) struct Set {
     pub floor_half: f32,
     /// The lights. Here a spotlight's aim may have any length.
     pub lights: &'static [Light],
-    /// The share by which the lights get brighter on a kick of the drum; 0 leaves them as they are.
-    pub flash: f32,
+    /// How much lights and camera follow the kick of the drum, 0 to 1.
+    pub hit: f32,
     /// Objects, alone or in rows.
     pub props: &'static [Prop],
     /// Adds objects that no table describes, as they are so many beats after the set was first shown.
@@ -30,9 +30,6 @@ pub(super) struct Set {
 
 /// Half the side of a floor that seems endless: haze hides its edge.
 pub(super) const FAR: f32 = 100.0;
-
-/// The usual [`Set::flash`]: visible, but not dazzling.
-pub(super) const FLASH: f32 = 0.3;
 
 /// An invisible point light, whose shadows are hard.
 pub(super) const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {
@@ -80,14 +77,6 @@ impl Set {
         }
         if let Some(add) = self.special {
             add(beat, scene);
-        }
-    }
-
-    /// Makes a scene's lights brighter, as they are while a kick of the drum is so loud, 0 to 1.
-    pub fn flash(&self, kick: f32, scene: &mut Scene) {
-        let brighter = 1.0 + self.flash * kick;
-        for light in scene.lights.iter_mut() {
-            light.colour *= brighter;
         }
     }
 }

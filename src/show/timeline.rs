@@ -1,7 +1,7 @@
 //! The show at a time: which scene is played, and which of its shots.
 
 use super::captions;
-use super::path::interpolate;
+use super::path::film;
 use super::scenes::{ACTS, LENGTH};
 use crate::grid::{BAR, BEATS_PER_BAR};
 use crate::maths::smooth_step;
@@ -13,6 +13,11 @@ const FADE_IN: f32 = 1.0;
 /// Seconds in which it fades out at its end.
 const FADE_OUT: f32 = 2.0;
 
+/// The share by which lights get brighter on the loudest kick where a set follows the drum: visible, but not dazzling.
+const FLASH: f32 = 0.3;
+/// The share by which the camera is closer then: felt rather than seen.
+const PUSH: f32 = 0.02;
+
 /// Beats per bar, for times in beats.
 const BEATS: f32 = BEATS_PER_BAR as f32;
 
@@ -20,10 +25,14 @@ const BEATS: f32 = BEATS_PER_BAR as f32;
 pub fn at(time: f32, scene: &mut Scene) {
     let (act, bar) = playing(&ACTS, |act| act.bars(), time / BAR);
     act.set.apply((bar + act.set_since as f32) * BEATS, scene);
-    act.set.flash(pulse(time).kick, scene);
+    let kick = act.set.hit * pulse(time).kick;
+    for light in scene.lights.iter_mut() {
+        light.colour *= 1.0 + FLASH * kick;
+    }
     captions::apply(act.captions, bar * BEATS, scene);
     let (shot, bar) = playing(act.shots, |shot| shot.bars.into(), bar);
-    interpolate(&shot.keyframes, bar / f32::from(shot.bars), scene);
+    let time_of_shot = bar / f32::from(shot.bars);
+    film(shot.keys, time_of_shot, PUSH * kick, scene);
     scene.fade = 1.0 - smooth_step(time / FADE_IN) + smooth_step((time - LENGTH) / FADE_OUT + 1.0);
 }
 

@@ -3,7 +3,8 @@
 use crate::cpu;
 use crate::drawn::draw;
 use eightfold::Quality;
-use eightfold::scene::Scene;
+use eightfold::glam::{Vec3A, vec3a};
+use eightfold::scene::{Camera, Scene};
 use eightfold::show::{self, grid};
 use eightfold::sound::pulse;
 
@@ -79,6 +80,82 @@ fn the_camera_jumps_on_bars_alone_and_at_every_cut() {
     }
     for cut in &show::CUTS[1..] {
         assert!(jumps.contains(cut), "bar {cut} of {jumps:?}");
+    }
+}
+
+/// Whether a camera sees a ball completely in a picture of an aspect ratio.
+fn is_framed(camera: &Camera, aspect: f32, centre: Vec3A, radius: f32) -> bool {
+    let forward = (camera.look_at - camera.eye).normalize();
+    let right = forward.cross(camera.up).normalize();
+    let up = right.cross(forward);
+    let half_height = (0.5 * camera.field_of_view).tan();
+    let sides = [right / aspect, -right / aspect, up, -up];
+    sides.iter().all(|side| {
+        let inwards = (forward * half_height - *side).normalize();
+        (centre - camera.eye).dot(inwards) >= radius
+    })
+}
+
+/// The balls about a scene's spheres, and about the corners of its blocks.
+fn balls(scene: &Scene) -> Vec<(Vec3A, f32)> {
+    let mut balls: Vec<_> = scene
+        .spheres
+        .iter()
+        .map(|sphere| (sphere.centre, sphere.radius))
+        .collect();
+    for block in scene.blocks.iter() {
+        for corner in 0..8 {
+            let sign = |axis: u32| if corner >> axis & 1 == 0 { -1.0 } else { 1.0 };
+            let corner = block.half * vec3a(sign(0), sign(1), sign(2));
+            balls.push((block.centre + block.axes * corner, 0.0));
+        }
+    }
+    balls
+}
+
+#[test]
+fn what_a_shot_shows_fits_pictures_from_4_3_to_21_9() {
+    // In beats of the scene: while what it is about is shown as a whole. The colonnade goes on beyond the picture.
+    let whole = [
+        ("title", 20.0..24.0),
+        ("model", 0.0..16.0),
+        ("model", 28.0..32.0),
+        ("method", 0.0..32.0),
+        ("machine", 7.0..12.0),
+        ("machine", 19.0..24.0),
+        ("swarm", 0.0..24.0),
+    ];
+    for (name, beats) in whole {
+        let start = show::cut(name) as f32 * grid::BAR;
+        for frame in 0..((beats.end - beats.start) * 30.0) as usize {
+            let time = start + beats.start * grid::BEAT + frame as f32 / 60.0;
+            let scene = at(time);
+            for aspect in [4.0 / 3.0, 16.0 / 10.0, 16.0 / 9.0, 21.0 / 9.0] {
+                for (centre, radius) in balls(&scene) {
+                    let is_framed = is_framed(&scene.camera, aspect, centre, radius);
+                    assert!(is_framed, "{name}, {time} s, {aspect}: {centre}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_finale_frames_its_ball_and_its_sun() {
+    let start = show::cut("finale") as f32 * grid::BAR;
+    for frame in 0..(12.0 * 60.0) as usize {
+        let scene = at(start + frame as f32 / 60.0);
+        let (ball, sun) = (scene.spheres[0], scene.lights[0]);
+        for aspect in [4.0 / 3.0, 16.0 / 10.0, 16.0 / 9.0, 21.0 / 9.0] {
+            assert!(
+                is_framed(&scene.camera, aspect, ball.centre, ball.radius),
+                "frame {frame}"
+            );
+            assert!(
+                is_framed(&scene.camera, aspect, sun.position, sun.radius),
+                "frame {frame}"
+            );
+        }
     }
 }
 

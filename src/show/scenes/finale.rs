@@ -1,13 +1,13 @@
-//! Credits and greetings over a glass ball at dusk.
+//! Credits and greetings at dusk: a glass ball before the sun, on still water, from which eight arms of spheres go out.
 
-use crate::scene::Light;
+use crate::scene::{Light, Material, Scene};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::captions::Line;
 use crate::show::material;
 use crate::show::path::key;
-use crate::show::props::{Motion::Circling, Prop, sphere};
-use crate::show::set::{FAR, Set, point, sun};
-use glam::vec3a;
+use crate::show::props::{Prop, add_sphere, around, sphere};
+use crate::show::set::{FAR, Set, point};
+use glam::{Vec3A, vec3a};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act {
@@ -18,42 +18,72 @@ pub(in crate::show) const ACT: Act = Act {
 };
 
 static SET: Set = Set {
-    background: vec3a(0.55, 0.30, 0.22),
-    sky: vec3a(-0.52, -0.24, -0.06),
+    background: vec3a(0.98, 0.50, 0.22),
+    sky: vec3a(-0.97, -0.44, 0.20),
     ambient: vec3a(0.12, 0.11, 0.16),
-    haze: 0.03,
+    haze: 0.02,
     floor: &material::DUSK,
     floor_half: FAR,
     lights: &[
+        // The sun.
         Light {
-            size: 0.3,
-            ..sun([4.0, 2.2, 6.0], [0.85, 0.50, 0.28])
+            radius: 3.0,
+            ..point([2.0, 2.4, 35.0], [1.00, 0.72, 0.42])
         },
-        point([-6.0, 8.0, -8.0], [0.30, 0.36, 0.55]),
+        point([-6.0, 8.0, -8.0], [0.75, 0.62, 0.72]),
     ],
-    flash: 0.0,
+    hit: 0.0,
     props: PROPS,
-    special: None,
+    special: Some(add),
 };
 
-#[rustfmt::skip]
-static PROPS: &[Prop] = &[
-    // A large glass sphere, and small spheres that circle it.
-    sphere(&material::GLASS, [0.0, 1.3, 0.0], 2.6),
-    sphere(&material::SCARLET, [0.0, 0.4, 0.0], 0.8).copies(8).alternating(&material::GOLD).moving(Circling { radius: 3.2 }),
-];
+static PROPS: &[Prop] = &[sphere(&material::GLASS, [0.0, 1.5, 0.0], 2.6)];
 
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
-    shot(6, key([0.0, 1.9, 0.0],   -0.3, 9.0, 0.2), key([0.0, 2.6, 0.0],   0.3, 15.0, 1.6)),
+    shot(6, &[
+        key([0.0, 1.9, 0.0], -0.08, 6.0, -0.4),
+        key([0.0, 2.2, 0.0], -0.16, 7.5, 0.0),
+        key([0.0, 2.5, 0.0], -0.24, 9.0, 0.5),
+        key([0.0, 2.7, 0.0], -0.31, 10.5, 0.9),
+        key([0.0, 2.8, 0.0], -0.36, 11.5, 1.2),
+    ]),
 ];
 
 #[rustfmt::skip]
 static CAPTIONS: &[Line] = &[
     Line { first: 2.0, beats: 7.0, middle: 0.18, size: 0.090, text: "EIGHTFOLD" },
-    Line { first: 9.0, beats: 7.0, middle: 0.14, size: 0.040, text: "GREETINGS TO" },
-    Line { first: 10.0, beats: 6.0, middle: 0.24, size: 0.065, text: "HEAVEN SEVEN" },
-    Line { first: 11.0, beats: 5.0, middle: 0.35, size: 0.065, text: "REALSTORM" },
-    Line { first: 16.0, beats: 7.0, middle: 0.16, size: 0.045, text: "AND THE 2008 THESIS" },
-    Line { first: 16.0, beats: 7.0, middle: 0.24, size: 0.045, text: "ON ADAPTIVE RAY TRACING" },
+    Line { first: 9.0, beats: 7.0, middle: 0.07, size: 0.040, text: "GREETINGS TO" },
+    Line { first: 10.0, beats: 6.0, middle: 0.14, size: 0.055, text: "HEAVEN SEVEN" },
+    Line { first: 11.0, beats: 5.0, middle: 0.22, size: 0.055, text: "REALSTORM" },
+    Line { first: 16.0, beats: 7.0, middle: 0.10, size: 0.045, text: "AND THE 2008 THESIS" },
+    Line { first: 16.0, beats: 7.0, middle: 0.18, size: 0.045, text: "ON ADAPTIVE RAY TRACING" },
 ];
+
+/// Arms, and the spheres of each.
+const ARMS: u8 = 8;
+const SPHERES: u8 = 16;
+
+/// The colour of the first sphere of an arm, and what is added to it for the last: from gold to violet.
+const GOLD: Vec3A = vec3a(0.95, 0.66, 0.25);
+const TO_VIOLET: Vec3A = vec3a(-0.60, -0.58, 0.30);
+
+/// Adds the arms, as they are `beat` beats after the act began: logarithmic spirals, which turn slowly.
+fn add(beat: f32, scene: &mut Scene) {
+    for arm in 0..ARMS {
+        let mut out = 2.0;
+        for number in 0..SPHERES {
+            let number = f32::from(number);
+            let turns = f32::from(arm) / f32::from(ARMS) + 0.018 * number + 0.006 * beat;
+            let radius = 0.05 * out;
+            let material = Material {
+                colour: GOLD + TO_VIOLET * (number / f32::from(SPHERES)),
+                kr: 0.15,
+                ..material::SCARLET
+            };
+            let centre = around(turns) * out + Vec3A::Y * radius;
+            add_sphere(centre, radius, &material, scene);
+            out *= 1.12;
+        }
+    }
+}

@@ -1,15 +1,13 @@
-//! Pistons that strike on the beat, and a wheel, under a spotlight.
+//! An orrery: planets on arms of brass, which a clockwork moves on by the beat around a sun that flashes.
 
-use crate::scene::{Light, Spot};
+use crate::maths::{round, smooth_step};
+use crate::scene::{Light, Material, Scene, Shape, Spot};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
-use crate::show::props::{
-    Motion::{Striking, Turning},
-    Prop, cuboid, cylinder, sphere,
-};
-use crate::show::set::{FAR, FLASH, Set, point};
-use glam::vec3a;
+use crate::show::props::{Prop, add_block, add_sphere, around, cylinder};
+use crate::show::set::{FAR, Set, point};
+use glam::{Mat3A, Vec3A, vec3a};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act {
@@ -20,13 +18,18 @@ pub(in crate::show) const ACT: Act = Act {
 };
 
 static SET: Set = Set {
-    background: vec3a(0.06, 0.07, 0.11),
-    sky: vec3a(-0.03, -0.03, -0.03),
+    background: vec3a(0.07, 0.08, 0.14),
+    sky: vec3a(-0.05, -0.05, -0.07),
     ambient: vec3a(0.10, 0.11, 0.15),
     haze: 0.03,
-    floor: &material::SLATE,
+    floor: &material::DUSK,
     floor_half: FAR,
     lights: &[
+        // The sun of the orrery.
+        Light {
+            radius: 0.5,
+            ..point([0.0, HEIGHT, 0.0], [0.95, 0.72, 0.38])
+        },
         Light {
             size: 0.8,
             spot: Some(Spot {
@@ -34,36 +37,127 @@ static SET: Set = Set {
                 dark: 0.70,
                 bright: 0.95,
             }),
-            ..point([-5.0, 9.0, -6.0], [1.20, 1.01, 0.79])
-        },
-        Light {
-            radius: 0.2,
-            ..point([8.0, 7.0, 2.0], [0.35, 0.50, 0.95])
+            ..point([-5.0, 10.0, -6.0], [0.45, 0.50, 0.70])
         },
     ],
-    flash: FLASH,
+    hit: 1.0,
     props: PROPS,
-    special: None,
+    special: Some(add),
 };
 
 #[rustfmt::skip]
 static PROPS: &[Prop] = &[
-    // The wheel: axle, hub, spokes, rim.
-    cuboid(&material::STEEL, [0.0, 2.2, 1.2], [0.4, 0.4, 5.2]).moving(Turning { radius: 0.0 }),
-    sphere(&material::GOLD, [0.0, 2.2, 1.2], 1.2),
-    cuboid(&material::STEEL, [0.0, 2.2, 1.2], [0.2, 1.7, 0.2]).copies(8).moving(Turning { radius: 1.0 }),
-    cuboid(&material::SCARLET, [0.0, 2.2, 1.2], [1.2, 0.3, 0.6]).copies(8).alternating(&material::GOLD).moving(Turning { radius: 1.9 }),
-    // The posts that carry the axle, each with a knob.
-    cuboid(&material::STRIPED, [-3.4, 2.1, 1.2], [0.7, 4.2, 1.2]).repeat([2, 1], [6.8, 0.0]),
-    sphere(&material::GOLD, [-3.4, 4.6, 1.2], 1.0).repeat([2, 1], [6.8, 0.0]),
-    // The pistons: anvils, heads, rods.
-    cuboid(&material::STEEL, [-2.2, 0.3, -1.6], [1.1, 0.6, 1.1]).repeat([4, 1], [1.5, 0.0]),
-    cylinder(&material::SCARLET, [-2.2, 0.9, -1.6], [0.8, 0.6, 0.8]).repeat([4, 1], [1.5, 0.0]).alternating(&material::GOLD).moving(Striking),
-    cylinder(&material::STEEL, [-2.2, 2.2, -1.6], [0.3, 2.0, 0.3]).repeat([4, 1], [1.5, 0.0]).moving(Striking),
+    // The foot, and the column that carries the sun.
+    cylinder(&material::STEEL, [0.0, 0.15, 0.0], [3.6, 0.3, 3.6]),
+    cylinder(&material::GOLD, [0.0, 1.2, 0.0], [0.3, 2.0, 0.3]),
 ];
 
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
-    shot(3, key([-1.0, 1.6, 0.0],  -0.9, 7.0, 0.8), key([0.0, 1.7, 0.0],   0.0,  9.0, 2.0)),
-    shot(3, key([-0.4, 1.2, -1.0],  0.8, 6.0, 1.0), key([0.0, 1.7, 0.0],   0.5,  9.0, 2.6)),
+    shot(3, &[
+        key([0.0, 1.3, 0.0], -1.4, 5.5, 1.6).rolled(0.05),
+        key([0.0, 1.5, 0.0], -0.9, 6.5, 1.8),
+        key([0.0, 1.7, 0.0], -0.3, 8.4, 2.0),
+        key([0.0, 1.7, 0.0], 0.2, 10.4, 3.0),
+    ]),
+    shot(3, &[
+        key([0.0, 2.0, 0.0], 4.0, 6.0, 0.4).rolled(-0.05),
+        key([0.0, 1.9, 0.0], 3.7, 7.0, 1.6),
+        key([0.0, 1.8, 0.0], 3.3, 8.8, 3.4),
+        key([0.0, 1.7, 0.0], 3.0, 9.2, 4.4),
+    ]),
 ];
+
+/// The height of the sun and of the planets above the floor, in scene units.
+const HEIGHT: f32 = 2.7;
+
+/// A planet on an arm.
+struct Planet {
+    material: &'static Material,
+    /// The radius of its orbit, in scene units.
+    orbit: f32,
+    /// Its own radius, in scene units.
+    radius: f32,
+    /// Turns per beat.
+    speed: f32,
+}
+
+#[rustfmt::skip]
+static PLANETS: [Planet; 6] = [
+    Planet { material: &material::SILVER, orbit: 0.95, radius: 0.13, speed: 0.25 },
+    Planet { material: &material::GOLD, orbit: 1.35, radius: 0.24, speed: 0.1875 },
+    Planet { material: &material::BLUE, orbit: 1.85, radius: 0.32, speed: 0.125 },
+    Planet { material: &material::SCARLET, orbit: 2.4, radius: 0.25, speed: 0.09375 },
+    Planet { material: &material::STRIPED, orbit: 3.1, radius: 0.55, speed: 0.0625 },
+    Planet { material: &material::GOLD, orbit: 4.0, radius: 0.42, speed: 0.03125 },
+];
+
+/// The axes of the ring, which leans to one side.
+const TILTED: Mat3A = Mat3A::from_cols(
+    vec3a(0.96, 0.28, 0.0),
+    vec3a(-0.28, 0.96, 0.0),
+    vec3a(0.0, 0.0, 1.0),
+);
+
+/// Adds planets and wheels, as they are `beat` beats after the act began.
+fn add(beat: f32, scene: &mut Scene) {
+    let whole = round(beat - 0.5);
+    let ticks = whole + smooth_step((beat - whole) * 1.6);
+    for (number, planet) in (0..).zip(&PLANETS) {
+        planet.add(number as f32, ticks, scene);
+    }
+    // The ring of the last one.
+    let ringed = scene.spheres[PLANETS.len() - 1].centre;
+    let ring = vec3a(0.8, 0.02, 0.8);
+    add_block(
+        Shape::Cylinder,
+        ringed,
+        ring,
+        TILTED,
+        &material::SILVER,
+        scene,
+    );
+    add_wheel(Vec3A::Y * 0.5, 1.5, 16, ticks / 16.0, scene);
+    add_wheel(vec3a(2.25, 0.5, 0.0), 0.65, 8, 0.0625 - ticks / 8.0, scene);
+}
+
+impl Planet {
+    /// Adds the planet, which is so many planets from the sun, with its arm.
+    fn add(&self, number: f32, ticks: f32, scene: &mut Scene) {
+        let out = around(self.speed * ticks + 0.38 * number);
+        let place = out * self.orbit;
+        let low = 0.9 + 0.15 * (5.0 - number);
+        let mut add_rod = |centre: Vec3A, half: Vec3A| {
+            add_block(Shape::Box, centre, half, axes(out), &material::GOLD, scene);
+        };
+        add_rod(
+            place * 0.5 + Vec3A::Y * low,
+            vec3a(0.05, 0.03, 0.5 * self.orbit),
+        );
+        let half_stem = 0.5 * (HEIGHT - low);
+        add_rod(
+            place + Vec3A::Y * (low + half_stem),
+            vec3a(0.03, half_stem, 0.03),
+        );
+        add_sphere(place + Vec3A::Y * HEIGHT, self.radius, self.material, scene);
+    }
+}
+
+/// Adds a toothed wheel about an upright axle, turned by so many turns.
+fn add_wheel(centre: Vec3A, radius: f32, teeth: u8, turns: f32, scene: &mut Scene) {
+    let mut add = |shape, centre, half, axes| {
+        add_block(shape, centre, half, axes, &material::GOLD, scene);
+    };
+    let disc = vec3a(radius, 0.1, radius);
+    add(Shape::Cylinder, centre, disc, Mat3A::IDENTITY);
+    for tooth in 0..teeth {
+        let out = around(f32::from(tooth) / f32::from(teeth) + turns);
+        let half = vec3a(0.1, 0.08, 0.12);
+        add(Shape::Box, centre + out * (radius + 0.08), half, axes(out));
+    }
+}
+
+/// The axes of a block whose z axis points in a horizontal direction.
+fn axes(z: Vec3A) -> Mat3A {
+    Mat3A::from_cols(Vec3A::Y.cross(z), Vec3A::Y, z)
+}

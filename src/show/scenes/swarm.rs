@@ -6,7 +6,7 @@ use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::around;
-use crate::show::set::{FAR, FLASH, Set, point};
+use crate::show::set::{FAR, Set, point};
 use core::f32::consts::TAU;
 use glam::{Vec3A, vec3a};
 
@@ -32,15 +32,24 @@ static SET: Set = Set {
         },
         point([10.0, 6.0, 4.0], [0.16, 0.26, 0.55]),
     ],
-    flash: FLASH,
+    hit: 1.0,
     props: &[],
     special: Some(add),
 };
 
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
-    shot(3, key([0.0, 0.8, 0.0],    0.6, 12.0, 5.5), key([0.0, 2.0, 0.0], -1.2, 10.0, 3.4)),
-    shot(3, key([0.0, 2.6, 0.0],   -1.2, 8.0, 0.4), key([0.0, 2.6, 0.0],   0.4,  9.0, 0.4)),
+    shot(3, &[
+        key([0.0, 0.8, 0.0], 0.7, 14.4, 5.4),
+        key([0.0, 1.0, 0.0], 0.1, 13.8, 4.6).rolled(0.05),
+        key([0.0, 1.6, 0.0], -0.5, 11.5, 3.2).rolled(0.05),
+        key([0.0, 2.0, 0.0], -1.2, 10.5, 3.4),
+    ]),
+    shot(3, &[
+        key([0.0, 2.6, 0.0], -1.2, 8.0, 0.4),
+        key([0.0, 2.6, 0.0], -0.6, 8.0, -0.6).rolled(-0.04),
+        key([0.0, 2.6, 0.0], 0.4, 9.0, 0.4),
+    ]),
 ];
 
 /// Spheres along a side of the square in which they start.
@@ -69,8 +78,8 @@ fn add(beat: f32, scene: &mut Scene) {
 fn sphere(i: i32, beat: f32) -> Sphere {
     let middle = (SIDE - 1) as f32 * 0.5;
     let (column, row) = ((i % SIDE) as f32 - middle, (i / SIDE) as f32 - middle);
-    let flat = vec3a(column, 0.0, row) * 0.75;
-    let wave = sin(0.1 * flat.length_squared() - TAU * 0.25 * beat);
+    let flat = vec3a(column, 0.0, row) * 0.62;
+    let wave = sin(0.14 * flat.length_squared() - TAU * 0.25 * beat);
     let flat = flat + Vec3A::Y * (0.9 + 0.55 * wave);
     // The ball: a spiral from pole to pole, on by the golden angle from each sphere to the next.
     let n = (i as f32 + 0.5) / COUNT as f32;

@@ -1,15 +1,15 @@
-//! The title: spheres fly in from all around and form a word.
+//! The title: letters of gold rise out of dark water, one after another, where a lamp passes.
 
 use crate::font::{ADVANCE, strokes};
-use crate::maths::{round, smooth_step, sqrt};
-use crate::scene::{Scene, Sphere};
+use crate::maths::smooth_step;
+use crate::scene::{Light, Scene, Shape};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::captions::Line;
 use crate::show::material;
 use crate::show::path::key;
-use crate::show::random::Random;
+use crate::show::props::{add_block, add_sphere};
 use crate::show::set::{FAR, Set, point};
-use glam::{Vec3A, vec3a};
+use glam::{Mat3A, Vec2, Vec3A, vec3a};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act {
@@ -20,80 +20,94 @@ pub(in crate::show) const ACT: Act = Act {
 };
 
 static SET: Set = Set {
-    background: vec3a(0.05, 0.07, 0.14),
-    sky: vec3a(-0.04, -0.05, -0.08),
-    ambient: vec3a(0.10, 0.10, 0.10),
-    haze: 0.015,
-    floor: &material::NIGHT,
+    background: vec3a(0.16, 0.13, 0.24),
+    sky: vec3a(-0.15, -0.11, -0.18),
+    ambient: vec3a(0.10, 0.10, 0.12),
+    haze: 0.02,
+    floor: &material::DUSK,
     floor_half: FAR,
     lights: &[
-        point([7.0, 8.0, -9.0], [1.25, 0.95, 0.62]),
+        // The lamp, see `add`.
+        Light {
+            radius: 0.12,
+            ..point([0.0, 1.1, -1.4], [1.00, 0.80, 0.50])
+        },
+        point([7.0, 8.0, -9.0], [0.78, 0.60, 0.40]),
         point([-9.0, 4.0, -5.0], [0.30, 0.48, 0.95]),
     ],
-    flash: 0.0,
+    hit: 0.0,
     props: &[],
     special: Some(add),
 };
 
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
-    shot(6, key([4.0, 1.0, 0.0],   0.9,  9.0, 0.4), key([0.0, 1.2, 0.0], -0.2, 14.6, 1.8)),
+    // Along the letters, and back until all of them are seen.
+    shot(6, &[
+        key([6.4, 0.9, 0.0], 0.9, 5.0, 0.1),
+        key([4.6, 1.0, 0.0], 0.75, 4.6, 0.0).rolled(-0.04),
+        key([1.8, 1.0, 0.0], 0.6, 4.6, 0.1),
+        key([-1.6, 1.0, 0.0], 0.4, 5.2, 0.2).rolled(0.04),
+        key([-2.2, 1.0, 0.0], 0.1, 8.5, 0.6),
+        key([-0.3, 1.0, 0.0], -0.1, 13.2, 1.1),
+        key([0.0, 1.0, 0.0], -0.15, 13.4, 1.3),
+    ]),
 ];
 
 #[rustfmt::skip]
 static CAPTIONS: &[Line] = &[
-    Line { first: 12.0, beats: 11.0, middle: 0.82, size: 0.040, text: "RAYS BY SQUARES OF EIGHT" },
+    Line { first: 16.0, beats: 7.0, middle: 0.82, size: 0.040, text: "RAYS BY SQUARES OF EIGHT" },
 ];
 
 const WORD: &[u8; 9] = b"EIGHTFOLD";
 
 /// The width of the word, in units of the font's grid.
-const WIDTH: f32 = ADVANCE * WORD.len() as f32;
+const WIDTH: f32 = ADVANCE * WORD.len() as f32 - 1.0;
 /// The size of a grid unit, in scene units.
 const STEP: f32 = 0.5;
-/// Spheres per grid unit of a stroke.
-const SPHERES: f32 = 2.0;
-/// The radius of a sphere, in scene units.
-const RADIUS: f32 = 0.125;
+/// Half the width of a stroke, in scene units.
+const RADIUS: f32 = 0.15;
+/// The radius of the spheres at the ends of strokes. It is larger, since surfaces that touch would shade each other by rounding.
+const JOINT: f32 = 1.03 * RADIUS;
 
-/// Beats that a sphere's flight takes.
-const FLIGHT: f32 = 6.0;
-/// The beat at which the last sphere sets off.
-const LAST: f32 = 6.0;
+/// The beats from one letter to the next.
+const BEATS: f32 = 1.5;
+/// The beats that a letter takes to rise.
+const RISE: f32 = 3.0;
+/// How far it rises, in grid units: a little more than its height.
+const DEPTH: f32 = 5.0;
 
-/// The box in which the spheres start: its corner with the smallest coordinates, and its extent, in scene units.
-const START: Vec3A = vec3a(-15.0, 4.0, -12.0);
-const START_EXTENT: Vec3A = vec3a(30.0, 10.0, 24.0);
-
-/// Adds the spheres as they are `beat` beats after the start of the show.
+/// Adds the letters, and moves the lamp, `beat` beats after the start of the show.
 fn add(beat: f32, scene: &mut Scene) {
-    let mut random = Random(8);
-    let mut left = 0.0;
-    for &letter in WORD {
+    // The lamp is above a letter when that has half risen.
+    scene.lights[0].position.x = STEP * (0.5 * WIDTH + ADVANCE - ADVANCE / BEATS * beat);
+    for (number, &letter) in (0..).zip(WORD) {
+        let number = number as f32;
+        let below = DEPTH * (1.0 - smooth_step((beat - BEATS * number) / RISE));
+        let place = |on_grid: Vec2| {
+            let right = ADVANCE * number + on_grid.x;
+            let up = 4.0 - on_grid.y - below;
+            vec3a(0.5 * WIDTH - right, up, 0.0) * STEP + Vec3A::Y * RADIUS
+        };
+        let mut pen = Vec2::NAN;
         for (from, to) in strokes(letter) {
-            let way = to - from;
-            // Evenly spaced, with a sphere at each end.
-            let count = round(sqrt(way.length_squared()) * SPHERES) as i32;
-            for i in 0..count + 1 {
-                let at = from + way * (i as f32 / count as f32);
-                add_sphere(left + at.x, at.y, beat, &mut random, scene);
+            if from != pen {
+                add_sphere(place(from), JOINT, &material::GOLD, scene);
             }
+            add_stroke(place(from), place(to), scene);
+            add_sphere(place(to), JOINT, &material::GOLD, scene);
+            pen = to;
         }
-        left += ADVANCE;
     }
 }
 
-/// Adds the sphere that ends up at a point of the word, in grid units to the right of its upper left corner and below it.
-fn add_sphere(right: f32, down: f32, beat: f32, random: &mut Random, scene: &mut Scene) {
-    let home = vec3a(0.5 * (WIDTH - 1.0) - right, 4.0 - down, 0.0) * STEP;
-    let away =
-        vec3a(random.fraction(), random.fraction(), random.fraction()) * START_EXTENT + START;
-    // They set off from left to right.
-    let way = smooth_step((beat - LAST / WIDTH * right) / FLIGHT);
-    let centre = away + (home + Vec3A::Y * RADIUS - away) * way;
-    scene.spheres.push(Sphere {
-        centre,
-        radius: RADIUS,
-        material: material::GOLD,
-    });
+/// Adds a cylinder between two points.
+fn add_stroke(from: Vec3A, to: Vec3A, scene: &mut Scene) {
+    let way = to - from;
+    let length = way.length();
+    let y = way * (1.0 / length);
+    let half = vec3a(RADIUS, 0.5 * length, RADIUS);
+    let axes = Mat3A::from_cols(y.cross(Vec3A::Z), y, Vec3A::Z);
+    let middle = (from + to) * 0.5;
+    add_block(Shape::Cylinder, middle, half, axes, &material::GOLD, scene);
 }
