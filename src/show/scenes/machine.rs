@@ -18,8 +18,8 @@ pub(in crate::show) const ACT: Act = Act {
 };
 
 static SET: Set = Set {
-    background: vec3a(0.07, 0.08, 0.14),
-    sky: vec3a(-0.05, -0.05, -0.07),
+    background: vec3a(0.12, 0.10, 0.22),
+    sky: vec3a(-0.10, -0.08, -0.16),
     ambient: vec3a(0.10, 0.11, 0.15),
     haze: 0.03,
     floor: &material::DUSK,
@@ -71,8 +71,9 @@ static SHOTS: &[Shot] = &[
 /// The height of the sun and of the planets above the floor, in scene units.
 const HEIGHT: f32 = 2.7;
 
-/// A planet on an arm.
+/// A planet, which an arm carries about the column and a stem holds up.
 struct Planet {
+    /// Its surface.
     material: &'static Material,
     /// The radius of its orbit, in scene units.
     orbit: f32,
@@ -101,6 +102,8 @@ const TILTED: Mat3A = Mat3A::from_cols(
 
 /// Adds planets and wheels, as they are `beat` beats after the act began.
 fn add(beat: f32, scene: &mut Scene) {
+    // On each beat all of it goes on by a tick, which takes 0.625 beats. Rounding to even, the beat itself may count as the one
+    // before: either is where the next tick begins.
     let whole = round(beat - 0.5);
     let ticks = whole + smooth_step((beat - whole) * 1.6);
     for (number, planet) in (0..).zip(&PLANETS) {
@@ -117,16 +120,19 @@ fn add(beat: f32, scene: &mut Scene) {
         &material::SILVER,
         scene,
     );
+    // Two wheels that go on by a tooth; where they meet, teeth of one stand between those of the other.
     add_wheel(Vec3A::Y * 0.5, 1.5, 16, ticks / 16.0, scene);
     add_wheel(vec3a(2.25, 0.5, 0.0), 0.65, 8, 0.0625 - ticks / 8.0, scene);
 }
 
 impl Planet {
-    /// Adds the planet, which is so many planets from the sun, with its arm.
+    /// Adds the planet with its arm, so many ticks after the act began. There are `number` planets between it and the sun.
     fn add(&self, number: f32, ticks: f32, scene: &mut Scene) {
+        // They begin apart from each other by the golden angle, which 0.38 turns are nearly.
         let out = around(self.speed * ticks + 0.38 * number);
         let place = out * self.orbit;
-        let low = 0.9 + 0.15 * (5.0 - number);
+        // Longer arms lie below shorter ones, so that none meets another's stem.
+        let low = 1.65 - 0.15 * number;
         let mut add_rod = |centre: Vec3A, half: Vec3A| {
             add_block(Shape::Box, centre, half, axes(out), &material::GOLD, scene);
         };

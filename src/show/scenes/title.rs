@@ -56,7 +56,7 @@ static SHOTS: &[Shot] = &[
 
 #[rustfmt::skip]
 static CAPTIONS: &[Line] = &[
-    Line { first: 16.0, beats: 7.0, middle: 0.82, size: 0.040, text: "RAYS BY SQUARES OF EIGHT" },
+    Line { first: 17.0, beats: 7.0, middle: 0.16, size: 0.045, text: "RAYS BY SQUARES OF EIGHT" },
 ];
 
 const WORD: &[u8; 9] = b"EIGHTFOLD";
@@ -79,10 +79,11 @@ const DEPTH: f32 = 5.0;
 
 /// Adds the letters, and moves the lamp, `beat` beats after the start of the show.
 fn add(beat: f32, scene: &mut Scene) {
-    // The lamp is above a letter when that has half risen.
+    // It passes a letter that has half risen.
     scene.lights[0].position.x = STEP * (0.5 * WIDTH + ADVANCE - ADVANCE / BEATS * beat);
     for (number, &letter) in (0..).zip(WORD) {
         let number = number as f32;
+        // How far it has yet to rise, in grid units.
         let below = DEPTH * (1.0 - smooth_step((beat - BEATS * number) / RISE));
         let place = |on_grid: Vec2| {
             let right = ADVANCE * number + on_grid.x;
