@@ -129,12 +129,12 @@ fn trace_marked(
             while rest != 0 {
                 let x = start + rest.trailing_zeros() as usize;
                 rest &= rest - 1;
-                if worker.batch.len() + n * n > BATCH {
+                if worker.batch.points.len() + n * n > BATCH {
                     traced(worker);
                 }
                 for part in 0..n * n {
                     let (x, y) = (n * x + part % n, top + n * y + part / n);
-                    worker.batch.push(x, y);
+                    worker.batch.points.push(x, y);
                 }
             }
         }
@@ -166,16 +166,16 @@ fn each_edge<S: Simd>(simd: S, a: &[u32], b: &[u32], mut call: impl FnMut(usize)
 fn take(n: usize, worker: &mut Worker, band: &mut Band<'_>) {
     let batch = &mut worker.batch;
     let count = (n * n) as u32;
-    for first in (0..batch.len()).step_by(n * n) {
-        let (x, y) = batch.position(first);
+    for first in (0..batch.points.len()).step_by(n * n) {
+        let (x, y) = batch.points.position(first);
         let mut pixel = 0;
         for channel in [32, 16, 0] {
-            let value = |i: usize| (batch.sample(i).0.0 >> channel & 0xffff) as u32;
+            let value = |i: usize| (batch.results.sample(i).0.0 >> channel & 0xffff) as u32;
             let sum: u32 = (first..first + n * n).map(value).sum();
             let steps = STEP as u32 * count;
             pixel = (pixel << 8) + (sum + steps / 2) / steps;
         }
         band.pixels[(y / n - band.top) * band.width + x / n] = pixel;
     }
-    batch.clear();
+    batch.points.clear();
 }

@@ -103,13 +103,13 @@ impl<O: Observer> Tile<'_, O> {
         let Area { left, right, .. } = self.area;
         for y in self.area.top..self.area.bottom {
             for x in left..right {
-                self.worker.batch.push(x, y);
+                self.worker.batch.points.push(x, y);
             }
         }
         self.trace_batch();
         self.observer.stage(Stage::Results);
-        let batch = &mut self.worker.batch;
-        let pixels = by_isa!(self.isa, simd => batch.pixels(simd));
+        let results = &mut self.worker.batch.results;
+        let pixels = by_isa!(self.isa, simd => results.pixels(simd));
         let rows = self.canvas.pixels.chunks_exact_mut(self.canvas.width);
         let traced = pixels.chunks(right - left);
         for (row, traced) in rows.zip(traced) {

@@ -72,7 +72,7 @@ impl<O: Observer> Tile<'_, O> {
     /// Adds the points of a block to the batch. A full batch is traced first.
     #[inline(always)]
     fn trace_block(&mut self, level: usize, [left, top]: [usize; 2], mut block: u64) {
-        if self.worker.batch.len() + BLOCK_WIDTH * BLOCK_HEIGHT > BATCH {
+        if self.worker.batch.points.len() + BLOCK_WIDTH * BLOCK_HEIGHT > BATCH {
             self.trace(level);
         }
         let side = self.area.side(level);
@@ -87,8 +87,8 @@ impl<O: Observer> Tile<'_, O> {
         while block != 0 {
             let i = block.trailing_zeros() as usize;
             let (x, y) = (i % BLOCK_WIDTH, i / BLOCK_WIDTH);
-            targets[batch.len() % BATCH] = (start + y * stride + x) as u32;
-            batch.push(left + x * side, top + y * side);
+            targets[batch.points.len() % BATCH] = (start + y * stride + x) as u32;
+            batch.points.push(left + x * side, top + y * side);
             block &= block - 1;
         }
     }
@@ -156,9 +156,9 @@ impl<O: Observer> Tile<'_, O> {
             ..
         } = &mut *self.worker;
         let has_patterns = self.scene.has_patterns();
-        for (i, &target) in targets[..batch.len()].iter().enumerate() {
+        for (i, &target) in targets[..batch.points.len()].iter().enumerate() {
             let target = target as usize;
-            let (mut sample, key) = batch.sample(i);
+            let (mut sample, key) = batch.results.sample(i);
             if level == 0 {
                 self.canvas.pixels[target] = sample.pixel();
                 continue;
@@ -166,7 +166,7 @@ impl<O: Observer> Tile<'_, O> {
             let has_pattern = |id| self.scene.has_pattern(id);
             if has_patterns && sample.object().is_some_and(has_pattern) {
                 sample = sample.patterned();
-                pyramid.put_layers(target, batch.layers(i));
+                pyramid.put_layers(target, batch.results.layers(i));
             }
             pyramid.put(target, sample, key);
         }
@@ -196,7 +196,7 @@ impl<O: Observer> Tile<'_, O> {
         if O::LISTENS {
             self.tell_points();
         }
-        self.worker.batch.clear();
+        self.worker.batch.points.clear();
     }
 
     /// Tells the observer of the batch's points. Each is traced once more by itself, to count its rays. The batch's own counts stay
@@ -204,15 +204,15 @@ impl<O: Observer> Tile<'_, O> {
     fn tell_points(&mut self) {
         let batch = &mut self.worker.batch;
         let mut positions = [(0, 0); BATCH];
-        let count = batch.len();
+        let count = batch.points.len();
         for (i, position) in positions[..count].iter_mut().enumerate() {
-            *position = batch.position(i);
+            *position = batch.points.position(i);
         }
         let counts = batch.counts;
         for &(x, y) in &positions[..count] {
-            batch.clear();
+            batch.points.clear();
             batch.counts = Counts::NONE;
-            batch.push(x, y);
+            batch.points.push(x, y);
             trace(self.isa, self.scene, self.quality, self.seen, batch);
             self.observer.point(x, y, batch.counts);
         }

@@ -2,7 +2,7 @@
 
 use super::candidates::Candidates;
 use super::intersect::Hit;
-use super::stack::Rays;
+use super::rays::Rays;
 use crate::lanes::*;
 use crate::prepare::{Object, Prepared};
 use crate::scene::{Block, Shape};

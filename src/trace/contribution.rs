@@ -23,8 +23,8 @@ impl<S: Isa> Contribution<S> {
     /// Stores blue, green and red in fixed point and the key, a point after the other.
     #[inline(always)]
     pub fn store(&self, simd: S, sums: &mut [i32]) {
-        let [blue, green, red] =
-            [self.colour.z, self.colour.y, self.colour.x].map(|c| fixed(simd, c));
+        let Vec3x { x, y, z } = self.colour;
+        let (blue, green, red) = (fixed(simd, z), fixed(simd, y), fixed(simd, x));
         store_transposed([blue, green, red, self.key.bitcast()], sums);
     }
 

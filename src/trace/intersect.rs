@@ -1,9 +1,9 @@
-//! Intersections of rays with planes and with the tree's spheres, and shadow tests. Coordinates are the scene's.
+//! Intersections of rays with planes and with the tree's spheres. Coordinates are the scene's.
 
 use super::candidates::Candidates;
-use super::stack::Rays;
+use super::rays::Rays;
 use crate::lanes::*;
-use crate::prepare::{BvhNode, GroupSet, Lamp, ObjectId, Prepared, Rectangle, ShadowCone};
+use crate::prepare::{BvhNode, GroupSet, ObjectId, Prepared, Rectangle};
 
 /// The distance that stands for no hit.
 const FARTHEST: f32 = 1e30;
@@ -199,7 +199,7 @@ fn upper_half<S: Isa>(c: F<S>) -> F<S> {
 
 /// Which rays hit a plane nearer than `limit`, and where.
 #[inline(always)]
-fn plane_hit<S: Isa>(
+pub(super) fn plane_hit<S: Isa>(
     simd: S,
     plane: &Rectangle,
     o: Vec3x<S>,
@@ -217,98 +217,4 @@ fn plane_hit<S: Isa>(
         & across.simd_le(splat(simd, plane.half_x))
         & along.simd_le(splat(simd, plane.half_z));
     (hit, t)
-}
-
-/// Which rays towards a lamp, at `distance` in direction `l`, start inside of a shadow cone.
-#[inline(always)]
-fn cone_shades<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) -> M<S> {
-    let chord = l - Vec3x::splat_unaligned(simd, cone.axis);
-    chord.dot(chord).simd_lt(splat(simd, cone.chord2)) & distance.simd_gt(splat(simd, cone.from))
-}
-
-/// Which rays towards a lamp of a given diameter, at `distance` in direction `l`, certainly miss the box, the cylinder or the
-/// sphere of a shadow cone, and its penumbra.
-#[inline(always)]
-fn cone_is_off<S: Isa>(
-    simd: S,
-    cone: &ShadowCone,
-    l: Vec3x<S>,
-    distance: F<S>,
-    diameter: f32,
-) -> M<S> {
-    let off = l.dot(Vec3x::splat_unaligned(simd, cone.side));
-    let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
-    let way = f.dot(l);
-    let across = f.add_scaled(l, -way);
-    // Half of the penumbra lies outside of the sphere: the lamp's radius times the ratio of the distances to the sphere and to
-    // the lamp. All is multiplied by the distance, which saves a division.
-    let share = at_least::<S>(distance - way, splat(simd, 0.0));
-    let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
-    let past = across.dot(across) * distance * distance;
-    (off * off).simd_gt(splat(simd, cone.sine2)) | past.simd_gt(reach * reach)
-}
-
-/// Which rays towards a lamp, at `distance` in direction `l`, a sphere blocks.
-///
-/// It does not block rays that start on it and leave it, see [`ShadowCone::r2`].
-#[inline(always)]
-fn cone_blocks<S: Isa>(simd: S, cone: &ShadowCone, l: Vec3x<S>, distance: F<S>) -> M<S> {
-    let zero = splat(simd, 0.0);
-    // The distance from the lamp back along the ray to the point nearest to the sphere's centre.
-    let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
-    let way = f.dot(l);
-    let across = f.add_scaled(l, -way);
-    let half2 = splat(simd, cone.r2) - across.dot(across);
-    if cone.around_lamp {
-        // The chord extends by sqrt(half2) to both sides of that point. It ends between the lamp and the ray's origin.
-        let left = at_least::<S>(distance - way, zero);
-        return half2.simd_lt(left * left);
-    }
-    // A part of the chord lies between the lamp and the ray's origin.
-    let short = at_least::<S>(at_least::<S>(way - distance, -way), zero);
-    half2.simd_gt(short * short)
-}
-
-/// Which of the rays from `p` to a lamp, at `distance` in direction `l`, are blocked. If the lamp is not [plain](Lamp::is_plain),
-/// only planes block, and solids that may be in the way become candidates.
-#[inline(always)]
-pub(crate) fn blocked<S: Isa>(
-    simd: S,
-    scene: &Prepared,
-    lamp: &Lamp,
-    p: Vec3x<S>,
-    l: Vec3x<S>,
-    distance: F<S>,
-    candidates: &mut Candidates,
-) -> M<S> {
-    candidates.clear();
-    let mut blocked = M::<S>::splat(simd, false);
-    let shadow_cones = &lamp.shadow_cones[..scene.tree.solid_nodes().len()];
-    let mut i = 0;
-    while let Some(cone) = shadow_cones.get(i) {
-        let shaded = cone_shades(simd, cone, l, distance);
-        let is_met = shaded.any_true();
-        if is_met && !cone.is_bound && !lamp.is_plain() {
-            let near = shaded & !cone_is_off(simd, cone, l, distance, lamp.diameter);
-            if near.any_true() {
-                candidates.push::<S>(cone.object, near);
-            }
-        } else if is_met && !cone.is_bound {
-            blocked |= cone_blocks(simd, cone, l, distance);
-        }
-        i += if is_met { 1 } else { cone.skip as usize };
-    }
-    for plane in scene.planes() {
-        let below = lamp.position.y > plane.centre.y;
-        let height = splat(simd, plane.centre.y);
-        let behind = if below {
-            p.y.simd_lt(height)
-        } else {
-            p.y.simd_gt(height)
-        };
-        if behind.any_true() {
-            blocked |= plane_hit(simd, plane, p, l, distance).0;
-        }
-    }
-    blocked
 }

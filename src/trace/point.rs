@@ -2,7 +2,7 @@
 
 use super::block::{self, BlockHit};
 use super::intersect::Hit;
-use super::stack::Rays;
+use super::rays::Rays;
 use super::surface::{SurfaceLanes, object_at};
 use super::texture::TexturePoint;
 use crate::lanes::*;

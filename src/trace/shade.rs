@@ -7,23 +7,26 @@ use super::intersect::Hit;
 use super::key::Keys;
 use super::light::{self, Reflected};
 use super::point::ShadingPoint;
-use super::stack::{Rays, Stack};
+use super::rays::Rays;
+use super::stack::RayStack;
 use super::surface::SurfaceLanes;
+use super::tracer::Tracer;
 use crate::lanes::*;
-use crate::prepare::Prepared;
-use crate::quality::Quality;
 
 /// Shades the hits, puts the secondary rays on the stack and returns what the hits add to their points.
 #[inline(always)]
 pub(super) fn shade<S: Isa>(
-    simd: S,
-    scene: &Prepared,
-    quality: &Quality,
+    tracer: Tracer<'_, S>,
     rays: &Rays<S>,
     hit: &Hit<S>,
     active: M<S>,
     batch: &mut Batch,
 ) -> Contribution<S> {
+    let Tracer {
+        simd,
+        scene,
+        quality,
+    } = tracer;
     let Batch {
         surfaces,
         stack,
@@ -44,15 +47,14 @@ pub(super) fn shade<S: Isa>(
     let mut reflectance = splat(simd, 1.0);
     let mut keys = Keys::new(simd, quality, active, rays.paths());
     if solid.any_true() {
-        let point = ShadingPoint::new(simd, scene, rays, hit, &surface, solid);
-        let reflected = light::gather(
-            simd, scene, quality, &surface, &point, &mut keys, counts, candidates,
-        );
+        let point = &ShadingPoint::new(simd, scene, rays, hit, &surface, solid);
+        let reflected = light::gather(tracer, &surface, point, &mut keys, candidates, counts);
         Reflected { untextured, .. } = reflected;
         reflectance = point.reflectance;
         colour = reflected.specular.add_scaled(untextured, reflectance);
+        let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, scene.first_plane());
-        scatter(simd, quality, rays, weight, &surface, &point, marks, stack);
+        scatter(tracer, &parents, &surface, point, marks, stack);
     }
     if let Some(air) = &air {
         colour = air.veil(colour);
@@ -65,25 +67,24 @@ pub(super) fn shade<S: Isa>(
     }
 }
 
-/// Puts the transmitted and the reflected rays on the stack.
+/// Puts the transmitted and the reflected rays on the stack. The weight of their parents includes the air in front of the surface;
+/// `marks` are those of [`Rays::mirror_marks`].
 #[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "a hit and its secondary rays")]
 fn scatter<S: Isa>(
-    simd: S,
-    quality: &Quality,
-    rays: &Rays<S>,
-    weight: F<S>,
+    tracer: Tracer<'_, S>,
+    parents: &Rays<S>,
     surface: &SurfaceLanes<'_, S>,
     point: &ShadingPoint<S>,
     marks: U<S>,
-    stack: &mut Stack,
+    stack: &mut RayStack,
 ) {
+    let Tracer { simd, quality, .. } = tracer;
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
     let least = splat(simd, quality.least_contribution);
     let deepest = U::<S>::splat(simd, 1 << quality.depth);
-    let follow = point.solid & rays.paths().simd_lt(deepest);
-    let reflected = rays.reflected_slot_paths();
+    let follow = point.solid & parents.paths().simd_lt(deepest);
+    let reflected = parents.reflected_slot_paths();
     let mut kr = surface.kr();
     let ShadingPoint {
         p,
@@ -106,12 +107,12 @@ fn scatter<S: Isa>(
         let k = one - eta * eta * (one - dn * dn);
         let total = k.simd_lt(zero);
         kr = (glass & total).select(kr + surface.kt(), kr);
-        transmitted.weight = weight * surface.kt();
+        transmitted.weight = parents.weight * surface.kt();
         through = glass & !total & transmitted.weight.simd_ge(least);
         let along = -eta.mul_add(dn, at_least::<S>(k, zero).sqrt());
-        transmitted.d = rays.d.scaled(eta).add_scaled(n, along);
+        transmitted.d = parents.d.scaled(eta).add_scaled(n, along);
     }
-    let weight = weight * kr;
+    let weight = parents.weight * kr;
     let back = follow & weight.simd_ge(least);
     let reflected = Rays {
         o: p,

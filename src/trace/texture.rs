@@ -1,7 +1,7 @@
 //! Evaluates procedural textures, see [`crate::scene::Pattern`].
 
-use super::batch::primary_directions;
 use super::block::{self, BlockHit};
+use super::rays::primary_directions;
 use crate::lanes::*;
 use crate::prepare::{Object, ObjectId, Prepared};
 use crate::scene::{Pattern, Sphere};

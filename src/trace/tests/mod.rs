@@ -11,12 +11,11 @@ mod shadows;
 
 extern crate std;
 
-use super::batch::primary_directions;
 use super::block::resolve_blocks;
 use super::candidates::Candidates;
 use super::intersect::{Hit, nearest};
 use super::point::ShadingPoint;
-use super::stack::Rays;
+use super::rays::{Rays, primary_directions};
 use super::surface::{SurfaceLanes, SurfaceRows};
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Prepared};

@@ -6,6 +6,7 @@ use crate::scene::{Block, Light, Shape, Spot};
 use crate::show;
 use crate::trace::Batch;
 use crate::trace::shade::shade;
+use crate::trace::tracer::Tracer;
 use glam::Mat3A;
 
 /// The number of packets.
@@ -49,8 +50,12 @@ fn outcomes<S: Isa>(
         slot_path: Rays::slot_paths(simd, 0),
     };
     let hit = hits(simd, scene, &rays);
-    let quality = &Quality::THESIS;
-    let node = shade(simd, scene, quality, &rays, &hit, first(simd, n), batch);
+    let tracer = Tracer {
+        simd,
+        scene,
+        quality: &Quality::THESIS,
+    };
+    let node = shade(tracer, &rays, &hit, first(simd, n), batch);
     let mut sums = [[0; 4]; MAX_LANES];
     node.store(simd, &mut sums.as_flattened_mut()[..4 * n]);
     let mut all = [[0; 20]; MAX_LANES];

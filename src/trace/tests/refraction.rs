@@ -4,6 +4,7 @@ use super::*;
 use crate::quality::Quality;
 use crate::trace::Batch;
 use crate::trace::shade::shade;
+use crate::trace::tracer::Tracer;
 
 /// The number of angles around the critical one, one rounding step apart.
 const ULPS: i32 = 256;
@@ -34,7 +35,12 @@ fn scattered<S: Isa>(
     let hit = hits(simd, scene, rays);
     let active = first(simd, lanes::<S>());
     batch.begin();
-    let _ = shade(simd, scene, &Quality::EXHAUSTIVE, rays, &hit, active, batch);
+    let tracer = Tracer {
+        simd,
+        scene,
+        quality: &Quality::EXHAUSTIVE,
+    };
+    let _ = shade(tracer, rays, &hit, active, batch);
     let mut all = [[None; MAX_LANES]; 2];
     while batch.stack.len() > 0 {
         let (rays, count) = batch.stack.pop(simd);

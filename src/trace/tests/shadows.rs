@@ -5,6 +5,7 @@ use crate::quality::Quality;
 use crate::scene::Light;
 use crate::trace::Batch;
 use crate::trace::shade::shade;
+use crate::trace::tracer::Tracer;
 
 const SPHERES: usize = 20_000;
 
@@ -60,9 +61,13 @@ impl Property for OwnShadow {
             let rays = packet(simd, eye, &ways);
             let hit = hits(simd, &scene, &rays);
             let active = first(simd, lanes::<S>());
-            let quality = &Quality::EXHAUSTIVE;
+            let tracer = Tracer {
+                simd,
+                scene: &scene,
+                quality: &Quality::EXHAUSTIVE,
+            };
             batch.begin();
-            let node = shade(simd, &scene, quality, &rays, &hit, active, &mut batch);
+            let node = shade(tracer, &rays, &hit, active, &mut batch);
             for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                 if hit.object.as_slice()[i] != 0 {
                     continue;

@@ -1,0 +1,143 @@
+//! Sums up, point by point, what the rays of a batch bring back.
+
+use super::contribution::Contribution;
+use super::queue::{BATCH, packet};
+use super::rays::Rays;
+use super::sample::{STEP_BITS, Sum};
+use super::{Layers, Sample, sample};
+use crate::lanes::*;
+use fearless_simd::i32x4;
+use glam::Vec3A;
+
+/// The element of a [`Sum`] that holds the key.
+const KEY: usize = 3;
+
+/// The results of traced points, which have the numbers that they have in the [`Queue`](super::queue::Queue).
+///
+/// The sums grow while rays are traced. Samples are made of them at the end, see [`Accumulator::finish`].
+pub(crate) struct Accumulator {
+    sums: [Sum; BATCH],
+    /// What a packet of secondary rays adds to the sums.
+    terms: [Sum; MAX_LANES],
+    samples: [u64; BATCH],
+    /// The part of the colour that a pattern darkens, blue, green and red in output steps, and the share that the pattern leaves.
+    patterned: [[f32; 4]; BATCH],
+    /// The objects that the primary rays hit.
+    objects: [u32; BATCH],
+    pixels: [u32; BATCH],
+}
+
+impl Accumulator {
+    /// All zeros.
+    pub const fn new() -> Self {
+        Self {
+            sums: [[0; 4]; BATCH],
+            terms: [[0; 4]; MAX_LANES],
+            samples: [0; BATCH],
+            patterned: [[0.0; 4]; BATCH],
+            objects: [0; BATCH],
+            pixels: [0; BATCH],
+        }
+    }
+
+    /// The sample and the key of traced point number `i`.
+    #[inline(always)]
+    pub fn sample(&self, i: usize) -> (Sample, u32) {
+        let i = i % BATCH;
+        let sample = Sample(self.samples[i]).showing(self.objects[i]);
+        (sample, self.sums[i][KEY] as u32)
+    }
+
+    /// The layers of traced point number `i`, if it shows an object with a pattern.
+    #[inline(always)]
+    pub fn layers(&self, i: usize) -> Layers {
+        let i = i % BATCH;
+        let [blue, green, red, share] = self.patterned[i];
+        let untextured = Vec3A::new(blue, green, red);
+        let [blue, green, red, _] = self.sums[i].map(|sum| sum as f32);
+        let sum = Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32);
+        Layers {
+            rest: sum - untextured * share,
+            untextured,
+        }
+    }
+
+    /// The traced points as pixels.
+    #[inline(always)]
+    pub fn pixels<S: Simd>(&mut self, simd: S) -> &[u32] {
+        let (samples, _) = self.samples.as_chunks();
+        let (pixels, _) = self.pixels.as_chunks_mut();
+        for (pixels, samples) in pixels.iter_mut().zip(samples) {
+            *pixels = sample::pixels(simd, samples);
+        }
+        &self.pixels
+    }
+
+    /// Turns the sums of the first `count` points into samples.
+    #[inline(always)]
+    pub(super) fn finish<S: Isa>(&mut self, simd: S, count: usize) {
+        let n = lanes::<S>();
+        for start in (0..count.min(BATCH)).step_by(n) {
+            let points = packet::<S>(start);
+            let samples = &mut self.samples[points.clone()];
+            sample::from_sums(simd, &self.sums[points], samples);
+        }
+    }
+
+    /// Keeps the objects that a packet of primary rays hit. Its first point is number `first`.
+    #[inline(always)]
+    pub(super) fn keep_objects<S: Isa>(&mut self, first: usize, objects: U<S>) {
+        objects.store_slice(&mut self.objects[packet::<S>(first)]);
+    }
+
+    /// Adds the contribution of a packet's hits to the sums of their points. A packet of primary rays, whose first point is number
+    /// `first`, starts these sums.
+    #[inline(always)]
+    pub(super) fn add<S: Isa>(
+        &mut self,
+        simd: S,
+        rays: &Rays<S>,
+        first: Option<usize>,
+        contribution: &Contribution<S>,
+        has_patterns: bool,
+    ) {
+        let points = first.map(packet::<S>);
+        let sums = match points.clone() {
+            Some(points) => &mut self.sums[points],
+            None => &mut self.terms[..lanes::<S>()],
+        };
+        contribution.store(simd, sums.as_flattened_mut());
+        match points {
+            Some(points) if has_patterns => {
+                contribution.store_layers(self.patterned[points].as_flattened_mut());
+            }
+            Some(_) => {}
+            None => self.add_terms(simd, rays),
+        }
+    }
+
+    /// Adds the terms of a packet of secondary rays. Lanes beyond the last ray add nothing, whichever point was in them before.
+    #[inline(always)]
+    fn add_terms<S: Isa>(&mut self, simd: S, rays: &Rays<S>) {
+        let slots = rays.slots();
+        let first = slots.as_slice()[0];
+        let start = first as usize % BATCH;
+        // Most packets have their slots in order, and are added as vectors.
+        let in_order = slots.simd_eq(numbers(simd) + first).all_true();
+        if let (true, Some(sums)) = (in_order, self.sums.get_mut(start..start + lanes::<S>())) {
+            let (sums, terms) = (sums.as_flattened_mut(), self.terms.as_flattened());
+            for i in (0..4 * lanes::<S>()).step_by(lanes::<S>()) {
+                let sums = &mut sums[i..i + lanes::<S>()];
+                let terms = &terms[i..i + lanes::<S>()];
+                let new = I::<S>::from_slice(simd, sums) + I::<S>::from_slice(simd, terms);
+                new.store_slice(sums);
+            }
+            return;
+        }
+        for (&slot, term) in slots.as_slice().iter().zip(&self.terms) {
+            let sum = &mut self.sums[slot as usize % BATCH];
+            let new = i32x4::load_array_ref(simd, sum) + i32x4::load_array_ref(simd, term);
+            new.store_array(sum);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! The queue of the points that are traced together. Coordinates are pixels of the picture.
+
+use super::rays::{Rays, primary_directions};
+use crate::lanes::*;
+use crate::prepare::Prepared;
+use core::ops::Range;
+
+/// The most points that are traced together: their sums take 16 kB, which stay in the nearest cache.
+pub(crate) const BATCH: usize = 1024;
+
+/// Points to trace, in the order in which they were added.
+pub(crate) struct Queue {
+    /// Where the points are: `y << 16 | x`.
+    positions: [u32; BATCH],
+    len: usize,
+}
+
+impl Queue {
+    /// No points.
+    pub const fn new() -> Self {
+        Self {
+            positions: [0; BATCH],
+            len: 0,
+        }
+    }
+
+    /// The number of points.
+    #[inline(always)]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Adds the point at pixel (x, y); the queue must not be full.
+    #[inline(always)]
+    pub fn push(&mut self, x: usize, y: usize) {
+        self.positions[self.len % BATCH] = (y << 16 | x) as u32;
+        self.len += 1;
+    }
+
+    /// Removes all points.
+    #[inline(always)]
+    pub fn clear(&mut self) {
+        self.len = 0;
+    }
+
+    /// The position of point number `i`, x and y.
+    #[inline(always)]
+    pub fn position(&self, i: usize) -> (usize, usize) {
+        let position = self.positions[i % BATCH] as usize;
+        (position & 0xffff, position >> 16)
+    }
+
+    /// The primary rays of a packet of points from number `start`, a multiple of the number of lanes. Lanes beyond the last point
+    /// have rays of an earlier batch, whose results nobody reads.
+    #[inline(always)]
+    pub(super) fn primary_rays<S: Isa>(&self, simd: S, scene: &Prepared, start: usize) -> Rays<S> {
+        let positions = U::<S>::from_slice(simd, &self.positions[packet::<S>(start)]);
+        let x: I<S> = (positions & 0xffff).bitcast();
+        let y: I<S> = (positions >> 16).bitcast();
+        Rays {
+            o: Vec3x::splat(simd, scene.eye),
+            d: primary_directions(simd, scene, x.to_float(), y.to_float()),
+            weight: splat(simd, scene.weight),
+            slot_path: Rays::slot_paths(simd, start),
+        }
+    }
+}
+
+/// The numbers of a packet's points, the first of which is given, in a form that tells the compiler that an array of [`BATCH`]
+/// has them all.
+#[inline(always)]
+pub(super) fn packet<S: Isa>(first: usize) -> Range<usize> {
+    let first = first % BATCH / lanes::<S>() * lanes::<S>();
+    first..first + lanes::<S>()
+}

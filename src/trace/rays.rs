@@ -1,0 +1,76 @@
+//! Packets of rays. Coordinates are the scene's, unless they are those of pixels.
+
+use crate::lanes::*;
+use crate::prepare::Prepared;
+
+/// A packet of rays, one per lane, in scene coordinates.
+#[derive(Clone, Copy)]
+pub(crate) struct Rays<S: Isa> {
+    /// Origin.
+    pub o: Vec3x<S>,
+    /// Direction, of length 1.
+    pub d: Vec3x<S>,
+    /// The product of the coefficients along the ray's path.
+    pub weight: F<S>,
+    /// The point of the batch that the ray belongs to, and its node in that point's ray tree: `slot << PATH_BITS | path`. The
+    /// path of a primary ray is 1; a ray with path p has the reflected ray 2 p and the transmitted ray 2 p + 1.
+    pub slot_path: U<S>,
+}
+
+/// The bit of a `slot_path` that marks reflections of primary rays in the first plane.
+const MIRRORED: u32 = 1 << 31;
+
+/// The bits of a path: enough for [`crate::Quality::MAX_DEPTH`].
+const PATH_BITS: u32 = 8;
+
+impl<S: Isa> Rays<S> {
+    /// The `slot_path`s of the primary rays of successive points, beginning with point number `slot`.
+    #[inline(always)]
+    pub fn slot_paths(simd: S, slot: usize) -> U<S> {
+        (numbers(simd) << PATH_BITS) + ((slot as u32) << PATH_BITS | 1)
+    }
+
+    /// The points that the rays belong to.
+    #[inline(always)]
+    pub fn slots(&self) -> U<S> {
+        (self.slot_path & !MIRRORED) >> PATH_BITS
+    }
+
+    /// The rays' paths in their trees.
+    #[inline(always)]
+    pub fn paths(&self) -> U<S> {
+        self.slot_path & ((1 << PATH_BITS) - 1)
+    }
+
+    /// The `slot_path`s of the reflected rays. Those of the transmitted rays are one more.
+    #[inline(always)]
+    pub fn reflected_slot_paths(&self) -> U<S> {
+        (self.slot_path + self.paths()) & !MIRRORED
+    }
+
+    /// The marks for reflected rays: set if the first plane, object number `plane`, reflects a primary ray.
+    #[inline(always)]
+    pub fn mirror_marks(&self, simd: S, objects: U<S>, plane: usize) -> U<S> {
+        let plane = objects.simd_eq(U::<S>::splat(simd, plane as u32));
+        let mirrored = plane & self.paths().simd_eq(U::<S>::splat(simd, 1));
+        mirrored.to_vector().bitcast::<U<S>>() & MIRRORED
+    }
+
+    /// Which rays have this mark.
+    #[inline(always)]
+    pub fn mirrored(&self, simd: S) -> M<S> {
+        self.slot_path
+            .bitcast::<I<S>>()
+            .simd_lt(I::<S>::splat(simd, 0))
+    }
+}
+
+/// The directions in which the eye sees points of the picture, of length 1.
+#[inline(always)]
+pub(super) fn primary_directions<S: Isa>(simd: S, scene: &Prepared, x: F<S>, y: F<S>) -> Vec3x<S> {
+    let raster = &scene.raster;
+    let d = Vec3x::splat(simd, raster.corner)
+        .add_scaled(Vec3x::splat(simd, raster.dx), x)
+        .add_scaled(Vec3x::splat(simd, raster.dy), y);
+    d.scaled(splat(simd, 1.0) / d.dot(d).sqrt())
+}

@@ -1,0 +1,111 @@
+//! Shadow rays: which of them something blocks. Coordinates are the scene's.
+
+use super::candidates::Candidates;
+use super::intersect::plane_hit;
+use crate::lanes::*;
+use crate::prepare::{Lamp, Prepared, ShadowCone};
+
+/// Rays from points towards a lamp.
+#[derive(Clone, Copy)]
+pub(super) struct ShadowRays<S: Isa> {
+    /// Origins: the points.
+    pub o: Vec3x<S>,
+    /// Directions to the lamp, of length 1.
+    pub d: Vec3x<S>,
+    /// Distances to the lamp; 0 in lanes that are not asked for.
+    pub distance: F<S>,
+}
+
+impl<S: Isa> ShadowRays<S> {
+    /// Which rays are blocked. If the lamp is not [plain](Lamp::is_plain), only planes block, and solids that may be in the way
+    /// become candidates.
+    #[inline(always)]
+    pub fn blocked(
+        &self,
+        simd: S,
+        scene: &Prepared,
+        lamp: &Lamp,
+        candidates: &mut Candidates,
+    ) -> M<S> {
+        candidates.clear();
+        let mut blocked = M::<S>::splat(simd, false);
+        let shadow_cones = &lamp.shadow_cones[..scene.tree.solid_nodes().len()];
+        let mut i = 0;
+        while let Some(cone) = shadow_cones.get(i) {
+            let shaded = self.start_inside(simd, cone);
+            let is_met = shaded.any_true();
+            if is_met && !cone.is_bound && !lamp.is_plain() {
+                let near = shaded & !self.are_off(simd, cone, lamp.diameter);
+                if near.any_true() {
+                    candidates.push::<S>(cone.object, near);
+                }
+            } else if is_met && !cone.is_bound {
+                blocked |= self.meet_sphere(simd, cone);
+            }
+            i += if is_met { 1 } else { cone.skip as usize };
+        }
+        blocked | self.meet_planes(simd, scene, lamp)
+    }
+
+    /// Which rays start inside of a shadow cone.
+    #[inline(always)]
+    fn start_inside(&self, simd: S, cone: &ShadowCone) -> M<S> {
+        let chord = self.d - Vec3x::splat_unaligned(simd, cone.axis);
+        let is_near = chord.dot(chord).simd_lt(splat(simd, cone.chord2));
+        is_near & self.distance.simd_gt(splat(simd, cone.from))
+    }
+
+    /// Which rays towards a lamp of a given diameter certainly miss the box, the cylinder or the sphere of a shadow cone, and
+    /// its penumbra.
+    #[inline(always)]
+    fn are_off(&self, simd: S, cone: &ShadowCone, diameter: f32) -> M<S> {
+        let &Self { d, distance, .. } = self;
+        let off = d.dot(Vec3x::splat_unaligned(simd, cone.side));
+        let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
+        let way = f.dot(d);
+        let across = f.add_scaled(d, -way);
+        // Half of the penumbra lies outside of the sphere: the lamp's radius times the ratio of the distances to the sphere and
+        // to the lamp. All is multiplied by the distance, which saves a division.
+        let share = at_least::<S>(distance - way, splat(simd, 0.0));
+        let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
+        let past = across.dot(across) * distance * distance;
+        (off * off).simd_gt(splat(simd, cone.sine2)) | past.simd_gt(reach * reach)
+    }
+
+    /// Which rays a sphere blocks. It does not block rays that start on it and leave it, see [`ShadowCone::r2`].
+    #[inline(always)]
+    fn meet_sphere(&self, simd: S, cone: &ShadowCone) -> M<S> {
+        let zero = splat(simd, 0.0);
+        // The distance from the lamp back along the ray to the point nearest to the sphere's centre.
+        let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
+        let way = f.dot(self.d);
+        let across = f.add_scaled(self.d, -way);
+        let half2 = splat(simd, cone.r2) - across.dot(across);
+        if cone.around_lamp {
+            // The chord extends by sqrt(half2) to both sides of that point. It ends between the lamp and the ray's origin.
+            let left = at_least::<S>(self.distance - way, zero);
+            return half2.simd_lt(left * left);
+        }
+        // A part of the chord lies between the lamp and the ray's origin.
+        let short = at_least::<S>(at_least::<S>(way - self.distance, -way), zero);
+        half2.simd_gt(short * short)
+    }
+
+    /// Which rays a plane blocks.
+    #[inline(always)]
+    fn meet_planes(&self, simd: S, scene: &Prepared, lamp: &Lamp) -> M<S> {
+        let mut blocked = M::<S>::splat(simd, false);
+        for plane in scene.planes() {
+            let height = splat(simd, plane.centre.y);
+            let behind = if lamp.position.y > plane.centre.y {
+                self.o.y.simd_lt(height)
+            } else {
+                self.o.y.simd_gt(height)
+            };
+            if behind.any_true() {
+                blocked |= plane_hit(simd, plane, self.o, self.d, self.distance).0;
+            }
+        }
+        blocked
+    }
+}
