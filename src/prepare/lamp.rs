@@ -41,8 +41,8 @@ pub(crate) struct ShadowCone {
     pub chord2: f32,
     /// The distance from the lamp at which the shadow may begin.
     pub from: f32,
-    /// See [`BvhNode::is_bound`].
-    pub is_bound: bool,
+    /// See [`BvhNode::solids`].
+    pub solids: u8,
     /// See [`BvhNode::skip`].
     pub skip: u16,
     /// See [`BvhNode::object`].
@@ -129,7 +129,7 @@ impl ShadowCone {
         axis: Vec3::ZERO,
         chord2: 0.0,
         from: 0.0,
-        is_bound: false,
+        solids: 0,
         skip: 0,
         object: ObjectId::FIRST,
         around_lamp: false,
@@ -160,7 +160,7 @@ impl ShadowCone {
             // NaN if the lamp is inside.
             chord2: chord2.min(ALL_AROUND),
             from,
-            is_bound: node.is_bound,
+            solids: node.solids,
             skip: node.skip,
             object: node.object,
             around_lamp: self.around_lamp,

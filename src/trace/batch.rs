@@ -2,6 +2,7 @@
 
 use super::accumulator::Accumulator;
 use super::candidates::Candidates;
+use super::casters::Casters;
 use super::counts::Counts;
 use super::queue::Queue;
 use super::stack::RayStack;
@@ -17,7 +18,9 @@ pub(crate) struct Batch {
     pub counts: Counts,
     /// The secondary rays that wait to be traced.
     pub(super) stack: RayStack,
-    /// What the packet at work may meet beyond spheres and planes, or on its way to a lamp.
+    /// What may be on the way of the packet at work to a lamp.
+    pub(super) casters: Casters,
+    /// What the packet at work may meet beyond spheres and planes, or on its way to a lamp, by an exact test.
     pub(super) candidates: Candidates,
     /// The surfaces of the packet at work.
     pub(super) surfaces: SurfaceRows,
@@ -32,6 +35,7 @@ impl Batch {
             counts: Counts::NONE,
             stack: RayStack::new(),
             candidates: Candidates::NONE,
+            casters: Casters::NONE,
             surfaces: SurfaceRows::NONE,
         }
     }

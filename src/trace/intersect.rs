@@ -38,15 +38,13 @@ impl<S: Isa> Hit<S> {
     }
 }
 
-/// The nearest hits among all planes and the spheres of some groups, beginning with node number `first`. Boxes and cylinders that
-/// may be hit become candidates.
+/// The nearest hits among all planes and the spheres of some groups. Boxes and cylinders that may be hit become candidates.
 #[inline(always)]
 pub(crate) fn nearest<S: Isa>(
     simd: S,
     scene: &Prepared,
     rays: &Rays<S>,
     groups: GroupSet,
-    first: usize,
     candidates: &mut Candidates,
 ) -> Hit<S> {
     candidates.clear();
@@ -59,7 +57,7 @@ pub(crate) fn nearest<S: Isa>(
         hit.keep_nearer(m, t, ObjectId::new(scene.first_plane() + i));
     }
     let nodes = scene.tree.nodes();
-    let mut i = first;
+    let mut i = scene.tree.start(groups);
     while let Some(node) = nodes.get(i) {
         let mut is_met = node.groups & groups != 0;
         if is_met {

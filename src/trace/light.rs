@@ -1,6 +1,7 @@
 //! Direct light by Phong's model: what surfaces reflect of the light that arrives.
 
 use super::candidates::Candidates;
+use super::casters::Casters;
 use super::counts::Counts;
 use super::key::Keys;
 use super::point::ShadingPoint;
@@ -25,6 +26,7 @@ pub(super) fn gather<S: Isa>(
     surface: &SurfaceLanes<'_, S>,
     point: &ShadingPoint<S>,
     keys: &mut Keys<S>,
+    casters: &mut Casters,
     candidates: &mut Candidates,
     counts: &mut Counts,
 ) -> Reflected<S> {
@@ -39,7 +41,7 @@ pub(super) fn gather<S: Isa>(
     };
     let none = M::<S>::splat(simd, false);
     for lamp in scene.lamps() {
-        match visibility.light_of(lamp, candidates, counts) {
+        match visibility.light_of(lamp, casters, candidates, counts) {
             Some(light) => {
                 let highlight = phong.add(&light);
                 keys.push(light.lit, highlight);

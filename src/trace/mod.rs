@@ -23,6 +23,7 @@ mod air;
 mod batch;
 mod block;
 mod candidates;
+mod casters;
 mod contribution;
 mod counts;
 mod intersect;

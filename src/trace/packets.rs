@@ -33,8 +33,7 @@ pub(super) fn trace_packets<S: Isa>(tracer: Tracer<'_, S>, seen: VisibleGroups, 
         batch.counts.rays += count as u64;
         batch.counts.lanes += lanes::<S>() as u64;
         let candidates = &mut batch.candidates;
-        let from = scene.tree.start(groups);
-        let mut hit = intersect::nearest(simd, scene, &rays, groups, from, candidates);
+        let mut hit = intersect::nearest(simd, scene, &rays, groups, candidates);
         if !candidates.is_empty() {
             block::resolve_blocks(simd, scene, &rays, candidates, &mut hit);
         }

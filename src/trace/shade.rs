@@ -32,6 +32,7 @@ pub(super) fn shade<S: Isa>(
         stack,
         counts,
         candidates,
+        casters,
         ..
     } = batch;
     let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, surfaces);
@@ -48,7 +49,9 @@ pub(super) fn shade<S: Isa>(
     let mut keys = Keys::new(simd, quality, active, rays.paths());
     if solid.any_true() {
         let point = &ShadingPoint::new(simd, scene, rays, hit, &surface, solid);
-        let reflected = light::gather(tracer, &surface, point, &mut keys, candidates, counts);
+        let reflected = light::gather(
+            tracer, &surface, point, &mut keys, casters, candidates, counts,
+        );
         Reflected { untextured, .. } = reflected;
         reflectance = point.reflectance;
         colour = reflected.specular.add_scaled(untextured, reflectance);

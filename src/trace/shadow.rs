@@ -1,6 +1,7 @@
 //! Shadow rays: which of them something blocks. Coordinates are the scene's.
 
 use super::candidates::Candidates;
+use super::casters::Casters;
 use super::intersect::plane_hit;
 use crate::lanes::*;
 use crate::prepare::{Lamp, Prepared, ShadowCone};
@@ -19,30 +20,45 @@ pub(super) struct ShadowRays<S: Isa> {
 impl<S: Isa> ShadowRays<S> {
     /// Which rays are blocked. If the lamp is not [plain](Lamp::is_plain), only planes block, and solids that may be in the way
     /// become candidates.
+    ///
+    /// A bound's shadow cone contains those of all solids below it, so skipping it loses nothing. Below a lowest bound that is met,
+    /// all solids are tested, without a branch that could be predicted wrongly.
     #[inline(always)]
     pub fn blocked(
         &self,
         simd: S,
         scene: &Prepared,
         lamp: &Lamp,
+        casters: &mut Casters,
         candidates: &mut Candidates,
     ) -> M<S> {
-        candidates.clear();
         let mut blocked = M::<S>::splat(simd, false);
-        let shadow_cones = &lamp.shadow_cones[..scene.tree.solid_nodes().len()];
+        let cones = &lamp.shadow_cones[..scene.tree.solid_nodes().len()];
+        casters.clear();
         let mut i = 0;
-        while let Some(cone) = shadow_cones.get(i) {
-            let shaded = self.start_inside(simd, cone);
-            let is_met = shaded.any_true();
-            if is_met && !cone.is_bound && !lamp.is_plain() {
-                let near = shaded & !self.are_off(simd, cone, lamp.diameter);
-                if near.any_true() {
-                    candidates.push::<S>(cone.object, near);
-                }
-            } else if is_met && !cone.is_bound {
-                blocked |= self.meet_sphere(simd, cone);
+        while let Some(bound) = cones.get(i) {
+            if !self.start_inside(simd, bound).any_true() {
+                i += usize::from(bound.skip);
+                continue;
             }
-            i += if is_met { 1 } else { cone.skip as usize };
+            i += 1;
+            for cone in &cones[i..i + usize::from(bound.solids)] {
+                if lamp.is_plain() {
+                    blocked |= self.meet_sphere(simd, cone);
+                } else {
+                    casters.push_if(i, self.start_inside(simd, cone).any_true());
+                }
+                i += 1;
+            }
+        }
+        candidates.clear();
+        for &index in casters.as_slice() {
+            let cone = &cones[usize::from(index)];
+            let shaded = self.start_inside(simd, cone);
+            let near = shaded & !self.are_off(simd, cone, lamp.diameter);
+            if near.any_true() {
+                candidates.push::<S>(cone.object, near);
+            }
         }
         blocked | self.meet_planes(simd, scene, lamp)
     }

@@ -1,6 +1,7 @@
 //! Visibility: which points of a packet a lamp's light reaches, and how much of it. Coordinates are the scene's.
 
 use super::candidates::Candidates;
+use super::casters::Casters;
 use super::counts::Counts;
 use super::point::ShadingPoint;
 use super::shadow::ShadowRays;
@@ -56,6 +57,7 @@ impl<'a, S: Isa> Visibility<'a, S> {
     pub fn light_of(
         &self,
         lamp: &Lamp,
+        casters: &mut Casters,
         candidates: &mut Candidates,
         counts: &mut Counts,
     ) -> Option<ArrivingLight<S>> {
@@ -80,7 +82,7 @@ impl<'a, S: Isa> Visibility<'a, S> {
             d: l,
             distance,
         };
-        let mut lit = facing & !rays.blocked(simd, scene, lamp, candidates);
+        let mut lit = facing & !rays.blocked(simd, scene, lamp, casters, candidates);
         let mut colour = Vec3x::splat(simd, lamp.colour);
         if !lamp.is_plain() && (lamp.is_cone || !candidates.is_empty()) {
             let rays = ShadowRays {

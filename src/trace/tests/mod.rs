@@ -2,6 +2,7 @@
 //! figures.
 
 mod blocks;
+mod culling;
 mod neighbours;
 mod patterns;
 mod precision;
@@ -191,7 +192,7 @@ fn packet<S: Isa>(simd: S, o: Vec3A, d: &[Vec3A]) -> Rays<S> {
 #[inline(always)]
 fn hits<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Hit<S> {
     let mut candidates = Candidates::NONE;
-    let mut hit = nearest(simd, scene, rays, GroupSet::MAX, 0, &mut candidates);
+    let mut hit = nearest(simd, scene, rays, GroupSet::MAX, &mut candidates);
     resolve_blocks(simd, scene, rays, &candidates, &mut hit);
     hit
 }
