@@ -10,6 +10,7 @@ use super::worker::Worker;
 use crate::observe::{Observer, Stage};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Counts, trace};
+use core::array;
 
 /// The bits of a row of a block.
 const BLOCK_MASK: u64 = (1 << BLOCK_WIDTH) - 1;
@@ -48,12 +49,13 @@ impl<O: Observer> Tile<'_, O> {
 
     /// Traces the points of a level that are marked, block by block.
     fn trace_marked(&mut self, level: usize, rows: usize) {
+        // A level has a point more in a row than squares; pixels fill all words.
+        let used = (self.area.columns(level) / 64 + 1).min(WORDS);
         for top in (0..rows).step_by(BLOCK_HEIGHT) {
-            for word in 0..WORDS {
-                let strips = self.worker.marks.traced[level]
-                    .as_chunks::<BLOCK_HEIGHT>()
-                    .0;
-                let words = strips[top / BLOCK_HEIGHT].map(|row| row.0[word]);
+            for word in 0..used {
+                // Word by word: to map the strip's rows would copy them whole.
+                let rows = &self.worker.marks.traced[level][top..top + BLOCK_HEIGHT];
+                let words: [u64; BLOCK_HEIGHT] = array::from_fn(|y| rows[y].0[word]);
                 let mut columns = words.iter().fold(0, |all, word| all | word);
                 while columns != 0 {
                     let x = columns.trailing_zeros() as usize / BLOCK_WIDTH * BLOCK_WIDTH;
