@@ -57,3 +57,8 @@ fn memory_is_as_small_as_its_docs_say() {
         assert!((bound * 9 / 10..=bound).contains(&bytes), "{bytes}, {said}");
     }
 }
+
+#[test]
+fn sixteen_threads_take_less_than_8_mb_for_a_picture_of_any_size() {
+    const { assert!(Memory::BYTES + 16 * Worker::BYTES < 8_000_000) };
+}

@@ -146,6 +146,12 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
         pictures,
         is_printed,
     };
+    // Enough frames for the front to be the same one next time, in some minutes. Where few are asked for, all is to be quick.
+    let plan = if arguments.frames.is_some() {
+        " --quick"
+    } else {
+        " --frames 9"
+    };
     // Tiles that stay readable in a column of text.
     let tile = sizes.first().map_or(" --size 240x135", String::as_str);
     // Twelve seconds about the cut from the model scene to the method's.
@@ -183,12 +189,7 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
             true,
         ),
         part("ladder", format!("trade --ladder{size}{frames}"), &[], true),
-        part(
-            "trade",
-            format!("trade --quick{size}{frames}"),
-            &TRADE,
-            false,
-        ),
+        part("trade", format!("trade{plan}{size}{frames}"), &TRADE, false),
         part("figures", format!("figures{size}"), &FIGURES, false),
         part("size", "size --functions 10".to_owned(), &[], true),
         Part {
