@@ -8,49 +8,85 @@
 use core::{
     ffi::{c_int, c_uint, c_ulong},
     mem::{size_of, zeroed},
+    ops::Range,
     ptr::{null, null_mut},
     slice::from_raw_parts_mut,
 };
 
 use super::{
     memory::pixels,
-    window::Window,
     xext::{XShmSegmentInfo, Xext},
 };
 use crate::{
     screen::MOST_PIXELS,
-    x11::{self, types as xlib},
+    x11::{self, Toplevel, types as xlib},
 };
+
+/// Two frames in turns, and how they come to the window.
+pub struct Frames {
+    context: xlib::GC,
+    /// What Xlib knows of a picture; made to fit each one.
+    image: *mut xlib::XImage,
+    put_image: PutImage,
+    /// The first is the one to be drawn and shown next.
+    frames: [&'static mut [u32]; 2],
+    /// Width and height of that one.
+    drawn: (usize, usize),
+}
 
 /// How pixels come to the server.
 #[derive(Clone, Copy)]
-pub(super) enum PutImage {
+enum PutImage {
     /// By the connection to it, as copies.
     ThroughSocket,
     /// In memory that it shares, by functions of libXext.
     Shared(&'static Xext),
 }
 
-impl Window {
-    /// Shows the frame in the window, stretched where its size is another, and by the server's own colours where it has them.
-    pub(super) fn blit(&mut self) {
-        let (width, height) = self.size;
+impl Frames {
+    /// Memory for two frames of a window, which the server shares if it can.
+    ///
+    /// # Safety
+    /// The image has to be one that nobody else has, and the context one of the display.
+    pub unsafe fn new(top: &Toplevel, image: *mut xlib::XImage, context: xlib::GC) -> Frames {
+        let mut frames = Frames {
+            context,
+            image,
+            put_image: PutImage::ThroughSocket,
+            frames: [&mut [], &mut []],
+            drawn: (0, 0),
+        };
+        let memory = frames.share(top).unwrap_or_else(pixels);
+        let (first, second) = memory.split_at_mut(MOST_PIXELS);
+        frames.frames = [first, second];
+        frames
+    }
+
+    /// Room to draw a frame of a size.
+    pub fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
+        self.drawn = (width, height);
+        &mut self.frames[0][..width * height]
+    }
+
+    /// Shows the frame in the window, which has a size, stretched where its own is another, and by the server's own colours where
+    /// it has them.
+    pub fn show(&mut self, top: &Toplevel, (width, height): (usize, usize)) {
         // SAFETY: the image is this one's own.
         let masks = x11::masks(unsafe { &*self.image });
         if self.drawn == (width, height) && masks == x11::MASKS {
-            self.finish();
-            self.put(0, width, 0, height);
+            finish(top);
+            self.put(top, 0, width, 0..height);
             self.frames.swap(0, 1);
             return;
         }
         let rows = (MOST_PIXELS / width.max(1)).max(1);
-        let mut top = 0;
-        while top < height {
-            let bottom = height.min(top + rows);
-            self.finish();
-            self.stretch((width, height), top, bottom, masks);
-            self.put(1, width, top, bottom);
-            top = bottom;
+        let mut first = 0;
+        while first < height {
+            let part = first..height.min(first + rows);
+            finish(top);
+            self.stretch((width, height), part.clone(), masks);
+            self.put(top, 1, width, part);
+            first += rows;
         }
     }
 
@@ -58,8 +94,7 @@ impl Window {
     fn stretch(
         &mut self,
         (width, height): (usize, usize),
-        top: usize,
-        bottom: usize,
+        rows: Range<usize>,
         masks: [c_ulong; 3],
     ) {
         let [from, to] = &mut self.frames;
@@ -67,7 +102,7 @@ impl Window {
         // Steps in units of 2^-32 pixels, rounded up, so that what is just a pixel stays one.
         let step = |from: usize, to: usize| (from << 32) / to.max(1) + 1;
         let (across, down) = (step(from_width, width), step(from_height, height));
-        for (row, y) in to.chunks_exact_mut(width).zip(top..bottom) {
+        for (row, y) in to.chunks_exact_mut(width).zip(rows) {
             let from_row = &from[((y * down) >> 32) * from_width..][..from_width];
             for (x, pixel) in row.iter_mut().enumerate() {
                 *pixel = x11::with_masks(from_row[(x * across) >> 32], masks);
@@ -75,29 +110,27 @@ impl Window {
         }
     }
 
-    /// Waits until the server has taken the pixels that it was given before.
-    fn finish(&self) {
-        // SAFETY: the display is open.
-        unsafe { (self.top.x.XSync)(self.top.display, xlib::False) };
-    }
-
     /// Has the server copy one of the frames to some rows of the window.
-    fn put(&mut self, frame: usize, width: usize, top: usize, bottom: usize) {
-        let height = bottom - top;
+    fn put(&mut self, window: &Toplevel, frame: usize, width: usize, rows: Range<usize>) {
         let pixels = &mut self.frames[frame];
-        let (display, window, context) = (self.top.display, self.top.window, self.context);
-        let (top, columns, rows) = (top as c_int, width as c_uint, height as c_uint);
+        let Toplevel {
+            x, display, window, ..
+        } = *window;
+        let context = self.context;
+        let (top, columns, height) = (rows.start as c_int, width as c_uint, rows.len() as c_uint);
         // SAFETY: the image is this one's own, and says of the pixels what is so.
         unsafe {
             let image = &mut *self.image;
             image.width = width as c_int;
-            image.height = height as c_int;
+            image.height = rows.len() as c_int;
             image.bytes_per_line = (width * size_of::<u32>()) as c_int;
             image.data = pixels.as_mut_ptr().cast();
             match self.put_image {
                 PutImage::ThroughSocket => {
-                    let put = self.top.x.XPutImage;
-                    put(display, window, context, image, 0, 0, 0, top, columns, rows);
+                    let put = x.XPutImage;
+                    put(
+                        display, window, context, image, 0, 0, 0, top, columns, height,
+                    );
                 }
                 PutImage::Shared(xext) => {
                     let (put, unannounced) = (xext.XShmPutImage, xlib::False);
@@ -111,7 +144,7 @@ impl Window {
                         0,
                         top,
                         columns,
-                        rows,
+                        height,
                         unannounced,
                     );
                 }
@@ -119,16 +152,9 @@ impl Window {
         }
     }
 
-    /// Memory for two frames, which the server shares if it can.
-    pub(super) fn find_memory(&mut self) {
-        let memory = self.share().unwrap_or_else(pixels);
-        let (first, second) = memory.split_at_mut(MOST_PIXELS);
-        self.frames = [first, second];
-    }
-
     /// Memory for two frames that other processes can share, if the system has it. If the server does, it takes frames from
     /// there.
-    fn share(&mut self) -> Option<&'static mut [u32]> {
+    fn share(&mut self, top: &Toplevel) -> Option<&'static mut [u32]> {
         let shared = Xext::load()?;
         let size = 2 * MOST_PIXELS * size_of::<u32>();
         // SAFETY: the display is open and the image is one. The segment is as large as it says, zero to begin with, and
@@ -149,9 +175,9 @@ impl Window {
                 readOnly: xlib::True,
             }));
             (*self.image).obdata = (&raw mut *segment).cast();
-            if (shared.XShmQueryExtension)(self.top.display) != 0 {
-                (shared.XShmAttach)(self.top.display, segment);
-                (self.top.x.XSync)(self.top.display, xlib::False);
+            if (shared.XShmQueryExtension)(top.display) != 0 {
+                (shared.XShmAttach)(top.display, segment);
+                finish(top);
             }
             // This process is attached, and the server should be. From within a container it may not find the memory, or
             // find another by its number.
@@ -163,4 +189,10 @@ impl Window {
             Some(from_raw_parts_mut(memory, 2 * MOST_PIXELS))
         }
     }
+}
+
+/// Waits until the server has taken the pixels that it was given before.
+fn finish(top: &Toplevel) {
+    // SAFETY: the display is open.
+    unsafe { (top.x.XSync)(top.display, xlib::False) };
 }

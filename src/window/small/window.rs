@@ -5,7 +5,7 @@ use core::{
     mem::{take, zeroed},
 };
 
-use super::blit::PutImage;
+use super::blit::Frames;
 pub use crate::keyboard::Press;
 use crate::{
     keyboard::{self, Presses},
@@ -19,19 +19,11 @@ use crate::{
 /// What happens in it is taken from Xlib, so that a key that is pressed and released between two frames counts. It stays until
 /// the process ends, when the display closes it, at once and for sure.
 pub struct Window {
-    pub(super) top: Toplevel,
+    top: Toplevel,
     /// What a window manager sends instead of closing it.
     delete: xlib::Atom,
-    pub(super) size: (usize, usize),
-    pub(super) context: xlib::GC,
-    /// What Xlib knows of a picture; made to fit each one.
-    pub(super) image: *mut xlib::XImage,
-    /// How pixels come to the window.
-    pub(super) put_image: PutImage,
-    /// Two frames; the first is the one to be drawn and shown next.
-    pub(super) frames: [&'static mut [u32]; 2],
-    /// Width and height of that one.
-    pub(super) drawn: (usize, usize),
+    size: (usize, usize),
+    frames: Frames,
     /// Other keys that were pressed since they were last asked for.
     presses: Presses,
 }
@@ -48,24 +40,21 @@ impl Window {
         let x = Xlib::load().ok_or_else(why_not_loaded)?;
         let display = x11::open(x)?;
         // SAFETY: the display is open.
-        let (top, image, context) = unsafe {
+        let (top, frames) = unsafe {
             let screen = &*(x.XDefaultScreenOfDisplay)(display);
             let image = x11::picture(x, display)?;
             let window = (x.XCreateSimpleWindow)(display, screen.root, 0, 0, 1, 1, 0, 0, 0);
-            (Toplevel::new(x, display, window), image, screen.default_gc)
+            let top = Toplevel::new(x, display, window);
+            let frames = Frames::new(&top, image, screen.default_gc);
+            (top, frames)
         };
         let mut window = Window {
             delete: top.atom(c"WM_DELETE_WINDOW"),
             top,
             size: (width, height),
-            context,
-            image,
-            put_image: PutImage::ThroughSocket,
-            frames: [&mut [], &mut []],
-            drawn: (0, 0),
+            frames,
             presses: Presses::default(),
         };
-        window.find_memory();
         window.set_title(title);
         window.top.set_class();
         let Toplevel {
@@ -132,12 +121,11 @@ impl Screen for Window {
     }
 
     fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
-        self.drawn = (width, height);
-        &mut self.frames[0][..width * height]
+        self.frames.canvas(width, height)
     }
 
     fn show(&mut self) -> Next {
-        self.blit();
+        self.frames.show(&self.top, self.size);
         let mut fullscreen = None;
         let Toplevel { x, display, .. } = self.top;
         // SAFETY: zero is a value of every field of an event, and which of its parts is there is told by its type.
