@@ -1,6 +1,7 @@
 //! Scene files of the scenes that are compiled in.
 
 use super::description::Description;
+use super::keys::linear;
 use super::motion::{Between, Motion, Numbers};
 use super::path::leaves;
 use super::ron_text;
@@ -53,7 +54,7 @@ pub fn record(name: SceneName, fps: Rate) -> Result<String> {
         }
     }
     for (path, values) in tracks {
-        if values.iter().any(|value| *value != values[0]) {
+        if values.iter().any(|value| !is_same(value, &values[0])) {
             first.motions.push(motion(path, &times, &values)?);
         }
     }
@@ -69,13 +70,16 @@ fn frame_count(times: &[f32], time: f32) -> usize {
 fn motion(path: String, times: &[f32], values: &[Value]) -> Result<Motion> {
     let mut keys: Vec<(f32, Numbers)> = Vec::new();
     for (i, value) in values.iter().enumerate() {
-        let is_still = |j: usize| values.get(j).is_none_or(|other| other == value);
-        if i > 0 && is_still(i - 1) && is_still(i + 1) {
-            continue;
-        }
         let Some(numbers) = Numbers::of(value) else {
             bail!("{path} changes at {} s, and is no number", times[i]);
         };
+        let is_still = |j: usize| values.get(j).is_none_or(|other| is_same(other, value));
+        // What lies between two keys that are the same is the same, but for -0.
+        let between = linear(&[(0.0, numbers), (1.0, numbers)], 0.5);
+        let is_kept = format!("{between:?}") == format!("{numbers:?}");
+        if i > 0 && is_still(i - 1) && is_still(i + 1) && is_kept {
+            continue;
+        }
         keys.push((times[i], numbers));
     }
     Ok(Motion {
@@ -84,6 +88,12 @@ fn motion(path: String, times: &[f32], values: &[Value]) -> Result<Motion> {
         repeat: false,
         keys,
     })
+}
+
+/// Whether two values are the same to the bit: 0 is not -0.
+fn is_same(a: &Value, b: &Value) -> bool {
+    let text = |value: &Value| value.to_string();
+    a == b && text(a) == text(b)
 }
 
 /// Has every scene all captions of all scenes; those that it has not are dark.

@@ -165,7 +165,7 @@ fn shadows_are_hard_on_request() {
         ))
         .1
     };
-    let sun = rows("show:finale");
+    let sun = rows("show:colonnade");
     let names: Vec<&Value> = sun.iter().map(|row| &row["quality"]).collect();
     assert_eq!(
         names,
