@@ -28,7 +28,7 @@ static SET: Set = Set {
         // The sun of the orrery.
         Light {
             radius: 0.5,
-            ..point([0.0, HEIGHT, 0.0], [0.95, 0.72, 0.38])
+            ..point([0.0, HEIGHT, 0.0], [0.87, 0.66, 0.35])
         },
         Light {
             size: 0.8,
@@ -138,7 +138,7 @@ impl Planet {
         };
         add_rod(
             place * 0.5 + Vec3A::Y * low,
-            vec3a(0.05, 0.03, 0.5 * self.orbit),
+            vec3a(0.09, 0.03, 0.5 * self.orbit),
         );
         let half_stem = 0.5 * (HEIGHT - low);
         add_rod(
