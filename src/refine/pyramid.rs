@@ -23,7 +23,7 @@ pub(super) struct Pyramid {
 
 /// A row of a grid; the vector code may read some points beyond its end.
 #[derive(Clone, Copy)]
-pub(super) struct Row<'a> {
+pub(super) struct GridRow<'a> {
     pub samples: &'a [u64],
     pub keys: &'a [u32],
 }
@@ -96,10 +96,10 @@ impl Pyramid {
 
     /// A row of a level's grid.
     #[inline(always)]
-    pub fn row(&self, level: usize, y: usize) -> Row<'_> {
+    pub fn row(&self, level: usize, y: usize) -> GridRow<'_> {
         let start = Self::index(level, 0, y);
         let range = start..start + columns(level) + 2 * MAX_LANES - 1;
-        Row {
+        GridRow {
             samples: &self.samples[range.clone()],
             keys: &self.keys[range],
         }

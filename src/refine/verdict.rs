@@ -1,7 +1,7 @@
 //! The verdict on squares: what is the same at their corners, and how far their colours are apart.
 
 use super::bits::Bits;
-use super::pyramid::Row;
+use super::pyramid::GridRow;
 use crate::lanes::*;
 use crate::quality::Quality;
 use crate::trace::{STEP, Sample};
@@ -80,8 +80,8 @@ pub(super) fn judge(
     isa: Level,
     rules: Rules,
     squares: &Bits,
-    above: Row<'_>,
-    below: Row<'_>,
+    above: GridRow<'_>,
+    below: GridRow<'_>,
 ) -> Verdict {
     by_isa!(isa, simd => judge_by(simd, rules, squares, above, below))
 }
@@ -91,8 +91,8 @@ fn judge_by<S: Simd>(
     simd: S,
     rules: Rules,
     squares: &Bits,
-    above: Row<'_>,
-    below: Row<'_>,
+    above: GridRow<'_>,
+    below: GridRow<'_>,
 ) -> Verdict {
     let mut verdict = Verdict {
         agreeing: Bits::NONE,

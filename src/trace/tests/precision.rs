@@ -28,29 +28,29 @@ struct Wrong {
 }
 
 /// The bounds for a distance.
-struct Row {
+struct DistanceBounds {
     /// The distance from the sphere's centre to the origin of the rays, in radii.
     distance: f64,
     wrong: Wrong,
 }
 
-const fn row(distance: f64, [fused, unfused, anywhere]: [f64; 3]) -> Row {
+const fn bounds(distance: f64, [fused, unfused, anywhere]: [f64; 3]) -> DistanceBounds {
     let wrong = Wrong {
         fused,
         unfused,
         anywhere,
     };
-    Row { distance, wrong }
+    DistanceBounds { distance, wrong }
 }
 
-const ROWS: [Row; 7] = [
-    row(1e0, [3.0, 4.0, 5.0]),
-    row(1e1, [1.0, 1.0, 1.0]),
-    row(1e2, [1.0, 1.0, 2.5]),
-    row(1e3, [1.0, 1.0, 12.0]),
-    row(1e4, [1.0, 1.0, 100.0]),
-    row(1e5, [16.0, 20.0, 930.0]),
-    row(1e6, [1400.0, 1650.0, 9700.0]),
+const BOUNDS: [DistanceBounds; 7] = [
+    bounds(1e0, [3.0, 4.0, 5.0]),
+    bounds(1e1, [1.0, 1.0, 1.0]),
+    bounds(1e2, [1.0, 1.0, 2.5]),
+    bounds(1e3, [1.0, 1.0, 12.0]),
+    bounds(1e4, [1.0, 1.0, 100.0]),
+    bounds(1e5, [16.0, 20.0, 930.0]),
+    bounds(1e6, [1400.0, 1650.0, 9700.0]),
 ];
 
 /// The largest error of the distance of a hit, in radii, but for the outermost tenth of the sphere: as a share of the
@@ -125,7 +125,7 @@ impl Property for HitOrMiss {
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
         let millions = RAYS as f64 / 1e6;
         let seeds = self.seeds as f64;
-        for Row { distance, wrong } in &ROWS {
+        for DistanceBounds { distance, wrong } in &BOUNDS {
             let mean = match self.is_in_origin {
                 true if S::FUSES_MUL_ADD => wrong.fused,
                 true => wrong.unfused,
