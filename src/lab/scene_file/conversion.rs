@@ -1,25 +1,31 @@
 //! Scenes of the library as descriptions, and descriptions as scenes.
 
 use super::description::{
-    Block, Camera, Caption, Description, Light, Material, Method, NamedShape, Pattern, Plane,
-    Sphere, Spot,
+    Block, Camera, Caption, Description, Light, Material, Method, Pattern, Plane, Sphere, Spot,
 };
 use eightfold::glam::{EulerRot, Mat3A};
-use eightfold::scene::{self, List, Scene, Shape};
+use eightfold::scene::{self, List, Scene};
 use std::collections::BTreeMap;
 
-/// Conversions to and from the type of the same name in the library, field by field.
+/// Conversions to and from the type of the same name in the library, field by field. Fields after a semicolon are
+/// options.
 macro_rules! same_fields {
-    ($name:ident, $($field:ident),*) => {
+    ($name:ident, $($field:ident),* $(; $($option:ident),*)?) => {
         impl From<scene::$name> for $name {
             fn from(from: scene::$name) -> Self {
-                Self { $($field: from.$field.into()),* }
+                Self {
+                    $($field: from.$field.into(),)*
+                    $($($option: from.$option.map(Into::into),)*)?
+                }
             }
         }
 
         impl From<$name> for scene::$name {
             fn from(from: $name) -> Self {
-                Self { $($field: from.$field.into()),* }
+                Self {
+                    $($field: from.$field.into(),)*
+                    $($($option: from.$option.map(Into::into),)*)?
+                }
             }
         }
     };
@@ -32,32 +38,7 @@ same_fields!(
     Material, colour, kd, ks, exponent, kr, kt, index, tint, pattern
 );
 same_fields!(Spot, aim, dark, bright);
-
-impl From<scene::Light> for Light {
-    fn from(light: scene::Light) -> Self {
-        Self {
-            position: light.position.into(),
-            colour: light.colour.into(),
-            radius: light.radius,
-            parallel: light.parallel,
-            size: light.size,
-            spot: light.spot.map(Spot::from),
-        }
-    }
-}
-
-impl From<Light> for scene::Light {
-    fn from(light: Light) -> Self {
-        Self {
-            position: light.position.into(),
-            colour: light.colour.into(),
-            radius: light.radius,
-            parallel: light.parallel,
-            size: light.size,
-            spot: light.spot.map(scene::Spot::from),
-        }
-    }
-}
+same_fields!(Light, position, colour, radius, parallel, size; spot);
 
 impl From<scene::Caption> for Caption {
     fn from(caption: scene::Caption) -> Self {
@@ -123,10 +104,7 @@ impl Description {
         });
         let planes = planes.collect();
         let blocks = scene.blocks.iter().map(|block| Block {
-            shape: match block.shape {
-                Shape::Box => NamedShape::Box,
-                Shape::Cylinder => NamedShape::Cylinder,
-            },
+            shape: block.shape,
             centre: block.centre.into(),
             half: block.half.into(),
             axes: block.axes.to_cols_array_2d(),
@@ -200,10 +178,7 @@ impl Description {
                 centre: block.centre.into(),
                 half: block.half.into(),
                 axes: turned(&block),
-                shape: match block.shape {
-                    NamedShape::Box => Shape::Box,
-                    NamedShape::Cylinder => Shape::Cylinder,
-                },
+                shape: block.shape,
                 material: material(&block.material),
             });
         }

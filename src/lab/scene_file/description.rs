@@ -2,7 +2,7 @@
 
 use super::motion::Motion;
 use eightfold::glam::Mat3A;
-use eightfold::scene::{self, Scene};
+use eightfold::scene::{self, Scene, Shape};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -101,8 +101,8 @@ pub struct Plane {
 #[derive(Clone, Debug, Default, Serialize, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Block {
-    #[serde(default)]
-    pub shape: NamedShape,
+    #[serde(default, with = "NamedShape")]
+    pub shape: Shape,
     pub centre: Vector,
     pub half: Vector,
     /// Its own axes in scene coordinates.
@@ -114,10 +114,10 @@ pub struct Block {
     pub material: String,
 }
 
-/// See [`Shape`].
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize, PartialEq)]
-pub enum NamedShape {
-    #[default]
+/// How [`Shape`] is written.
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Shape")]
+enum NamedShape {
     Box,
     Cylinder,
 }
