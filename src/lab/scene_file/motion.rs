@@ -34,10 +34,7 @@ pub enum Between {
 impl Motion {
     /// The value at a time. There has to be a key.
     pub fn at(&self, time: f32) -> Numbers {
-        let time = match self.keys.last() {
-            Some((end, _)) if self.repeat && *end > 0.0 => time.rem_euclid(*end),
-            _ => time,
-        };
+        let time = self.period().map_or(time, |period| time.rem_euclid(period));
         let value = match self.between {
             Between::Linear => keys::linear,
             Between::Smooth => keys::smooth,
@@ -45,6 +42,12 @@ impl Motion {
             Between::Hold => keys::hold,
         };
         value(&self.keys, time)
+    }
+
+    /// After how many seconds it starts again: the time of the last key, if it repeats and that is after 0.
+    pub fn period(&self) -> Option<f32> {
+        let (end, _) = self.keys.last()?;
+        (self.repeat && *end > 0.0).then_some(*end)
     }
 }
 

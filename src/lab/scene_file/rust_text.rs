@@ -7,6 +7,44 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
+/// A struct of the library as scene files have it.
+struct Struct {
+    /// The field of a scene file that has one, several in a list, or several by name.
+    field: &'static str,
+    name: &'static str,
+    /// The number of its fields in the library.
+    fields: usize,
+    /// Where the fields come from that a file leaves out.
+    others: &'static str,
+}
+
+const fn library(
+    field: &'static str,
+    name: &'static str,
+    fields: usize,
+    others: &'static str,
+) -> Struct {
+    Struct {
+        field,
+        name,
+        fields,
+        others,
+    }
+}
+
+const STRUCTS: [Struct; 10] = [
+    library("camera", "Camera", 4, "Camera::default()"),
+    library("method", "Method", 3, "Method::default()"),
+    library("materials", "Material", 9, "Material::BLACK"),
+    library("pattern", "Pattern", 5, "Pattern::NONE"),
+    library("spheres", "Sphere", 3, "Sphere::default()"),
+    library("planes", "Plane", 4, "Plane::default()"),
+    library("blocks", "Block", 5, "Block::default()"),
+    library("lights", "Light", 6, "Light::DARK"),
+    library("spot", "Spot", 3, "Spot::default()"),
+    library("captions", "Caption", 4, "Caption::default()"),
+];
+
 /// Source text of a module with a function that gives the file's scene at a time. What the file moves is moved by functions that
 /// stand below it.
 ///
@@ -27,7 +65,7 @@ pub fn rust(file: &SceneFile) -> Result<String> {
     let mut variables = BTreeSet::new();
     for (name, material) in tree["materials"].as_object().into_iter().flatten() {
         let path = format!("materials[{name:?}]");
-        let material = printer.record(&path, material, "Material", "Material::BLACK");
+        let material = printer.value(&path, "materials", material);
         if !variables.insert(variable(name)) {
             bail!("the name of material {name:?} is too much like that of another");
         }
@@ -65,25 +103,21 @@ pub fn rust(file: &SceneFile) -> Result<String> {
 
 /// What the function needs of the library and of the module below it.
 fn imports(body: &str, motions: &[Motion]) -> String {
-    let used = |names: &[&str]| -> Vec<String> {
-        let words: BTreeSet<&str> = body
-            .split(|c: char| !c.is_alphanumeric() && c != '_')
-            .collect();
-        names
-            .iter()
-            .filter(|name| words.contains(*name))
-            .map(ToString::to_string)
-            .collect()
+    let words: BTreeSet<&str> = body
+        .split(|c: char| !c.is_alphanumeric() && c != '_')
+        .collect();
+    let used = |names: &[&str]| -> Vec<&str> {
+        let words = words.iter().copied();
+        words.filter(|word| names.contains(word)).collect()
     };
     let mut text = String::new();
     let glam = used(&["EulerRot", "Mat3A", "vec3a"]);
     if !glam.is_empty() {
         let _ = writeln!(text, "use eightfold::glam::{{{}}};", glam.join(", "));
     }
-    let scene = used(&[
-        "Block", "Camera", "Caption", "Light", "List", "Material", "Method", "Pattern", "Plane",
-        "Scene", "Shape", "Sphere", "Spot",
-    ]);
+    let structs = STRUCTS.iter().map(|kind| kind.name);
+    let scene: Vec<&str> = structs.chain(["List", "Scene", "Shape"]).collect();
+    let scene = used(&scene);
     let _ = write!(text, "use eightfold::scene::{{{}}};", scene.join(", "));
     let functions: BTreeSet<&str> = motions.iter().map(function).collect();
     if !functions.is_empty() {
@@ -114,19 +148,14 @@ impl Printer<'_> {
         if let Some(motion) = self.motions.iter().find(|motion| motion.of == path) {
             return moved(motion);
         }
+        if let Some(kind) = STRUCTS.iter().find(|kind| kind.field == name) {
+            return match value {
+                Value::Array(items) => self.list(path, items, kind),
+                _ if name == "spot" => format!("Some({})", self.record(path, value, kind)),
+                _ => self.record(path, value, kind),
+            };
+        }
         match (name, value) {
-            ("camera", _) => self.record(path, value, "Camera", "Camera::default()"),
-            ("method", _) => self.record(path, value, "Method", "Method::default()"),
-            ("pattern", _) => self.record(path, value, "Pattern", "Pattern::NONE"),
-            ("spot", _) => format!(
-                "Some({})",
-                self.record(path, value, "Spot", "Spot::default()")
-            ),
-            ("spheres", _) => self.list(path, value, "Sphere", "Sphere::default()"),
-            ("planes", _) => self.list(path, value, "Plane", "Plane::default()"),
-            ("blocks", _) => self.list(path, value, "Block", "Block::default()"),
-            ("lights", _) => self.list(path, value, "Light", "Light::DARK"),
-            ("captions", _) => self.list(path, value, "Caption", "Caption::default()"),
             ("shape", Value::String(shape)) => format!("Shape::{shape}"),
             ("letters", Value::String(letters)) => format!("List::of(b{letters:?})"),
             ("material", Value::String(name)) => variable(name),
@@ -136,14 +165,14 @@ impl Printer<'_> {
     }
 
     /// Items of a list.
-    fn list(&self, path: &str, value: &Value, kind: &str, others: &str) -> String {
-        let items = value.as_array().into_iter().flatten().enumerate();
-        let items = items.map(|(i, item)| self.record(&format!("{path}[{i}]"), item, kind, others));
+    fn list(&self, path: &str, items: &[Value], kind: &Struct) -> String {
+        let items = items.iter().enumerate();
+        let items = items.map(|(i, item)| self.record(&format!("{path}[{i}]"), item, kind));
         format!("List::of(&[{}])", items.collect::<Vec<_>>().join(", "))
     }
 
     /// A struct with its fields, and where the others come from.
-    fn record(&self, path: &str, value: &Value, kind: &str, others: &str) -> String {
+    fn record(&self, path: &str, value: &Value, kind: &Struct) -> String {
         let mut fields: Vec<(String, String)> = Vec::new();
         for (name, value) in value.as_object().into_iter().flatten() {
             fields.push((
@@ -164,20 +193,16 @@ impl Printer<'_> {
             );
             fields.push(("axes".to_owned(), turned));
         }
-        let is_whole = matches!(
-            (kind, fields.len()),
-            ("Sphere", 3) | ("Plane" | "Caption", 4) | ("Block", 5) | ("Spot", 3)
-        );
+        let others = if fields.len() == kind.fields {
+            String::new()
+        } else {
+            format!(", ..{}", kind.others)
+        };
         let fields: Vec<String> = fields
             .into_iter()
             .map(|(name, value)| format!("{name}: {value}"))
             .collect();
-        let others = if is_whole {
-            String::new()
-        } else {
-            format!(", ..{others}")
-        };
-        format!("{kind} {{ {}{others} }}", fields.join(", "))
+        format!("{} {{ {}{others} }}", kind.name, fields.join(", "))
     }
 }
 
@@ -188,9 +213,9 @@ fn moved(motion: &Motion) -> String {
         .iter()
         .map(|&(time, value)| format!("({time:?}, {})", numbers(value)));
     let keys = keys.collect::<Vec<_>>().join(", ");
-    let time = match motion.keys.last() {
-        Some((end, _)) if motion.repeat => format!("time.rem_euclid({end:?})"),
-        _ => "time".to_owned(),
+    let time = match motion.period() {
+        Some(period) => format!("time.rem_euclid({period:?})"),
+        None => "time".to_owned(),
     };
     format!("{}(&[{keys}], {time})", function(motion))
 }
