@@ -1,17 +1,14 @@
 //! In a window the intro shows the frames of the show, and obeys keys and the window manager.
 
-use eightfold::{Frame, Memory, Quality, Renderer, Worker, scene::Scene, show};
+use eightfold::{Quality, scene::Scene, show};
+use eightfold_lab::{error::Difference, threaded_renderer::ThreadedRenderer};
 use eightfold_stage::{DISPLAY, Process, Server, intro, lacks, run, wait_for};
-use eightfold_window::{cpu, fixed::Fixed};
+use eightfold_window::cpu;
 use std::{
     process::Command,
-    sync::{LazyLock, Mutex},
     thread::sleep,
     time::{Duration, Instant},
 };
-
-/// The tracer's memory, while it is lent out.
-type Lent = (Renderer<&'static mut Memory>, &'static mut Worker);
 
 /// The size of the screen: larger than the window, with another aspect ratio.
 const SCREEN: [i32; 4] = [0, 0, 1280, 800];
@@ -68,7 +65,7 @@ fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
     let intro = server.play(&words.split(' ').collect::<Vec<_>>());
     sleep(Duration::from_millis(1500));
     let shot = server.screenshot(server.window().expect("a window"));
-    let difference = difference_to_show(&shot, 200, 150, start.elapsed());
+    let difference = difference_to_show(&shot, 200, start.elapsed());
     assert!(
         difference < tolerance,
         "{which}: the nearest frame differs by {difference} of 255"
@@ -380,31 +377,15 @@ fn assert_covered(server: &Server, manager: &str) {
 }
 
 /// The mean difference, over all channels, between a screenshot and the closest frame of the show up to a given time.
-fn difference_to_show(shot: &[u32], width: usize, height: usize, time: Duration) -> f64 {
-    static MEMORY: Fixed<Memory> = Fixed::new(Memory::new());
-    static WORKER: Fixed<Worker> = Fixed::new(Worker::new());
-    static LENT: LazyLock<Mutex<Lent>> = LazyLock::new(|| {
-        let renderer = Renderer::with_memory(cpu::best().level, MEMORY.take());
-        Mutex::new((renderer, WORKER.take()))
-    });
-    let (renderer, worker) = &mut *LENT.lock().expect("no panic before");
-    let mut pixels = vec![0; width * height];
+fn difference_to_show(shot: &[u32], width: usize, time: Duration) -> f64 {
+    let mut renderer = ThreadedRenderer::new(1);
+    let mut pixels = vec![0; shot.len()];
     let mut scene = Box::new(Scene::ZEROED);
     let mut difference = |milliseconds: u128| {
         show::at(milliseconds as f32 / 1000.0, &mut scene);
-        let frame = Frame {
-            width,
-            height,
-            pixels: &mut pixels,
-        };
-        renderer.render_valid(&scene, &Quality::DEFAULT, frame, *worker);
-        let channels = |pixel: &u32| pixel.to_be_bytes();
-        let pairs = shot
-            .iter()
-            .flat_map(channels)
-            .zip(pixels.iter().flat_map(channels));
-        let sum: u64 = pairs.map(|(a, b)| u64::from(a.abs_diff(b))).sum();
-        sum as f64 / (3 * pixels.len()) as f64
+        let level = cpu::best().level;
+        renderer.draw(level, &scene, &Quality::DEFAULT, width, &mut pixels);
+        Difference::between(shot, &pixels).mean
     };
     // By hundredths of a second first, and then by thousandths about the best.
     let rough = (0..=time.as_millis()).step_by(10);
