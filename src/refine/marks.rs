@@ -4,10 +4,10 @@ use super::TILE_HEIGHT;
 use super::bits::Bits;
 use super::pyramid::LEVELS;
 
-/// Points are traced block by block: rays of neighbours meet the same objects. A block is as many points wide.
-pub(super) const BLOCK_WIDTH: usize = 4;
-/// Rows of a block: its points are the bits of a word. (Blocks of 8x8 points take the show 6 % longer.)
-pub(super) const BLOCK_HEIGHT: usize = 64 / BLOCK_WIDTH;
+/// Points are traced cluster by cluster: rays of neighbours meet the same objects. A cluster is as many points wide.
+pub(super) const CLUSTER_WIDTH: usize = 4;
+/// Rows of a cluster: its points are the bits of a word. (Clusters of 8x8 points take the show 6 % longer.)
+pub(super) const CLUSTER_HEIGHT: usize = 64 / CLUSTER_WIDTH;
 
 /// The squares and points of a tile that matter, a row of bits for each row of a level's.
 pub(super) struct Marks {
@@ -18,8 +18,8 @@ pub(super) struct Marks {
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
     /// Those that were filled.
     pub filled: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// Points that were traced; blocks of them end with more rows than there are.
-    pub traced: [[Bits; TILE_HEIGHT + BLOCK_HEIGHT]; LEVELS],
+    /// Points that were traced; clusters of them end with more rows than there are.
+    pub traced: [[Bits; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
 }
 
 impl Marks {
@@ -28,7 +28,7 @@ impl Marks {
             squares: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
             open: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
             filled: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
-            traced: [[Bits::NONE; TILE_HEIGHT + BLOCK_HEIGHT]; LEVELS],
+            traced: [[Bits::NONE; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
         }
     }
 }

@@ -19,7 +19,7 @@
 //! 1. *Points* (`points`): a square's corners are the points at its bit and the next, in the rows above and below, so the points
 //!    that a level needs are shifts and ORs of its squares' bits. Those with two even numbers are known from the level above,
 //!    and a middle of a side is the mean of the side's ends if these are alike; all others are traced, in full packets, in
-//!    blocks of 4x16 points: neighbours meet the same objects.
+//!    clusters of 4x16 points: neighbours meet the same objects.
 //! 2. *Guard* (`guard`): squares that may show an object, or a shadow on a plane, that their corners do not are left open.
 //! 3. *Verdict* (`verdict`): the least and the greatest of each channel at the four corners of squares side by side, in vector
 //!    registers; their keys; a bit for each square that is not open and passes the [`Quality`](crate::Quality)'s rules.

@@ -2,7 +2,7 @@
 
 use super::TILE_WIDTH;
 use super::bits::{Bits, WORDS};
-use super::marks::{BLOCK_HEIGHT, BLOCK_WIDTH};
+use super::marks::{CLUSTER_HEIGHT, CLUSTER_WIDTH};
 use super::pyramid::Pyramid;
 use super::tile::Tile;
 use super::verdict::Limit;
@@ -12,8 +12,8 @@ use crate::quality::Quality;
 use crate::trace::{BATCH, Counts, trace};
 use core::array;
 
-/// The bits of a row of a block.
-const BLOCK_MASK: u64 = (1 << BLOCK_WIDTH) - 1;
+/// The bits of a row of a cluster.
+const CLUSTER_MASK: u64 = (1 << CLUSTER_WIDTH) - 1;
 
 impl<O: Observer> Tile<'_, O> {
     /// Finds the points of a level: the corners of all its squares, or the squares themselves where they are pixels.
@@ -43,38 +43,39 @@ impl<O: Observer> Tile<'_, O> {
             }
             self.worker.marks.traced[level][y] = points;
         }
-        self.worker.marks.traced[level][rows..rows.next_multiple_of(BLOCK_HEIGHT)].fill(Bits::NONE);
+        self.worker.marks.traced[level][rows..rows.next_multiple_of(CLUSTER_HEIGHT)]
+            .fill(Bits::NONE);
         self.trace_marked(level, rows);
     }
 
-    /// Traces the points of a level that are marked, block by block.
+    /// Traces the points of a level that are marked, cluster by cluster.
     fn trace_marked(&mut self, level: usize, rows: usize) {
         // A level has a point more in a row than squares; pixels fill all words.
         let used = (self.area.columns(level) / 64 + 1).min(WORDS);
-        for top in (0..rows).step_by(BLOCK_HEIGHT) {
+        for top in (0..rows).step_by(CLUSTER_HEIGHT) {
             for word in 0..used {
                 // Word by word: to map the strip's rows would copy them whole.
-                let rows = &self.worker.marks.traced[level][top..top + BLOCK_HEIGHT];
-                let words: [u64; BLOCK_HEIGHT] = array::from_fn(|y| rows[y].0[word]);
+                let rows = &self.worker.marks.traced[level][top..top + CLUSTER_HEIGHT];
+                let words: [u64; CLUSTER_HEIGHT] = array::from_fn(|y| rows[y].0[word]);
                 let mut columns = words.iter().fold(0, |all, word| all | word);
                 while columns != 0 {
-                    let x = columns.trailing_zeros() as usize / BLOCK_WIDTH * BLOCK_WIDTH;
-                    columns &= !(BLOCK_MASK << x);
-                    let mut block = 0;
+                    let x = columns.trailing_zeros() as usize / CLUSTER_WIDTH * CLUSTER_WIDTH;
+                    columns &= !(CLUSTER_MASK << x);
+                    let mut cluster = 0;
                     for row in words.iter().rev() {
-                        block = block << BLOCK_WIDTH | row >> x & BLOCK_MASK;
+                        cluster = cluster << CLUSTER_WIDTH | row >> x & CLUSTER_MASK;
                     }
-                    self.trace_block(level, [64 * word + x, top], block);
+                    self.add_cluster(level, [64 * word + x, top], cluster);
                 }
             }
         }
         self.trace(level);
     }
 
-    /// Adds the points of a block to the batch. A full batch is traced first.
+    /// Adds the points of a cluster to the batch. A full batch is traced first.
     #[inline(always)]
-    fn trace_block(&mut self, level: usize, [left, top]: [usize; 2], mut block: u64) {
-        if self.worker.batch.points.len() + BLOCK_WIDTH * BLOCK_HEIGHT > BATCH {
+    fn add_cluster(&mut self, level: usize, [left, top]: [usize; 2], mut cluster: u64) {
+        if self.worker.batch.points.len() + CLUSTER_WIDTH * CLUSTER_HEIGHT > BATCH {
             self.trace(level);
         }
         let side = self.area.side(level);
@@ -86,12 +87,12 @@ impl<O: Observer> Tile<'_, O> {
         };
         let (left, top) = (self.area.left + left * side, self.area.top + top * side);
         let Worker { batch, targets, .. } = &mut *self.worker;
-        while block != 0 {
-            let i = block.trailing_zeros() as usize;
-            let (x, y) = (i % BLOCK_WIDTH, i / BLOCK_WIDTH);
+        while cluster != 0 {
+            let i = cluster.trailing_zeros() as usize;
+            let (x, y) = (i % CLUSTER_WIDTH, i / CLUSTER_WIDTH);
             targets[batch.points.len() % BATCH] = (start + y * stride + x) as u32;
             batch.points.push(left + x * side, top + y * side);
-            block &= block - 1;
+            cluster &= cluster - 1;
         }
     }
 
