@@ -23,8 +23,8 @@ impl<O: Observer> Tile<'_, O> {
     pub(super) fn fill_pattern(&mut self, level: usize, [x, y]: [usize; 2], agree: bool) -> bool {
         let side = self.area.side(level);
         let pyramid = &self.worker.pyramid;
-        let (above, below) = (Pyramid::index(level, x, y), Pyramid::index(level, x, y + 1));
-        let corners = [above, above + 1, below, below + 1].map(|index| pyramid.layers(index));
+        let indices = Pyramid::corner_indices(level, x, y);
+        let corners = indices.map(|index| pyramid.layers(index));
         let tolerance = if agree {
             self.quality.tolerance_agreeing
         } else {
@@ -33,7 +33,7 @@ impl<O: Observer> Tile<'_, O> {
         if span(&corners) > steps(tolerance, side) {
             return false;
         }
-        let corner = pyramid.sample(above);
+        let corner = pyramid.sample(indices[0]);
         self.interpolate(level, [x, y], corners, corner.object());
         // The corner as it was traced, to the last bit.
         let (left, top) = (self.area.left + x * side, y * side);

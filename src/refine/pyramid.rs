@@ -105,10 +105,16 @@ impl Pyramid {
         }
     }
 
-    /// The samples at the corners of a level's square (x, y): upper left, upper right, lower left, lower right.
+    /// Where a level has the corners of its square (x, y): upper left, upper right, lower left, lower right.
+    #[inline(always)]
+    pub fn corner_indices(level: usize, x: usize, y: usize) -> [usize; 4] {
+        let (upper, lower) = (Self::index(level, x, y), Self::index(level, x, y + 1));
+        [upper, upper + 1, lower, lower + 1]
+    }
+
+    /// The samples at the corners of a level's square (x, y), in the same order.
     #[inline(always)]
     pub fn corners(&self, level: usize, x: usize, y: usize) -> [Sample; 4] {
-        let (upper, lower) = (Self::index(level, x, y), Self::index(level, x, y + 1));
-        [upper, upper + 1, lower, lower + 1].map(|index| self.sample(index))
+        Self::corner_indices(level, x, y).map(|index| self.sample(index))
     }
 }
