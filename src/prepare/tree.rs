@@ -27,8 +27,11 @@ const LEAF: usize = 10;
 /// So few solids keep the order in which they came.
 const UNSORTED: usize = 4;
 
-/// The nodes of the largest tree: at most 127 bounds, since 64 of the lowest ones hold up to 640 solids, and the solids and lights.
-pub(super) const MAX_NODES: usize = 127 + MAX_SOLIDS + MAX_LIGHTS;
+/// The most bounds: those of a tree whose solids are halved until [`LEAF`] hold a half.
+const MAX_BOUNDS: usize = 2 * MAX_SOLIDS.div_ceil(LEAF).next_power_of_two() - 1;
+
+/// The nodes of the largest tree.
+pub(super) const MAX_NODES: usize = MAX_BOUNDS + MAX_SOLIDS + MAX_LIGHTS;
 
 /// A node of the tree: a sphere, or the bounding sphere of a block, of a light or of several nodes.
 #[derive(Clone, Copy)]
@@ -174,17 +177,17 @@ impl Tree {
         }
         let middle = balls.len() / 2;
         let is_leaf = balls.len() <= LEAF;
+        let count = self.solid_count.max(SOLID_GROUPS);
+        let group = |i: usize| i * SOLID_GROUPS / count;
         // The groups from the first solid's to the last one's.
-        let group = |i: usize| i * SOLID_GROUPS / self.solid_count.max(SOLID_GROUPS);
         let groups = (2 << group(end.max(1) - 1)) - (1 << group(first));
         let bound = self.push(centre, radius, groups);
         bound.is_bound = true;
         if is_leaf {
-            self.nodes[at].solids = (end - first) as u8;
+            bound.solids = (end - first) as u8;
             for i in first..end {
                 let ball = self.balls[i];
-                let group = 1 << (i * SOLID_GROUPS / self.solid_count.max(SOLID_GROUPS));
-                let node = self.push(ball.centre, ball.radius, group);
+                let node = self.push(ball.centre, ball.radius, 1 << group(i));
                 node.object = ball.object;
                 if let Object::Block(block) = object::of(scene, ball.object).0 {
                     node.set_block(block);

@@ -4,12 +4,11 @@
 //! sum of these hashes. Equal trees have equal keys. Different trees have equal keys with a probability of 2^-32: a frame compares
 //! some 10^5 keys, so one frame in 40,000 fills one square wrongly.
 
+use super::rays::PATH_BITS;
 use crate::lanes::*;
 use crate::quality::Quality;
 
-/// Bits for the position in the tree, before hashing.
-const PATH_BITS: u32 = 8;
-/// Bits for the object.
+/// Bits for the object, before hashing. They follow the [`PATH_BITS`] of the position in the tree.
 const OBJECT_BITS: u32 = 12;
 /// Bits for the state of one light.
 const STATE_BITS: u32 = 2;

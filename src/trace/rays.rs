@@ -2,6 +2,7 @@
 
 use crate::lanes::*;
 use crate::prepare::Prepared;
+use crate::quality::Quality;
 
 /// A packet of rays, one per lane, in scene coordinates.
 #[derive(Clone, Copy)]
@@ -20,8 +21,8 @@ pub(crate) struct Rays<S: Isa> {
 /// The bit of a `slot_path` that marks reflections of primary rays in the first plane.
 const MIRRORED: u32 = 1 << 31;
 
-/// The bits of a path: enough for [`crate::Quality::MAX_DEPTH`].
-const PATH_BITS: u32 = 8;
+/// The bits of a path: a leading 1, and one for each reflection or transmission.
+pub(super) const PATH_BITS: u32 = Quality::MAX_DEPTH + 1;
 
 impl<S: Isa> Rays<S> {
     /// The `slot_path`s of the primary rays of successive points, beginning with point number `slot`.
