@@ -39,6 +39,15 @@ impl<S: Simd> Vec3x<S> {
         self.x.mul_add(b.x, self.y.mul_add(b.y, self.z * b.z))
     }
 
+    /// The largest component.
+    #[inline(always)]
+    pub fn max_element(self) -> F<S>
+    where
+        S: Isa,
+    {
+        at_least::<S>(at_least::<S>(self.x, self.y), self.z)
+    }
+
     /// `self + b s`.
     #[inline(always)]
     pub fn add_scaled(self, b: Self, s: F<S>) -> Self {

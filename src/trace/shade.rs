@@ -5,7 +5,7 @@ use super::batch::Batch;
 use super::contribution::Contribution;
 use super::intersect::Hit;
 use super::key::Keys;
-use super::light::{self, Reflected};
+use super::light;
 use super::point::ShadingPoint;
 use super::rays::Rays;
 use super::stack::RayStack;
@@ -52,7 +52,7 @@ pub(super) fn shade<S: Isa>(
         let reflected = light::gather(
             tracer, &surface, point, &mut keys, casters, candidates, counts,
         );
-        Reflected { untextured, .. } = reflected;
+        untextured = reflected.untextured;
         reflectance = point.reflectance;
         colour = reflected.specular.add_scaled(untextured, reflectance);
         let parents = Rays { weight, ..*rays };

@@ -45,8 +45,7 @@ pub(super) fn transmittance<S: Isa>(
         }
         let covered = candidate.lanes(simd).select(covered, zero);
         passing = passing - (passing * Vec3x::splat(simd, absorbed)).scaled(covered);
-        let most = at_least::<S>(at_least::<S>(passing.x, passing.y), passing.z);
-        if most.simd_le(zero).all_true() {
+        if passing.max_element().simd_le(zero).all_true() {
             break;
         }
     }

@@ -90,8 +90,7 @@ impl<'a, S: Isa> Visibility<'a, S> {
                 ..rays
             };
             let passing = transmittance(simd, scene, lamp, &rays, candidates);
-            let most = at_least::<S>(at_least::<S>(passing.x, passing.y), passing.z);
-            lit &= most.simd_gt(splat(simd, 0.0));
+            lit &= passing.max_element().simd_gt(splat(simd, 0.0));
             colour = colour * passing;
         }
         Some(ArrivingLight { l, nl, lit, colour })
