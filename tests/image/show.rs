@@ -148,7 +148,7 @@ fn what_a_shot_is_about_fits_pictures_from_4_3_to_21_9() {
     }
     for (name, beats) in whole {
         let start = show::cut(name) as f32 * grid::BAR;
-        for frame in 0..((beats.end - beats.start) * 30.0) as usize {
+        for frame in 0..((beats.end - beats.start) * grid::BEAT * 60.0) as usize {
             let time = start + beats.start * grid::BEAT + frame as f32 / 60.0;
             let scene = at(time);
             for aspect in [4.0 / 3.0, 16.0 / 10.0, 16.0 / 9.0, 21.0 / 9.0] {

@@ -26,7 +26,7 @@ const MAX_MEAN_ERROR: f64 = 8.0;
 const MAX_SIZE: (usize, usize) = (160, 120);
 
 /// The renderers of a run.
-struct Studios {
+struct Renderers {
     one: ThreadedRenderer,
     two: ThreadedRenderer,
     exhaustive: ThreadedRenderer,
@@ -34,7 +34,7 @@ struct Studios {
 
 /// Draws a case and asserts everything that holds for all cases. Returns the error of the default quality if the case serves to
 /// measure it.
-fn hold(studios: &mut Studios, seed: u64, case: u64) -> Option<Difference> {
+fn hold(renderers: &mut Renderers, seed: u64, case: u64) -> Option<Difference> {
     let what = format!("case {case} of seed {seed}");
     let mut random = Random(seed ^ case.wrapping_mul(0xd134_2543_de82_ef95));
     let time = random.between(-100.0, 100.0) * 10_f32.powi(random.below(5) as i32);
@@ -60,10 +60,10 @@ fn hold(studios: &mut Studios, seed: u64, case: u64) -> Option<Difference> {
 
     let mut pixels = vec![u32::MAX; width * height];
     let mut others = pixels.clone();
-    let counts = studios
+    let counts = renderers
         .one
         .draw(level, &scene, &quality, width, &mut pixels);
-    let again = studios
+    let again = renderers
         .two
         .draw(level, &scene, &quality, width, &mut others);
     let is_drawn = pixels.iter().all(|pixel| pixel >> 24 == 0);
@@ -90,7 +90,7 @@ fn hold(studios: &mut Studios, seed: u64, case: u64) -> Option<Difference> {
         square: 1,
         ..quality
     };
-    studios
+    renderers
         .exhaustive
         .draw(level, &scene, &every, width, &mut others);
     for y in (0..height).step_by(quality.square) {
@@ -115,14 +115,14 @@ fn any_case_is_drawn_by_the_same_bits_for_bounded_work() {
     let seed = number("SOAK_SEED").unwrap_or(2008);
     let limit = number("SOAK_SECONDS").map(Duration::from_secs);
     let start = Instant::now();
-    let mut studios = Studios {
+    let mut renderers = Renderers {
         one: ThreadedRenderer::new(1),
         two: ThreadedRenderer::new(2),
         exhaustive: ThreadedRenderer::new(1),
     };
     if limit.is_none() {
         for case in FOUND {
-            hold(&mut studios, 2008, case);
+            hold(&mut renderers, 2008, case);
         }
     }
     let first = number("SOAK_FIRST").unwrap_or(0);
@@ -140,7 +140,7 @@ fn any_case_is_drawn_by_the_same_bits_for_bounded_work() {
                 limit.as_secs()
             );
         }
-        if let Some(difference) = hold(&mut studios, seed, first + cases) {
+        if let Some(difference) = hold(&mut renderers, seed, first + cases) {
             measured += 1;
             worst = worst.max(difference.mean);
         }
