@@ -29,6 +29,8 @@ pub mod scene_file;
 pub mod scenes;
 pub mod size;
 pub mod sound;
+pub mod study;
+pub mod subcommand;
 pub mod threaded_renderer;
 pub mod timing;
 pub mod trade;

@@ -6,7 +6,7 @@
 use clap::{Parser, Subcommand, error::ErrorKind};
 use eightfold_lab::{
     arguments, bench, capture, figures, interrupt, output, release, render, report, scene, size,
-    sound, trade, view,
+    sound, study, trade, view,
 };
 use std::env;
 use std::time::Instant;
@@ -30,6 +30,7 @@ enum Command {
     Scene(scene::Arguments),
     Size(size::Arguments),
     Sound(sound::Arguments),
+    Study(study::Arguments),
     Trade(trade::Arguments),
     View(view::Arguments),
 }
@@ -56,6 +57,7 @@ fn run(_: eightfold_window::arguments::Arguments) -> i32 {
         Command::Scene(arguments) => scene::run(&arguments),
         Command::Size(arguments) => size::run(&arguments),
         Command::Sound(arguments) => sound::run(&arguments),
+        Command::Study(arguments) => study::run(&arguments),
         Command::Trade(arguments) => trade::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
     };

@@ -3,13 +3,12 @@
 //! Each figure is what a command of the lab prints, and the command stands above it: what is read is what was run.
 
 use crate::arguments::{self, BadInput, Size};
-use crate::output;
-use anyhow::{Context, Result, bail};
+use crate::{output, subcommand};
+use anyhow::{Context, Result};
 use clap::Args;
-use std::env;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 use std::thread::available_parallelism;
 
 /// Measures what README.md and docs/*.md tell of speed, errors, size and sound, and rewrites their marked parts and pictures
@@ -254,33 +253,21 @@ impl Part {
 
     /// Runs the command, puts its pictures into a folder, and returns what it prints.
     fn measure(&self, docs: &Path) -> Result<String> {
-        let lab = env::current_exe().context("cannot find the lab")?;
-        let mut command = Command::new(lab);
-        command
-            .args(&self.command)
-            .env(output::QUIET, "1")
-            .stderr(Stdio::inherit());
         let made = tempfile::tempdir().context("cannot make a folder for pictures")?;
+        let mut words: Vec<OsString> = self.command.iter().map(OsString::from).collect();
         match self.pictures {
             [] => {}
             [(name, _)] if self.is_told_a_file() => {
-                command.arg(self.flag).arg(made.path().join(name));
+                words.extend([self.flag.into(), made.path().join(name).into()]);
             }
-            _ => {
-                command.arg(self.flag).arg(made.path());
-            }
+            _ => words.extend([self.flag.into(), made.path().into()]),
         }
-        let output = command.output().context("cannot start the lab")?;
-        if !output.status.success() {
-            bail!("{} has failed", self.shown());
-        }
+        let printed = subcommand::run(&words)?;
         for (name, _) in self.pictures {
             fs::create_dir_all(docs).with_context(|| format!("cannot make {}", docs.display()))?;
             output::write(&docs.join(name), &fs::read(made.path().join(name))?)?;
         }
-        Ok(String::from_utf8_lossy(&output.stdout)
-            .trim_end()
-            .to_owned())
+        Ok(printed)
     }
 
     /// What to put between the marks on a page.

@@ -9,6 +9,7 @@ mod report;
 mod scene;
 mod size;
 mod sound;
+mod study;
 mod trade;
 
 use eightfold::Quality;
@@ -207,6 +208,7 @@ fn help_names_every_command_and_flag() {
         ("release", "--intro --out"),
         ("size", "--functions"),
         ("sound", "--wav --waveform --spectrogram"),
+        ("study", "SCENE --time --size --frames --out"),
         (
             "view",
             "--scene --size --quality --time --paused --fps --threads --isa Space Home",

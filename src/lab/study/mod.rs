@@ -1,0 +1,183 @@
+//! `lab study`: all measurements of one scene, as a page for a browser.
+
+mod page;
+
+use crate::arguments::{self, BadInput, Size};
+use crate::machine::machine;
+use crate::scenes::{self, SceneName};
+use crate::{output, subcommand};
+use anyhow::{Context, Result};
+use clap::Args;
+use page::Page;
+use std::fs;
+use std::path::PathBuf;
+
+/// Measures a scene in every way, and writes what comes of it as a page for a browser
+///
+/// The page is one file, with its plots, pictures and tables inside, and with the command above each by which it was made:
+/// frames of the scene, how one of them comes about, speed and error of the named qualities, and what every dial of the quality
+/// gains and costs. It takes some minutes, and less for smaller and fewer frames.
+#[derive(Args)]
+pub struct Arguments {
+    #[arg(value_name = "SCENE", help = scenes::takes())]
+    scene: SceneName,
+    /// The moment that is looked at closely, in seconds since the scene's start [default: the middle of the scene]
+    #[arg(long, value_name = "SECONDS", value_parser = arguments::seconds, allow_negative_numbers = true)]
+    time: Option<f32>,
+    /// Width and height in pixels of the frames that are measured
+    #[arg(long, value_name = "WxH", default_value = "640x480")]
+    size: Size,
+    /// Frames to measure of each quality, at times spread evenly over the scene
+    #[arg(long, value_name = "N", default_value = "17", value_parser = arguments::frames)]
+    frames: usize,
+    /// File to write the page to, or - for standard output
+    #[arg(long, value_name = "FILE", default_value = "target/study.html", value_parser = html_file)]
+    out: PathBuf,
+}
+
+/// The width of a frame on the contact sheet, on which three stand side by side.
+const TILE_WIDTH: usize = 320;
+
+/// Parses the name of a page, or `-` for standard output.
+fn html_file(name: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(name);
+    let is_page = path.extension().is_some_and(|end| end == "html");
+    if is_page || name == "-" {
+        Ok(path)
+    } else {
+        Err("takes a name that ends in .html, or -".to_owned())
+    }
+}
+
+/// A part of the page.
+struct Section {
+    title: &'static str,
+    says: &'static str,
+    command: String,
+    /// The flag by which the command is told where to put its files, and these, with what each shows.
+    flag: &'static str,
+    files: &'static [(&'static str, &'static str)],
+}
+
+/// Runs the command.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    if arguments.scene == SceneName::Show {
+        let line = "the show is no single scene: takes one of its scenes, such as show:machine";
+        return Err(BadInput::error(line.to_owned()));
+    }
+    output::check(&arguments.out)?;
+    let mut page = Page::new(&format!("Study of {}", arguments.scene));
+    page.paragraph(&format!(
+        "{}. What trades accuracy for speed is measured on this scene: how fast each setting is, and how far its pictures are \
+         from those in which every pixel is traced.",
+        machine()
+    ));
+    for section in sections(arguments) {
+        section.add_to(&mut page, arguments.scene)?;
+    }
+    output::write(&arguments.out, page.html().as_bytes())
+}
+
+fn sections(arguments: &Arguments) -> Vec<Section> {
+    let Arguments {
+        scene,
+        size,
+        frames,
+        ..
+    } = arguments;
+    let time = arguments.time.unwrap_or(scene.length() / 2.0);
+    let tile = Size {
+        width: TILE_WIDTH,
+        height: (TILE_WIDTH * size.height / size.width).max(1),
+    };
+    let end = scene.length();
+    vec![
+        Section {
+            title: "The scene",
+            says: "Frames spread evenly over the scene, row by row, each with its time.",
+            command: format!("capture --size {tile} --supersample 2 --frames 9"),
+            flag: "--sheet",
+            files: &[("scene.png", "Nine frames of the scene")],
+        },
+        Section {
+            title: "One frame",
+            says: "Which points of a frame are traced, which squares are filled, how many rays each point takes, and where the \
+                   picture is off.",
+            command: format!("figures --time {time} --size {size}"),
+            flag: "--out",
+            files: &[(
+                "sheet.png",
+                "The points traced, the picture, the squares by size, rays of each point, the error",
+            )],
+        },
+        Section {
+            title: "Speed and error",
+            says: "One thread. The speed-up is over frames in which every pixel is traced; PSNR, pixels that are more than 8 of \
+                   255 off, and flicker are against the same frames.",
+            command: format!("bench --size {size} --threads 1 --frames {frames} --time-to {end}"),
+            flag: "",
+            files: &[],
+        },
+        Section {
+            title: "The named qualities",
+            says: "The rungs that a player climbs to hold its frame rate, by their dials: s side of the squares in pixels, c \
+                   tolerance within which colours fill a square, d depth of rays, w least contribution of a ray; cargo lab trade \
+                   --help explains the others.",
+            command: format!("trade --ladder --size {size} --frames {frames} --time-to {end}"),
+            flag: "",
+            files: &[],
+        },
+        Section {
+            title: "What speed costs",
+            says: "Every dial is turned. On the Pareto front nothing is both faster and closer to the picture that it should be.",
+            command: format!("trade --quick --size {size} --frames {frames} --time-to {end}"),
+            flag: "--out",
+            files: &[
+                (
+                    "front.svg",
+                    "Speed-up and PSNR of every setting, and the Pareto front by number",
+                ),
+                (
+                    "squares.svg",
+                    "PSNR by the side of the squares, 2 to 32 pixels",
+                ),
+                ("resolution.svg", "Speed-up by the size of the picture"),
+            ],
+        },
+    ]
+}
+
+impl Section {
+    /// Runs the command, and adds what comes of it.
+    fn add_to(&self, page: &mut Page, scene: SceneName) -> Result<()> {
+        let (name, rest) = self.command.split_once(' ').unwrap_or((&self.command, ""));
+        let scene = scene.to_string();
+        let mut words = vec![name, "--scene", &scene];
+        words.extend(rest.split(' '));
+        let folder = tempfile::tempdir().context("cannot make a folder for pictures")?;
+        let path = |name: &str| folder.path().join(name).display().to_string();
+        let mut shown = words.join(" ");
+        let out = match (self.flag, self.files) {
+            ("", _) => String::new(),
+            ("--out", _) => folder.path().display().to_string(),
+            (_, [(file, _), ..]) => {
+                shown += &format!(" {} {file}", self.flag);
+                path(file)
+            }
+            (_, []) => String::new(),
+        };
+        if !out.is_empty() {
+            words.extend([self.flag, &out]);
+        }
+        let shown = format!("cargo lab {shown}");
+        eprintln!("{shown}");
+        let printed = subcommand::run(&words)?;
+        page.section(self.title, self.says, &shown);
+        page.table(&printed);
+        for (file, says) in self.files {
+            let bytes = fs::read(path(file)).with_context(|| format!("cannot read {file}"))?;
+            page.figure(file, &bytes, says);
+        }
+        Ok(())
+    }
+}
