@@ -49,7 +49,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let png = picture::png(width, &figure.pixels)?;
         output::write(&folder.join(format!("{}.png", figure.name)), &png)?;
     }
-    let (sheet_width, pixels) = sheet(&figures, width, height)?;
+    let heading = format!(
+        "{} at {} s, {} quality, {}",
+        arguments.scene, arguments.time, arguments.quality, arguments.size
+    );
+    let (sheet_width, pixels) = sheet(&heading, &figures, width, height)?;
     let png = picture::png(sheet_width, &pixels)?;
     output::write(&folder.join("sheet.png"), &png)
 }
@@ -114,7 +118,12 @@ fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
         name,
         title,
         caption,
+        scale: None,
         pixels,
+    };
+    let scaled = |most, figure| Figure {
+        scale: Some(["0".to_owned(), most]),
+        ..figure
     };
     vec![
         figure(
@@ -135,36 +144,39 @@ fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
             format!("{squares} squares, the brighter the smaller"),
             over(&|pixels| trace.draw_squares(pixels)),
         ),
-        figure(
-            "rays",
-            "Rays of each point traced",
-            format!(
-                "{:.1} % of all rays; the brightest: {most} rays",
-                100.0 * rays(trace) / rays(all)
+        scaled(
+            most.to_string(),
+            figure(
+                "rays",
+                "Rays of each point traced",
+                format!("{:.1} % of all rays", 100.0 * rays(trace) / rays(all)),
+                over(&|pixels| trace.draw_heat(pixels, most)),
             ),
-            over(&|pixels| trace.draw_heat(pixels, most)),
         ),
-        figure(
-            "rays-exhaustive",
-            "Rays of each pixel, every pixel traced",
-            format!(
-                "{:.1} rays a pixel; the brightest: {most}",
-                rays(all) / area
+        scaled(
+            most.to_string(),
+            figure(
+                "rays-exhaustive",
+                "Rays of each pixel, every pixel traced",
+                format!("{:.1} rays a pixel", rays(all) / area),
+                over(&|pixels| all.draw_heat(pixels, most)),
             ),
-            over(&|pixels| all.draw_heat(pixels, most)),
         ),
-        figure(
-            "error",
-            "The error that is seen, by FLIP",
-            format!(
-                "mean {:.4}, 99 % of pixels within {:.3}; the brightest: {FLIP_SHOWN}",
-                flip.mean(),
-                flip.p99()
+        scaled(
+            FLIP_SHOWN.to_string(),
+            figure(
+                "error",
+                "The error that is seen, by FLIP",
+                format!(
+                    "mean {:.4}, 99 % of pixels within {:.3}",
+                    flip.mean(),
+                    flip.p99()
+                ),
+                flip.errors
+                    .iter()
+                    .map(|&error| heat(error / FLIP_SHOWN))
+                    .collect(),
             ),
-            flip.errors
-                .iter()
-                .map(|&error| heat(error / FLIP_SHOWN))
-                .collect(),
         ),
     ]
 }

@@ -1,16 +1,23 @@
 //! Puts pictures side by side, each with a caption. Coordinates are pixels of the sheet.
 
+use crate::overlay::heat;
 use crate::plot::{register_fonts, smoothed, text};
 use anyhow::{Result, anyhow};
+use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::FontStyle;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// The number of pictures per row.
 const COLUMNS: usize = 2;
 /// Pixels between pictures and around them.
 const GAP: usize = 16;
+/// The height of the line above all pictures in pixels.
+const HEADING: usize = 26;
 /// The height of a caption in pixels: a title and a line under it.
 const CAPTION: usize = 46;
+/// The width and the height of a colour bar in pixels.
+const BAR: [usize; 2] = [120, 10];
 /// The factor by which text is drawn larger and then reduced, to antialias it.
 const SAMPLES: u32 = 2;
 
@@ -20,31 +27,36 @@ pub struct Figure {
     pub name: &'static str,
     pub title: &'static str,
     pub caption: String,
+    /// What the darkest and the brightest colour stand for, where colours stand for numbers.
+    pub scale: Option<[String; 2]>,
     pub pixels: Vec<u32>,
 }
 
-/// Draws all figures, each `width` by `height`, on a white sheet. Returns the sheet's width and its pixels.
-pub fn sheet(figures: &[Figure], width: usize, height: usize) -> Result<(usize, Vec<u32>)> {
+/// Draws all figures, each `width` by `height`, on a white sheet with a line above them. Returns the sheet's width and its pixels.
+pub fn sheet(
+    heading: &str,
+    figures: &[Figure],
+    width: usize,
+    height: usize,
+) -> Result<(usize, Vec<u32>)> {
     let rows = figures.len().div_ceil(COLUMNS);
     let (across, down) = (width + GAP, height + CAPTION + GAP);
-    let (sheet_width, sheet_height) = (COLUMNS * across + GAP, rows * down + GAP);
-    let position = |i: usize| (GAP + i % COLUMNS * across, GAP + i / COLUMNS * down);
+    let (sheet_width, sheet_height) = (COLUMNS * across + GAP, HEADING + rows * down + GAP);
+    let position = |i: usize| {
+        (
+            GAP + i % COLUMNS * across,
+            HEADING + GAP + i / COLUMNS * down,
+        )
+    };
 
     let size = (sheet_width as u32 * SAMPLES, sheet_height as u32 * SAMPLES);
     let mut rgb = vec![255; 3 * (size.0 * size.1) as usize];
     register_fonts();
     let area = BitMapBackend::with_buffer(&mut rgb, size).into_drawing_area();
+    write(&area, heading, 15, [GAP, GAP], false)?;
     for (i, figure) in figures.iter().enumerate() {
         let (x, y) = position(i);
-        let at = |below: usize| {
-            let scale = SAMPLES as i32;
-            (x as i32 * scale, (y + height + below) as i32 * scale)
-        };
-        let title = text(15, SAMPLES, FontStyle::Bold);
-        let caption = text(13, SAMPLES, FontStyle::Normal);
-        area.draw_text(figure.title, &title, at(5))
-            .and_then(|()| area.draw_text(&figure.caption, &caption, at(25)))
-            .map_err(|error| anyhow!("{error}"))?;
+        caption(&area, figure, [x, x + width], y + height)?;
     }
     area.present().map_err(|error| anyhow!("{error}"))?;
     drop(area);
@@ -57,4 +69,46 @@ pub fn sheet(figures: &[Figure], width: usize, height: usize) -> Result<(usize, 
         }
     }
     Ok((sheet_width, pixels))
+}
+
+/// Writes a picture's title, its caption and its colour bar below it, between its left and its right end.
+fn caption(
+    area: &Area<'_>,
+    figure: &Figure,
+    [left, right]: [usize; 2],
+    bottom: usize,
+) -> Result<()> {
+    write(area, figure.title, 15, [left, bottom + 5], false)?;
+    write(area, &figure.caption, 13, [left, bottom + 25], false)?;
+    let Some([least, most]) = &figure.scale else {
+        return Ok(());
+    };
+    let [width, height] = BAR;
+    let start = right.saturating_sub(width);
+    let scale = SAMPLES as usize;
+    for x in 0..width * scale {
+        let [_, r, g, b] = heat(x as f32 / (width * scale - 1) as f32).to_be_bytes();
+        let (x, y) = ((start * scale + x) as i32, ((bottom + 9) * scale) as i32);
+        let column = [(x, y), (x + 1, y + (height * scale) as i32)];
+        area.draw(&Rectangle::new(column, RGBColor(r, g, b).filled()))
+            .map_err(|error| anyhow!("{error}"))?;
+    }
+    write(area, least, 13, [start, bottom + 25], false)?;
+    write(area, most, 13, [right, bottom + 25], true)
+}
+
+type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
+
+/// Writes words that begin or end at a place. Titles, of 15 pixels, are bold.
+fn write(area: &Area<'_>, words: &str, size: u32, at: [usize; 2], is_end: bool) -> Result<()> {
+    let style = if size > 13 {
+        FontStyle::Bold
+    } else {
+        FontStyle::Normal
+    };
+    let from = if is_end { HPos::Right } else { HPos::Left };
+    let style = text(size, SAMPLES, style).pos(Pos::new(from, VPos::Top));
+    let [x, y] = at.map(|side| side as i32 * SAMPLES as i32);
+    area.draw_text(words, &style, (x, y))
+        .map_err(|error| anyhow!("{error}"))
 }
