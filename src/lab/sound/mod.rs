@@ -1,5 +1,6 @@
 //! `lab sound`: measures the soundtrack and draws its waveform and its spectrogram.
 
+mod axes;
 mod levels;
 mod spectrogram;
 mod waveform;
@@ -7,6 +8,7 @@ mod waveform;
 use crate::timing::thread_time;
 use crate::{arguments, output, picture, wav};
 use anyhow::Result;
+use axes::Heights;
 use clap::Args;
 use eightfold::sound::{RATE, SONG_LENGTH};
 use std::path::{Path, PathBuf};
@@ -27,7 +29,7 @@ pub struct Arguments {
     spectrogram: Option<PathBuf>,
 }
 
-/// The size of the pictures in pixels: 40 columns per bar.
+/// The size of the pictures in pixels, without their axes: about 40 columns per bar.
 const SIZE: (usize, usize) = (1920, 480);
 
 /// Runs the command.
@@ -52,12 +54,24 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let (width, height) = SIZE;
     if let Some(file) = &arguments.waveform {
-        let pixels = waveform::draw(&samples, width, height);
-        output::write(file, &picture::png(width, &pixels)?)?;
+        write(
+            file,
+            &waveform::draw(&samples, width, height),
+            &waveform::heights(),
+        )?;
     }
     if let Some(file) = &arguments.spectrogram {
-        let pixels = spectrogram::draw(&samples, width, height);
-        output::write(file, &picture::png(width, &pixels)?)?;
+        write(
+            file,
+            &spectrogram::draw(&samples, width, height),
+            &spectrogram::heights(),
+        )?;
     }
     Ok(())
+}
+
+/// Writes a picture with its axes.
+fn write(file: &Path, drawn: &[u32], heights: &Heights) -> Result<()> {
+    let (width, pixels) = axes::framed(drawn, heights)?;
+    output::write(file, &picture::png(width, &pixels)?)
 }

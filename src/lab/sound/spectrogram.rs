@@ -1,5 +1,6 @@
 //! Draws the spectrogram: time to the right, frequency upwards on a logarithmic scale.
 
+use super::axes::Heights;
 use eightfold::sound::RATE;
 use rustfft::{FftPlanner, num_complex::Complex};
 use std::f32::consts::{PI, TAU};
@@ -52,6 +53,21 @@ pub fn draw(samples: &[[f32; 2]], width: usize, height: usize) -> Vec<u32> {
 fn frequency(share: f32) -> f32 {
     let (lowest, highest) = FREQUENCIES;
     highest * (lowest / highest).powf(share)
+}
+
+/// What its heights stand for.
+pub fn heights() -> Heights {
+    let (lowest, highest) = FREQUENCIES;
+    let share = |hertz: f32| (hertz / highest).ln() / (lowest / highest).ln();
+    let numbers = [
+        50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0, 5000.0, 10_000.0, 20_000.0,
+    ];
+    Heights {
+        ticks: numbers
+            .map(|hertz| (share(hertz), hertz.to_string()))
+            .to_vec(),
+        unit: "Hz",
+    }
 }
 
 /// The largest level between two frequencies in dB, 0 for a sine of full scale.

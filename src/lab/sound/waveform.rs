@@ -1,5 +1,6 @@
 //! Draws the waveform: the left channel above the right.
 
+use super::axes::Heights;
 use eightfold::show::{BARS, CUTS};
 
 const BACKGROUND: u32 = 0x10_1218;
@@ -41,4 +42,21 @@ pub fn draw(samples: &[[f32; 2]], width: usize, height: usize) -> Vec<u32> {
         }
     }
     pixels
+}
+
+/// What its heights stand for: amplitudes of each channel, 1 for full scale.
+pub fn heights() -> Heights {
+    let amplitudes = [
+        ("left  1", 0.0),
+        ("0", 0.25),
+        ("right  1", 0.5),
+        ("0", 0.75),
+        ("-1", 1.0),
+    ];
+    Heights {
+        ticks: amplitudes
+            .map(|(name, share)| (share, name.to_owned()))
+            .to_vec(),
+        unit: "",
+    }
 }
