@@ -7,7 +7,7 @@
 //! | ---: | --- |
 //! | 64 | the ELF header |
 //! | 3 x 56 | program headers: this file; the memory that the program is loaded to; a stack that is not executable |
-//! | 4,100 | the stub |
+//! | 4,600 | the stub |
 //! | the rest | what was packed |
 
 use crate::{Error, elf, elf::Segment, pack, panics, stub::Stub, unpack};

@@ -80,8 +80,8 @@ fn costs_add_up_to_what_is_packed() {
 /// A third of the time to unpack goes to memory that no cache has. With that of the file and with what is left over where huge pages
 /// are aligned, it is the 71 MB that the stub speaks of.
 #[test]
-fn the_model_needs_at_most_65_mib() {
-    assert!(size_of::<Model>() <= 65 << 20, "{}", size_of::<Model>());
+fn the_model_needs_at_most_66_mib() {
+    assert!(size_of::<Model>() <= 66 << 20, "{}", size_of::<Model>());
 }
 
 /// The same on every machine and by every compiler. It changes with the model: then this is to be set anew.
@@ -96,6 +96,6 @@ fn the_same_bytes_are_packed_to_the_same_everywhere() {
     let packed = pack(&bytes);
     assert_eq!(
         (packed.len(), model::checksum(&packed)),
-        (31_896, 1_158_964_303)
+        (32_011, 2_726_336_931)
     );
 }

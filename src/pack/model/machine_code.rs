@@ -3,27 +3,45 @@
 //! It follows the length of instructions and no more. Bytes that are no instructions are read as some, which does no harm: whatever
 //! it says is only a context to predict by, and both sides say the same.
 
-/// What the model predicts a byte by, each a number; contexts are sets of them.
-pub const FEATURES: usize = 24;
-/// What the next byte is; see the kinds below. (Features 0 to 7 are the last bytes, the newest first.)
-pub const KIND: usize = 8;
-/// The opcode of this instruction so far, plus 0x100 times its map. Those of the three instructions before follow it in steps of
-/// [`STEP`], as those of the two features after it do.
-pub const OPCODE: usize = 9;
+use super::operands::operands_by_runs;
+
+/// What the model predicts a byte by, each a number; contexts are sets of them. Features 0 to 3 are the last bytes, the newest
+/// first.
+pub const FEATURES: usize = 29;
+/// How many of the last bytes are kept.
+const LAST: usize = 4;
+/// What the next byte is; see the kinds below.
+pub const KIND: usize = 4;
+/// The opcode of this instruction so far, plus 0x100 times its map, plus 0x400 times what `pp` is in VEX, by whatever prefixes that
+/// is said: so an operation has one number in SSE2, AVX2 and AVX-512. Those of the three instructions before follow it in steps of
+/// [`STEP`], as those of the three features after it do.
+pub const OPCODE: usize = 5;
 /// The ModRM byte, which names a register and an operand.
-pub const MODRM: usize = 10;
+pub const MODRM: usize = 6;
 /// All prefixes, 8 bits each.
-pub const PREFIXES: usize = 11;
+pub const PREFIXES: usize = 7;
+/// The operand that is written to: known of earlier instructions only.
+pub const DESTINATION: usize = 8;
 /// Features that are kept of each instruction.
-const STEP: usize = 3;
+const STEP: usize = 4;
 /// The end of those.
 const HISTORY_END: usize = OPCODE + 4 * STEP;
 /// The place modulo 4: data has rows of words.
 pub const PLACE: usize = HISTORY_END;
+/// Which 256 bytes the place is in: many jumps end nearby.
+pub const PAGE: usize = 22;
 /// The ModRM byte's operand, and what the SIB byte adds to it.
-pub const OPERAND: usize = 22;
+pub const OPERAND: usize = 23;
+/// The bits of prefixes that extend the numbers of registers: 8 that of ModRM's register, 2 that of its operand.
+pub const EXTENSION: usize = 24;
+/// The first byte of this instruction, without the bits that may extend registers.
+pub const FIRST: usize = 25;
+/// Bytes of this instruction so far.
+pub const LENGTH: usize = 26;
 /// The last two bytes that were of this kind behind the same opcode, the newer in the lower bits.
-pub const SAME_FIELD: usize = 23;
+pub const SAME_OPCODE: usize = 27;
+/// The same behind the same operand.
+pub const SAME_OPERAND: usize = 28;
 
 /// A feature of an earlier instruction.
 pub const fn before(feature: usize, instructions: usize) -> usize {
@@ -48,82 +66,15 @@ const RELATIVE_JUMP: u32 = 20;
 /// More than the highest kind, and a power of two.
 pub const KINDS: usize = 32;
 
-/// What follows an opcode: 0 nothing, 1 a byte, 2 four bytes, 3 an offset of four bytes; and 4 more if a ModRM byte comes before it.
-const fn operands(map: u32, opcode: u32) -> u32 {
-    match (map, opcode) {
-        (0, 0..0x40) => match opcode & 7 {
-            0..4 => 4,
-            4 => 1,
-            5 => 2,
-            _ => 0,
-        },
-        (0, 0x63 | 0x84..=0x8f | 0xd0..=0xd3 | 0xd8..=0xdf | 0xf6 | 0xf7 | 0xfe | 0xff) => 4,
-        (0, 0x69 | 0x81 | 0xc7) => 6,
-        (0, 0x6b | 0x80 | 0x82 | 0x83 | 0xc0 | 0xc1 | 0xc6) => 5,
-        (0, 0x68 | 0xa9 | 0xb8..=0xbf) => 2,
-        (0, 0xe8 | 0xe9) | (1, 0x80..=0x8f) => 3,
-        (0, 0x6a | 0x70..=0x7f | 0xa8 | 0xb0..=0xb7 | 0xeb) => 1,
-        (0, _) => 0,
-        (1, 5..0x10 | 0x77 | 0xa0..=0xa2 | 0xa8..=0xaa | 0xc8..=0xcf) => 0,
-        (1, 0x70..=0x73 | 0xa4 | 0xac | 0xba | 0xc2 | 0xc4..=0xc6) => 5,
-        (3, _) => 5,
-        _ => 4,
-    }
-}
-
-/// The opcodes below this one of map 0 repeat every eight.
-const REPEATING: u32 = 0x40;
-
-/// [`operands`] of opcodes 0 to 7 and from [`REPEATING`] on of map 0, and of maps 1 to 3, in runs: 8 times a length, and what it is
-/// of. That is a quarter of a table with an entry for each.
-static RUNS: [u8; RUN_COUNT] = runs().0;
-const RUN_COUNT: usize = runs::<256>().1;
-
-const fn runs<const N: usize>() -> ([u8; N], usize) {
-    let mut runs = [0; N];
-    let (mut count, mut last, mut length) = (0, u32::MAX, 0);
-    let mut opcode = 0;
-    while opcode < 4 << 8 {
-        let operands = operands(opcode >> 8, opcode & 0xff);
-        if opcode < 8 || opcode >= REPEATING {
-            if operands == last && length < 31 {
-                length += 1;
-            } else {
-                (last, length) = (operands, 1);
-                count += 1;
-            }
-            runs[count - 1] = (length * 8 + operands) as u8;
-        }
-        opcode += 1;
-    }
-    (runs, count)
-}
-
-/// [`operands`] as the runs have it.
-fn operands_by_runs(map_and_opcode: u32, byte: u32) -> u32 {
-    let mut left = if map_and_opcode < REPEATING {
-        (byte & 7) as i32
-    } else {
-        (map_and_opcode - REPEATING + 8) as i32
-    };
-    for &run in &RUNS {
-        left -= i32::from(run >> 3);
-        if left < 0 {
-            return (run & 7).into();
-        }
-    }
-    0
-}
-
-/// Fields of all instructions: for each map and opcode, each kind.
-const FIELDS: usize = 4 << 8 << KINDS.ilog2();
+/// What fields of instructions are told apart by, besides their kinds.
+const FIELD_FEATURES: [usize; 2] = [OPCODE, OPERAND];
+/// Fields of all instructions: for each map, `pp` and opcode, each kind. (Of operands, the upper bits of SIB are left out.)
+const FIELDS: usize = 0x1000 << KINDS.ilog2();
 
 /// The state of reading, all zero to begin with. Its largest part comes last: instructions reach the others by offsets of one byte.
 #[repr(C)]
 pub struct Reader {
     features: [u32; FEATURES],
-    /// The field of the next byte.
-    field: usize,
     /// Bytes read so far.
     place: usize,
     /// Where the offset of this instruction is, behind its opcode; 0 if it has none.
@@ -132,20 +83,22 @@ pub struct Reader {
     displacement: u32,
     /// The kind of what follows ModRM, SIB and displacement; 0 for nothing.
     operand: u32,
+    /// The fields of the next byte.
+    next: [usize; FIELD_FEATURES.len()],
     /// The last two bytes of each field.
-    fields: [u16; FIELDS],
+    fields: [[u16; FIELDS]; FIELD_FEATURES.len()],
 }
 
 impl Default for Reader {
     fn default() -> Reader {
         Reader {
             features: [0; FEATURES],
-            fields: [0; FIELDS],
-            field: 0,
             place: 0,
             offset: 0,
             displacement: 0,
             operand: 0,
+            next: [0; FIELD_FEATURES.len()],
+            fields: [[0; FIELDS]; FIELD_FEATURES.len()],
         }
     }
 }
@@ -172,16 +125,19 @@ impl Reader {
     #[inline(never)]
     pub fn read(&mut self, byte: u32) {
         let features = &mut self.features;
-        features.copy_within(0..7, 1);
+        features.copy_within(0..LAST - 1, 1);
         features[0] = byte;
-        features[PLACE] = (features[PLACE] + 1) & 3;
+        features[LENGTH] += 1;
         let kind = features[KIND];
         if kind == START {
+            features[FIRST] = byte & 0xf8;
             self.offset = 0;
         } else if kind == RELATIVE_DISPLACEMENT + 3 || kind == RELATIVE_JUMP + 3 {
             self.offset = self.place;
         }
         self.place += 1;
+        features[PLACE] = self.place as u32 & 3;
+        features[PAGE] = self.place as u32 >> 8;
         let mut next = match kind {
             START | AFTER_PREFIX => self.read_opcode(byte),
             IS_MODRM => self.read_modrm(byte),
@@ -199,17 +155,19 @@ impl Reader {
             self.end_instruction();
         }
         self.features[KIND] = next;
-        let field = &mut self.fields[self.field & (FIELDS - 1)];
-        *field = *field << 8 | byte as u16;
-        self.field = (self.features[OPCODE] << KINDS.ilog2() | next) as usize;
-        self.features[SAME_FIELD] = self.fields[self.field & (FIELDS - 1)].into();
+        for (i, feature) in FIELD_FEATURES.into_iter().enumerate() {
+            let field = &mut self.fields[i][self.next[i] & (FIELDS - 1)];
+            *field = *field << 8 | byte as u16;
+            self.next[i] = (self.feature(feature) << KINDS.ilog2() | next) as usize;
+            self.features[SAME_OPCODE + i] = self.fields[i][self.next[i] & (FIELDS - 1)].into();
+        }
     }
 
     /// Reads a prefix or an opcode. Returns what kind of byte follows, as all of these do.
     #[inline(always)]
     fn read_opcode(&mut self, byte: u32) -> u32 {
         let features = &mut self.features;
-        if features[OPCODE] == 0 {
+        if features[OPCODE] & 0x300 == 0 {
             let escape = match byte {
                 0x0f => AFTER_PREFIX,
                 0xc5 => VEX,
@@ -219,27 +177,32 @@ impl Reader {
             };
             if escape != 0 {
                 // Map 1, unless VEX says another.
-                features[OPCODE] = 0x100;
+                features[OPCODE] += 0x100;
                 return escape;
             }
             if byte & 0xf0 == 0x40 || matches!(byte, 0x64 | 0x66 | 0x2e | 0xf0 | 0xf2 | 0xf3) {
                 features[PREFIXES] = features[PREFIXES] << 8 | byte;
+                if byte & 0xf0 == 0x40 {
+                    features[EXTENSION] = (byte & 7) << 1;
+                } else {
+                    // 1, 2 and 3 for 0x66, 0xf3 and 0xf2.
+                    features[OPCODE] = 0x10b0 >> ((byte & 7) * 2) << 10 & 0xc00;
+                }
                 return AFTER_PREFIX;
             }
         }
         features[OPCODE] += byte;
-        let operands = operands_by_runs(features[OPCODE], byte);
+        let opcode = features[OPCODE] & 0x3ff;
+        let operands = operands_by_runs(opcode, byte);
         let after = match operands & 3 {
             0 => START,
             1 => IMMEDIATE,
             // Two bytes of it, where a prefix says so.
-            2 if features[PREFIXES] & 0xff == 0x66 || features[PREFIXES] >> 8 == 0x66 => {
-                IMMEDIATE + 1
-            }
+            2 if features[OPCODE] & 0xc00 == 0x400 => IMMEDIATE + 1,
             2 => IMMEDIATE + 3,
             _ => RELATIVE_JUMP + 3,
         };
-        if features[OPCODE] & !7 == 0xb8 && features[PREFIXES] & 0xf8 == 0x48 {
+        if opcode & !7 == 0xb8 && features[PREFIXES] & 0xf8 == 0x48 {
             // `mov` of a number of 8 bytes: as a displacement and an immediate value.
             self.operand = after;
             return DISPLACEMENT + 3;
@@ -283,12 +246,19 @@ impl Reader {
         self.displacement
     }
 
-    /// Reads a byte of a VEX or EVEX prefix; the first of three or two says the opcode's map.
+    /// Reads a byte of a VEX or EVEX prefix.
     #[inline(always)]
     fn read_vex(&mut self, byte: u32, kind: u32) -> u32 {
         let features = &mut self.features;
-        if features[PREFIXES] == 0 && kind != VEX {
+        let is_first = features[PREFIXES] == 0;
+        if is_first {
+            features[EXTENSION] = !byte >> 4 & if kind == VEX { 8 } else { 15 };
+        }
+        if is_first && kind != VEX {
             features[OPCODE] = (byte & 3) << 8;
+        } else {
+            // The last byte of EVEX has no `pp`, but zeros there unless a mask is used.
+            features[OPCODE] |= (byte & 3) << 10;
         }
         features[PREFIXES] = features[PREFIXES] << 8 | byte;
         if kind == VEX { AFTER_PREFIX } else { kind - 1 }
@@ -297,17 +267,21 @@ impl Reader {
     #[inline(always)]
     fn end_instruction(&mut self) {
         let features = &mut self.features;
+        features[DESTINATION] =
+            if features[OPCODE] < 0x100 && !matches!(features[OPCODE], 0x8b | 0x8d) {
+                features[MODRM] & 0xc7 | (features[EXTENSION] & 2) << 2
+            } else {
+                features[MODRM] >> 3 & 7 | 0xc0 | features[EXTENSION] & 8
+            };
         features.copy_within(OPCODE..HISTORY_END - STEP, OPCODE + STEP);
-        features[OPCODE] = 0;
-        features[MODRM] = 0;
-        features[PREFIXES] = 0;
-        features[OPERAND] = 0;
+        features[OPCODE..OPCODE + STEP].fill(0);
+        features[OPERAND..SAME_OPCODE].fill(0);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{KIND, REPEATING, Reader, START, operands, operands_by_runs};
+    use super::{DESTINATION, KIND, OPCODE, Reader, START, before};
 
     /// Instructions with every kind of field, as an assembler writes them; the second is how many bytes each has.
     const CODE: [(&[u8], &str); 16] = [
@@ -361,19 +335,59 @@ mod tests {
         assert_eq!(offsets, [11, 16, 22, 86]);
     }
 
+    /// A feature of an instruction, once it was read.
+    fn feature_of(instruction: &[u8], feature: usize) -> u32 {
+        let mut reader = Reader::default();
+        for &byte in instruction {
+            reader.read(byte.into());
+        }
+        reader.feature(before(feature, 1))
+    }
+
     #[test]
-    fn runs_hold_what_follows_every_opcode() {
-        for opcode in 0..4 << 8 {
-            let repeated = if opcode < REPEATING {
-                opcode & 7
-            } else {
-                opcode
-            };
-            assert_eq!(
-                operands_by_runs(opcode, opcode & 0xff),
-                operands(repeated >> 8, repeated & 0xff),
-                "{opcode:#x}"
-            );
+    fn an_operation_has_one_number_in_every_encoding() {
+        let encodings: [&[&[u8]]; 3] = [
+            // addps, vaddps with a prefix of two and three bytes and of EVEX
+            &[
+                &[0x0f, 0x58, 0xc1],
+                &[0xc5, 0xf8, 0x58, 0xc1],
+                &[0xc4, 0xc1, 0x78, 0x58, 0xc1],
+                &[0x62, 0xf1, 0x7c, 0x48, 0x58, 0xc1],
+            ],
+            // paddd and vpaddd
+            &[
+                &[0x66, 0x0f, 0xfe, 0xc1],
+                &[0x66, 0x41, 0x0f, 0xfe, 0xc1],
+                &[0xc5, 0xf9, 0xfe, 0xc1],
+                &[0x62, 0xf1, 0x7d, 0x48, 0xfe, 0xc1],
+            ],
+            // movss and vmovss
+            &[&[0xf3, 0x0f, 0x10, 0x07], &[0xc5, 0xfa, 0x10, 0x07]],
+        ];
+        let numbers = encodings.map(|same| {
+            let number = feature_of(same[0], OPCODE);
+            for encoding in same {
+                assert_eq!(feature_of(encoding, OPCODE), number, "{encoding:x?}");
+            }
+            number
+        });
+        assert!(numbers[0] != numbers[1] && numbers[1] != numbers[2]);
+    }
+
+    #[test]
+    fn the_destination_is_the_register_that_is_written_to() {
+        let eax = feature_of(&[0x8b, 0xc1], DESTINATION);
+        let r9 = feature_of(&[0x45, 0x8b, 0xc8], DESTINATION);
+        assert_ne!(eax, r9);
+        for (instruction, register) in [
+            (&[0x01, 0xc8][..], eax),        // add eax, ecx
+            (&[0x8d, 0x47, 0x04], eax),      // lea eax, [rdi + 4]
+            (&[0x0f, 0xb6, 0xc1], eax),      // movzx eax, cl
+            (&[0x41, 0x01, 0xc1], r9),       // add r9d, eax
+            (&[0x45, 0x0f, 0xb6, 0xc8], r9), // movzx r9d, r8b
+        ] {
+            let found = feature_of(instruction, DESTINATION);
+            assert_eq!(found, register, "{instruction:x?}");
         }
     }
 }

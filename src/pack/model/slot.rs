@@ -3,10 +3,13 @@
 use super::lanes::Lanes;
 
 /// From the lowest bits on: a probability that the bit is 1, in 65,536ths, less one half (16 bits); the last bits that were seen
-/// there behind a 1, of which eight are kept, exclusive-or 1 (8); and how many were seen, at most 127 (8). So memory that is zero
+/// there behind a 1, of which five are kept, exclusive-or 1 (8); and how many were seen, at most 127 (8). So memory that is zero
 /// holds new slots.
 #[derive(Clone, Copy)]
 pub struct Slot(u32);
+
+/// More than the highest history, and a power of two.
+pub const HISTORIES: usize = 32;
 
 impl Slot {
     pub const NEW: Slot = Slot(0);
@@ -30,11 +33,12 @@ impl Slot {
     /// The last bits.
     #[inline(always)]
     pub fn history(self) -> usize {
-        (self.0 >> 16 & 0xff) as usize
+        (self.0 >> 16) as usize & (HISTORIES - 1)
     }
 
+    /// How many bits were seen.
     #[inline(always)]
-    fn count(self) -> usize {
+    pub fn count(self) -> usize {
         (self.0 >> 24) as usize
     }
 }
@@ -92,7 +96,9 @@ impl Slots {
             // This sum stops at a count of 127; what it then has for a history is masked out.
             let counted = moved.saturating_add(Lanes::splat_pair(0x100_0000));
             let rest = counted.and(Lanes::splat_pair(0xff00_ffff));
-            let history = old.add(old).and(Lanes::splat_pair(0xfe_0000));
+            let history = old
+                .add(old)
+                .and(Lanes::splat_pair((HISTORIES as u32 - 2) << 16));
             *slots = rest.xor(history).xor(flip_back).to_pairs();
         }
     }
