@@ -29,7 +29,7 @@
 //!
 //! # How long it takes
 //!
-//! `time target/release/eightfold --version` unpacks all and does next to nothing else: about 1.2 microseconds a byte. What that
+//! `time target/release/eightfold --version` unpacks all and does next to nothing else: about 1.1 microseconds a byte. What that
 //! came from, and what it takes of the packed file, which had 63,659 bytes:
 //!
 //! | step | time | bytes |
@@ -42,13 +42,17 @@
 //! | what the same field of instructions held before, as a context | | -220 |
 //! | faster steps of slots that have seen little | | -63 |
 //! | contexts, rates and first weights searched again, when it had 64,563 bytes | | -182 |
-//! | sixteen contexts, not twelve, and histories of pairs; features for operations, destinations, pages and operands | +0.07 s | -935 |
+//! | sixteen contexts, not twelve; histories of pairs; features for operations, destinations, pages, operands | +0.07 s | -935 |
 //! | two buckets for each hash, of which what was seen less goes | | -506 |
+//! | logits of pairs limited | | -121 |
+//! | a lowest rate of slots | | -45 |
+//! | sets of weights by reference | -0.02 s | -16 |
 //!
 //! Tried, and not worth it: prefetching the buckets, the hash of a context once a byte, inputs put together in registers (none
 //! changes more than the measure's noise); four buckets for each hash (-76 bytes, +0.03 s); 32 MB of buckets (no less time, +220
 //! bytes); a final estimator of the mixed probability (-30 bytes at most, and as much code again); a longer history (none);
-//! what followed the last five bytes when they were last there, as a context (-95 bytes, and more code).
+//! what followed the last five bytes when they were last there, as a context (-95 bytes, and as much code); other sets of weights, by
+//! opcodes, lengths or destinations (none).
 #![deny(missing_docs, unsafe_code)]
 
 mod aborts;

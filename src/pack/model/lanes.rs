@@ -53,6 +53,12 @@ impl Lanes {
     }
 
     #[inline(always)]
+    pub fn to_numbers(self) -> [i16; 8] {
+        // SAFETY: both are 128 bits that may have any value.
+        unsafe { core::mem::transmute::<__m128i, [i16; 8]>(self.0) }
+    }
+
+    #[inline(always)]
     pub fn splat(number: i16) -> Lanes {
         Lanes(sse2!(_mm_set1_epi16(number)))
     }
@@ -75,6 +81,13 @@ impl Lanes {
         multiply_high: _mm_mulhi_epi16,
         /// The same of numbers without a sign.
         multiply_high_unsigned: _mm_mulhi_epu16,
+    }
+
+    /// The numbers, at most so far from 0.
+    #[inline(always)]
+    pub fn limit(self, most: i16) -> Lanes {
+        let (least, most) = (Lanes::splat(-most).0, Lanes::splat(most).0);
+        Lanes(sse2!(_mm_max_epi16(_mm_min_epi16(self.0, most), least)))
     }
 
     /// The halves, rounded down.
@@ -161,6 +174,14 @@ mod plain {
             self.zip(other, |a, b| ((wide(a) * wide(b)) >> 16) as i16)
         }
 
+        pub fn to_numbers(self) -> [i16; 8] {
+            self.0
+        }
+
+        pub fn limit(self, most: i16) -> Lanes {
+            Lanes(self.0.map(|number| number.clamp(-most, most)))
+        }
+
         pub fn halve(self) -> Lanes {
             Lanes(self.0.map(|number| number >> 1))
         }
@@ -201,6 +222,9 @@ mod tests {
             assert_same!(x, y, p, q: and xor add subtract saturating_add);
             assert_same!(x, y, p, q: multiply_high multiply_high_unsigned);
             prop_assert_eq!(x.halve().to_pairs(), p.halve().to_pairs());
+            prop_assert_eq!(x.to_numbers(), a);
+            prop_assert_eq!(p.to_numbers(), a);
+            prop_assert_eq!(x.limit(700).to_numbers(), p.limit(700).to_numbers());
             prop_assert_eq!(Lanes::splat(c).to_pairs(), plain::Lanes::splat(c).to_pairs());
             prop_assert_eq!(Lanes::splat_pair(d).to_pairs(), plain::Lanes::splat_pair(d).to_pairs());
             prop_assert_eq!(Lanes::pairs(&x.to_pairs()).to_pairs(), x.to_pairs());

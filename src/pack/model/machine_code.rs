@@ -84,7 +84,7 @@ pub struct Reader {
     /// The kind of what follows ModRM, SIB and displacement; 0 for nothing.
     operand: u32,
     /// The fields of the next byte.
-    next: [usize; FIELD_FEATURES.len()],
+    next: [u32; FIELD_FEATURES.len()],
     /// The last two bytes of each field.
     fields: [[u16; FIELDS]; FIELD_FEATURES.len()],
 }
@@ -155,11 +155,11 @@ impl Reader {
             self.end_instruction();
         }
         self.features[KIND] = next;
-        for (i, feature) in FIELD_FEATURES.into_iter().enumerate() {
-            let field = &mut self.fields[i][self.next[i] & (FIELDS - 1)];
+        for (i, &feature) in FIELD_FEATURES.iter().enumerate() {
+            let field = &mut self.fields[i][self.next[i] as usize % FIELDS];
             *field = *field << 8 | byte as u16;
-            self.next[i] = (self.feature(feature) << KINDS.ilog2() | next) as usize;
-            self.features[SAME_OPCODE + i] = self.fields[i][self.next[i] & (FIELDS - 1)].into();
+            self.next[i] = self.feature(feature) << KINDS.ilog2() | next;
+            self.features[SAME_OPCODE + i] = self.fields[i][self.next[i] as usize % FIELDS].into();
         }
     }
 

@@ -209,8 +209,8 @@ impl Model {
             self.slots.set(i, slot, &self.rates);
             self.mixer.input(i, slot.probability());
         }
-        let bit = coder.bit(self.mixer.predict(sets));
-        self.mixer.learn(sets, bit);
+        let bit = coder.bit(self.mixer.predict(&sets));
+        self.mixer.learn(&sets, bit);
         self.slots.learn(bit);
         // The pairs first: where they are depends on the slots.
         for i in 0..PAIRS {

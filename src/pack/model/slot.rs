@@ -43,8 +43,11 @@ impl Slot {
     }
 }
 
-/// How far a probability moves to what was seen, in 65,536ths of the distance, when so many were seen before: 16 / (10 n + 17). From
-/// the highest count on, what was seen longer ago counts less and less.
+/// The lowest rate: from 46 bits on, what was seen longer ago counts less and less.
+const LOWEST_RATE: u32 = 2200;
+
+/// How far a probability moves to what was seen, in 65,536ths of the distance, when so many were seen before: 16 / (10 n + 17), and at
+/// least [`LOWEST_RATE`].
 pub struct Rates([u32; 256]);
 
 impl Rates {
@@ -52,7 +55,7 @@ impl Rates {
     #[inline(always)]
     pub fn fill(&mut self) {
         for (count, rate) in self.0.iter_mut().enumerate() {
-            *rate = 0x10000 * 16 / (10 * count as u32 + 17);
+            *rate = (0x10000 * 16 / (10 * count as u32 + 17)).max(LOWEST_RATE);
         }
     }
 }
