@@ -38,9 +38,9 @@ pub struct Quality {
     /// The smallest weight of secondary rays that are followed, 0 to infinity. A ray's weight is the product of `kr` and `kt` along
     /// its path.
     pub least_contribution: f32,
-    /// The number of samples per side, up to [`Quality::MAX_ANTIALIAS`], for pixels that differ from a neighbour: with 2 they get
-    /// the mean of four samples on a regular grid. 0 and 1 turn antialiasing off, as all named qualities do.
-    pub antialias: usize,
+    /// Whether edges are antialiased: where two neighbouring pixels differ by 20/255 or more in a channel, the point half-way
+    /// between them is traced, and mixed into both.
+    pub antialias: bool,
 }
 
 impl Quality {
@@ -48,10 +48,6 @@ impl Quality {
     pub const MAX_SQUARE: usize = 32;
     /// The largest [`Quality::depth`]: a ray's path in its tree is stored in 8 bits.
     pub const MAX_DEPTH: u32 = 7;
-
-    /// The largest [`Quality::antialias`]: 64 samples per pixel. A row of the widest picture then has less than 2^16 samples, so
-    /// that coordinates fit 16 bits.
-    pub const MAX_ANTIALIAS: usize = 8;
 
     /// Every pixel is traced: the reference with which the other qualities are compared.
     pub const EXHAUSTIVE: Self = Self {
@@ -65,7 +61,7 @@ impl Quality {
         highlight: 1.0 / 256.0,
         depth: 5,
         least_contribution: 0.01,
-        antialias: 0,
+        antialias: false,
     };
 
     /// The rules of the 2008 thesis: squares of 8 pixels are filled if the corners agree in the objects of the whole ray tree and
@@ -78,11 +74,14 @@ impl Quality {
 
     /// The middle of the ladder: squares of 8 pixels are filled if the corners' colours are close and they show the same object
     /// with the same lights lit.
-    pub const DEFAULT: Self = Self::within(8, 9.0).followed(5, 0.02);
+    pub const DEFAULT: Self = Self::within(8, 9.0).followed(5, 0.02).antialiased();
 
     /// The named qualities from the finest to the fastest, with [`Quality::DEFAULT`] among them.
     ///
-    /// `cargo lab trade --ladder` measured the model scene at 1024x768 on one thread of an AMD EPYC (Zen 5). Speed is relative to
+    /// The first four are antialiased, which takes a third more time.
+    ///
+    /// `cargo lab trade --ladder` measured the model scene at 1024x768 on one thread of an AMD EPYC (Zen 5), without
+    /// antialiasing. Speed is relative to
     /// [`Quality::EXHAUSTIVE`], and errors are against its frames; a test measures the errors again. `over` is the number of
     /// pixels per frame with an error of more than 8/255 in a channel, `flicker` the number of 8x8 blocks per frame whose mean
     /// error changes by more than that from one frame to the next. FLIP is computed for 67 pixels per degree.
@@ -102,9 +101,9 @@ impl Quality {
     /// is the depth and `w` the least contribution. At the same error squares of 16 are no faster than squares of 8: they need
     /// fewer corners, but more of them are split.
     pub const LADDER: &'static [Self; 7] = &[
-        Self::within(8, 2.0),
-        Self::within(8, 4.0),
-        Self::within(8, 7.0),
+        Self::within(8, 2.0).antialiased(),
+        Self::within(8, 4.0).antialiased(),
+        Self::within(8, 7.0).antialiased(),
         Self::DEFAULT,
         Self::within(8, 12.0).followed(4, 0.02),
         Self::within(8, 18.0).followed(4, 0.02),
@@ -142,9 +141,21 @@ impl Quality {
         }
     }
 
-    /// Whether pixels at edges are antialiased.
-    pub(crate) fn is_antialiased(&self) -> bool {
-        self.antialias > 1
+    /// The same quality with antialiasing.
+    const fn antialiased(self) -> Self {
+        Self {
+            antialias: true,
+            ..self
+        }
+    }
+
+    /// Every pixel traced, and antialiased in the same way: what the errors of this quality are measured against.
+    #[must_use]
+    pub const fn reference(&self) -> Self {
+        Self {
+            antialias: self.antialias,
+            ..Self::EXHAUSTIVE
+        }
     }
 
     /// Whether every parameter is in the range that its documentation says.
@@ -164,16 +175,12 @@ impl Quality {
         tolerance("highlight", self.highlight)?;
         let is_depth = self.depth <= Self::MAX_DEPTH;
         quality.field("depth", self.depth as usize, "0 to 7", is_depth)?;
-        tolerance("least_contribution", self.least_contribution)?;
-        let is_antialias = self.antialias <= Self::MAX_ANTIALIAS;
-        quality.field("antialias", self.antialias, "0 to 8", is_antialias)
+        tolerance("least_contribution", self.least_contribution)
     }
 
     /// Whether the working memory has room for what it asks for. A tolerance out of its range is as good as some other one.
     pub(crate) fn is_drawable(&self) -> bool {
-        (1..=Self::MAX_SQUARE).contains(&self.square)
-            && self.depth <= Self::MAX_DEPTH
-            && self.antialias <= Self::MAX_ANTIALIAS
+        (1..=Self::MAX_SQUARE).contains(&self.square) && self.depth <= Self::MAX_DEPTH
     }
 
     /// The side, in pixels, of the smallest squares that are larger than a pixel: the odd factor of `square`, or 2 if that is 1.

@@ -30,12 +30,13 @@ fn a_frame_is_drawn_on_two_megabytes_of_stack() {
             height: 48,
             pixels: &mut pixels,
         };
-        let quality = Quality {
-            antialias: 2,
-            ..Quality::DEFAULT
-        };
         Renderer::new(Level::baseline())
-            .render(&show::scene(2.0), &quality, frame, &mut Worker::new())
+            .render(
+                &show::scene(2.0),
+                &Quality::DEFAULT,
+                frame,
+                &mut Worker::new(),
+            )
             .expect("all is valid");
         pixels
     });

@@ -93,10 +93,9 @@ impl NamedQuality {
         },
     };
 
-    /// The same quality with a number of samples per side for pixels at edges.
-    pub fn antialiased(mut self, samples: usize) -> Self {
-        // One sample is no antialiasing.
-        self.quality.antialias = if samples > 1 { samples } else { 0 };
+    /// The same quality with antialiasing, or without.
+    pub fn antialiased(mut self, antialias: bool) -> Self {
+        self.quality.antialias = antialias;
         self
     }
 
@@ -152,11 +151,6 @@ pub fn frame(text: &str) -> Result<usize, String> {
     number
         .filter(|&n| n <= MAX_FRAMES)
         .ok_or_else(|| format!("takes the number of a frame, 0 to {MAX_FRAMES}"))
-}
-
-/// Parses a number of samples per side for antialiasing.
-pub fn antialias(text: &str) -> Result<usize, String> {
-    number(text, Quality::MAX_ANTIALIAS)
 }
 
 /// Parses a number from 1 to `most`.

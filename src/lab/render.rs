@@ -24,9 +24,9 @@ pub struct Arguments {
     /// How it is refined: exhaustive, thesis, or one of the ladder, from finest to fastest
     #[arg(long, value_name = "NAME", default_value = "default")]
     quality: NamedQuality,
-    /// Samples a side of the pixels at edges, 1 to 8: 4 for sixteen samples, 1 for the one that all have
-    #[arg(long, value_name = "N", default_value = "1", value_parser = arguments::antialias)]
-    antialias: usize,
+    /// Leaves edges jagged, whatever the quality says
+    #[arg(long)]
+    jagged: bool,
     /// Threads that share the work [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = arguments::threads)]
     threads: Option<usize>,
@@ -47,10 +47,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let scene = arguments.scene.at(arguments.time);
     scene.validate()?;
     let mut pixels = vec![0; size.area()];
+    let mut quality = arguments.quality.quality;
+    quality.antialias &= !arguments.jagged;
     ThreadedRenderer::new(threads).draw(
         arguments.isa.unwrap_or_else(cpu::best).level,
         &scene,
-        &arguments.quality.antialiased(arguments.antialias).quality,
+        &quality,
         size.width,
         &mut pixels,
     );

@@ -1,33 +1,56 @@
-//! Antialiasing: a pixel that differs from a neighbour gets the mean of several samples.
+//! Antialiasing: pixels that differ by an edge are mixed with the point half-way between them.
 //!
-//! Once all bands are drawn, each is looked at again. What is compared are the pixels as they were drawn, those of the
-//! neighbouring bands too, and the samples of a pixel lie on a regular grid, so that a picture has the same bits for any
-//! number of threads, and what is all alike keeps its bits. Samples are traced, in filled squares too.
+//! Once all bands are drawn, each is looked at again. Where two neighbours differ by an edge, the point in the middle between them
+//! is traced, once for both. Each of the two becomes
+//!
+//! ```text
+//!     a       middle      b
+//!   +---------+---------+
+//!   |         |   /     |        a = 2/3 a + 1/3 middle
+//!   |    x    o  / x    |        b = 2/3 b + 1/3 middle
+//!   |         | /       |
+//!   +---------+---------+        Here the middle is like a, so that b alone changes, which the edge cuts.
+//!               an edge
+//! ```
+//!
+//! and the mean of that along x and along y if it differs along both. As an edge goes from a pixel to the next, the two take steps
+//! of a third. So points are traced on edges alone, and a single one for each row or column that an edge goes through, where a
+//! grid of four in each pixel would take eight. What is compared are the pixels as they were drawn, those of the neighbouring bands
+//! too, so that a picture has the same bits for any number of threads, and what is all alike keeps its bits.
 //!
 //! What is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
 //! more closely only where something can be seen.
 
+use super::middles::STRETCH;
 use super::{Band, MAX_BANDS, TILE_HEIGHT, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
 use crate::trace::{BATCH, STEP, trace};
-use fearless_simd::{Level, u8x16, u32x4};
+use fearless_simd::{Level, u8x32, u32x8};
 
 /// The least difference of neighbours, in a channel and 255ths, that is an edge.
-const EDGE: u8 = 16;
+const EDGE: u8 = 20;
 
-/// Pixels of a stretch of a band along x, whose rays meet the same groups: as many as a word has marks.
-const STRETCH: usize = u64::BITS as usize;
+/// Positions are counted in halves of a pixel.
+const PARTS: usize = 2;
 
-/// A bit for each pixel of a row, number 0 in the lowest bit of the first word: whether it is on an edge.
+/// Bits of a channel in a sum of points: enough for the four beside a pixel.
+const FIELD: usize = 21;
+
+/// A bit for each pixel of a row, number 0 in the lowest bit of the first word: whether it differs from a certain neighbour.
 type RowMarks = [u64; MAX_WIDTH.div_ceil(STRETCH)];
 
-/// The pixels of a band that are on edges.
-type Marks = [RowMarks; TILE_HEIGHT];
+/// Where the pixels of a band differ from their neighbours.
+struct Marks {
+    /// From the one to the right.
+    right: [RowMarks; TILE_HEIGHT],
+    /// From the one below; the first row is the one above the band.
+    below: [RowMarks; TILE_HEIGHT + 1],
+}
 
-/// Where a band's last row differs by an edge from the row below it, the first of the next band, as both were drawn.
+/// Where a band's last row differs from the row below it, the first of the next band, as both were drawn.
 ///
 /// By the time that a band is looked at again, its neighbours may have been already. (Bits: the rows themselves would take 2 MB.)
 pub(crate) struct Seams([RowMarks; MAX_BANDS]);
@@ -39,7 +62,7 @@ impl Seams {
     }
 
     /// Takes in a frame that is drawn, `width` pixels wide.
-    pub fn set(&mut self, quality: &Quality, width: usize, pixels: &[u32]) {
+    pub fn set(&mut self, isa: Level, quality: &Quality, width: usize, pixels: &[u32]) {
         let rows = Band::rows(quality) * width;
         // The last band has none below it.
         let ends = (rows..pixels.len()).step_by(rows).map(Some);
@@ -47,135 +70,184 @@ impl Seams {
             *seam = [0; _];
             if let Some(end) = end {
                 let (above, below) = (&pixels[end - width..end], &pixels[end..end + width]);
-                each_edge(baseline(), above, below, |x| set(seam, x));
+                mark(isa, above, below, seam);
             }
         }
     }
 
-    /// Has the edges of a band of the frame traced by more samples; `finer` is the scene for a picture with a pixel for each
-    /// sample.
+    /// Smooths the edges of a band of the frame.
     pub fn smooth(
         &self,
-        level: Level,
-        finer: &Prepared,
+        isa: Level,
+        scene: &Prepared,
         quality: &Quality,
         worker: &mut Worker,
         band: &mut Band<'_>,
     ) {
         // Marks of the method are no edges.
-        if finer.shows_method() {
-            return;
+        if !scene.shows_method() {
+            let marks = self.marks(isa, quality, band);
+            mix(isa, scene, quality, &marks, worker, band);
         }
-        let mut marks = [[0; _]; _];
-        self.mark(baseline(), quality, band, &mut marks);
-        trace_marked(level, finer, quality, &marks, worker, band);
     }
 
-    /// Marks the pixels of a band that differ from one of their four neighbours.
-    #[inline(always)]
-    fn mark<S: Simd>(&self, simd: S, quality: &Quality, band: &Band<'_>, marks: &mut Marks) {
+    /// Where the pixels of a band differ from their neighbours.
+    fn marks(&self, isa: Level, quality: &Quality, band: &Band<'_>) -> Marks {
+        let mut marks = Marks {
+            right: [[0; _]; _],
+            below: [[0; _]; _],
+        };
         let number = band.top / Band::rows(quality);
         if let Some(above) = number.checked_sub(1) {
-            marks[0] = self.0[above];
+            marks.below[0] = self.0[above];
         }
         let mut lines = band.pixels.chunks_exact(band.width).enumerate().peekable();
         while let Some((y, line)) = lines.next() {
-            each_edge(simd, line, &line[1..], |x| {
-                set(&mut marks[y], x);
-                set(&mut marks[y], x + 1);
-            });
-            if let Some((_, below)) = lines.peek() {
-                each_edge(simd, line, below, |x| {
-                    set(&mut marks[y], x);
-                    set(&mut marks[y + 1], x);
-                });
-            } else {
-                for (mark, seam) in marks[y].iter_mut().zip(&self.0[number]) {
-                    *mark |= seam;
-                }
+            mark(isa, line, &line[1..], &mut marks.right[y]);
+            let below = &mut marks.below[y + 1];
+            match lines.peek() {
+                Some((_, next)) => mark(isa, line, next, below),
+                None => *below = self.0[number],
             }
         }
+        marks
     }
 }
 
-/// Marks a pixel of a row.
-#[inline(always)]
-fn set(row: &mut RowMarks, x: usize) {
-    row[x / STRETCH] |= 1 << (x % STRETCH);
+/// Marks where two lines of pixels differ by an edge, as far as both go.
+fn mark(isa: Level, a: &[u32], b: &[u32], marks: &mut RowMarks) {
+    by_isa!(isa, simd => mark_by(simd, a, b, marks));
 }
 
-/// Traces the samples of a band's marked pixels.
-fn trace_marked(
-    level: Level,
-    finer: &Prepared,
+#[inline(always)]
+fn mark_by<S: Simd>(simd: S, a: &[u32], b: &[u32], marks: &mut RowMarks) {
+    let (eights_a, rest_a) = a[..b.len()].as_chunks();
+    let (eights_b, rest_b) = b.as_chunks();
+    for (i, (&a, &b)) in eights_a.iter().zip(eights_b).enumerate() {
+        marks[8 * i / STRETCH] |= edges(simd, a, b) << (8 * i % STRETCH);
+    }
+    let rest = rest_a.iter().zip(rest_b);
+    for (x, (&a, &b)) in (8 * eights_b.len()..).zip(rest) {
+        marks[x / STRETCH] |= (edges(simd, [a; 8], [b; 8]) & 1) << (x % STRETCH);
+    }
+}
+
+/// Which of eight pixels differ from eight others by an edge.
+#[inline(always)]
+fn edges<S: Simd>(simd: S, a: [u32; 8], b: [u32; 8]) -> u64 {
+    let [a, b]: [u8x32<S>; 2] = [a, b].map(|eight| u32x8::simd_from(simd, eight).bitcast());
+    let over = (a.max(b) - a.min(b)).saturating_sub(EDGE - 1);
+    let over: u32x8<S> = over.bitcast();
+    (!over.simd_eq(0)).to_bitmask()
+}
+
+/// Traces the points between a band's pixels that differ, and mixes them.
+fn mix(
+    isa: Level,
+    scene: &Prepared,
     quality: &Quality,
     marks: &Marks,
     worker: &mut Worker,
     band: &mut Band<'_>,
 ) {
-    worker.batch.begin();
-    let n = quality.antialias;
-    let (width, height) = (band.width, band.pixels.len() / band.width);
+    worker.batch.begin(PARTS);
+    let (width, top, height) = (band.width, band.top, band.pixels.len() / band.width);
     for (word, start) in (0..width).step_by(STRETCH).enumerate() {
-        let end = (start + STRETCH).min(width);
-        let (left, top) = (n * start, n * band.top);
-        let seen = finer.visible_groups(left, top, n * end, top + n * height);
-        let mut traced = |worker: &mut Worker| {
-            trace(level, finer, quality, seen, &mut worker.batch);
-            take(n, worker, band);
+        // Points lie up to half a pixel outside.
+        let (left, above) = (start.saturating_sub(1), top.saturating_sub(1));
+        let seen = scene.visible_groups(left, above, start + STRETCH, top + height);
+        let traced = |worker: &mut Worker| {
+            trace(isa, scene, quality, seen, &mut worker.batch);
+            add_middles([start, top], height, worker);
         };
-        for (y, marks) in marks.iter().enumerate().take(height) {
-            let mut rest = marks[word];
-            while rest != 0 {
-                let x = start + rest.trailing_zeros() as usize;
-                rest &= rest - 1;
-                if worker.batch.points.len() + n * n > BATCH {
-                    traced(worker);
+        for y in 0..=height {
+            if worker.batch.points.len() + 2 * STRETCH + 1 > BATCH {
+                traced(worker);
+            }
+            let points = &mut worker.batch.points;
+            let y_middle = (PARTS * (top + y)).wrapping_sub(1);
+            each(marks.below[y][word], |bit| {
+                points.push(PARTS * (start + bit), y_middle);
+            });
+            if y < height {
+                // Number 0 lies between the last pixel of the stretch before and the first of this one.
+                let sides = marks.sides(y, word);
+                if sides[0] & 1 != 0 {
+                    points.push(PARTS * start - 1, PARTS * (top + y));
                 }
-                for part in 0..n * n {
-                    let (x, y) = (n * x + part % n, top + n * y + part / n);
-                    worker.batch.points.push(x, y);
-                }
+                each(sides[1], |bit| {
+                    points.push(PARTS * (start + bit) + 1, PARTS * (top + y));
+                });
             }
         }
         traced(worker);
+        let rows = band.pixels.chunks_exact_mut(width).enumerate();
+        for (y, row) in rows {
+            let sides = marks.sides(y, word);
+            let [left, right, above, below] = sides;
+            each(left | right | above | below, |bit| {
+                let count = sides.map(|side| (side >> bit & 1) as usize);
+                let sum = core::mem::take(&mut worker.middles[y][bit]);
+                let pixel = &mut row[start + bit];
+                *pixel = mixed(*pixel, sum, count);
+            });
+        }
     }
 }
 
-/// Calls for each place where two lines of pixels differ by an edge.
+impl Marks {
+    /// The marks of the pixels of a stretch: whether each differs from the one to the left, to the right, above and below.
+    fn sides(&self, y: usize, word: usize) -> [u64; 4] {
+        let right = self.right[y][word];
+        let before = word.checked_sub(1).map_or(0, |word| self.right[y][word]);
+        let left = right << 1 | before >> (STRETCH - 1);
+        [left, right, self.below[y][word], self.below[y + 1][word]]
+    }
+}
+
+/// Calls with the number of each bit that is set.
 #[inline(always)]
-fn each_edge<S: Simd>(simd: S, a: &[u32], b: &[u32], mut call: impl FnMut(usize)) {
-    let edge = u8x16::splat(simd, EDGE);
-    for (i, (a, b)) in a.chunks(4).zip(b.chunks(4)).enumerate() {
-        if let ([_, _, _, _], [_, _, _, _]) = (a, b) {
-            let [a, b]: [u8x16<S>; 2] = [a, b].map(|x| u32x4::from_slice(simd, x).bitcast());
-            if !(a.max(b) - a.min(b)).simd_ge(edge).any_true() {
-                continue;
-            }
-        }
-        for (j, (a, b)) in a.iter().zip(b).enumerate() {
-            let channels = a.to_ne_bytes().into_iter().zip(b.to_ne_bytes());
-            if channels.map(|(a, b)| a.abs_diff(b)).any(|d| d >= EDGE) {
-                call(4 * i + j);
-            }
-        }
+fn each(mut bits: u64, mut call: impl FnMut(usize)) {
+    while bits != 0 {
+        call(bits.trailing_zeros() as usize % STRETCH);
+        bits &= bits - 1;
     }
 }
 
-/// Gives the pixels of a traced batch the means of their samples, rounded, and clears it.
-fn take(n: usize, worker: &mut Worker, band: &mut Band<'_>) {
-    let batch = &mut worker.batch;
-    let count = (n * n) as u32;
-    for first in (0..batch.points.len()).step_by(n * n) {
-        let (x, y) = batch.points.position(first);
-        let mut pixel = 0;
-        for channel in [32, 16, 0] {
-            let value = |i: usize| (batch.results.sample(i).0.0 >> channel & 0xffff) as u32;
-            let sum: u32 = (first..first + n * n).map(value).sum();
-            let steps = STEP as u32 * count;
-            pixel = (pixel << 8) + (sum + steps / 2) / steps;
+/// Adds the points of a traced batch to the sums of the pixels on both sides, as far as they are in the stretch, which begins at
+/// pixel (left, top) and has so many rows, and clears the batch.
+fn add_middles([left, top]: [usize; 2], height: usize, worker: &mut Worker) {
+    let Worker { batch, middles, .. } = worker;
+    let middles = &mut middles[..height];
+    for i in 0..batch.points.len() {
+        let (x, y) = batch.points.position(i);
+        let sample = batch.results.sample(i).0.0;
+        let channel = |number: usize| (sample >> (16 * number) & 0xffff) << (FIELD * number);
+        let sample = channel(0) | channel(1) | channel(2);
+        for [x, y] in [
+            [x / PARTS, y / PARTS],
+            [x.div_ceil(PARTS), y.div_ceil(PARTS)],
+        ] {
+            // What lies before the stretch wraps around.
+            let row = middles.get_mut(y.wrapping_sub(top));
+            if let Some(sum) = row.and_then(|row| row.get_mut(x.wrapping_sub(left))) {
+                *sum += sample;
+            }
         }
-        band.pixels[(y / n - band.top) * band.width + x / n] = pixel;
     }
     batch.points.clear();
+}
+
+/// A pixel mixed with points beside it, by the sum of these and how many there are to the left, to the right, above and below.
+fn mixed(pixel: u32, sum: u64, [left, right, above, below]: [usize; 4]) -> u32 {
+    // Thirds of the pixel along each axis that has a point; what has none is the pixel's own.
+    let thirds = 3 * ((left | right) + (above | below));
+    let own = thirds - (left + right + above + below);
+    let steps = thirds * STEP as usize;
+    let channel = |number: usize| {
+        let pixel = (pixel >> (8 * number) & 0xff) as usize * STEP as usize;
+        let sum = (sum >> (FIELD * number)) as usize % (1 << FIELD);
+        (((pixel * own + sum + steps / 2) / steps) << (8 * number)) as u32
+    };
+    channel(0) | channel(1) | channel(2)
 }

@@ -54,7 +54,7 @@ pub(crate) fn render<O: Observer>(
     worker: &mut Worker,
     band: &mut Band<'_>,
 ) {
-    worker.batch.begin();
+    worker.batch.begin(1);
     let height = band.pixels.len() / band.width;
     let width = if quality.square == 1 {
         BATCH / TILE_HEIGHT

@@ -49,6 +49,8 @@
 //! a cone as seen from the lamp, and has an outline like an object's. A square that shows the plane at a corner, and may
 //! show a shadow, is filled only where one of its corners lies in the shadow on the plane.
 //!
+//! Antialiasing leaves a pixel a third of what it shows at least.
+//!
 //! That is all that is guaranteed. Gaps between objects and between shadows, shadows on and of other objects, and by lamps
 //! that are more than points or that touch a sphere to within 0.1 % of its radius, highlights, and what is seen by
 //! reflection or through glass can be missed where they fall between corners. A guaranteed shadow may be smaller than it
@@ -110,6 +112,7 @@ mod fill;
 mod guard;
 mod marks;
 mod method;
+mod middles;
 mod patterned;
 mod points;
 mod pyramid;

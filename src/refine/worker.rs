@@ -2,10 +2,11 @@
 
 use super::guard::CoverageGuard;
 use super::marks::Marks;
+use super::middles::{Middles, NO_MIDDLES};
 use super::pyramid::Pyramid;
 use crate::trace::{BATCH, Batch, Counts};
 
-/// What one thread works in, of fixed size, and reused from tile to tile: at most 440,000 bytes, see [`Worker::BYTES`].
+/// What one thread works in, of fixed size, and reused from tile to tile: at most 460,000 bytes, see [`Worker::BYTES`].
 ///
 /// Alone, it renders on the caller's thread: see [`Threads`](crate::Threads).
 pub struct Worker {
@@ -15,6 +16,8 @@ pub struct Worker {
     pub(super) guard: CoverageGuard,
     /// Where the batch's points go: in the pyramid, or pixels in the band.
     pub(super) targets: [u32; BATCH],
+    /// The points beside the pixels of a stretch that is antialiased.
+    pub(super) middles: Middles,
 }
 
 impl Worker {
@@ -32,6 +35,7 @@ impl Worker {
                 marks: Marks::new(),
                 guard: CoverageGuard::new(),
                 targets: [0; BATCH],
+                middles: NO_MIDDLES,
             }
         }
     }

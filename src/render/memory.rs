@@ -72,7 +72,7 @@ impl Memory {
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
             refine::render(level, prepared, quality, observer, worker, band);
             band.counts = worker.take_counts();
-            if !quality.is_antialiased() {
+            if !quality.antialias {
                 text::draw(&scene.captions, height, band);
             }
         };
@@ -81,7 +81,7 @@ impl Memory {
         counts + self.smooth(level, scene, quality, width, pixels, threads)
     }
 
-    /// Gives the edges of a frame their samples, if the quality has more than one for them, and then its captions.
+    /// Smooths the edges of a frame if the quality says so, and then draws its captions.
     fn smooth(
         &mut self,
         level: Level,
@@ -91,24 +91,15 @@ impl Memory {
         pixels: &mut [u32],
         threads: &mut dyn Threads,
     ) -> Counts {
-        if !quality.is_antialiased() {
+        if !quality.antialias {
             return Counts::NONE;
         }
-        self.seams.set(quality, width, pixels);
-        // The scene again, for a picture with a pixel for each sample.
-        let (n, height, offset) = (
-            quality.antialias,
-            self.prepared.height,
-            self.prepared.offset,
-        );
-        self.prepared.offset = offset * n as f32;
-        self.prepared.set(scene, n * width, n * height);
-        self.prepared.offset = offset;
-        let (finer, seams) = (&self.prepared, &self.seams);
+        self.seams.set(level, quality, width, pixels);
+        let (prepared, seams) = (&self.prepared, &self.seams);
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
-            seams.smooth(level, finer, quality, worker, band);
+            seams.smooth(level, prepared, quality, worker, band);
             band.counts = worker.take_counts();
-            text::draw(&scene.captions, height, band);
+            text::draw(&scene.captions, prepared.height, band);
         };
         each_band(Band::rows(quality), width, pixels, &job, threads)
     }

@@ -119,7 +119,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     }
 
     /// Like [`Renderer::render`], and the observer hears how the frame comes about: the same frame, the same counts, more time.
-    /// It does not hear of the samples that edges get in the end (see [`Quality::antialias`]).
+    /// It does not hear of the points that edges get in the end (see [`Quality::antialias`]).
     ///
     /// # Errors
     /// As [`Renderer::render`].
@@ -141,8 +141,8 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     /// A scene that is not valid gives some picture, in bounded time.
     ///
     /// # Panics
-    /// If the frame's size is out of its range, if it has too few pixels, or if the quality's [`square`](Quality::square),
-    /// [`depth`](Quality::depth) or [`antialias`](Quality::antialias) is out of its range.
+    /// If the frame's size is out of its range, if it has too few pixels, or if the quality's [`square`](Quality::square) or
+    /// [`depth`](Quality::depth) is out of its range.
     pub fn render_valid(
         &mut self,
         scene: &Scene,

@@ -40,8 +40,9 @@ impl Batch {
         }
     }
 
-    /// Begins a part of a picture: forgets the surfaces of other frames.
-    pub fn begin(&mut self) {
+    /// Begins a part of a picture: forgets the surfaces of other frames. Points are counted in so many parts of a pixel.
+    pub fn begin(&mut self, parts: usize) {
         self.surfaces.clear();
+        self.points.count_in_parts(parts);
     }
 }

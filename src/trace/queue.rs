@@ -1,4 +1,4 @@
-//! The queue of the points that are traced together. Coordinates are pixels of the picture.
+//! The queue of the points that are traced together. Coordinates are pixels of the picture, or parts of them.
 
 use super::rays::{Rays, primary_directions};
 use crate::lanes::*;
@@ -10,8 +10,10 @@ pub(crate) const BATCH: usize = 1024;
 
 /// Points to trace, in the order in which they were added.
 pub(crate) struct Queue {
-    /// Where the points are: `y << 16 | x`.
+    /// Where the points are: `y << 16 | x`, in [`Queue::unit`]s.
     positions: [u32; BATCH],
+    /// What positions are counted in, as a share of a pixel; 0 before it is set.
+    unit: f32,
     len: usize,
 }
 
@@ -20,6 +22,7 @@ impl Queue {
     pub const fn new() -> Self {
         Self {
             positions: [0; BATCH],
+            unit: 0.0,
             len: 0,
         }
     }
@@ -30,7 +33,12 @@ impl Queue {
         self.len
     }
 
-    /// Adds the point at pixel (x, y); the queue must not be full.
+    /// From now on positions are counted in so many parts of a pixel: in halves, those of the widest picture fit 16 bits.
+    pub(super) fn count_in_parts(&mut self, parts: usize) {
+        self.unit = 1.0 / parts as f32;
+    }
+
+    /// Adds the point at (x, y), in pixels or parts of them; the queue must not be full.
     #[inline(always)]
     pub fn push(&mut self, x: usize, y: usize) {
         self.positions[self.len % BATCH] = (y << 16 | x) as u32;
@@ -57,9 +65,10 @@ impl Queue {
         let positions = U::<S>::from_slice(simd, &self.positions[packet::<S>(start)]);
         let x: I<S> = (positions & 0xffff).bitcast();
         let y: I<S> = (positions >> 16).bitcast();
+        let (x, y): (F<S>, F<S>) = (x.to_float(), y.to_float());
         Rays {
             o: Vec3x::splat(simd, scene.eye),
-            d: primary_directions(simd, scene, x.to_float(), y.to_float()),
+            d: primary_directions(simd, scene, x * self.unit, y * self.unit),
             weight: splat(simd, scene.weight),
             slot_path: Rays::slot_paths(simd, start),
         }

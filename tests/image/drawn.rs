@@ -14,6 +14,14 @@ pub struct Drawn {
 /// The value of pixels before they are drawn. Drawn pixels have a highest byte of 0.
 const UNDRAWN: u32 = 0xdead_beef;
 
+/// The quality without antialiasing, which mixes pixels that refining leaves as they were traced.
+pub fn jagged(quality: Quality) -> Quality {
+    Quality {
+        antialias: false,
+        ..quality
+    }
+}
+
 /// Draws a picture by one instruction set, on a number of threads.
 pub fn draw(
     isa: Isa,

@@ -1,7 +1,7 @@
 //! The overlay that explains the method marks exactly the points that are traced and the squares that are filled.
 
 use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::{draw, jagged};
 use crate::overlay::FrameTrace;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::observe::Fill;
@@ -82,7 +82,7 @@ fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads
         cpu::best(),
         2,
         &show::scene(1.0),
-        &Quality::DEFAULT,
+        &jagged(Quality::DEFAULT),
         width,
         height,
     );

@@ -1,7 +1,7 @@
 //! Every object that tracing every pixel shows is shown by every guarded quality.
 
 use crate::cpu::{self, Isa};
-use crate::drawn::draw;
+use crate::drawn::{draw, jagged};
 use crate::generator::config;
 use crate::generator::placed::{between_corners, extreme_blocks, of_the_show, placed};
 use crate::refinement::bare;
@@ -18,7 +18,7 @@ fn qualities() -> impl Iterator<Item = Quality> {
         ..Quality::DEFAULT
     };
     let named = Quality::LADDER.iter().copied().chain([Quality::THESIS]);
-    named.chain([3, 5, 12, 17].map(of_side))
+    named.chain([3, 5, 12, 17].map(of_side)).map(jagged)
 }
 
 /// Asserts that every quality shows each colour of the exhaustive picture at one of its pixels. The background is exempt: gaps

@@ -1,6 +1,6 @@
 //! Patterns in filled squares are as sharp as traced ones, and take few points.
 
-use crate::drawn::{draw, draw_by_all};
+use crate::drawn::{draw, draw_by_all, jagged};
 use crate::error::Difference;
 use eightfold::Quality;
 use eightfold::scene::{
@@ -71,8 +71,8 @@ fn scene(depth: f32, marble: f32) -> Scene {
 fn patterns_are_as_sharp_in_filled_squares_as_traced() {
     let (patterned, plain) = (scene(0.8, 2.0), scene(0.0, 2.0));
     for (isa, exhaustive) in draw_by_all(&patterned, &Quality::EXHAUSTIVE, 480, 270) {
-        let even = draw(isa, 1, &plain, &Quality::DEFAULT, 480, 270);
-        let drawn = draw(isa, 2, &patterned, &Quality::DEFAULT, 480, 270);
+        let even = draw(isa, 1, &plain, &jagged(Quality::DEFAULT), 480, 270);
+        let drawn = draw(isa, 2, &patterned, &jagged(Quality::DEFAULT), 480, 270);
         let difference = Difference::between(&exhaustive.pixels, &drawn.pixels);
         let (points, plainly) = (drawn.counts.points, even.counts.points);
         println!(
@@ -94,7 +94,7 @@ fn patterns_without_edges_are_filled_as_light_is() {
     // Patterns without edges.
     let soft = scene(0.8, 1.0);
     for (isa, exhaustive) in draw_by_all(&soft, &Quality::EXHAUSTIVE, 480, 270) {
-        let drawn = draw(isa, 2, &soft, &Quality::DEFAULT, 480, 270);
+        let drawn = draw(isa, 2, &soft, &jagged(Quality::DEFAULT), 480, 270);
         let difference = Difference::between(&exhaustive.pixels, &drawn.pixels);
         println!("{}: {difference:?}", isa.name);
         assert!(difference.psnr > 41.0, "{}: {difference:?}", isa.name);

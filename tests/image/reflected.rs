@@ -4,7 +4,7 @@
 //! default quality and the rules of 2008 alike. The largest patches have 77 pixels.
 
 use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::{draw, jagged};
 use crate::wrong_pixels::{largest_patch, wrong_pixels};
 use eightfold::Quality;
 use eightfold::scene::{Camera, List, Material, Plane, Scene, Sphere};
@@ -62,7 +62,7 @@ fn reflections_between_corners_are_missed_by_no_more_than_is_stated() {
         for i in 0..12 {
             let scene = scene(0.25 * i as f32);
             let draw = |scene: &Scene, quality| {
-                draw(cpu::best(), 2, scene, &quality, WIDTH, HEIGHT).pixels
+                draw(cpu::best(), 2, scene, &jagged(quality), WIDTH, HEIGHT).pixels
             };
             let exhaustive = draw(&scene, Quality::EXHAUSTIVE);
             let bare = draw(&without_reflections(&scene), Quality::EXHAUSTIVE);

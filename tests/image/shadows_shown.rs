@@ -5,7 +5,7 @@
 //! 125 pixels.
 
 use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::{draw, jagged};
 use crate::generator::seeded::Random;
 use crate::refinement::bare;
 use crate::wrong_pixels::largest_patch;
@@ -83,7 +83,8 @@ fn few_pixels_of_shadows_are_missed_and_their_patches_are_small() {
         let (mut shaded, mut missed, mut patch) = (0, 0, 0);
         for _ in 0..SCENES {
             let scene = scene(&mut random);
-            let draw = |quality| draw(cpu::best(), 2, &scene, &quality, WIDTH, HEIGHT).pixels;
+            let draw =
+                |quality| draw(cpu::best(), 2, &scene, &jagged(quality), WIDTH, HEIGHT).pixels;
             let exhaustive = draw(Quality::EXHAUSTIVE);
             let drawn = draw(quality);
             // A channel of lit pixels is brighter by more than 8/255.
@@ -134,7 +135,7 @@ fn every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some() {
     let mut bare_misses = 0;
     for seed in 0..SCENES {
         let scene = scene(&mut Random(seed));
-        let draw = |quality| draw(cpu::best(), 2, &scene, &quality, WIDTH, HEIGHT).pixels;
+        let draw = |quality| draw(cpu::best(), 2, &scene, &jagged(quality), WIDTH, HEIGHT).pixels;
         let exhaustive = draw(Quality::EXHAUSTIVE);
         let is_shaded = |pixels: &[u32], i: usize| pixels[i] == SHADED && exhaustive[i] == SHADED;
         let of = |pixels: Vec<u32>| {

@@ -47,7 +47,7 @@ proptest! {
         let scene = sketch.scene();
         let (width, height) = (320, 240);
         let draw = |quality| draw(cpu::best(), 2, &scene, &quality, width, height).pixels;
-        let wrong = wrong_pixels(&draw(Quality::EXHAUSTIVE), &draw(Quality::DEFAULT));
+        let wrong = wrong_pixels(&draw(Quality::DEFAULT.reference()), &draw(Quality::DEFAULT));
         let share = wrong.iter().filter(|&&wrong| wrong).count() as f64 / wrong.len() as f64;
         let patch = largest_patch(wrong, width);
         // 400 scenes had at most 4.3 % and a patch of 396, part of a shadow or of a reflection.

@@ -44,10 +44,9 @@ pub struct Arguments {
     /// Measures each quality as well with lamps that have no size, whose shadows are hard: what penumbrae cost
     #[arg(long)]
     hard_shadows: bool,
-    /// Samples a side of the pixels at edges, 1 to 8: 4 for sixteen samples, 1 for the one that all have; of the
-    /// exhaustive frames too
-    #[arg(long, value_name = "N", default_value = "1", value_parser = arguments::antialias)]
-    antialias: usize,
+    /// Leaves edges jagged; otherwise all frames are antialiased, the exhaustive ones too
+    #[arg(long)]
+    jagged: bool,
     /// Frames to draw of each quality and scene, at times spread evenly
     #[arg(long, value_name = "N", default_value = "101", value_parser = arguments::frames)]
     frames: usize,
@@ -139,7 +138,7 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
             &[false]
         };
         shadows.iter().map(move |&hard_shadows| Way {
-            quality: quality.antialiased(arguments.antialias),
+            quality: quality.antialiased(!arguments.jagged),
             hard_shadows,
         })
     });

@@ -84,7 +84,7 @@ fn draw(arguments: &Arguments) -> Vec<Figure> {
         );
         (pixels, trace)
     };
-    let (exhaustive, all) = draw(&Quality::EXHAUSTIVE);
+    let (exhaustive, all) = draw(&arguments.quality.quality.reference());
     let (picture, trace) = draw(&arguments.quality.quality);
     let frames = Frames {
         exhaustive,

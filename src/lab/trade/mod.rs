@@ -37,7 +37,7 @@ use tally::Tally;
 /// Dials in names: s side of the squares in pixels, k depth of the objects / of the lights' states compared (0/0 if not told),
 /// c tolerance within which colours fill a square, in 255ths, where these agree / where they differ (0 if not told), e tolerance
 /// of a side whose middle is averaged (c if not told), h least highlight that is a state (none if not told), u not guarded
-/// against missed objects, d depth of rays, w least contribution of a ray, a samples a side of the pixels at edges.
+/// against missed objects, d depth of rays, w least contribution of a ray, a antialiased.
 #[derive(Args)]
 pub struct Arguments {
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
@@ -45,10 +45,9 @@ pub struct Arguments {
     /// Width and height in pixels [default: 1024x768, with --quick 512x384]
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
-    /// Samples a side of the pixels at edges, 1 to 8: 4 for sixteen samples, 1 for the one that all have; of the
-    /// exhaustive frames too
-    #[arg(long, value_name = "N", default_value = "1", value_parser = arguments::antialias)]
-    antialias: usize,
+    /// Antialiases the edges of all frames, the exhaustive ones too; otherwise no frame is antialiased
+    #[arg(long)]
+    antialias: bool,
     /// Frames of each point against the clock, at times spread evenly [default: 51, with --quick 9]
     #[arg(long, value_name = "N", value_parser = arguments::frames)]
     frames: Option<usize>,

@@ -24,7 +24,7 @@ pub struct Outcome {
     pub highlight: f32,
     pub depth: u32,
     pub least_contribution: f32,
-    pub antialias: usize,
+    pub antialias: bool,
     /// Whether keys are compared.
     pub keys: bool,
     /// The number of timed frames.

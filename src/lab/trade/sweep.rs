@@ -208,11 +208,11 @@ impl Point {
         }
     }
 
-    /// Sets the number of samples per side for antialiasing.
-    pub fn antialias(&mut self, samples: usize) {
-        if samples > 1 {
-            self.quality.antialias = samples;
-            self.dials += &format!(" a{samples}");
+    /// Turns antialiasing on or off.
+    pub fn antialias(&mut self, antialias: bool) {
+        self.quality.antialias = antialias;
+        if antialias {
+            self.dials += " a";
         }
     }
 

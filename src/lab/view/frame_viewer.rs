@@ -82,15 +82,15 @@ impl FrameViewer {
         self.figures.points = counts.points as f64 / size.area() as f64;
         self.has_exhaustive = measure || controls.overlay == Overlay::Error;
         if self.has_exhaustive {
-            self.compare(&scene, size);
+            self.compare(&scene, &quality.reference(), size);
         }
         self.draw_overlay(&scene, controls, size);
         true
     }
 
     /// Draws the exhaustive frame and measures the picture's error.
-    fn compare(&mut self, scene: &Scene, size: Size) {
-        let (level, quality) = (self.isa.level, &Quality::EXHAUSTIVE);
+    fn compare(&mut self, scene: &Scene, quality: &Quality, size: Size) {
+        let level = self.isa.level;
         self.exhaustive.resize(size.area(), 0);
         self.renderer
             .draw(level, scene, quality, size.width, &mut self.exhaustive);

@@ -34,7 +34,7 @@ fn scattered<S: Isa>(
 ) -> [[Option<(Vec3A, f32)>; MAX_LANES]; 2] {
     let hit = hits(simd, scene, rays);
     let active = first(simd, lanes::<S>());
-    batch.begin();
+    batch.begin(1);
     let tracer = Tracer {
         simd,
         scene,

@@ -66,7 +66,7 @@ impl Property for OwnShadow {
                 scene: &scene,
                 quality: &Quality::EXHAUSTIVE,
             };
-            batch.begin();
+            batch.begin(1);
             let node = shade(tracer, &rays, &hit, active, &mut batch);
             for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                 if hit.object.as_slice()[i] != 0 {

@@ -224,6 +224,7 @@ pub fn quality(random: &mut Random) -> Quality {
         state_depth: random.below(9) as u32,
         depth: random.below(Quality::MAX_DEPTH as usize + 1) as u32,
         least_contribution: [0.0, 0.01, 0.2, f32::NAN][random.below(4)],
+        antialias: random.below(2) == 0,
         ..Quality::DEFAULT
     };
     [named[0], named[1], any][random.below(3)]

@@ -181,7 +181,7 @@ fn shadows_are_hard_on_request() {
 
 #[test]
 fn figures_fit_each_other() {
-    let (_, rows) = bench("--size 96x64 --threads 1 --threads 2");
+    let (_, rows) = bench("--jagged --size 96x64 --threads 1 --threads 2");
     for (row, exhaustive) in rows.iter().zip([0, 0, 0, 3, 3, 3].map(|i| &rows[i])) {
         let ms = number(row, "ms_median");
         assert!(ms > 0.0 && number(row, "ms_p99") >= ms);
@@ -281,7 +281,10 @@ fn marks_of_the_method_are_no_errors() {
 #[test]
 fn errors_are_those_of_the_pictures_that_render_draws() {
     let picture = |quality| {
-        let output = render(Path::new("-"), &["--time", "2.5", "--quality", quality]);
+        let output = render(
+            Path::new("-"),
+            &["--jagged", "--time", "2.5", "--quality", quality],
+        );
         read_png(&output.stdout).1
     };
     let (mut squares, mut over_8) = (0.0, 0);
@@ -293,7 +296,7 @@ fn errors_are_those_of_the_pictures_that_render_draws() {
         over_8 += u32::from(off.iter().any(|&d| d > 8.0));
     }
     let psnr = 10.0 * (255.0 * 255.0 * (3 * a.len()) as f64 / squares).log10();
-    let (_, rows) = bench("--size 40x30 --time-from 2.5 --time-to 2.5 --quality default");
+    let (_, rows) = bench("--jagged --size 40x30 --time-from 2.5 --time-to 2.5 --quality default");
     assert!((number(&rows[1], "psnr_worst_db") - psnr).abs() < 1e-6);
     assert!((number(&rows[1], "psnr_mean_db") - psnr).abs() < 1e-6);
     assert_eq!(number(&rows[1], "pixels_over_8"), f64::from(over_8));

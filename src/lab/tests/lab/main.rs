@@ -87,7 +87,6 @@ fn every_choice_changes_the_picture() {
         ["--scene", "field:20"],
         ["--scene", "show:finale"],
         ["--size", "41x30"],
-        ["--antialias", "2"],
     ] {
         // A flag cannot be given twice, and `render` sets the size.
         let changed = if more[0] == "--size" {
@@ -97,6 +96,7 @@ fn every_choice_changes_the_picture() {
         };
         assert_ne!(changed, plain, "{more:?}");
     }
+    assert_ne!(picture(&["--jagged"]), plain);
     assert_eq!(picture(&["--scene", "model", "--time", "0"]), plain);
 }
 
@@ -110,7 +110,6 @@ fn bad_input_is_named_in_one_line() {
         ("--time", "now", "seconds"),
         ("--time", "nan", "seconds"),
         ("--quality", "best", &qualities),
-        ("--antialias", "9", "from 1 to 8"),
         ("--threads", "0", "from 1"),
         ("--threads", "many", "from 1"),
         ("--scene", "field:0", "field:N"),

@@ -13,7 +13,6 @@ fn bad_input_is_named_in_one_line() {
         ("--threads", "0", "from 1"),
         ("--quality", "best", &qualities),
         ("--frames", "0", "from 1 to"),
-        ("--antialias", "0", "from 1 to 8"),
         ("--frames", "1.5", "from 1 to"),
         ("--frames", "100001", "to 100000"),
         ("--time-from", "inf", "seconds"),
