@@ -11,6 +11,8 @@ pub(crate) struct Air {
     pub horizon: Vec3A,
     /// Added to it at the zenith, see [`Scene::sky`].
     pub sky: Vec3A,
+    /// Whether any light has a glow.
+    pub glows: bool,
 }
 
 /// The density of haze added for the background, in 1 / scene units. It is dense enough to hide everything at the distance that
@@ -23,6 +25,7 @@ impl Air {
         is_clear: false,
         horizon: Vec3A::ZERO,
         sky: Vec3A::ZERO,
+        glows: false,
     };
 
     /// The air of a scene.
@@ -31,6 +34,7 @@ impl Air {
             is_clear: scene.haze == 0.0 && scene.sky == Vec3A::ZERO,
             horizon: scene.background,
             sky: scene.sky,
+            glows: scene.lights.iter().any(|light| light.glow > 0.0),
         }
     }
 }

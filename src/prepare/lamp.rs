@@ -20,6 +20,8 @@ pub(crate) struct Lamp {
     pub cone: Spot,
     /// See [`Light::diameter`].
     pub diameter: f32,
+    /// The square of [`Light::glow_radius`].
+    pub glow2: f32,
     /// See [`Light::max_penumbra`].
     pub max_penumbra: f32,
     /// See [`Light::is_point`].
@@ -89,6 +91,7 @@ impl Lamp {
             bright: 0.0,
         },
         diameter: 0.0,
+        glow2: 0.0,
         max_penumbra: 0.0,
         is_point: false,
         shadow_cones: [ShadowCone::ZERO; MAX_NODES],
@@ -109,6 +112,7 @@ impl Lamp {
         self.is_cone = light.spot.is_some();
         self.cone = light.spot.unwrap_or(ALL_BRIGHT);
         self.diameter = light.diameter();
+        self.glow2 = light.glow_radius() * light.glow_radius();
         // Below 0, the shadow of a sphere would not be inside that of its bound.
         self.max_penumbra = light.max_penumbra().max(0.0);
         for (cone, node) in self.shadow_cones.iter_mut().zip(nodes) {

@@ -2,6 +2,7 @@
 
 mod air;
 mod cone;
+mod film;
 mod lamp;
 mod object;
 mod outline;
@@ -13,6 +14,7 @@ mod tree;
 pub(crate) use air::Air;
 use cone::Cone;
 pub(crate) use cone::ROUNDING;
+pub(crate) use film::Film;
 pub(crate) use lamp::{Lamp, ShadowCone};
 pub(crate) use object::{Object, ObjectId};
 use outline::Outline;
@@ -49,6 +51,7 @@ pub(crate) struct Prepared {
     /// A copy of the scene.
     pub scene: Scene,
     pub air: Air,
+    pub film: Film,
     pub eye: Vec3A,
     pub raster: Raster,
     /// The height of the picture in pixels.
@@ -109,6 +112,7 @@ impl Prepared {
         Self {
             scene: Scene::ZEROED,
             air: Air::ZERO,
+            film: Film::ZERO,
             eye: Vec3A::ZERO,
             raster: Raster::ZERO,
             height: 0,
@@ -215,6 +219,7 @@ impl Prepared {
     pub fn set(&mut self, scene: &Scene, width: usize, height: usize) {
         self.scene = *scene;
         self.air = Air::of(scene);
+        self.film = Film::of(&scene.film, width, height);
         self.eye = scene.camera.eye;
         self.raster = scene.camera.raster(width, height);
         self.axes.set(&self.raster, width, height);

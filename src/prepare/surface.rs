@@ -34,6 +34,8 @@ pub(crate) struct Surface<T> {
     pub highlight_start: T,
     /// The weight of the reflected ray.
     pub kr: T,
+    /// See [`Material::fresnel`].
+    pub fresnel: T,
     /// The weight of the transmitted ray.
     pub kt: T,
     /// The refractive index.
@@ -65,6 +67,7 @@ impl<T: Copy> Surface<T> {
             exponent: number,
             highlight_start: number,
             kr: number,
+            fresnel: number,
             kt: number,
             index: number,
             haze: number,
@@ -98,6 +101,7 @@ impl<T> Surface<T> {
             others.map(|other| other.highlight_start),
         );
         call(&mut self.kr, others.map(|other| other.kr));
+        call(&mut self.fresnel, others.map(|other| other.fresnel));
         call(&mut self.kt, others.map(|other| other.kt));
         call(&mut self.index, others.map(|other| other.index));
         call(&mut self.haze, others.map(|other| other.haze));
@@ -166,6 +170,7 @@ impl Surface<f32> {
             exponent: material.exponent,
             highlight_start,
             kr: material.kr,
+            fresnel: material.fresnel,
             kt: material.kt,
             index: material.index,
             haze: match object {

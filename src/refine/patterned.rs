@@ -12,7 +12,7 @@ use crate::observe::Observer;
 use crate::prepare::ObjectId;
 use crate::quality::Quality;
 use crate::trace::{Layers, STEP, Sample, pattern_at_pixels};
-use glam::Vec3A;
+use glam::{Vec3A, vec2};
 
 /// The output's brightest step.
 const BRIGHTEST: Vec3A = Vec3A::splat(255.0);
@@ -81,8 +81,15 @@ impl<O: Observer> Tile<'_, O> {
             let row = y * self.canvas.width;
             let row = &mut self.canvas.pixels[row + left..row + right];
             let mut now = first;
-            for (pixel, &share) in row.iter_mut().zip(shares.as_flattened()) {
-                *pixel = now.pixel(share);
+            let shares = shares.as_flattened();
+            for (x, (pixel, &share)) in (left..).zip(row.iter_mut().zip(shares)) {
+                let mut colour = now.rest + now.untextured * share;
+                if object.is_some() {
+                    // Samples are exposed, layers are not.
+                    let at = vec2(x as f32, (self.area.top + y) as f32);
+                    colour = self.scene.film.expose(colour, at);
+                }
+                *pixel = rounded(colour);
                 now = now + step;
             }
             first = first + first_down;
@@ -105,12 +112,11 @@ impl Layers {
             untextured: Vec3A::ZERO,
         }
     }
+}
 
-    /// The pixel where a pattern leaves a share.
-    #[inline(always)]
-    fn pixel(self, share: f32) -> u32 {
-        let colour = (self.rest + self.untextured * share).clamp(Vec3A::ZERO, BRIGHTEST);
-        let [blue, green, red] = (colour + 0.5).to_array();
-        (red as u32) << 16 | (green as u32) << 8 | blue as u32
-    }
+/// The pixel of a colour in output steps.
+#[inline(always)]
+fn rounded(colour: Vec3A) -> u32 {
+    let [blue, green, red] = (colour.clamp(Vec3A::ZERO, BRIGHTEST) + 0.5).to_array();
+    (red as u32) << 16 | (green as u32) << 8 | blue as u32
 }

@@ -6,6 +6,7 @@
 mod block;
 pub(crate) mod camera;
 mod caption;
+mod film;
 mod list;
 mod method;
 mod pattern;
@@ -14,6 +15,7 @@ mod validate;
 pub use block::{Block, Shape};
 pub use camera::Camera;
 pub use caption::{Caption, MAX_LETTERS};
+pub use film::Film;
 use glam::{Mat3A, Vec3A};
 pub use list::List;
 pub use method::Method;
@@ -49,6 +51,8 @@ pub struct Scene {
     pub haze: f32,
     /// How far the picture is faded to black, -10 to 1: 0 leaves it as it is, 1 is black, negative values brighten it.
     pub fade: f32,
+    /// How light becomes the picture's colours.
+    pub film: Film,
     /// Ambient light, which reaches every surface equally.
     pub ambient: Vec3A,
     /// The overlay that explains the rendering method.
@@ -84,6 +88,10 @@ impl Scene {
             sky: Vec3A::ZERO,
             haze: 0.0,
             fade: 0.0,
+            film: Film {
+                shoulder: 0.0,
+                vignette: 0.0,
+            },
             ambient: Vec3A::ZERO,
             method: Method {
                 points: 0.0,
@@ -132,6 +140,10 @@ pub struct Material {
     pub exponent: f32,
     /// The weight of the reflected ray, 0 to 1.
     pub kr: f32,
+    /// How much more it reflects at grazing angles, 0 to 1, by Schlick's approximation: at an angle with the cosine c the share
+    /// `f = fresnel (1 - c)^5` of what `kr` leaves of 1 is added to it, and the transmitted ray loses the share f. 1 is a
+    /// polished surface, 0 one that reflects the same at all angles.
+    pub fresnel: f32,
     /// The weight of the transmitted ray, 0 to 1. The surface is transparent if it is above 0.
     pub kt: f32,
     /// The refractive index of the inside relative to the outside, 0.1 to 10. It matters only if `kt` is above 0.
@@ -151,6 +163,7 @@ impl Material {
         ks: 0.0,
         exponent: 1.0,
         kr: 0.0,
+        fresnel: 0.0,
         kt: 0.0,
         index: 1.0,
         tint: Vec3A::ZERO,
@@ -192,12 +205,17 @@ pub struct Light {
     /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`], or 0 for a light that is invisible. The
     /// sphere casts no shadow.
     pub radius: f32,
-    /// Whether its rays are nearly parallel, like the sun's: `position` and `size` are multiplied by [`Light::FAR`], and the
+    /// Whether its rays are nearly parallel, like the sun's: `position`, `size` and `glow` are multiplied by [`Light::FAR`], and the
     /// light is not drawn.
     pub parallel: bool,
     /// The diameter of the light as far as shadows are concerned, 0 to [`MAX_LENGTH`]. Above 0 the shadows of spheres have
     /// penumbrae, and a material's `tint` colours its shadow. 0 is a point, whose shadows are hard and black.
     pub size: f32,
+    /// The radius of the glow around it, 0 to [`MAX_LENGTH`]; 0 is none. The air shines with the light's colour, as bright as that
+    /// where a ray passes through the position, half as bright at this distance, and less by its square far away. What is before
+    /// the light is in front of the half of the glow that is behind it. Of parallel rays the radius is multiplied by
+    /// [`Light::FAR`], too, so that the glow is the sun's disc.
+    pub glow: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,
 }
@@ -214,25 +232,28 @@ impl Light {
         radius: 0.0,
         parallel: false,
         size: 0.0,
+        glow: 0.0,
         spot: None,
     };
 
-    /// The position that shadow rays aim at: that of parallel rays is far away.
+    /// The factor on lengths: parallel rays come from far away.
+    fn far(&self) -> f32 {
+        if self.parallel { Self::FAR } else { 1.0 }
+    }
+
+    /// The position that shadow rays aim at.
     pub(crate) fn shadow_position(&self) -> Vec3A {
-        if self.parallel {
-            self.position * Self::FAR
-        } else {
-            self.position
-        }
+        self.position * self.far()
     }
 
     /// The diameter at [`Light::shadow_position`].
     pub(crate) fn diameter(&self) -> f32 {
-        if self.parallel {
-            self.size * Self::FAR
-        } else {
-            self.size
-        }
+        self.size * self.far()
+    }
+
+    /// The radius of the glow at [`Light::shadow_position`].
+    pub(crate) fn glow_radius(&self) -> f32 {
+        self.glow * self.far()
     }
 
     /// The largest width of a penumbra where its shadow is cast. Penumbrae of parallel rays would grow without end: theirs stay

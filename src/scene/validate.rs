@@ -51,7 +51,10 @@ impl Scene {
         let is_haze = (0.0..=1e3).contains(&self.haze);
         Checked::one("haze").field("", self.haze, HAZE, is_haze)?;
         let is_fade = (-10.0..=1.0).contains(&self.fade);
-        Checked::one("fade").field("", self.fade, FADE, is_fade)
+        Checked::one("fade").field("", self.fade, FADE, is_fade)?;
+        let film = Checked::one("film");
+        film.share("shoulder", self.film.shoulder)?;
+        film.share("vignette", self.film.vignette)
     }
 
     fn validate_method(&self) -> Result<(), Flaw> {
@@ -124,6 +127,8 @@ impl Light {
         light.field("radius", radius, takes, radius == 0.0 || is_extent(radius))?;
         let is_size = (0.0..=MAX_LENGTH).contains(&size);
         light.field("size", size, "a length from 0 to 1e9", is_size)?;
+        let is_glow = (0.0..=MAX_LENGTH).contains(&self.glow);
+        light.field("glow", self.glow, "a length from 0 to 1e9", is_glow)?;
         let Some(spot) = self.spot else {
             return Ok(());
         };
@@ -172,6 +177,7 @@ impl Material {
         let is_exponent = (1.0..=1000.0).contains(&self.exponent);
         object.field("material.exponent", self.exponent, "1 to 1000", is_exponent)?;
         object.share("material.kr", self.kr)?;
+        object.share("material.fresnel", self.fresnel)?;
         object.share("material.kt", self.kt)?;
         let is_index = self.kt == 0.0 || (0.1..=10.0).contains(&self.index);
         let takes = "0.1 to 10 where kt is above 0";

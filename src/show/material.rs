@@ -169,6 +169,7 @@ pub(super) static DUSK: Material = Material {
     ks: 0.2,
     exponent: 20.0,
     kr: 0.45,
+    fresnel: 0.6,
     ..MATT
 };
 

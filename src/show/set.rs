@@ -1,7 +1,7 @@
 //! What is set up for a scene of the show: air, floor, lamps, props.
 
 use super::props::Prop;
-use crate::scene::{Light, Material, Plane, Scene, Spot};
+use crate::scene::{Film, Light, Material, Plane, Scene, Spot};
 use glam::Vec3A;
 
 /// What is set up for an act, or for several in a row.
@@ -14,6 +14,8 @@ pub(super) struct Set {
     pub ambient: Vec3A,
     /// See [`Scene::haze`].
     pub haze: f32,
+    /// See [`Scene::film`].
+    pub film: Film,
     /// The material of the floor, a square about the origin at y = 0.
     pub floor: &'static Material,
     /// Half the side of the floor, in scene units.
@@ -27,6 +29,13 @@ pub(super) struct Set {
     /// Adds objects that no table describes, as they are so many beats after the set was first shown.
     pub special: Option<fn(f32, &mut Scene)>,
 }
+
+/// The film of the show: what is brighter than four fifths rolls off, and the corners of a wide picture are a quarter darker, which
+/// leads the eye to the middle.
+pub(super) const SHOW: Film = Film {
+    shoulder: 0.8,
+    vignette: 0.08,
+};
 
 /// Half the side of a floor that seems endless: haze hides its edge.
 pub(super) const FAR: f32 = 100.0;
@@ -55,6 +64,7 @@ impl Set {
         scene.sky = self.sky;
         scene.ambient = self.ambient;
         scene.haze = self.haze;
+        scene.film = self.film;
         scene.planes.clear();
         scene.planes.push(Plane {
             centre: Vec3A::ZERO,

@@ -1,13 +1,14 @@
 //! Sums up, point by point, what the rays of a batch bring back.
 
 use super::contribution::Contribution;
-use super::queue::{BATCH, packet};
+use super::queue::{BATCH, Queue, packet};
 use super::rays::Rays;
 use super::sample::{STEP_BITS, Sum};
 use super::{Layers, Sample, sample};
 use crate::lanes::*;
+use crate::prepare::Film;
 use fearless_simd::i32x4;
-use glam::Vec3A;
+use glam::{Vec2, Vec3A};
 
 /// The element of a [`Sum`] that holds the key.
 const KEY: usize = 3;
@@ -54,10 +55,8 @@ impl Accumulator {
         let i = i % BATCH;
         let [blue, green, red, share] = self.patterned[i];
         let untextured = Vec3A::new(blue, green, red);
-        let [blue, green, red, _] = self.sums[i].map(|sum| sum as f32);
-        let sum = Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32);
         Layers {
-            rest: sum - untextured * share,
+            rest: steps(&self.sums[i]) - untextured * share,
             untextured,
         }
     }
@@ -73,14 +72,21 @@ impl Accumulator {
         &self.pixels
     }
 
-    /// Turns the sums of the first `count` points into samples.
+    /// Turns the sums of the points into samples.
     #[inline(always)]
-    pub(super) fn finish<S: Isa>(&mut self, simd: S, count: usize) {
-        let n = lanes::<S>();
-        for start in (0..count.min(BATCH)).step_by(n) {
+    pub(super) fn finish<S: Isa>(&mut self, simd: S, film: &Film, queue: &Queue) {
+        let mut exposed = [[0; 4]; MAX_LANES];
+        let exposed = &mut exposed[..lanes::<S>()];
+        for start in (0..queue.len().min(BATCH)).step_by(lanes::<S>()) {
             let points = packet::<S>(start);
-            let samples = &mut self.samples[points.clone()];
-            sample::from_sums(simd, &self.sums[points], samples);
+            let mut sums = &self.sums[points.clone()];
+            if !film.is_plain {
+                for ((i, sum), exposed) in points.clone().zip(sums).zip(&mut *exposed) {
+                    *exposed = exposed_sum(film, sum, queue.pixel(i));
+                }
+                sums = exposed;
+            }
+            sample::from_sums(simd, sums, &mut self.samples[points]);
         }
     }
 
@@ -140,4 +146,16 @@ impl Accumulator {
             new.store_array(sum);
         }
     }
+}
+
+/// A sum's blue, green and red in output steps.
+fn steps(sum: &Sum) -> Vec3A {
+    let [blue, green, red, _] = sum.map(|sum| sum as f32);
+    Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32)
+}
+
+/// A point's sum after the film, without its key.
+fn exposed_sum(film: &Film, sum: &Sum, at: Vec2) -> Sum {
+    let colour = film.expose(steps(sum), at) * (1 << STEP_BITS) as f32 + 0.5;
+    colour.extend(0.0).to_array().map(|channel| channel as i32)
 }

@@ -1,8 +1,11 @@
-//! Haze and sky: how the light of a surface fades on its way to the ray's origin, and the colour of the background.
+//! Haze, sky and glow: how the light of a surface fades on its way to the ray's origin, the colour of the background, and the light
+//! of the air around lamps.
 
+use super::rays::Rays;
 use super::surface::SurfaceLanes;
 use crate::lanes::*;
 use crate::prepare::{Air, Prepared};
+use glam::Vec3A;
 
 /// The haze along a packet's rays.
 pub(super) struct AirLanes<S: Isa> {
@@ -40,4 +43,31 @@ impl<S: Isa> AirLanes<S> {
     pub fn veil(&self, colour: Vec3x<S>) -> Vec3x<S> {
         self.sky.add_scaled(colour - self.sky, self.transmittance)
     }
+}
+
+/// No surface is farther away, nor any lamp; the square is finite.
+const FARTHEST: f32 = 1e15;
+
+/// The light of the air around lamps along rays that hit surfaces at distance `t`.
+///
+/// The air shines by `a^2 / 2 (r^2 + a^2)^(-3/2)` at the distance r of a lamp with a glow of radius a. The integral along a ray
+/// that passes the lamp at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))`, where
+/// `q = h^2 + a^2`: of an endless ray, `a^2 / q`.
+#[inline(always)]
+pub(super) fn glow<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>, t: F<S>) -> Vec3x<S> {
+    let t = at_most::<S>(t, splat(simd, FARTHEST));
+    let mut light = Vec3x::splat(simd, Vec3A::ZERO);
+    for lamp in scene.lamps() {
+        if lamp.glow2 > 0.0 {
+            let to_lamp = Vec3x::splat(simd, lamp.position) - rays.o;
+            let x = -to_lamp.dot(rays.d);
+            let across = to_lamp.add_scaled(rays.d, x);
+            let q = across.dot(across) + lamp.glow2;
+            let y = t + x;
+            let (x, y) = (x / (x * x + q).sqrt(), y / (y * y + q).sqrt());
+            let share = (y - x) * (0.5 * lamp.glow2) / q;
+            light = light.add_scaled(Vec3x::splat(simd, lamp.colour), share);
+        }
+    }
+    light
 }

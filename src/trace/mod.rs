@@ -76,7 +76,7 @@ pub(crate) fn trace(
         _ => trace_by(baseline(), scene, quality, seen, batch),
     }
     // This takes a thousandth of the time, so one instruction set is enough.
-    batch.results.finish(baseline(), batch.points.len());
+    batch.results.finish(baseline(), &scene.film, &batch.points);
 }
 
 #[inline(always)]

@@ -4,6 +4,7 @@ use super::rays::{Rays, primary_directions};
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use core::ops::Range;
+use glam::{Vec2, vec2};
 
 /// The most points that are traced together: their sums take 16 kB, which stay in the nearest cache.
 pub(crate) const BATCH: usize = 1024;
@@ -56,6 +57,12 @@ impl Queue {
     pub fn position(&self, i: usize) -> (usize, usize) {
         let position = self.positions[i % BATCH] as usize;
         (position & 0xffff, position >> 16)
+    }
+
+    /// The position of point number `i`, in pixels.
+    pub(super) fn pixel(&self, i: usize) -> Vec2 {
+        let (x, y) = self.position(i);
+        vec2(x as f32, y as f32) * self.unit
     }
 
     /// The primary rays of a packet of points from number `start`, a multiple of the number of lanes. Lanes beyond the last point

@@ -1,6 +1,6 @@
 //! Shading: the contribution of a hit to its point, and the secondary rays.
 
-use super::air::AirLanes;
+use super::air::{self, AirLanes};
 use super::batch::Batch;
 use super::contribution::Contribution;
 use super::intersect::Hit;
@@ -62,6 +62,9 @@ pub(super) fn shade<S: Isa>(
     if let Some(air) = &air {
         colour = air.veil(colour);
     }
+    if scene.air.glows {
+        colour = colour + air::glow(simd, scene, rays, hit.t);
+    }
     Contribution {
         colour: colour.scaled(active.select(rays.weight, splat(simd, 0.0))),
         key: keys.terms(simd, quality, hit.object),
@@ -88,7 +91,6 @@ fn scatter<S: Isa>(
     let deepest = U::<S>::splat(simd, 1 << quality.depth);
     let follow = point.solid & parents.paths().simd_lt(deepest);
     let reflected = parents.reflected_slot_paths();
-    let mut kr = surface.kr();
     let ShadingPoint {
         p,
         n,
@@ -96,6 +98,13 @@ fn scatter<S: Isa>(
         hit_error,
         ..
     } = *point;
+    // Schlick's approximation.
+    let grazing = dn + 1.0;
+    let grazing2 = grazing * grazing;
+    let gain = surface.fresnel() * (grazing2 * grazing2 * grazing);
+    let mut kr = surface.kr();
+    kr = kr + gain * (one - kr);
+    let kt = surface.kt() * (one - gain);
     let mut through = M::<S>::splat(simd, false);
     let mut transmitted = Rays {
         o: p.add_scaled(n, hit_error * -2.0),
@@ -103,14 +112,14 @@ fn scatter<S: Isa>(
         weight: zero,
         slot_path: reflected + 1,
     };
-    let glass = follow & surface.kt().simd_gt(zero);
+    let glass = follow & kt.simd_gt(zero);
     if glass.any_true() {
         let eta = point.inside.select(surface.index(), one / surface.index());
         // The cosine of the transmitted ray, squared; below 0 all light is reflected.
         let k = one - eta * eta * (one - dn * dn);
         let total = k.simd_lt(zero);
-        kr = (glass & total).select(kr + surface.kt(), kr);
-        transmitted.weight = parents.weight * surface.kt();
+        kr = (glass & total).select(kr + kt, kr);
+        transmitted.weight = parents.weight * kt;
         through = glass & !total & transmitted.weight.simd_ge(least);
         let along = -eta.mul_add(dn, at_least::<S>(k, zero).sqrt());
         transmitted.d = parents.d.scaled(eta).add_scaled(n, along);

@@ -169,6 +169,11 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     }
 
     #[inline(always)]
+    pub fn fresnel(&self) -> F<S> {
+        self.number(&self.rows.fresnel)
+    }
+
+    #[inline(always)]
     pub fn kt(&self) -> F<S> {
         self.number(&self.rows.kt)
     }

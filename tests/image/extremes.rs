@@ -199,6 +199,7 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
         add(&mut all, "light's colour", &mut light.colour);
         lengths.push(("light's radius", &mut light.radius));
         lengths.push(("light's size", &mut light.size));
+        lengths.push(("light's glow", &mut light.glow));
     }
     for material in materials {
         let Material {
@@ -207,6 +208,7 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
             ks,
             exponent,
             kr,
+            fresnel,
             kt,
             index,
             tint,
@@ -218,7 +220,8 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
         lengths.extend([("depth", &mut pattern.depth), ("edge", &mut pattern.edge)]);
         lengths.extend([("warp", &mut pattern.warp), ("grain", &mut pattern.grain)]);
         lengths.extend([("kd", kd), ("ks", ks), ("exponent", exponent)]);
-        lengths.extend([("kr", kr), ("kt", kt), ("index", index)]);
+        lengths.extend([("kr", kr), ("fresnel", fresnel)]);
+        lengths.extend([("kt", kt), ("index", index)]);
     }
     all.extend(lengths);
     all

@@ -9,6 +9,7 @@ mod any_scene;
 mod drawn;
 mod error_measures;
 mod extremes;
+mod film;
 mod generator;
 mod golden;
 mod limits;

@@ -31,7 +31,7 @@ pub struct Oracle<'a> {
 /// The result of tracing a point.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Traced {
-    /// Linear RGB, not clamped.
+    /// RGB after the film, not clamped.
     pub colour: DVec3,
     /// A hash of the whole ray tree: the object that each ray hit, and which lights were lit there.
     pub tree: u64,
@@ -108,8 +108,27 @@ impl<'a> Oracle<'a> {
         let ray = self.primary_ray(x, y);
         let mut traced = Traced::default();
         let weight = 1.0 - self.scene.fade;
-        traced.colour = f64::from(weight) * self.follow(ray, weight, 1, &mut traced);
+        let light = f64::from(weight) * self.follow(ray, weight, 1, &mut traced);
+        traced.colour = self.exposed(light, x, y);
         traced
+    }
+
+    /// What the film makes of the light at a pixel.
+    fn exposed(&self, light: DVec3, x: isize, y: isize) -> DVec3 {
+        let from_middle =
+            |at: isize, size: usize| (2.0 * at as f64 + 1.0 - size as f64) / self.height as f64;
+        let (across, down) = (from_middle(x, self.width), from_middle(y, self.height));
+        let film = &self.scene.film;
+        let vignette = f64::from(film.vignette) * (across * across + down * down);
+        let shoulder = f64::from(film.shoulder);
+        let roll_off = |c: f64| {
+            if c <= shoulder {
+                return c;
+            }
+            let (over, room) = (c - shoulder, 1.0 - shoulder);
+            shoulder + over * room / (room + over)
+        };
+        (light / (1.0 + vignette)).map(roll_off)
     }
 }
 

@@ -4,7 +4,7 @@ use super::intersect::block;
 use super::light::ToLight;
 use super::pattern::reflectance;
 use super::{Object, Oracle, Ray, Traced};
-use eightfold::scene::Material;
+use eightfold::scene::{Light, Material};
 use glam::DVec3;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -22,16 +22,19 @@ impl Oracle<'_> {
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
         let (object, t) = self.nearest(ray);
+        let glow = self.glow(ray, t);
+        // What a single ray brings to the eye, without those that follow it.
+        let cut = |light: DVec3| light.min(DVec3::splat(2.0 / f64::from(weight)));
         let p = ray.o + t * ray.d;
         // The material, the outward normal, and the hit from the centre along the object's own axes.
         let (material, normal, own): (&Material, _, _) = match object {
             Object::Background => {
                 self.note(object, &[], path, traced);
-                return self.behind(ray.d);
+                return cut(self.behind(ray.d) + glow);
             }
             Object::Light(i) => {
                 self.note(object, &[], path, traced);
-                return self.scene.lights[i].colour.as_dvec3();
+                return cut(self.scene.lights[i].colour.as_dvec3() + glow);
             }
             Object::Sphere(i) => {
                 let sphere = &self.scene.spheres[i];
@@ -73,7 +76,8 @@ impl Oracle<'_> {
             states.push(state);
         }
         self.note(object, &states, path, traced);
-        colour += self.secondary(
+        let own = cut(self.behind(ray.d).lerp(colour, transmittance) + glow);
+        let secondary = self.secondary(
             ray,
             p,
             n,
@@ -83,7 +87,29 @@ impl Oracle<'_> {
             path,
             traced,
         );
-        self.behind(ray.d).lerp(colour, transmittance)
+        own + transmittance * secondary
+    }
+
+    /// The light of the air around lamps up to a distance: the sum over short steps would be the same.
+    fn glow(&self, ray: Ray, t: f64) -> DVec3 {
+        let mut light = DVec3::ZERO;
+        for lamp in self.scene.lights.iter() {
+            let far = if lamp.parallel {
+                f64::from(Light::FAR)
+            } else {
+                1.0
+            };
+            let radius2 = (f64::from(lamp.glow) * far).powi(2);
+            if radius2 > 0.0 {
+                let to_lamp = lamp.position.as_dvec3() * far - ray.o;
+                let nearest = to_lamp.dot(ray.d);
+                let q = (to_lamp - nearest * ray.d).length_squared() + radius2;
+                let sine = |at: f64| (at - nearest) / (q + (at - nearest).powi(2)).sqrt();
+                let share = 0.5 * radius2 / q * (sine(t.min(1e20)) - sine(0.0));
+                light += share * lamp.colour.as_dvec3();
+            }
+        }
+        light
     }
 
     /// The background in a direction.
@@ -110,18 +136,20 @@ impl Oracle<'_> {
             return colour;
         }
         let cosine = -ray.d.dot(n);
-        let mut kr = material.kr;
-        if material.kt > 0.0 {
+        let gain = material.fresnel * (1.0 - cosine).powi(5) as f32;
+        let mut kr = material.kr + gain * (1.0 - material.kr);
+        let kt = material.kt * (1.0 - gain);
+        if kt > 0.0 {
             let index = f64::from(material.index);
             let eta = if inside { index } else { 1.0 / index };
             let k = 1.0 - eta * eta * (1.0 - cosine * cosine);
-            let weight = weight * material.kt;
+            let weight = weight * kt;
             if k < 0.0 {
-                kr += material.kt;
+                kr += kt;
             } else if weight >= self.quality.least_contribution {
                 let d = eta * ray.d + (eta * cosine - k.sqrt()) * n;
                 let seen = self.follow(Ray { o: p, d }, weight, 2 * path + 1, traced);
-                colour += f64::from(material.kt) * seen;
+                colour += f64::from(kt) * seen;
             }
         }
         let weight = weight * kr;

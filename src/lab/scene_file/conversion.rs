@@ -1,7 +1,8 @@
 //! Scenes of the library as descriptions, and descriptions as scenes.
 
 use super::description::{
-    Block, Camera, Caption, Description, Light, Material, Method, Pattern, Plane, Sphere, Spot,
+    Block, Camera, Caption, Description, Film, Light, Material, Method, Pattern, Plane, Sphere,
+    Spot,
 };
 use eightfold::glam::{EulerRot, Mat3A};
 use eightfold::scene::{self, List, Scene};
@@ -32,13 +33,14 @@ macro_rules! same_fields {
 }
 
 same_fields!(Camera, eye, look_at, up, field_of_view);
+same_fields!(Film, shoulder, vignette);
 same_fields!(Method, points, squares, picture);
 same_fields!(Pattern, waves, depth, edge, warp, grain);
 same_fields!(
-    Material, colour, kd, ks, exponent, kr, kt, index, tint, pattern
+    Material, colour, kd, ks, exponent, kr, fresnel, kt, index, tint, pattern
 );
 same_fields!(Spot, aim, dark, bright);
-same_fields!(Light, position, colour, radius, parallel, size; spot);
+same_fields!(Light, position, colour, radius, parallel, size, glow; spot);
 
 impl From<scene::Caption> for Caption {
     fn from(caption: scene::Caption) -> Self {
@@ -119,6 +121,7 @@ impl Description {
             sky: scene.sky.into(),
             haze: scene.haze,
             fade: scene.fade,
+            film: scene.film.into(),
             ambient: scene.ambient.into(),
             method: scene.method.into(),
             materials,
@@ -154,6 +157,7 @@ impl Description {
             sky: self.sky.into(),
             haze: self.haze,
             fade: self.fade,
+            film: self.film.into(),
             ambient: self.ambient.into(),
             method: self.method.into(),
             ..Scene::default()

@@ -20,6 +20,7 @@ pub struct Description {
     pub sky: Vector,
     pub haze: f32,
     pub fade: f32,
+    pub film: Film,
     pub ambient: Vector,
     pub method: Method,
     /// The materials by name.
@@ -43,6 +44,14 @@ pub struct Camera {
     pub field_of_view: f32,
 }
 
+/// See [`scene::Film`].
+#[derive(Clone, Debug, Serialize, Deserialize, PartialEq)]
+#[serde(default, deny_unknown_fields)]
+pub struct Film {
+    pub shoulder: f32,
+    pub vignette: f32,
+}
+
 /// See [`scene::Method`].
 #[derive(Clone, Debug, Serialize, Deserialize, PartialEq)]
 #[serde(default, deny_unknown_fields)]
@@ -61,6 +70,7 @@ pub struct Material {
     pub ks: f32,
     pub exponent: f32,
     pub kr: f32,
+    pub fresnel: f32,
     pub kt: f32,
     pub index: f32,
     pub tint: Vector,
@@ -131,6 +141,7 @@ pub struct Light {
     pub radius: f32,
     pub parallel: bool,
     pub size: f32,
+    pub glow: f32,
     pub spot: Option<Spot>,
 }
 
@@ -169,6 +180,12 @@ impl Default for Description {
 impl Default for Camera {
     fn default() -> Self {
         scene::Camera::default().into()
+    }
+}
+
+impl Default for Film {
+    fn default() -> Self {
+        scene::Film::default().into()
     }
 }
 

@@ -32,15 +32,16 @@ const fn library(
     }
 }
 
-const STRUCTS: [Struct; 10] = [
+const STRUCTS: [Struct; 11] = [
     library("camera", "Camera", 4, "Camera::default()"),
+    library("film", "Film", 2, "Film::default()"),
     library("method", "Method", 3, "Method::default()"),
-    library("materials", "Material", 9, "Material::BLACK"),
+    library("materials", "Material", 10, "Material::BLACK"),
     library("pattern", "Pattern", 5, "Pattern::NONE"),
     library("spheres", "Sphere", 3, "Sphere::default()"),
     library("planes", "Plane", 4, "Plane::default()"),
     library("blocks", "Block", 5, "Block::default()"),
-    library("lights", "Light", 6, "Light::DARK"),
+    library("lights", "Light", 7, "Light::DARK"),
     library("spot", "Spot", 3, "Spot::default()"),
     library("captions", "Caption", 4, "Caption::default()"),
 ];

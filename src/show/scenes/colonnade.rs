@@ -5,7 +5,7 @@ use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::{Motion::Bouncing, Prop, cuboid, cylinder, sphere};
-use crate::show::set::{FAR, Set, point, sun};
+use crate::show::set::{FAR, SHOW, Set, point, sun};
 use glam::vec3a;
 
 /// The scene as a record.
@@ -21,6 +21,7 @@ static SET: Set = Set {
     sky: vec3a(-0.62, -0.26, 0.10),
     ambient: vec3a(0.16, 0.15, 0.20),
     haze: 0.022,
+    film: SHOW,
     floor: &material::SANDSTONE,
     floor_half: FAR,
     lights: &[

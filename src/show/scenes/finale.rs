@@ -6,7 +6,7 @@ use crate::show::captions::Line;
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::{Prop, add_sphere, around, sphere};
-use crate::show::set::{FAR, Set, point};
+use crate::show::set::{FAR, SHOW, Set, point};
 use glam::{Vec3A, vec3a};
 
 /// The scene as a record.
@@ -22,12 +22,14 @@ static SET: Set = Set {
     sky: vec3a(-0.97, -0.44, 0.20),
     ambient: vec3a(0.12, 0.11, 0.16),
     haze: 0.02,
+    film: SHOW,
     floor: &material::DUSK,
     floor_half: FAR,
     lights: &[
         // The sun.
         Light {
             radius: 3.0,
+            glow: 4.0,
             ..point([2.0, 2.4, 35.0], [1.00, 0.72, 0.42])
         },
         point([-6.0, 8.0, -8.0], [0.75, 0.62, 0.72]),

@@ -6,7 +6,7 @@ use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::{Prop, add_block, add_sphere, around, cylinder};
-use crate::show::set::{FAR, Set, point};
+use crate::show::set::{FAR, SHOW, Set, point};
 use glam::{Mat3A, Vec3A, vec3a};
 
 /// The scene as a record.
@@ -22,12 +22,14 @@ static SET: Set = Set {
     sky: vec3a(-0.10, -0.08, -0.16),
     ambient: vec3a(0.10, 0.11, 0.15),
     haze: 0.03,
+    film: SHOW,
     floor: &material::DUSK,
     floor_half: FAR,
     lights: &[
         // The sun of the orrery.
         Light {
             radius: 0.5,
+            glow: 0.6,
             ..point([0.0, HEIGHT, 0.0], [0.87, 0.66, 0.35])
         },
         Light {

@@ -2,7 +2,7 @@
 //!
 //! It follows the test scene of the 2008 thesis.
 
-use crate::scene::Light;
+use crate::scene::{Film, Light};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
@@ -24,6 +24,7 @@ pub(in crate::show) static SET: Set = Set {
     sky: Vec3A::ZERO,
     ambient: vec3a(0.12, 0.12, 0.14),
     haze: 0.0,
+    film: Film::PLAIN,
     floor: &material::PAPER,
     floor_half: 12.0,
     lights: &[

@@ -6,7 +6,7 @@ use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::around;
-use crate::show::set::{FAR, Set, point};
+use crate::show::set::{FAR, SHOW, Set, point};
 use core::f32::consts::TAU;
 use glam::{Vec3A, vec3a};
 
@@ -23,6 +23,7 @@ static SET: Set = Set {
     sky: vec3a(-0.08, -0.09, -0.12),
     ambient: vec3a(0.12, 0.12, 0.15),
     haze: 0.03,
+    film: SHOW,
     floor: &material::NIGHT,
     floor_half: FAR,
     lights: &[

@@ -8,7 +8,7 @@ use crate::show::captions::Line;
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::{add_block, add_sphere};
-use crate::show::set::{FAR, Set, point};
+use crate::show::set::{FAR, SHOW, Set, point};
 use glam::{Mat3A, Vec2, Vec3A, vec3a};
 
 /// The scene as a record.
@@ -24,12 +24,14 @@ static SET: Set = Set {
     sky: vec3a(-0.15, -0.11, -0.18),
     ambient: vec3a(0.10, 0.10, 0.12),
     haze: 0.02,
+    film: SHOW,
     floor: &material::DUSK,
     floor_half: FAR,
     lights: &[
         // The lamp, see `add`.
         Light {
             radius: 0.12,
+            glow: 0.15,
             ..point([0.0, 1.1, -1.4], [0.86, 0.69, 0.43])
         },
         point([7.0, 8.0, -9.0], [0.67, 0.52, 0.34]),

@@ -8,7 +8,7 @@ pub mod placed;
 pub mod seeded;
 
 use eightfold::scene::{
-    Block, Camera, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
+    Block, Camera, Film, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
@@ -46,19 +46,22 @@ fn material() -> impl Strategy<Value = Material> {
         0.0_f32..1.0,
         prop_oneof![Just(0.0_f32), 0.1_f32..1.0],
         1.0_f32..200.0,
-        0.0_f32..1.0,
+        (0.0_f32..1.0, 0.0_f32..1.0),
         (glass, index),
     )
-        .prop_map(|(colour, kd, ks, exponent, kr, (kt, index))| Material {
-            colour,
-            kd,
-            ks,
-            exponent,
-            kr: kr * (1.0 - kt),
-            kt,
-            index,
-            ..Material::BLACK
-        })
+        .prop_map(
+            |(colour, kd, ks, exponent, (kr, fresnel), (kt, index))| Material {
+                colour,
+                kd,
+                ks,
+                exponent,
+                kr: kr * (1.0 - kt),
+                fresnel,
+                kt,
+                index,
+                ..Material::BLACK
+            },
+        )
 }
 
 /// A sphere near the origin.
@@ -164,7 +167,7 @@ fn pattern() -> impl Strategy<Value = Pattern> {
     let waves = || prop_oneof![Just(0.0_f32), 0.2_f32..2.0];
     (
         (waves(), waves(), waves()),
-        (0.2_f32..1.0, 0.5_f32..50.0),
+        (0.2_f32..1.0, 0.5_f32..20.0),
         (0.0_f32..1.5, 0.2_f32..2.0),
     )
         .prop_map(|((x, y, z), (depth, edge), (warp, grain))| Pattern {
@@ -181,6 +184,8 @@ fn painted() -> impl Strategy<Value = Material> {
     (material(), pattern(), colour()).prop_map(|(material, pattern, tint)| Material {
         tint: if material.kt > 0.0 { tint } else { Vec3A::ZERO },
         pattern,
+        // A curved mirror at a grazing angle shows patterns finer than f32 can tell.
+        fresnel: 0.05 * material.fresnel,
         ..material
     })
 }
@@ -227,24 +232,27 @@ fn any_light() -> impl Strategy<Value = Light> {
     (
         ([-9.0_f32..9.0, 6.0..12.0, -9.0..9.0], colour()),
         (0.0_f32..0.4, any::<bool>()),
-        prop_oneof![Just(0.0_f32), 0.1_f32..2.0],
+        [0.1_f32, 0.1].map(|least| prop_oneof![Just(0.0), least..2.0]),
         proptest::option::of(spot),
     )
-        .prop_map(|((position, colour), (radius, parallel), size, spot)| {
-            let position = Vec3A::from(position);
-            Light {
-                position,
-                colour,
-                radius,
-                parallel,
-                size,
-                spot: spot.map(|(dark, soft)| Spot {
-                    aim: -position.normalize(),
-                    dark,
-                    bright: dark + soft,
-                }),
-            }
-        })
+        .prop_map(
+            |((position, colour), (radius, parallel), [size, glow], spot)| {
+                let position = Vec3A::from(position);
+                Light {
+                    position,
+                    colour,
+                    radius,
+                    parallel,
+                    size,
+                    glow,
+                    spot: spot.map(|(dark, soft)| Spot {
+                        aim: -position.normalize(),
+                        dark,
+                        bright: dark + soft,
+                    }),
+                }
+            },
+        )
 }
 
 /// The parts of a scene with objects, materials and lights of all kinds.
@@ -257,6 +265,7 @@ pub struct Rich {
     sky: Vec3A,
     haze: f32,
     fade: f32,
+    film: Film,
 }
 
 impl Rich {
@@ -272,9 +281,17 @@ impl Rich {
             sky: self.sky - scene.background,
             haze: self.haze,
             fade: self.fade,
+            film: self.film,
             ..scene
         }
     }
+}
+
+/// Any film, the plain one too.
+fn film() -> impl Strategy<Value = Film> {
+    let any = (0.0_f32..1.0, 0.0_f32..0.5);
+    let any = any.prop_map(|(shoulder, vignette)| Film { shoulder, vignette });
+    prop_oneof![Just(Film::PLAIN), any]
 }
 
 /// Objects, materials and lights of all kinds.
@@ -285,9 +302,10 @@ pub fn rich() -> impl Strategy<Value = Rich> {
         vec(any_light(), 0..=3),
         (painted(), colour()),
         (prop_oneof![Just(0.0_f32), 0.01_f32..0.1], -0.2_f32..0.9),
+        film(),
     )
         .prop_map(
-            |(sketch, blocks, lights, (floor, sky), (haze, fade))| Rich {
+            |(sketch, blocks, lights, (floor, sky), (haze, fade), film)| Rich {
                 sketch,
                 blocks,
                 lights,
@@ -295,6 +313,7 @@ pub fn rich() -> impl Strategy<Value = Rich> {
                 sky,
                 haze,
                 fade,
+                film,
             },
         )
 }

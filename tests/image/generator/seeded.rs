@@ -2,7 +2,7 @@
 
 use eightfold::Quality;
 use eightfold::scene::{
-    Block, Camera, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
+    Block, Camera, Film, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 
@@ -135,8 +135,13 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
     scene.sky = random.vector(Vec3A::ZERO, Vec3A::splat(0.5));
     scene.haze = random.between(0.0, 0.2) / scale;
     scene.fade = random.between(-0.5, 1.0);
+    scene.film = Film {
+        shoulder: random.between(0.0, 1.0),
+        vignette: random.between(0.0, 1.0),
+    };
     for light in scene.lights.iter_mut() {
         light.size = scale * [0.0, random.between(0.0, 2.0)][random.below(2)];
+        light.glow = scale * [0.0, random.between(0.0, 2.0)][random.below(2)];
         light.parallel = random.below(3) == 0;
         light.spot = (random.below(2) == 0).then(|| Spot {
             aim: -light.position.normalize_or(Vec3A::Y),
@@ -168,6 +173,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         sky,
         haze,
         fade,
+        film,
         ..
     } = scene;
     let (a, b, c) = (
@@ -183,6 +189,8 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         &mut sky[a % 3],
         haze,
         fade,
+        &mut film.shoulder,
+        &mut film.vignette,
     ];
     for block in blocks.iter_mut() {
         let m = &mut block.material;
@@ -195,7 +203,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         let m = &mut sphere.material;
         fields.extend([&mut sphere.centre[a % 3], &mut sphere.radius]);
         fields.extend([&mut m.colour[b % 3], &mut m.kd, &mut m.ks, &mut m.exponent]);
-        fields.extend([&mut m.kr, &mut m.kt, &mut m.index]);
+        fields.extend([&mut m.kr, &mut m.fresnel, &mut m.kt, &mut m.index]);
     }
     for plane in planes.iter_mut() {
         fields.extend([&mut plane.centre[a % 3], &mut plane.half_x]);
@@ -203,7 +211,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
     }
     for light in lights.iter_mut() {
         fields.extend([&mut light.position[a % 3], &mut light.colour[b % 3]]);
-        fields.extend([&mut light.radius, &mut light.size]);
+        fields.extend([&mut light.radius, &mut light.size, &mut light.glow]);
         if let Some(spot) = &mut light.spot {
             fields.extend([&mut spot.aim[c % 3], &mut spot.dark, &mut spot.bright]);
         }

@@ -1,0 +1,28 @@
+//! How light becomes the picture's colours.
+
+/// What becomes of the light that reaches the picture, before it is cut to 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Film {
+    /// Where highlights begin to roll off, 0 to 1: a channel `c` above this shoulder `s` becomes `s + x (1 - s) / (1 - s + x)`,
+    /// where x is `c - s`, so that it goes on smoothly and never reaches 1. What one ray brings is cut at 2 before. With 1
+    /// highlights are cut at 1, and nothing below changes.
+    pub shoulder: f32,
+    /// How much darker the picture is towards its corners, 0 to 1: light is multiplied by `1 / (1 + vignette r^2)`, at the distance
+    /// r from the picture's middle in halves of its height. 0 leaves it as it is.
+    pub vignette: f32,
+}
+
+impl Film {
+    /// Light as it is, cut at 1.
+    pub const PLAIN: Self = Self {
+        shoulder: 1.0,
+        vignette: 0.0,
+    };
+}
+
+impl Default for Film {
+    /// [`Film::PLAIN`].
+    fn default() -> Self {
+        Self::PLAIN
+    }
+}

@@ -1,0 +1,137 @@
+//! Film, glow and grazing reflection do what their documentation says. That pictures with them are the oracle's is held by
+//! `any_rich_scene_is_as_the_oracle_sees_it`.
+
+use crate::cpu;
+use crate::drawn::draw;
+use eightfold::Quality;
+use eightfold::glam::{Vec3A, vec3a};
+use eightfold::scene::{Camera, Film, Light, List, Material, Plane, Scene};
+
+/// The picture of a scene with every pixel traced, and its brightest channels.
+fn channels(scene: &Scene, width: usize, height: usize) -> Vec<u32> {
+    let drawn = draw(cpu::best(), 1, scene, &Quality::EXHAUSTIVE, width, height);
+    let brightest = |pixel: &u32| {
+        [16, 8, 0]
+            .map(|shift| pixel >> shift & 0xff)
+            .into_iter()
+            .max()
+    };
+    drawn.pixels.iter().filter_map(brightest).collect()
+}
+
+/// Nothing but a background.
+fn empty(background: f32, film: Film) -> Scene {
+    Scene {
+        background: Vec3A::splat(background),
+        film,
+        ..Scene::default()
+    }
+}
+
+#[test]
+fn what_is_below_the_shoulder_stays_and_what_is_above_keeps_its_order() {
+    let film = Film {
+        shoulder: 0.5,
+        ..Film::PLAIN
+    };
+    let value = |light: f32, film| channels(&empty(light, film), 1, 1)[0];
+    for step in 0..=127 {
+        assert_eq!(value(step as f32 / 255.0, film), step);
+    }
+    let above = [0.6, 0.8, 1.0, 1.3, 1.6, 1.9].map(|light| value(light, film));
+    assert!(above.is_sorted_by(|a, b| a < b), "{above:?}");
+    assert!(above.iter().all(|&value| value < 255), "{above:?}");
+    // Twice the room above the shoulder fills half of it: 0.5 + 0.25.
+    assert_eq!(value(1.0, film), 191);
+    // One that lies at full brightness is none.
+    assert_eq!(value(1.9, Film::PLAIN), 255);
+}
+
+#[test]
+fn a_vignette_leaves_the_middle_and_darkens_all_sides_alike() {
+    let film = Film {
+        vignette: 0.5,
+        ..Film::PLAIN
+    };
+    let (width, height) = (161, 91);
+    let picture = channels(&empty(0.8, film), width, height);
+    let at = |x: usize, y: usize| picture[y * width + x];
+    assert_eq!(at(80, 45), 204);
+    let corners = [at(0, 0), at(160, 0), at(0, 90), at(160, 90)];
+    assert!(corners.iter().all(|&corner| corner == corners[0]));
+    // The middle of the lower side is 90/91 of half the height away, and loses a third of its light.
+    assert!(at(80, 90).abs_diff(137) <= 1, "{}", at(80, 90));
+    let row: Vec<u32> = (80..width).map(|x| at(x, 45)).collect();
+    assert!(row.is_sorted_by(|a, b| a >= b));
+}
+
+#[test]
+fn a_glow_is_as_bright_as_its_light_and_half_as_bright_at_its_radius() {
+    // Seen from 1,000 radii, so that rays beside each other are parallel; a pixel is a tenth of a radius.
+    let size: usize = 101;
+    let scene = Scene {
+        camera: Camera {
+            eye: vec3a(0.0, 0.0, 1000.0),
+            field_of_view: 2.0 * (0.5 * size as f32 * 1e-4).atan(),
+            ..Camera::default()
+        },
+        lights: List::of(&[Light {
+            colour: Vec3A::splat(0.8),
+            glow: 1.0,
+            ..Light::DARK
+        }]),
+        ..Scene::default()
+    };
+    let picture = channels(&scene, size, size);
+    let at = |pixels: usize| picture[50 * size + 50 + pixels];
+    for (pixels, share) in [(0, 1.0), (10, 0.5), (20, 0.2), (30, 0.1)] {
+        let expected = 204.0 * share;
+        assert!((at(pixels) as f32 - expected).abs() <= 1.0, "{pixels}");
+    }
+    // A wall at the light leaves the half of the glow that is before it.
+    let wall = |y: f32| {
+        let mut scene = scene;
+        (scene.camera.eye, scene.camera.up) = (vec3a(0.0, 1000.0, 0.0), Vec3A::Z);
+        scene.planes.push(Plane {
+            centre: vec3a(0.0, y, 0.0),
+            half_x: 100.0,
+            half_z: 100.0,
+            material: Material::BLACK,
+        });
+        channels(&scene, size, size)[50 * size + 50]
+    };
+    assert!(wall(0.0).abs_diff(102) <= 1, "{}", wall(0.0));
+    assert!(wall(20.0) <= 1, "{}", wall(20.0));
+}
+
+#[test]
+fn a_floor_with_fresnel_mirrors_more_the_lower_one_looks_along_it() {
+    let seen = |height: f32, fresnel: f32| {
+        let scene = Scene {
+            camera: Camera {
+                eye: vec3a(0.0, height, -1.0),
+                ..Camera::default()
+            },
+            background: Vec3A::ONE,
+            planes: List::of(&[Plane {
+                centre: Vec3A::ZERO,
+                half_x: 1e3,
+                half_z: 1e3,
+                material: Material {
+                    kr: 0.1,
+                    fresnel,
+                    ..Material::BLACK
+                },
+            }]),
+            ..Scene::default()
+        };
+        channels(&scene, 1, 1)[0]
+    };
+    for height in [10.0_f32, 1.0, 0.5, 0.2, 0.05] {
+        assert_eq!(seen(height, 0.0), 26, "a tenth, from everywhere");
+        let cosine = height / (height * height + 1.0).sqrt();
+        let expected = 255.0 * (0.1 + 0.9 * (1.0 - cosine).powi(5));
+        let found = seen(height, 1.0);
+        assert!((found as f32 - expected).abs() <= 0.6, "{height}: {found}");
+    }
+}
