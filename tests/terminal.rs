@@ -183,12 +183,35 @@ fn signals_end_it_with_the_terminal_restored() {
     if lacks(&["tmux", "pkill"]) {
         return;
     }
-    for (name, number) in [("TERM", 15), ("HUP", 1), ("INT", 2)] {
+    for (name, number) in [("TERM", 15), ("HUP", 1), ("INT", 2), ("USR1", 10)] {
         let terminal = Terminal::play(60, 20, "");
         terminal.wait_for_picture(60, 20);
         terminal.signal(name);
         terminal.wait_for_end(128 + number);
     }
+}
+
+#[test]
+fn it_takes_the_terminal_again_after_a_stop() {
+    if lacks(&["tmux", "pkill"]) {
+        return;
+    }
+    let terminal = Terminal::play(60, 20, "");
+    terminal.wait_for_picture(60, 20);
+    terminal.signal("STOP");
+    // What a shell does with the terminal when a program of it stops.
+    let tty = terminal.tmux(&["display", "-p", "#{pane_tty}"]);
+    let shell = format!("stty -F {0} sane; printf '\\033[?1049l' > {0}", tty.trim());
+    let (output, _) = run(process::Command::new("sh").args(["-c", &shell]));
+    assert!(output.status.success(), "{output:?}");
+    terminal.signal("CONT");
+    wait_for("the alternate screen", || {
+        let screen = terminal.tmux(&["display", "-p", "#{alternate_on}"]);
+        (screen.trim() == "1").then_some(())
+    });
+    terminal.wait_for_picture(60, 20);
+    terminal.tmux(&["send-keys", "Escape"]);
+    terminal.wait_for_end(0);
 }
 
 #[test]

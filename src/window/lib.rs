@@ -54,3 +54,4 @@ pub mod terminal;
 mod x11;
 
 pub use backend::window;
+pub use system::is_signal_ignored;

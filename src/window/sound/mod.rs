@@ -60,7 +60,9 @@ pub struct Player {
     heard: Heard,
     /// The time of the clock that the show was last asked for.
     last: u64,
-    /// How long the process was stopped, in nanoseconds, while no sound was heard.
+    /// How often the process was stopped.
+    stops: u32,
+    /// How long it was, in nanoseconds, while no sound was heard.
     stopped: u64,
 }
 
@@ -101,6 +103,7 @@ impl Player {
             clock,
             heard: Heard::default(),
             last: 0,
+            stops: system::stops(),
             stopped: 0,
         }
     }
@@ -128,9 +131,11 @@ impl Player {
         let (ahead, written) = (AHEAD.load(Relaxed), WRITTEN.load(Relaxed));
         let now = self.clock.time();
         // With sound, what nobody has given to the device is not heard.
-        if system::was_stopped() && written == i64::MAX {
+        let stops = system::stops();
+        if stops != self.stops && written == i64::MAX {
             self.stopped += now - self.last;
         }
+        self.stops = stops;
         self.last = now;
         let clock = (now - self.stopped) as i64;
         self.heard.time(clock, ahead, written)

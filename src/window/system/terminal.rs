@@ -35,6 +35,18 @@ const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
 /// Undoes [`ENTER`], and the colours.
 const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
+/// The signals that end a process unless it heeds them, and that others send: not those of its own mistakes.
+const ENDING: [u8; 8] = [
+    libc::SIGHUP as u8,
+    libc::SIGINT as u8,
+    libc::SIGQUIT as u8,
+    libc::SIGTERM as u8,
+    libc::SIGUSR1 as u8,
+    libc::SIGUSR2 as u8,
+    libc::SIGALRM as u8,
+    libc::SIGXCPU as u8,
+];
+
 /// The most cells beside each other and above each other that are drawn on: the pixels of the largest frame.
 const MOST_COLUMNS: usize = 3840;
 const MOST_ROWS: usize = 2160 / 2;
@@ -48,6 +60,8 @@ pub struct Terminal {
     pixels: &'static mut [u32],
     size: (usize, usize),
     shown: (usize, usize),
+    /// How often the process had been stopped when the terminal was taken.
+    stops: u32,
 }
 
 impl Terminal {
@@ -68,6 +82,7 @@ impl Terminal {
             pixels: pixels(),
             size: (0, 0),
             shown: (0, 0),
+            stops: system::stops(),
         };
         SAVED.take_over();
         Some(terminal)
@@ -132,6 +147,12 @@ impl Screen for Terminal {
     }
 
     fn show(&mut self) -> Next {
+        let stops = system::stops();
+        if stops != self.stops {
+            // Meanwhile a shell had the terminal, in a mode of its own.
+            self.stops = stops;
+            SAVED.enter();
+        }
         let drawn = self.draw();
         match signal() {
             // Where nobody reads, a later frame may find room; the show goes on meanwhile, to its end.
@@ -257,8 +278,11 @@ impl Saved {
         // SAFETY: zero is a value of every field of the structures, which outlive the calls; `note`
         // does only what a signal's function may. `mode` is written while `active` isn't set.
         unsafe {
-            for signal in &[libc::SIGHUP, libc::SIGINT, libc::SIGQUIT, libc::SIGTERM] {
-                on_signal(*signal, note as extern "C" fn(c_int) as libc::sighandler_t);
+            for signal in ENDING {
+                on_signal(
+                    signal.into(),
+                    note as extern "C" fn(c_int) as libc::sighandler_t,
+                );
             }
             PATIENCE.store(1000, Relaxed);
             system::never_wait(line::OUTPUT, c"/dev/stdout");
@@ -269,19 +293,32 @@ impl Saved {
             if !line::terminal(keyboard) {
                 keyboard = system::open(c"/dev/tty");
             }
-            if let Some(mut mode) = mode(keyboard) {
+            if let Some(mode) = mode(keyboard) {
                 (*self.mode.get()).write(mode);
                 self.keyboard.store(keyboard + 1, Relaxed);
-                // Keys at once and unseen, Ctrl-C among them; reading does not wait.
-                mode.c_lflag &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
-                mode.c_iflag &= !libc::IXON;
-                mode.c_cc[libc::VMIN] = 0;
-                mode.c_cc[libc::VTIME] = 0;
-                set_mode(keyboard, &mode);
             }
-            self.active.store(true, Release);
-            line::write(line::OUTPUT, ENTER);
         }
+        self.active.store(true, Release);
+        self.enter();
+    }
+
+    /// The terminal's mode before it was taken, once that is known.
+    fn mode(&self) -> Option<libc::termios> {
+        // SAFETY: there is a keyboard only once `mode` has been written.
+        (self.keyboard() >= 0).then(|| unsafe { (*self.mode.get()).assume_init() })
+    }
+
+    /// Sets the terminal's mode and takes its alternate screen.
+    fn enter(&self) {
+        if let Some(mut mode) = self.mode() {
+            // Keys at once and unseen, Ctrl-C among them; reading does not wait.
+            mode.c_lflag &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
+            mode.c_iflag &= !libc::IXON;
+            mode.c_cc[libc::VMIN] = 0;
+            mode.c_cc[libc::VTIME] = 0;
+            set_mode(self.keyboard(), &mode);
+        }
+        line::write(line::OUTPUT, ENTER);
     }
 }
 
@@ -291,10 +328,8 @@ pub(crate) fn restore() {
         // What asked for the end has been heard, and does not keep this from being written.
         SIGNAL.store(0, Relaxed);
         line::write(line::OUTPUT, LEAVE);
-        let keyboard = SAVED.keyboard();
-        if keyboard >= 0 {
-            // SAFETY: there is a keyboard only once `mode` has been written.
-            set_mode(keyboard, unsafe { (*SAVED.mode.get()).assume_init_ref() });
+        if let Some(mode) = SAVED.mode() {
+            set_mode(SAVED.keyboard(), &mode);
         }
     }
 }

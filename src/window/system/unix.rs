@@ -3,8 +3,8 @@
 use core::{
     ffi::{CStr, c_int},
     mem::zeroed,
-    ptr::null_mut,
-    sync::atomic::{AtomicBool, Ordering::Relaxed},
+    ptr::{null, null_mut},
+    sync::atomic::{AtomicU32, Ordering::Relaxed},
 };
 
 use crate::terminal;
@@ -33,22 +33,32 @@ pub unsafe fn start() {
     while (0..=2).contains(&open(c"/dev/null")) {}
 }
 
-/// Set when the process goes on after a stop.
-static STOPPED: AtomicBool = AtomicBool::new(false);
+/// How often the process has gone on after a stop.
+static STOPS: AtomicU32 = AtomicU32::new(0);
 
 extern "C" fn go_on(_: c_int) {
-    STOPPED.store(true, Relaxed);
+    STOPS.fetch_add(1, Relaxed);
 }
 
-/// Takes note of stops from now on, as by Ctrl-Z or SIGSTOP.
+/// Counts stops from now on, as by Ctrl-Z or SIGSTOP.
 pub fn heed_stops() {
     // SAFETY: the function does only what a signal's function may.
     unsafe { terminal::on_signal(libc::SIGCONT, go_on as extern "C" fn(c_int) as _) };
 }
 
-/// Whether the process was stopped since this was last asked.
-pub fn was_stopped() -> bool {
-    STOPPED.swap(false, Relaxed)
+/// How often the process was stopped.
+pub fn stops() -> u32 {
+    STOPS.load(Relaxed)
+}
+
+/// Whether this process ignores a signal, as it may have been started to.
+#[must_use]
+pub fn is_signal_ignored(signal: c_int) -> bool {
+    // SAFETY: zero is a value of every field, and there is room for the answer.
+    unsafe {
+        let mut action: libc::sigaction = zeroed();
+        libc::sigaction(signal, null(), &mut action) == 0 && action.sa_sigaction == libc::SIG_IGN
+    }
 }
 
 /// Starts something, such as a thread, that signals do not go to.

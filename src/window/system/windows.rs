@@ -34,11 +34,17 @@ pub unsafe fn start() {
     }
 }
 
-/// Takes note of stops. (Windows has none.)
+/// Counts stops. (Windows has none.)
 pub fn heed_stops() {}
 
-/// Whether the process was stopped since this was last asked.
-pub fn was_stopped() -> bool {
+/// How often the process was stopped.
+pub fn stops() -> u32 {
+    0
+}
+
+/// Whether this process ignores a signal. (Windows has none to ignore.)
+#[must_use]
+pub fn is_signal_ignored(_: i32) -> bool {
     false
 }
 
