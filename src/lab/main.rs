@@ -74,7 +74,7 @@ fn run(_: eightfold_window::arguments::Arguments) -> i32 {
             if error.is::<arguments::BadInput>() {
                 BAD_INPUT
             } else if error.is::<interrupt::Stopped>() {
-                interrupt::EXIT_CODE.into()
+                interrupt::exit_code()
             } else {
                 1
             }

@@ -3,7 +3,7 @@
 //! Each figure is what a command of the lab prints, and the command stands above it: what is read is what was run.
 
 use crate::arguments::{self, BadInput, Size};
-use crate::{output, subcommand};
+use crate::{interrupt, output, subcommand};
 use anyhow::{Context, Result};
 use clap::Args;
 use std::ffi::OsString;
@@ -79,6 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         }
         output::check(&page.path)?;
     }
+    interrupt::listen()?;
     let docs = arguments.folder.join(DOCS);
     for part in &parts {
         eprintln!("{}: {}", part.name, part.shown());

@@ -12,9 +12,9 @@ use std::time::Duration;
 /// How often a command is asked whether it has ended: hardly any work beside what it measures.
 const INTERVAL: Duration = Duration::from_millis(50);
 
-/// Runs a command, and returns what it prints, without the end of the last line. Ctrl-C ends it early, as an error.
+/// Runs a command, and returns what it prints, without the end of the last line. After [`interrupt::listen`] a signal ends it
+/// early, as an error.
 pub fn run<T: AsRef<OsStr>>(arguments: &[T]) -> Result<String> {
-    interrupt::listen();
     let lab = env::current_exe().context("cannot find the lab")?;
     // A file takes any amount while nobody reads it.
     let mut printed = tempfile::tempfile().context("cannot make a temporary file")?;

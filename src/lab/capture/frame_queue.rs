@@ -1,7 +1,8 @@
 //! Draws frames in parallel, and hands them over in order.
 
 use super::film::{Canvas, Film};
-use anyhow::{Error, Result};
+use crate::interrupt::{self, Stopped};
+use anyhow::{Error, Result, bail};
 use std::collections::BTreeMap;
 use std::sync::{Condvar, Mutex, MutexGuard};
 use std::thread;
@@ -32,7 +33,7 @@ impl FrameQueue<'_> {
     /// gets the results in the order of the list.
     ///
     /// # Errors
-    /// The first error of `make` or `hand_over`, after which no more frames are drawn.
+    /// The first error of `make` or `hand_over`, or [`Stopped`], after which no more frames are drawn.
     pub fn draw<T: Send>(
         &self,
         frames: &[usize],
@@ -53,7 +54,8 @@ impl FrameQueue<'_> {
                     let mut canvas = Canvas::new();
                     while let Some(index) = self.claim(frames.len(), &state, &moved) {
                         let frame = frames[index];
-                        let made = make(frame, self.film.draw(frame, &mut canvas));
+                        let picture = self.film.draw(frame, &mut canvas);
+                        let made = check_stopped().and_then(|()| make(frame, picture));
                         lock(&state).put(index, made);
                         moved.notify_all();
                     }
@@ -83,6 +85,14 @@ impl FrameQueue<'_> {
         state.next += 1;
         Some(state.next - 1)
     }
+}
+
+/// An error once the command has to end.
+fn check_stopped() -> Result<()> {
+    if interrupt::is_stopped() {
+        bail!(Stopped("no more frames are drawn".to_owned()));
+    }
+    Ok(())
 }
 
 impl<T, H: FnMut(T) -> Result<()>> State<T, H> {

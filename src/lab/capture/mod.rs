@@ -10,6 +10,7 @@ mod video;
 mod y4m;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
+use crate::interrupt;
 use crate::rate::Rate;
 use crate::scenes::{self, SceneName};
 use anyhow::Result;
@@ -104,6 +105,7 @@ What is made of frames, by ffmpeg:
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
+    interrupt::listen()?;
     let film = film(arguments)?;
     let frames = range(arguments, &film)?;
     if let Some(name) = &arguments.audio {

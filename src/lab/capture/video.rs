@@ -3,6 +3,7 @@
 use super::film::Film;
 use super::frame_queue::FrameQueue;
 use super::{sound, stream};
+use crate::interrupt::Stopped;
 use crate::output;
 use anyhow::{Context, Error, Result, anyhow, bail};
 use std::io::{self, Read, Write};
@@ -47,15 +48,22 @@ pub fn write(queue: &FrameQueue<'_>, frames: Range<usize>, name: &Path) -> Resul
     let complaints = thread::spawn(move || last_line(complaints));
     let mut pipe = ffmpeg.stdin.take().expect("a pipe was asked for");
     let sent = stream::send(queue, frames, |bytes| Ok(pipe.write_all(bytes)?));
+    let is_stopped = sent.as_ref().is_err_and(|error| error.is::<Stopped>());
+    if is_stopped {
+        ffmpeg.kill().context("ffmpeg is lost")?;
+    }
     drop(pipe);
     let status = ffmpeg.wait().context("ffmpeg is lost")?;
     let complaint = complaints.join().unwrap_or_default();
     // ffmpeg reports success even if a full disk cuts off the end of the file.
-    if !status.success() || complaint.is_some() {
+    if !is_stopped && (!status.success() || complaint.is_some()) {
         let complaint = complaint.as_deref().unwrap_or("it does not say why");
         bail!("ffmpeg cannot write {}: {complaint}", name.display());
     }
-    sent?;
+    if is_stopped {
+        return sent;
+    }
+    sent.with_context(|| format!("ffmpeg ended before {} was complete", name.display()))?;
     output::persist(file, name).with_context(|| format!("cannot write {}", name.display()))
 }
 

@@ -3,6 +3,7 @@
 mod page;
 
 use crate::arguments::{self, BadInput, Size};
+use crate::interrupt;
 use crate::machine::machine;
 use crate::scenes::{self, SceneName};
 use crate::{output, subcommand};
@@ -66,6 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         return Err(BadInput::error(line.to_owned()));
     }
     output::check(&arguments.out)?;
+    interrupt::listen()?;
     let mut page = Page::new(&format!("Study of {}", arguments.scene));
     page.paragraph(&format!(
         "{}. What trades accuracy for speed is measured on this scene: how fast each setting is, and how far its pictures are \

@@ -96,7 +96,7 @@ pub struct Trade {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    interrupt::listen();
+    interrupt::listen()?;
     let plan = plan(arguments)?;
     let folder = &arguments.out;
     if !arguments.ladder {

@@ -1,6 +1,8 @@
 //! `lab capture` writes complete files whose bytes depend on nothing but its arguments.
 
 mod formats;
+#[cfg(unix)]
+mod interrupted;
 mod parts;
 mod sound;
 mod trouble;

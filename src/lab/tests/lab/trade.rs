@@ -204,7 +204,14 @@ fn errors_are_those_that_bench_measures() {
 
 #[cfg(unix)]
 #[test]
-fn what_is_done_before_ctrl_c_is_written_whole() {
+fn what_is_done_before_a_signal_is_written_whole() {
+    for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
+        assert_ends_early(signal, code);
+    }
+}
+
+#[cfg(unix)]
+fn assert_ends_early(signal: &str, code: i32) {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("trade");
     // So many frames would take far too long.
@@ -217,23 +224,18 @@ fn what_is_done_before_ctrl_c_is_written_whole() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    // By then the command handles Ctrl-C.
+    // By then the command heeds signals.
     while !out.exists() {
         std::thread::yield_now();
     }
-    let pid = lab.id();
-    assert!(
-        Command::new("sh")
-            .args(["-c", &format!("kill -INT {pid}")])
-            .status()
-            .unwrap()
-            .success()
-    );
+    let kill = format!("kill -{signal} {}", lab.id());
+    let status = Command::new("sh").args(["-c", &kill]).status();
+    assert!(status.unwrap().success());
     let mut output = lab.wait_with_output().unwrap();
     let table = String::from_utf8(std::mem::take(&mut output.stdout)).expect("text");
     assert_one_line(
         &output,
-        130,
+        code,
         &["stopped early", out.to_str().expect("a plain name")],
     );
     assert!(table.contains("stopped early"));
