@@ -28,6 +28,11 @@ pub fn intro() -> PathBuf {
     BUILT.clone()
 }
 
+/// Whether [`intro`] has the portable backend.
+pub fn is_portable() -> bool {
+    env::var_os("EIGHTFOLD_BACKEND").is_some()
+}
+
 /// Builds the intro with the portable backend, in a folder of its own, so that nothing else has to be compiled again.
 fn portable_intro() -> PathBuf {
     let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);

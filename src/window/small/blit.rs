@@ -56,7 +56,17 @@ impl Frames {
             frames: [&mut [], &mut []],
             drawn: (0, 0),
         };
-        let memory = frames.share(top).unwrap_or_else(pixels);
+        // SAFETY: the image is one.
+        let is_shared = unsafe { (*image).bits_per_pixel } == 32;
+        let shared = if is_shared { frames.share(top) } else { None };
+        let memory = shared.unwrap_or_else(pixels);
+        // SAFETY: the image is one.
+        unsafe {
+            // Of pixels of 32 bits Xlib makes the server's, if these are smaller or have another order of bytes.
+            (*image).bits_per_pixel = 32;
+            (*image).byte_order = xlib::LSBFirst;
+            (top.x.XInitImage)(image);
+        }
         let (first, second) = memory.split_at_mut(MOST_PIXELS);
         frames.frames = [first, second];
         frames

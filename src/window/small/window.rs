@@ -42,7 +42,10 @@ impl Window {
         // SAFETY: the display is open.
         let (top, frames) = unsafe {
             let screen = &*(x.XDefaultScreenOfDisplay)(display);
-            let image = x11::picture(x, display)?;
+            let image = x11::picture(x, display);
+            if (*image).red_mask == 0 {
+                return Err("X display without colours of its own");
+            }
             let window = (x.XCreateSimpleWindow)(display, screen.root, 0, 0, 1, 1, 0, 0, 0);
             let top = Toplevel::new(x, display, window);
             let frames = Frames::new(&top, image, screen.default_gc);

@@ -21,6 +21,7 @@ loaded! {
     fn XDefaultScreenOfDisplay(*mut Display) -> *mut Screen;
     fn XDefineCursor(*mut Display, Window, Cursor) -> c_int;
     fn XGetWindowAttributes(*mut Display, Window, *mut XWindowAttributes) -> Status;
+    fn XInitImage(*mut XImage) -> Status;
     fn XInternAtom(*mut Display, *const c_char, Bool) -> Atom;
     fn XListProperties(*mut Display, Window, *mut c_int) -> *mut Atom;
     fn XMapRaised(*mut Display, Window) -> c_int;

@@ -62,6 +62,7 @@ pub const XA_STRING: Atom = 31;
 pub const XA_WM_CLASS: Atom = 67;
 pub const PropModeReplace: c_int = 0;
 pub const RevertToPointerRoot: c_int = 1;
+pub const LSBFirst: c_int = 0;
 pub const ZPixmap: c_int = 2;
 
 pub const KeyPress: c_int = 2;

@@ -1,0 +1,117 @@
+//! Keys, and the whole screen.
+
+use super::{SCREEN, end_by_escape, servers};
+use eightfold_stage::{DISPLAY, Server, lacks, run, wait_for};
+use std::{thread::sleep, time::Duration};
+
+#[test]
+fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    for (manager, server) in servers() {
+        let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+        server.xdotool("search --name Eightfold windowmove 123 77");
+        sleep(Duration::from_millis(300));
+        let window = server.window().expect("a window");
+        server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
+        for _ in 0..3 {
+            server.xdotool("key f");
+            server.wait_for_window(SCREEN);
+            assert_covered(&server, manager);
+            server.xdotool("key w");
+            server.wait_for_window(window);
+        }
+        // Of keys pressed at once the last counts.
+        server.xdotool("key --delay 0 f w f w");
+        sleep(Duration::from_millis(300));
+        server.wait_for_window(window);
+        drop(intro);
+    }
+}
+
+#[test]
+fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_in_the_usa() {
+    if lacks(DISPLAY) || lacks(&["setxkbmap"]) {
+        return;
+    }
+    let [_, _, width, height] = SCREEN.map(|side| side as usize);
+    let server = Server::start(width, height);
+    // Places of keys, by their numbers: those of F and W in the USA, and that of W in France; right Alt, and left Ctrl.
+    let [f, usual_w, french_w, alt, control] = [41, 25, 52, 108, 37];
+    let tap = |place: u32| server.xdotool(&format!("key {place}"));
+    for (layout, w) in [
+        ("us", usual_w),
+        ("ru", usual_w),
+        ("gr", usual_w),
+        ("il", usual_w),
+        ("ara", usual_w),
+        ("fr", french_w),
+        ("fr,us", usual_w),
+    ] {
+        run(server
+            .tool("setxkbmap")
+            .args(["-layout", layout, "-option", "grp:switch"]));
+        let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+        let window = server.window().expect("a window");
+        server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
+        server.xdotool(&format!("keydown {control} key {f} keyup {control}"));
+        sleep(Duration::from_millis(300));
+        assert_eq!(server.window(), Some(window), "{layout}: Ctrl+F is no F");
+        tap(f);
+        server.wait_for_window(SCREEN);
+        if layout.contains(',') {
+            // The second layout is in use as long as right Alt is held.
+            server.xdotool(&format!("keydown {alt} key {w} keyup {alt}"));
+        } else {
+            tap(w);
+        }
+        server.wait_for_window(window);
+        drop(intro);
+    }
+}
+
+#[test]
+fn a_window_manager_that_never_heard_of_fullscreen_does_not_keep_it_from_the_whole_screen() {
+    if lacks(DISPLAY) || lacks(&["twm"]) {
+        return;
+    }
+    let [_, _, width, height] = SCREEN.map(|side| side as usize);
+    let server = Server::start_with_twm(width, height);
+    let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+    let window = server.window().expect("a window");
+    server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
+    for _ in 0..2 {
+        server.xdotool("key f");
+        server.wait_for_window(SCREEN);
+        assert_covered(&server, "twm");
+        server.xdotool("key w");
+        server.wait_for_window(window);
+    }
+    end_by_escape(&server, intro);
+}
+
+#[test]
+fn it_can_start_over_the_whole_screen() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    for (manager, server) in servers() {
+        let intro = server.play(&["--fullscreen", "--size", "640x400", "--seconds", "60"]);
+        server.wait_for_window(SCREEN);
+        assert_covered(&server, manager);
+        server.xdotool("key w");
+        wait_for("the window", || {
+            let [_, _, width, height] = server.window()?;
+            ([width, height] == [640, 400]).then_some(())
+        });
+        drop(intro);
+    }
+}
+
+/// Asserts that the picture fills the screen: its background is not black.
+fn assert_covered(server: &Server, manager: &str) {
+    let shot = server.screenshot(SCREEN);
+    let black = shot.iter().filter(|&&pixel| pixel == 0).count();
+    assert_eq!(black, 0, "{manager}: black pixels");
+}

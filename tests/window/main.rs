@@ -1,0 +1,31 @@
+//! In a window the intro shows the frames of the show, and obeys keys and the window manager.
+
+mod ending;
+mod keys;
+mod shown;
+
+use eightfold_stage::{Process, Server};
+use std::time::Duration;
+
+/// The size of the screen: larger than the window, with another aspect ratio.
+const SCREEN: [i32; 4] = [0, 0, 1280, 800];
+
+fn servers() -> [(&'static str, Server); 2] {
+    let [_, _, width, height] = SCREEN.map(|side| side as usize);
+    [
+        ("no window manager", Server::start(width, height)),
+        ("openbox", Server::start_managed(width, height)),
+    ]
+}
+
+/// Ends the intro with Esc. Returns its standard output.
+fn end_by_escape(server: &Server, intro: Process) -> String {
+    let [x, y, ..] = server.window().expect("a window");
+    server.xdotool(&format!("mousemove {x} {y}"));
+    server.xdotool("key Escape");
+    let (time, code, output, errors) = intro.end();
+    assert_eq!(code, Some(0), "{output}{errors}");
+    assert_eq!(errors, "");
+    assert!(time < Duration::from_millis(500), "it took {time:?}");
+    output
+}

@@ -1,0 +1,160 @@
+//! What is seen in the window.
+
+use super::{end_by_escape, servers};
+use eightfold::{Quality, scene::Scene, show};
+use eightfold_lab::{error::Difference, threaded_renderer::ThreadedRenderer};
+use eightfold_stage::{DISPLAY, Process, Server, intro, is_portable, lacks, run, wait_for};
+use eightfold_window::cpu;
+use std::{
+    process::Command,
+    thread::sleep,
+    time::{Duration, Instant},
+};
+
+#[test]
+fn the_window_has_its_title_and_size_and_shows_the_frame() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    for (manager, server) in servers() {
+        let intro = server.play(&["--seconds", "60"]);
+        let window = server.window().expect("a window");
+        assert_eq!(window[2..], [1024, 768], "{manager}");
+        let mut xprop = server.tool("xprop");
+        let (_, properties) = run(xprop.args(["-name", "Eightfold", "WM_NAME", "_NET_WM_NAME"]));
+        assert_eq!(
+            properties.matches("\"Eightfold\"").count(),
+            2,
+            "{manager}: {properties}"
+        );
+        let (_, class) = run(server
+            .tool("xprop")
+            .args(["-name", "Eightfold", "WM_CLASS"]));
+        assert!(class.contains("\"eightfold\", \"Eightfold\""), "{class}");
+        drop(intro);
+
+        assert_shows_a_frame(&server, manager, 0.2);
+    }
+}
+
+#[test]
+fn the_frame_has_its_colours_by_pixels_of_any_depth() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    // A screenshot rounds ten bits down to eight; five bits are less than that.
+    let depths: &[(u32, f64)] = if is_portable() {
+        &[(30, 1.2)]
+    } else {
+        &[(30, 1.2), (16, 5.0), (15, 6.0)]
+    };
+    for &(depth, tolerance) in depths {
+        let screen = format!("1280x800x{depth}");
+        let server = Server::start_with(1280, 800, &["-screen", "0", &screen]);
+        assert_shows_a_frame(&server, &screen, tolerance);
+    }
+}
+
+/// Plays in a small window, and looks for what is seen among the frames of the time it can be of; when the show is out of the
+/// dark, which changes much from one to the next. The mean difference may be so much of 255.
+fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
+    let start = Instant::now();
+    let words = "--size 200x150 --seconds 60 --quality default";
+    let intro = server.play(&words.split(' ').collect::<Vec<_>>());
+    sleep(Duration::from_millis(1500));
+    let shot = server.screenshot(server.window().expect("a window"));
+    let difference = difference_to_show(&shot, 200, start.elapsed());
+    assert!(
+        difference < tolerance,
+        "{which}: the nearest frame differs by {difference} of 255"
+    );
+    drop(intro);
+}
+
+#[test]
+fn the_window_can_have_any_size() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    for (manager, server) in servers() {
+        let intro = server.play(&["--seconds", "60"]);
+        for [width, height] in [[1, 1], [333, 77], [2, 500], [701, 3], [640, 480]] {
+            let size = format!("search --name Eightfold windowsize {width} {height}");
+            server.xdotool(&size);
+            wait_for("the size", || {
+                let [_, _, w, h] = server.window()?;
+                ([w, h] == [width, height]).then_some(())
+            });
+            sleep(Duration::from_millis(200));
+        }
+        let window = server.window().expect("a window");
+        let shot = server.screenshot(window);
+        assert!(shot.iter().all(|&pixel| pixel != 0), "{manager}: no black");
+        let output = end_by_escape(&server, intro);
+        assert!(output.contains("640x480"), "{manager}: {output}");
+    }
+}
+
+#[test]
+fn a_window_beyond_the_largest_picture_is_filled() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    let server = Server::start(4100, 2200);
+    let intro = server.play(&["--fullscreen", "--seconds", "60"]);
+    server.wait_for_window([0, 0, 4100, 2200]);
+    sleep(Duration::from_millis(1000));
+    for [x, y] in [[0, 0], [4099, 0], [0, 2199], [4099, 2199], [2000, 1100]] {
+        assert_ne!(server.screenshot([x, y, 1, 1]), [0], "pixel {x},{y}");
+    }
+    let output = end_by_escape(&server, intro);
+    assert!(
+        output.contains("3840x2060"),
+        "of the window's shape: {output}"
+    );
+}
+
+#[test]
+fn a_display_that_frames_can_not_be_shown_on_is_as_good_as_none() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    // `minifb` has pixels of 32 bits alone.
+    let (depth, why) = if is_portable() {
+        (16, "X display without pixels of 32 bits")
+    } else {
+        (8, "X display without colours of its own")
+    };
+    let screen = format!("320x240x{depth}");
+    let server = Server::start_with(320, 240, &["-screen", "0", &screen]);
+    let intro = Process::start(
+        Command::new(intro())
+            .args(["--seconds", "0.3", "--silent"])
+            .env("DISPLAY", &server.display),
+    );
+    let (_, code, output, errors) = intro.end();
+    assert_eq!(code, Some(0), "{output}{errors}");
+    assert_eq!(
+        errors,
+        format!("eightfold: {why}; playing without a screen\n")
+    );
+}
+
+/// The mean difference, over all channels, between a screenshot and the closest frame of the show up to a given time.
+fn difference_to_show(shot: &[u32], width: usize, time: Duration) -> f64 {
+    let mut renderer = ThreadedRenderer::new(1);
+    let mut pixels = vec![0; shot.len()];
+    let mut scene = Box::new(Scene::ZEROED);
+    let mut difference = |milliseconds: u128| {
+        show::at(milliseconds as f32 / 1000.0, &mut scene);
+        let level = cpu::best().level;
+        renderer.draw(level, &scene, &Quality::DEFAULT, width, &mut pixels);
+        Difference::between(shot, &pixels).mean
+    };
+    // By hundredths of a second first, and then by thousandths about the best.
+    let rough = (0..=time.as_millis()).step_by(10);
+    let rough = rough.map(|at| (difference(at), at));
+    let (_, at) = rough.min_by(|a, b| a.0.total_cmp(&b.0)).expect("a time");
+    let fine = (at.saturating_sub(9)..at + 10).map(difference);
+    fine.fold(f64::INFINITY, f64::min)
+}
