@@ -1,24 +1,17 @@
 //! Linux: X11 by Xlib, with what the window managers understand; and Wayland, where there is no X.
 
-use core::ffi::{c_int, c_uint, c_ulong, c_void};
+use core::ffi::{c_uint, c_ulong};
 use core::mem::zeroed;
 use std::env;
 
-use raw_window_handle::{HasDisplayHandle, HasWindowHandle, RawDisplayHandle, RawWindowHandle};
+use raw_window_handle::{HasWindowHandle, RawWindowHandle};
 
+use super::wayland;
 use crate::{
     line,
-    loading::{Table, loaded, why_not_loaded},
+    loading::why_not_loaded,
     x11::{self, Toplevel, Xlib, types as xlib},
 };
-
-loaded! {
-    /// What `minifb` does not tell of a connection.
-    Wayland, WAYLAND_NAMES:
-    fn wl_display_get_error(*mut c_void) -> c_int;
-}
-
-static WAYLAND: Table<Wayland> = Table::new();
 
 /// The variable that names the Wayland display.
 const WAYLAND_DISPLAY: &str = "WAYLAND_DISPLAY";
@@ -40,8 +33,8 @@ struct X {
 }
 
 impl Display {
-    /// Chooses the display: X if it can be opened, else Wayland's, on which windows can't cover the screen by `minifb`. Or says
-    /// why there is none.
+    /// Chooses the display: X if it can be opened, where the way back from the whole screen leads to the same window on every
+    /// desktop, else Wayland's. Or says why there is none.
     pub fn choose() -> Result<Display, &'static str> {
         let has_wayland = env::var_os(WAYLAND_DISPLAY).is_some_and(|name| !name.is_empty());
         match X::open() {
@@ -90,7 +83,12 @@ impl X {
         let x = Xlib::load().ok_or_else(why_not_loaded)?;
         let display = x11::open(x)?;
         // SAFETY: the display is open, and the picture is one.
-        let masks = unsafe { x11::masks(&*x11::picture(x, display)?) };
+        let picture = unsafe { &*x11::picture(x, display) };
+        if picture.bits_per_pixel != 32 {
+            // `minifb` has no other pixels.
+            return Err("X display without pixels of 32 bits");
+        }
+        let masks = x11::masks(picture);
         Ok(X { x, display, masks })
     }
 }
@@ -99,8 +97,8 @@ impl X {
 pub enum Desktop {
     /// On X, with the [masks](X::masks).
     X(Toplevel, [c_ulong; 3]),
-    /// On Wayland, by its display.
-    Wayland(*mut c_void),
+    /// On Wayland.
+    Wayland(wayland::Window),
 }
 
 impl Desktop {
@@ -119,10 +117,8 @@ impl Desktop {
             top.set_class();
             return Desktop::X(top, masks);
         }
-        match window.display_handle().map(|handle| handle.as_raw()) {
-            Ok(RawDisplayHandle::Wayland(display)) => Desktop::Wayland(display.display.as_ptr()),
-            _ => unreachable!("minifb has opened a window on another display"),
-        }
+        let window = wayland::Window::of(window);
+        Desktop::Wayland(window.expect("minifb has opened it on the display that was chosen"))
     }
 
     /// Whether `minifb` tells the keys. It knows no layout but the first on X.
@@ -163,23 +159,23 @@ impl Desktop {
     pub fn end(&self) -> Option<i32> {
         match self {
             Desktop::X(..) => x11::is_closed().then_some(0),
-            Desktop::Wayland(display) => {
-                let wayland = WAYLAND.open(c"libwayland-client.so.0", WAYLAND_NAMES)?;
-                // SAFETY: the display is `minifb`'s, which has not been dropped.
-                if unsafe { (wayland.wl_display_get_error)(*display) } == 0 {
-                    return None;
-                }
+            Desktop::Wayland(window) if window.is_lost() => {
                 line::write(line::ERROR, b"eightfold: the display is gone\n");
                 Some(1)
             }
+            Desktop::Wayland(_) => None,
         }
     }
 
-    /// Goes to the whole screen and hides the pointer, or back to the window where it was and as it was. On Wayland the
-    /// desktop's own key does it, and not F.
-    pub fn set_fullscreen(&mut self, _: &mut minifb::Window, on: bool) {
-        if let Desktop::X(top, _) = self {
-            top.set_fullscreen(on);
+    /// Goes to the whole screen and hides the pointer, or back to the window where it was and as it was. On Wayland a compositor
+    /// that leaves the window's size to the program gets one as large as the screen was.
+    pub fn set_fullscreen(&mut self, shown: &mut minifb::Window, on: bool) {
+        match self {
+            Desktop::X(top, _) => top.set_fullscreen(on),
+            Desktop::Wayland(window) => {
+                shown.set_cursor_visibility(!on);
+                window.set_fullscreen(on);
+            }
         }
     }
 }
