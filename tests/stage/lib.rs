@@ -291,18 +291,25 @@ impl Server {
 
     /// The contents of a rectangle of the screen as `0x00RRGGBB` pixels, row by row.
     pub fn screenshot(&self, [x, y, width, height]: [i32; 4]) -> Vec<u32> {
-        let mut import = self.tool("import");
         let part = format!("{width}x{height}+{x}+{y}");
-        let (output, _) = run(import
-            .args(["-window", "root", "-crop", &part, "+repage"])
-            .args(["-depth", "8", "rgb:-"]));
-        let pixels: Vec<u32> = output
-            .stdout
-            .chunks_exact(3)
-            .map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]))
-            .collect();
+        let pixels = self.import(&["-window", "root", "-crop", &part, "+repage"]);
         assert_eq!(pixels.len(), (width * height) as usize, "a whole picture");
         pixels
+    }
+
+    /// The contents of the intro's window, by its own table of colours if it has one.
+    pub fn window_screenshot(&self) -> Vec<u32> {
+        self.import(&["-window", "Eightfold"])
+    }
+
+    fn import(&self, arguments: &[&str]) -> Vec<u32> {
+        let mut import = self.tool("import");
+        let import = import.args(arguments).args(["-depth", "8", "rgb:-"]);
+        let rgb = run(import).0.stdout;
+        let pixels = rgb.chunks_exact(3);
+        pixels
+            .map(|rgb| u32::from_be_bytes([0, rgb[0], rgb[1], rgb[2]]))
+            .collect()
     }
 
     /// Kills the server, as if it had crashed.

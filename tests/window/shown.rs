@@ -46,12 +46,34 @@ fn the_frame_has_its_colours_by_pixels_of_any_depth() {
     let depths: &[(u32, f64)] = if is_portable() {
         &[(30, 1.2)]
     } else {
-        &[(30, 1.2), (16, 5.0), (15, 6.0)]
+        &[(30, 1.2), (16, 5.0), (15, 6.0), (8, 30.0)]
     };
     for &(depth, tolerance) in depths {
         let screen = format!("1280x800x{depth}");
         let server = Server::start_with(1280, 800, &["-screen", "0", &screen]);
         assert_shows_a_frame(&server, &screen, tolerance);
+    }
+}
+
+#[test]
+fn the_environment_does_not_keep_the_window_from_opening() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    let server = Server::start(320, 240);
+    for (variable, value) in [
+        ("XMODIFIERS", "@im=nobody"),
+        ("LC_ALL", "xx_XX.nothing"),
+        ("XAUTHORITY", "/nowhere"),
+        ("HOME", ""),
+        ("TERM", ""),
+        ("WAYLAND_DISPLAY", "nobody"),
+    ] {
+        let mut command = Command::new(intro());
+        let command = command.args(["--silent", "--seconds", "0.2", "--size", "64x48"]);
+        let command = command.env("DISPLAY", &server.display).env(variable, value);
+        let (_, code, output, errors) = Process::start(command).end();
+        assert_eq!((code, &*errors), (Some(0), ""), "{variable}: {output}");
     }
 }
 
@@ -62,7 +84,7 @@ fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
     let words = "--size 200x150 --seconds 60 --quality default";
     let intro = server.play(&words.split(' ').collect::<Vec<_>>());
     sleep(Duration::from_millis(1500));
-    let shot = server.screenshot(server.window().expect("a window"));
+    let shot = server.window_screenshot();
     let difference = difference_to_show(&shot, 200, start.elapsed());
     assert!(
         difference < tolerance,
@@ -120,13 +142,19 @@ fn a_display_that_frames_can_not_be_shown_on_is_as_good_as_none() {
         return;
     }
     // `minifb` has pixels of 32 bits alone.
-    let (depth, why) = if is_portable() {
-        (16, "X display without pixels of 32 bits")
+    let (arguments, why): (&[&str], _) = if is_portable() {
+        (
+            &["-screen", "0", "320x240x16"],
+            "X display without pixels of 32 bits",
+        )
     } else {
-        (8, "X display without colours of its own")
+        // Greys that nobody can change.
+        (
+            &["-screen", "0", "320x240x8", "-cc", "0"],
+            "X display without colours",
+        )
     };
-    let screen = format!("320x240x{depth}");
-    let server = Server::start_with(320, 240, &["-screen", "0", &screen]);
+    let server = Server::start_with(320, 240, arguments);
     let intro = Process::start(
         Command::new(intro())
             .args(["--seconds", "0.3", "--silent"])

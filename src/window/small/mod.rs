@@ -7,6 +7,7 @@ pub mod arguments;
 mod blit;
 pub mod clock;
 pub mod memory;
+mod palette;
 pub mod threads;
 pub mod window;
 mod xext;

@@ -5,7 +5,7 @@ use core::{
     mem::{take, zeroed},
 };
 
-use super::blit::Frames;
+use super::{blit::Frames, palette::set_palette};
 pub use crate::keyboard::Press;
 use crate::{
     keyboard::{self, Presses},
@@ -43,11 +43,11 @@ impl Window {
         let (top, frames) = unsafe {
             let screen = &*(x.XDefaultScreenOfDisplay)(display);
             let image = x11::picture(x, display);
-            if (*image).red_mask == 0 {
-                return Err("X display without colours of its own");
-            }
             let window = (x.XCreateSimpleWindow)(display, screen.root, 0, 0, 1, 1, 0, 0, 0);
             let top = Toplevel::new(x, display, window);
+            if (*image).red_mask == 0 {
+                set_palette(&top, image)?;
+            }
             let frames = Frames::new(&top, image, screen.default_gc);
             (top, frames)
         };

@@ -10,6 +10,7 @@ use core::ffi::{c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_ushort};
 pub type XID = c_ulong;
 pub type Atom = XID;
 pub type Bool = c_int;
+pub type Colormap = XID;
 pub type Cursor = XID;
 pub type Drawable = XID;
 pub type KeyCode = c_uchar;
@@ -27,7 +28,21 @@ macro_rules! opaque {
     )* };
 }
 
-opaque! { Display Visual GraphicsContext }
+opaque! { Display GraphicsContext }
+
+/// What a pixel means.
+#[repr(C)]
+pub struct Visual {
+    ext_data: *mut Visual,
+    visualid: XID,
+    pub class: c_int,
+}
+
+/// Whether pixels of a class of visuals are numbers in a table that can be changed (`GrayScale`, `PseudoColor`) or three in three
+/// (`DirectColor`).
+pub const fn is_changeable(class: c_int) -> bool {
+    class & 1 != 0
+}
 
 pub type GC = *mut GraphicsContext;
 
@@ -55,6 +70,11 @@ pub struct Screen {
     save_unders: Bool,
     root_input_mask: c_long,
 }
+
+pub const AllocAll: c_int = 1;
+pub const DoRed: c_char = 1 << 0;
+pub const DoGreen: c_char = 1 << 1;
+pub const DoBlue: c_char = 1 << 2;
 
 pub const False: Bool = 0;
 pub const True: Bool = 1;

@@ -16,6 +16,9 @@ use crate::{
 /// The variable that names the Wayland display.
 const WAYLAND_DISPLAY: &str = "WAYLAND_DISPLAY";
 
+/// The variable that names the input method of X, a program that makes characters of several keys.
+const INPUT_METHOD: &str = "XMODIFIERS";
+
 /// A display that `minifb` opens a window on.
 pub struct Display {
     /// Why there is no window if it can't.
@@ -39,10 +42,10 @@ impl Display {
         let has_wayland = env::var_os(WAYLAND_DISPLAY).is_some_and(|name| !name.is_empty());
         match X::open() {
             Ok(x) => {
-                if has_wayland {
-                    // `minifb` would take it.
+                // `minifb` would take the first, and crashes where the second names what is not there. Keys come without either.
+                for variable in [WAYLAND_DISPLAY, INPUT_METHOD] {
                     // SAFETY: no other thread of this crate's runs before there is a window.
-                    unsafe { env::remove_var(WAYLAND_DISPLAY) };
+                    unsafe { env::remove_var(variable) };
                 }
                 Ok(Display {
                     why_not: "no X display",
