@@ -89,6 +89,10 @@ impl Screen for Window {
     }
 
     fn show(&mut self) -> Next {
+        // `minifb` would say so in words of its own.
+        if let Some(code) = self.desktop.end() {
+            return Next::End(code);
+        }
         let (width, height) = self.drawn;
         let frame = &mut self.frame[..width * height];
         self.desktop.colour(frame);

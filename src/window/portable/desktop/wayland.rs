@@ -51,8 +51,16 @@ impl Window {
 
     /// Whether the connection is broken.
     pub fn is_lost(&self) -> bool {
-        // SAFETY: the display is open.
-        unsafe { (self.client.wl_display_get_error)(self.display) != 0 }
+        // SAFETY: the display is open, and there is one file to look at.
+        unsafe {
+            let mut file = libc::pollfd {
+                fd: (self.client.wl_display_get_fd)(self.display),
+                events: 0,
+                revents: 0,
+            };
+            libc::poll(&mut file, 1, 0);
+            file.revents != 0 || (self.client.wl_display_get_error)(self.display) != 0
+        }
     }
 
     /// Asks the compositor for the whole screen, or for the window. Does nothing while it takes no requests.
