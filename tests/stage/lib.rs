@@ -16,6 +16,7 @@ use std::{
     thread::sleep,
     time::{Duration, Instant},
 };
+use tempfile::TempDir;
 
 /// The path of the intro, which is built if anything has changed; with the portable backend if `EIGHTFOLD_BACKEND` is `portable`.
 pub fn intro() -> PathBuf {
@@ -136,6 +137,8 @@ pub struct Server {
     /// The value for `DISPLAY`.
     pub display: String,
     manager: Option<Process>,
+    /// The window manager's settings, which it reads some time after it has taken the screen.
+    settings: Option<TempDir>,
     /// Whether the window manager gives keys to a new window, wherever the pointer is.
     gives_focus: bool,
 }
@@ -166,6 +169,7 @@ impl Server {
             process,
             display: format!(":{}", number.trim()),
             manager: None,
+            settings: None,
             gives_focus: false,
         }
     }
@@ -195,6 +199,7 @@ impl Server {
         let mut twm = server.tool("twm");
         let twm = twm.env("LC_ALL", "C").arg("-f").arg(&settings);
         server.manager = Some(Process::start(twm));
+        server.settings = Some(folder);
         wait_for("the window manager", || {
             let mut xwininfo = server.tool("xwininfo");
             let (_, text) = run(xwininfo.args(["-root", "-events"]));
