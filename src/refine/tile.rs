@@ -8,6 +8,7 @@ use super::worker::Worker;
 use crate::observe::{Fill, Observer, Stage};
 use crate::prepare::{Prepared, VisibleGroups};
 use crate::quality::Quality;
+use crate::scene::camera::pixels;
 use fearless_simd::Level;
 
 /// A tile that is being drawn.
@@ -68,7 +69,12 @@ impl<O: Observer> Tile<'_, O> {
     /// Judges a row of squares, and fills those that pass.
     fn fill_row(&mut self, level: usize, y: usize) {
         self.observer.stage(Stage::Verdict);
-        let marks = &self.worker.marks;
+        let side = self.area.side(level);
+        let marks = &mut self.worker.marks;
+        let is_coarse = self.scene.scene.method.coarse >= pixels(side);
+        if is_coarse {
+            marks.open[level][y] = Bits::NONE;
+        }
         let squares = marks.squares[level][y] & !marks.open[level][y];
         if squares.is_empty() {
             self.worker.marks.filled[level][y] = Bits::NONE;
@@ -76,10 +82,12 @@ impl<O: Observer> Tile<'_, O> {
         }
         let pyramid = &self.worker.pyramid;
         let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
-        let side = self.area.side(level);
         let rules = Rules::new(self.quality, side);
         let mut verdict = judge(self.isa, rules, &squares, above, below);
         self.observer.stage(Stage::Fill);
+        if is_coarse {
+            verdict = Verdict::coarse(squares);
+        }
         let patterned = self.fill_patterned(level, y, &mut verdict);
         if side.is_power_of_two() {
             self.fill_by_isa(level, y, &verdict);

@@ -75,6 +75,18 @@ pub(super) struct Verdict {
     pub patterned: Bits,
 }
 
+impl Verdict {
+    /// All squares are filled with one colour each, whatever their corners show.
+    pub fn coarse(squares: Bits) -> Self {
+        Self {
+            agreeing: squares,
+            flat: squares,
+            filled: squares,
+            patterned: Bits::NONE,
+        }
+    }
+}
+
 /// Judges squares of a row, those in `squares`, by the rows of points above and below them.
 pub(super) fn judge(
     isa: Level,

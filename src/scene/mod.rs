@@ -97,6 +97,7 @@ impl Scene {
                 points: 0.0,
                 squares: 0.0,
                 picture: 0.0,
+                coarse: 0.0,
             },
             spheres: List::over(Sphere {
                 centre: Vec3A::ZERO,

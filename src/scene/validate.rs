@@ -61,7 +61,9 @@ impl Scene {
         let (checked, method) = (Checked::one("method"), self.method);
         checked.share("points", method.points)?;
         checked.share("squares", method.squares)?;
-        checked.share("picture", method.picture)
+        checked.share("picture", method.picture)?;
+        let is_side = (0.0..=32.0).contains(&method.coarse);
+        checked.field("coarse", method.coarse, "0 to 32", is_side)
     }
 }
 

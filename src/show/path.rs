@@ -68,6 +68,7 @@ pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
         points: overlay.x,
         squares: overlay.y,
         picture: overlay.z,
+        coarse: 0.0,
     };
 }
 

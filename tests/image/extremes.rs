@@ -163,7 +163,10 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
         ("points", &mut method.points),
         ("squares", &mut method.squares),
     ]);
-    lengths.push(("picture", &mut method.picture));
+    lengths.extend([
+        ("picture", &mut method.picture),
+        ("coarse", &mut method.coarse),
+    ]);
     for caption in scene.captions.iter_mut() {
         lengths.extend([
             ("middle", &mut caption.middle),

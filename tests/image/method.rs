@@ -1,7 +1,9 @@
-//! The overlay that explains the method marks exactly the points that are traced and the squares that are filled.
+//! The overlay that explains the method marks exactly the points that are traced and the squares that are filled, and a coarse
+//! picture has squares of one colour.
 
 use crate::cpu;
 use crate::drawn::{draw, jagged};
+use crate::error::worst_channel;
 use crate::overlay::FrameTrace;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::observe::Fill;
@@ -20,6 +22,7 @@ fn overlay(points: f32, squares: f32) -> Scene {
         points,
         squares,
         picture: 0.0,
+        coarse: 0.0,
     };
     scene
 }
@@ -100,6 +103,7 @@ fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads
         points: 0.7,
         squares: 0.3,
         picture: 0.4,
+        coarse: 0.0,
     };
     let drawn = draw(cpu::best(), 1, &scene, &Quality::DEFAULT, width, height);
     for threads in [2, 3, 7] {
@@ -112,5 +116,54 @@ fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads
             height,
         );
         assert!(drawn.pixels == again.pixels, "{threads} threads");
+    }
+}
+
+#[test]
+fn a_coarse_picture_has_squares_of_one_colour_by_the_same_bits_on_any_number_of_threads() {
+    let (width, height) = SIZE;
+    for quality in [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT] {
+        for side in [2, 4, 8, 16, 32] {
+            let mut scene = show::scene(1.0);
+            scene.method.coarse = side as f32;
+            let by = |threads| draw(cpu::best(), threads, &scene, &quality, width, height);
+            let drawn = by(1);
+            for (i, &pixel) in drawn.pixels.iter().enumerate() {
+                let (x, y) = (i % width / side * side, i / width / side * side);
+                // A square that agreed when it was larger is filled with colours between its corners'.
+                let is_larger = side < quality.square;
+                let corner = drawn.pixels[y * width + x];
+                assert!(
+                    is_larger || pixel == corner,
+                    "pixel {i} by squares of {side}"
+                );
+            }
+            for threads in [2, 3] {
+                assert!(by(threads).pixels == drawn.pixels, "{threads} threads");
+            }
+            // About a point for each square, and none within them.
+            let points = drawn.counts.points as usize;
+            assert!(
+                points < (width + 64) * (height + 64) * 2 / (side * side),
+                "{points} by {side}"
+            );
+        }
+    }
+}
+
+#[test]
+fn squares_of_a_single_pixel_leave_the_picture_as_it_is() {
+    let (width, height) = SIZE;
+    let mut scene = show::scene(1.0);
+    let plain = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, width, height);
+    scene.method.coarse = 1.9;
+    let drawn = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, width, height);
+    assert_eq!(plain.counts, drawn.counts);
+    // An overlay that shows nothing rounds colours down.
+    for (&plain, &drawn) in plain.pixels.iter().zip(&drawn.pixels) {
+        assert!(
+            worst_channel(plain, drawn) <= 1,
+            "{plain:06x} to {drawn:06x}"
+        );
     }
 }

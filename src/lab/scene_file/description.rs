@@ -59,6 +59,7 @@ pub struct Method {
     pub points: f32,
     pub squares: f32,
     pub picture: f32,
+    pub coarse: f32,
 }
 
 /// See [`scene::Material`].
