@@ -2,9 +2,6 @@
 
 use glam::{Vec2, vec2};
 
-/// The distance between the left sides of neighbouring letters, in grid units.
-pub(crate) const ADVANCE: f32 = 3.0;
-
 /// The capitals, each as the points that a pen visits; a space lifts the pen. The points of the grid are
 ///
 /// ```text
@@ -51,12 +48,12 @@ static DIGITS: [&str; 10] = [
     "dbn", // 1
     "dbfmo", // 2
     "achlnm", // 3
-    "ocgl", // 4
+    "ocgi", // 4
     "cadelnm", // 5
     "bdjnlig", // 6
     "acn", // 7
     "bfjnldb", // 8
-    "nlfbdig", // 9
+    "nlfbdgi", // 9
 ];
 
 /// The strokes of an ASCII capital or digit, each with its two ends in grid units to the right of the letter's upper left and

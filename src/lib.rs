@@ -65,7 +65,7 @@
 //! | what every ray of a frame uses, computed once | `prepare` |
 //! | rays to colours and keys, as many side by side as the instruction set holds | `trace` |
 //! | which points to trace, and which squares to fill or to split | `refine` |
-//! | captions over a finished band | `text` |
+//! | captions over a finished picture | `text` |
 //! | a frame: bands of the picture, by one thread or several | [`Renderer`] |
 //!
 //! Beside it: the soundtrack in [`sound`], on the beats of [`grid`] as the show is; [`Governor`], which chooses a quality by how

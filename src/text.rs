@@ -1,25 +1,30 @@
-//! Draws captions over the rows of a finished band.
+//! Draws captions over the rows of a band of a finished picture.
 //!
 //! The coverage of a pixel is computed from the distance of its centre to the nearest stroke, so edges are antialiased at any
 //! size. Captions are placed in pixels of the picture, and drawn in rows of the band. Letters are measured in units of the font's
 //! grid.
 
-use crate::font::{ADVANCE, strokes};
+use crate::font::strokes;
 use crate::maths::{round, sqrt};
 use crate::refine::Band;
 use crate::scene::Caption;
 use crate::scene::camera::pixels;
 use glam::{Vec2, vec2};
 
+/// The distance between the left sides of neighbouring letters, in grid units: their shadows just touch.
+const ADVANCE: f32 = 2.0 + 2.0 * (HALF_WIDTH + SHADOW);
+
 /// Half the width of a stroke, in grid units.
-const HALF_WIDTH: f32 = 0.22;
+const HALF_WIDTH: f32 = 0.3;
 
-/// The width of the dark outline around a stroke, in grid units: it makes text readable on white, and just does not reach the
-/// next letter.
-const OUTLINE: f32 = 0.28;
+/// The width of the shadow around a stroke, in grid units: towards its rim it fades, and it makes text readable on white.
+const SHADOW: f32 = 0.35;
 
-/// Draws captions over a band of a picture that is `height` pixels high.
-pub(crate) fn draw(captions: &[Caption], height: usize, band: &mut Band<'_>) {
+/// The share of the picture that the shadow hides at most.
+const DARKNESS: f32 = 0.7;
+
+/// Draws captions over a band of a picture that is `height` pixels high. `numbers` are what [`Caption::letters`] may stand for.
+pub(crate) fn draw(captions: &[Caption], numbers: [usize; 2], height: usize, band: &mut Band<'_>) {
     let (w, h) = (pixels(band.width), pixels(height));
     for caption in captions {
         if caption.brightness == 0.0 {
@@ -30,8 +35,8 @@ pub(crate) fn draw(captions: &[Caption], height: usize, band: &mut Band<'_>) {
         let middle = caption.middle * h - pixels(band.top);
         for (y, row) in band.pixels.chunks_exact_mut(band.width.max(1)).enumerate() {
             let y = (pixels(y) + 0.5 - middle) / unit;
-            // Beyond half a letter and half a stroke's width there is nothing to draw.
-            if y.abs() > 2.5 {
+            // Beyond half a letter and the shadow there is nothing to draw.
+            if y.abs() > 2.0 + HALF_WIDTH + SHADOW {
                 continue;
             }
             for (x, pixel) in row.iter_mut().enumerate() {
@@ -42,16 +47,38 @@ pub(crate) fn draw(captions: &[Caption], height: usize, band: &mut Band<'_>) {
                 if index < 0.0 {
                     continue;
                 }
-                let Some(&letter) = caption.letters.get(index as usize) else {
+                let Some(letter) = letter(&caption.letters, index as usize, numbers) else {
                     break;
                 };
                 let at = vec2(x - index * ADVANCE + 1.0, y + 2.0);
-                let inside = (HALF_WIDTH - distance(at, letter)) * unit + 0.5;
-                let share = |inside: f32| inside.clamp(0.0, 1.0) * caption.brightness;
-                *pixel = blend(*pixel, share(inside + OUTLINE * unit), share(inside));
+                let inside = HALF_WIDTH - distance(at, letter);
+                let share = |share: f32| share.clamp(0.0, 1.0) * caption.brightness;
+                let white = share(inside * unit + 0.5);
+                let shadow = share(1.0 + inside * (1.0 / SHADOW)) * DARKNESS;
+                *pixel = blend(*pixel, shadow.max(white), white);
             }
         }
     }
+}
+
+/// The letter of a caption at an index, a digit of a number where one stands for it; `None` beyond its end.
+fn letter(letters: &[u8], index: usize, numbers: [usize; 2]) -> Option<u8> {
+    let (&letter, after) = letters.get(index..)?.split_first()?;
+    let Some(number) = numbers.get(usize::from(letter.wrapping_sub(b'#'))) else {
+        return Some(letter);
+    };
+    let number = after.iter().fold(
+        *number,
+        |number, &next| {
+            if next == letter { number / 10 } else { number }
+        },
+    );
+    // No zeros lead a number.
+    Some(if number > 0 {
+        b'0' + (number % 10) as u8
+    } else {
+        b' '
+    })
 }
 
 /// The distance from a point to the nearest of a letter's strokes, in grid units, at most 1.

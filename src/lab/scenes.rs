@@ -49,10 +49,19 @@ impl SceneName {
         }
     }
 
-    /// The same without the overlay that explains the method: since it differs between qualities, it would count as an error.
+    /// The same without what explains the method, the overlay and captions that count points: since these differ between qualities,
+    /// they would count as errors.
     pub fn without_overlay(self, time: f32) -> Scene {
         let mut scene = self.at(time);
         scene.method = Method::default();
+        let captions = scene.captions;
+        scene.captions.clear();
+        for caption in captions
+            .iter()
+            .filter(|caption| !caption.letters.contains(&b'#'))
+        {
+            scene.captions.push(*caption);
+        }
         scene
     }
 

@@ -73,20 +73,24 @@ impl Memory {
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
             refine::render(level, prepared, quality, observer, worker, band);
             band.counts = worker.take_counts();
-            if !quality.antialias {
-                text::draw(&scene.captions, height, band);
-            }
         };
         let rows = Band::rows(quality);
         let counts = each_band(rows, width, pixels, &job, threads);
-        counts + self.smooth(level, scene, quality, width, pixels, threads)
+        let counts = counts + self.smooth(level, quality, width, pixels, threads);
+        if !scene.captions.is_empty() {
+            let numbers = [counts.points as usize, pixels.len()];
+            let job = |_: &mut Worker, band: &mut Band<'_>| {
+                text::draw(&scene.captions, numbers, height, band);
+            };
+            each_band(rows, width, pixels, &job, threads);
+        }
+        counts
     }
 
-    /// Smooths the edges of a frame if the quality says so, and then draws its captions.
+    /// Smooths the edges of a frame if the quality says so.
     fn smooth(
         &mut self,
         level: Level,
-        scene: &Scene,
         quality: &Quality,
         width: usize,
         pixels: &mut [u32],
@@ -100,7 +104,6 @@ impl Memory {
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
             seams.smooth(level, prepared, quality, worker, band);
             band.counts = worker.take_counts();
-            text::draw(&scene.captions, prepared.height, band);
         };
         each_band(Band::rows(quality), width, pixels, &job, threads)
     }

@@ -8,7 +8,9 @@ pub const MAX_LETTERS: usize = 32;
 /// A line of text, centred in the picture's width.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Caption {
-    /// ASCII capitals and digits. Any other byte is a space.
+    /// ASCII capitals and digits. Each `#` stands for a digit of the number of points that were traced for the frame, before edges
+    /// got their samples, and each `$` for one of the number of its pixels, the last one of a caption for the last digit. Any other
+    /// byte is a space.
     pub letters: List<u8, MAX_LETTERS>,
     /// The middle of the line, as a share of the picture's height from the top, 0 to 1.
     pub middle: f32,

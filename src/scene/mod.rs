@@ -33,7 +33,7 @@ pub(crate) const MAX_SOLIDS: usize = MAX_SPHERES + MAX_BLOCKS;
 /// The most lights in a scene.
 pub const MAX_LIGHTS: usize = 4;
 
-/// The most captions in a scene: as many as the whole show has.
+/// The most captions in a scene. The show has up to 3 at a time.
 pub const MAX_CAPTIONS: usize = 10;
 
 /// Everything that one frame shows.

@@ -4,7 +4,7 @@ use crate::cpu;
 use crate::drawn::draw;
 use eightfold::Quality;
 use eightfold::glam::{Vec3A, vec3a};
-use eightfold::scene::{Camera, Scene};
+use eightfold::scene::{Camera, Caption, List, Scene};
 use eightfold::show::{self, grid};
 use eightfold::sound::pulse;
 
@@ -202,5 +202,36 @@ fn captions_are_inside_the_picture_and_bright() {
                 );
             }
         }
+    }
+}
+
+#[test]
+fn a_caption_tells_the_points_and_the_pixels_of_its_own_frame() {
+    let quality = Quality::DEFAULT;
+    for (width, height) in [(331, 217), (1280, 720)] {
+        let with = |letters: &str| {
+            let caption = Caption {
+                letters: List::of(letters.as_bytes()),
+                middle: 0.5,
+                size: 0.05,
+                brightness: 1.0,
+            };
+            let scene = Scene {
+                captions: List::of(&[caption]),
+                ..show::scene(2.0)
+            };
+            draw(cpu::best(), 2, &scene, &quality, width, height)
+        };
+        let counted = with("TRACED ####### OF $$$$$$$ PIXELS");
+        let points = counted.counts.points;
+        // No zeros lead a number.
+        let told = with(&format!("TRACED {points:7} OF {:7} PIXELS", width * height));
+        assert!(points > 1000 && counted.pixels == told.pixels, "{points}");
+        let other = with(&format!(
+            "TRACED {:7} OF {:7} PIXELS",
+            points + 1,
+            width * height
+        ));
+        assert!(counted.pixels != other.pixels);
     }
 }

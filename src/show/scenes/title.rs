@@ -1,6 +1,6 @@
 //! The title: letters of gold rise out of dark water, one after another, where a lamp passes.
 
-use crate::font::{ADVANCE, strokes};
+use crate::font::strokes;
 use crate::maths::smooth_step;
 use crate::scene::{Light, Scene, Shape};
 use crate::show::act::{Act, Shot, shot};
@@ -63,7 +63,9 @@ static CAPTIONS: &[Line] = &[
 
 const WORD: &[u8; 9] = b"EIGHTFOLD";
 
-/// The width of the word, in units of the font's grid.
+/// The distance between the left sides of neighbouring letters, in units of the font's grid.
+const ADVANCE: f32 = 3.0;
+/// The width of the word, in the same units.
 const WIDTH: f32 = ADVANCE * WORD.len() as f32 - 1.0;
 /// The size of a grid unit, in scene units.
 const STEP: f32 = 0.5;
