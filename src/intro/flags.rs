@@ -73,7 +73,7 @@ pub const FLAGS: &[Flag] = &[
         switch: Switch::Seconds,
         name: "--seconds",
         value: "S",
-        help: "seconds until the end, above 0, such as 7.5 (96, the show)",
+        help: "seconds until the end, above 0, such as 7.5 (116, the show)",
     },
     Flag {
         switch: Switch::Loop,
@@ -115,7 +115,7 @@ pub const FLAGS: &[Flag] = &[
         switch: Switch::Still,
         name: "--still",
         value: "S",
-        help: "write the frame at S seconds, 0 to 95.99, to standard output as PPM",
+        help: "write the frame at S seconds, 0 to 115.99, to standard output as PPM",
     },
     Flag {
         switch: Switch::Help,

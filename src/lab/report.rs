@@ -156,13 +156,13 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     let tile = sizes.first().map_or(" --size 240x135", String::as_str);
     // Twelve seconds about the cut from the model scene to the method's.
     let still = sizes.first().map_or(" --size 416x234", String::as_str);
-    let end = 300 + arguments.frames.unwrap_or(144);
+    let end = 252 + arguments.frames.unwrap_or(144);
     vec![
         Part {
             flag: "--video",
             ..part(
                 "moving",
-                format!("capture --from 300 --to {end} --fps 12{still} --supersample 2"),
+                format!("capture --from 252 --to {end} --fps 12{still} --supersample 2"),
                 &MOVING,
                 false,
             )
@@ -205,7 +205,7 @@ const MOVING: [(&str, &str); 1] = [(
 )];
 const SHEET: [(&str, &str); 1] = [(
     "show.png",
-    "Frames of the show, row by row: title, model scene, method, colonnade, machine, swarm, finale",
+    "Frames of the show, row by row: title, model scene, method, colonnade, machine, flake, mirrors, swarm, finale",
 )];
 const TRADE: [(&str, &str); 4] = [
     (

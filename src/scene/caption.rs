@@ -2,7 +2,7 @@
 
 use super::List;
 
-/// The most letters in a caption. The longest in the show has 28.
+/// The most letters in a caption. The longest in the show has 32.
 pub const MAX_LETTERS: usize = 32;
 
 /// A line of text, centred in the picture's width.

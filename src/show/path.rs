@@ -13,8 +13,8 @@ pub(super) struct Key {
     /// The angle about the y axis in radians, at 0 the camera looks along z; the horizontal distance and the height, in scene
     /// units; the roll, as the slope of the horizon, which is lower on the left if it is positive.
     away: Vec4,
-    /// The points, the squares and the picture of a [`Method`].
-    overlay: Vec3A,
+    /// The points, the squares, the picture and the coarseness of a [`Method`].
+    overlay: Vec4,
 }
 
 /// A key without roll and overlay.
@@ -22,15 +22,15 @@ pub(super) const fn key(look_at: [f32; 3], angle: f32, distance: f32, height: f3
     Key {
         look_at: Vec3A::from_array(look_at),
         away: vec4(angle, distance, height, 0.0),
-        overlay: Vec3A::Z,
+        overlay: Vec4::Z,
     }
 }
 
 impl Key {
     /// The same key with an overlay, see [`Method`].
-    pub const fn overlaid(self, points: f32, squares: f32, picture: f32) -> Self {
+    pub const fn overlaid(self, points: f32, squares: f32, picture: f32, coarse: f32) -> Self {
         Self {
-            overlay: vec3a(points, squares, picture),
+            overlay: vec4(points, squares, picture, coarse),
             ..self
         }
     }
@@ -68,7 +68,7 @@ pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
         points: overlay.x,
         squares: overlay.y,
         picture: overlay.z,
-        coarse: 0.0,
+        coarse: overlay.w,
     };
 }
 
@@ -108,7 +108,7 @@ mod tests {
         let any = any.prop_map(|((x, y, z, angle), distance, height, roll)| {
             key([x, y, z], angle, distance, height)
                 .rolled(roll)
-                .overlaid(roll.abs(), 0.5, 1.0)
+                .overlaid(roll.abs(), 0.5, 1.0, 0.0)
         });
         uniform5(any)
     }

@@ -1,6 +1,6 @@
 //! Spheres, boxes and cylinders that stand in rows, and how they move. Coordinates are the scene's.
 
-use crate::maths::{cos, sin};
+use crate::maths::{cos, round, sin, smooth_step};
 use crate::scene::{self, Block, Material, Scene, Sphere};
 use core::f32::consts::TAU;
 use glam::{Mat3A, Vec3A, vec3a};
@@ -138,6 +138,13 @@ pub(super) fn add_block(
         shape,
         material: *material,
     });
+}
+
+/// Time in beats for what goes on by ticks: on each beat by one, within 0.625 beats.
+pub(super) fn ticks(beat: f32) -> f32 {
+    // Rounding to even, the beat itself may count as the one before: either is where the next tick begins.
+    let whole = round(beat - 0.5);
+    whole + smooth_step((beat - whole) * 1.6)
 }
 
 /// The horizontal direction at an angle, in turns, from the z axis towards the x axis.

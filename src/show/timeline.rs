@@ -30,10 +30,23 @@ pub fn at(time: f32, scene: &mut Scene) {
         light.colour *= 1.0 + FLASH * kick;
     }
     captions::apply(act.captions, bar * BEATS, scene);
-    let (shot, bar) = playing(act.shots, |shot| shot.bars.into(), bar);
-    let time_of_shot = bar / f32::from(shot.bars);
+    let (shot, bar_of_shot) = playing(act.shots, |shot| shot.bars.into(), bar);
+    let time_of_shot = bar_of_shot / f32::from(shot.bars);
     film(shot.keys, time_of_shot, PUSH * kick, scene);
+    // Squares are halved on eighths, and doubled on sixteenths.
+    let bars_left = act.bars() as f32 - bar;
+    transition(BEATS * f32::min(2.0 * bar, 4.0 * bars_left), scene);
     scene.fade = 1.0 - smooth_step(time / FADE_IN) + smooth_step((time - LENGTH) / FADE_OUT + 1.0);
+}
+
+/// Has a scene begin and end with squares of 32 pixels. `halvings` is how often they have been halved since the scene began, or
+/// will be doubled before it ends.
+fn transition(halvings: f32, scene: &mut Scene) {
+    // No squares of a single pixel.
+    let side = (32 >> (halvings as u32).min(6) & !1) as f32;
+    let method = &mut scene.method;
+    method.coarse = method.coarse.max(side);
+    method.squares = method.squares.max(side / 128.0);
 }
 
 /// Which of several scenes or shots, that are played one after another, is played at a bar counted from the start of the first;

@@ -351,4 +351,21 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         room: 0.2,
         ..SILENT
     },
+    // Squares.
+    Instrument {
+        notes: Notes::Tone(24),
+        saw: 0.2,
+        detune: 0.002,
+        attack: s(0.002),
+        decay: s(0.1),
+        release: s(0.05),
+        gate: 0.25,
+        sweep: s(0.05),
+        cutoff_start: hz(6000.0),
+        cutoff_end: hz(1500.0),
+        damping: 0.6,
+        echo: 0.35,
+        room: 0.15,
+        ..SILENT
+    },
 ];

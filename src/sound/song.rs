@@ -8,7 +8,7 @@
 use super::STEPS_PER_BAR;
 
 /// The number of tracks; each is played by one instrument with one voice.
-pub(super) const TRACKS: usize = 13;
+pub(super) const TRACKS: usize = 14;
 
 /// The track of the kick drum, on which the others get quieter.
 pub(super) const KICK: usize = 0;
@@ -32,7 +32,7 @@ static CHORDS: [[u8; 4]; 8] = [
 const CHORD_NAMES: &[u8] = b"afcgdEeA";
 
 /// The chord of each bar.
-const HARMONY_TEXT: &[u8] = b"aaffdE aaffcgdE afcgafdE fgeafgEE aaaafE fgeafg afgAAA";
+const HARMONY_TEXT: &[u8] = b"aaffdE aaffdE afcgafdE fgeafgEE aaaafE afcgdE ddaafE fgeafg afgAAA";
 
 /// The index in [`CHORDS`] of each bar's chord.
 static HARMONY: [u8; BARS] = indices_of(HARMONY_TEXT, CHORD_NAMES);
@@ -40,7 +40,7 @@ static HARMONY: [u8; BARS] = indices_of(HARMONY_TEXT, CHORD_NAMES);
 /// The brightness of each bar, 0 to 15: filters open with it.
 #[rustfmt::skip]
 static LIGHT: [u8; BARS] = indices_of(
-    b"012246 44556788 66778898 54456789 abbcde ddeeff b86421", DIGITS);
+    b"012246 445678 66778898 54456789 889aab 99aabb 543468 eeffff b86421", DIGITS);
 
 /// The MIDI notes of the melody's digits 1 to f: A minor from A4 up. Digit 0 has none.
 static SCALE: [u8; 16] = [
@@ -65,16 +65,17 @@ const STEPS: usize = STEPS_PER_BAR as usize;
 static PARTS: [Part; TRACKS] = [
     // Kick.
     Part {
-        bars: bars(b"...... aaaaaaab aaaaaaab ........ cccccb aaaaab ......"),
+        bars: bars(b"...... aaaaab aaaaaaab ........ cccccb aaaaab dddd.. aaaaab ......"),
         patterns: &[
             pattern(b"f... f... f... f..."),
             pattern(b"f... f... f... ...."),
             pattern(b"f... f... f.c. f..c"),
+            pattern(b"7... .... 7... ...."),
         ],
     },
     // Clap.
     Part {
-        bars: bars(b"...... ....aaab aaaaaaab .......c aaaaab aaaaab ......"),
+        bars: bars(b"...... ..aaab aaaaaaab .......c aaaaab aaaaab .....c aaaaab ......"),
         patterns: &[
             pattern(b".... d... .... d..."),
             pattern(b".... d..6 .... d9bf"),
@@ -83,17 +84,17 @@ static PARTS: [Part; TRACKS] = [
     },
     // Hat.
     Part {
-        bars: bars(b"...... ..aaaaaa aaaaaaaa ........ aaaaaa aaaaaa ......"),
-        patterns: &[pattern(b"7494 7494 7494 7496")],
+        bars: bars(b"...... ..aaaa aaaaaaaa ........ aaaaaa aaaaaa ....aa bbbbbb ......"),
+        patterns: &[pattern(b"7494 7494 7494 7496"), pattern(b"d9d9 d9d9 d9d9 d9df")],
     },
     // Open hat.
     Part {
-        bars: bars(b"...... ....aaaa aaaaaaaa ........ aaaaaa aaaaaa ......"),
+        bars: bars(b"...... ....aa aaaaaaaa ........ ..aaaa ..aaaa ...... aaaaaa ......"),
         patterns: &[pattern(b"..c. ..c. ..c. ..c.")],
     },
     // Bass.
     Part {
-        bars: bars(b"...... aaaaaaaa bbbbbbbb dddddd.. cccccc eeeeee ddd..."),
+        bars: bars(b"...... aaaaaa bbbbbbbb dddddd.. cccccc bbbbbb dddd.. eeeeee ddd..."),
         patterns: &[
             pattern(b"..1. ..1. ..1. ..1."),
             pattern(b"..11 ..15 ..11 .151"),
@@ -104,16 +105,16 @@ static PARTS: [Part; TRACKS] = [
     },
     // Pad, and the same with its notes on other sides.
     Part {
-        bars: bars(b"aaaaaa aaaaaaaa aaaaaaaa aaaaaaaa ...... aaaaaa aaaa.."),
+        bars: bars(b"aaaaaa aaaaaa aaaaaaaa aaaaaaaa ...... aaaaaa aaaaaa aaaaaa aaaa.."),
         patterns: &[pattern(b"1... .... .... ....")],
     },
     Part {
-        bars: bars(b"aaaaaa aaaaaaaa aaaaaaaa aaaaaaaa ...... aaaaaa aaaa.."),
+        bars: bars(b"aaaaaa aaaaaa aaaaaaaa aaaaaaaa ...... aaaaaa aaaaaa aaaaaa aaaa.."),
         patterns: &[pattern(b"4... .... .... ....")],
     },
     // Arpeggio.
     Part {
-        bars: bars(b"..aaaa aaaabbbb bbbbbbbb cccccccc ..bbbb bbbbbb aaaa.."),
+        bars: bars(b"..aaaa aaaabb bbbbbbbb cccccccc ..bbbb bbbbbb ccccbb bbbbbb aaaa.."),
         patterns: &[
             pattern(b"1.3. 2.4. 5.4. 3.2."),
             pattern(b"1351 3513 5135 7535"),
@@ -122,7 +123,7 @@ static PARTS: [Part; TRACKS] = [
     },
     // Melody.
     Part {
-        bars: bars(b"...... ........ ghijghij abcdef.. ...... abcdef e....."),
+        bars: bars(b"...... ...... ghijghij abcdef.. ...... ghij.. ...... abcdef e....."),
         patterns: &[
             pattern(b"5... ..4. 3... 1..."),
             pattern(b"2... ..3. 4... 7..."),
@@ -138,23 +139,31 @@ static PARTS: [Part; TRACKS] = [
     },
     // Bell.
     Part {
-        bars: bars(b"aaaaaa ........ ........ aaaaaaaa ...... aaaaaa aaaa.."),
+        bars: bars(b"aaaaaa ...... ........ aaaaaaaa ...... ...... aaaaaa aaaaaa aaaa.."),
         patterns: &[pattern(b"1... ..3. .... 5...")],
     },
     // Stabs.
     Part {
-        bars: bars(b"...... ........ ........ ........ aaaaaa aaaaaa ......"),
+        bars: bars(b"...... ...... ........ ........ ...aaa ...... ...... aaaaaa ......"),
         patterns: &[pattern(b"2..2 ..2. ..2. 2...")],
     },
     // Swells, which grow for two bars up to a cut.
     Part {
-        bars: bars(b"....a. ......a. ......a. ......a. ....a. ....a. ......"),
+        bars: bars(b"....a. ....a. ......a. ......a. ....a. ....a. ....a. ....a. ......"),
         patterns: &[pattern(b"f... .... .... ....")],
     },
     // Boom.
     Part {
-        bars: bars(b"a.a.a. a....... a....... a....... a..... a..... a..a.."),
+        bars: bars(b"a.a.a. a..... a....... a....... a..... aaaa.. a..... a..... a..a.."),
         patterns: &[pattern(b"f... .... .... ....")],
+    },
+    // Squares, which are halved where a scene begins, and doubled where it ends: an octave for each step.
+    Part {
+        bars: bars(b".....b a....b a......b a......b a....b a....b a....b a....b a....."),
+        patterns: &[
+            pattern(b"1.5. 9.d. .... ...."),
+            pattern(b".... .... .... d951"),
+        ],
     },
 ];
 

@@ -3,7 +3,7 @@
 use crate::drawn::{Drawn, draw_by_all};
 use crate::error::{Difference, worst_channel};
 use eightfold::Quality;
-use eightfold::scene::{Camera, Light, List, Material, Scene, Sphere};
+use eightfold::scene::{Camera, Light, List, Material, Method, Scene, Sphere};
 use eightfold::show::{self, grid};
 use eightfold_oracle::frame::Frame;
 use glam::{Vec3A, vec3a};
@@ -67,8 +67,9 @@ fn every_scene_of_the_show_is_as_the_oracle_sees_it() {
         let time = (bar as f32 + 0.3) * grid::BAR;
         let mut scene = Scene::default();
         show::at(time, &mut scene);
-        // The oracle draws no captions.
+        // The oracle draws no captions, and every pixel of a transition.
         scene.captions.clear();
+        scene.method = Method::default();
         scene.validate().unwrap();
         // In a smaller picture the share of silhouettes, which rounding may change, would be too large.
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 180);

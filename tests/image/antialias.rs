@@ -163,7 +163,7 @@ fn captions_and_the_overlay_are_not_antialiased_as_edges() {
         pixels.iter().map(|&pixel| pixel == 0x00ff_ffff).collect()
     };
     // The greetings, over a picture with edges.
-    show::at(90.0, &mut scene);
+    show::at(110.0, &mut scene);
     assert!(
         scene
             .captions

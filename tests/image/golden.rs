@@ -111,17 +111,21 @@ fn golden_show() {
     // Times in milliseconds that show every scene and every position of a caption.
     for (name, time, quality) in [
         ("title", 9_000, NamedQuality::EXHAUSTIVE),
-        ("model-close", 23_000, NamedQuality::EXHAUSTIVE),
+        ("model-close", 21_000, NamedQuality::EXHAUSTIVE),
         // The overlay shows squares, so the picture has to be drawn by squares.
-        ("method", 38_000, NamedQuality::THESIS),
-        ("colonnade", 51_000, NamedQuality::EXHAUSTIVE),
-        ("colonnade-close", 58_000, NamedQuality::EXHAUSTIVE),
-        ("machine", 64_600, NamedQuality::EXHAUSTIVE),
-        ("machine-close", 67_200, NamedQuality::EXHAUSTIVE),
-        ("waves", 74_000, NamedQuality::EXHAUSTIVE),
-        ("ball", 78_400, NamedQuality::EXHAUSTIVE),
-        ("eight", 82_600, NamedQuality::EXHAUSTIVE),
-        ("finale", 90_600, NamedQuality::EXHAUSTIVE),
+        ("method", 34_000, NamedQuality::THESIS),
+        ("colonnade", 47_000, NamedQuality::EXHAUSTIVE),
+        ("colonnade-close", 54_000, NamedQuality::EXHAUSTIVE),
+        ("machine", 60_600, NamedQuality::EXHAUSTIVE),
+        ("machine-close", 63_200, NamedQuality::EXHAUSTIVE),
+        ("flake", 75_000, NamedQuality::EXHAUSTIVE),
+        ("mirrors", 85_000, NamedQuality::EXHAUSTIVE),
+        // As it comes up from squares of 16 pixels.
+        ("coarse", 92_300, NamedQuality::THESIS),
+        ("waves", 94_000, NamedQuality::EXHAUSTIVE),
+        ("ball", 98_400, NamedQuality::EXHAUSTIVE),
+        ("eight", 102_600, NamedQuality::EXHAUSTIVE),
+        ("finale", 110_600, NamedQuality::EXHAUSTIVE),
     ] {
         let still = Still {
             time,

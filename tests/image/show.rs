@@ -118,6 +118,13 @@ fn subject(name: &str, scene: &Scene) -> Vec<(Vec3A, f32)> {
     match name {
         // Crystal, scarlet and silver: the columns go on beyond the picture, and the golden sphere is passed by.
         "colonnade" => vec![balls[0], balls[2], balls[3]],
+        // The ball in the middle and the light: the other balls are passed by, the columns go on beyond the picture.
+        "mirrors" => {
+            let light = scene.lights[0];
+            balls.truncate(1);
+            balls.push((light.position, light.radius));
+            balls
+        }
         // The glass ball and the sun: the arms go on.
         "finale" => {
             let sun = scene.lights[0];
@@ -135,11 +142,14 @@ fn what_a_shot_is_about_fits_pictures_from_4_3_to_21_9() {
     let whole = [
         ("title", 20.0..24.0),
         ("model", 0.0..16.0),
-        ("model", 28.0..32.0),
+        ("model", 22.0..24.0),
         ("method", 0.0..32.0),
         ("colonnade", 0.0..32.0),
         ("machine", 7.0..12.0),
         ("machine", 19.0..24.0),
+        ("flake", 4.0..16.0),
+        ("flake", 22.0..24.0),
+        ("mirrors", 0.0..24.0),
         ("swarm", 0.0..24.0),
         ("finale", 0.0..24.0),
     ];

@@ -19,7 +19,7 @@ pub(in crate::show) const ACT: Act = Act {
 static SET: Set = Set {
     background: vec3a(0.78, 0.50, 0.36),
     sky: vec3a(-0.62, -0.26, 0.10),
-    ambient: vec3a(0.16, 0.15, 0.20),
+    ambient: vec3a(0.22, 0.20, 0.27),
     haze: 0.022,
     film: SHOW,
     floor: &material::SANDSTONE,

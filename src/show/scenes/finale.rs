@@ -28,9 +28,9 @@ static SET: Set = Set {
     lights: &[
         // The sun.
         Light {
-            radius: 3.0,
-            glow: 4.0,
-            ..point([2.0, 2.4, 35.0], [1.00, 0.72, 0.42])
+            radius: 5.0,
+            glow: 7.0,
+            ..point([4.0, 5.2, 70.0], [1.00, 0.72, 0.42])
         },
         point([-6.0, 8.0, -8.0], [0.75, 0.62, 0.72]),
     ],
@@ -46,9 +46,9 @@ static SHOTS: &[Shot] = &[
     shot(6, &[
         key([0.0, 1.9, 0.0], -0.08, 6.0, -0.4),
         key([0.0, 2.2, 0.0], -0.16, 7.5, 0.0),
-        key([0.0, 2.5, 0.0], -0.24, 9.0, 0.5),
-        key([0.0, 2.7, 0.0], -0.31, 10.5, 0.9),
-        key([0.0, 2.8, 0.0], -0.36, 11.5, 1.2),
+        key([0.0, 2.4, 0.0], -0.24, 9.0, 0.9),
+        key([0.0, 2.6, 0.0], -0.31, 10.5, 1.7),
+        key([0.0, 2.6, 0.0], -0.36, 11.5, 2.4),
     ]),
 ];
 
@@ -58,8 +58,8 @@ static CAPTIONS: &[Line] = &[
     Line { first: 9.0, beats: 7.0, middle: 0.07, size: 0.040, text: "GREETINGS TO" },
     Line { first: 10.0, beats: 6.0, middle: 0.14, size: 0.055, text: "HEAVEN SEVEN" },
     Line { first: 11.0, beats: 5.0, middle: 0.22, size: 0.055, text: "REALSTORM" },
-    Line { first: 16.0, beats: 7.0, middle: 0.10, size: 0.045, text: "AND THE 2008 THESIS" },
-    Line { first: 16.0, beats: 7.0, middle: 0.18, size: 0.045, text: "ON ADAPTIVE RAY TRACING" },
+    Line { first: 16.0, beats: 7.0, middle: 0.07, size: 0.040, text: "AND THE 2008 THESIS" },
+    Line { first: 16.0, beats: 7.0, middle: 0.14, size: 0.040, text: "ON ADAPTIVE RAY TRACING" },
 ];
 
 /// Arms, and the spheres of each.
@@ -83,7 +83,7 @@ fn add(beat: f32, scene: &mut Scene) {
                 kr: 0.15,
                 ..material::SCARLET
             };
-            let centre = around(turns) * out + Vec3A::Y * radius;
+            let centre = around(turns) * out + Vec3A::Y * (1.05 * radius);
             add_sphere(centre, radius, &material, scene);
             out *= 1.12;
         }

@@ -1,11 +1,10 @@
 //! An orrery: planets on arms of brass, which a clockwork moves on by the beat around a sun that flashes.
 
-use crate::maths::{round, smooth_step};
 use crate::scene::{Light, Material, Scene, Shape, Spot};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
-use crate::show::props::{Prop, add_block, add_sphere, around, cylinder};
+use crate::show::props::{Prop, add_block, add_sphere, around, cylinder, ticks};
 use crate::show::set::{FAR, SHOW, Set, point};
 use glam::{Mat3A, Vec3A, vec3a};
 
@@ -18,8 +17,8 @@ pub(in crate::show) const ACT: Act = Act {
 };
 
 static SET: Set = Set {
-    background: vec3a(0.12, 0.10, 0.22),
-    sky: vec3a(-0.10, -0.08, -0.16),
+    background: vec3a(0.34, 0.18, 0.14),
+    sky: vec3a(-0.32, -0.16, -0.08),
     ambient: vec3a(0.10, 0.11, 0.15),
     haze: 0.03,
     film: SHOW,
@@ -104,10 +103,7 @@ const TILTED: Mat3A = Mat3A::from_cols(
 
 /// Adds planets and wheels, as they are `beat` beats after the act began.
 fn add(beat: f32, scene: &mut Scene) {
-    // On each beat all of it goes on by a tick, which takes 0.625 beats. Rounding to even, the beat itself may count as the one
-    // before: either is where the next tick begins.
-    let whole = round(beat - 0.5);
-    let ticks = whole + smooth_step((beat - whole) * 1.6);
+    let ticks = ticks(beat);
     for (number, planet) in (0..).zip(&PLANETS) {
         planet.add(number as f32, ticks, scene);
     }
@@ -158,6 +154,11 @@ fn add_wheel(centre: Vec3A, radius: f32, teeth: u8, turns: f32, scene: &mut Scen
     };
     let disc = vec3a(radius, 0.1, radius);
     add(Shape::Cylinder, centre, disc, Mat3A::IDENTITY);
+    // A rim and a hub.
+    for share in [0.85, 0.3] {
+        let above = centre + Vec3A::Y * (0.1 - 0.1 * share);
+        add(Shape::Cylinder, above, disc * share, Mat3A::IDENTITY);
+    }
     for tooth in 0..teeth {
         let out = around(f32::from(tooth) / f32::from(teeth) + turns);
         let half = vec3a(0.1, 0.08, 0.12);

@@ -4,8 +4,10 @@
 
 mod colonnade;
 mod finale;
+mod flake;
 mod machine;
 mod method;
+mod mirrors;
 pub(super) mod model;
 mod swarm;
 mod title;
@@ -21,6 +23,8 @@ const SCENES: &[(&str, Act)] = &[
     ("method", method::ACT),
     ("colonnade", colonnade::ACT),
     ("machine", machine::ACT),
+    ("flake", flake::ACT),
+    ("mirrors", mirrors::ACT),
     ("swarm", swarm::ACT),
     ("finale", finale::ACT),
 ];

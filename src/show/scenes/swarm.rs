@@ -19,8 +19,8 @@ pub(in crate::show) const ACT: Act = Act {
 };
 
 static SET: Set = Set {
-    background: vec3a(0.10, 0.12, 0.20),
-    sky: vec3a(-0.08, -0.09, -0.12),
+    background: vec3a(0.08, 0.28, 0.38),
+    sky: vec3a(-0.06, -0.25, -0.28),
     ambient: vec3a(0.12, 0.12, 0.15),
     haze: 0.03,
     film: SHOW,
@@ -41,10 +41,10 @@ static SET: Set = Set {
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
     shot(3, &[
-        key([0.0, 0.8, 0.0], 0.7, 14.4, 5.4),
-        key([0.0, 1.0, 0.0], 0.1, 13.8, 4.6).rolled(0.05),
-        key([0.0, 1.6, 0.0], -0.5, 11.5, 3.2).rolled(0.05),
-        key([0.0, 2.0, 0.0], -1.2, 10.5, 3.4),
+        key([0.0, 0.8, 0.0], 0.7, 12.8, 4.6),
+        key([0.0, 1.0, 0.0], 0.1, 12.4, 4.0).rolled(0.05),
+        key([0.0, 1.6, 0.0], -0.5, 10.4, 3.0).rolled(0.05),
+        key([0.0, 2.0, 0.0], -1.2, 9.6, 3.0),
     ]),
     shot(3, &[
         key([0.0, 2.6, 0.0], -1.2, 8.0, 0.4),
@@ -79,8 +79,8 @@ fn add(beat: f32, scene: &mut Scene) {
 fn sphere(i: i32, beat: f32) -> Sphere {
     let middle = (SIDE - 1) as f32 * 0.5;
     let (column, row) = ((i % SIDE) as f32 - middle, (i / SIDE) as f32 - middle);
-    let flat = vec3a(column, 0.0, row) * 0.62;
-    let wave = sin(0.14 * flat.length_squared() - TAU * 0.25 * beat);
+    let flat = vec3a(column, 0.0, row) * 0.56;
+    let wave = sin(0.17 * flat.length_squared() - TAU * 0.25 * beat);
     let flat = flat + Vec3A::Y * (0.9 + 0.55 * wave);
     // The ball: a spiral from pole to pole, on by the golden angle from each sphere to the next.
     let n = (i as f32 + 0.5) / COUNT as f32;

@@ -20,8 +20,8 @@ pub(in crate::show) const ACT: Act = Act {
 };
 
 static SET: Set = Set {
-    background: vec3a(0.16, 0.13, 0.24),
-    sky: vec3a(-0.15, -0.11, -0.18),
+    background: vec3a(0.26, 0.18, 0.32),
+    sky: vec3a(-0.25, -0.16, -0.26),
     ambient: vec3a(0.10, 0.10, 0.12),
     haze: 0.02,
     film: SHOW,

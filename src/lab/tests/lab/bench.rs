@@ -217,8 +217,8 @@ fn figures_fit_each_other() {
 #[test]
 fn the_show_has_a_row_for_each_scene_and_quality_and_a_line_for_its_worst_second() {
     let (table, rows) = bench("--scene show --size 32x18 --quality default");
-    assert!(table.contains("show, each scene in 3 frames from 0 s to 95.98"));
-    let scenes = "title model method colonnade machine swarm finale".split(' ');
+    assert!(table.contains("show, each scene in 3 frames from 0 s to 115.98"));
+    let scenes = "title model method colonnade machine flake mirrors swarm finale".split(' ');
     let names = scenes.flat_map(|scene| {
         let name = |quality| (format!("show:{scene}"), quality);
         ["exhaustive", "default"].map(name)
@@ -256,9 +256,9 @@ fn the_show_has_a_row_for_each_scene_and_quality_and_a_line_for_its_worst_second
 #[test]
 fn a_scene_of_the_show_is_its_part_of_the_show() {
     let rows = |more| bench(&format!("--size 32x18 --quality default {more}")).1;
-    // The machine plays from 60 s to 72 s.
+    // The machine plays from 56 s to 68 s.
     let part = rows("--scene show:machine --time-from 1 --time-to 3");
-    let show = rows("--scene show --time-from 61 --time-to 63");
+    let show = rows("--scene show --time-from 57 --time-to 59");
     assert_eq!((part.len(), show.len()), (2, 2));
     for (a, b) in part.iter().zip(&show) {
         for key in ["scene", "rays", "shadow_rays", "psnr_worst_db", "flicker"] {

@@ -23,7 +23,7 @@ fn the_sound_of_frames_is_their_part_of_the_soundtrack() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     let song = lab(&["sound", "--wav", "-"]).stdout;
-    // The machine begins at 60 s. If a frame begins between two samples, its sound begins with the second one.
+    // The machine begins at 56 s. If a frame begins between two samples, its sound begins with the second one.
     for (more, from, to) in [
         (
             "--scene show --fps 60 --from 600 --to 630",
@@ -32,8 +32,8 @@ fn the_sound_of_frames_is_their_part_of_the_soundtrack() {
         ),
         (
             "--scene show:machine --fps 50 --from 25 --to 75",
-            2_904_000,
-            2_952_000,
+            2_712_000,
+            2_760_000,
         ),
         ("--scene show --fps 7 --from 1 --to 2", 6858, 13_715),
         ("--scene show", 0, SONG_LENGTH as usize),

@@ -39,7 +39,7 @@ fn bad_input_is_named_in_one_line() {
         ("--y4m - --frames 5", "--frames --y4m"),
         ("--video x.avi", "--video x.avi .mp4 .mkv"),
         ("--video x.mp4 --size 33x32", "--size 33x32 even --video"),
-        ("--y4m - --scene show --from 5760", "--from 5760 0 5759"),
+        ("--y4m - --scene show --from 6960", "--from 6960 0 6959"),
         ("--audio - --scene model", "--audio show model"),
         ("--audio - --y4m - --scene show", "--audio - output"),
         ("--sheet - --frames 0", "--frames 1"),

@@ -1,0 +1,102 @@
+//! A sphereflake: a sphere with five of half its size on it, each of these with four or five, and so on.
+//!
+//! After Eric Haines' sphereflake of 1987, by which ray tracers have been measured since.
+
+use crate::maths::smooth_step;
+use crate::scene::{Light, Material, Scene};
+use crate::show::act::{Act, Shot, shot};
+use crate::show::material;
+use crate::show::path::key;
+use crate::show::props::add_sphere;
+use crate::show::set::{FAR, SHOW, Set, point};
+use glam::{Vec3A, vec3a};
+
+/// The scene as a record.
+pub(in crate::show) const ACT: Act = Act {
+    set: &SET,
+    set_since: 0,
+    shots: SHOTS,
+    captions: &[],
+};
+
+static SET: Set = Set {
+    background: vec3a(0.84, 0.76, 0.72),
+    sky: vec3a(-0.70, -0.44, -0.10),
+    ambient: vec3a(0.22, 0.24, 0.30),
+    haze: 0.025,
+    film: SHOW,
+    floor: &material::PAPER,
+    floor_half: FAR,
+    lights: &[
+        Light {
+            size: 0.9,
+            ..point([6.0, 9.0, -5.0], [0.95, 0.80, 0.62])
+        },
+        point([-8.0, 3.0, -2.0], [0.20, 0.34, 0.62]),
+    ],
+    hit: 1.0,
+    props: &[],
+    special: Some(add),
+};
+
+#[rustfmt::skip]
+static SHOTS: &[Shot] = &[
+    shot(4, &[
+        key([0.0, 1.5, 0.0], 0.9, 5.4, -0.4),
+        key([0.0, 1.6, 0.0], 0.4, 6.0, 0.2).rolled(0.04),
+        key([0.0, 1.7, 0.0], -0.3, 6.6, 1.2).rolled(0.04),
+        key([0.0, 1.7, 0.0], -1.1, 6.8, 2.4),
+    ]),
+    shot(2, &[
+        key([0.3, 1.8, -0.5], 0.5, 4.2, 1.0).rolled(-0.06),
+        key([0.2, 1.8, -0.3], 0.1, 4.8, 0.7),
+        key([0.0, 1.9, 0.0], -0.3, 7.8, 0.3),
+    ]),
+];
+
+/// The radius of the first sphere; each is half as large as the one that it is on.
+const RADIUS: f32 = 1.1;
+/// Generations of spheres on the first.
+const GENERATIONS: u8 = 3;
+/// The beats from one to the next, which grows within a beat: on bars.
+const BEATS: f32 = 4.0;
+
+/// The colour of the first sphere, and what is added to it for each generation: from silver to orange.
+const SILVER: Vec3A = vec3a(0.78, 0.80, 0.90);
+const TO_ORANGE: Vec3A = vec3a(0.05, -0.15, -0.27);
+
+/// Adds the flake, as it is `beat` beats after the act began.
+fn add(beat: f32, scene: &mut Scene) {
+    add_flake(Vec3A::Y * RADIUS, RADIUS, Vec3A::ZERO, 0, beat, scene);
+}
+
+/// Adds a sphere of a generation, and those on it: one in each direction of an axis but downwards, and none in the direction of
+/// `back`, where it is on another itself.
+fn add_flake(
+    centre: Vec3A,
+    radius: f32,
+    back: Vec3A,
+    generation: u8,
+    beat: f32,
+    scene: &mut Scene,
+) {
+    let number = f32::from(generation);
+    let material = Material {
+        colour: SILVER + TO_ORANGE * number,
+        kd: 0.25 + 0.18 * number,
+        kr: f32::max(0.55 - 0.25 * number, 0.0),
+        ..material::RED
+    };
+    add_sphere(centre, radius, &material, scene);
+    let grown = smooth_step(beat - BEATS * (number + 1.0));
+    if generation == GENERATIONS || grown == 0.0 {
+        return;
+    }
+    let radius_on = 0.5 * radius * grown;
+    for out in [Vec3A::X, Vec3A::Y, Vec3A::Z, -Vec3A::X, -Vec3A::Z] {
+        if out != back {
+            let centre = centre + out * (radius + radius_on);
+            add_flake(centre, radius_on, -out, generation + 1, beat, scene);
+        }
+    }
+}
