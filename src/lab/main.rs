@@ -6,7 +6,7 @@
 use clap::{Parser, Subcommand, error::ErrorKind};
 use eightfold_lab::{
     arguments, bench, capture, figures, interrupt, output, release, render, report, scene, size,
-    sound, study, trade, view,
+    sound, study, trade, truth, view,
 };
 use std::env;
 use std::time::Instant;
@@ -32,6 +32,7 @@ enum Command {
     Sound(sound::Arguments),
     Study(study::Arguments),
     Trade(trade::Arguments),
+    Truth(truth::Arguments),
     View(view::Arguments),
 }
 
@@ -59,6 +60,7 @@ fn run(_: eightfold_window::arguments::Arguments) -> i32 {
         Command::Sound(arguments) => sound::run(&arguments),
         Command::Study(arguments) => study::run(&arguments),
         Command::Trade(arguments) => trade::run(&arguments),
+        Command::Truth(arguments) => truth::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
     };
     match done {

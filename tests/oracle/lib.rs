@@ -6,7 +6,7 @@
 pub mod frame;
 mod intersect;
 mod light;
-mod pattern;
+pub mod pattern;
 mod shade;
 pub mod squares;
 

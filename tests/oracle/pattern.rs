@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// The share that a pattern leaves of a colour at `p`, given along the object's own axes, where a pixel covers `footprint` scene
 /// units.
-pub(super) fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
+pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
     if pattern.depth == 0.0 {
         return 1.0;
     }

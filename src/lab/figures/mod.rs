@@ -1,6 +1,6 @@
 //! `lab figures`: the figures of the thesis for any frame, and some more.
 
-mod sheet;
+pub mod sheet;
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::error::Difference;

@@ -6,11 +6,13 @@ mod figures;
 mod ladder;
 mod release;
 mod report;
+mod sampler;
 mod scene;
 mod size;
 mod sound;
 mod study;
 mod trade;
+mod truth;
 
 use eightfold::Quality;
 use eightfold_stage::reader::read_png;
@@ -208,6 +210,10 @@ fn help_names_every_command_and_flag() {
         ("size", "--functions"),
         ("sound", "--wav --waveform --spectrogram"),
         ("study", "SCENE --time --size --frames --out"),
+        (
+            "truth",
+            "--scene --time --size --samples --seed --with --without --threads --out --exr --interval --effects --convergence",
+        ),
         (
             "view",
             "--scene --size --quality --time --paused --fps --threads --isa Space Home",

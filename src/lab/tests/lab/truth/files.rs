@@ -1,0 +1,200 @@
+//! `lab truth` writes whole files, whose bytes depend on nothing but its arguments, and goes on where it was interrupted.
+
+use crate::{assert_one_line, lab};
+use eightfold_lab::arguments::Size;
+use eightfold_lab::sampler::Sequence;
+use eightfold_lab::scenes::SceneName;
+use eightfold_lab::truth::effects::Effects;
+use eightfold_lab::truth::film::{Film, Sampling};
+use eightfold_lab::truth::state;
+use eightfold_lab::truth::world::World;
+use eightfold_stage::reader::read_png;
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+/// `lab truth` of a small picture of the model scene.
+fn truth(out: &Path, more: &[&str]) -> Output {
+    let out = out.to_str().expect("a plain name");
+    let fixed = ["truth", "--size", "24x18", "--samples", "16", "--out", out];
+    lab(&[&fixed[..], more].concat())
+}
+
+#[test]
+fn it_writes_a_picture_its_radiance_and_its_intervals() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name);
+    let (exr, interval) = (path("truth.exr"), path("interval.png"));
+    let output = truth(
+        &path("truth.png"),
+        &[
+            "--exr",
+            exr.to_str().expect("a plain name"),
+            "--interval",
+            interval.to_str().expect("a plain name"),
+        ],
+    );
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    assert!(
+        said.contains("16 samples a pixel: 95 % intervals of +-"),
+        "{said}"
+    );
+    let (width, pixels) = read_png(&fs::read(path("truth.png")).expect("a file"));
+    assert_eq!((width, pixels.len()), (24, 24 * 18));
+    let (_, intervals) = read_png(&fs::read(&interval).expect("a file"));
+    assert!(intervals.iter().any(|&pixel| pixel != intervals[0]));
+    // The file of floats has the same picture.
+    let image = exr::prelude::read_first_flat_layer_from_file(&exr).expect("OpenEXR");
+    let channels = image.layer_data.channel_data.list;
+    let names: Vec<String> = channels.iter().map(|it| it.name.to_string()).collect();
+    assert_eq!(
+        names,
+        ["B", "G", "R", "interval.B", "interval.G", "interval.R"]
+    );
+    for (shift, channel) in [0, 8, 16].into_iter().zip(&channels) {
+        let numbers = channel.sample_data.values_as_f32();
+        let bytes = numbers.map(|number| (number.clamp(0.0, 1.0) * 255.0).round() as u32);
+        assert!(bytes.eq(pixels.iter().map(|pixel| pixel >> shift & 255)));
+    }
+    assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 3);
+}
+
+#[test]
+fn the_bytes_depend_on_seed_and_samples_and_not_on_threads() {
+    let picture = |more: &[&str]| {
+        let output = truth(Path::new("-"), more);
+        assert!(output.status.success());
+        output.stdout
+    };
+    let plain = picture(&["--threads", "1"]);
+    assert_eq!(plain, picture(&["--threads", "3"]));
+    assert_ne!(plain, picture(&["--seed", "1"]));
+    assert_ne!(plain, picture(&["--time", "1"]));
+    for effect in ["indirect", "soft-shadows", "surfaces"] {
+        assert_ne!(plain, picture(&["--without", effect]), "{effect}");
+    }
+    assert_ne!(plain, picture(&["--with", "falloff"]));
+}
+
+#[test]
+fn a_film_that_was_saved_goes_on_to_the_same_bits() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let name = folder.path().join("film");
+    let scene = SceneName::Model.without_overlay(1.0);
+    let size = Size {
+        width: 20,
+        height: 15,
+    };
+    let world = World::new(&scene, size.width, size.height, false);
+    let sampling = Sampling {
+        count: 4,
+        sequence: Sequence::Sobol,
+        seed: 9,
+        is_antialiased: true,
+    };
+    let expose = |film: &mut Film, count| {
+        film.expose(&world, Effects::TRUTH, &sampling, count, &|| {});
+    };
+    let mut whole = Film::new(size);
+    (1..=4).for_each(|count| expose(&mut whole, count));
+    let mut part = Film::new(size);
+    expose(&mut part, 1);
+    // It was interrupted when some rows had a second sample.
+    let mut ahead = part.clone();
+    expose(&mut ahead, 2);
+    part.rows[3..9].clone_from_slice(&ahead.rows[3..9]);
+    state::save(&name, "it", &part).expect("it is saved");
+    let mut loaded = state::load(&name, "it", size, 4).expect("it is there");
+    assert!(loaded == part);
+    (2..=4).for_each(|count| expose(&mut loaded, count));
+    assert!(loaded == whole);
+    // What is of another picture, has too many samples or is broken is not taken.
+    assert!(state::load(&name, "another", size, 4).is_none());
+    assert!(state::load(&name, "it", size, 1).is_none());
+    let bytes = fs::read(&name).expect("a file");
+    fs::write(&name, &bytes[..bytes.len() - 1]).expect("it is written");
+    assert!(state::load(&name, "it", size, 4).is_none());
+}
+
+#[cfg(unix)]
+#[test]
+fn after_ctrl_c_the_same_command_goes_on() {
+    use std::process::{Command, Stdio};
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("truth.png");
+    let name = out.to_str().expect("a plain name");
+    let arguments = [
+        "truth",
+        "--size",
+        "64x48",
+        "--samples",
+        "128",
+        "--out",
+        name,
+    ];
+    let kept = state::beside(&out);
+    let mut runs = 0;
+    loop {
+        let run = Command::new(env!("CARGO_BIN_EXE_lab"))
+            .args(arguments)
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the lab starts");
+        // Interrupted a little later each time, until it comes to its end before that.
+        let pause = std::time::Duration::from_millis(100 + 100 * runs);
+        std::thread::sleep(pause);
+        let kill = Command::new("kill")
+            .args(["-INT", &run.id().to_string()])
+            .status();
+        assert!(kill.expect("kill is there").success());
+        let output = run.wait_with_output().expect("it ends");
+        if output.status.success() {
+            break;
+        }
+        runs += 1;
+        // Before it listens, Ctrl-C ends it at once.
+        if output.status.code().is_some() {
+            assert_one_line_with(&output, 130, &["truth.png.unfinished", "goes on"]);
+            assert!(kept.exists() && !out.exists());
+        }
+    }
+    assert!(!kept.exists());
+    let whole = lab(&[&arguments[..6], &["-"]].concat());
+    assert!(fs::read(&out).expect("a file") == whole.stdout);
+}
+
+/// Asserts on the last line of what was said.
+#[cfg(unix)]
+#[track_caller]
+fn assert_one_line_with(output: &Output, code: i32, words: &[&str]) {
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{said}");
+    let last = said.lines().last().expect("a line");
+    assert!(words.iter().all(|word| last.contains(word)), "{said}");
+}
+
+#[test]
+fn bad_input_is_named_in_one_line() {
+    for (flag, value, takes) in [
+        ("--size", "640", "WIDTHxHEIGHT"),
+        ("--samples", "0", "from 1 to 524288"),
+        ("--without", "light", "indirect, caustics, soft-shadows"),
+        ("--seed", "-1", "--seed"),
+        ("--scene", "field:0", "field:N"),
+    ] {
+        let output = lab(&["truth", flag, value, "--out", "-"]);
+        assert_one_line(&output, 2, &[flag, takes]);
+    }
+    assert_one_line(&lab(&["truth"]), 2, &["--out"]);
+    assert_one_line(&truth(Path::new("picture.jpg"), &[]), 2, &["--out", ".png"]);
+    let both = ["--with", "caustics", "--without", "caustics"];
+    assert_one_line(&truth(Path::new("-"), &both), 2, &["--with", "--without"]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let no_folder = folder.path().join("missing/truth.png");
+    assert_one_line(
+        &truth(&no_folder, &[]),
+        1,
+        &["cannot write", "missing/truth.png"],
+    );
+}

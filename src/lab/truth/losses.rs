@@ -1,0 +1,230 @@
+//! What the real-time model leaves out of the truth: pictures and figures for each effect.
+
+use super::effects::Effects;
+use super::estimate::{Estimate, Intervals};
+use super::render::{self, Picture};
+use super::{INTERVAL_SHOWN, interval_picture, pixels};
+use crate::error::Difference;
+use crate::figures::sheet::{Figure, sheet};
+use crate::flip::Flip;
+use crate::markdown::decibels;
+use crate::overlay::draw_error;
+use crate::threaded_renderer::ThreadedRenderer;
+use crate::{output, picture};
+use anyhow::{Context, Result};
+use eightfold::Quality;
+use eightfold_window::cpu;
+use rayon::ThreadPool;
+use std::fs;
+use std::path::Path;
+use std::thread::available_parallelism;
+
+/// The least width of a picture on the sheet, in pixels: captions are as wide. Smaller pictures are enlarged.
+const LEAST_WIDTH: usize = 400;
+/// The error in a channel, in steps of 1/255, that is shown in white.
+const ERROR_SHOWN: u32 = 64;
+
+/// The effects of the truth that are switched off one by one: their names in [`Effects::NAMES`], and what takes their place.
+const LEFT_OUT: [(&str, &str); 4] = [
+    ("indirect", "Indirect light: ambient light instead"),
+    ("caustics", "Caustics: tinted shadows instead"),
+    ("soft-shadows", "Soft shadows: lamps as points instead"),
+    ("surfaces", "Kept energy: plain coefficients instead"),
+];
+
+/// Two pictures that are compared.
+struct Loss {
+    name: &'static str,
+    title: &'static str,
+    /// The one with the effect.
+    with: Vec<u32>,
+    without: Vec<u32>,
+}
+
+/// Draws all pictures of a scene, writes them and their sheet to a folder, and prints a table.
+pub fn run(truth: &Picture<'_>, scene: &str, pool: &ThreadPool, folder: &Path) -> Result<()> {
+    fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    let width = truth.size.width;
+    let draw = |name: &str, effects: Effects| {
+        let picture = Picture { effects, ..*truth };
+        picture.draw_resumably(pool, &folder.join(format!("{name}.png")), true)
+    };
+    let estimates = draw("truth", Effects::TRUTH)?;
+    let losses = losses(truth, &pixels(&estimates), &draw)?;
+    for loss in &losses {
+        let png = picture::png(width, &loss.without)?;
+        output::write(&folder.join(format!("{}.png", loss.name)), &png)?;
+    }
+    let truth_png = picture::png(width, &pixels(&estimates))?;
+    output::write(&folder.join("truth.png"), &truth_png)?;
+    let count = truth.sampling.count * super::REPLICATIONS;
+    let heading = format!("{scene}, {}, {count} samples a pixel", truth.size);
+    let mut figures = figures(width, &estimates, &losses);
+    let by = LEAST_WIDTH.div_ceil(width);
+    for figure in &mut figures {
+        figure.pixels = enlarged(&figure.pixels, width, by);
+    }
+    let (sheet_width, pixels) = sheet(&heading, &figures, by * width, by * truth.size.height)?;
+    output::write(
+        &folder.join("sheet.png"),
+        &picture::png(sheet_width, &pixels)?,
+    )?;
+    let text = format!("{heading}\n\n{}", table(width, &estimates, &losses));
+    for name in losses.iter().map(|loss| loss.name).chain(["truth"]) {
+        render::forget(&folder.join(format!("{name}.png")));
+    }
+    output::write(Path::new("-"), text.as_bytes())
+}
+
+/// Draws all pictures but that of the truth, which is `whole`.
+fn losses(
+    truth: &Picture<'_>,
+    whole: &[u32],
+    draw: &impl Fn(&str, Effects) -> Result<Vec<Estimate>>,
+) -> Result<Vec<Loss>> {
+    let exhaustive = real_time(truth, &Quality::EXHAUSTIVE);
+    let mut losses = vec![Loss {
+        name: "real-time",
+        title: "All of it: the real-time model",
+        with: whole.to_vec(),
+        without: exhaustive.clone(),
+    }];
+    for (name, title) in LEFT_OUT {
+        let effect = Effects::NAMES.iter().position(|known| *known == name);
+        let effects = Effects::TRUTH.with(effect.context("an effect's name")?, false);
+        losses.push(Loss {
+            name,
+            title,
+            with: whole.to_vec(),
+            without: pixels(&draw(name, effects)?),
+        });
+    }
+    let falloff = Effects {
+        falloff: true,
+        ..Effects::TRUTH
+    };
+    losses.push(Loss {
+        name: "falloff",
+        title: "Falloff of lamps, added to the truth",
+        with: whole.to_vec(),
+        without: pixels(&draw("falloff", falloff)?),
+    });
+    losses.push(Loss {
+        name: "edges",
+        title: "Antialiasing: one sample a pixel instead",
+        with: pixels(&draw("edges", Effects::NONE)?),
+        without: exhaustive.clone(),
+    });
+    losses.push(Loss {
+        name: "squares",
+        title: "Every pixel traced: adaptive squares instead",
+        with: exhaustive,
+        without: real_time(truth, &Quality::DEFAULT),
+    });
+    Ok(losses)
+}
+
+/// The picture by the library.
+fn real_time(picture: &Picture<'_>, quality: &Quality) -> Vec<u32> {
+    let mut pixels = vec![0; picture.size.area()];
+    let threads = available_parallelism().map_or(1, usize::from);
+    ThreadedRenderer::new(threads).draw(
+        cpu::best().level,
+        picture.scene,
+        quality,
+        picture.size.width,
+        &mut pixels,
+    );
+    pixels
+}
+
+/// The pictures of the sheet: the truth, the model, and then each difference.
+fn figures(width: usize, estimates: &[Estimate], losses: &[Loss]) -> Vec<Figure> {
+    let intervals = Intervals::of(estimates);
+    let model = &losses[0];
+    let figure = |name, title, caption: String, pixels: Vec<u32>| Figure {
+        name,
+        title,
+        caption,
+        scale: None,
+        pixels,
+    };
+    let scaled = |most: String, figure| Figure {
+        scale: Some(["0".to_owned(), most]),
+        ..figure
+    };
+    let mut all = vec![
+        figure(
+            "truth",
+            "The truth: the rendering equation",
+            format!("noise {:.1} dB", intervals.psnr),
+            pixels(estimates),
+        ),
+        figure(
+            model.name,
+            "The real-time model",
+            "every pixel traced".to_owned(),
+            model.without.clone(),
+        ),
+        scaled(
+            INTERVAL_SHOWN.to_string(),
+            figure(
+                "interval",
+                "How far the truth may be off, 95 %",
+                format!(
+                    "+-{:.1} in the median, +-{:.0} at worst",
+                    intervals.median, intervals.worst
+                ),
+                interval_picture(&intervals),
+            ),
+        ),
+    ];
+    all.extend(losses.iter().map(|loss| {
+        let mut pixels = loss.without.clone();
+        draw_error(&mut pixels, &loss.with, ERROR_SHOWN);
+        let (difference, flip) = loss.figures(width);
+        let caption = format!("PSNR {}, FLIP {flip:.4}", decibels(difference.psnr));
+        let figure = figure(loss.name, loss.title, caption, pixels);
+        scaled(ERROR_SHOWN.to_string(), figure)
+    }));
+    all
+}
+
+/// A picture with each pixel as a square of `by` times `by`.
+fn enlarged(pixels: &[u32], width: usize, by: usize) -> Vec<u32> {
+    let rows = pixels.chunks_exact(width);
+    let rows = rows.flat_map(|row| std::iter::repeat_n(row, by));
+    rows.flat_map(|row| row.iter().flat_map(|&pixel| std::iter::repeat_n(pixel, by)))
+        .collect()
+}
+
+impl Loss {
+    /// What it costs: the difference, and the mean FLIP error.
+    fn figures(&self, width: usize) -> (Difference, f64) {
+        (
+            Difference::between(&self.with, &self.without),
+            Flip::between(width, &self.with, &self.without).mean(),
+        )
+    }
+}
+
+/// The table of what each effect costs, in Markdown.
+fn table(width: usize, estimates: &[Estimate], losses: &[Loss]) -> String {
+    let mut text = String::from(
+        "| left out | PSNR | FLIP | mean | over 8/255 |\n| --- | ---: | ---: | ---: | ---: |\n",
+    );
+    for loss in losses {
+        let (difference, flip) = loss.figures(width);
+        text += &format!(
+            "| {} | {} | {flip:.4} | {:.2} | {:.1} % |\n",
+            loss.title,
+            decibels(difference.psnr),
+            difference.mean,
+            100.0 * difference.over_8 as f64 / estimates.len() as f64
+        );
+    }
+    text + &format!(
+        "| (noise of the truth) | {} | | | |\n",
+        decibels(Intervals::of(estimates).psnr)
+    )
+}

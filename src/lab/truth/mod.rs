@@ -1,0 +1,193 @@
+//! `lab truth`: what a scene would look like by the rendering equation, and what the real-time model leaves out of it.
+
+mod convergence;
+pub mod effects;
+pub mod estimate;
+pub mod film;
+pub mod geometry;
+pub mod lamp;
+mod losses;
+mod openexr;
+pub mod path;
+mod photons;
+pub mod render;
+pub mod state;
+pub mod surface;
+pub mod world;
+
+use crate::arguments::{self, Size};
+use crate::overlay::heat;
+use crate::sampler::{MAX_POINTS, Sequence};
+use crate::scenes::{self, SceneName};
+use crate::{interrupt, output, picture};
+use anyhow::{Context, Result};
+use clap::Args;
+use effects::Effects;
+use eightfold::scene::{Film, Scene};
+use estimate::{Estimate, Intervals};
+use film::Sampling;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use render::Picture;
+use std::path::{Path, PathBuf};
+use std::thread::available_parallelism;
+
+/// The number of independent sequences that sample a pixel: as few as tell the error by their differences.
+pub const REPLICATIONS: usize = 8;
+
+/// The half interval, in steps of 1/255, that is shown in white.
+const INTERVAL_SHOWN: f64 = 16.0;
+
+/// Draws a scene by a path tracer: lamps with a size, light from surface to surface, glass that bends light
+///
+/// It follows paths of light by chance, in numbers of 64 bits, and tells how far each pixel may be off. After Ctrl-C the same
+/// command goes on where it was, to the same bits.
+#[derive(Args)]
+#[group(id = "what", required = true, args = ["out", "effects", "convergence"])]
+pub struct Arguments {
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
+    scene: SceneName,
+    /// Seconds since the scene's start
+    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]
+    time: f32,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "640x480")]
+    size: Size,
+    /// Paths for each pixel, rounded up to a multiple of 8; the error halves with four times as many, or sooner
+    #[arg(long, value_name = "N", default_value = "64", value_parser = samples)]
+    samples: usize,
+    /// Which paths: pictures with different seeds have independent noise
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "0",
+        allow_negative_numbers = true
+    )]
+    seed: u32,
+    /// Effects to add; falloff is that of lamps with the distance, which a scene's own do not have. May be given several times
+    #[arg(long, value_name = "EFFECT", value_parser = effects::effect)]
+    with: Vec<usize>,
+    /// Effects to leave out, for what the real-time model has instead: indirect, caustics, soft-shadows, surfaces. May be given
+    /// several times
+    #[arg(long, value_name = "EFFECT", value_parser = effects::effect)]
+    without: Vec<usize>,
+    /// Threads that share the work [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = arguments::threads)]
+    threads: Option<usize>,
+    /// File to write as PNG, or - for standard output
+    #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
+    out: Option<PathBuf>,
+    /// File to write as OpenEXR: the radiance, and half of each pixel's 95 % interval
+    #[arg(long, value_name = "FILE", requires = "out")]
+    exr: Option<PathBuf>,
+    /// File to write the 95 % intervals to, as PNG: from black for none to white for 16 of 255 to either side
+    #[arg(long, value_name = "FILE", requires = "out", value_parser = arguments::png_file)]
+    interval: Option<PathBuf>,
+    /// Folder for what the real-time model leaves out: pictures of each effect, sheet.png with all of them, and a table
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["with", "without"])]
+    effects: Option<PathBuf>,
+    /// Prints how the error falls with the number of paths, by the sampler and by chance
+    #[arg(long, conflicts_with_all = ["with", "without"])]
+    convergence: bool,
+}
+
+/// Runs the command.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    if !arguments.convergence {
+        interrupt::listen()?;
+    }
+    let scene = shown(arguments)?;
+    let picture = Picture {
+        scene: &scene,
+        size: arguments.size,
+        effects: Effects::chosen(&arguments.with, &arguments.without)?,
+        sampling: sampling(arguments),
+    };
+    let pool = pool(arguments)?;
+    if let Some(folder) = &arguments.effects {
+        let name = format!("{} at {} s", arguments.scene, arguments.time);
+        losses::run(&picture, &name, &pool, folder)
+    } else if let Some(out) = &arguments.out {
+        draw(arguments, &picture, &pool, out)
+    } else {
+        convergence::run(&picture, &arguments.scene.to_string(), &pool)
+    }
+}
+
+/// Draws one picture, and writes its files.
+fn draw(arguments: &Arguments, picture: &Picture<'_>, pool: &ThreadPool, out: &Path) -> Result<()> {
+    let (exr, interval) = (arguments.exr.as_deref(), arguments.interval.as_deref());
+    for name in [exr, interval, Some(out)].into_iter().flatten() {
+        output::check(name)?;
+    }
+    let estimates = picture.draw_resumably(pool, out, false)?;
+    let intervals = Intervals::of(&estimates);
+    let width = picture.size.width;
+    let save = |name: &Path, pixels: &[u32]| output::write(name, &picture::png(width, pixels)?);
+    save(out, &pixels(&estimates))?;
+    if let Some(name) = interval {
+        save(name, &interval_picture(&intervals))?;
+    }
+    if let Some(name) = exr {
+        output::write(name, &openexr::encode(picture.size, &estimates)?)?;
+    }
+    render::forget(out);
+    eprintln!(
+        "{} samples a pixel: 95 % intervals of +-{:.2} of 255 in the median, +-{:.1} at worst",
+        picture.sampling.count * REPLICATIONS,
+        intervals.median,
+        intervals.worst
+    );
+    Ok(())
+}
+
+/// The picture of estimates, as `0x00RRGGBB` pixels.
+fn pixels(estimates: &[Estimate]) -> Vec<u32> {
+    estimates.iter().map(Estimate::pixel).collect()
+}
+
+/// A heat map of intervals.
+fn interval_picture(intervals: &Intervals) -> Vec<u32> {
+    let all = intervals.all.iter();
+    all.map(|&half| heat((half / INTERVAL_SHOWN) as f32))
+        .collect()
+}
+
+/// The scene at the time, without captions, which no light makes.
+fn shown(arguments: &Arguments) -> Result<Scene> {
+    let mut scene = arguments.scene.without_overlay(arguments.time);
+    undress(&mut scene);
+    scene.validate()?;
+    Ok(scene)
+}
+
+/// Takes away what is no transport of light: captions, the film's tone curve and vignette, the glow around lamps.
+pub fn undress(scene: &mut Scene) {
+    scene.captions.clear();
+    scene.film = Film::PLAIN;
+    for light in scene.lights.iter_mut() {
+        light.glow = 0.0;
+    }
+}
+
+fn sampling(arguments: &Arguments) -> Sampling {
+    Sampling {
+        count: arguments.samples.div_ceil(REPLICATIONS),
+        sequence: Sequence::Sobol,
+        seed: arguments.seed,
+        is_antialiased: true,
+    }
+}
+
+/// The threads that draw.
+fn pool(arguments: &Arguments) -> Result<ThreadPool> {
+    let threads = arguments
+        .threads
+        .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.context("cannot start threads")
+}
+
+/// Parses a number of samples.
+fn samples(text: &str) -> Result<usize, String> {
+    arguments::number(text, MAX_POINTS * REPLICATIONS)
+}

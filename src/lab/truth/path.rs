@@ -1,0 +1,201 @@
+//! Paths of light, followed from the eye: an unbiased estimate of the rendering equation (Kajiya, 1986).
+//!
+//! At each point of a path the light of every lamp is looked for, and the path goes on in one direction by chance. Both find
+//! lamps with an extent: multiple importance sampling weighs one by the other (Veach and Guibas, 1995). What lamps send by way of
+//! mirrors and glass is found by photons instead.
+
+use super::effects::Effects;
+use super::geometry::Ray;
+use super::lamp::Lamp;
+use super::photons::Photons;
+use super::surface::Bsdf;
+use super::world::World;
+use crate::sampler::Sampler;
+use eightfold::glam::DVec3;
+
+/// The number of bounces from which on paths may end by chance.
+const FIRST_ROULETTE: u32 = 4;
+/// The largest chance to go on: paths between perfect mirrors end, too.
+const MAX_SURVIVAL: f64 = 0.95;
+
+/// Follows paths through a world.
+#[derive(Clone, Copy)]
+pub struct PathTracer<'a> {
+    pub world: &'a World,
+    pub effects: Effects,
+    /// The light of caustics, for this sample.
+    pub photons: &'a Photons,
+}
+
+/// A path that is being followed.
+struct Path {
+    /// Its next part.
+    ray: Ray,
+    /// The share of the light along the ray that reaches the eye.
+    throughput: DVec3,
+    /// How often it was scattered by rough surfaces.
+    scatters: u32,
+    /// The density with which a rough surface has chosen its direction; `None` at the eye, and behind mirrors and glass.
+    density: Option<f64>,
+    /// The light that it has found.
+    light: DVec3,
+}
+
+impl PathTracer<'_> {
+    /// The radiance that one path finds through a point of the picture, in pixels.
+    pub fn follow(&self, x: f64, y: f64, sampler: &mut Sampler) -> DVec3 {
+        let mut path = Path {
+            ray: self.world.primary_ray(x, y),
+            throughput: DVec3::splat(self.world.brightness),
+            scatters: 0,
+            density: None,
+            light: DVec3::ZERO,
+        };
+        let mut bounces = 0;
+        while self.advance(&mut path, sampler) {
+            bounces += 1;
+            if bounces >= FIRST_ROULETTE {
+                let survival = path.throughput.max_element().min(MAX_SURVIVAL);
+                if sampler.next_1d() >= survival {
+                    break;
+                }
+                path.throughput /= survival;
+            }
+        }
+        path.light
+    }
+
+    /// Follows a path to the next body. Returns whether it goes on.
+    fn advance(&self, path: &mut Path, sampler: &mut Sampler) -> bool {
+        let world = self.world;
+        let nearest = world.nearest(path.ray);
+        let t = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
+        if path.scatters > 0 {
+            self.meet_lamps(path, t);
+        } else if let Some(seen) = self.seen_lamp(path.ray, t) {
+            path.light += path.throughput * seen;
+            return false;
+        }
+        // A path that was scattered and goes on only for the lamp that it may meet finds no other light.
+        let is_lit = path.scatters == 0 || self.effects.indirect;
+        let behind = if is_lit {
+            path.throughput * world.behind(path.ray.d)
+        } else {
+            DVec3::ZERO
+        };
+        let Some((body, met)) = nearest else {
+            path.light += behind;
+            return false;
+        };
+        let clear = world.transmittance(t);
+        path.light += (1.0 - clear) * behind;
+        path.throughput *= clear;
+
+        let is_inside = path.ray.d.dot(met.normal) > 0.0;
+        let n = if is_inside { -met.normal } else { met.normal };
+        let colour = world.paint(body, path.ray, &met);
+        let bsdf = Bsdf::new(
+            &body.material,
+            colour,
+            path.ray.d,
+            n,
+            is_inside,
+            self.effects.surfaces,
+        );
+        let p = path.ray.at(t);
+        if !self.effects.indirect && is_lit {
+            path.light += path.throughput * world.ambient * colour;
+        }
+        if is_lit {
+            let caustics = self.photons.reflected(p, n, &bsdf);
+            path.light += path.throughput * (self.direct(p, &bsdf, sampler) + caustics);
+        }
+        self.scatter(path, p, &bsdf, sampler)
+    }
+
+    /// Has a path go on from a point of a surface. Returns whether it does.
+    fn scatter(&self, path: &mut Path, p: DVec3, bsdf: &Bsdf, sampler: &mut Sampler) -> bool {
+        let Some(next) = bsdf.sample(sampler.next_1d(), sampler.next_2d()) else {
+            return false;
+        };
+        path.ray = Ray { o: p, d: next.d };
+        path.throughput *= next.weight;
+        path.density = next.density;
+        let is_scattered = next.density.is_some();
+        path.scatters += u32::from(is_scattered);
+        path.scatters == 0
+            || self.effects.indirect
+            || is_scattered && path.scatters == 1 && self.effects.soft_shadows
+    }
+
+    /// The light of all lamps that a surface at `p` sends back along the path.
+    fn direct(&self, p: DVec3, bsdf: &Bsdf, sampler: &mut Sampler) -> DVec3 {
+        let mut sum = DVec3::ZERO;
+        for lamp in &self.world.lamps {
+            let u = sampler.next_2d();
+            let arriving = if self.effects.soft_shadows {
+                lamp.sample(p, u)
+            } else {
+                lamp.from_centre(p)
+            };
+            let light = bsdf.of(arriving.d) * arriving.light;
+            if light == DVec3::ZERO {
+                continue;
+            }
+            let ray = Ray {
+                o: p,
+                d: arriving.d,
+            };
+            let passing = self.passing(lamp, ray, arriving.distance);
+            let weight = arriving
+                .density
+                .map_or(1.0, |density| power(density, bsdf.density(arriving.d)));
+            sum += weight * passing * light;
+        }
+        sum
+    }
+
+    /// Adds the light of the lamps that a path meets up to the distance `t`, right after it was scattered. Lamps cast no shadows:
+    /// it passes them.
+    fn meet_lamps(&self, path: &mut Path, t: f64) {
+        let Some(density) = path.density.filter(|_| self.effects.soft_shadows) else {
+            return;
+        };
+        for lamp in &self.world.lamps {
+            let Some(met) = lamp.meet(path.ray) else {
+                continue;
+            };
+            let passing = if met < t {
+                DVec3::ONE
+            } else {
+                self.passing(lamp, path.ray, met)
+            };
+            let weight = power(density, lamp.density(path.ray.o));
+            let radiance = lamp.radiance(path.ray.o, 0.0);
+            path.light += weight * path.throughput * passing * radiance;
+        }
+    }
+
+    /// The share of a lamp's light that bodies let pass over a distance along a ray.
+    fn passing(&self, lamp: &Lamp, ray: Ray, distance: f64) -> DVec3 {
+        let is_tinted = lamp.is_tinted && !self.effects.caustics;
+        self.world.passing(ray, distance, is_tinted)
+    }
+
+    /// The radiance of the lamp that is seen along a ray up to the distance `t`.
+    fn seen_lamp(&self, ray: Ray, t: f64) -> Option<DVec3> {
+        let seen = self
+            .world
+            .lamps
+            .iter()
+            .filter_map(|lamp: &Lamp| lamp.seen(ray));
+        let nearest = seen.min_by(|a, b| a.0.total_cmp(&b.0));
+        nearest.filter(|&(at, _)| at < t).map(|(_, colour)| colour)
+    }
+}
+
+/// The weight of a direction that was chosen with one density and could have been chosen with another: Veach's power heuristic.
+fn power(density: f64, other: f64) -> f64 {
+    let (density2, other2) = (density * density, other * other);
+    density2 / (density2 + other2)
+}

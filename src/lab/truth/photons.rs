@@ -1,0 +1,191 @@
+//! Caustics: light that mirrors and glass send from a lamp to a rough surface.
+//!
+//! Paths from the eye hardly ever find such light, and those from the lamp do (Jensen, "Global Illumination using Photon Maps",
+//! 1996). A photon lights a disc that reaches as far as some of its neighbours, and at least as far as some pixels: caustics are
+//! blurred by as much. Each sample has photons of its own: their noise averages out, and is part of the intervals.
+
+use super::geometry::Ray;
+use super::lamp::Lamp;
+use super::surface::Bsdf;
+use super::world::{Body, World};
+use crate::sampler::{Sampler, Sequence, around, seed_of};
+use eightfold::glam::DVec3;
+use rstar::primitives::GeomWithData;
+use rstar::{AABB, RTree, RTreeObject};
+use std::f64::consts::{PI, TAU};
+
+/// Photons that are sent out for one sample of a picture, all lamps together.
+const PHOTONS: usize = 1 << 14;
+/// The most mirrors and surfaces of glass that a photon passes.
+const MAX_BOUNCES: usize = 16;
+/// The least cosine between the normals of places that share their photons.
+const SAME_SIDE: f64 = 0.9;
+/// The least cosine of the angle at which light comes to a place, so that none is divided by 0.
+const LEAST_COSINE: f64 = 1e-3;
+
+/// The neighbours that a photon's disc reaches: so many photons light a point, give or take some.
+const NEIGHBOURS: usize = 12;
+
+/// Light that has come to a rough surface.
+struct Photon {
+    p: DVec3,
+    n: DVec3,
+    /// Where it has come from, of length 1.
+    d: DVec3,
+    /// The power of the light, red, green and blue.
+    power: DVec3,
+    /// The radius of the disc that it lights, in scene units.
+    radius: f64,
+}
+
+/// The photons of one sample.
+pub struct Photons(RTree<Photon>);
+
+/// How photons are sent out.
+pub struct Emission {
+    pub sequence: Sequence,
+    pub seed: u32,
+    /// Whether lamps with an extent send them from all of it; otherwise from their centres.
+    pub has_extents: bool,
+}
+
+impl RTreeObject for Photon {
+    type Envelope = AABB<[f64; 3]>;
+
+    /// What its disc is in.
+    fn envelope(&self) -> Self::Envelope {
+        let lower = self.p - self.radius;
+        let upper = self.p + self.radius;
+        AABB::from_corners(lower.to_array(), upper.to_array())
+    }
+}
+
+impl Photons {
+    /// No photons.
+    pub fn none() -> Self {
+        Self(RTree::new())
+    }
+
+    /// Sends photons from every lamp to every body that mirrors or lets light through.
+    pub fn emit(world: &World, emission: &Emission, keeps_energy: bool) -> Self {
+        let targets = world.bodies.iter().enumerate();
+        let targets: Vec<(usize, &Body)> = targets
+            .filter(|(_, body)| body.material.kr + body.material.kt > 0.0)
+            .collect();
+        let count = PHOTONS / (world.lamps.len() * targets.len()).max(1);
+        let mut photons = Vec::new();
+        for (i, lamp) in world.lamps.iter().enumerate() {
+            for &(index, target) in &targets {
+                let part = (i * world.bodies.len() + index) as u64;
+                let seed = seed_of(emission.seed, part);
+                let flight = Flight {
+                    world,
+                    lamp,
+                    keeps_energy,
+                    has_extents: emission.has_extents,
+                    share: 1.0 / count as f64,
+                };
+                for photon in 0..count {
+                    let mut sampler = Sampler::new(emission.sequence, photon, seed);
+                    flight.send(target, &mut sampler, &mut photons);
+                }
+            }
+        }
+        widen(&mut photons, world.blur);
+        Self(RTree::bulk_load(photons))
+    }
+
+    /// The light of the photons that a surface at `p` with normal `n` sends back along the path.
+    pub fn reflected(&self, p: DVec3, n: DVec3, bsdf: &Bsdf) -> DVec3 {
+        let here = AABB::from_point(p.to_array());
+        let mut sum = DVec3::ZERO;
+        for photon in self.0.locate_in_envelope_intersecting(here) {
+            let area = PI * photon.radius * photon.radius;
+            let near = 1.0 - PI * p.distance_squared(photon.p) / area;
+            let cosine = n.dot(photon.d);
+            if near > 0.0 && cosine > LEAST_COSINE && n.dot(photon.n) > SAME_SIDE {
+                // Epanechnikov's kernel, whose integral over the disc is 1. The power counts the cosine already.
+                sum += 2.0 * near / (area * cosine) * photon.power * bsdf.of(photon.d);
+            }
+        }
+        sum
+    }
+}
+
+/// Widens the discs of photons until each reaches some neighbours; `least` is their least radius.
+fn widen(photons: &mut [Photon], least: f64) {
+    let places = photons.iter().map(|photon| photon.p.to_array());
+    let places: Vec<_> = places.map(|p| GeomWithData::new(p, ())).collect();
+    let tree = RTree::bulk_load(places);
+    for photon in photons {
+        let mut near = tree.nearest_neighbor_iter_with_distance_2(photon.p.to_array());
+        // The first one is itself.
+        let reach = near
+            .nth(NEIGHBOURS)
+            .map_or(0.0, |(_, squared)| squared.sqrt());
+        photon.radius = reach.max(least);
+    }
+}
+
+/// A photon on its way.
+struct Flight<'a> {
+    world: &'a World,
+    lamp: &'a Lamp,
+    keeps_energy: bool,
+    has_extents: bool,
+    /// The share of the lamp's light towards the target that it carries.
+    share: f64,
+}
+
+impl Flight<'_> {
+    /// Sends a photon to a body, and leaves it where it meets rough surfaces behind that.
+    fn send(&self, target: &Body, sampler: &mut Sampler, photons: &mut Vec<Photon>) {
+        let (o, normal) = self.lamp.point(self.has_extents, sampler.next_2d());
+        let u = sampler.next_2d();
+        let width = target.shape.width_from(o);
+        let axis = (target.shape.centre() - o).normalize_or(DVec3::Y);
+        let mut ray = Ray {
+            o,
+            d: around(axis, 1.0 - u.x * width, u.y),
+        };
+        let Some((body, met)) = self.world.nearest(ray) else {
+            return;
+        };
+        // Others have photons of their own. Those that would enter the lamp are not sent.
+        let cosine = normal.map_or(1.0, |n| n.dot(ray.d));
+        if !std::ptr::eq(body, target) || cosine <= 0.0 {
+            return;
+        }
+        let first = ray.at(met.t);
+        let solid_angle = TAU * width * cosine * self.share;
+        let mut travelled = 0.0;
+        for bounce in 0..MAX_BOUNCES {
+            let Some((body, met)) = self.world.nearest(ray) else {
+                return;
+            };
+            if bounce > 0 {
+                travelled += met.t;
+            }
+            let is_inside = ray.d.dot(met.normal) > 0.0;
+            let n = if is_inside { -met.normal } else { met.normal };
+            let colour = body.material.colour;
+            let keeps_energy = self.keeps_energy;
+            let bsdf = Bsdf::new(&body.material, colour, ray.d, n, is_inside, keeps_energy);
+            let p = ray.at(met.t);
+            if bounce > 0 && bsdf.is_rough() {
+                let power = self.lamp.power(first, travelled, self.has_extents);
+                photons.push(Photon {
+                    p,
+                    n,
+                    d: -ray.d,
+                    power: solid_angle * power,
+                    radius: 0.0,
+                });
+            }
+            let Some(d) = bsdf.sample_mirrored(sampler.next_1d()) else {
+                return;
+            };
+            ray = Ray { o: p, d };
+        }
+    }
+}

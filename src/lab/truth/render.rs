@@ -1,0 +1,141 @@
+//! Draws the truth of a scene: on all threads, with a bar, and such that it can be interrupted.
+
+use super::effects::Effects;
+use super::estimate::Estimate;
+use super::film::{Film, Sampling};
+use super::world::World;
+use super::{REPLICATIONS, state};
+use crate::arguments::Size;
+use crate::interrupt::{self, Stopped};
+use crate::progress;
+use crate::sampler::Sequence;
+use anyhow::Result;
+use eightfold::scene::Scene;
+use rayon::ThreadPool;
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// How long a picture is drawn at most until the film is saved: that much is lost if the machine fails.
+const SAVED_EVERY: Duration = Duration::from_secs(60);
+
+/// A picture to draw.
+#[derive(Clone, Copy)]
+pub struct Picture<'a> {
+    pub scene: &'a Scene,
+    pub size: Size,
+    pub effects: Effects,
+    pub sampling: Sampling,
+}
+
+impl Picture<'_> {
+    /// A line that describes it: equal lines mean equal samples, however many.
+    fn made(&self, scene: &str) -> String {
+        let sampling = self.sampling;
+        let sequence = match sampling.sequence {
+            Sequence::Sobol => "sobol",
+            Sequence::Random => "random",
+        };
+        format!(
+            "eightfold {}: {scene}, {}, {:?}, {sequence} {}, antialiased: {}",
+            env!("CARGO_PKG_VERSION"),
+            self.size,
+            self.effects,
+            sampling.seed,
+            sampling.is_antialiased,
+        )
+    }
+
+    /// What is in its scene, but for captions.
+    fn contents(&self) -> String {
+        let scene = self.scene;
+        format!(
+            "{:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",
+            scene.camera,
+            scene.background,
+            scene.sky,
+            scene.haze,
+            scene.fade,
+            scene.ambient,
+            &scene.spheres[..],
+            &scene.planes[..],
+            &scene.blocks[..],
+            &scene.lights[..],
+        )
+    }
+
+    /// Draws it in one go.
+    pub fn draw(&self, pool: &ThreadPool) -> Vec<Estimate> {
+        let world = self.world();
+        let mut film = Film::new(self.size);
+        for count in 1..=self.sampling.count {
+            pool.install(|| film.expose(&world, self.effects, &self.sampling, count, &|| {}));
+        }
+        film.estimates()
+    }
+
+    /// Draws it with a bar. Ctrl-C leaves what is drawn so far beside a file `out`, and the next call goes on from there. With
+    /// `is_kept` a finished picture is left there, too, until [`forget`] deletes it: one of several, which are not all finished.
+    ///
+    /// # Errors
+    /// [`Stopped`] after Ctrl-C, or if the unfinished picture cannot be written.
+    pub fn draw_resumably(
+        &self,
+        pool: &ThreadPool,
+        out: &Path,
+        is_kept: bool,
+    ) -> Result<Vec<Estimate>> {
+        let name = state::beside(out);
+        let made = self.made(&self.contents());
+        let count = self.sampling.count;
+        let loaded = state::load(&name, &made, self.size, count);
+        let was_begun = loaded.is_some();
+        let mut film = loaded.unwrap_or_else(|| Film::new(self.size));
+        let begun = film.count();
+        if was_begun && begun < count {
+            let samples = begun * REPLICATIONS;
+            eprintln!("{}: goes on behind {samples} samples", name.display());
+        }
+        let bar = progress::bar(self.size.height * count);
+        let there = film.rows.iter().map(|row| row.count as u64);
+        bar.inc(there.sum());
+        // The estimate of the time left must not count samples that were there already.
+        bar.reset_eta();
+
+        let world = self.world();
+        let mut saved = Instant::now();
+        for next in begun + 1..=count {
+            let done = || bar.inc(1);
+            pool.install(|| film.expose(&world, self.effects, &self.sampling, next, &done));
+            if interrupt::is_stopped() && film.count() < count {
+                bar.finish_and_clear();
+                state::save(&name, &made, &film)?;
+                let line = format!(
+                    "{} has what is drawn, and the same command goes on",
+                    name.display()
+                );
+                return Err(Stopped(line).into());
+            }
+            if saved.elapsed() > SAVED_EVERY && next < count {
+                state::save(&name, &made, &film)?;
+                saved = Instant::now();
+            }
+        }
+        bar.finish_and_clear();
+        if is_kept && begun < count {
+            state::save(&name, &made, &film)?;
+        }
+        Ok(film.estimates())
+    }
+
+    fn world(&self) -> World {
+        let Size { width, height } = self.size;
+        World::new(self.scene, width, height, self.effects.falloff)
+    }
+}
+
+/// Deletes what an interrupted run left, once the picture itself is written.
+pub fn forget(out: &Path) {
+    // There is none unless it was interrupted.
+    let _ = fs::remove_file(state::beside(out));
+}

@@ -1,0 +1,174 @@
+//! A scene in f64, as the path tracer sees it.
+
+use super::geometry::{Met, Ray, Shape};
+use super::lamp::Lamp;
+use eightfold::glam::DVec3;
+use eightfold::scene::{self, Camera, Pattern, Scene};
+use eightfold_oracle::pattern::reflectance;
+
+/// The material of a body; see [`scene::Material`].
+#[derive(Clone, Copy, Debug)]
+pub struct Material {
+    pub colour: DVec3,
+    pub kd: f64,
+    pub ks: f64,
+    pub exponent: f64,
+    pub kr: f64,
+    pub fresnel: f64,
+    pub kt: f64,
+    pub index: f64,
+    pub tint: DVec3,
+    pub pattern: Pattern,
+}
+
+impl From<&scene::Material> for Material {
+    fn from(material: &scene::Material) -> Self {
+        Self {
+            colour: material.colour.as_dvec3(),
+            kd: material.kd.into(),
+            ks: material.ks.into(),
+            exponent: material.exponent.into(),
+            kr: material.kr.into(),
+            fresnel: material.fresnel.into(),
+            kt: material.kt.into(),
+            index: material.index.into(),
+            tint: material.tint.as_dvec3(),
+            pattern: material.pattern,
+        }
+    }
+}
+
+/// A shape and its material.
+#[derive(Clone, Copy, Debug)]
+pub struct Body {
+    pub shape: Shape,
+    pub material: Material,
+}
+
+/// A scene for pictures of one size.
+#[derive(Clone, Debug)]
+pub struct World {
+    pub bodies: Vec<Body>,
+    pub lamps: Vec<Lamp>,
+    background: DVec3,
+    sky: DVec3,
+    haze: f64,
+    pub ambient: DVec3,
+    /// The factor on all light, by fading.
+    pub brightness: f64,
+    eye: DVec3,
+    /// The ray through pixel (x, y) has the direction `corner + x dx + y dy`.
+    corner: DVec3,
+    dx: DVec3,
+    dy: DVec3,
+    /// The side of a pixel at distance 1, in scene units.
+    pixel: f64,
+    /// The radius over which caustics are blurred, in scene units.
+    pub blur: f64,
+}
+
+/// The radius over which caustics are blurred, in pixels at the distance of the point that the camera looks at.
+const BLUR: f64 = 2.0;
+
+impl World {
+    /// The world of a scene, without its captions. Whether lamps have falloff is for [`Lamp::new`].
+    pub fn new(scene: &Scene, width: usize, height: usize, has_falloff: bool) -> Self {
+        let lamps = scene.lights.iter();
+        let (corner, dx, dy) = picture_plane(&scene.camera, width, height);
+        let sight = scene.camera.look_at.distance(scene.camera.eye);
+        Self {
+            bodies: bodies(scene),
+            lamps: lamps
+                .map(|light| Lamp::new(light, &scene.camera, has_falloff))
+                .collect(),
+            background: scene.background.as_dvec3(),
+            sky: scene.sky.as_dvec3(),
+            haze: scene.haze.into(),
+            ambient: scene.ambient.as_dvec3(),
+            brightness: 1.0 - f64::from(scene.fade),
+            eye: scene.camera.eye.as_dvec3(),
+            corner,
+            dx,
+            dy,
+            pixel: dx.length(),
+            blur: BLUR * dx.length() * f64::from(sight),
+        }
+    }
+
+    /// The ray through a point of the picture, in pixels. A pixel's coordinates are those of its centre.
+    pub fn primary_ray(&self, x: f64, y: f64) -> Ray {
+        Ray {
+            o: self.eye,
+            d: (self.corner + x * self.dx + y * self.dy).normalize(),
+        }
+    }
+
+    /// The body that a ray meets first.
+    pub fn nearest(&self, ray: Ray) -> Option<(&Body, Met)> {
+        let mut nearest: Option<(&Body, Met)> = None;
+        for body in &self.bodies {
+            let limit = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
+            if let Some(met) = body.shape.meet(ray, limit) {
+                nearest = Some((body, met));
+            }
+        }
+        nearest
+    }
+
+    /// The share of light that bodies let pass over a distance along a ray: none, or with `is_tinted` the tint of each solid in
+    /// its way.
+    pub fn passing(&self, ray: Ray, distance: f64, is_tinted: bool) -> DVec3 {
+        let mut share = DVec3::ONE;
+        for body in &self.bodies {
+            if body.shape.meet(ray, distance).is_some() {
+                let is_solid = !matches!(body.shape, Shape::Plane { .. });
+                if !(is_tinted && is_solid) {
+                    return DVec3::ZERO;
+                }
+                share *= body.material.tint;
+            }
+        }
+        share
+    }
+
+    /// The radiance of the background in a direction.
+    pub fn behind(&self, d: DVec3) -> DVec3 {
+        let rise = d.y.max(0.0);
+        self.background + rise * (2.0 - rise) * self.sky
+    }
+
+    /// The share of light that the haze lets through over a distance. The background's makes up for the rest.
+    pub fn transmittance(&self, t: f64) -> f64 {
+        1.0 / (1.0 + (self.haze * t).powi(2))
+    }
+
+    /// The colour of a body, painted with its pattern, where a ray meets it. The edges of a pattern are at least a pixel wide.
+    pub fn paint(&self, body: &Body, ray: Ray, met: &Met) -> DVec3 {
+        let footprint = met.t * self.pixel / ray.d.dot(met.normal).abs();
+        let own = body.shape.own_coordinates(ray.at(met.t));
+        body.material.colour * reflectance(&body.material.pattern, own, footprint)
+    }
+}
+
+/// All bodies of a scene.
+fn bodies(scene: &Scene) -> Vec<Body> {
+    let body = |shape: Shape, material: &scene::Material| Body {
+        shape,
+        material: material.into(),
+    };
+    let spheres = scene.spheres.iter().map(|it| body(it.into(), &it.material));
+    let planes = scene.planes.iter().map(|it| body(it.into(), &it.material));
+    let blocks = scene.blocks.iter().map(|it| body(it.into(), &it.material));
+    spheres.chain(planes).chain(blocks).collect()
+}
+
+/// The direction through the centre of the upper left pixel, and the steps to the right and down.
+fn picture_plane(camera: &Camera, width: usize, height: usize) -> (DVec3, DVec3, DVec3) {
+    let forward = (camera.look_at.as_dvec3() - camera.eye.as_dvec3()).normalize();
+    let right = forward.cross(camera.up.as_dvec3()).normalize();
+    let up = right.cross(forward);
+    let pixel = 2.0 * (0.5 * f64::from(camera.field_of_view)).tan() / height as f64;
+    let (dx, dy) = (right * pixel, up * -pixel);
+    let middle = |side: usize| 0.5 * side as f64 - 0.5;
+    (forward - dx * middle(width) - dy * middle(height), dx, dy)
+}
