@@ -1,9 +1,12 @@
 //! The film: the picture for each frame number.
 
+use super::exposure::Exposure;
 use crate::arguments::{NamedQuality, Size};
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
+use eightfold::glam::{Vec2, vec2};
+use eightfold::scene::Scene;
 use eightfold::sound::RATE;
 use eightfold_window::cpu::Isa;
 use std::ops::Range;
@@ -14,9 +17,17 @@ pub struct Film {
     pub rate: Rate,
     pub size: Size,
     pub quality: NamedQuality,
-    /// The number of samples per pixel along each axis, 1 to [`MAX_SUPERSAMPLE`].
-    pub supersample: usize,
+    pub samples: Samples,
     pub isa: Isa,
+}
+
+/// The pictures of which a frame is the mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Samples {
+    /// A sample at the centre of each of N by N parts of a pixel, 1 to [`MAX_SUPERSAMPLE`].
+    Grid(usize),
+    /// Samples over pixel, time, lens and lamps.
+    Spread(Exposure),
 }
 
 /// The most samples per pixel along each axis: 256 samples give every step of an edge in 8 bits.
@@ -27,7 +38,7 @@ pub struct Canvas {
     renderer: ThreadedRenderer,
     pixels: Vec<u32>,
     /// The sums of red, green and blue over the samples of each pixel.
-    sums: Vec<[u16; 3]>,
+    sums: Vec<[u32; 3]>,
 }
 
 impl Film {
@@ -60,21 +71,26 @@ impl Film {
             "avx512" | "avx2" => "fused",
             other => other,
         };
+        let samples = match self.samples {
+            Samples::Grid(n) => format!("{n}x{n} samples"),
+            Samples::Spread(exposure) => format!("{exposure:?}"),
+        };
         format!(
-            "eightfold {}: scene {}, frame {frame} at {} fps, {}, {:?}, {n}x{n} samples, {lanes}",
+            "eightfold {}: scene {}, frame {frame} at {} fps, {}, {:?}, {samples}, {lanes}",
             env!("CARGO_PKG_VERSION"),
             self.scene,
             self.rate,
             self.size,
             self.quality.quality,
-            n = self.supersample,
         )
     }
 
-    /// Draws a frame as `0x00RRGGBB` pixels, row by row.
+    /// Draws a frame as `0x00RRGGBB` pixels, row by row: the mean of its pictures as they would be shown.
+    ///
+    /// What is shown is linear in the light up to the brightest that can be, so that this is what a camera would gather whose
+    /// film clips at every moment; a lamp brighter than white does not outshine what is beside it for the rest of the time.
     pub fn draw<'a>(&self, frame: usize, canvas: &'a mut Canvas) -> &'a [u32] {
         let scene = self.scene.at(self.time(frame));
-        let n = self.supersample;
         let Canvas {
             renderer,
             pixels,
@@ -82,28 +98,56 @@ impl Film {
         } = canvas;
         pixels.resize(self.size.area(), 0);
         sums.clear();
-        // The samples are the centres of n by n parts of the pixel. Each sample position makes a picture of its own.
-        let offset = |part: usize| (part as f32 + 0.5) / n as f32 - 0.5;
-        for y in 0..n {
-            for x in 0..n {
-                renderer.set_offset(offset(x), offset(y));
-                let (quality, width) = (&self.quality.quality, self.size.width);
-                renderer.draw(self.isa.level, &scene, quality, width, pixels);
-                if n > 1 {
-                    add(sums, pixels);
-                }
+        let count = self.pictures();
+        for index in 0..count {
+            let (scene, offset) = self.picture(frame, index, &scene);
+            renderer.set_offset(offset.x, offset.y);
+            let (quality, width) = (&self.quality.quality, self.size.width);
+            renderer.draw(self.isa.level, &scene, quality, width, pixels);
+            if count > 1 {
+                add(sums, pixels);
             }
         }
-        if n > 1 {
-            mean(sums, (n * n) as u16, pixels);
+        if count > 1 {
+            mean(sums, count as u32, pixels);
         }
         pixels
+    }
+
+    /// The number of pictures of which a frame is the mean.
+    fn pictures(&self) -> usize {
+        match self.samples {
+            Samples::Grid(n) => n * n,
+            Samples::Spread(exposure) => exposure.samples,
+        }
+    }
+
+    /// The scene of one picture of a frame, which has the scene `still` at its time, and how far its samples are off the pixels'
+    /// centres.
+    fn picture(&self, frame: usize, index: usize, still: &Scene) -> (Scene, Vec2) {
+        match self.samples {
+            Samples::Grid(n) => {
+                let offset = |part: usize| (part as f32 + 0.5) / n as f32 - 0.5;
+                (*still, vec2(offset(index % n), offset(index / n)))
+            }
+            Samples::Spread(exposure) => {
+                let shot = exposure.shot(index);
+                let mut scene = if exposure.shutter > 0.0 {
+                    let delay = f64::from(shot.delay) / self.rate.hertz();
+                    self.scene.at(self.time(frame) + delay as f32)
+                } else {
+                    *still
+                };
+                let offset = exposure.aim(&shot, &mut scene, self.size.height);
+                (scene, offset)
+            }
+        }
     }
 }
 
 impl Canvas {
     /// Working memory for one thread.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self {
             renderer: ThreadedRenderer::new(1),
             pixels: Vec::new(),
@@ -112,22 +156,21 @@ impl Canvas {
     }
 }
 
-/// Adds a picture to the sums. 256 samples of at most 255 fit into 16 bits.
-fn add(sums: &mut Vec<[u16; 3]>, pixels: &[u32]) {
+/// Adds a picture to the sums.
+fn add(sums: &mut Vec<[u32; 3]>, pixels: &[u32]) {
     sums.resize(pixels.len(), [0; 3]);
     for (sum, pixel) in sums.iter_mut().zip(pixels) {
         let [_, rgb @ ..] = pixel.to_be_bytes();
         for (sum, channel) in sum.iter_mut().zip(rgb) {
-            *sum += u16::from(channel);
+            *sum += u32::from(channel);
         }
     }
 }
 
 /// Divides the sums by the number of pictures, with rounding.
-fn mean(sums: &[[u16; 3]], count: u16, pixels: &mut [u32]) {
+fn mean(sums: &[[u32; 3]], count: u32, pixels: &mut [u32]) {
     for (pixel, sum) in pixels.iter_mut().zip(sums) {
-        let [r, g, b] =
-            sum.map(|sum| ((u32::from(sum) + u32::from(count / 2)) / u32::from(count)) as u8);
+        let [r, g, b] = sum.map(|sum| ((sum + count / 2) / count) as u8);
         *pixel = u32::from_be_bytes([0, r, g, b]);
     }
 }

@@ -1,5 +1,6 @@
 //! `lab capture`: writes frames of the show as pictures, a stream, a video or a contact sheet, and their sound.
 
+mod exposure;
 mod files;
 mod film;
 mod frame_queue;
@@ -15,8 +16,10 @@ use crate::rate::Rate;
 use crate::scenes::{self, SceneName};
 use anyhow::Result;
 use clap::{ArgGroup, Args};
+use eightfold::scene::MAX_LENGTH;
 use eightfold_window::cpu::{self, Isa};
-use film::{Film, MAX_SUPERSAMPLE};
+use exposure::{Exposure, MAX_SAMPLES};
+use film::{Film, MAX_SUPERSAMPLE, Samples};
 use frame_queue::FrameQueue;
 use std::ops::Range;
 use std::path::PathBuf;
@@ -78,12 +81,58 @@ pub struct Arguments {
     /// A pixel is the mean of N by N samples
     #[arg(long, value_name = "N", default_value = "1", value_parser = supersample)]
     supersample: usize,
+    #[command(flatten)]
+    exposure: ExposureFlags,
     /// Frames drawn at a time [default: as many as there are processors]
     #[arg(long, value_name = "N", value_parser = arguments::threads)]
     threads: Option<usize>,
     /// Instruction set; avx2 and avx512 draw the same bits, sse2 others [default: the best of this machine, but not sse2]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
+}
+
+/// How a frame is exposed. Each picture of which a frame is the mean is drawn at another time, from another point of the lens.
+#[derive(Args)]
+#[command(next_help_heading = "Exposure")]
+struct ExposureFlags {
+    /// The share of the time between two frames that the shutter is open, 0 to 1: what moves is blurred
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    shutter: Option<f32>,
+    /// The diameter of the lens in scene units: what is out of focus is blurred
+    #[arg(long, value_name = "LENGTH", value_parser = length, allow_negative_numbers = true)]
+    aperture: Option<f32>,
+    /// The distance in scene units at which things are sharp [default: that of the point that the camera looks at]
+    #[arg(long, value_name = "LENGTH", requires = "aperture", value_parser = length, allow_negative_numbers = true)]
+    focus: Option<f32>,
+    /// Each picture has lamps with a size at other points of it: exact soft shadows, also of blocks
+    #[arg(long)]
+    sample_lamps: bool,
+    /// Pictures of which a frame is the mean, each with samples elsewhere in the pixels [default: 16 with one of the flags above]
+    #[arg(long, value_name = "N", conflicts_with = "supersample", value_parser = samples)]
+    samples: Option<usize>,
+}
+
+/// The pictures of a frame if it is exposed and their number is not given.
+const USUAL_SAMPLES: usize = 16;
+
+impl ExposureFlags {
+    /// The pictures of a frame, if any of the flags is there.
+    fn exposure(&self, supersample: usize) -> Option<Exposure> {
+        let spreads = self.shutter.is_some() || self.aperture.is_some() || self.sample_lamps;
+        let usual = if supersample > 1 {
+            supersample * supersample
+        } else {
+            USUAL_SAMPLES
+        };
+        let samples = self.samples.or(spreads.then_some(usual))?;
+        Some(Exposure {
+            samples,
+            shutter: self.shutter.unwrap_or(0.0),
+            aperture: self.aperture.unwrap_or(0.0),
+            focus: self.focus,
+            samples_lamps: self.sample_lamps,
+        })
+    }
 }
 
 /// The part of `--help` about sharing the work.
@@ -171,7 +220,10 @@ fn film(arguments: &Arguments) -> Result<Film> {
         rate: arguments.fps,
         size,
         quality: arguments.quality,
-        supersample: arguments.supersample,
+        samples: arguments
+            .exposure
+            .exposure(arguments.supersample)
+            .map_or(Samples::Grid(arguments.supersample), Samples::Spread),
         isa: arguments.isa.map_or_else(usual_isa, Ok)?,
     })
 }
@@ -210,4 +262,25 @@ fn range(arguments: &Arguments, film: &Film) -> Result<Range<usize>> {
 /// Parses the number of samples per pixel along each axis.
 fn supersample(text: &str) -> Result<usize, String> {
     arguments::number(text, MAX_SUPERSAMPLE)
+}
+
+/// Parses a number of pictures.
+fn samples(text: &str) -> Result<usize, String> {
+    arguments::number(text, MAX_SAMPLES)
+}
+
+/// Parses a share.
+fn share(text: &str) -> Result<f32, String> {
+    let number = text.parse().ok();
+    number
+        .filter(|share| (0.0..=1.0).contains(share))
+        .ok_or_else(|| "takes a share from 0 to 1, such as 0.5".to_owned())
+}
+
+/// Parses a length above 0.
+fn length(text: &str) -> Result<f32, String> {
+    let number = text.parse().ok();
+    number
+        .filter(|&length: &f32| length > 0.0 && length <= MAX_LENGTH)
+        .ok_or_else(|| "takes a length in scene units, above 0".to_owned())
 }

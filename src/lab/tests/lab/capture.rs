@@ -1,5 +1,6 @@
 //! `lab capture` writes complete files whose bytes depend on nothing but its arguments.
 
+mod exposure;
 mod formats;
 #[cfg(unix)]
 mod interrupted;
