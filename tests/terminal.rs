@@ -13,6 +13,9 @@ use std::{
 /// A terminal in which a shell script runs.
 struct Terminal {
     socket: PathBuf,
+    /// The numbers of two processes: the shell, and tmux, which reads what is written.
+    shell: String,
+    reader: String,
 }
 
 impl Terminal {
@@ -25,8 +28,10 @@ impl Terminal {
             process::id(),
             COUNT.fetch_add(1, Relaxed)
         );
-        let terminal = Terminal {
+        let mut terminal = Terminal {
             socket: env::temp_dir().join(name),
+            shell: String::new(),
+            reader: String::new(),
         };
         let script = format!(
             "unset DISPLAY; export ALSA_CONFIG_PATH=/dev/null; stty sane; before=$(stty -g); {} {options}; code=$?; \
@@ -45,6 +50,8 @@ impl Terminal {
             "-c",
             &script,
         ]);
+        terminal.shell = terminal.value("pane_pid");
+        terminal.reader = terminal.value("pid");
         terminal
     }
 
@@ -56,6 +63,12 @@ impl Terminal {
         let (output, text) = run(&mut tmux);
         assert!(output.status.success(), "tmux {words:?}: {output:?}");
         text
+    }
+
+    /// A value that tmux knows by a name.
+    fn value(&self, name: &str) -> String {
+        let text = self.tmux(&["display", "-p", &format!("#{{{name}}}")]);
+        text.trim().to_owned()
     }
 
     /// The terminal's contents, with escape codes for colours.
@@ -96,10 +109,20 @@ impl Terminal {
 
     /// Sends a signal to the intro.
     fn signal(&self, name: &str) {
-        let shell = self.tmux(&["display", "-p", "#{pane_pid}"]);
         let mut pkill = tool("pkill");
-        run(pkill.args(["--signal", name, "-P", shell.trim(), "eightfold"]));
+        run(pkill.args(["--signal", name, "-P", &self.shell, "eightfold"]));
     }
+
+    /// Sends a signal to tmux. While that is stopped, nobody reads what is written.
+    fn signal_reader(&self, name: &str) {
+        sh(&format!("kill -{name} {}", self.reader));
+    }
+}
+
+/// Runs a command by a shell.
+fn sh(command: &str) {
+    let (output, _) = run(process::Command::new("sh").args(["-c", command]));
+    assert!(output.status.success(), "{command}: {output:?}");
 }
 
 impl Drop for Terminal {
@@ -198,16 +221,19 @@ fn it_takes_the_terminal_again_after_a_stop() {
     }
     let terminal = Terminal::play(60, 20, "");
     terminal.wait_for_picture(60, 20);
+    let tty = terminal.value("pane_tty");
+    // Where nobody reads, it is stopped in the middle of a frame.
+    terminal.signal_reader("STOP");
+    sleep(Duration::from_millis(500));
     terminal.signal("STOP");
+    terminal.signal_reader("CONT");
     // What a shell does with the terminal when a program of it stops.
-    let tty = terminal.tmux(&["display", "-p", "#{pane_tty}"]);
-    let shell = format!("stty -F {0} sane; printf '\\033[?1049l' > {0}", tty.trim());
-    let (output, _) = run(process::Command::new("sh").args(["-c", &shell]));
-    assert!(output.status.success(), "{output:?}");
+    sh(&format!(
+        "stty -F {tty} sane; printf '\\033[?1049l' > {tty}"
+    ));
     terminal.signal("CONT");
     wait_for("the alternate screen", || {
-        let screen = terminal.tmux(&["display", "-p", "#{alternate_on}"]);
-        (screen.trim() == "1").then_some(())
+        (terminal.value("alternate_on") == "1").then_some(())
     });
     terminal.wait_for_picture(60, 20);
     terminal.tmux(&["send-keys", "Escape"]);
@@ -244,30 +270,16 @@ fn a_terminal_that_nobody_reads_does_not_keep_it_from_ending() {
     for (options, signal) in [("", Some("TERM")), ("", Some("HUP")), ("--seconds 4", None)] {
         let terminal = Terminal::play(200, 50, options);
         terminal.wait_for_picture(200, 50);
-        let [shell, tmux] = ["#{pane_pid}", "#{pid}"].map(|what| {
-            let id = terminal.tmux(&["display", "-p", what]);
-            id.trim().to_owned()
-        });
-        let intro = run(tool("pgrep").args(["-P", &shell, "eightfold"])).1;
+        let intro = run(tool("pgrep").args(["-P", &terminal.shell, "eightfold"])).1;
         let intro = PathBuf::from("/proc").join(intro.trim());
-        // tmux is stopped, and takes up nothing more.
-        let tell = |name: &str| {
-            let kill = format!("kill -{name} {tmux}");
-            assert!(
-                run(process::Command::new("sh").args(["-c", &kill]))
-                    .0
-                    .status
-                    .success()
-            );
-        };
-        tell("STOP");
+        terminal.signal_reader("STOP");
         // Frames fill all the room there is.
         sleep(Duration::from_secs(2));
         if let Some(name) = signal {
-            run(tool("pkill").args(["--signal", name, "-P", &shell, "eightfold"]));
+            terminal.signal(name);
         }
         let ended = try_for(|| (!intro.exists()).then_some(()));
-        tell("CONT");
+        terminal.signal_reader("CONT");
         assert_eq!(ended, Some(()), "{options} {signal:?}");
     }
 }

@@ -60,8 +60,6 @@ pub struct Terminal {
     pixels: &'static mut [u32],
     size: (usize, usize),
     shown: (usize, usize),
-    /// How often the process had been stopped when the terminal was taken.
-    stops: u32,
 }
 
 impl Terminal {
@@ -82,7 +80,6 @@ impl Terminal {
             pixels: pixels(),
             size: (0, 0),
             shown: (0, 0),
-            stops: system::stops(),
         };
         SAVED.take_over();
         Some(terminal)
@@ -147,12 +144,6 @@ impl Screen for Terminal {
     }
 
     fn show(&mut self) -> Next {
-        let stops = system::stops();
-        if stops != self.stops {
-            // Meanwhile a shell had the terminal, in a mode of its own.
-            self.stops = stops;
-            SAVED.enter();
-        }
         let drawn = self.draw();
         match signal() {
             // Where nobody reads, a later frame may find room; the show goes on meanwhile, to its end.
@@ -181,8 +172,12 @@ impl Escape {
     /// Reads what was typed. True if it means the end.
     fn read(&mut self, keyboard: c_int) -> bool {
         let mut typed = [0; 64];
-        // SAFETY: it is as long as it says. In this mode, reading doesn't wait.
-        let count = unsafe { libc::read(keyboard, typed.as_mut_ptr().cast(), typed.len()) };
+        let mut count = 0;
+        // A shell that had the terminal meanwhile may have left it in a mode in which reading waits.
+        if system::is_ready(keyboard, libc::POLLIN, 0) {
+            // SAFETY: it is as long as it says.
+            count = unsafe { libc::read(keyboard, typed.as_mut_ptr().cast(), typed.len()) };
+        }
         self.ends(typed.get(..count as usize).unwrap_or_default())
     }
 
@@ -311,14 +306,20 @@ impl Saved {
     /// Sets the terminal's mode and takes its alternate screen.
     fn enter(&self) {
         if let Some(mut mode) = self.mode() {
-            // Keys at once and unseen, Ctrl-C among them; reading does not wait.
+            // Keys at once and unseen, Ctrl-C among them.
             mode.c_lflag &= !(libc::ICANON | libc::ECHO | libc::ISIG | libc::IEXTEN);
             mode.c_iflag &= !libc::IXON;
-            mode.c_cc[libc::VMIN] = 0;
-            mode.c_cc[libc::VTIME] = 0;
             set_mode(self.keyboard(), &mode);
         }
         line::write(line::OUTPUT, ENTER);
+    }
+}
+
+/// Takes the terminal again after a stop, if it was taken: meanwhile a shell had it, in a mode of its own. A signal's function
+/// may call it.
+pub(crate) fn resume() {
+    if SAVED.active.load(Acquire) {
+        SAVED.enter();
     }
 }
 

@@ -1,7 +1,7 @@
 //! Files, signals and the start of a process on Unix.
 
 use core::{
-    ffi::{CStr, c_int},
+    ffi::{CStr, c_int, c_short},
     mem::zeroed,
     ptr::{null, null_mut},
     sync::atomic::{AtomicU32, Ordering::Relaxed},
@@ -38,9 +38,10 @@ static STOPS: AtomicU32 = AtomicU32::new(0);
 
 extern "C" fn go_on(_: c_int) {
     STOPS.fetch_add(1, Relaxed);
+    terminal::resume();
 }
 
-/// Counts stops from now on, as by Ctrl-Z or SIGSTOP.
+/// Counts stops from now on, as by Ctrl-Z or SIGSTOP, and takes the terminal again after each.
 pub fn heed_stops() {
     // SAFETY: the function does only what a signal's function may.
     unsafe { terminal::on_signal(libc::SIGCONT, go_on as extern "C" fn(c_int) as _) };
@@ -90,7 +91,8 @@ pub fn write(file: c_int, mut bytes: &[u8]) -> bool {
         }
         match error() {
             libc::EINTR | libc::EAGAIN
-                if terminal::signal() == 0 && wait_for_room(file, terminal::patience()) => {}
+                if terminal::signal() == 0
+                    && is_ready(file, libc::POLLOUT, terminal::patience()) => {}
             _ => return false,
         }
     }
@@ -118,16 +120,16 @@ pub fn error() -> c_int {
     std::io::Error::last_os_error().raw_os_error().unwrap_or(0)
 }
 
-/// Waits until a file that was full takes more, or so many milliseconds; without end if they are negative. False if it is full
-/// still.
-fn wait_for_room(file: c_int, milliseconds: c_int) -> bool {
-    let mut room = libc::pollfd {
+/// Waits until one of some events is there, such as `POLLIN`, that a file has something to read, or so many milliseconds; without
+/// end if they are negative. False if there is none still.
+pub fn is_ready(file: c_int, events: c_short, milliseconds: c_int) -> bool {
+    let mut ready = libc::pollfd {
         fd: file,
-        events: libc::POLLOUT,
+        events,
         revents: 0,
     };
     // SAFETY: there is one of them.
-    unsafe { libc::poll(&mut room, 1, milliseconds) != 0 }
+    unsafe { libc::poll(&mut ready, 1, milliseconds) != 0 }
 }
 
 /// Has writing to a terminal not wait for room any more, for this process alone: others that have the same terminal wait as
