@@ -1,8 +1,10 @@
 //! How light becomes the picture's colours, see [`crate::scene::Film`].
 
+use crate::lanes::*;
 use crate::scene;
 use crate::scene::camera::pixels;
-use glam::{Vec2, Vec3A, vec2};
+use fearless_simd::f32x4;
+use glam::{Vec2, vec2};
 
 /// The film of a frame. Colours are in output steps, 255 the brightest; positions in pixels of the picture.
 pub(crate) struct Film {
@@ -44,11 +46,19 @@ impl Film {
         }
     }
 
-    /// The colour that light becomes at a point of the picture.
-    pub fn expose(&self, light: Vec3A, at: Vec2) -> Vec3A {
-        let r2 = ((at - self.middle) * self.unit).length_squared();
-        let light = light / (1.0 + self.vignette * r2);
-        let over = (light - self.shoulder).max(Vec3A::ZERO);
-        light - over + over * self.room / (self.room + over)
+    /// What light is divided by at four points, of which x and y are given.
+    #[inline(always)]
+    pub fn dimming<S: Isa>(&self, [x, y]: [f32x4<S>; 2]) -> f32x4<S> {
+        let x = (x - self.middle.x) * self.unit;
+        let y = (y - self.middle.y) * self.unit;
+        (x * x + y * y) * self.vignette + 1.0
+    }
+
+    /// The colour that light becomes at a point, channel by channel, by the point's [`Film::dimming`].
+    #[inline(always)]
+    pub fn expose<S: Isa>(&self, simd: S, light: f32x4<S>, dimming: f32) -> f32x4<S> {
+        let light = light / dimming;
+        let over = (light - self.shoulder).max(f32x4::splat(simd, 0.0));
+        light - over + over * self.room / (over + self.room)
     }
 }

@@ -8,11 +8,13 @@
 use super::pyramid::Pyramid;
 use super::tile::Tile;
 use super::verdict::{Verdict, steps};
+use crate::lanes::*;
 use crate::observe::Observer;
-use crate::prepare::ObjectId;
+use crate::prepare::{Film, ObjectId};
 use crate::quality::Quality;
 use crate::trace::{Layers, STEP, Sample, pattern_at_pixels};
-use glam::{Vec3A, vec2};
+use fearless_simd::f32x4;
+use glam::Vec3A;
 
 /// The output's brightest step.
 const BRIGHTEST: Vec3A = Vec3A::splat(255.0);
@@ -86,8 +88,7 @@ impl<O: Observer> Tile<'_, O> {
                 let mut colour = now.rest + now.untextured * share;
                 if object.is_some() {
                     // Samples are exposed, layers are not.
-                    let at = vec2(x as f32, (self.area.top + y) as f32);
-                    colour = self.scene.film.expose(colour, at);
+                    colour = expose(&self.scene.film, colour, x, self.area.top + y);
                 }
                 *pixel = rounded(colour);
                 now = now + step;
@@ -112,6 +113,17 @@ impl Layers {
             untextured: Vec3A::ZERO,
         }
     }
+}
+
+/// The colour that light becomes at the pixel (x, y).
+#[inline(always)]
+fn expose(film: &Film, light: Vec3A, x: usize, y: usize) -> Vec3A {
+    let simd = baseline();
+    let at = [x, y].map(|c| f32x4::splat(simd, c as f32));
+    let dimming: [f32; 4] = film.dimming(at).into();
+    let light = light.extend(0.0).to_array().simd_into(simd);
+    let [blue, green, red, _] = film.expose(simd, light, dimming[0]).into();
+    Vec3A::new(blue, green, red)
 }
 
 /// The pixel of a colour in output steps.

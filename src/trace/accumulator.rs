@@ -7,8 +7,8 @@ use super::sample::{STEP_BITS, Sum};
 use super::{Layers, Sample, sample};
 use crate::lanes::*;
 use crate::prepare::Film;
-use fearless_simd::i32x4;
-use glam::{Vec2, Vec3A};
+use fearless_simd::{f32x4, i32x4};
+use glam::Vec3A;
 
 /// The element of a [`Sum`] that holds the key.
 const KEY: usize = 3;
@@ -75,18 +75,15 @@ impl Accumulator {
     /// Turns the sums of the points into samples.
     #[inline(always)]
     pub(super) fn finish<S: Isa>(&mut self, simd: S, film: &Film, queue: &Queue) {
-        let mut exposed = [[0; 4]; MAX_LANES];
-        let exposed = &mut exposed[..lanes::<S>()];
-        for start in (0..queue.len().min(BATCH)).step_by(lanes::<S>()) {
-            let points = packet::<S>(start);
-            let mut sums = &self.sums[points.clone()];
-            if !film.is_plain {
-                for ((i, sum), exposed) in points.clone().zip(sums).zip(&mut *exposed) {
-                    *exposed = exposed_sum(film, sum, queue.pixel(i));
-                }
-                sums = exposed;
-            }
-            sample::from_sums(simd, sums, &mut self.samples[points]);
+        let (sums, _) = self.sums.as_chunks();
+        let (samples, _) = self.samples.as_chunks_mut();
+        let sums = sums.iter().zip(samples).enumerate();
+        for (i, (sums, samples)) in sums.take(queue.len().div_ceil(4)) {
+            *samples = if film.is_plain {
+                sample::from_sums(simd, sums)
+            } else {
+                sample::from_sums(simd, &exposed(simd, film, sums, queue.pixels(simd, 4 * i)))
+            };
         }
     }
 
@@ -154,8 +151,14 @@ fn steps(sum: &Sum) -> Vec3A {
     Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32)
 }
 
-/// A point's sum after the film, without its key.
-fn exposed_sum(film: &Film, sum: &Sum, at: Vec2) -> Sum {
-    let colour = film.expose(steps(sum), at) * (1 << STEP_BITS) as f32 + 0.5;
-    colour.extend(0.0).to_array().map(|channel| channel as i32)
+/// The sums of four points after the film, without their keys. The points are at the given x and y.
+#[inline(always)]
+fn exposed<S: Isa>(simd: S, film: &Film, sums: &[Sum; 4], at: [f32x4<S>; 2]) -> [Sum; 4] {
+    let dimming: [f32; 4] = film.dimming(at).into();
+    core::array::from_fn(|i| {
+        let light: f32x4<S> = i32x4::simd_from(simd, sums[i]).to_float();
+        let light = light * (1.0 / (1 << STEP_BITS) as f32);
+        let colour = film.expose(simd, light, dimming[i]) * (1 << STEP_BITS) as f32 + 0.5;
+        colour.to_int::<i32x4<S>>().into()
+    })
 }

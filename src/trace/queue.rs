@@ -4,7 +4,7 @@ use super::rays::{Rays, primary_directions};
 use crate::lanes::*;
 use crate::prepare::Prepared;
 use core::ops::Range;
-use glam::{Vec2, vec2};
+use fearless_simd::{f32x4, i32x4, u32x4};
 
 /// The most points that are traced together: their sums take 16 kB, which stay in the nearest cache.
 pub(crate) const BATCH: usize = 1024;
@@ -59,10 +59,13 @@ impl Queue {
         (position & 0xffff, position >> 16)
     }
 
-    /// The position of point number `i`, in pixels.
-    pub(super) fn pixel(&self, i: usize) -> Vec2 {
-        let (x, y) = self.position(i);
-        vec2(x as f32, y as f32) * self.unit
+    /// Where four points are, from number `start`, a multiple of 4: x and y in pixels.
+    #[inline(always)]
+    pub(super) fn pixels<S: Isa>(&self, simd: S, start: usize) -> [f32x4<S>; 2] {
+        let start = start % BATCH / 4 * 4;
+        let positions = u32x4::from_slice(simd, &self.positions[start..start + 4]);
+        [positions & 0xffff, positions >> 16]
+            .map(|c| c.bitcast::<i32x4<S>>().to_float::<f32x4<S>>() * self.unit)
     }
 
     /// The primary rays of a packet of points from number `start`, a multiple of the number of lanes. Lanes beyond the last point

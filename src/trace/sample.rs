@@ -2,7 +2,7 @@
 
 use crate::lanes::*;
 use crate::prepare::ObjectId;
-use fearless_simd::{u16x8, u32x4, u64x2};
+use fearless_simd::{i16x8, i32x4, u16x8, u32x4, u64x2};
 
 /// Fractional bits of a sum of output steps.
 ///
@@ -98,28 +98,23 @@ pub(super) fn pixels<S: Simd>(simd: S, &[a, b, c, d]: &[u64; 4]) -> [u32; 4] {
     pixels.into()
 }
 
-/// The samples of as many sums as there are lanes.
+/// The samples of four sums.
 ///
 /// They are truncated. A pixel made of a sample is then the sum rounded once.
 #[inline(always)]
-pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum], samples: &mut [u64]) {
-    let n = lanes::<S>();
-    let colour = S::u64s::splat(simd, Sample::COLOUR);
-    let sums = sums.as_flattened();
-    for i in [0, 1] {
-        let low = cut(simd, &sums[2 * n * i..][..n]);
-        let high = cut(simd, &sums[2 * n * i + n..][..n]);
-        let both = low.narrow(high).bitcast::<S::u64s>() & colour;
-        both.store_slice(&mut samples[n / 2 * i..][..n / 2]);
-    }
+pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum; 4]) -> [u64; 4] {
+    let [a, b, c, d] =
+        sums.map(|sum| i32x4::simd_from(simd, sum) >> (STEP_BITS - SAMPLE_BITS) as u32);
+    let ([a, b], [c, d]) = (limited(simd, a, b), limited(simd, c, d));
+    [a, b, c, d]
 }
 
-/// Sums as a sample's channels, cut to 0 to 255 steps.
+/// Two samples' channels, from 0 to 255 steps.
 #[inline(always)]
-fn cut<S: Isa>(simd: S, sums: &[i32]) -> U<S> {
-    let whole = I::<S>::from_slice(simd, sums) >> (STEP_BITS - SAMPLE_BITS) as u32;
-    whole
-        .max(I::<S>::splat(simd, 0))
-        .min(I::<S>::splat(simd, 255 * STEP))
-        .bitcast()
+fn limited<S: Isa>(simd: S, first: i32x4<S>, second: i32x4<S>) -> [u64; 2] {
+    let channels = first.saturating_narrow(second);
+    let channels = channels
+        .max(i16x8::splat(simd, 0))
+        .min(i16x8::splat(simd, 255 * STEP as i16));
+    (channels.bitcast::<u64x2<S>>() & Sample::COLOUR).into()
 }
