@@ -1,16 +1,13 @@
 //! The options, parsed from the command line.
 
-use core::{
-    fmt::{self, Display, Formatter},
-    str,
-};
+use core::fmt::{self, Display, Formatter};
 
 use eightfold::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::{
     arguments::Arguments,
     clock::SECOND,
     cpu::{self, Isa},
-    line::Printable,
+    line::{Printable, ascii},
 };
 
 use super::{
@@ -140,7 +137,7 @@ impl Options {
     /// Does what a flag says.
     fn set(&mut self, flag: &'static Flag, value: &'static [u8]) -> Result<(), Misuse> {
         let bad_value = Misuse::BadValue(flag, value);
-        let text = str::from_utf8(value).map_err(|_| bad_value)?;
+        let text = ascii(value).ok_or(bad_value)?;
         match flag.switch {
             Switch::Size => self.size = size(text).ok_or(bad_value)?,
             Switch::Fullscreen => self.is_fullscreen = true,

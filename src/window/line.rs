@@ -92,6 +92,14 @@ impl Display for Printable<'_> {
     }
 }
 
+/// Bytes as text, if all of them are ASCII, as all is that the program understands.
+#[must_use]
+pub fn ascii(bytes: &[u8]) -> Option<&str> {
+    let is_ascii = bytes.iter().all(u8::is_ascii);
+    // SAFETY: ASCII is UTF-8.
+    is_ascii.then(|| unsafe { str::from_utf8_unchecked(bytes) })
+}
+
 /// Writes a line to standard error: the program's name and a message.
 ///
 /// Whether it can be written is not told, for there is no place left to tell it.

@@ -10,6 +10,8 @@ use core::{
     },
 };
 
+use crate::line::ascii;
+
 /// A structure of functions that are looked up in a library, in the order of a block of names. A
 /// [`Table`] holds it.
 macro_rules! loaded {
@@ -110,11 +112,10 @@ unsafe fn load(
 #[must_use]
 pub fn why_not_loaded() -> &'static str {
     // SAFETY: it is null or a string, which stays until this thread asks for another library.
-    unsafe {
+    let why = unsafe {
         let why = libc::dlerror();
-        if why.is_null() {
-            return "a library can't be loaded";
-        }
-        CStr::from_ptr(why).to_str().unwrap_or_default()
-    }
+        (!why.is_null()).then(|| CStr::from_ptr(why))
+    };
+    why.and_then(|why| ascii(why.to_bytes()))
+        .unwrap_or("a library can't be loaded")
 }
