@@ -113,12 +113,13 @@ fn losses(
         name: "edges",
         title: "Antialiasing: one sample a pixel instead",
         with: pixels(&draw("edges", Effects::NONE)?),
-        without: exhaustive.clone(),
+        without: exhaustive,
     });
     losses.push(Loss {
         name: "squares",
         title: "Every pixel traced: adaptive squares instead",
-        with: exhaustive,
+        // Both with smooth edges.
+        with: real_time(truth, &Quality::DEFAULT.reference()),
         without: real_time(truth, &Quality::DEFAULT),
     });
     Ok(losses)

@@ -198,3 +198,35 @@ fn bad_input_is_named_in_one_line() {
         &["cannot write", "missing/truth.png"],
     );
 }
+
+#[test]
+fn effects_are_a_table_and_pictures_and_squares_cost_little() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().to_str().expect("a plain name");
+    let output = lab(&[
+        "truth",
+        "--size",
+        "48x36",
+        "--samples",
+        "8",
+        "--effects",
+        path,
+    ]);
+    assert!(output.status.success(), "{output:?}");
+    let table = String::from_utf8(output.stdout).expect("text");
+    let psnr = |title: &str| -> f64 {
+        let row = table.lines().find(|line| line.contains(title));
+        let number = row.and_then(|row| row.split(['|', 'd']).nth(2));
+        let number = number.unwrap_or_else(|| panic!("{title} is not in {table}"));
+        number.trim().parse().expect("a number")
+    };
+    // Both pictures have smooth edges, or it would be jagged edges that cost.
+    assert!(psnr("adaptive squares") > 36.0, "{table}");
+    assert!(psnr("one sample a pixel") < 34.0, "{table}");
+    let names =
+        "truth real-time indirect caustics soft-shadows surfaces falloff edges squares sheet";
+    for name in names.split(' ') {
+        let picture = folder.path().join(format!("{name}.png"));
+        assert!(picture.exists(), "{name}");
+    }
+}
