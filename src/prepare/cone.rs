@@ -12,7 +12,7 @@
 use super::Rectangle;
 use super::screen::{Axes, Rect};
 use crate::maths::sqrt;
-use glam::{Vec3, Vec3A, Vec4, Vec4Swizzles};
+use glam::{Vec3, Vec3A, Vec4};
 
 /// Tangents from each end that a rectangle is narrowed by: the first ones touch a cone on their side of it, later ones in the
 /// rectangle.
@@ -28,13 +28,10 @@ pub(crate) struct Cone {
 }
 
 /// What rounding may add to a side's inequality, whose terms are below 2.
-pub(crate) const ROUNDING: f32 = 1e-5;
+pub(super) const ROUNDING: f32 = 1e-5;
 
 /// What a sphere is taken to be larger by: the cosine of a cone is wider by more than its rounding, however flat.
 const WIDE: f32 = 1.0 + 1e-6;
-
-/// More than both sides of a round cone's inequality change by for a step along u or v, which is up to the root of 2.
-const STEEPEST: f32 = 1.5;
 
 /// The cone around a sphere, whatever rays it is to hold.
 #[derive(Clone, Copy)]
@@ -125,43 +122,12 @@ impl Cone {
                     side.dot(down),
                     side.dot(terms) - margin,
                 );
-                if rect.x > rect.z {
+                // Nothing is left, or a point, which its own tangent has decided.
+                if rect.x >= rect.z {
                     return;
                 }
             }
         }
-    }
-
-    /// Whether a ray through a rectangle of the picture may be inside, or through a point is, by a margin. (Asked of few squares'
-    /// corners: not worth four copies.)
-    #[inline(never)]
-    pub fn meets(&self, rect: &Rect, margin: f32) -> bool {
-        let half = (rect.zwzw() - *rect) * 0.5;
-        let middle = *rect + half;
-        let [mut right, mut down, terms] = self.terms;
-        let mut most = right * middle.x + down * middle.y + terms;
-        if !self.is_flat {
-            let across = Vec3A::from_vec4(most);
-            // Most are far outside, or have their middle inside: there is no need for roots.
-            let across2 = across.length_squared();
-            let inside = most.w - margin;
-            if across2 <= inside.max(0.0) * inside {
-                return true;
-            }
-            let near = inside + STEEPEST * (half.x + half.y);
-            if across2 > near.max(0.0) * near {
-                return false;
-            }
-            // On the axis any direction across will do, such as none.
-            let side = across / -across.length().max(f32::MIN_POSITIVE);
-            let side = side.extend(1.0);
-            most = total(side * most);
-            right = total(side * right);
-            down = total(side * down);
-        }
-        most += right.abs() * half.x + down.abs() * half.y;
-        // Not "all at least", so that what is not a number meets.
-        !most.cmplt(Vec4::splat(margin)).any()
     }
 }
 
@@ -178,11 +144,4 @@ fn cut(rect: &mut Rect, right: f32, down: f32, terms: f32) {
     } else if most < 0.0 {
         rect.z = f32::NEG_INFINITY;
     }
-}
-
-/// The sum of all lanes, in each.
-#[inline(always)]
-fn total(v: Vec4) -> Vec4 {
-    let pairs = v + v.zwxy();
-    pairs + pairs.yxwz()
 }

@@ -12,8 +12,6 @@ mod surface;
 mod tree;
 
 pub(crate) use air::Air;
-use cone::Cone;
-pub(crate) use cone::ROUNDING;
 pub(crate) use film::Film;
 pub(crate) use lamp::{Lamp, ShadowCone};
 pub(crate) use object::{Object, ObjectId};
@@ -26,9 +24,7 @@ pub(crate) use surface::{PerLane, Surface, SurfaceRow};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{BvhNode, GroupSet, Tree};
 
-use crate::scene::{
-    MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Method, Scene, camera::Raster,
-};
+use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Method, Scene, camera::Raster};
 use glam::Vec3A;
 
 /// A bound on how far rounding moves a computed point of a sphere off it, as a share of the sphere's largest coordinate.
@@ -41,8 +37,11 @@ const HIT_ERROR: f32 = 10.0 / (1 << 24) as f32;
 /// The most objects that rays can hit: solids, lights (shown as spheres), planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 
-/// The most outlines: one for each object, and one for the shadow of each sphere on each plane by each light.
-pub(crate) const MAX_OUTLINES: usize = MAX_OBJECTS + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
+/// The most outlines of objects, and of their mirror images in the first plane.
+const MAX_IMAGES: usize = 2 * MAX_OBJECTS;
+
+/// The most outlines: those, and one for the shadow of each sphere on each plane by each light.
+pub(crate) const MAX_OUTLINES: usize = MAX_IMAGES + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
 /// The scene of one frame, prepared for the kernels.
 ///
@@ -57,19 +56,17 @@ pub(crate) struct Prepared {
     /// The height of the picture in pixels.
     pub height: usize,
     pub tree: Tree,
-    /// For each group of the tree, a rectangle around it in the picture.
-    bounds: [ScreenBounds; MAX_GROUPS],
-    /// The same for its mirror image in the first plane.
-    mirrored_bounds: [ScreenBounds; MAX_GROUPS],
+    /// For each group of the tree, a rectangle around it in the picture, and one around its image in the first plane.
+    bounds: [[ScreenBounds; MAX_GROUPS]; 2],
     /// The groups that have an object.
     used_groups: GroupSet,
     pub axes: Axes,
-    /// The outline of each object in the picture.
-    outlines: [Outline; MAX_OBJECTS],
-    /// For each block, the sides of its cone for which the outline has no room.
-    block_ends: [Cone; MAX_BLOCKS],
-    /// The shadows on planes. Their outlines have the numbers from [`Prepared::background`] up.
+    /// The outline of each object in the picture, by its number, the background's empty; then, if the first plane is a mirror,
+    /// those of the images of solids and lights in it, in the same order.
+    outlines: [Outline; MAX_IMAGES],
+    /// The shadows on planes. Their outlines have the numbers from `first_shadow` up.
     shadows: Shadows,
+    first_shadow: usize,
     /// The number of outlines.
     pub outlined: usize,
     /// The number of spheres and blocks.
@@ -117,13 +114,12 @@ impl Prepared {
             raster: Raster::ZERO,
             height: 0,
             tree: Tree::ZERO,
-            bounds: [ScreenBounds::ZERO; MAX_GROUPS],
-            mirrored_bounds: [ScreenBounds::ZERO; MAX_GROUPS],
+            bounds: [[ScreenBounds::ZERO; MAX_GROUPS]; 2],
             used_groups: 0,
             axes: Axes::NONE,
-            outlines: [Outline::NONE; MAX_OBJECTS],
-            block_ends: [Cone::NONE; MAX_BLOCKS],
+            outlines: [Outline::NONE; MAX_IMAGES],
             shadows: Shadows::ZERO,
+            first_shadow: 0,
             outlined: 0,
             solids: 0,
             lamps: [const { Lamp::ZERO }; MAX_LIGHTS],
@@ -209,8 +205,8 @@ impl Prepared {
         while rest != 0 {
             let i = rest.trailing_zeros() as usize % MAX_GROUPS;
             rest &= rest - 1;
-            groups.directly |= GroupSet::from(self.bounds[i].meets(rect)) << i;
-            groups.mirrored |= GroupSet::from(self.mirrored_bounds[i].meets(rect)) << i;
+            groups.directly |= GroupSet::from(self.bounds[0][i].meets(rect)) << i;
+            groups.mirrored |= GroupSet::from(self.bounds[1][i].meets(rect)) << i;
         }
         groups
     }
@@ -252,33 +248,36 @@ impl Prepared {
 
     /// Prepares the outlines, after the objects.
     fn set_outlines(&mut self) {
-        self.bounds = [ScreenBounds::NONE; MAX_GROUPS];
-        self.mirrored_bounds = [ScreenBounds::NONE; MAX_GROUPS];
+        self.bounds = [[ScreenBounds::NONE; MAX_GROUPS]; 2];
         self.used_groups = 0;
-        let floor = self.planes[0].centre.y;
-        for node in self.tree.nodes() {
-            if node.is_bound {
-                continue;
-            }
-            let mut to = node.centre - self.eye;
-            let outline = &mut self.outlines[node.object.index()];
-            outline.set_sphere(&self.axes, to, node);
-            self.used_groups |= node.groups;
-            let group = node.groups.trailing_zeros() as usize;
-            self.bounds[group].join(outline.bounds);
-            if node.is_block {
-                let object = object::of(&self.scene, node.object).0;
-                if let Object::Block(block) = object {
-                    let block_number = node.object.index() - self.scene.spheres.len();
-                    let ends = &mut self.block_ends[block_number];
-                    outline.set_block(ends, &self.axes, to, block);
+        let (first_plane, background) = (self.first_plane(), self.background());
+        // Glass reflects all light at some angles.
+        let is_mirror = |m: &Material| m.kr + m.fresnel + m.kt > 0.0;
+        let first = self.scene.planes.first();
+        let mirrors = usize::from(first.is_some_and(|plane| is_mirror(&plane.material)));
+        self.first_shadow = background + 1 + mirrors * first_plane;
+        let (mut eye, mut axes) = (self.eye, self.axes.clone());
+        for (i, bounds) in self.bounds[..=mirrors].iter_mut().enumerate() {
+            let outlines = &mut self.outlines[i * (background + 1)..];
+            for node in self.tree.nodes() {
+                if node.is_bound {
+                    continue;
                 }
+                let to = node.centre - eye;
+                let outline = &mut outlines[node.object.index()];
+                outline.set_sphere(&axes, to, node);
+                self.used_groups |= node.groups;
+                bounds[node.groups.trailing_zeros() as usize].join(outline.bounds);
+                if let Object::Block(block) = object::of(&self.scene, node.object).0 {
+                    outline.set_block(&axes, to, block);
+                }
+                outline.settle();
             }
-            outline.settle();
-            to.y = 2.0 * floor - node.centre.y - self.eye.y;
-            self.mirrored_bounds[group].join(self.axes.bounds(to, node.radius));
+            // An image in a plane is what the eye's own image sees of the object.
+            eye.y = 2.0 * self.planes[0].centre.y - eye.y;
+            axes.mirror();
         }
-        let first_plane = self.first_plane();
+        self.outlines[background].bounds = ScreenBounds::NONE;
         let planes = &self.planes[..self.plane_count];
         for (outline, plane) in self.outlines[first_plane..].iter_mut().zip(planes) {
             outline.set_rectangle(&self.axes, self.eye, plane);

@@ -12,9 +12,11 @@ use glam::{Vec3A, Vec3Swizzles, Vec4};
 pub(crate) struct Outline {
     /// The rays that meet it, all of them where the eye is inside, or nearly.
     cone: Cone,
+    /// More of the sides of a box or a cylinder: the rays between those that `cone` has no room for.
+    ends: Cone,
     /// Around all of it.
     pub bounds: ScreenBounds,
-    /// Whether it is a box or a cylinder, of which [`Prepared::block_ends`] has more.
+    /// Whether it is a box or a cylinder.
     is_block: bool,
     /// A sphere's power of the eye, distance squared minus radius squared: of two spheres the one with the smaller power
     /// is in front wherever both are, since the plane of equal powers parts what can be seen of them (Aurenhammer: Power
@@ -30,6 +32,10 @@ pub(crate) struct Outline {
 /// [`Scene::validate`](crate::scene::Scene::validate), which is far more than rounding, and a tenth of a pixel.
 const CORNER: f32 = 2e-4;
 
+/// How far inside of a block's outline a ray meets the block for sure, as the tangent of an angle: more than the [`CORNER`]s that
+/// it is larger by, seen from beyond the block's own size.
+const WELL_INSIDE: f32 = 1e-3;
+
 /// An eye as near to a sphere as so many times its slack, below which hits are none, is neither outside nor inside for
 /// sure.
 const TOUCHING: f32 = 4.0;
@@ -37,6 +43,7 @@ const TOUCHING: f32 = 4.0;
 impl Outline {
     pub const NONE: Self = Self {
         cone: Cone::NONE,
+        ends: Cone::NONE,
         bounds: ScreenBounds::ZERO,
         is_block: false,
         power: 0.0,
@@ -64,12 +71,11 @@ impl Outline {
         self.set_extent(axes, to, Vec4::splat(radius));
     }
 
-    /// Takes in the block that the sphere is around, `to` from the eye; `ends` are the rays between its sides that `cone` has
-    /// no room for.
+    /// Takes in the block that the sphere is around, `to` from the eye.
     ///
     /// Its sides are the planes through the eye and an edge that have all of it on one side: two for each of its axes, at
     /// most. Across its axis a cylinder counts as the box around it.
-    pub fn set_block(&mut self, ends: &mut Cone, axes: &Axes, to: Vec3A, block: &Block) {
+    pub fn set_block(&mut self, axes: &Axes, to: Vec3A, block: &Block) {
         let inward = block.axes.transpose();
         let slack = CORNER * (to.abs() + block.half).element_sum();
         // Along each axis, in a lane, it is a rectangle across the other two.
@@ -82,7 +88,7 @@ impl Outline {
         // Along a cylinder, the points where lines touch a circle, as shares of the way to its middle and across.
         let touched = 1.0 - half.x * half.x / (a.y * a.y + b.y * b.y);
         let apart = sqrt(touched - touched * touched);
-        for (cone, way) in [(&mut self.cone, 1.0), (ends, -1.0)] {
+        for (cone, way) in [(&mut self.cone, 1.0), (&mut self.ends, -1.0)] {
             // The corner where the rectangle ends, one way round or the other.
             let is_below = Vec3A::select(is_beside, a * way, b).cmplt(Vec3A::ZERO);
             let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
@@ -98,6 +104,8 @@ impl Outline {
                 let axis = inward * axis;
                 *n = ((axis.zxy() * x - axis.yzx() * y) * scale).extend(0.0);
             }
+            // What is no side has all rays on its inner side.
+            cone.terms[2] += Vec3A::select(has_none, Vec3A::ONE, Vec3A::ZERO).extend(1.0);
         }
         let forward = inward * axes.rows[2];
         let own = [inward.x_axis, inward.y_axis, inward.z_axis, forward];
@@ -163,20 +171,36 @@ impl Rectangle {
 /// What has an outline, as a part of the picture is held against it.
 pub(crate) struct SeenOutline<'a> {
     bounds: ScreenBounds,
-    pub cone: Cone,
+    cone: Cone,
     /// More of the sides of a box or a cylinder.
     ends: Option<&'a Cone>,
 }
 
 impl SeenOutline<'_> {
     /// The least and the greatest u in a rectangle of the picture that may show it, if it may.
-    pub fn narrow(&self, mut rect: Rect) -> Option<[f32; 2]> {
+    pub fn narrow(&self, rect: Rect) -> Option<[f32; 2]> {
+        self.narrow_by(rect, -ROUNDING)
+    }
+
+    /// Whether a point of the picture, given as a rectangle, is inside for sure.
+    pub fn contains(&self, point: Rect) -> bool {
+        let margin = if self.ends.is_some() {
+            WELL_INSIDE
+        } else {
+            ROUNDING
+        };
+        self.narrow_by(point, margin).is_some()
+    }
+
+    /// What is left of a rectangle, all of whose rays are inside by a margin.
+    #[inline(never)]
+    fn narrow_by(&self, mut rect: Rect, margin: f32) -> Option<[f32; 2]> {
         self.bounds.narrow(&mut rect);
         if rect.x <= rect.z {
-            self.cone.narrow(&mut rect, -ROUNDING);
+            self.cone.narrow(&mut rect, margin);
         }
         if let (Some(ends), true) = (self.ends, rect.x <= rect.z) {
-            ends.narrow(&mut rect, -ROUNDING);
+            ends.narrow(&mut rect, margin);
         }
         (rect.x <= rect.z).then_some([rect.x, rect.z])
     }
@@ -186,13 +210,12 @@ impl Prepared {
     /// What has the outline of a number.
     #[inline(never)]
     pub fn outline(&self, number: usize) -> SeenOutline<'_> {
-        if number < self.background() {
+        if number < self.first_shadow {
             let outline = &self.outlines[number];
-            let block = number.wrapping_sub(self.scene.spheres.len());
             SeenOutline {
                 bounds: outline.bounds,
                 cone: outline.cone,
-                ends: self.block_ends.get(block).filter(|_| outline.is_block),
+                ends: outline.is_block.then_some(&outline.ends),
             }
         } else {
             SeenOutline {

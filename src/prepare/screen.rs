@@ -7,6 +7,7 @@ use crate::scene::camera::{Raster, pixels};
 use glam::{Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 /// The camera's axes, and where its pixels are in the plane at distance 1.
+#[derive(Clone)]
 pub(crate) struct Axes {
     /// To the right, down, and forward.
     pub rows: [Vec3A; 3],
@@ -54,6 +55,13 @@ impl Axes {
     /// Has the pixels' samples that much to the left and above.
     pub fn move_middle(&mut self, by: glam::Vec2) {
         self.middle += Vec4::new(by.x, by.y, by.x, by.y);
+    }
+
+    /// Mirrors them in a horizontal plane.
+    pub fn mirror(&mut self) {
+        for row in &mut self.rows {
+            row.y = -row.y;
+        }
     }
 
     /// The rectangle with these corners, in pixels.

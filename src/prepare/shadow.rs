@@ -71,16 +71,14 @@ impl Prepared {
                 rays[number] = rays_to(plane, lamp.position, self.eye, &self.axes.rows);
             }
         }
-        self.outlined = self.background() + self.plane_count * self.shadows.count;
+        self.outlined = self.first_shadow + self.plane_count * self.shadows.count;
     }
 
-    /// The object that an outline, given by its number, belongs to: for a shadow, the plane.
+    /// The object that shows what has an outline, given by its number: for a shadow, its plane, and for an image the first one.
     pub fn outlined_object(&self, number: usize) -> ObjectId {
-        let number = match number.checked_sub(self.background()) {
-            None => number,
-            Some(shadow) => self.first_plane() + shadow / self.shadows.count.max(1),
-        };
-        ObjectId::new(number)
+        let shadow = number.saturating_sub(self.first_shadow);
+        let plane = self.first_plane() + shadow / self.shadows.count.max(1);
+        ObjectId::new(if number < plane { number } else { plane })
     }
 
     /// The cone of camera rays that may meet a shadow, given by the number of its outline.
@@ -91,7 +89,7 @@ impl Prepared {
             count,
             rays,
         } = &self.shadows;
-        let (shadow, count) = (number - self.background(), (*count).max(1));
+        let (shadow, count) = (number - self.first_shadow, (*count).max(1));
         let caster = &casters[shadow % count];
         caster
             .cone

@@ -1,15 +1,18 @@
-//! The guard against what lies between corners: objects and shadows on planes that a square may show although no corner does.
+//! The guard against what lies between corners: objects, shadows on planes, and mirror images in the first plane, that a square may
+//! show although no corner does.
 //!
 //! Everything that can be seen has a convex outline (see `prepare::outline`). It covers one range of a row of squares, which its
 //! tangents give. Only squares in that range are looked at.
+//!
+//! Which object a corner shows is known from tracing it. Whether it shows a shadow or an image on a plane is not, so there the
+//! outline tells: a corner that shows the plane and lies in the outline shows what has it, or what is in front of that.
 
 use super::area::Area;
 use super::bits::Bits;
 use super::pyramid::Pyramid;
 use super::{TILE_HEIGHT, TILE_WIDTH};
-use crate::prepare::{MAX_OUTLINES, ObjectId, Prepared, ROUNDING, SeenOutline, rectangle};
+use crate::prepare::{MAX_OUTLINES, ObjectId, Prepared, SeenOutline, rectangle};
 use core::ops::RangeInclusive;
-use glam::{Vec2Swizzles, vec2};
 
 /// The outlines of what may be seen in a tile although no corner has shown it so far, by number.
 pub(super) struct CoverageGuard {
@@ -136,8 +139,8 @@ impl Square<'_> {
         if number == object.index() {
             self.shows_object(object) || self.is_hidden(scene, object)
         } else {
-            // Where no corner shows the plane of a shadow it cannot be seen, or is looked for itself.
-            !self.shows_object(object) || self.shows_shadow(scene, outline, object)
+            // Where no corner shows the plane of a shadow or an image it cannot be seen, or is looked for itself.
+            !self.shows_object(object) || self.shows_on(scene, outline, object)
         }
     }
 
@@ -160,14 +163,12 @@ impl Square<'_> {
             .is_some_and(|front| scene.occludes(front, object))
     }
 
-    /// Whether a corner that is a pixel shows a plane in a shadow on it.
-    fn shows_shadow(&self, scene: &Prepared, shadow: &SeenOutline<'_>, plane: ObjectId) -> bool {
+    /// Whether a corner that is a pixel shows a plane within a shadow's or an image's outline.
+    fn shows_on(&self, scene: &Prepared, outline: &SeenOutline<'_>, plane: ObjectId) -> bool {
         (0..4).any(|i| {
             let [x, y] = self.corner(i);
-            let at = scene.axes.rect(rectangle(x, y, x, y));
-            self.objects[i] == Some(plane)
-                && self.is_pixel(i)
-                && shadow.cone.meets(&vec2(at.x, at.y).xyxy(), ROUNDING)
+            let point = scene.axes.rect(rectangle(x, y, x, y));
+            self.objects[i] == Some(plane) && self.is_pixel(i) && outline.contains(point)
         })
     }
 

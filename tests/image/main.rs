@@ -12,6 +12,7 @@ mod extremes;
 mod film;
 mod generator;
 mod golden;
+mod images_shown;
 mod limits;
 mod method;
 mod nothing_missed;

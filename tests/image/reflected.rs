@@ -1,7 +1,8 @@
-//! Small reflections, which the guard does not look for, are missed by no more than a stated share.
+//! Small reflections in the first plane are missed by no more than a stated share of their pixels.
 //!
-//! Measured: 34 % of the pixels of small reflections, most of them narrower than a square, are wrong by the finest quality, the
-//! default quality and the rules of 2008 alike. The largest patches have 77 pixels.
+//! Measured: of the pixels of small reflections, most of them narrower than a square, 0.6 % are wrong by the finest and by the
+//! default quality, and 0.25 % by the rules of 2008. The largest patches have 4 pixels. Without the guard 34 % are wrong, in patches
+//! of 77.
 
 use crate::cpu;
 use crate::drawn::{draw, jagged};
@@ -56,7 +57,7 @@ fn without_reflections(scene: &Scene) -> Scene {
 #[test]
 fn reflections_between_corners_are_missed_by_no_more_than_is_stated() {
     // The largest share of the reflections' pixels, and the largest patch in pixels.
-    let (most, largest) = (0.35, 90);
+    let (most, largest) = (0.01, 8);
     for quality in [Quality::LADDER[0], Quality::DEFAULT, Quality::THESIS] {
         let (mut reflected, mut missed, mut patch) = (0, 0, 0);
         for i in 0..12 {
