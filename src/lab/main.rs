@@ -5,8 +5,8 @@
 
 use clap::{Parser, Subcommand, error::ErrorKind};
 use eightfold_lab::{
-    arguments, bench, capture, figures, interrupt, output, release, render, report, scene, size,
-    sound, study, trade, truth, view,
+    arguments, bench, capture, figures, interrupt, missed, output, release, render, report, scene,
+    size, sound, study, trade, truth, view,
 };
 use std::env;
 use std::time::Instant;
@@ -24,6 +24,7 @@ enum Command {
     Bench(bench::Arguments),
     Capture(capture::Arguments),
     Figures(figures::Arguments),
+    Missed(missed::Arguments),
     Release(release::Arguments),
     Render(render::Arguments),
     Report(report::Arguments),
@@ -52,6 +53,7 @@ fn run(_: eightfold_window::arguments::Arguments) -> i32 {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Capture(arguments) => capture::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
+        Command::Missed(arguments) => missed::run(&arguments),
         Command::Release(arguments) => release::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),

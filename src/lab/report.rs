@@ -14,7 +14,7 @@ use std::thread::available_parallelism;
 /// Measures what README.md and docs/*.md tell of speed, errors, size and sound, and rewrites their marked parts and pictures
 ///
 /// A part begins at a line <!-- lab report NAME --> and ends at <!-- lab report end -->; its name is moving, sheet, speed, show,
-/// ladder, trade, figures, size or sound. It may stand on several pages. What stands outside of the parts stays, and parts that
+/// ladder, missed, trade, figures, size or sound. It may stand on several pages. What stands outside of the parts stays, and parts that
 /// are on no page are not measured. Run twice on the same machine, it changes timings alone.
 #[derive(Args)]
 pub struct Arguments {
@@ -64,8 +64,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     pages.retain(|page| parts.iter().any(|part| page.has(part)));
     if parts.is_empty() {
         let line = format!(
-            "--folder: no page in {} has a part marked <!-- lab report speed -->, moving, sheet, show, ladder, trade, figures, \
-             size or sound",
+            "--folder: no page in {} has a part marked <!-- lab report speed -->, moving, sheet, show, ladder, missed, trade, \
+             figures, size or sound",
             arguments.folder.display()
         );
         return Err(BadInput::error(line));
@@ -127,6 +127,10 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
         .collect();
     let frames = arguments.frames.map(|count| format!(" --frames {count}"));
     let frames = frames.unwrap_or_default();
+    let seeds = arguments
+        .frames
+        .map(|count| format!(" --frames {count} --seeds {count}"));
+    let seeds = seeds.unwrap_or_default();
     let sizes = arguments.size.iter().map(|size| format!(" --size {size}"));
     let sizes: Vec<String> = sizes.collect();
     let size = sizes.first().cloned().unwrap_or_default();
@@ -189,6 +193,7 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
             true,
         ),
         part("ladder", format!("trade --ladder{size}{frames}"), &[], true),
+        part("missed", format!("missed{size}{seeds}"), &[], true),
         part("trade", format!("trade{plan}{size}{frames}"), &TRADE, false),
         part("figures", format!("figures{size}"), &FIGURES, false),
         part("size", "size --functions 10".to_owned(), &[], true),

@@ -4,6 +4,7 @@ mod bench;
 mod capture;
 mod figures;
 mod ladder;
+mod missed;
 mod release;
 mod report;
 mod sampler;

@@ -1,0 +1,186 @@
+//! Scenes drawn by chance, in each of which small things show in one way.
+
+use eightfold::glam::{EulerRot, Mat3A, Vec3A, vec3a};
+use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
+
+/// What a scene has beside small, matt things and a camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Setting {
+    /// A matt floor, and a point of light.
+    Point,
+    /// A matt floor, and a lamp with a size.
+    SizedLamp,
+    /// A matt floor, and a sun.
+    Sun,
+    /// A matt floor and a point of light; the small things are boxes and cylinders.
+    Blocks,
+    /// Large matt spheres and a point of light.
+    Spheres,
+    /// A floor that is a mirror.
+    Mirror,
+    /// Large spheres that are mirrors.
+    Mirrors,
+    /// Large panes of glass.
+    Glass,
+}
+
+/// All of them.
+pub const SETTINGS: [Setting; 8] = [
+    Setting::Point,
+    Setting::SizedLamp,
+    Setting::Sun,
+    Setting::Blocks,
+    Setting::Spheres,
+    Setting::Mirror,
+    Setting::Mirrors,
+    Setting::Glass,
+];
+
+/// How many small things a scene has.
+const THINGS: usize = 40;
+
+/// A generator of pseudorandom numbers with its state (Steele, Lea and Flood's SplitMix).
+struct Random(u64);
+
+impl Random {
+    /// A number from `low` to `high`.
+    fn between(&mut self, low: f32, high: f32) -> f32 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut h = self.0;
+        h = (h ^ (h >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        h = (h ^ (h >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        h ^= h >> 31;
+        low + (high - low) * ((h >> 40) as f32 / (1 << 24) as f32)
+    }
+
+    fn vector(&mut self, low: Vec3A, high: Vec3A) -> Vec3A {
+        let shares = [0; 3].map(|_| self.between(0.0, 1.0));
+        low + (high - low) * Vec3A::from_array(shares)
+    }
+}
+
+/// A scene of a setting: the same for the same seed.
+pub fn scene(setting: Setting, seed: u64) -> Scene {
+    let mut random = Random(seed);
+    let mut scene = Scene {
+        camera: Camera {
+            eye: random.vector(vec3a(-6.0, 2.0, 11.0), vec3a(6.0, 7.0, 11.0)),
+            look_at: Vec3A::ZERO,
+            up: Vec3A::Y,
+            field_of_view: random.between(0.6, 1.0),
+        },
+        background: Vec3A::splat(0.1),
+        ambient: Vec3A::splat(0.4),
+        ..Scene::default()
+    };
+    add_things(setting, &mut random, &mut scene);
+    add_hosts(setting, &mut random, &mut scene);
+    scene
+}
+
+/// Adds the small things: spheres, or boxes and cylinders.
+fn add_things(setting: Setting, random: &mut Random, scene: &mut Scene) {
+    for number in 0..THINGS {
+        let centre = random.vector(vec3a(-5.0, 0.5, -5.0), vec3a(5.0, 3.0, 5.0));
+        let size = 10.0_f32.powf(random.between(-2.0, -0.7));
+        let material = matt(random.vector(Vec3A::splat(0.3), Vec3A::ONE));
+        if setting != Setting::Blocks {
+            scene.spheres.push(Sphere {
+                centre,
+                radius: size,
+                material,
+            });
+            continue;
+        }
+        let [a, b, c] = [0; 3].map(|_| random.between(0.0, 6.0));
+        scene.blocks.push(Block {
+            centre,
+            half: random.vector(Vec3A::splat(0.5), Vec3A::splat(2.0)) * size,
+            axes: Mat3A::from_euler(EulerRot::XYZ, a, b, c),
+            shape: Shape::Box,
+            material,
+        });
+        if number % 2 == 1
+            && let Some(block) = scene.blocks.last_mut()
+        {
+            block.half.z = block.half.x;
+            block.shape = Shape::Cylinder;
+        }
+    }
+}
+
+/// Adds what the things show on, in or through, and a lamp.
+fn add_hosts(setting: Setting, random: &mut Random, scene: &mut Scene) {
+    let mirror = Material {
+        kr: 0.8,
+        ..Material::BLACK
+    };
+    let white = matt(Vec3A::splat(0.8));
+    match setting {
+        Setting::Point | Setting::SizedLamp | Setting::Sun | Setting::Blocks => {
+            scene.planes = floor(white)
+        }
+        Setting::Mirror => scene.planes = floor(mirror),
+        Setting::Spheres | Setting::Mirrors => {
+            let material = if setting == Setting::Spheres {
+                white
+            } else {
+                mirror
+            };
+            for _ in 0..20 {
+                scene.spheres.push(Sphere {
+                    centre: random.vector(vec3a(-6.0, -2.0, -6.0), vec3a(6.0, -0.5, 6.0)),
+                    radius: random.between(0.7, 1.5),
+                    material,
+                });
+            }
+        }
+        Setting::Glass => {
+            scene.blocks.push(Block {
+                centre: scene.camera.eye * 0.6,
+                half: vec3a(20.0, 20.0, 0.1),
+                axes: Mat3A::IDENTITY,
+                shape: Shape::Box,
+                material: Material {
+                    kt: 0.9,
+                    index: 1.3,
+                    ..Material::BLACK
+                },
+            });
+        }
+    }
+    let position = random.vector(vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0));
+    let light = Light {
+        position,
+        colour: Vec3A::splat(0.9),
+        ..Light::DARK
+    };
+    match setting {
+        Setting::SizedLamp => scene.lights.push(Light { size: 0.5, ..light }),
+        Setting::Sun => scene.lights.push(Light {
+            parallel: true,
+            ..light
+        }),
+        Setting::Mirror | Setting::Mirrors | Setting::Glass => false,
+        _ => scene.lights.push(light),
+    };
+}
+
+/// A matt material.
+fn matt(colour: Vec3A) -> Material {
+    Material {
+        colour,
+        kd: 0.8,
+        ..Material::BLACK
+    }
+}
+
+/// A floor.
+fn floor<const N: usize>(material: Material) -> List<Plane, N> {
+    List::of(&[Plane {
+        centre: Vec3A::ZERO,
+        half_x: 20.0,
+        half_z: 20.0,
+        material,
+    }])
+}

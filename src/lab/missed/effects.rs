@@ -1,0 +1,214 @@
+//! What each thing of a scene changes of a picture, by kind: itself, its shadows, its images.
+
+use crate::error::worst_channel;
+use crate::threaded_renderer::ThreadedRenderer;
+use eightfold::Quality;
+use eightfold::glam::Vec3A;
+use eightfold::scene::{Light, List, Material, Scene};
+use eightfold_oracle::{Object, Oracle};
+use eightfold_window::cpu;
+use std::collections::BTreeMap;
+
+/// What a pixel shows of a thing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// The thing itself.
+    Object,
+    /// The shadow of a sphere on a plane, where all lamps of the scene are points.
+    PointShadow,
+    /// The same where none is a sun or a spotlight, and some have a size.
+    SizedShadow,
+    /// The same where some lamp is a sun or a spotlight.
+    SunShadow,
+    /// The shadow of a box or a cylinder on a plane.
+    BlockShadow,
+    /// A shadow on a sphere, a box or a cylinder.
+    SolidShadow,
+    /// An image in the first plane.
+    PlaneImage,
+    /// An image in another mirror.
+    OtherImage,
+    /// What glass shows.
+    Glass,
+}
+
+impl Kind {
+    /// All of them, as they stand in a table.
+    pub const ALL: [(Self, &'static str); 9] = [
+        (Self::Object, "objects"),
+        (Self::PointShadow, "shadows of spheres on planes, by points"),
+        (Self::SizedShadow, "... by lamps with a size"),
+        (Self::SunShadow, "... by suns and spotlights"),
+        (Self::BlockShadow, "shadows of blocks on planes"),
+        (Self::SolidShadow, "shadows on spheres and blocks"),
+        (Self::PlaneImage, "images in the first plane"),
+        (Self::OtherImage, "images in other mirrors"),
+        (Self::Glass, "through glass"),
+    ];
+}
+
+/// A pixel is changed, or wrong, if a channel differs by more than this, in steps of 1/255.
+const MAX_ERROR: u32 = 8;
+
+/// The most pixels of what is small.
+const SMALL: usize = 16;
+
+/// How many small effects there are, and how many of them a picture misses: none of their pixels is right.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Count {
+    pub small: usize,
+    /// By the quality, and by the same one without the guard.
+    pub missed: [usize; 2],
+}
+
+/// The counts by kind.
+pub type Counts = BTreeMap<Kind, Count>;
+
+/// Counts what frames of one size miss.
+pub struct EffectCounter {
+    renderer: ThreadedRenderer,
+    width: usize,
+    height: usize,
+}
+
+impl EffectCounter {
+    pub fn new(threads: usize, width: usize, height: usize) -> Self {
+        Self {
+            renderer: ThreadedRenderer::new(threads),
+            width,
+            height,
+        }
+    }
+
+    fn draw(&mut self, scene: &Scene, quality: Quality) -> Vec<u32> {
+        let mut pixels = vec![0; self.width * self.height];
+        let quality = Quality {
+            antialias: false,
+            ..quality
+        };
+        let level = cpu::best().level;
+        self.renderer
+            .draw(level, scene, &quality, self.width, &mut pixels);
+        pixels
+    }
+
+    /// Counts the small effects of all things of a scene, and those that are missed.
+    pub fn count(&mut self, scene: &Scene, quality: Quality, counts: &mut Counts) {
+        let whole = self.draw(scene, Quality::EXHAUSTIVE);
+        let drawn = [quality.guarded, false].map(|guarded| {
+            let quality = Quality { guarded, ..quality };
+            self.draw(scene, quality)
+        });
+        let unlit = self.draw(&without_lamps(scene), Quality::EXHAUSTIVE);
+        let oracle = Oracle::new(scene, &Quality::EXHAUSTIVE, self.width, self.height);
+        let at = |i: usize| oracle.object_at((i % self.width) as isize, (i / self.width) as isize);
+        let hosts: Vec<Object> = (0..whole.len()).map(at).collect();
+        for thing in things(scene) {
+            let rest = without(scene, thing);
+            let without = self.draw(&rest, Quality::EXHAUSTIVE);
+            let changed = |&i: &usize| hosts[i] == thing || differ(whole[i], without[i]);
+            let changed: Vec<usize> = (0..whole.len()).filter(changed).collect();
+            // Most pictures have no mirror at all there.
+            let is_mirrored = changed.iter().any(|&i| shows_images(scene, hosts[i]));
+            let unlit_without =
+                is_mirrored.then(|| self.draw(&without_lamps(&rest), Quality::EXHAUSTIVE));
+            let mut pixels: BTreeMap<Kind, Vec<usize>> = BTreeMap::new();
+            for i in changed {
+                let is_seen = unlit_without
+                    .as_ref()
+                    .is_some_and(|without| differ(unlit[i], without[i]));
+                let kind = kind(scene, thing, hosts[i], is_seen);
+                pixels.entry(kind).or_default().push(i);
+            }
+            pixels.retain(|_, pixels| pixels.len() <= SMALL);
+            for (kind, pixels) in pixels {
+                let count = counts.entry(kind).or_default();
+                count.small += 1;
+                for (missed, drawn) in count.missed.iter_mut().zip(&drawn) {
+                    let is_missed = pixels.iter().all(|&i| differ(whole[i], drawn[i]));
+                    *missed += usize::from(is_missed);
+                }
+            }
+        }
+    }
+}
+
+fn differ(a: u32, b: u32) -> bool {
+    worst_channel(a, b) > MAX_ERROR
+}
+
+/// The spheres, boxes and cylinders of a scene.
+fn things(scene: &Scene) -> impl Iterator<Item = Object> {
+    let spheres = (0..scene.spheres.len()).map(Object::Sphere);
+    spheres.chain((0..scene.blocks.len()).map(Object::Block))
+}
+
+/// The scene without one of its things.
+fn without(scene: &Scene, thing: Object) -> Scene {
+    let mut scene = *scene;
+    match thing {
+        Object::Sphere(i) => scene.spheres = all_but(&scene.spheres, i),
+        Object::Block(i) => scene.blocks = all_but(&scene.blocks, i),
+        _ => {}
+    }
+    scene
+}
+
+/// The items of a list but one.
+fn all_but<T: Copy + Default, const N: usize>(list: &[T], i: usize) -> List<T, N> {
+    List::of(&[&list[..i], &list[i + 1..]].concat())
+}
+
+/// The scene without lamps, in even light: what changes in it is no shadow.
+fn without_lamps(scene: &Scene) -> Scene {
+    let mut scene = *scene;
+    scene.lights.clear();
+    scene.ambient = Vec3A::ONE;
+    scene
+}
+
+/// What a pixel that shows the object `host` shows of a thing that changes it, without lamps, too, if `is_seen`.
+fn kind(scene: &Scene, thing: Object, host: Object, is_seen: bool) -> Kind {
+    let is_image = is_seen && shows_images(scene, host);
+    match host {
+        _ if host == thing => Kind::Object,
+        _ if is_image && material(scene, host).kt > 0.0 => Kind::Glass,
+        Object::Plane(0) if is_image => Kind::PlaneImage,
+        _ if is_image => Kind::OtherImage,
+        Object::Plane(_) => match thing {
+            Object::Block(_) => Kind::BlockShadow,
+            _ => shadow_by(&scene.lights),
+        },
+        _ => Kind::SolidShadow,
+    }
+}
+
+/// Whether an object shows others.
+fn shows_images(scene: &Scene, object: Object) -> bool {
+    let material = material(scene, object);
+    material.kr + material.fresnel + material.kt > 0.0
+}
+
+/// The kind of a sphere's shadow on a plane by lamps.
+fn shadow_by(lamps: &[Light]) -> Kind {
+    if lamps
+        .iter()
+        .any(|lamp| lamp.parallel || lamp.spot.is_some())
+    {
+        Kind::SunShadow
+    } else if lamps.iter().any(|lamp| lamp.size > 0.0) {
+        Kind::SizedShadow
+    } else {
+        Kind::PointShadow
+    }
+}
+
+/// The material of an object; lamps and the background have a black one.
+fn material(scene: &Scene, object: Object) -> Material {
+    match object {
+        Object::Sphere(i) => scene.spheres[i].material,
+        Object::Block(i) => scene.blocks[i].material,
+        Object::Plane(i) => scene.planes[i].material,
+        Object::Light(_) | Object::Background => Material::BLACK,
+    }
+}

@@ -1,0 +1,143 @@
+//! `lab missed`: what adaptive frames do not show of what exhaustive frames do, by kind.
+//!
+//! A thing is taken out of a scene, and what of the picture that changes is what shows the thing: itself, a shadow, an image.
+
+pub mod chance;
+pub mod effects;
+mod visible;
+
+pub use visible::Visible;
+
+use crate::arguments::{self, NamedQuality, Size};
+use crate::interrupt::{self, Stopped};
+use crate::scenes::{self, SceneName};
+use crate::timing::evenly_spaced;
+use crate::{output, progress};
+use anyhow::Result;
+use clap::Args;
+use effects::{Counts, EffectCounter, Kind};
+use eightfold::scene::Scene;
+use std::path::Path;
+use std::thread::available_parallelism;
+
+/// Counts the small objects, shadows and images that a quality misses
+///
+/// Prints a Markdown table. A sphere, box or cylinder is taken out of the scene, and the pixels of an exhaustive frame that change
+/// by more than 8/255 are what shows it, beside its own: its shadows, its images. What has 16 pixels of a kind at most is small, and it is
+/// missed if none of these pixels is right; `unguarded` is what the quality would miss without the guard. Without --scene it counts
+/// in scenes drawn by chance, in the model scene and in the show.
+#[derive(Args)]
+pub struct Arguments {
+    #[arg(long, value_name = "NAME", help = scenes::takes())]
+    scene: Option<SceneName>,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "320x240")]
+    size: Size,
+    /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest
+    #[arg(long, value_name = "NAME", default_value = "default")]
+    quality: NamedQuality,
+    /// Scenes to draw by chance of each of eight sorts
+    #[arg(long, value_name = "N", default_value = "20", value_parser = arguments::frames)]
+    seeds: usize,
+    /// Frames of a scene, at times spread evenly over it
+    #[arg(long, value_name = "N", default_value = "2", value_parser = arguments::frames)]
+    frames: usize,
+    /// Threads that share the work [default: as many as there are processors]
+    #[arg(long, value_name = "N", value_parser = arguments::threads)]
+    threads: Option<usize>,
+}
+
+/// Scenes that are counted together.
+struct Group {
+    name: String,
+    scenes: Vec<Scene>,
+}
+
+/// Counts, and prints the table.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    interrupt::listen()?;
+    let groups = groups(arguments);
+    for scene in groups.iter().flat_map(|group| &group.scenes) {
+        scene.validate()?;
+    }
+    let threads = arguments
+        .threads
+        .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
+    let Size { width, height } = arguments.size;
+    let mut counter = EffectCounter::new(threads, width, height);
+    let bar = progress::bar(groups.iter().map(|group| group.scenes.len()).sum());
+    let mut columns = Vec::new();
+    for group in &groups {
+        let mut counts = Counts::new();
+        for scene in &group.scenes {
+            if interrupt::is_stopped() {
+                return Err(Stopped("nothing was printed".to_owned()).into());
+            }
+            counter.count(scene, arguments.quality.quality, &mut counts);
+            bar.inc(1);
+        }
+        columns.push((group.name.as_str(), counts));
+    }
+    bar.finish_and_clear();
+    let text = format!(
+        "{} quality, {}, frames without antialiasing\n\n{}",
+        arguments.quality,
+        arguments.size,
+        table(&columns)
+    );
+    output::write(Path::new("-"), text.as_bytes())
+}
+
+/// The scenes that are asked for, or all.
+fn groups(arguments: &Arguments) -> Vec<Group> {
+    if let Some(scene) = arguments.scene {
+        return vec![frames_of(scene, arguments.frames)];
+    }
+    let seeds = 0..arguments.seeds as u64;
+    let scenes = chance::SETTINGS
+        .iter()
+        .flat_map(|&setting| seeds.clone().map(move |seed| chance::scene(setting, seed)));
+    let chance = Group {
+        name: "by chance".to_owned(),
+        scenes: scenes.collect(),
+    };
+    let others = [SceneName::Model, SceneName::Show].map(|name| frames_of(name, arguments.frames));
+    [chance].into_iter().chain(others).collect()
+}
+
+/// Frames in the middle of equal parts of a scene, or of each of the show's scenes.
+fn frames_of(name: SceneName, frames: usize) -> Group {
+    let at = |part: SceneName| {
+        let half = 0.5 * part.length() / frames as f32;
+        let (from, to) = (half, part.length() - half);
+        (0..frames).map(move |frame| part.without_overlay(evenly_spaced(from, to, frame, frames)))
+    };
+    Group {
+        name: name.to_string(),
+        scenes: name.split().into_iter().flat_map(at).collect(),
+    }
+}
+
+/// A table with three columns for each group: how many small ones there are, and how many of these are missed.
+pub fn table(columns: &[(&str, Counts)]) -> String {
+    let mut text = "| what is small |".to_owned();
+    for (name, _) in columns {
+        text += &format!(" {name} | missed | unguarded |");
+    }
+    text += "\n| --- |";
+    text += &" ---: | ---: | ---: |".repeat(columns.len());
+    for (kind, what) in Kind::ALL {
+        text += &format!("\n| {what} |");
+        for (_, counts) in columns {
+            let count = counts.get(&kind).copied().unwrap_or_default();
+            let share = |missed: usize| match (missed, count.small) {
+                (0, 0) => "-".to_owned(),
+                (0, _) => "0".to_owned(),
+                (missed, small) => format!("{:.1} %", 100.0 * missed as f64 / small as f64),
+            };
+            let [missed, unguarded] = count.missed.map(share);
+            text += &format!(" {} | {missed} | {unguarded} |", count.small);
+        }
+    }
+    text + "\n"
+}
