@@ -12,6 +12,8 @@ pub(crate) const LEFT: c_uint = 0xff51;
 pub(crate) const RIGHT: c_uint = 0xff53;
 /// F1.
 pub(crate) const F1: c_uint = 0xffbe;
+/// Delete.
+pub(crate) const DELETE: c_uint = 0xffff;
 /// The whole screen.
 pub(crate) const F: c_uint = b'f' as c_uint;
 /// The window.
@@ -19,55 +21,48 @@ pub(crate) const W: c_uint = b'w' as c_uint;
 /// No key.
 pub(crate) const NONE: c_uint = 0xff_ffff;
 
+/// What is added to the number of a key that is pressed with Ctrl. No key of X11 has a number with this bit.
+pub(crate) const CONTROL: c_uint = 1 << 30;
+
 /// A key that the lab listens to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Press {
-    /// Space, or one of 1 to 9 and the lower-case letters e, h, p and s.
+    /// Space, or one of 1 to 9 and the lower-case letters c, e, h, l, m, p, s and v.
     Character(char),
+    /// Ctrl with one of the letters d, s, y and z.
+    Control(char),
     /// The arrow to the left.
     Left,
     /// The arrow to the right.
     Right,
     /// To the beginning.
     Home,
+    /// Delete.
+    Delete,
     /// `?`, with or without Shift, or F1, which is on every keyboard.
     Help,
 }
 
 impl Press {
-    /// The key with this number when no other is held.
+    /// The key with this number.
     pub(crate) fn of(key: c_uint) -> Option<Press> {
         const SLASH: c_uint = b'/' as c_uint;
+        let character = char::from_u32(key & !CONTROL);
         Some(match key {
             LEFT => Press::Left,
             RIGHT => Press::Right,
             HOME => Press::Home,
+            DELETE => Press::Delete,
             SLASH | F1 => Press::Help,
-            _ => Press::Character(char::from_u32(key).filter(|character| {
-                matches!(character, ' ' | '1'..='9' | 'e' | 'h' | 'p' | 's')
+            _ if key & CONTROL != 0 => {
+                Press::Control(character.filter(|c| matches!(c, 'd' | 's' | 'y' | 'z'))?)
+            }
+            _ => Press::Character(character.filter(|c| {
+                matches!(
+                    c,
+                    ' ' | '1'..='9' | 'c' | 'e' | 'h' | 'l' | 'm' | 'p' | 's' | 'v'
+                )
             })?),
         })
-    }
-}
-
-/// The first 32 keys of those that were pressed: as many as anybody presses while a frame is drawn.
-#[derive(Default)]
-pub(crate) struct Presses {
-    keys: [Option<Press>; 32],
-    count: usize,
-}
-
-impl Presses {
-    /// Adds a key, if there is room.
-    pub(crate) fn push(&mut self, press: Press) {
-        if let Some(place) = self.keys.get_mut(self.count) {
-            *place = Some(press);
-            self.count += 1;
-        }
-    }
-
-    /// The keys, in order.
-    pub(crate) fn into_iter(self) -> impl Iterator<Item = Press> {
-        self.keys.into_iter().flatten()
     }
 }

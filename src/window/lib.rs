@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | the C `main` and the arguments | [`main!`], [`arguments`] |
 //! | a screen to show frames on: a window, a terminal, or none | [`screen`], [`window`], [`terminal`] |
+//! | what is done at a window with keys and mouse | [`input`] |
 //! | sound, and the time by which it is heard | [`sound`] |
 //! | time, and sleeping until it comes | [`clock`] |
 //! | threads that share the work of a frame | [`pool`] |
@@ -37,6 +38,7 @@ mod backend;
 pub mod clock;
 pub mod cpu;
 pub mod fixed;
+pub mod input;
 mod keyboard;
 pub mod line;
 #[cfg(target_os = "linux")]

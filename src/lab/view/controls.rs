@@ -1,7 +1,7 @@
 //! What the viewer selects with keys: time, quality and overlay.
 
 use crate::arguments::NamedQuality;
-use eightfold_window::window::Press;
+use eightfold_window::input::Press;
 
 /// The list of keys, for the help.
 pub const KEYS: &str = "\
@@ -86,6 +86,7 @@ impl Controls {
             Press::Right => self.step((self.frame + 1.0).floor() % self.length.ceil()),
             Press::Home => self.frame = 0.0,
             Press::Character(key) => self.choose(key),
+            Press::Control(_) | Press::Delete => {}
         }
         false
     }
@@ -116,7 +117,7 @@ impl Controls {
 mod tests {
     use super::{Controls, Overlay};
     use crate::arguments::NamedQuality;
-    use eightfold_window::window::Press;
+    use eightfold_window::input::Press;
 
     fn controls(frame: f64) -> Controls {
         Controls {

@@ -11,6 +11,7 @@ use clap::Args;
 use controls::{Controls, KEYS, Overlay};
 use eightfold::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::cpu::{self, Isa};
+use eightfold_window::input::Input;
 use eightfold_window::screen::{Next, Screen};
 use eightfold_window::window::Window;
 use frame_viewer::{Figures, FrameViewer};
@@ -62,8 +63,9 @@ const TITLE_EVERY: Duration = Duration::from_millis(500);
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let Size { width, height } = arguments.size;
-    let window = Window::open(c"Eightfold", width, height)
+    let mut window = Window::open(c"Eightfold", width, height)
         .map_err(|why| anyhow!("view needs a window: {why}"))?;
+    window.listen();
     eprintln!("view: the key ? lists the keys");
     let threads = arguments
         .threads
@@ -132,8 +134,10 @@ impl View {
 
     /// Applies the pressed keys.
     fn take_presses(&mut self) {
-        for press in self.window.presses() {
-            if self.controls.press(press) {
+        for input in self.window.inputs() {
+            if let Input::Key(press) = input
+                && self.controls.press(press)
+            {
                 eprintln!("{KEYS}");
             }
         }

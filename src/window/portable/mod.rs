@@ -6,6 +6,7 @@ pub mod arguments;
 pub mod clock;
 mod desktop;
 pub mod memory;
+mod mouse;
 pub mod threads;
 mod typing;
 pub mod window;

@@ -14,8 +14,10 @@ pub struct Typing(Rc<RefCell<State>>);
 
 #[derive(Default)]
 struct State {
-    /// How many modifiers are held that make a key a command to somebody else.
+    /// How many modifiers are held that make a key a command to somebody else: Alt, and the one with the desktop's sign.
     commands: usize,
+    /// How many Ctrl keys are held.
+    controls: usize,
     /// Letters by the character, where a Latin one was typed.
     characters: Vec<c_uint>,
     /// Letters by the key, which count where no Latin character was typed.
@@ -38,7 +40,9 @@ const PLACES: [(char, u8); 7] = [
 impl InputCallback for Typing {
     fn add_char(&mut self, character: u32) {
         let mut state = self.0.borrow_mut();
-        let Some(character) = char::from_u32(character).filter(|_| state.commands == 0) else {
+        // With Ctrl the key counts, and not the character.
+        let is_text = state.commands == 0 && state.controls == 0;
+        let Some(character) = char::from_u32(character).filter(|_| is_text) else {
             return;
         };
         let letter = character.to_ascii_lowercase();
@@ -53,16 +57,17 @@ impl InputCallback for Typing {
 
     fn set_key_state(&mut self, key: Key, is_down: bool) {
         let mut state = self.0.borrow_mut();
-        if is_command(key) {
-            state.commands = if is_down {
-                state.commands + 1
+        if let Some(held) = state.modifiers(key) {
+            *held = if is_down {
+                *held + 1
             } else {
-                state.commands.saturating_sub(1)
+                held.saturating_sub(1)
             };
         } else if is_down && state.commands == 0 {
             match number(key) {
-                letter @ 0x61..=0x7a => state.letters.push(letter),
                 keyboard::NONE => {}
+                key if state.controls > 0 => state.others.push(key | keyboard::CONTROL),
+                letter @ 0x61..=0x7a => state.letters.push(letter),
                 other => state.others.push(other),
             }
         }
@@ -85,16 +90,21 @@ impl Typing {
 
     /// Forgets what modifiers are held: while another window has the keyboard, nobody tells when they are let go.
     pub fn release(&self) {
-        self.0.borrow_mut().commands = 0;
+        let mut state = self.0.borrow_mut();
+        (state.commands, state.controls) = (0, 0);
     }
 }
 
-fn is_command(key: Key) -> bool {
-    use Key::{LeftAlt, LeftCtrl, LeftSuper, RightAlt, RightCtrl, RightSuper};
-    matches!(
-        key,
-        LeftAlt | LeftCtrl | LeftSuper | RightAlt | RightCtrl | RightSuper
-    )
+impl State {
+    /// The count that a key is a part of if it is a modifier.
+    fn modifiers(&mut self, key: Key) -> Option<&mut usize> {
+        use Key::{LeftAlt, LeftCtrl, LeftSuper, RightAlt, RightCtrl, RightSuper};
+        match key {
+            LeftCtrl | RightCtrl => Some(&mut self.controls),
+            LeftAlt | LeftSuper | RightAlt | RightSuper => Some(&mut self.commands),
+            _ => None,
+        }
+    }
 }
 
 /// The number of a key that somebody listens to.
@@ -105,12 +115,20 @@ fn number(key: Key) -> c_uint {
         Key::Left => return keyboard::LEFT,
         Key::Right => return keyboard::RIGHT,
         Key::F1 => return keyboard::F1,
+        Key::Delete => return keyboard::DELETE,
+        Key::C => b'c',
+        Key::D => b'd',
         Key::E => b'e',
         Key::F => b'f',
         Key::H => b'h',
+        Key::L => b'l',
+        Key::M => b'm',
         Key::P => b'p',
         Key::S => b's',
+        Key::V => b'v',
         Key::W => b'w',
+        Key::Y => b'y',
+        Key::Z => b'z',
         Key::Space => b' ',
         Key::Slash => b'/',
         Key::Key1 => b'1',
@@ -130,6 +148,7 @@ fn number(key: Key) -> c_uint {
 #[cfg(test)]
 mod tests {
     use super::Typing;
+    use crate::keyboard;
     use minifb::{InputCallback, Key};
 
     /// The letters that are heard when keys are pressed that give characters.
@@ -162,6 +181,10 @@ mod tests {
         let control = (Some(Key::LeftCtrl), None);
         assert_eq!(heard(&[control, (Some(Key::F), Some('\u{6}'))]), "");
         let mut typing = Typing::default();
+        typing.set_key_state(Key::RightCtrl, true);
+        typing.set_key_state(Key::Z, true);
+        typing.set_key_state(Key::RightCtrl, false);
+        assert_eq!(typing.take(), [u32::from(b'z') | keyboard::CONTROL]);
         typing.set_key_state(Key::LeftAlt, true);
         typing.set_key_state(Key::F, true);
         typing.set_key_state(Key::LeftAlt, false);

@@ -1,17 +1,21 @@
 //! A window by `minifb`.
 
-use core::{ffi::CStr, mem::take};
+use core::{
+    ffi::{CStr, c_uint},
+    mem::take,
+};
 
 use minifb::{ScaleMode, WindowOptions};
 
 use super::{
     desktop::{Desktop, Display},
     memory::pixels,
+    mouse::Mouse,
     typing::Typing,
 };
-pub use crate::keyboard::Press;
 use crate::{
-    keyboard::{self, Presses},
+    input::{self, Input},
+    keyboard::{self, Press},
     screen::{Next, Screen},
 };
 
@@ -25,8 +29,10 @@ pub struct Window {
     /// Width and height of that one.
     drawn: (usize, usize),
     typing: Typing,
-    /// Other keys that were pressed since they were last asked for.
-    presses: Presses,
+    /// The mouse, once somebody listens.
+    mouse: Option<Mouse>,
+    /// What was done with other keys and the mouse, and has not been asked for yet.
+    inputs: Vec<Input>,
 }
 
 impl Window {
@@ -55,7 +61,8 @@ impl Window {
             frame: pixels(),
             drawn: (0, 0),
             typing,
-            presses: Presses::default(),
+            mouse: None,
+            inputs: Vec::new(),
         })
     }
 
@@ -67,12 +74,33 @@ impl Window {
     /// Goes to the whole screen and hides the pointer, or back to the window where it was and as it was.
     pub fn set_fullscreen(&mut self, on: bool) {
         self.desktop.set_fullscreen(&mut self.shown, on);
+        if self.mouse.is_some() {
+            self.shown.set_cursor_visibility(true);
+        }
+    }
+}
+
+/// What the lab asks of its window.
+impl Window {
+    /// Listens to keys and the mouse from now on. The pointer is seen on the whole screen, too.
+    pub fn listen(&mut self) {
+        self.mouse = Some(Mouse::default());
     }
 
-    /// The keys pressed since the last call, in order; one that is held comes again and again. Of more than 32 the rest is
-    /// lost.
-    pub fn presses(&mut self) -> impl Iterator<Item = Press> + use<> {
-        take(&mut self.presses).into_iter()
+    /// What was done at the window since the last call, in order; nothing unless it [listens](Window::listen).
+    pub fn inputs(&mut self) -> Vec<Input> {
+        take(&mut self.inputs)
+    }
+
+    /// Takes note of keys that the window itself has no use for, and of the mouse, for whoever listens.
+    fn note(&mut self, keys: &[c_uint]) {
+        let Some(mouse) = &mut self.mouse else {
+            return;
+        };
+        for press in keys.iter().filter_map(|&key| Press::of(key)) {
+            input::push(&mut self.inputs, Input::Key(press));
+        }
+        mouse.ask(&self.shown, self.desktop.notch(), &mut self.inputs);
     }
 }
 
@@ -115,17 +143,14 @@ impl Screen for Window {
         if is_shown.is_err() {
             return Next::End(1);
         }
+        self.note(&keys);
         let mut fullscreen = None;
         for key in keys {
             match key {
                 keyboard::ESCAPE => return Next::End(0),
                 keyboard::F => fullscreen = Some(true),
                 keyboard::W => fullscreen = Some(false),
-                key => {
-                    if let Some(press) = Press::of(key) {
-                        self.presses.push(press);
-                    }
-                }
+                _ => {}
             }
         }
         if let Some(on) = fullscreen {

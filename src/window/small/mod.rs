@@ -6,6 +6,8 @@ mod abort;
 pub mod arguments;
 mod blit;
 pub mod clock;
+mod keys;
+mod listener;
 pub mod memory;
 mod palette;
 pub mod threads;

@@ -2,16 +2,16 @@
 
 use core::{
     ffi::{CStr, c_int},
-    mem::{take, zeroed},
+    mem::zeroed,
 };
 
-use super::{blit::Frames, palette::set_palette};
-pub use crate::keyboard::Press;
+use super::{blit::Frames, keys::pressed, listener::Listener, palette::set_palette};
 use crate::{
-    keyboard::{self, Presses},
+    input::Input,
+    keyboard,
     loading::why_not_loaded,
     screen::{Next, Screen},
-    x11::{self, Place, Toplevel, Xlib, pressed, types as xlib},
+    x11::{self, Place, Toplevel, Xlib, types as xlib},
 };
 
 /// A window that shows frames, with keys: F for the whole screen, W for the window, Esc to end.
@@ -24,8 +24,8 @@ pub struct Window {
     delete: xlib::Atom,
     size: (usize, usize),
     frames: Frames,
-    /// Other keys that were pressed since they were last asked for.
-    presses: Presses,
+    /// What takes note of other keys and the mouse, once somebody listens.
+    listener: Option<&'static mut Listener>,
 }
 
 /// The longest side of a window, in pixels: the X protocol has no more.
@@ -56,7 +56,7 @@ impl Window {
             top,
             size: (width, height),
             frames,
-            presses: Presses::default(),
+            listener: None,
         };
         window.set_title(title);
         window.top.set_class();
@@ -111,10 +111,16 @@ impl Window {
 
 /// What the lab asks of its window.
 impl Window {
-    /// The keys pressed since the last call, in order; one that is held comes again and again. Of more than 32 the rest is
-    /// lost.
-    pub fn presses(&mut self) -> impl Iterator<Item = Press> + use<> {
-        take(&mut self.presses).into_iter()
+    /// Listens to keys and the mouse from now on. The pointer is seen on the whole screen, too.
+    pub fn listen(&mut self) {
+        self.top.no_pointer = 0;
+        self.listener = Some(Listener::start(&self.top));
+    }
+
+    /// What was done at the window since the last call, in order; nothing unless it [listens](Window::listen).
+    pub fn inputs(&mut self) -> Vec<Input> {
+        let listener = self.listener.as_mut();
+        listener.map(|listener| listener.take()).unwrap_or_default()
     }
 }
 
@@ -136,16 +142,15 @@ impl Screen for Window {
             let mut event: xlib::XEvent = zeroed();
             while (x.XPending)(display) > 0 {
                 (x.XNextEvent)(display, &mut event);
+                if let Some(listener) = &mut self.listener {
+                    listener.hear(x, &event);
+                }
                 match event.type_ {
                     xlib::KeyPress => match pressed(x, &event.key) {
                         keyboard::ESCAPE => return Next::End(0),
                         keyboard::F => fullscreen = Some(true),
                         keyboard::W => fullscreen = Some(false),
-                        key => {
-                            if let Some(press) = Press::of(key) {
-                                self.presses.push(press);
-                            }
-                        }
+                        _ => {}
                     },
                     xlib::ConfigureNotify => {
                         // The server sends no other sizes, but anybody can send such an event.

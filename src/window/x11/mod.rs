@@ -4,7 +4,7 @@ mod colours;
 mod errors;
 mod fullscreen;
 mod functions;
-mod keys;
+pub mod keys;
 #[cfg(target_pointer_width = "64")]
 mod layout;
 pub mod types;
@@ -19,7 +19,7 @@ pub use colours::{MASKS, masks, with_masks};
 pub use errors::is_closed;
 pub use fullscreen::Place;
 pub use functions::Xlib;
-pub use keys::pressed;
+pub use keys::typed;
 use types as xlib;
 
 /// Opens the display that the environment names, or says why not.
@@ -53,8 +53,8 @@ pub struct Toplevel {
     pub display: *mut xlib::Display,
     pub window: xlib::Window,
     pub root: xlib::Window,
-    /// A pointer without a picture.
-    no_pointer: xlib::Cursor,
+    /// What the pointer is over the whole screen: one without a picture, or 0 for the desktop's own.
+    pub no_pointer: xlib::Cursor,
     /// Where the window was before it was placed over the screen.
     before: Option<Place>,
 }

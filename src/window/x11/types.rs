@@ -86,14 +86,21 @@ pub const LSBFirst: c_int = 0;
 pub const ZPixmap: c_int = 2;
 
 pub const KeyPress: c_int = 2;
+pub const ButtonPress: c_int = 4;
+pub const ButtonRelease: c_int = 5;
+pub const MotionNotify: c_int = 6;
 pub const ConfigureNotify: c_int = 22;
 pub const ClientMessage: c_int = 33;
 
 pub const KeyPressMask: c_long = 1 << 0;
+pub const ButtonPressMask: c_long = 1 << 2;
+pub const ButtonReleaseMask: c_long = 1 << 3;
+pub const PointerMotionMask: c_long = 1 << 6;
 pub const StructureNotifyMask: c_long = 1 << 17;
 pub const SubstructureNotifyMask: c_long = 1 << 19;
 pub const SubstructureRedirectMask: c_long = 1 << 20;
 
+pub const ShiftMask: c_uint = 1 << 0;
 pub const ControlMask: c_uint = 1 << 2;
 pub const Mod1Mask: c_uint = 1 << 3;
 pub const Mod4Mask: c_uint = 1 << 6;
@@ -101,6 +108,7 @@ pub const Mod4Mask: c_uint = 1 << 6;
 pub const BadWindow: c_uchar = 3;
 pub const BadDrawable: c_uchar = 9;
 
+/// Events of the mouse have the same fields, up to the button, which stands in the place of the key, or the hint of a move.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct XKeyEvent {

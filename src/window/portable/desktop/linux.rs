@@ -150,12 +150,22 @@ impl Desktop {
                     let mut event: xlib::XEvent = zeroed();
                     (top.x.XNextEvent)(top.display, &mut event);
                     if event.type_ == xlib::KeyPress {
-                        keys.push(x11::pressed(top.x, &event.key));
+                        keys.push(x11::typed(top.x, &event.key));
                     }
                 }
             }
         }
         keys
+    }
+
+    /// What `minifb` tells of a notch of the wheel away from the hand.
+    pub fn notch(&self) -> f32 {
+        match self {
+            // A notch is a button that is pressed and let go, of which each counts.
+            Desktop::X(..) => 2.0,
+            // Downwards is positive, by as many pixels as compositors scroll.
+            Desktop::Wayland(_) => -10.0,
+        }
     }
 
     /// The exit code if the window is lost.

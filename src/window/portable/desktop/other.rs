@@ -43,6 +43,11 @@ impl Desktop {
         Vec::new()
     }
 
+    /// What `minifb` tells of a notch of the wheel away from the hand.
+    pub fn notch(&self) -> f32 {
+        1.0
+    }
+
     /// The exit code if the window is lost.
     pub fn end(&self) -> Option<i32> {
         None

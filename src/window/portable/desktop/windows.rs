@@ -61,6 +61,11 @@ impl Desktop {
         Vec::new()
     }
 
+    /// What `minifb` tells of a notch of the wheel away from the hand.
+    pub fn notch(&self) -> f32 {
+        0.1 * f32::from(winuser::WHEEL_DELTA)
+    }
+
     /// The exit code if the window is lost.
     pub fn end(&self) -> Option<i32> {
         // SAFETY: it may be asked of any handle.

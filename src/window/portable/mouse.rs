@@ -1,0 +1,69 @@
+//! The mouse as `minifb` tells of it: where it is and what is held, each time that it is asked.
+
+use minifb::{Key, MouseButton, MouseMode};
+
+use crate::input::{self, Action, Button, Input};
+
+/// What was known of the mouse when it was last asked. A click that begins and ends between two frames is not heard.
+#[derive(Default)]
+pub struct Mouse {
+    at: (i32, i32),
+    held: [bool; BUTTONS.len()],
+    /// The part of a notch that the wheel has been turned.
+    turned: f32,
+}
+
+const BUTTONS: [(MouseButton, Button); 3] = [
+    (MouseButton::Left, Button::Left),
+    (MouseButton::Middle, Button::Middle),
+    (MouseButton::Right, Button::Right),
+];
+
+impl Mouse {
+    /// Adds what has been done with the mouse since the last call. `notch` is what `minifb` tells of a notch of the wheel.
+    pub fn ask(&mut self, window: &minifb::Window, notch: f32, inputs: &mut Vec<Input>) {
+        // While a button is held the pointer counts beyond the window, too.
+        let mode = if self.held.contains(&true) {
+            MouseMode::Pass
+        } else {
+            MouseMode::Discard
+        };
+        let Some((x, y)) = window.get_unscaled_mouse_pos(mode) else {
+            return;
+        };
+        let at = (x.floor() as i32, y.floor() as i32);
+        let is_shifted = window.is_key_down(Key::LeftShift) || window.is_key_down(Key::RightShift);
+        let mut push = |action| {
+            let (x, y) = at;
+            let mouse = input::Mouse {
+                action,
+                x,
+                y,
+                is_shifted,
+            };
+            input::push(inputs, Input::Mouse(mouse));
+        };
+        if self.at != at {
+            self.at = at;
+            push(Action::Move);
+        }
+        for (held, (number, button)) in self.held.iter_mut().zip(BUTTONS) {
+            let is_down = window.get_mouse_down(number);
+            if is_down != *held {
+                *held = is_down;
+                push(if is_down {
+                    Action::Down(button)
+                } else {
+                    Action::Up(button)
+                });
+            }
+        }
+        let (_, turned) = window.get_scroll_wheel().unwrap_or_default();
+        self.turned += turned / notch;
+        let notches = self.turned.trunc();
+        self.turned -= notches;
+        if notches != 0.0 {
+            push(Action::Wheel(notches as i32));
+        }
+    }
+}

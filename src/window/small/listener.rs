@@ -1,0 +1,86 @@
+//! Keys and the mouse, for whoever listens.
+
+use core::mem::take;
+
+use crate::{
+    input::{self, Action, Button, Input, Mouse},
+    keyboard::Press,
+    x11::{self, Toplevel, Xlib, types as xlib},
+};
+
+/// Takes note of what is done at a window.
+///
+/// The window calls it by a pointer that only [`Listener::start`] has: a program that never listens has no code for it.
+pub struct Listener {
+    note: fn(&mut Vec<Input>, Xlib, &xlib::XEvent),
+    inputs: Vec<Input>,
+}
+
+impl Listener {
+    /// Has the display tell of the mouse, too, and begins to take note.
+    pub fn start(top: &Toplevel) -> &'static mut Listener {
+        let events = xlib::StructureNotifyMask
+            | xlib::KeyPressMask
+            | xlib::ButtonPressMask
+            | xlib::ButtonReleaseMask
+            | xlib::PointerMotionMask;
+        // SAFETY: the window exists.
+        unsafe { (top.x.XSelectInput)(top.display, top.window, events) };
+        Box::leak(Box::new(Listener {
+            note,
+            inputs: Vec::new(),
+        }))
+    }
+
+    /// Hears of an event.
+    pub fn hear(&mut self, x: Xlib, event: &xlib::XEvent) {
+        (self.note)(&mut self.inputs, x, event);
+    }
+
+    /// What was done since the last call.
+    pub fn take(&mut self) -> Vec<Input> {
+        take(&mut self.inputs)
+    }
+}
+
+fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent) {
+    // SAFETY: which part of an event is there is told by its type; those of the mouse have the fields of a key's.
+    let (kind, event) = unsafe { (event.type_, &event.key) };
+    let action = match kind {
+        xlib::KeyPress => {
+            if let Some(press) = Press::of(x11::typed(x, event)) {
+                input::push(inputs, Input::Key(press));
+            }
+            return;
+        }
+        xlib::ButtonPress => match (event.keycode, button(event.keycode)) {
+            (_, Some(button)) => Action::Down(button),
+            (4, _) => Action::Wheel(1),
+            (5, _) => Action::Wheel(-1),
+            _ => return,
+        },
+        xlib::ButtonRelease => match button(event.keycode) {
+            Some(button) => Action::Up(button),
+            None => return,
+        },
+        xlib::MotionNotify => Action::Move,
+        _ => return,
+    };
+    let mouse = Mouse {
+        action,
+        x: event.x,
+        y: event.y,
+        is_shifted: event.state & xlib::ShiftMask != 0,
+    };
+    input::push(inputs, Input::Mouse(mouse));
+}
+
+/// The button of a number; 4 and 5 are those of the wheel.
+fn button(number: u32) -> Option<Button> {
+    Some(match number {
+        1 => Button::Left,
+        2 => Button::Middle,
+        3 => Button::Right,
+        _ => return None,
+    })
+}
