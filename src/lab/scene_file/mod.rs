@@ -2,8 +2,10 @@
 //!
 //! `examples/scenes` has a file for each of its features.
 
+mod changes;
 mod conversion;
 mod description;
+pub mod edit;
 mod keys;
 mod motion;
 mod path;

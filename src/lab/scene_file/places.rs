@@ -19,6 +19,18 @@ impl Places {
         reader.places
     }
 
+    /// Where a value stands, if it does.
+    pub fn get(&self, path: &str) -> Option<Range<usize>> {
+        self.0.get(path).cloned()
+    }
+
+    /// How many items a list has.
+    pub fn count(&self, list: &str) -> usize {
+        (0..)
+            .take_while(|i| self.0.contains_key(&format!("{list}[{i}]")))
+            .count()
+    }
+
     /// Where a value stands, or the nearest that it is a part of.
     pub fn find(&self, path: &str) -> Option<Range<usize>> {
         let mut path = path;
@@ -36,6 +48,34 @@ pub fn line_and_column(text: &str, at: usize) -> (usize, usize) {
     let before = &text[..text.floor_char_boundary(at)];
     let line = before.rsplit('\n').next().unwrap_or(before);
     (before.matches('\n').count() + 1, line.chars().count() + 1)
+}
+
+/// The length of a comment in `/*` and `*/` at the beginning of a text, which may have others in it.
+fn comment(text: &str) -> usize {
+    let (mut at, mut depth) = (0, 0);
+    while at < text.len() {
+        if text[at..].starts_with("/*") {
+            (at, depth) = (at + 2, depth + 1);
+        } else if text[at..].starts_with("*/") {
+            (at, depth) = (at + 2, depth - 1);
+            if depth == 0 {
+                return at;
+            }
+        } else {
+            at = text.ceil_char_boundary(at + 1);
+        }
+    }
+    text.len()
+}
+
+/// The length of a text in quotes with nothing escaped, as in `r#"..."#`, at the beginning of a text; `None` if there is none.
+fn raw_string(text: &str) -> Option<usize> {
+    let rest = text.strip_prefix('r')?;
+    let hashes = rest.len() - rest.trim_start_matches('#').len();
+    let inside = rest[hashes..].strip_prefix('"')?;
+    let end = format!("\"{}", &rest[..hashes]);
+    let length = inside.find(&end).map_or(inside.len(), |at| at + end.len());
+    Some(1 + hashes + 1 + length)
 }
 
 struct Reader<'a> {
@@ -66,7 +106,7 @@ impl Reader<'_> {
                 self.skip(|c| c != '\n');
             } else if self.rest().starts_with("/*") {
                 let rest = self.rest();
-                self.at += rest.find("*/").map_or(rest.len(), |end| end + 2);
+                self.at += comment(rest);
             } else {
                 return;
             }
@@ -80,12 +120,18 @@ impl Reader<'_> {
         match self.next() {
             Some('"') => self.string(),
             Some('(' | '[' | '{') => self.items(path),
+            Some('r') if raw_string(self.rest()).is_some() => {
+                self.at += raw_string(self.rest()).unwrap_or_default();
+            }
             _ => {
                 self.skip(|c| !c.is_whitespace() && !"()[]{},:/\"".contains(c));
+                let end = self.at;
                 self.skip_blank();
                 // The name of a struct or of a variant stands before its fields.
                 if self.next() == Some('(') {
                     self.items(path);
+                } else {
+                    self.at = end;
                 }
             }
         }

@@ -104,7 +104,7 @@ fn prune(value: &mut Value, standard: &Value) {
 }
 
 /// A value on one line. Numbers are those of `f32`, by as few digits as tell them from others.
-fn inline(value: &Value) -> String {
+pub fn inline(value: &Value) -> String {
     match value {
         Value::Null => "None".to_owned(),
         Value::Bool(is_so) => is_so.to_string(),
