@@ -3,21 +3,6 @@
 use crate::arguments::NamedQuality;
 use eightfold_window::input::Press;
 
-/// The list of keys, for the help.
-pub const KEYS: &str = "\
-Space         pauses and plays on
-Left, Right   a frame back or on, and pauses
-Home          back to the beginning
-1 to 9        the quality: exhaustive, thesis, then the ladder from the finest to the fastest
-P             the points traced, in white
-S             the squares: the smaller, the brighter
-H             the heat map: rays for each point traced, from black for none to white for 24 and more
-E             the error against exhaustive, from black for none to white for 32 of 255 and more
-              P, S, H, E again: the picture
-F, W          fullscreen, window
-?, F1         these keys
-Esc           the end";
-
 /// The number of rays of a point that is shown in white: about the largest in the model scene, where glass and mirror meet.
 pub const MOST_RAYS: u32 = 24;
 /// The error that is shown in white, in steps of 1/255: four times what the lab's tables count as large.
@@ -77,18 +62,16 @@ impl Controls {
         }
     }
 
-    /// Applies a key. Returns true if it asks for the list of keys.
-    pub fn press(&mut self, press: Press) -> bool {
+    /// Applies a key.
+    pub fn press(&mut self, press: Press) {
         match press {
-            Press::Help => return true,
             Press::Character(' ') => self.is_paused = !self.is_paused,
             Press::Left => self.step((self.frame - 1.0).ceil().max(0.0)),
             Press::Right => self.step((self.frame + 1.0).floor() % self.length.ceil()),
             Press::Home => self.frame = 0.0,
             Press::Character(key) => self.choose(key),
-            Press::Control(_) | Press::Delete => {}
+            Press::Control(_) | Press::Delete | Press::Help => {}
         }
-        false
     }
 
     /// Pauses at a frame.
@@ -140,7 +123,7 @@ mod tests {
             (0.0, Press::Left, 0.0),
         ] {
             let mut controls = controls(from);
-            assert!(!controls.press(press));
+            controls.press(press);
             assert_eq!(controls.frame, to, "{press:?} at {from}");
             assert!(controls.is_paused);
         }
@@ -189,6 +172,5 @@ mod tests {
             controls.press(Press::Character(key));
             assert_eq!(controls.overlay, overlay);
         }
-        assert!(controls.press(Press::Help));
     }
 }

@@ -4,7 +4,6 @@ use super::controls::{Controls, MOST_ERROR, MOST_RAYS, Overlay};
 use crate::arguments::Size;
 use crate::error::Difference;
 use crate::overlay::{FrameTrace, draw_error};
-use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::Quality;
 use eightfold::scene::Scene;
@@ -15,11 +14,8 @@ use std::time::{Duration, Instant};
 pub struct FrameViewer {
     renderer: ThreadedRenderer,
     isa: Isa,
-    scene: SceneName,
-    /// The frame rate of the show, in frames per second.
-    rate: f64,
     /// What the picture was drawn for.
-    drawn: Option<(Controls, Size)>,
+    drawn: Option<(Controls, [u64; 2], Size)>,
     pub picture: Vec<u32>,
     /// The exhaustive frame of the same moment.
     exhaustive: Vec<u32>,
@@ -43,12 +39,10 @@ pub struct Figures {
 }
 
 impl FrameViewer {
-    pub fn new(threads: usize, isa: Isa, scene: SceneName, rate: f64) -> Self {
+    pub fn new(threads: usize, isa: Isa) -> Self {
         Self {
             renderer: ThreadedRenderer::new(threads),
             isa,
-            scene,
-            rate,
             drawn: None,
             picture: Vec::new(),
             exhaustive: Vec::new(),
@@ -63,14 +57,22 @@ impl FrameViewer {
         }
     }
 
-    /// Draws the frame that the controls select. Returns false if it is the same as before. With `measure` it measures the error,
-    /// which takes an exhaustive frame.
-    pub fn draw(&mut self, controls: &Controls, size: Size, measure: bool) -> bool {
-        if self.drawn == Some((*controls, size)) && (self.has_exhaustive || !measure) {
+    /// Draws the frame of a scene that the controls select; `version` is another one for another scene. Returns false if it is the
+    /// same as before. With `measure` it measures the error, which takes an exhaustive frame.
+    pub fn draw(
+        &mut self,
+        controls: &Controls,
+        version: [u64; 2],
+        scene: impl FnOnce() -> Scene,
+        size: Size,
+        measure: bool,
+    ) -> bool {
+        let wanted = Some((*controls, version, size));
+        if self.drawn == wanted && (self.has_exhaustive || !measure) {
             return false;
         }
-        self.drawn = Some((*controls, size));
-        let scene = self.scene.at((controls.frame / self.rate) as f32);
+        self.drawn = wanted;
+        let scene = scene();
         self.picture.resize(size.area(), 0);
         let start = Instant::now();
         let quality = &controls.quality.quality;

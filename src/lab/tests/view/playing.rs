@@ -1,80 +1,12 @@
-//! `lab view` shows in its window what the keys select.
+//! Keys select what is seen: time, quality, what a frame is made of.
 
-use eightfold_stage::{DISPLAY, Process, Server, lacks, reader::read_png, run, wait_for};
+use crate::stage::{SIZE, View, is_bright, rendered as rendered_by, window};
+use eightfold_stage::{DISPLAY, lacks, reader::read_png, run, wait_for};
 use std::process::Command;
 
-/// The window's size.
-const SIZE: [i32; 2] = [320, 240];
-
-/// A running `lab view` on its own X server.
-struct View {
-    server: Server,
-    process: Process,
-}
-
-impl View {
-    /// Starts the model scene with a pause after 2 s: time has no part in what is seen.
-    fn start(options: &[&str]) -> View {
-        View::of(&[&["--scene", "model", "--time", "2", "--paused"], options].concat())
-    }
-
-    fn of(options: &[&str]) -> View {
-        let server = Server::start(640, 480);
-        let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
-        lab.args(["view", "--size", "320x240"]);
-        let process = server.open(lab.args(options), || window(&server));
-        let [x, y, ..] = window(&server).expect("a window");
-        server.xdotool(&format!("mousemove {} {}", x + 9, y + 9));
-        View { server, process }
-    }
-
-    fn title(&self) -> String {
-        let id = id(&self.server).expect("a window");
-        let mut xprop = self.server.tool("xprop");
-        let (_, text) = run(xprop.args(["-id", &id, "_NET_WM_NAME"]));
-        text.split('"').nth(1).unwrap_or_default().to_owned()
-    }
-
-    /// Presses a key and waits until the title contains some words. The title is set after the frame is shown.
-    #[track_caller]
-    fn press(&self, key: &str, words: &str) {
-        self.server.xdotool(&format!("key {key}"));
-        self.wait(words);
-    }
-
-    fn wait(&self, words: &str) {
-        wait_for(words, || self.title().contains(words).then_some(()));
-    }
-
-    /// Waits until the window shows the given picture.
-    #[track_caller]
-    fn assert_shows(&self, what: &str, is_wanted: impl Fn(&[u32]) -> bool) {
-        wait_for(what, || is_wanted(&self.shot()).then_some(()));
-    }
-
-    fn shot(&self) -> Vec<u32> {
-        let [x, y, width, height] = window(&self.server).expect("a window");
-        assert_eq!([width, height], SIZE);
-        self.server.screenshot([x, y, width, height])
-    }
-}
-
-/// The window's id, for X tools.
-fn id(server: &Server) -> Option<String> {
-    let found = server.xdotool("search --onlyvisible --name ^Eightfold");
-    found.lines().next().map(str::to_owned)
-}
-
-fn window(server: &Server) -> Option<[i32; 4]> {
-    server.geometry(&["-id", &id(server)?])
-}
-
-/// The picture that `lab render` draws.
+/// The picture of the model scene that `lab render` draws.
 fn rendered(time: &str, quality: &str) -> Vec<u32> {
-    let (output, _) = run(Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args(["render", "--size", "320x240", "--out", "-"])
-        .args(["--time", time, "--quality", quality]));
-    read_png(&output.stdout).1
+    rendered_by(&["--time", time, "--quality", quality])
 }
 
 /// The percentage in front of a word of the title, as a fraction.
@@ -171,6 +103,7 @@ fn letters_show_what_a_frame_is_made_of() {
         shot.iter().filter(|&&pixel| is(pixel)).count() as f64 / pixels as f64
     };
 
+    view.key("l");
     view.press("p", "points");
     view.assert_shows("the corners, white on dark", |shot| {
         let corner = shot.iter().step_by(8).take(40);
@@ -212,6 +145,58 @@ fn letters_show_what_a_frame_is_made_of() {
 }
 
 #[test]
+fn a_legend_tells_what_colours_stand_for() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    let view = View::start(&["--quality", "thesis"]);
+    let [width, height] = SIZE.map(|side| side as usize);
+    // How many pixels of the lower right corner are of a colour that is nowhere else.
+    let count = |shot: &[u32], colour: u32| {
+        let rows = shot.chunks_exact(width).skip(height - 120);
+        let pixels = rows.flat_map(|row| &row[width - 160..]);
+        pixels.filter(|&&pixel| pixel == colour).count()
+    };
+    let brightest = eightfold_lab::overlay::heat(1.0);
+    for (key, name) in [("h", "heat map"), ("e", "error")] {
+        view.press(key, name);
+        view.assert_shows("a swatch of the brightest colour", |shot| {
+            count(shot, brightest) > 150
+        });
+    }
+    view.key("l");
+    view.assert_shows("no legend", |shot| count(shot, brightest) < 50);
+    view.press("s", "squares");
+    view.key("l");
+    let side = eightfold_lab::overlay::square_colour(1);
+    view.assert_shows("a swatch of the smallest squares", |shot| {
+        count(shot, side) > 150
+    });
+    view.press("s", "picture");
+    let picture = rendered("2", "thesis");
+    view.assert_shows("the picture alone", |shot| shot == picture);
+}
+
+#[test]
+fn the_keys_are_shown_over_the_picture() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    let view = View::start(&[]);
+    let picture = rendered("2", "default");
+    view.assert_shows("the picture", |shot| shot == picture);
+    view.key("question");
+    view.assert_shows("white letters on dark", |shot| {
+        let is_dark = |pixel: &&u32| pixel.to_be_bytes().iter().all(|&channel| channel < 64);
+        let dark = shot.iter().filter(is_dark).count();
+        let white = shot.iter().filter(|&&pixel| is_bright(pixel)).count();
+        dark > shot.len() / 2 && white > 500
+    });
+    view.key("F1");
+    view.assert_shows("the picture again", |shot| shot == picture);
+}
+
+#[test]
 fn the_keys_are_listed_and_escape_ends_it() {
     if lacks(DISPLAY) {
         return;
@@ -236,7 +221,7 @@ fn a_larger_window_has_a_larger_picture() {
         return;
     }
     let view = View::start(&[]);
-    let size = format!("windowsize {} 400 300", id(&view.server).expect("a window"));
+    let size = format!("windowsize {} 400 300", view.id());
     view.server.xdotool(&size);
     wait_for("the size", || {
         let [.., width, height] = window(&view.server)?;

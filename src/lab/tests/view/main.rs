@@ -1,0 +1,9 @@
+//! `lab view` shows in its window what keys select, and edits scene files by keys and mouse.
+
+mod camera;
+mod disk;
+mod editing;
+mod ending;
+mod moving;
+mod playing;
+mod stage;

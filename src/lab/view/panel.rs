@@ -1,0 +1,221 @@
+//! Words over the picture, with keys or colours that they explain.
+
+use crate::arguments::Size;
+use crate::plot::{register_fonts, smoothed, text};
+use plotters::prelude::*;
+use plotters::style::FontStyle;
+
+/// The height of letters, of lines, and of the gap around them, in pixels.
+const LETTERS: u32 = 14;
+const LINE: usize = 18;
+const GAP: usize = 8;
+/// The factor by which text is drawn larger and then reduced, to antialias it.
+const SAMPLES: u32 = 2;
+/// The share of the picture that is seen behind a panel, in 256ths.
+const SEEN_THROUGH: u32 = 48;
+
+/// A line of a panel.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Row {
+    pub mark: Mark,
+    pub words: String,
+}
+
+/// What the words of a line explain.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Mark {
+    #[default]
+    Nothing,
+    Key(&'static str),
+    Colour(u32),
+}
+
+/// In which corner a panel is.
+#[derive(Clone, Copy, Debug)]
+pub enum Corner {
+    UpperLeft,
+    LowerLeft,
+    LowerRight,
+}
+
+/// Draws rows, and keeps what it has drawn as long as they are the same.
+#[derive(Default)]
+pub struct Panel {
+    rows: Vec<Row>,
+    /// The width of the picture that it was drawn for.
+    room: usize,
+    width: usize,
+    pixels: Vec<u32>,
+}
+
+impl Panel {
+    /// Draws rows over a picture, in a corner; nothing if there are none.
+    pub fn show(&mut self, rows: &[Row], corner: Corner, picture: &mut [u32], size: Size) {
+        if rows.is_empty() {
+            return;
+        }
+        if self.rows != rows || self.room != size.width {
+            self.rows = rows.to_vec();
+            self.room = size.width;
+            self.draw();
+        }
+        let height = self.pixels.len() / self.width;
+        let left = match corner {
+            Corner::LowerRight => size.width.saturating_sub(self.width),
+            _ => 0,
+        };
+        let top = match corner {
+            Corner::UpperLeft => 0,
+            _ => size.height.saturating_sub(height),
+        };
+        let lines = picture.chunks_exact_mut(size.width).skip(top);
+        for (line, own) in lines.zip(self.pixels.chunks_exact(self.width)) {
+            for (pixel, own) in line[left..].iter_mut().zip(own) {
+                *pixel = over(*pixel, *own);
+            }
+        }
+    }
+
+    /// Draws the rows on black.
+    fn draw(&mut self) {
+        register_fonts();
+        let measure = |words: &str| {
+            let style = text(LETTERS, 1, FontStyle::Normal);
+            let size = style.font.box_size(words);
+            size.map_or(0, |(width, _)| width as usize)
+        };
+        let marks = self.rows.iter().map(|row| match &row.mark {
+            Mark::Nothing => 0,
+            Mark::Key(key) => measure(key) + 2 * GAP,
+            Mark::Colour(_) => LINE + GAP,
+        });
+        let indent = GAP + marks.max().unwrap_or(0);
+        let most = self.room.saturating_sub(indent + GAP);
+        let lines: Vec<(Mark, String)> = self
+            .rows
+            .iter()
+            .flat_map(|row| {
+                let lines = wrapped(&row.words, most, measure).into_iter();
+                lines.enumerate().map(|(i, words)| {
+                    let mark = if i == 0 {
+                        row.mark.clone()
+                    } else {
+                        Mark::Nothing
+                    };
+                    (mark, words)
+                })
+            })
+            .collect();
+        let widest = lines.iter().map(|(_, words)| measure(words)).max();
+        self.width = (indent + widest.unwrap_or(0) + GAP).min(self.room);
+        let height = lines.len() * LINE + GAP;
+        let size = [self.width, height].map(|side| side as u32 * SAMPLES);
+        let mut rgb = vec![0; 3 * (size[0] * size[1]) as usize];
+        {
+            let area = BitMapBackend::with_buffer(&mut rgb, (size[0], size[1])).into_drawing_area();
+            for (i, (mark, words)) in lines.iter().enumerate() {
+                let y = GAP / 2 + i * LINE;
+                // A picture in memory takes all that is drawn.
+                let _ = draw_line(&area, mark, words, [indent, y]);
+            }
+            let _ = area.present();
+        }
+        self.pixels = smoothed(&rgb, size[0] as usize, SAMPLES as usize);
+    }
+}
+
+type Area<'a> = DrawingArea<BitMapBackend<'a>, plotters::coord::Shift>;
+
+fn draw_line(
+    area: &Area<'_>,
+    mark: &Mark,
+    words: &str,
+    [x, y]: [usize; 2],
+) -> Result<(), Box<dyn std::error::Error>> {
+    let at = |x: usize, y: usize| (x as i32 * SAMPLES as i32, y as i32 * SAMPLES as i32);
+    let style = |weight| text(LETTERS, SAMPLES, weight).color(&WHITE);
+    match mark {
+        Mark::Nothing => {}
+        Mark::Key(key) => area
+            .draw_text(key, &style(FontStyle::Bold), at(GAP, y))
+            .map_err(|error| error.to_string())?,
+        Mark::Colour(colour) => {
+            let [_, r, g, b] = colour.to_be_bytes();
+            // A frame, so that black is seen, too.
+            let corners = [at(GAP, y + 1), at(GAP + LINE, y + LINE - 4)];
+            area.draw(&Rectangle::new(corners, RGBColor(r, g, b).filled()))
+                .map_err(|error| error.to_string())?;
+            area.draw(&Rectangle::new(
+                corners,
+                RGBColor(160, 160, 160).stroke_width(SAMPLES),
+            ))
+            .map_err(|error| error.to_string())?;
+        }
+    }
+    area.draw_text(words, &style(FontStyle::Normal), at(x, y))
+        .map_err(|error| error.to_string().into())
+}
+
+/// A text in lines that are as wide as there is room, broken between words.
+fn wrapped(words: &str, room: usize, measure: impl Fn(&str) -> usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if measure(&format!("{line} {word}")) <= room => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// A pixel of a panel over one of the picture, which is darkened.
+fn over(picture: u32, panel: u32) -> u32 {
+    let [_, r, g, b] = panel.to_be_bytes().map(u32::from);
+    let covered = r.max(g).max(b);
+    let channel = |shift: u32, own: u32| {
+        let behind = (picture >> shift & 0xff) * SEEN_THROUGH * (255 - covered) / (256 * 255);
+        (own + behind).min(255) << shift
+    };
+    channel(16, r) | channel(8, g) | channel(0, b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Corner, Mark, Panel, Row, Size, over, wrapped};
+
+    #[test]
+    fn lines_break_between_words_where_the_room_ends() {
+        let lines = wrapped("one two three four", 9, str::len);
+        assert_eq!(lines, ["one two", "three", "four"]);
+        assert_eq!(wrapped("incomprehensible", 9, str::len).len(), 1);
+    }
+
+    #[test]
+    fn a_panel_darkens_its_corner_alone_and_shows_its_colours() {
+        let size = Size {
+            width: 200,
+            height: 100,
+        };
+        let rows = [Row {
+            mark: Mark::Colour(0x00ff_0000),
+            words: "red".to_owned(),
+        }];
+        for (corner, dark, light) in [
+            (Corner::UpperLeft, 0, 199),
+            (Corner::LowerLeft, 99 * 200, 0),
+            (Corner::LowerRight, 99 * 200 + 199, 0),
+        ] {
+            let mut picture = vec![0x0080_8080; size.area()];
+            Panel::default().show(&rows, corner, &mut picture, size);
+            assert_eq!(picture[dark], over(0x0080_8080, 0), "{corner:?}");
+            assert_eq!(picture[light], 0x0080_8080, "{corner:?}");
+            let count = |is: fn(u32) -> bool| picture.iter().filter(|pixel| is(**pixel)).count();
+            assert!(count(|pixel| pixel & 0x00ff_f0f0 == 0x00ff_0000) > 100);
+            let is_bright = |pixel: u32| pixel.to_be_bytes()[1..].iter().all(|&c| c > 180);
+            assert!(count(is_bright) > 10, "letters");
+        }
+    }
+}
