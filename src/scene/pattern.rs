@@ -7,7 +7,7 @@ use glam::Vec3A;
 /// It is a function of the point's coordinates in scene units, measured from the object's centre along the object's own axes;
 /// those of spheres and planes are the scene's. Along each axis runs a triangle wave between -1 and 1, with `waves` periods per
 /// unit and a maximum at 0. The pattern has the smallest of the three magnitudes and the sign of the three waves' product; it is
-/// multiplied by `edge` and clamped to -1 to 1. Waves along one axis give stripes, waves along two or three give checkers, with
+/// multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, waves along two or three give checkers, with
 /// fields half a period wide. Noise that shifts the pattern along x turns stripes into marble.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pattern {
@@ -19,6 +19,10 @@ pub struct Pattern {
     /// sharper edges. Far from the eye the transitions are widened to at least one pixel, and waves shorter than a pixel average
     /// out, so that the pattern does not alias.
     pub edge: f32,
+    /// How much of the surface is light and how much dark, -1 to 1: `balance * max(edge, 1)` is added to the pattern. Where edges
+    /// are sharp, stripes are light over the share `(1 + balance) / 2`. 0 is half and half, near 1 leaves thin veins in a light
+    /// ground; far from the eye both average out to that mean.
+    pub balance: f32,
     /// The amplitude of the noise that shifts the pattern along x, in periods, 0 to 1000. Octaves of half the size and half the
     /// amplitude follow as long as their amplitude is above [`Pattern::LEAST_WARP`].
     pub warp: f32,
@@ -35,6 +39,7 @@ impl Pattern {
         waves: Vec3A::ZERO,
         depth: 0.0,
         edge: 0.0,
+        balance: 0.0,
         warp: 0.0,
         grain: 0.0,
     };

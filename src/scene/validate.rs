@@ -199,6 +199,13 @@ impl Pattern {
         object.field("material.pattern.waves", self.waves, takes, are_waves)?;
         object.share("material.pattern.depth", self.depth)?;
         number("material.pattern.edge", self.edge)?;
+        let is_balance = (-1.0..=1.0).contains(&self.balance);
+        object.field(
+            "material.pattern.balance",
+            self.balance,
+            "-1 to 1",
+            is_balance,
+        )?;
         number("material.pattern.warp", self.warp)?;
         number("material.pattern.grain", self.grain)
     }

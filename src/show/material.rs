@@ -137,10 +137,11 @@ pub(super) static MARBLE: Material = Material {
     ks: 0.15,
     exponent: 20.0,
     pattern: Pattern {
-        waves: vec3a(0.5, 0.9, 0.3),
-        depth: 0.6,
-        edge: 1.0,
-        warp: 1.1,
+        waves: vec3a(1.0, 0.0, 0.0),
+        depth: 0.5,
+        edge: 3.0,
+        balance: 0.85,
+        warp: 0.75,
         grain: 0.9,
     },
     ..MATT

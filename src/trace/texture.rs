@@ -115,7 +115,8 @@ fn sphere_distance<S: Isa>(simd: S, radius: f32, from: &Vec3x<S>, d: &Vec3x<S>) 
 
 /// The share that a pattern leaves of a colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long.
 ///
-/// `1 - depth / 2 (1 - clamp(edge * min(abs(w)) * sign(product of w), -1, 1))` by the waves w along the axes.
+/// `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of w)` by the
+/// waves w along the axes.
 #[inline(always)]
 fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>) -> F<S> {
     let mut height = splat(simd, 1.0);
@@ -137,8 +138,10 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     // A wave falls from 1 to -1 within half a period. Edges are at least a pixel wide.
     let steepest = pixels * (0.5 / pattern.waves.max_element());
     let edge = at_most::<S>(steepest, splat(simd, pattern.edge));
-    let height = at_most::<S>(height * edge, splat(simd, 1.0));
-    let height = flipped::<S>(height, sign & (1 << 31));
+    let one = splat(simd, 1.0);
+    let height = flipped::<S>(height * edge, sign & (1 << 31));
+    let height = at_most::<S>(height + at_least::<S>(edge, one) * pattern.balance, one);
+    let height = at_least::<S>(height, -one);
     (height - 1.0) * (0.5 * pattern.depth) + 1.0
 }
 

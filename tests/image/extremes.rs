@@ -221,6 +221,7 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
         add(&mut all, "tint", tint);
         add(&mut all, "waves", &mut pattern.waves);
         lengths.extend([("depth", &mut pattern.depth), ("edge", &mut pattern.edge)]);
+        lengths.push(("balance", &mut pattern.balance));
         lengths.extend([("warp", &mut pattern.warp), ("grain", &mut pattern.grain)]);
         lengths.extend([("kd", kd), ("ks", ks), ("exponent", exponent)]);
         lengths.extend([("kr", kr), ("fresnel", fresnel)]);

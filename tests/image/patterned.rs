@@ -1,5 +1,6 @@
 //! Patterns in filled squares are as sharp as traced ones, and take few points.
 
+use crate::cpu;
 use crate::drawn::{draw, draw_by_all, jagged};
 use crate::error::Difference;
 use eightfold::Quality;
@@ -18,6 +19,7 @@ fn scene(depth: f32, marble: f32) -> Scene {
             waves,
             depth,
             edge,
+            balance: 0.0,
             warp,
             grain: 1.0,
         },
@@ -98,5 +100,49 @@ fn patterns_without_edges_are_filled_as_light_is() {
         let difference = Difference::between(&exhaustive.pixels, &drawn.pixels);
         println!("{}: {difference:?}", isa.name);
         assert!(difference.psnr > 41.0, "{}: {difference:?}", isa.name);
+    }
+}
+
+#[test]
+fn balance_is_how_much_is_light_near_and_far() {
+    let floor = |balance: f32, height: f32| Scene {
+        camera: Camera {
+            eye: vec3a(0.01, height, 0.0),
+            look_at: vec3a(0.01, 0.0, 0.0),
+            up: Vec3A::Z,
+            field_of_view: 0.8,
+        },
+        ambient: Vec3A::ONE,
+        planes: List::of(&[Plane {
+            half_x: 1e4,
+            half_z: 1e4,
+            material: Material {
+                colour: Vec3A::ONE,
+                pattern: Pattern {
+                    waves: vec3a(2.0, 0.0, 0.0),
+                    depth: 1.0,
+                    edge: 100.0,
+                    balance,
+                    ..Pattern::NONE
+                },
+                ..Material::BLACK
+            },
+            ..Plane::default()
+        }]),
+        ..Scene::default()
+    };
+    for balance in [-1.0, -0.5, 0.0, 0.8, 1.0] {
+        // From near, 20 whole stripes are seen, each sharp; from far away a pixel shows several.
+        for height in [11.83, 3000.0] {
+            let scene = floor(balance, height);
+            let drawn = draw(cpu::best(), 1, &scene, &Quality::EXHAUSTIVE, 400, 400);
+            let sum: u32 = drawn.pixels.iter().map(|pixel| pixel & 0xff).sum();
+            let mean = sum as f32 / (255.0 * 400.0 * 400.0);
+            let expected = 0.5 + 0.5 * balance;
+            assert!(
+                (mean - expected).abs() < 0.03,
+                "{balance}, {height}: {mean}"
+            );
+        }
     }
 }

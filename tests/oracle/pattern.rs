@@ -18,7 +18,8 @@ pub fn reflectance(pattern: &Pattern, p: DVec3, footprint: f64) -> f64 {
     // A wave falls from 1 to -1 within half a period. Edges are at least a pixel wide.
     let steepest = 0.5 / (footprint * waves.abs().max_element());
     let edge = f64::from(pattern.edge).min(steepest);
-    let height = (sign * lowest * edge).clamp(-1.0, 1.0);
+    let shift = f64::from(pattern.balance) * edge.max(1.0);
+    let height = (sign * lowest * edge + shift).clamp(-1.0, 1.0);
     1.0 - f64::from(pattern.depth) * (0.5 - 0.5 * height)
 }
 

@@ -85,6 +85,7 @@ pub struct Pattern {
     pub waves: Vector,
     pub depth: f32,
     pub edge: f32,
+    pub balance: f32,
     pub warp: f32,
     pub grain: f32,
 }

@@ -167,16 +167,19 @@ fn pattern() -> impl Strategy<Value = Pattern> {
     let waves = || prop_oneof![Just(0.0_f32), 0.2_f32..2.0];
     (
         (waves(), waves(), waves()),
-        (0.2_f32..1.0, 0.5_f32..20.0),
+        (0.2_f32..1.0, 0.5_f32..20.0, -1.0_f32..1.0),
         (0.0_f32..1.5, 0.2_f32..2.0),
     )
-        .prop_map(|((x, y, z), (depth, edge), (warp, grain))| Pattern {
-            waves: vec3a(x, y, z),
-            depth: if x + y + z > 0.0 { depth } else { 0.0 },
-            edge,
-            warp,
-            grain,
-        })
+        .prop_map(
+            |((x, y, z), (depth, edge, balance), (warp, grain))| Pattern {
+                waves: vec3a(x, y, z),
+                depth: if x + y + z > 0.0 { depth } else { 0.0 },
+                edge,
+                balance,
+                warp,
+                grain,
+            },
+        )
 }
 
 /// A material with a pattern and, if it is transparent, a tint.

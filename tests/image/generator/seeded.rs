@@ -128,6 +128,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
             waves: (random.vector(Vec3A::ZERO, Vec3A::splat(3.0)) / scale).min(Vec3A::splat(1e3)),
             depth: random.between(0.1, 1.0),
             edge: random.between(0.5, 40.0),
+            balance: random.between(-1.0, 1.0),
             warp: random.between(0.0, 2.0),
             grain: (random.between(0.1, 3.0) / scale).min(1e3),
         };
@@ -198,6 +199,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         fields.extend([&mut block.axes.x_axis[c % 3], &mut m.tint[a % 3]]);
         fields.extend([&mut m.pattern.waves[b % 3], &mut m.pattern.edge]);
         fields.extend([&mut m.pattern.warp, &mut m.pattern.grain]);
+        fields.push(&mut m.pattern.balance);
     }
     for sphere in spheres.iter_mut() {
         let m = &mut sphere.material;
