@@ -17,7 +17,20 @@ pub(crate) struct Film {
     middle: Vec2,
     /// 1 / half the picture's height.
     unit: f32,
+    /// See [`Dither`].
+    pub dither: Dither,
 }
+
+/// What is added to a pixel's colour before the fraction of an output step is cut off, in 256ths of a step: a word for each channel
+/// of the pixel (x, y), all alike, at `[y % 4][x % 4]`, and again four further on.
+pub(crate) type Dither = [[u64; 8]; 4];
+
+/// Half an output step everywhere.
+#[cfg(test)]
+pub(crate) const ROUND: Dither = [[128 * WORDS; 8]; 4];
+
+/// A one in each word of a [`Dither`].
+const WORDS: u64 = 0x0001_0001_0001_0001;
 
 /// The least room above a shoulder, so that it can be divided by: it makes no difference to any output step.
 const LEAST_ROOM: f32 = 1e-3;
@@ -31,6 +44,7 @@ impl Film {
         vignette: 0.0,
         middle: Vec2::ZERO,
         unit: 0.0,
+        dither: [[0; 8]; 4],
     };
 
     /// Prepares the film for a picture of `width` by `height` pixels.
@@ -43,7 +57,15 @@ impl Film {
             vignette: film.vignette,
             middle: 0.5 * vec2(width - 1.0, height - 1.0),
             unit: 2.0 / height,
+            dither: dither(film.dither),
         }
+    }
+
+    /// What is added to the pixel (x, y), see [`Dither`], but in 128ths of a step.
+    #[inline(always)]
+    pub fn threshold(&self, x: usize, y: usize) -> u64 {
+        // The words are even.
+        self.dither[y % 4][x % 4] >> 1
     }
 
     /// What light is divided by at four points, of which x and y are given.
@@ -61,4 +83,19 @@ impl Film {
         let over = (light - self.shoulder).max(f32x4::splat(simd, 0.0));
         light - over + over * self.room / (over + self.room)
     }
+}
+
+/// Thresholds over a share of a step, by Bayer's ordered dither: pixels that follow each other in the order are far apart.
+fn dither(share: f32) -> Dither {
+    let mut dither = [[0; 8]; 4];
+    for rank in 0..16 {
+        let y = rank >> 2 & 1 | rank << 1 & 2;
+        let x = (rank >> 3 | rank & 2) ^ y;
+        // In 128ths of a step, as samples have them, so that squares and points round alike.
+        let from_half = share * (8.0 * rank as f32 - 60.0);
+        let threshold = 2 * (from_half + 64.5) as u64 * WORDS;
+        dither[y][x] = threshold;
+        dither[y][x + 4] = threshold;
+    }
+    dither
 }

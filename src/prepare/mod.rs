@@ -12,7 +12,9 @@ mod surface;
 mod tree;
 
 pub(crate) use air::Air;
-pub(crate) use film::Film;
+#[cfg(test)]
+pub(crate) use film::ROUND;
+pub(crate) use film::{Dither, Film};
 pub(crate) use lamp::{Lamp, ShadowCone};
 pub(crate) use object::{Object, ObjectId};
 use outline::Outline;

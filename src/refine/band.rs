@@ -100,20 +100,17 @@ pub(crate) fn render<O: Observer>(
 impl<O: Observer> Tile<'_, O> {
     /// Traces every pixel of a tile, which is no larger than a batch.
     fn trace_pixels(&mut self) {
-        let Area { left, right, .. } = self.area;
         for y in self.area.top..self.area.bottom {
-            for x in left..right {
+            for x in self.area.left..self.area.right {
                 self.worker.batch.points.push(x, y);
             }
         }
         self.trace_batch();
         self.observer.stage(Stage::Results);
-        let results = &mut self.worker.batch.results;
-        let pixels = by_isa!(self.isa, simd => results.pixels(simd));
-        let rows = self.canvas.pixels.chunks_exact_mut(self.canvas.width);
-        let traced = pixels.chunks(right - left);
-        for (row, traced) in rows.zip(traced) {
-            row[left..right].copy_from_slice(&traced[..right - left]);
+        for i in 0..self.worker.batch.points.len() {
+            let (x, y) = self.worker.batch.points.position(i);
+            let (sample, _) = self.worker.batch.results.sample(i);
+            self.put(x, y - self.area.top, sample);
         }
         self.end_batch();
     }

@@ -2,6 +2,7 @@
 
 use super::bits::Bits;
 use crate::lanes::*;
+use crate::prepare::Dither;
 use crate::trace::Sample;
 use fearless_simd::{Level, i16x16, u8x32, u16x16, u32x8, u64x4};
 
@@ -14,9 +15,6 @@ pub(super) struct Canvas<'a> {
 
 /// The colours of four pixels side by side, a word for each channel, in 256ths of an output step.
 type Four<S> = u16x16<S>;
-
-/// Half an output step: added before the fraction is cut off, it rounds.
-const HALF: u16 = 128;
 
 /// The squares of a row that are filled, in pixels of the canvas.
 pub(super) struct Run<'a> {
@@ -31,6 +29,8 @@ pub(super) struct Run<'a> {
     pub filled: Bits,
     /// Those of one colour.
     pub flat: Bits,
+    /// From which fractions on colours are rounded up. The canvas begins at a multiple of four rows of the picture.
+    pub dither: &'a Dither,
 }
 
 impl Canvas<'_> {
@@ -71,7 +71,7 @@ impl Canvas<'_> {
                     let corners = part_corners(corners, [i, j], parts);
                     let (x, y) = (x + (i << LEVEL), y + (j << LEVEL));
                     if x < self.width && y < self.height {
-                        self.fill_part::<S, LEVEL>(simd, x, y, corners, &mut aside);
+                        self.fill_part::<S, LEVEL>(simd, x, y, corners, run.dither, &mut aside);
                     }
                 }
             },
@@ -86,6 +86,7 @@ impl Canvas<'_> {
         x: usize,
         y: usize,
         corners: [u64; 4],
+        dither: &Dither,
         aside: &mut [u32; MAX_PIXELS],
     ) {
         let side = 1 << LEVEL;
@@ -96,7 +97,13 @@ impl Canvas<'_> {
         } else {
             (&mut aside[..], side)
         };
-        fill_square::<S, LEVEL>(simd, corners, pixels, width);
+        // Larger ones begin at multiples of four pixels.
+        let (column, first_row) = if LEVEL == 1 { (x % 4, y) } else { (0, 0) };
+        let thresholds = [0, 1, 2, 3].map(|row| {
+            let row = &dither[(first_row + row) % 4];
+            u64x4::from_slice(simd, &row[column..][..4]).bitcast()
+        });
+        fill_square::<S, LEVEL>(simd, corners, &thresholds, pixels, width);
         if !is_whole {
             let rows = self.pixels[start..].chunks_mut(self.width);
             let width = side.min(self.width - x);
@@ -129,21 +136,24 @@ fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], parts: usize) -> [u64; 4]
 /// Pixels of the largest square that is filled at once.
 const MAX_PIXELS: usize = 64;
 
-/// Interpolates the corners' colours along both sides of a square of `1 << LEVEL` pixels, at the start of rows of so many.
+/// Interpolates the corners' colours along both sides of a square of `1 << LEVEL` pixels, at the start of rows of so many, and
+/// rounds them by thresholds that repeat every four pixels along each side.
 ///
 /// All is added up without a carry out of 16 bits, so that differences of any size work. A step is off by half a 256th of an
-/// output step at most, so that the last pixel of a square of 8 is off by 7 of them.
+/// output step at most, so that the last pixel of a square of 8 is off by 7 of them,
+/// for which the thresholds leave room: they are 8 to 248.
 #[inline(always)]
 fn fill_square<S: Simd, const LEVEL: u32>(
     simd: S,
     corners: [u64; 4],
+    thresholds: &[Four<S>; 4],
     pixels: &mut [u32],
     width: usize,
 ) {
     let [a, b, c, d] = corners;
     let (a, b, c, d) = (four(simd, a), four(simd, b), four(simd, c), four(simd, d));
     let (across, across_below) = (step::<S, LEVEL>(b, a), step::<S, LEVEL>(d, c));
-    let (upper, lower) = (a + a + HALF, c + c + HALF);
+    let (upper, lower) = (a + a, c + c);
     let number = u16x16::simd_from(simd, [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3]);
     let (mut first, lower) = (upper + across * number, lower + across_below * number);
     let first_down = step::<S, LEVEL>(lower >> 1, first >> 1);
@@ -152,7 +162,8 @@ fn fill_square<S: Simd, const LEVEL: u32>(
     let side = 1 << LEVEL;
     let pixels = &mut pixels[..(side - 1) * width + side];
     for y in 0..side {
-        let bytes: u8x32<S> = (first >> 8).relaxed_narrow(second >> 8);
+        let threshold = thresholds[y % 4];
+        let bytes: u8x32<S> = ((first + threshold) >> 8).relaxed_narrow((second + threshold) >> 8);
         let eight: u32x8<S> = bytes.bitcast();
         let row = &mut pixels[y * width..y * width + side];
         if LEVEL == 3 {

@@ -39,7 +39,7 @@ impl<O: Observer> Tile<'_, O> {
         self.interpolate(level, [x, y], corners, corner.object());
         // The corner as it was traced, to the last bit.
         let (left, top) = (self.area.left + x * side, y * side);
-        self.canvas.put(left, top, corner.pixel());
+        self.put(left, top, corner);
         true
     }
 
@@ -90,7 +90,8 @@ impl<O: Observer> Tile<'_, O> {
                     // Samples are exposed, layers are not.
                     colour = expose(&self.scene.film, colour, x, self.area.top + y);
                 }
-                *pixel = rounded(colour);
+                let threshold = self.scene.film.threshold(x, self.area.top + y);
+                *pixel = cut(colour + (threshold & 0xff) as f32 / STEP as f32);
                 now = now + step;
             }
             first = first + first_down;
@@ -126,9 +127,9 @@ fn expose(film: &Film, light: Vec3A, x: usize, y: usize) -> Vec3A {
     Vec3A::new(blue, green, red)
 }
 
-/// The pixel of a colour in output steps.
+/// The pixel of a colour in output steps, without its fraction.
 #[inline(always)]
-fn rounded(colour: Vec3A) -> u32 {
-    let [blue, green, red] = (colour.clamp(Vec3A::ZERO, BRIGHTEST) + 0.5).to_array();
+fn cut(colour: Vec3A) -> u32 {
+    let [blue, green, red] = colour.clamp(Vec3A::ZERO, BRIGHTEST).to_array();
     (red as u32) << 16 | (green as u32) << 8 | blue as u32
 }

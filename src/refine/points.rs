@@ -106,7 +106,7 @@ impl<O: Observer> Tile<'_, O> {
             let from = row + parts.divide(x);
             let (sample, key) = (pyramid.sample(from), pyramid.key(from));
             if level == 0 {
-                self.canvas.put(self.area.left + x, y, sample.pixel());
+                self.put(self.area.left + x, y, sample);
                 return;
             }
             let to = Pyramid::index(level, x, y);
@@ -140,7 +140,7 @@ impl<O: Observer> Tile<'_, O> {
             // traced.
             averaged.0[x / 64] |= u64::from(is_near) << (x % 64);
             if level == 0 {
-                self.canvas.put(self.area.left + x, y, a.mean(b).pixel());
+                self.put(self.area.left + x, y, a.mean(b));
             } else {
                 pyramid.put(Pyramid::index(level, x, y), a.mean(b), key);
             }
@@ -163,7 +163,8 @@ impl<O: Observer> Tile<'_, O> {
             let target = target as usize;
             let (mut sample, key) = batch.results.sample(i);
             if level == 0 {
-                self.canvas.pixels[target] = sample.pixel();
+                let (x, y) = batch.points.position(i);
+                self.canvas.pixels[target] = sample.pixel(self.scene.film.threshold(x, y));
                 continue;
             }
             let has_pattern = |id| self.scene.has_pattern(id);

@@ -9,6 +9,7 @@ use crate::observe::{Fill, Observer, Stage};
 use crate::prepare::{Prepared, VisibleGroups};
 use crate::quality::Quality;
 use crate::scene::camera::pixels;
+use crate::trace::Sample;
 use fearless_simd::Level;
 
 /// A tile that is being drawn.
@@ -119,6 +120,7 @@ impl<O: Observer> Tile<'_, O> {
             below: pyramid.row(level, y + 1).samples,
             filled: verdict.filled,
             flat: verdict.flat,
+            dither: &self.scene.film.dither,
         };
         self.canvas.fill(self.isa, &run);
     }
@@ -140,6 +142,13 @@ impl<O: Observer> Tile<'_, O> {
             }
         });
         filled
+    }
+
+    /// Sets the pixel (x, y), in pixels of the canvas, to a sample's colour.
+    #[inline(always)]
+    pub fn put(&mut self, x: usize, y: usize, sample: Sample) {
+        let threshold = self.scene.film.threshold(x, self.area.top + y);
+        self.canvas.put(x, y, sample.pixel(threshold));
     }
 
     /// Splits a row's squares that were not filled: marks those of their parts that are in the picture.

@@ -10,6 +10,11 @@ pub struct Film {
     /// How much darker the picture is towards its corners, 0 to 1: light is multiplied by `1 / (1 + vignette r^2)`, at the distance
     /// r from the picture's middle in halves of its height. 0 leaves it as it is.
     pub vignette: f32,
+    /// How far the thresholds are apart at which neighbouring pixels are rounded up to the next of the 255 steps of the output, 0
+    /// to 1 step. With 1 a mean over squares of 4x4 pixels has steps of 1/16, so that slow gradients show no bands; with 0 all
+    /// pixels are rounded alike. The threshold of a pixel depends on its place alone; pixels on edges, which are antialiased, keep
+    /// that of the picture before.
+    pub dither: f32,
 }
 
 impl Film {
@@ -17,6 +22,7 @@ impl Film {
     pub const PLAIN: Self = Self {
         shoulder: 1.0,
         vignette: 0.0,
+        dither: 0.0,
     };
 }
 

@@ -91,6 +91,7 @@ impl Scene {
             film: Film {
                 shoulder: 0.0,
                 vignette: 0.0,
+                dither: 0.0,
             },
             ambient: Vec3A::ZERO,
             method: Method {

@@ -54,7 +54,8 @@ impl Scene {
         Checked::one("fade").field("", self.fade, FADE, is_fade)?;
         let film = Checked::one("film");
         film.share("shoulder", self.film.shoulder)?;
-        film.share("vignette", self.film.vignette)
+        film.share("vignette", self.film.vignette)?;
+        film.share("dither", self.film.dither)
     }
 
     fn validate_method(&self) -> Result<(), Flaw> {

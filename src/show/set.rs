@@ -35,6 +35,7 @@ pub(super) struct Set {
 pub(super) const SHOW: Film = Film {
     shoulder: 0.8,
     vignette: 0.08,
+    dither: 1.0,
 };
 
 /// Half the side of a floor that seems endless: haze hides its edge.

@@ -25,7 +25,6 @@ pub(crate) struct Accumulator {
     patterned: [[f32; 4]; BATCH],
     /// The objects that the primary rays hit.
     objects: [u32; BATCH],
-    pixels: [u32; BATCH],
 }
 
 impl Accumulator {
@@ -37,7 +36,6 @@ impl Accumulator {
             samples: [0; BATCH],
             patterned: [[0.0; 4]; BATCH],
             objects: [0; BATCH],
-            pixels: [0; BATCH],
         }
     }
 
@@ -59,17 +57,6 @@ impl Accumulator {
             rest: steps(&self.sums[i]) - untextured * share,
             untextured,
         }
-    }
-
-    /// The traced points as pixels.
-    #[inline(always)]
-    pub fn pixels<S: Simd>(&mut self, simd: S) -> &[u32] {
-        let (samples, _) = self.samples.as_chunks();
-        let (pixels, _) = self.pixels.as_chunks_mut();
-        for (pixels, samples) in pixels.iter_mut().zip(samples) {
-            *pixels = sample::pixels(simd, samples);
-        }
-        &self.pixels
     }
 
     /// Turns the sums of the points into samples.

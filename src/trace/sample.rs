@@ -2,7 +2,7 @@
 
 use crate::lanes::*;
 use crate::prepare::ObjectId;
-use fearless_simd::{i16x8, i32x4, u16x8, u32x4, u64x2};
+use fearless_simd::{i16x8, i32x4, u64x2};
 
 /// Fractional bits of a sum of output steps.
 ///
@@ -76,26 +76,14 @@ impl Sample {
         Self(colour | object)
     }
 
-    /// The colour as a pixel, `0x00RRGGBB`, rounded.
+    /// The colour as a pixel, `0x00RRGGBB`, of which the fraction is cut off after a threshold has been added to each channel:
+    /// words of 0 to 127 in 128ths of a step, 64 to round.
     #[inline(always)]
-    pub fn pixel(self) -> u32 {
-        // Half a step is added to each channel; none of them overflows.
-        let half = (self.0 + 0x0040_0040_0040) >> SAMPLE_BITS;
-        (half & 0xff | (half >> 8) & 0xff00 | (half >> 16) & 0x00ff_0000) as u32
+    pub fn pixel(self, threshold: u64) -> u32 {
+        // No channel overflows.
+        let steps = (self.0 + threshold) >> SAMPLE_BITS;
+        (steps & 0xff | (steps >> 8) & 0xff00 | (steps >> 16) & 0x00ff_0000) as u32
     }
-}
-
-/// Four samples as pixels.
-#[inline(always)]
-pub(super) fn pixels<S: Simd>(simd: S, &[a, b, c, d]: &[u64; 4]) -> [u32; 4] {
-    // As by [`Sample::pixel`], a channel to a lane.
-    let first: u16x8<S> = u64x2::simd_from(simd, [a, b]).bitcast();
-    let second: u16x8<S> = u64x2::simd_from(simd, [c, d]).bitcast();
-    let half = STEP as u16 / 2;
-    let steps = ((first + half) >> SAMPLE_BITS as u32)
-        .relaxed_narrow((second + half) >> SAMPLE_BITS as u32);
-    let pixels: u32x4<S> = steps.bitcast();
-    pixels.into()
 }
 
 /// The samples of four sums.

@@ -66,6 +66,37 @@ fn a_vignette_leaves_the_middle_and_darkens_all_sides_alike() {
 }
 
 #[test]
+fn dither_keeps_means_between_two_steps_at_every_quality() {
+    let film = Film {
+        dither: 1.0,
+        ..Film::PLAIN
+    };
+    let (width, height) = (70, 46);
+    for quality in [Quality::EXHAUSTIVE, Quality::DEFAULT, Quality::THESIS] {
+        for sixteenths in 0..=16 {
+            let scene = empty((10.0 + sixteenths as f32 / 16.0) / 255.0, film);
+            let drawn = draw(cpu::best(), 1, &scene, &quality, width, height);
+            let at = |x: usize, y: usize| drawn.pixels[y * width + x] & 0xff;
+            // Squares of 4x4 anywhere have as many pixels of the higher step as the colour has sixteenths above the lower one.
+            for (left, top) in [(0, 0), (13, 7), (33, 30), (66, 42)] {
+                let places = (0..16).map(|i| at(left + i % 4, top + i / 4));
+                let sum: u32 = places.sum();
+                assert!(sum.abs_diff(160 + sixteenths) <= 1, "{sum}, {sixteenths}");
+            }
+            assert!((0..width).all(|x| at(x, 0) == at(x % 4, 0)));
+        }
+    }
+}
+
+#[test]
+fn without_dither_all_pixels_are_rounded_alike() {
+    for (light, expected) in [(10.49, 10), (10.51, 11)] {
+        let picture = channels(&empty(light / 255.0, Film::PLAIN), 9, 5);
+        assert!(picture.iter().all(|&value| value == expected));
+    }
+}
+
+#[test]
 fn a_glow_is_as_bright_as_its_light_and_half_as_bright_at_its_radius() {
     // Seen from 1,000 radii, so that rays beside each other are parallel; a pixel is a tenth of a radius.
     let size: usize = 101;

@@ -1,6 +1,6 @@
 //! A whole picture, traced by the oracle.
 
-use super::{Oracle, Traced};
+use super::{Oracle, Traced, pixel};
 use eightfold::Quality;
 use eightfold::scene::Scene;
 use std::thread::available_parallelism;
@@ -9,6 +9,8 @@ use std::thread::available_parallelism;
 pub struct Frame {
     pub width: usize,
     pub height: usize,
+    /// Of the scene's film.
+    dither: f32,
     /// Row by row, with `width + 2` points per row.
     points: Vec<Traced>,
 }
@@ -34,6 +36,7 @@ impl Frame {
         Self {
             width,
             height,
+            dither: scene.film.dither,
             points,
         }
     }
@@ -51,7 +54,7 @@ impl Frame {
 
     /// The picture as `0x00RRGGBB` pixels, row by row.
     pub fn picture(&self) -> Vec<u32> {
-        self.map_pixels(|x, y| self.at(x, y).pixel())
+        self.map_pixels(|x, y| pixel(self.at(x, y).colour, self.dither, x, y))
     }
 
     /// Which pixels lie on silhouettes: the ray trees of the 3x3 pixels around them differ, so that the smallest rounding error

@@ -132,10 +132,13 @@ impl<'a> Oracle<'a> {
     }
 }
 
-impl Traced {
-    /// The colour as a pixel, `0x00RRGGBB`.
-    pub fn pixel(&self) -> u32 {
-        let byte = |c: f64| (c.clamp(0.0, 1.0) * 255.0).round() as u32;
-        byte(self.colour.x) << 16 | byte(self.colour.y) << 8 | byte(self.colour.z)
-    }
+/// In which order the pixels of a square of 4x4 are rounded up as a colour gets brighter, by the film's dither: the last one first.
+const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
+
+/// A colour as the pixel (x, y), `0x00RRGGBB`, with a film's dither.
+pub fn pixel(colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
+    let share = (f64::from(ORDER[y % 4][x % 4]) + 0.5) / 16.0;
+    let threshold = 0.5 + f64::from(dither) * (share - 0.5);
+    let byte = |c: f64| (c.clamp(0.0, 1.0) * 255.0 + threshold).floor() as u32;
+    byte(colour.x) << 16 | byte(colour.y) << 8 | byte(colour.z)
 }

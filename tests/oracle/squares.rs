@@ -1,6 +1,6 @@
 //! Adaptive squares, as the thesis describes them: recursive, one square at a time. Coordinates are pixels of the picture.
 
-use super::{Oracle, Traced};
+use super::{Oracle, Traced, pixel};
 use eightfold::Quality;
 use eightfold::scene::Scene;
 use glam::DVec3;
@@ -69,12 +69,13 @@ impl<'a> Squares<'a> {
         }
         let a = self.at(x, y);
         if side == 1 {
-            self.picture[y * self.oracle.width + x] = a.pixel();
+            self.put(x, y, a.colour);
             return;
         }
         let others = [(side, 0), (0, side), (side, side)].map(|(u, v)| self.at(x + u, y + v));
         let corners = [a, others[0], others[1], others[2]];
-        let flat = others.iter().all(|b| b.pixel() == a.pixel());
+        let rounded = |point: &Traced| pixel(point.colour, 0.0, 0, 0);
+        let flat = others.iter().all(|b| rounded(b) == rounded(&a));
         if flat || spread(&corners) <= self.allowed(&corners, side) {
             self.fill(x, y, side, corners);
         } else if side % 2 == 1 {
@@ -130,6 +131,12 @@ impl<'a> Squares<'a> {
         self.oracle.quality.tolerance_agreeing != self.oracle.quality.tolerance_differing
     }
 
+    /// Draws a pixel.
+    fn put(&mut self, x: usize, y: usize, colour: DVec3) {
+        let dither = self.oracle.scene.film.dither;
+        self.picture[y * self.oracle.width + x] = pixel(colour, dither, x, y);
+    }
+
     /// Interpolates a square's colours between its corners.
     fn fill(&mut self, x: usize, y: usize, side: usize, corners: [Traced; 4]) {
         let [a, b, c, d] = corners.map(shown);
@@ -137,11 +144,7 @@ impl<'a> Squares<'a> {
             for u in 0..side.min(self.oracle.width - x) {
                 let (s, t) = (u as f64 / side as f64, v as f64 / side as f64);
                 let colour = a.lerp(b, s).lerp(c.lerp(d, s), t);
-                let between = Traced {
-                    colour,
-                    ..Traced::default()
-                };
-                self.picture[(y + v) * self.oracle.width + x + u] = between.pixel();
+                self.put(x + u, y + v, colour);
             }
         }
     }

@@ -50,6 +50,7 @@ pub struct Camera {
 pub struct Film {
     pub shoulder: f32,
     pub vignette: f32,
+    pub dither: f32,
 }
 
 /// See [`scene::Method`].

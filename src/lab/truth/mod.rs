@@ -160,7 +160,7 @@ fn shown(arguments: &Arguments) -> Result<Scene> {
     Ok(scene)
 }
 
-/// Takes away what is no transport of light: captions, the film's tone curve and vignette, the glow around lamps.
+/// Takes away what is no transport of light: captions, the film's tone curve, vignette and dither, the glow around lamps.
 pub fn undress(scene: &mut Scene) {
     scene.captions.clear();
     scene.film = Film::PLAIN;

@@ -3,6 +3,7 @@
 use super::super::bits::Bits;
 use super::super::fill::{Canvas, Run};
 use super::{channels, isas, sample};
+use crate::prepare::ROUND;
 use proptest::prelude::*;
 
 extern crate std;
@@ -26,7 +27,7 @@ proptest! {
             let mut pixels = [UNDRAWN; 50 * 45];
             let mut canvas = Canvas { pixels: &mut pixels, width, height };
             let filled = Bits::first(1);
-            canvas.fill(isa, &Run { x, y, side, above: &above, below: &below, filled, flat });
+            canvas.fill(isa, &Run { x, y, side, above: &above, below: &below, filled, flat, dither: &ROUND });
             for (i, &pixel) in pixels.iter().enumerate() {
                 let (i, j) = (i % width, i / width);
                 let is_in = (x..x + side).contains(&i) && (y..y + side).contains(&j);

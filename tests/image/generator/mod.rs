@@ -292,8 +292,12 @@ impl Rich {
 
 /// Any film, the plain one too.
 fn film() -> impl Strategy<Value = Film> {
-    let any = (0.0_f32..1.0, 0.0_f32..0.5);
-    let any = any.prop_map(|(shoulder, vignette)| Film { shoulder, vignette });
+    let any = (0.0_f32..1.0, 0.0_f32..0.5, 0.0_f32..1.0);
+    let any = any.prop_map(|(shoulder, vignette, dither)| Film {
+        shoulder,
+        vignette,
+        dither,
+    });
     prop_oneof![Just(Film::PLAIN), any]
 }
 

@@ -139,6 +139,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
     scene.film = Film {
         shoulder: random.between(0.0, 1.0),
         vignette: random.between(0.0, 1.0),
+        dither: random.between(0.0, 1.0),
     };
     for light in scene.lights.iter_mut() {
         light.size = scale * [0.0, random.between(0.0, 2.0)][random.below(2)];
@@ -192,6 +193,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         fade,
         &mut film.shoulder,
         &mut film.vignette,
+        &mut film.dither,
     ];
     for block in blocks.iter_mut() {
         let m = &mut block.material;
