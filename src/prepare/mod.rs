@@ -26,6 +26,7 @@ pub(crate) use surface::{PerLane, Surface, SurfaceRow};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{BvhNode, GroupSet, Tree};
 
+use crate::scene::camera::pixels;
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Method, Scene, camera::Raster};
 use glam::Vec3A;
 
@@ -55,7 +56,8 @@ pub(crate) struct Prepared {
     pub film: Film,
     pub eye: Vec3A,
     pub raster: Raster,
-    /// The height of the picture in pixels.
+    /// The width and the height of the picture in pixels.
+    pub width: usize,
     pub height: usize,
     pub tree: Tree,
     /// For each group of the tree, a rectangle around it in the picture, and one around its image in the first plane.
@@ -114,6 +116,7 @@ impl Prepared {
             film: Film::ZERO,
             eye: Vec3A::ZERO,
             raster: Raster::ZERO,
+            width: 0,
             height: 0,
             tree: Tree::ZERO,
             bounds: [[ScreenBounds::ZERO; MAX_GROUPS]; 2],
@@ -177,10 +180,14 @@ impl Prepared {
         self.has_edges[id.index()]
     }
 
-    /// Whether the picture has an overlay.
-    #[inline(always)]
-    pub fn shows_method(&self) -> bool {
-        self.scene.method != Method::default()
+    /// How many columns of pixels, from the left, are finished: without an overlay.
+    pub fn finished_columns(&self) -> usize {
+        let method = &self.scene.method;
+        if *method == Method::PLAIN {
+            self.width
+        } else {
+            ((method.front * pixels(self.width)) as usize).min(self.width)
+        }
     }
 
     /// The object number of the first plane.
@@ -222,6 +229,7 @@ impl Prepared {
         self.raster = scene.camera.raster(width, height);
         self.axes.set(&self.raster, width, height);
         self.move_samples();
+        self.width = width;
         self.height = height;
         self.solids = scene.solids();
         self.weight = 1.0 - scene.fade;

@@ -61,16 +61,23 @@ impl Seams {
         Self([[0; _]; MAX_BANDS])
     }
 
-    /// Takes in a frame that is drawn, `width` pixels wide.
-    pub fn set(&mut self, isa: Level, quality: &Quality, width: usize, pixels: &[u32]) {
+    /// Takes in a frame that is drawn, `width` pixels wide, of whose columns so many are finished, one at least.
+    pub fn set(
+        &mut self,
+        isa: Level,
+        quality: &Quality,
+        width: usize,
+        finished: usize,
+        pixels: &[u32],
+    ) {
         let rows = Band::rows(quality) * width;
         // The last band has none below it.
         let ends = (rows..pixels.len()).step_by(rows).map(Some);
         for (seam, end) in self.0.iter_mut().zip(ends.chain([None])) {
             *seam = [0; _];
             if let Some(end) = end {
-                let (above, below) = (&pixels[end - width..end], &pixels[end..end + width]);
-                mark(isa, above, below, seam);
+                let (above, below) = (&pixels[end - width..], &pixels[end..]);
+                mark(isa, &above[..finished], &below[..finished], seam);
             }
         }
     }
@@ -84,15 +91,12 @@ impl Seams {
         worker: &mut Worker,
         band: &mut Band<'_>,
     ) {
-        // Marks of the method are no edges.
-        if !scene.shows_method() {
-            let marks = self.marks(isa, quality, band);
-            mix(isa, scene, quality, &marks, worker, band);
-        }
+        let marks = self.marks(isa, quality, scene.finished_columns(), band);
+        mix(isa, scene, quality, &marks, worker, band);
     }
 
-    /// Where the pixels of a band differ from their neighbours.
-    fn marks(&self, isa: Level, quality: &Quality, band: &Band<'_>) -> Marks {
+    /// Where the finished pixels of a band differ from their neighbours: marks of the method are no edges.
+    fn marks(&self, isa: Level, quality: &Quality, finished: usize, band: &Band<'_>) -> Marks {
         let mut marks = Marks {
             right: [[0; _]; _],
             below: [[0; _]; _],
@@ -101,7 +105,8 @@ impl Seams {
         if let Some(above) = number.checked_sub(1) {
             marks.below[0] = self.0[above];
         }
-        let mut lines = band.pixels.chunks_exact(band.width).enumerate().peekable();
+        let lines = band.pixels.chunks_exact(band.width);
+        let mut lines = lines.map(|line| &line[..finished]).enumerate().peekable();
         while let Some((y, line)) = lines.next() {
             mark(isa, line, &line[1..], &mut marks.right[y]);
             let below = &mut marks.below[y + 1];

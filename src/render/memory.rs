@@ -96,10 +96,11 @@ impl Memory {
         pixels: &mut [u32],
         threads: &mut dyn Threads,
     ) -> Counts {
-        if !quality.antialias {
+        let finished = self.prepared.finished_columns();
+        if !quality.antialias || finished == 0 {
             return Counts::NONE;
         }
-        self.seams.set(level, quality, width, pixels);
+        self.seams.set(level, quality, width, finished, pixels);
         let (prepared, seams) = (&self.prepared, &self.seams);
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
             seams.smooth(level, prepared, quality, worker, band);

@@ -15,6 +15,9 @@ pub struct Method {
     /// The side in pixels up to which squares are filled with one colour, whatever their corners show: 0 to
     /// [`Quality::MAX_SQUARE`]; below 2 there are none.
     pub coarse: f32,
+    /// How far a front has come over the picture from the left, as a share of its width, 0 to 1. Behind it the picture is finished:
+    /// at full brightness and antialiased, without marks. The front itself is a bright line.
+    pub front: f32,
 }
 
 impl Method {
@@ -24,6 +27,7 @@ impl Method {
         squares: 0.0,
         picture: 1.0,
         coarse: 0.0,
+        front: 0.0,
     };
 
     /// A quality whose largest squares are as large as the coarse ones. A coarse picture is not antialiased: its squares have edges.

@@ -99,6 +99,7 @@ impl Scene {
                 squares: 0.0,
                 picture: 0.0,
                 coarse: 0.0,
+                front: 0.0,
             },
             spheres: List::over(Sphere {
                 centre: Vec3A::ZERO,

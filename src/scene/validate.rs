@@ -64,7 +64,8 @@ impl Scene {
         checked.share("squares", method.squares)?;
         checked.share("picture", method.picture)?;
         let is_side = (0.0..=32.0).contains(&method.coarse);
-        checked.field("coarse", method.coarse, "0 to 32", is_side)
+        checked.field("coarse", method.coarse, "0 to 32", is_side)?;
+        checked.share("front", method.front)
     }
 }
 

@@ -8,8 +8,8 @@ use glam::{Vec3A, Vec4, vec3a, vec4};
 /// looks at.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Key {
-    /// The point in the middle of the picture, in scene units.
-    look_at: Vec3A,
+    /// The point in the middle of the picture, in scene units, and the front of a [`Method`].
+    look_at: Vec4,
     /// The angle about the y axis in radians, at 0 the camera looks along z; the horizontal distance and the height, in scene
     /// units; the roll, as the slope of the horizon, which is lower on the left if it is positive.
     away: Vec4,
@@ -20,7 +20,7 @@ pub(super) struct Key {
 /// A key without roll and overlay.
 pub(super) const fn key(look_at: [f32; 3], angle: f32, distance: f32, height: f32) -> Key {
     Key {
-        look_at: Vec3A::from_array(look_at),
+        look_at: vec4(look_at[0], look_at[1], look_at[2], 0.0),
         away: vec4(angle, distance, height, 0.0),
         overlay: Vec4::Z,
     }
@@ -31,6 +31,15 @@ impl Key {
     pub const fn overlaid(self, points: f32, squares: f32, picture: f32, coarse: f32) -> Self {
         Self {
             overlay: vec4(points, squares, picture, coarse),
+            ..self
+        }
+    }
+
+    /// The same key with a front, see [`Method`].
+    pub const fn swept(self, front: f32) -> Self {
+        let [x, y, z, _] = self.look_at.to_array();
+        Self {
+            look_at: vec4(x, y, z, front),
             ..self
         }
     }
@@ -50,7 +59,7 @@ impl Key {
 ///
 /// The keys are evenly spaced in time. Between them runs a Catmull-Rom spline, whose speed does not jump. At either end the last
 /// key counts twice: the camera sets off, and arrives, at about half of its speed, so that it eases into a shot and out of it
-/// without standing still at a cut. The overlay changes linearly.
+/// without standing still at a cut. Overlay and front change linearly.
 pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
     let last = keys.len() - 1;
     let time = time * last as f32;
@@ -61,7 +70,12 @@ pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
     let [wa, wb, wc, wd] = catmull_rom(u);
     let look_at = a.look_at * wa + b.look_at * wb + c.look_at * wc + d.look_at * wd;
     let away = a.away * wa + b.away * wb + c.away * wc + d.away * wd;
-    scene.camera = orbit(look_at, away.x, away.y * (1.0 - push), away.z);
+    scene.camera = orbit(
+        Vec3A::from_vec4(look_at),
+        away.x,
+        away.y * (1.0 - push),
+        away.z,
+    );
     scene.camera.up += vec3a(cos(away.x), 0.0, sin(away.x)) * away.w;
     let overlay = b.overlay.lerp(c.overlay, u);
     scene.method = Method {
@@ -69,6 +83,7 @@ pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
         squares: overlay.y,
         picture: overlay.z,
         coarse: overlay.w,
+        front: b.look_at.lerp(c.look_at, u).w,
     };
 }
 
@@ -98,6 +113,7 @@ pub(super) fn orbit(look_at: Vec3A, angle: f32, distance: f32, height: f32) -> C
 mod tests {
     use super::{Key, catmull_rom, film, key, orbit};
     use crate::scene::{Camera, Method, Scene};
+    use glam::Vec3A;
     use proptest::array::uniform5;
     use proptest::prelude::*;
 
@@ -125,7 +141,7 @@ mod tests {
             let keys = &keys[..count];
             for (number, key) in keys.iter().enumerate() {
                 let (camera, method) = at(keys, number as f32 / (keys.len() - 1) as f32);
-                let wanted = orbit(key.look_at, key.away.x, key.away.y, key.away.z);
+                let wanted = orbit(Vec3A::from_vec4(key.look_at), key.away.x, key.away.y, key.away.z);
                 prop_assert!(camera.eye.abs_diff_eq(wanted.eye, 1e-3));
                 prop_assert!(camera.look_at.abs_diff_eq(wanted.look_at, 1e-3));
                 prop_assert!((method.points - key.away.w.abs()).abs() < 1e-3);

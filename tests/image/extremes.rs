@@ -167,6 +167,7 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
         ("picture", &mut method.picture),
         ("coarse", &mut method.coarse),
     ]);
+    lengths.push(("front", &mut method.front));
     for caption in scene.captions.iter_mut() {
         lengths.extend([
             ("middle", &mut caption.middle),

@@ -23,6 +23,7 @@ fn overlay(points: f32, squares: f32) -> Scene {
         squares,
         picture: 0.0,
         coarse: 0.0,
+        front: 0.0,
     };
     scene
 }
@@ -104,6 +105,7 @@ fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads
         squares: 0.3,
         picture: 0.4,
         coarse: 0.0,
+        front: 0.0,
     };
     let drawn = draw(cpu::best(), 1, &scene, &Quality::DEFAULT, width, height);
     for threads in [2, 3, 7] {
@@ -167,5 +169,51 @@ fn squares_of_a_single_pixel_leave_the_picture_as_it_is() {
             worst_channel(plain, drawn) <= 1,
             "{plain:06x} to {drawn:06x}"
         );
+    }
+}
+
+#[test]
+fn behind_the_front_is_the_finished_picture_and_ahead_of_it_the_overlay() {
+    let (width, height) = SIZE;
+    let by = |method: Method, threads| {
+        let scene = Scene {
+            method,
+            ..show::scene(1.0)
+        };
+        draw(
+            cpu::best(),
+            threads,
+            &scene,
+            &Quality::DEFAULT,
+            width,
+            height,
+        )
+    };
+    let overlay = Method {
+        points: 1.0,
+        squares: 0.5,
+        picture: 0.2,
+        ..Method::PLAIN
+    };
+    let (finished, marked) = (by(Method::PLAIN, 2), by(overlay, 2));
+    for front in [0, 1, 64, 65, 200, width - 1, width] {
+        let swept = Method {
+            // In the middle of a pixel, where no rounding decides.
+            front: ((front as f32 + 0.5) / width as f32).min(1.0),
+            ..overlay
+        };
+        let drawn = by(swept, 2);
+        for (i, &pixel) in drawn.pixels.iter().enumerate() {
+            let x = i % width;
+            let expected = match x {
+                // What is mixed with the first pixel ahead, or has none to be mixed with, differs.
+                _ if x + 1 == front => continue,
+                _ if x < front => finished.pixels[i],
+                _ if front > 0 && x < front + 3 => WHITE,
+                _ => marked.pixels[i],
+            };
+            assert_eq!(pixel, expected, "pixel {i}, front {front}");
+        }
+        assert!(by(swept, 3).pixels == drawn.pixels, "front {front}");
     }
 }

@@ -61,6 +61,7 @@ pub struct Method {
     pub squares: f32,
     pub picture: f32,
     pub coarse: f32,
+    pub front: f32,
 }
 
 /// See [`scene::Material`].
