@@ -87,6 +87,9 @@ pub(super) static GOLD: Material = Material {
     ..MATT
 };
 
+/// Gold without reflections: on what is thin or small they would be hardly visible.
+pub(super) static BRASS: Material = Material { kr: 0.0, ..GOLD };
+
 /// Silver.
 pub(super) static SILVER: Material = Material {
     colour: vec3a(0.85, 0.88, 0.95),
@@ -147,19 +150,12 @@ pub(super) static MARBLE: Material = Material {
     ..MATT
 };
 
-/// Polished sandstone tiles in a checker pattern.
+/// Sandstone.
 pub(super) static SANDSTONE: Material = Material {
     colour: vec3a(0.62, 0.52, 0.44),
     kd: 0.8,
     ks: 0.2,
     exponent: 30.0,
-    kr: 0.15,
-    pattern: Pattern {
-        waves: vec3a(0.38, 0.0, 0.38),
-        depth: 0.6,
-        edge: 40.0,
-        ..Pattern::NONE
-    },
     ..MATT
 };
 

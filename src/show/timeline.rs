@@ -8,9 +8,7 @@ use crate::maths::smooth_step;
 use crate::scene::Scene;
 use crate::sound::pulse;
 
-/// Seconds in which the show fades in at its start.
-const FADE_IN: f32 = 1.0;
-/// Seconds in which it fades out at its end.
+/// Seconds in which the show fades out at its end.
 const FADE_OUT: f32 = 2.0;
 
 /// The share by which lights get brighter on the loudest kick where a set follows the drum: visible, but not dazzling.
@@ -36,7 +34,7 @@ pub fn at(time: f32, scene: &mut Scene) {
     // Squares are halved on eighths, and doubled on sixteenths.
     let bars_left = act.bars() as f32 - bar;
     transition(BEATS * f32::min(2.0 * bar, 4.0 * bars_left), scene);
-    scene.fade = 1.0 - smooth_step(time / FADE_IN) + smooth_step((time - LENGTH) / FADE_OUT + 1.0);
+    scene.fade = smooth_step((time - LENGTH) / FADE_OUT + 1.0);
 }
 
 /// Has a scene begin and end with squares of 32 pixels. `halvings` is how often they have been halved since the scene began, or

@@ -80,7 +80,6 @@ fn add(beat: f32, scene: &mut Scene) {
             let radius = 0.05 * out;
             let material = Material {
                 colour: GOLD + TO_VIOLET * (number / f32::from(SPHERES)),
-                kr: 0.15,
                 ..material::SCARLET
             };
             let centre = around(turns) * out + Vec3A::Y * (1.05 * radius);

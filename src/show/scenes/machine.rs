@@ -50,7 +50,7 @@ static SET: Set = Set {
 static PROPS: &[Prop] = &[
     // The foot, and the column that carries the sun.
     cylinder(&material::STEEL, [0.0, 0.15, 0.0], [3.6, 0.3, 3.6]),
-    cylinder(&material::GOLD, [0.0, 1.2, 0.0], [0.3, 2.0, 0.3]),
+    cylinder(&material::BRASS, [0.0, 1.2, 0.0], [0.3, 2.0, 0.3]),
 ];
 
 #[rustfmt::skip]
@@ -132,7 +132,7 @@ impl Planet {
         // Longer arms lie below shorter ones, so that none meets another's stem.
         let low = 1.65 - 0.15 * number;
         let mut add_rod = |centre: Vec3A, half: Vec3A| {
-            add_block(Shape::Box, centre, half, axes(out), &material::GOLD, scene);
+            add_block(Shape::Box, centre, half, axes(out), &material::BRASS, scene);
         };
         add_rod(
             place * 0.5 + Vec3A::Y * low,
@@ -150,7 +150,7 @@ impl Planet {
 /// Adds a toothed wheel about an upright axle, turned by so many turns.
 fn add_wheel(centre: Vec3A, radius: f32, teeth: u8, turns: f32, scene: &mut Scene) {
     let mut add = |shape, centre, half, axes| {
-        add_block(shape, centre, half, axes, &material::GOLD, scene);
+        add_block(shape, centre, half, axes, &material::BRASS, scene);
     };
     let disc = vec3a(radius, 0.1, radius);
     add(Shape::Cylinder, centre, disc, Mat3A::IDENTITY);

@@ -44,7 +44,6 @@ const HALF: f32 = 5.0;
 /// Large tiles without reflections, of which the mirrors show many.
 static FLOOR: Material = Material {
     colour: vec3a(0.62, 0.58, 0.62),
-    kr: 0.0,
     pattern: Pattern {
         waves: vec3a(0.2, 0.0, 0.2),
         depth: 0.4,
@@ -52,12 +51,6 @@ static FLOOR: Material = Material {
         ..Pattern::NONE
     },
     ..material::SANDSTONE
-};
-
-/// Gold without reflections.
-static COLUMN: Material = Material {
-    kr: 0.0,
-    ..material::GOLD
 };
 
 /// A mirror that shows nothing of its own.
@@ -75,7 +68,7 @@ static PROPS: &[Prop] = &[
     // Two walls along z and two along x.
     cuboid(&WALL, [-HALF, 2.5, 0.0], [0.2, 5.0, 10.4]).repeat([2, 1], [2.0 * HALF, 0.0]),
     cuboid(&WALL, [0.0, 2.5, -HALF], [10.4, 5.0, 0.2]).repeat([1, 2], [0.0, 2.0 * HALF]),
-    cylinder(&COLUMN, [-3.4, 2.0, -3.4], [0.5, 4.0, 0.5]).repeat([2, 2], [6.8, 6.8]),
+    cylinder(&material::BRASS, [-3.4, 2.0, -3.4], [0.5, 4.0, 0.5]).repeat([2, 2], [6.8, 6.8]),
 ];
 
 #[rustfmt::skip]

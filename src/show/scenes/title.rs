@@ -83,7 +83,8 @@ const DEPTH: f32 = 5.0;
 
 /// Adds the letters, and moves the lamp, `beat` beats after the start of the show.
 fn add(beat: f32, scene: &mut Scene) {
-    // It passes a letter that has half risen.
+    // It passes a letter that has half risen; the first one is rising when the show begins.
+    let beat = beat + 1.0;
     scene.lights[0].position.x = STEP * (0.5 * WIDTH + ADVANCE - ADVANCE / BEATS * beat);
     for (number, &letter) in (0..).zip(WORD) {
         let number = number as f32;
@@ -97,10 +98,10 @@ fn add(beat: f32, scene: &mut Scene) {
         let mut pen = Vec2::NAN;
         for (from, to) in strokes(letter) {
             if from != pen {
-                add_sphere(place(from), JOINT, &material::GOLD, scene);
+                add_sphere(place(from), JOINT, &material::BRASS, scene);
             }
             add_stroke(place(from), place(to), scene);
-            add_sphere(place(to), JOINT, &material::GOLD, scene);
+            add_sphere(place(to), JOINT, &material::BRASS, scene);
             pen = to;
         }
     }
@@ -114,5 +115,5 @@ fn add_stroke(from: Vec3A, to: Vec3A, scene: &mut Scene) {
     let half = vec3a(RADIUS, 0.5 * length, RADIUS);
     let axes = Mat3A::from_cols(y.cross(Vec3A::Z), y, Vec3A::Z);
     let middle = (from + to) * 0.5;
-    add_block(Shape::Cylinder, middle, half, axes, &material::GOLD, scene);
+    add_block(Shape::Cylinder, middle, half, axes, &material::BRASS, scene);
 }

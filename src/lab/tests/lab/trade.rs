@@ -288,10 +288,10 @@ fn bad_input_is_named_in_one_line() {
 
 #[test]
 fn frames_in_which_nothing_differs_are_an_error() {
-    // The show fades in from black.
-    let flags = ["trade", "--ladder", "--scene", "show", "--time-to", "0"];
-    let small = ["--size", "48x36", "--frames", "1"];
-    let output = lab(&[&flags[..], &small[..]].concat());
+    // The show fades out to black.
+    let flags = ["trade", "--ladder", "--scene", "show", "--frames", "1"];
+    let end = ["--size", "48x36", "--time-from", "115.99"];
+    let output = lab(&[&flags[..], &end[..]].concat());
     assert_one_line(&output, 1, &["the same", "--time-from"]);
 }
 
