@@ -6,9 +6,9 @@ use glam::Vec3A;
 ///
 /// It is a function of the point's coordinates in scene units, measured from the object's centre along the object's own axes;
 /// those of spheres and planes are the scene's. Along each axis runs a triangle wave between -1 and 1, with `waves` periods per
-/// unit and a maximum at 0. The pattern has the smallest of the three magnitudes and the sign of the three waves' product; it is
-/// multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, waves along two or three give checkers, with
-/// fields half a period wide. Noise that shifts the pattern along x turns stripes into marble.
+/// unit and a maximum at 0. The pattern has the smallest of the three magnitudes and the sign of the three waves' product; it
+/// is multiplied by `edge`, shifted by `balance` and clamped to -1 to 1. Waves along one axis give stripes, waves along two or
+/// three give checkers, with fields half a period wide. Noise that shifts the pattern along x turns stripes into marble.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pattern {
     /// Periods per scene unit along x, y and z, 0 to 1000. The pattern does not change along an axis with 0.
