@@ -39,9 +39,16 @@ impl CoverageGuard {
             .axes
             .rect(corner + glam::vec4(0.0, 0.0, width, height));
         self.count = 0;
-        for outline in 0..scene.outlined.min(MAX_OUTLINES) {
-            if scene.outline(outline).narrow(rect).is_some() {
-                self.outlines[self.count] = outline as u16;
+        let planes = scene.first_plane()..scene.background();
+        let mut sees_plane = false;
+        for number in 0..scene.outlined.min(MAX_OUTLINES) {
+            // Images and shadows are on planes.
+            if number >= planes.end && !sees_plane {
+                break;
+            }
+            if scene.outline(number).narrow(rect).is_some() {
+                sees_plane |= planes.contains(&number);
+                self.outlines[self.count] = number as u16;
                 self.count += 1;
             }
         }
