@@ -1,6 +1,6 @@
 //! Changes to the text of a scene file that leave all other text as it is: comments, order, white space and the digits of numbers.
 //!
-//! [`Places`] tells which bytes of the text a value takes; these alone are replaced, a vector's number by number. What the text does
+//! `Places` tells which bytes of the text a value takes; these alone are replaced, a vector's number by number. What the text does
 //! not have yet is put at the beginning of the struct that it belongs to, and copies of objects at the end of their list.
 
 use super::places::Places;

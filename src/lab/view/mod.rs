@@ -1,7 +1,7 @@
 //! `lab view`: plays the show, or edits a scene file, in a window in which keys select time, quality and overlay.
 //!
-//! [`session`] is the loop. Keys and the mouse go to [`workspace`], which moves the camera and has [`editor`] change the file's text;
-//! what they do not mean anything to goes to [`controls`].
+//! `session` is the loop. Keys and the mouse go to `workspace`, which moves the camera and has `editor` change the file's text;
+//! what they do not mean anything to goes to `controls`.
 
 mod camera;
 mod controls;
