@@ -8,8 +8,8 @@ use anyhow::Result;
 use plotters::style::RGBColor;
 use std::path::Path;
 
-/// The number of points of the front for which the list beside the plot has room.
-const LISTED: usize = 28;
+/// The most points of the front that are numbered, so that numbers do not cover each other; and all named qualities.
+const LISTED: usize = 12;
 
 const PSNR: &str = "PSNR against every pixel traced, dB";
 
@@ -75,7 +75,8 @@ fn cloud(trade: &Trade) -> Chart {
     let all = || trade.points.iter().filter(|row| !row.is_exact());
     Chart {
         title: "What speed costs: every setting, and the Pareto front".to_owned(),
-        note: note(trade) + "; the front is of settings that compare colours, objects and lights",
+        note: note(trade)
+            + "; the front is of settings that compare colours, objects and lights of corners",
         x: Axis::log(
             "speed-up over exhaustive frames",
             all().map(|row| row.speedup),
@@ -83,7 +84,13 @@ fn cloud(trade: &Trade) -> Chart {
         ),
         y: Axis::linear(PSNR, all().map(|row| row.psnr_db), 8),
         series: vec![
-            series("keys compared", GREY, by(&|row| row.keys), false, 3),
+            series(
+                "colours, objects, lights",
+                GREY,
+                by(&|row| row.keys),
+                false,
+                3,
+            ),
             series("colours alone", COLOURS[5], by(&|row| !row.keys), false, 3),
             series("named", DARK, by(&is_named), false, 3),
             series(
@@ -188,7 +195,7 @@ fn resolution(trade: &Trade) -> Chart {
     let curves = &trade.by_resolution;
     Chart {
         title: "Speed by the size of the picture".to_owned(),
-        note: note(trade),
+        note: format!("{} scene, {}, one thread", trade.scene, trade.isa),
         x: Axis::log("pixels of the picture", xs(curves), tenths()),
         y: Axis::linear(
             "speed-up over exhaustive frames",
@@ -206,7 +213,10 @@ fn objects(trade: &Trade) -> Chart {
     let powers = (0..9).map(|power| f64::from(1 << power)).collect();
     Chart {
         title: "Time of a frame by the number of spheres".to_owned(),
-        note: format!("fields of small spheres, {}x{}", trade.width, trade.height),
+        note: format!(
+            "fields of small spheres, {}x{}, {}, one thread",
+            trade.width, trade.height, trade.isa
+        ),
         x: Axis::log("spheres", xs(curves), powers),
         y: Axis::log(
             "time / time of an exhaustive frame with one sphere",
