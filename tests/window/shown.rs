@@ -42,11 +42,11 @@ fn the_frame_has_its_colours_by_pixels_of_any_depth() {
     if lacks(DISPLAY) {
         return;
     }
-    // A screenshot rounds ten bits down to eight; five bits are less than that.
+    // A screenshot rounds ten bits down to eight. Steps of five bits are 8 of 255, and of 8 bits two are blue: 85 of 255.
     let depths: &[(u32, f64)] = if is_portable() {
         &[(30, 1.2)]
     } else {
-        &[(30, 1.2), (16, 5.0), (15, 6.0), (8, 30.0)]
+        &[(30, 1.2), (16, 3.0), (15, 3.0), (8, 20.0)]
     };
     for &(depth, tolerance) in depths {
         let screen = format!("1280x800x{depth}");

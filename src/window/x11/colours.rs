@@ -14,9 +14,10 @@ pub fn with_masks(pixel: u32, masks: [c_ulong; 3]) -> u32 {
     }
     let [_, channels @ ..] = pixel.to_be_bytes();
     let parts = channels.iter().zip(masks);
-    // The mask is the brightest; below its lowest bit is what is cut off.
+    // The mask is the brightest; what is below its lowest bit is rounded.
     parts.fold(0, |sum, (&channel, mask)| {
-        sum | ((c_ulong::from(channel) * mask / 255) & mask) as u32
+        let lowest = mask & mask.wrapping_neg();
+        sum | (((c_ulong::from(channel) * mask + 127 * lowest) / 255) & mask) as u32
     })
 }
 
