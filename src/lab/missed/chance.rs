@@ -1,5 +1,6 @@
 //! Scenes drawn by chance, in each of which small things show in one way.
 
+use crate::sampler::{Sampler, Sequence};
 use eightfold::glam::{EulerRot, Mat3A, Vec3A, vec3a};
 use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 
@@ -39,51 +40,42 @@ pub const SETTINGS: [Setting; 8] = [
 /// How many small things a scene has.
 const THINGS: usize = 40;
 
-/// A generator of pseudorandom numbers with its state (Steele, Lea and Flood's SplitMix).
-struct Random(u64);
+/// A number from `low` to `high`.
+fn between(random: &mut Sampler, low: f32, high: f32) -> f32 {
+    low + (high - low) * random.next_1d() as f32
+}
 
-impl Random {
-    /// A number from `low` to `high`.
-    fn between(&mut self, low: f32, high: f32) -> f32 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut h = self.0;
-        h = (h ^ (h >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        h = (h ^ (h >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        h ^= h >> 31;
-        low + (high - low) * ((h >> 40) as f32 / (1 << 24) as f32)
-    }
-
-    fn vector(&mut self, low: Vec3A, high: Vec3A) -> Vec3A {
-        let shares = [0; 3].map(|_| self.between(0.0, 1.0));
-        low + (high - low) * Vec3A::from_array(shares)
-    }
+/// A point of the box from `low` to `high`.
+fn point(random: &mut Sampler, low: Vec3A, high: Vec3A) -> Vec3A {
+    let shares = [0; 3].map(|_| between(random, 0.0, 1.0));
+    low + (high - low) * Vec3A::from_array(shares)
 }
 
 /// A scene of a setting: the same for the same seed.
-pub fn scene(setting: Setting, seed: u64) -> Scene {
-    let mut random = Random(seed);
+pub fn scene(setting: Setting, seed: u32) -> Scene {
+    let random = &mut Sampler::new(Sequence::Random, 0, seed);
     let mut scene = Scene {
         camera: Camera {
-            eye: random.vector(vec3a(-6.0, 2.0, 11.0), vec3a(6.0, 7.0, 11.0)),
+            eye: point(random, vec3a(-6.0, 2.0, 11.0), vec3a(6.0, 7.0, 11.0)),
             look_at: Vec3A::ZERO,
             up: Vec3A::Y,
-            field_of_view: random.between(0.6, 1.0),
+            field_of_view: between(random, 0.6, 1.0),
         },
         background: Vec3A::splat(0.1),
         ambient: Vec3A::splat(0.4),
         ..Scene::default()
     };
-    add_things(setting, &mut random, &mut scene);
-    add_hosts(setting, &mut random, &mut scene);
+    add_things(setting, random, &mut scene);
+    add_hosts(setting, random, &mut scene);
     scene
 }
 
 /// Adds the small things: spheres, or boxes and cylinders.
-fn add_things(setting: Setting, random: &mut Random, scene: &mut Scene) {
+fn add_things(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
     for number in 0..THINGS {
-        let centre = random.vector(vec3a(-5.0, 0.5, -5.0), vec3a(5.0, 3.0, 5.0));
-        let size = 10.0_f32.powf(random.between(-2.0, -0.7));
-        let material = matt(random.vector(Vec3A::splat(0.3), Vec3A::ONE));
+        let centre = point(random, vec3a(-5.0, 0.5, -5.0), vec3a(5.0, 3.0, 5.0));
+        let size = 10.0_f32.powf(between(random, -2.0, -0.7));
+        let material = matt(point(random, Vec3A::splat(0.3), Vec3A::ONE));
         if setting != Setting::Blocks {
             scene.spheres.push(Sphere {
                 centre,
@@ -92,10 +84,10 @@ fn add_things(setting: Setting, random: &mut Random, scene: &mut Scene) {
             });
             continue;
         }
-        let [a, b, c] = [0; 3].map(|_| random.between(0.0, 6.0));
+        let [a, b, c] = [0; 3].map(|_| between(random, 0.0, 6.0));
         scene.blocks.push(Block {
             centre,
-            half: random.vector(Vec3A::splat(0.5), Vec3A::splat(2.0)) * size,
+            half: point(random, Vec3A::splat(0.5), Vec3A::splat(2.0)) * size,
             axes: Mat3A::from_euler(EulerRot::XYZ, a, b, c),
             shape: Shape::Box,
             material,
@@ -110,7 +102,7 @@ fn add_things(setting: Setting, random: &mut Random, scene: &mut Scene) {
 }
 
 /// Adds what the things show on, in or through, and a lamp.
-fn add_hosts(setting: Setting, random: &mut Random, scene: &mut Scene) {
+fn add_hosts(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
     let mirror = Material {
         kr: 0.8,
         ..Material::BLACK
@@ -129,8 +121,8 @@ fn add_hosts(setting: Setting, random: &mut Random, scene: &mut Scene) {
             };
             for _ in 0..20 {
                 scene.spheres.push(Sphere {
-                    centre: random.vector(vec3a(-6.0, -2.0, -6.0), vec3a(6.0, -0.5, 6.0)),
-                    radius: random.between(0.7, 1.5),
+                    centre: point(random, vec3a(-6.0, -2.0, -6.0), vec3a(6.0, -0.5, 6.0)),
+                    radius: between(random, 0.7, 1.5),
                     material,
                 });
             }
@@ -149,7 +141,7 @@ fn add_hosts(setting: Setting, random: &mut Random, scene: &mut Scene) {
             });
         }
     }
-    let position = random.vector(vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0));
+    let position = point(random, vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0));
     let light = Light {
         position,
         colour: Vec3A::splat(0.9),

@@ -1,5 +1,6 @@
 //! What each thing of a scene changes of a picture, by kind: itself, its shadows, its images.
 
+use super::MAX_ERROR;
 use crate::error::worst_channel;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::Quality;
@@ -46,9 +47,6 @@ impl Kind {
         (Self::Glass, "through glass"),
     ];
 }
-
-/// A pixel is changed, or wrong, if a channel differs by more than this, in steps of 1/255.
-const MAX_ERROR: u32 = 8;
 
 /// The most pixels of what is small.
 const SMALL: usize = 16;

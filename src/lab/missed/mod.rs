@@ -47,6 +47,9 @@ pub struct Arguments {
     threads: Option<usize>,
 }
 
+/// A pixel is changed, or wrong, if a channel differs by more than this, in steps of 1/255.
+const MAX_ERROR: u32 = 8;
+
 /// Scenes that are counted together.
 struct Group {
     name: String,
@@ -93,7 +96,7 @@ fn groups(arguments: &Arguments) -> Vec<Group> {
     if let Some(scene) = arguments.scene {
         return vec![frames_of(scene, arguments.frames)];
     }
-    let seeds = 0..arguments.seeds as u64;
+    let seeds = 0..arguments.seeds as u32;
     let scenes = chance::SETTINGS
         .iter()
         .flat_map(|&setting| seeds.clone().map(move |seed| chance::scene(setting, seed)));

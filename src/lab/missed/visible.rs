@@ -1,13 +1,11 @@
 //! Counts objects that a picture does not show although they are visible.
 
+use super::MAX_ERROR;
 use crate::error::worst_channel;
 use eightfold::Quality;
 use eightfold::scene::Scene;
 use eightfold_oracle::{Object, Oracle};
 use std::collections::BTreeMap;
-
-/// A pixel is wrong if a channel differs by more than this, in steps of 1/255, from the exhaustive frame's.
-const MAX_ERROR: u32 = 8;
 
 /// The objects of a scene that are visible in a frame.
 pub struct Visible {
