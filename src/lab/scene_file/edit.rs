@@ -182,7 +182,7 @@ impl Patches {
     fn append(&mut self, text: &str, places: &Places, list: &str, items: &[String]) -> Option<()> {
         let last = places.get(&format!("{list}[{}]", places.count(list).checked_sub(1)?))?;
         let tail = Tail::of(text, last.end);
-        if !tail.has_comma {
+        if tail.comma_end.is_none() {
             self.replace(last.end..last.end, ",".to_owned());
         }
         let indent = indent(text, last.start);
@@ -190,11 +190,7 @@ impl Patches {
             if tail.ends_line {
                 self.replace(tail.line_end..tail.line_end, format!("\n{indent}{item},"));
             } else {
-                let end = if tail.has_comma {
-                    tail.comma_end
-                } else {
-                    last.end
-                };
+                let end = tail.comma_end.unwrap_or(last.end);
                 self.replace(end..end, format!(" {item},"));
             }
         }
@@ -209,7 +205,7 @@ impl Patches {
         let place = if begins_line && tail.ends_line {
             line..text.len().min(tail.line_end + 1)
         } else {
-            item.start..tail.comma_end
+            item.start..tail.comma_end.unwrap_or(item.end)
         };
         self.replace(place, String::new());
     }
@@ -217,9 +213,8 @@ impl Patches {
 
 /// What follows an item of a list on its line.
 struct Tail {
-    has_comma: bool,
     /// Behind the comma and the blanks after it, if there is one.
-    comma_end: usize,
+    comma_end: Option<usize>,
     /// Whether there is nothing else but a comment.
     ends_line: bool,
     /// Where the line ends.
@@ -233,12 +228,7 @@ impl Tail {
         let comma = rest.trim_start().strip_prefix(',');
         let after = comma.unwrap_or(rest).trim_start();
         Self {
-            has_comma: comma.is_some(),
-            comma_end: if comma.is_some() {
-                line_end - after.len()
-            } else {
-                end
-            },
+            comma_end: comma.map(|_| line_end - after.len()),
             ends_line: after.is_empty() || after.starts_with("//"),
             line_end,
         }

@@ -32,7 +32,7 @@ use std::fs;
 pub const SUFFIX: &str = ".ron";
 
 /// A scene that has been read from a file.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SceneFile {
     /// The name of the file.
     pub name: String,

@@ -96,7 +96,7 @@ pub fn zoom(camera: &mut Camera, notches: f64) {
 }
 
 /// The factor of a notch of the wheel.
-pub const NOTCH: f64 = 1.1;
+const NOTCH: f64 = 1.1;
 
 #[cfg(test)]
 mod tests {

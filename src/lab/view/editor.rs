@@ -61,12 +61,11 @@ impl Editor {
         let (centre, _) = object.bounds(scene)?;
         let held = view.on_plane(at, centre, view.forward)?;
         self.drags += 1;
-        let text = self.document.text().to_owned();
         Some(Drag {
             object,
             number: self.drags,
-            file: self.document.parse(&text).ok()?,
-            text,
+            file: self.document.scene.clone(),
+            text: self.document.text().to_owned(),
             centre,
             held,
             way: DVec3::ZERO,

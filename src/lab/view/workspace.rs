@@ -249,17 +249,10 @@ impl Workspace {
                     return;
                 }
                 *start = None;
-                let camera = match self.camera {
-                    Some(camera) => camera,
-                    None => {
-                        let editor = self.editor.as_ref();
-                        editor.map_or_else(Camera::default, |editor| {
-                            editor.document.scene.at(shown.time).camera
-                        })
-                    }
-                };
-                let view = View::of(&camera, shown.size);
                 if let Some(editor) = &mut self.editor {
+                    let its_own = || editor.document.scene.at(shown.time).camera;
+                    let camera = self.camera.unwrap_or_else(its_own);
+                    let view = View::of(&camera, shown.size);
                     let moved = editor.drag_on(drag, &view, at, gesture.is_shifted);
                     self.notice = moved.err();
                 }
