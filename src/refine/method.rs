@@ -18,8 +18,8 @@ const FRONT: usize = 3;
 impl<O: Observer> Tile<'_, O> {
     /// Draws the points and sides of a tile that is done, as bright as the scene wants them.
     pub(super) fn show_method(&mut self) {
-        let left = self.scene.finished_columns().max(self.area.left);
-        if left >= self.area.right {
+        let start = self.scene.finished_columns().max(self.area.left);
+        if start >= self.area.right {
             return;
         }
         let method = &self.scene.scene.method;
@@ -33,14 +33,15 @@ impl<O: Observer> Tile<'_, O> {
         for y in 0..self.area.rows(0) {
             let marks = self.marks(y);
             let row = y * self.canvas.width;
-            let row = &mut self.canvas.pixels[row + left..row + self.area.right];
-            for (pixel, &mark) in row.iter_mut().zip(&marks[left - self.area.left..]) {
+            let row = &mut self.canvas.pixels[row + start..row + self.area.right];
+            for (pixel, &mark) in row.iter_mut().zip(&marks[start - self.area.left..]) {
                 let (left, white) = blends[mark as usize];
                 let red_blue = (((*pixel & 0xff_00_ff) * left) >> 8) & 0xff_00_ff;
                 let green = (((*pixel & 0xff_00) * left) >> 8) & 0xff_00;
                 *pixel = red_blue + green + white * 0x01_01_01;
             }
-            if left > self.area.left {
+            // Where the front is in this tile.
+            if start > self.area.left {
                 let line = row.iter_mut().take(FRONT);
                 line.for_each(|pixel| *pixel = 0xff_ff_ff);
             }
