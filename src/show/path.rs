@@ -2,27 +2,30 @@
 
 use crate::maths::{cos, sin};
 use crate::scene::{Camera, Method, Scene};
-use glam::{Vec3A, Vec4, vec3a, vec4};
+use glam::{FloatExt, Vec3A, Vec4, vec3a, vec4};
 
 /// Where the camera is at some time of a shot, and what is drawn over the picture. Its position is relative to the point that it
 /// looks at.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Key {
-    /// The point in the middle of the picture, in scene units, and the front of a [`Method`].
-    look_at: Vec4,
+    /// The point in the middle of the picture, in scene units.
+    look_at: Vec3A,
     /// The angle about the y axis in radians, at 0 the camera looks along z; the horizontal distance and the height, in scene
     /// units; the roll, as the slope of the horizon, which is lower on the left if it is positive.
     away: Vec4,
     /// The points, the squares, the picture and the coarseness of a [`Method`].
     overlay: Vec4,
+    /// The front of a [`Method`].
+    front: f32,
 }
 
 /// A key without roll and overlay.
 pub(super) const fn key(look_at: [f32; 3], angle: f32, distance: f32, height: f32) -> Key {
     Key {
-        look_at: vec4(look_at[0], look_at[1], look_at[2], 0.0),
+        look_at: Vec3A::from_array(look_at),
         away: vec4(angle, distance, height, 0.0),
         overlay: Vec4::Z,
+        front: 0.0,
     }
 }
 
@@ -37,11 +40,7 @@ impl Key {
 
     /// The same key with a front, see [`Method`].
     pub const fn swept(self, front: f32) -> Self {
-        let [x, y, z, _] = self.look_at.to_array();
-        Self {
-            look_at: vec4(x, y, z, front),
-            ..self
-        }
+        Self { front, ..self }
     }
 
     /// The same key with a roll.
@@ -70,12 +69,7 @@ pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
     let [wa, wb, wc, wd] = catmull_rom(u);
     let look_at = a.look_at * wa + b.look_at * wb + c.look_at * wc + d.look_at * wd;
     let away = a.away * wa + b.away * wb + c.away * wc + d.away * wd;
-    scene.camera = orbit(
-        Vec3A::from_vec4(look_at),
-        away.x,
-        away.y * (1.0 - push),
-        away.z,
-    );
+    scene.camera = orbit(look_at, away.x, away.y * (1.0 - push), away.z);
     scene.camera.up += vec3a(cos(away.x), 0.0, sin(away.x)) * away.w;
     let overlay = b.overlay.lerp(c.overlay, u);
     scene.method = Method {
@@ -83,7 +77,7 @@ pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
         squares: overlay.y,
         picture: overlay.z,
         coarse: overlay.w,
-        front: b.look_at.lerp(c.look_at, u).w,
+        front: b.front.lerp(c.front, u),
     };
 }
 
@@ -113,7 +107,6 @@ pub(super) fn orbit(look_at: Vec3A, angle: f32, distance: f32, height: f32) -> C
 mod tests {
     use super::{Key, catmull_rom, film, key, orbit};
     use crate::scene::{Camera, Method, Scene};
-    use glam::Vec3A;
     use proptest::array::uniform5;
     use proptest::prelude::*;
 
@@ -141,7 +134,7 @@ mod tests {
             let keys = &keys[..count];
             for (number, key) in keys.iter().enumerate() {
                 let (camera, method) = at(keys, number as f32 / (keys.len() - 1) as f32);
-                let wanted = orbit(Vec3A::from_vec4(key.look_at), key.away.x, key.away.y, key.away.z);
+                let wanted = orbit(key.look_at, key.away.x, key.away.y, key.away.z);
                 prop_assert!(camera.eye.abs_diff_eq(wanted.eye, 1e-3));
                 prop_assert!(camera.look_at.abs_diff_eq(wanted.look_at, 1e-3));
                 prop_assert!((method.points - key.away.w.abs()).abs() < 1e-3);

@@ -95,6 +95,7 @@ impl Display for Printable<'_> {
 /// Bytes as text, if all of them are ASCII, as all is that the program understands.
 #[must_use]
 pub fn ascii(bytes: &[u8]) -> Option<&str> {
+    // The slice's own `is_ascii`, which is fast, takes 267 bytes more of the packed file.
     let is_ascii = bytes.iter().all(u8::is_ascii);
     // SAFETY: ASCII is UTF-8.
     is_ascii.then(|| unsafe { str::from_utf8_unchecked(bytes) })
