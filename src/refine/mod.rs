@@ -32,7 +32,7 @@
 //! So no point of a tile is traced twice, by construction. Tiles know nothing of each other: points that two share are traced
 //! by both, with the same bits. Of the model scene at 1024x768 that is 8 % of all points, and with bands half as high it would be
 //! 16 %; for that there is one parallel phase, no memory between bands, and no order among them. By the times of its bands the
-//! default frame at 1920x1080 can be 13 times as fast by 16 threads as by one.
+//! default frame at 1920x1080 can be 13.5 times as fast by 16 threads as by one (12.2 times if bands were taken from the top).
 //!
 //! A square whose corners all show one object with a pattern that has edges is not filled by their colours: what the pattern
 //! is on, and what is added to that, are interpolated apart, and the pattern is seen at every pixel (see `patterned`).

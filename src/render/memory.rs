@@ -1,12 +1,13 @@
 //! What the threads share while they render a frame, and the steps of one.
 
 use super::Frame;
-use super::threads::{Job, Threads};
+use super::schedule::Schedule;
+use super::threads::Threads;
 use crate::observe::Observer;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
 use crate::refine::antialias::Seams;
-use crate::refine::{self, Band, MAX_BANDS, Worker};
+use crate::refine::{self, Band, Worker};
 use crate::scene::Scene;
 use crate::text;
 use crate::trace::Counts;
@@ -19,6 +20,9 @@ use fearless_simd::Level;
 pub struct Memory {
     prepared: Prepared,
     seams: Seams,
+    /// Of drawing bands, and of smoothing their edges.
+    drawing: Schedule,
+    smoothing: Schedule,
 }
 
 impl Memory {
@@ -33,6 +37,8 @@ impl Memory {
             Self {
                 prepared: Prepared::new(),
                 seams: Seams::new(),
+                drawing: Schedule::new(),
+                smoothing: Schedule::new(),
             }
         }
     }
@@ -75,14 +81,14 @@ impl Memory {
             band.counts = worker.take_counts();
         };
         let rows = Band::rows(quality);
-        let counts = each_band(rows, width, pixels, &job, threads);
+        let counts = self.drawing.run(rows, width, pixels, &job, threads);
         let counts = counts + self.smooth(level, quality, width, pixels, threads);
         if !scene.captions.is_empty() {
             let numbers = [counts.points as usize, pixels.len()];
             let job = |_: &mut Worker, band: &mut Band<'_>| {
                 text::draw(&scene.captions, numbers, height, band);
             };
-            each_band(rows, width, pixels, &job, threads);
+            Schedule::new().run(rows, width, pixels, &job, threads);
         }
         counts
     }
@@ -106,7 +112,8 @@ impl Memory {
             seams.smooth(level, prepared, quality, worker, band);
             band.counts = worker.take_counts();
         };
-        each_band(Band::rows(quality), width, pixels, &job, threads)
+        let rows = Band::rows(quality);
+        self.smoothing.run(rows, width, pixels, &job, threads)
     }
 }
 
@@ -114,30 +121,4 @@ impl Default for Memory {
     fn default() -> Self {
         Self::new()
     }
-}
-
-/// Cuts a picture into bands of so many rows, and has the job done on each.
-fn each_band(
-    rows: usize,
-    width: usize,
-    pixels: &mut [u32],
-    job: Job<'_>,
-    threads: &mut dyn Threads,
-) -> Counts {
-    let mut bands = [const { Band::none() }; MAX_BANDS];
-    let mut count = 0;
-    for (band, pixels) in bands.iter_mut().zip(pixels.chunks_mut(rows * width)) {
-        *band = Band {
-            top: count * rows,
-            width,
-            pixels,
-            ..Band::none()
-        };
-        count += 1;
-    }
-    let bands = &mut bands[..count];
-    threads.run(bands, job);
-    bands
-        .iter()
-        .fold(Counts::NONE, |sum, band| sum + band.counts)
 }

@@ -2,6 +2,7 @@
 
 mod error;
 mod memory;
+mod schedule;
 mod threads;
 
 pub use error::Error;

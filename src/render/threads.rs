@@ -30,7 +30,8 @@ pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 /// ```
 pub trait Threads {
     /// Applies the job to each band once, each with any of the workers, in any order and side by side, and returns when all are
-    /// done. It is called once for a frame, and once more if the quality is antialiased.
+    /// done. It is called once for a frame, and once more if the quality is antialiased. Taken in the order given, as pools do, those
+    /// that are expected to take longest come first.
     ///
     /// A band that is left out keeps the pixels that were there.
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>);

@@ -1,5 +1,6 @@
 //! Where a frame's time goes, stage by stage, and how many threads can share it.
 
+use super::FRAME;
 use super::measure::{Plan, Shot, Way};
 use crate::arguments::Size;
 use crate::threaded_renderer::whole;
@@ -127,26 +128,30 @@ impl Observer for &Clock {
     }
 }
 
-/// The pieces of work of a frame, one after the other: milliseconds until the first begins, and those of each.
+/// The pieces of work of a frame: milliseconds until the first begins, and those of each piece, in the order in which they are taken.
 struct Pieces {
     before: f64,
-    times: Vec<f64>,
+    /// Those of a phase begin when all of the phase before have ended.
+    phases: Vec<Vec<f64>>,
 }
 
 impl Pieces {
     fn total(&self) -> f64 {
-        self.before + self.times.iter().sum::<f64>()
+        self.before + self.phases.iter().flatten().sum::<f64>()
     }
 
     /// How many times as fast the frame is where so many threads take the pieces in their order, and nothing else holds them
     /// up.
     fn speed_up(&self, threads: usize) -> f64 {
-        let mut ends = vec![0.0_f64; threads];
-        for time in &self.times {
-            let next = ends.iter_mut().min_by(|a, b| a.total_cmp(b));
-            *next.expect("there is a thread") += time;
-        }
-        self.total() / (self.before + ends.into_iter().fold(0.0, f64::max))
+        let longest = |times: &Vec<f64>| {
+            let mut ends = vec![0.0_f64; threads];
+            for time in times {
+                let next = ends.iter_mut().min_by(|a, b| a.total_cmp(b));
+                *next.expect("there is a thread") += time;
+            }
+            ends.into_iter().fold(0.0, f64::max)
+        };
+        self.total() / (self.before + self.phases.iter().map(longest).sum::<f64>())
     }
 }
 
@@ -176,9 +181,12 @@ fn table(plan: &Plan, shot: &Shot, size: Size, way: &Way, stand: &mut Stand, cos
     let (mut total, mut stages, mut speed_ups) = (0.0, [0.0; STAGES], [0.0; THREADS.len()]);
     for &time in &shot.times {
         let scene = way.scene(shot.scene, time);
+        let before = way.scene(shot.scene, (time - FRAME).max(0.0));
         let mut pieces: Option<Pieces> = None;
         let mut least = [f64::INFINITY; STAGES];
         for _ in 0..REPEATS {
+            // Which pieces are taken first depends on the frame before.
+            stand.draw(&before, quality, width, &mut picture, ());
             let drawn = stand.draw(&scene, quality, width, &mut picture, ());
             pieces = Some(match pieces {
                 Some(pieces) => pieces.least(drawn),
@@ -226,7 +234,8 @@ impl Pieces {
     /// The lesser of each two times.
     fn least(mut self, other: Self) -> Self {
         self.before = self.before.min(other.before);
-        for (time, other) in self.times.iter_mut().zip(other.times) {
+        let times = self.phases.iter_mut().flatten();
+        for (time, other) in times.zip(other.phases.into_iter().flatten()) {
             *time = time.min(other);
         }
         self
@@ -255,7 +264,7 @@ impl Stand {
             start: Instant::now(),
             pieces: Pieces {
                 before: 0.0,
-                times: Vec::new(),
+                phases: Vec::new(),
             },
         };
         let frame = whole(width, pixels);
@@ -278,14 +287,15 @@ struct TimedThread<'a, O> {
 
 impl<O: StageObserver> Threads for TimedThread<'_, O> {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
-        if self.pieces.times.is_empty() {
+        if self.pieces.phases.is_empty() {
             self.pieces.before = 1e3 * self.start.elapsed().as_secs_f64();
         }
-        for band in bands {
+        let times = bands.iter_mut().map(|band| {
             self.observer.other();
             let ((), seconds) = real_time(|| job(self.worker, band));
-            self.pieces.times.push(1e3 * seconds);
-        }
+            1e3 * seconds
+        });
+        self.pieces.phases.push(times.collect());
         self.observer.other();
     }
 }

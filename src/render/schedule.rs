@@ -1,0 +1,97 @@
+//! The order in which threads take the bands of a frame.
+
+use super::threads::{Job, Threads};
+use crate::refine::{Band, MAX_BANDS};
+use crate::trace::Counts;
+
+/// Has those bands drawn first that took the most rays in the frame before, which looked much the same. So what threads take last is
+/// short, and none has to wait long for another one.
+pub(super) struct Schedule {
+    /// The rays of each band, from the top, when it was last drawn.
+    rays: [u64; MAX_BANDS],
+}
+
+impl Schedule {
+    /// Nothing is known: bands are taken from the bottom up, since it is the sky, at the top, that takes the fewest rays.
+    pub const fn new() -> Self {
+        Self {
+            rays: [0; MAX_BANDS],
+        }
+    }
+
+    /// Cuts a picture into bands of so many rows, and has the job done on each.
+    pub fn run(
+        &mut self,
+        rows: usize,
+        width: usize,
+        pixels: &mut [u32],
+        job: Job<'_>,
+        threads: &mut dyn Threads,
+    ) -> Counts {
+        let mut bands = [const { Band::none() }; MAX_BANDS];
+        let parts = pixels.chunks_mut(rows * width);
+        let count = parts.len();
+        for (number, pixels) in parts.enumerate() {
+            bands[self.rank(number, count)] = Band {
+                top: number * rows,
+                width,
+                pixels,
+                ..Band::none()
+            };
+        }
+        let bands = &mut bands[..count];
+        threads.run(bands, job);
+        let mut sum = Counts::NONE;
+        for band in bands {
+            self.rays[band.top / rows] = band.counts.rays;
+            sum += band.counts;
+        }
+        sum
+    }
+
+    /// How many of so many bands are taken before a band.
+    fn rank(&self, number: usize, count: usize) -> usize {
+        let key = |number| (self.rays[number], number);
+        let is_before = |&other: &usize| key(other) > key(number);
+        (0..count).filter(is_before).count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+    use crate::refine::Worker;
+    use std::prelude::v1::*;
+
+    /// Draws nothing, and keeps the tops of the bands in the order in which they came.
+    struct Tops(Vec<usize>);
+
+    impl Threads for Tops {
+        fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+            let mut worker = Worker::new();
+            for band in bands {
+                self.0.push(band.top);
+                job(&mut worker, band);
+            }
+        }
+    }
+
+    #[test]
+    fn bands_with_more_rays_are_taken_first_the_next_time() {
+        const RAYS: [u64; 5] = [3, 0, 9, 3, 4];
+        let job = |_: &mut Worker, band: &mut Band<'_>| {
+            band.counts.rays = RAYS[band.top / 8];
+            band.pixels.fill(1);
+        };
+        let mut schedule = Schedule::new();
+        for tops in [[32, 24, 16, 8, 0], [16, 32, 24, 0, 8]] {
+            let (mut pixels, mut threads) = ([0; 38 * 2], Tops(Vec::new()));
+            let counts = schedule.run(8, 2, &mut pixels, &job, &mut threads);
+            assert_eq!(threads.0, tops);
+            assert_eq!(counts.rays, 19);
+            assert_eq!(pixels, [1; 38 * 2], "each band is drawn once");
+        }
+    }
+}
