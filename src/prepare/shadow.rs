@@ -78,7 +78,11 @@ impl Prepared {
     pub fn outlined_object(&self, number: usize) -> ObjectId {
         let shadow = number.saturating_sub(self.first_shadow);
         let plane = self.first_plane() + shadow / self.shadows.count.max(1);
-        ObjectId::new(if number < plane { number } else { plane })
+        ObjectId::new(if number <= self.background() {
+            number
+        } else {
+            plane
+        })
     }
 
     /// The cone of camera rays that may meet a shadow, given by the number of its outline.

@@ -4,6 +4,7 @@ extern crate std;
 
 mod bits;
 mod fill;
+mod guard;
 mod points;
 mod verdict;
 
