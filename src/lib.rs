@@ -81,7 +81,7 @@
 //!
 //! # Memory and threads
 //!
-//! The library cannot allocate. A renderer has [`Memory::BYTES`] bytes, 534 kB, in itself or lent by the caller, and each
+//! The library cannot allocate. A renderer has [`Memory::BYTES`] bytes, 732 kB, in itself or lent by the caller, and each
 //! thread has a [`Worker`] of [`Worker::BYTES`] bytes, 451 kB, whatever the size of the picture: under 8 MB with
 //! sixteen threads. Both are small enough to be made on a thread's stack and boxed, and are all zeros at first, so that a
 //! `static` takes no room in a program's file.

@@ -10,8 +10,10 @@
 //! all corners is outside.
 
 use super::Rectangle;
-use super::screen::{Axes, Rect};
+use super::screen::{Axes, Rects, ScreenBounds};
+use crate::lanes::*;
 use crate::maths::sqrt;
+use core::array;
 use glam::{Vec3, Vec3A, Vec4};
 
 /// Tangents from each end that a rectangle is narrowed by: the first ones touch a cone on their side of it, later ones in the
@@ -30,8 +32,14 @@ pub(crate) struct Cone {
 /// What rounding may add to a side's inequality, whose terms are below 2.
 pub(super) const ROUNDING: f32 = 1e-5;
 
+/// The least length that is divided by, where there is a direction across.
+const SHORTEST: f32 = 1e-20;
+
 /// What a sphere is taken to be larger by: the cosine of a cone is wider by more than its rounding, however flat.
 const WIDE: f32 = 1.0 + 1e-6;
+
+/// What is added to the sine of a cone before it is bounded: more than rounding turns the tangent planes.
+const WIDER: f32 = 1e-4;
 
 /// The cone around a sphere, whatever rays it is to hold.
 #[derive(Clone, Copy)]
@@ -77,6 +85,39 @@ impl RoundCone {
     }
 }
 
+impl RoundCone {
+    /// Where it can be seen, if the planes through the tip with three normals are seen as the lines u = 0, v = 0, and that at
+    /// infinity: the camera's axes, where the tip is the eye.
+    ///
+    /// The line u = c is the plane that has the first normal less c times the last. It touches the cone where its angle with the
+    /// axis is that of the cone (Mara and McGuire: 2D Polyhedral Bounds of a Clipped, Perspective-Projected 3D Sphere, JCGT 2013,
+    /// where normals are at right angles to each other).
+    #[inline(never)]
+    pub fn bounds(&self, [right, down, forward]: &[Vec3A; 3], pixel: f32) -> ScreenBounds {
+        let to = Vec3A::from(self.to);
+        let distance = to.length();
+        let (axis, sine) = (to / distance, self.sine * distance + WIDER);
+        let ahead = axis.dot(*forward);
+        if ahead < -sine * forward.length() {
+            return ScreenBounds::NONE;
+        }
+        let [u, v] = [right, down].map(|normal| {
+            // All planes have one direction in common. Across it the cone is as wide as a flat one.
+            let along = normal.cross(*forward).normalize();
+            let shared = axis.dot(along);
+            let cosine = sqrt(1.0 - sine * sine - shared * shared);
+            let across = along.cross(axis) * sine;
+            Vec4::new(
+                normal.dot(across),
+                cosine * axis.dot(*normal),
+                forward.dot(across),
+                cosine * ahead,
+            )
+        });
+        ScreenBounds::around(u, v, pixel)
+    }
+}
+
 impl Cone {
     /// Nothing, all zeros.
     pub const NONE: Self = Self {
@@ -92,56 +133,64 @@ impl Cone {
         self.is_flat = true;
     }
 
-    /// Narrows a rectangle of the picture to the u between which rays through it may be inside, by a margin; to none, the
-    /// least u beyond the greatest, if none may.
+    /// How far inside rays through points of the picture are, below 0 if they are outside, and not a number if all are
+    /// inside.
+    #[inline(never)]
+    pub fn depth<S: Isa>(&self, u: F<S>, v: F<S>) -> F<S> {
+        let [right, down, terms] = self.terms.map(|terms| terms.to_array());
+        let [x, y, z, w]: [F<S>; 4] = array::from_fn(|i| u * right[i] + v * down[i] + terms[i]);
+        if self.is_flat {
+            x.min(y).min(z.min(w))
+        } else {
+            w - (x * x + y * y + z * z).sqrt()
+        }
+    }
+
+    /// Narrows rectangles of the picture to the u between which rays through them may be inside, by a margin; to none, the
+    /// least u beyond the greatest, where none may.
     ///
     /// By tangent planes from both ends: each is a line in the picture that has the cone on one side.
-    pub fn narrow(&self, rect: &mut Rect, margin: f32) {
+    #[inline(never)]
+    pub fn narrow<S: Isa>(&self, rects: &mut Rects<S>, margin: f32) {
+        let simd = rects.left.token();
+        let terms = self.terms.map(|terms| terms.to_array());
         if self.is_flat {
-            let [right, down, terms] = self.terms;
-            for ((right, down), terms) in right
-                .to_array()
-                .into_iter()
-                .zip(down.to_array())
-                .zip(terms.to_array())
-            {
-                cut(rect, right, down, terms - margin);
+            for i in 0..4 {
+                let [right, down, terms] = terms.map(|terms| splat(simd, terms[i]));
+                rects.cut(right, down, terms - margin);
             }
             return;
         }
+        let [right, down, terms] = terms;
+        let middle = (rects.top + rects.bottom) * 0.5;
+        let row: [F<S>; 3] = array::from_fn(|i| middle * down[i] + terms[i]);
         for _ in 0..TANGENTS {
-            for u in [rect.x, rect.z] {
-                let [right, down, terms] = self.terms;
-                let across = Vec3A::from_vec4(right * u + down * (0.5 * (rect.y + rect.w)) + terms);
+            let tangents = [rects.left, rects.right].map(|u| {
+                let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
                 // On the axis any direction across will do, such as none.
-                let side = across / -across.length().max(f32::MIN_POSITIVE);
-                let side = side.extend(1.0);
-                cut(
-                    rect,
-                    side.dot(right),
-                    side.dot(down),
-                    side.dot(terms) - margin,
-                );
-                // Nothing is left, or a point, which its own tangent has decided.
-                if rect.x >= rect.z {
-                    return;
-                }
+                let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
+                // What it has of the cone's terms, times that length.
+                let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
+                [side(right), side(down), side(terms) - length * margin]
+            });
+            for [right, down, terms] in tangents {
+                rects.cut(right, down, terms);
             }
         }
     }
 }
 
-/// Narrows a rectangle to the u for which `right u + down v + terms` is not below 0 for some v.
-#[inline(always)]
-fn cut(rect: &mut Rect, right: f32, down: f32, terms: f32) {
-    let most = (down * rect.y).max(down * rect.w) + terms;
-    let end = -most / right;
-    // What is not a number cuts nothing off.
-    if right > 0.0 {
-        rect.x = rect.x.max(end);
-    } else if right < 0.0 {
-        rect.z = rect.z.min(end);
-    } else if most < 0.0 {
-        rect.z = f32::NEG_INFINITY;
+impl<S: Isa> Rects<S> {
+    /// Narrows rectangles to the u for which `right u + down v + terms` is not below 0 for some v.
+    #[inline(never)]
+    fn cut(&mut self, right: F<S>, down: F<S>, terms: F<S>) {
+        let zero = splat(right.token(), 0.0);
+        let most = (down * self.top).max(down * self.bottom) + terms;
+        // What is not a number cuts nothing off. Where `right` is 0, which must not be -0, all is cut off or nothing.
+        let end = -most / (right + zero);
+        let least = at_least::<S>(end, self.left);
+        let greatest = at_most::<S>(end, self.right);
+        self.left = right.simd_ge(zero).select(least, self.left);
+        self.right = right.simd_lt(zero).select(greatest, self.right);
     }
 }

@@ -20,7 +20,7 @@ pub(crate) use object::{Object, ObjectId};
 use outline::Outline;
 pub(crate) use outline::SeenOutline;
 use screen::ScreenBounds;
-pub(crate) use screen::{Axes, rectangle};
+pub(crate) use screen::{Axes, Rect, rectangle};
 use shadow::Shadows;
 pub(crate) use surface::{PerLane, Surface, SurfaceRow};
 use tree::MAX_GROUPS;
@@ -68,6 +68,8 @@ pub(crate) struct Prepared {
     /// The outline of each object in the picture, by its number, the background's empty; then, if the first plane is a mirror,
     /// those of the images of solids and lights in it, in the same order.
     outlines: [Outline; MAX_IMAGES],
+    /// A rectangle around each outline in the picture, by its number.
+    pub screen: [ScreenBounds; MAX_OUTLINES],
     /// The shadows on planes. Their outlines have the numbers from `first_shadow` up.
     shadows: Shadows,
     first_shadow: usize,
@@ -123,6 +125,7 @@ impl Prepared {
             used_groups: 0,
             axes: Axes::NONE,
             outlines: [Outline::NONE; MAX_IMAGES],
+            screen: [ScreenBounds::ZERO; MAX_OUTLINES],
             shadows: Shadows::ZERO,
             first_shadow: 0,
             outlined: 0,
@@ -200,15 +203,8 @@ impl Prepared {
         self.first_plane() + self.plane_count
     }
 
-    /// The groups that rays through a rectangle of the picture, given in pixels, can meet.
-    pub fn visible_groups(
-        &self,
-        left: usize,
-        top: usize,
-        right: usize,
-        bottom: usize,
-    ) -> VisibleGroups {
-        let rect = self.axes.rect(rectangle(left, top, right, bottom));
+    /// The groups that rays through a rectangle of the picture can meet.
+    pub fn visible_groups(&self, rect: Rect) -> VisibleGroups {
         let mut groups = VisibleGroups::default();
         let mut rest = self.used_groups;
         while rest != 0 {
@@ -267,27 +263,32 @@ impl Prepared {
         let mirrors = usize::from(first.is_some_and(|plane| is_mirror(&plane.material)));
         self.first_shadow = background + 1 + mirrors * first_plane;
         let (mut eye, mut axes) = (self.eye, self.axes.clone());
-        for (i, bounds) in self.bounds[..=mirrors].iter_mut().enumerate() {
-            let outlines = &mut self.outlines[i * (background + 1)..];
+        for (i, groups) in self.bounds[..=mirrors].iter_mut().enumerate() {
             for node in self.tree.nodes() {
                 if node.is_bound {
                     continue;
                 }
                 let to = node.centre - eye;
-                let outline = &mut outlines[node.object.index()];
-                outline.set_sphere(&axes, to, node);
+                let number = i * (background + 1) + node.object.index();
+                let outline = &mut self.outlines[number];
+                let bounds = outline.set_sphere(&axes, to, node);
                 self.used_groups |= node.groups;
-                bounds[node.groups.trailing_zeros() as usize].join(outline.bounds);
+                groups[node.groups.trailing_zeros() as usize].join(bounds);
                 if let Object::Block(block) = object::of(&self.scene, node.object).0 {
                     outline.set_block(&axes, to, block);
                 }
-                outline.settle();
+                self.screen[number] = if outline.is_finite() {
+                    bounds
+                } else {
+                    ScreenBounds::NONE
+                };
             }
             // An image in a plane is what the eye's own image sees of the object.
             eye.y = 2.0 * self.planes[0].centre.y - eye.y;
             axes.mirror();
         }
-        self.outlines[background].bounds = ScreenBounds::NONE;
+        self.screen[first_plane..background].fill(ScreenBounds::ALL);
+        self.screen[background] = ScreenBounds::NONE;
         let planes = &self.planes[..self.plane_count];
         for (outline, plane) in self.outlines[first_plane..].iter_mut().zip(planes) {
             outline.set_rectangle(&self.axes, self.eye, plane);

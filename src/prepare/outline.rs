@@ -1,8 +1,9 @@
 //! What an object covers of the picture, and what it hides, so that no square is filled over something unseen.
 
 use super::cone::{Cone, ROUNDING, RoundCone};
-use super::screen::{Axes, Rect, ScreenBounds};
+use super::screen::{Axes, Rects, ScreenBounds};
 use super::{BvhNode, ObjectId, Prepared, Rectangle};
+use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::scene::{Block, Shape};
 use glam::{Vec3A, Vec3Swizzles, Vec4};
@@ -14,8 +15,6 @@ pub(crate) struct Outline {
     cone: Cone,
     /// More of the sides of a box or a cylinder: the rays between those that `cone` has no room for.
     ends: Cone,
-    /// Around all of it.
-    pub bounds: ScreenBounds,
     /// Whether it is a box or a cylinder.
     is_block: bool,
     /// A sphere's power of the eye, distance squared minus radius squared: of two spheres the one with the smaller power
@@ -44,15 +43,14 @@ impl Outline {
     pub const NONE: Self = Self {
         cone: Cone::NONE,
         ends: Cone::NONE,
-        bounds: ScreenBounds::ZERO,
         is_block: false,
         power: 0.0,
         least: Vec4::ZERO,
         most: Vec4::ZERO,
     };
 
-    /// Takes in a sphere, `to` from the eye.
-    pub fn set_sphere(&mut self, axes: &Axes, to: Vec3A, ball: &BvhNode) {
+    /// Takes in a sphere, `to` from the eye, and returns where it can be seen.
+    pub fn set_sphere(&mut self, axes: &Axes, to: Vec3A, ball: &BvhNode) -> ScreenBounds {
         let radius = ball.radius;
         let distance2 = to.length_squared();
         let distance = sqrt(distance2);
@@ -65,10 +63,11 @@ impl Outline {
         } else {
             power
         };
-        self.cone = RoundCone::around(to, radius).0.seen_by(&axes.rows);
-        self.bounds = axes.bounds(to, radius);
         self.is_block = ball.is_block;
         self.set_extent(axes, to, Vec4::splat(radius));
+        let (cone, _) = RoundCone::around(to, radius);
+        self.cone = cone.seen_by(&axes.rows);
+        cone.bounds(&axes.rows, axes.pixel)
     }
 
     /// Takes in the block that the sphere is around, `to` from the eye.
@@ -120,12 +119,10 @@ impl Outline {
         self.most = to + extent;
     }
 
-    /// Never a candidate if its extent is not finite.
+    /// Whether its extent is finite.
     #[inline(always)]
-    pub fn settle(&mut self) {
-        if !self.most.is_finite() {
-            self.bounds = ScreenBounds::NONE;
-        }
+    pub fn is_finite(&self) -> bool {
+        self.most.is_finite()
     }
 
     /// Whether a plane across an axis has the eye and this object on one side, but for rounding, and another one on the
@@ -141,7 +138,6 @@ impl Outline {
     /// Takes in a horizontal rectangle.
     pub fn set_rectangle(&mut self, axes: &Axes, eye: Vec3A, plane: &Rectangle) {
         self.cone.set_flat(axes, eye, plane);
-        self.bounds = ScreenBounds::ALL;
         self.is_block = false;
         self.power = f32::NAN;
         // Forward it is nowhere before or behind anything.
@@ -177,49 +173,46 @@ pub(crate) struct SeenOutline<'a> {
 }
 
 impl SeenOutline<'_> {
-    /// The least and the greatest u in a rectangle of the picture that may show it, if it may.
-    pub fn narrow(&self, rect: Rect) -> Option<[f32; 2]> {
-        self.narrow_by(rect, -ROUNDING)
+    /// The least and the greatest u in rectangles of the picture that may show it; the least beyond the greatest where none
+    /// may.
+    #[inline(always)]
+    pub fn narrow<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
+        self.bounds.narrow(&mut rects);
+        self.cone.narrow(&mut rects, -ROUNDING);
+        if let Some(ends) = self.ends {
+            ends.narrow(&mut rects, -ROUNDING);
+        }
+        [rects.left, rects.right]
     }
 
-    /// Whether a point of the picture, given as a rectangle, is inside for sure.
-    pub fn contains(&self, point: Rect) -> bool {
-        let margin = if self.ends.is_some() {
-            WELL_INSIDE
+    /// Whether points of the picture are inside for sure.
+    #[inline(always)]
+    pub fn contains<S: Isa>(&self, [u, v]: [F<S>; 2]) -> M<S> {
+        let depth = self.cone.depth::<S>(u, v);
+        let is_outside = if let Some(ends) = self.ends {
+            let depth = depth.min(ends.depth::<S>(u, v));
+            depth.simd_lt(splat(u.token(), WELL_INSIDE))
         } else {
-            ROUNDING
+            depth.simd_lt(splat(u.token(), ROUNDING))
         };
-        self.narrow_by(point, margin).is_some()
-    }
-
-    /// What is left of a rectangle, all of whose rays are inside by a margin.
-    #[inline(never)]
-    fn narrow_by(&self, mut rect: Rect, margin: f32) -> Option<[f32; 2]> {
-        self.bounds.narrow(&mut rect);
-        if rect.x <= rect.z {
-            self.cone.narrow(&mut rect, margin);
-        }
-        if let (Some(ends), true) = (self.ends, rect.x <= rect.z) {
-            ends.narrow(&mut rect, margin);
-        }
-        (rect.x <= rect.z).then_some([rect.x, rect.z])
+        !is_outside
     }
 }
 
 impl Prepared {
     /// What has the outline of a number.
-    #[inline(never)]
     pub fn outline(&self, number: usize) -> SeenOutline<'_> {
+        let bounds = self.screen[number];
         if number < self.first_shadow {
             let outline = &self.outlines[number];
             SeenOutline {
-                bounds: outline.bounds,
+                bounds,
                 cone: outline.cone,
                 ends: outline.is_block.then_some(&outline.ends),
             }
         } else {
             SeenOutline {
-                bounds: ScreenBounds::ALL,
+                bounds,
                 cone: self.shadow_cone(number),
                 ends: None,
             }

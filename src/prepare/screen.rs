@@ -2,9 +2,9 @@
 //!
 //! In the camera's own axes a ray is (u, v, 1): u to the right, v down.
 
-use crate::maths::sqrt;
+use crate::lanes::*;
 use crate::scene::camera::{Raster, pixels};
-use glam::{Vec3A, Vec3Swizzles, Vec4, Vec4Swizzles};
+use glam::{Vec3A, Vec4, Vec4Swizzles};
 
 /// The camera's axes, and where its pixels are in the plane at distance 1.
 #[derive(Clone)]
@@ -18,6 +18,15 @@ pub(crate) struct Axes {
 
 /// A rectangle of the picture: the least u and v, and the greatest.
 pub(crate) type Rect = Vec4;
+
+/// Rectangles of the picture, one in each lane: the least u and v, and the greatest.
+#[derive(Clone, Copy)]
+pub(crate) struct Rects<S: Isa> {
+    pub left: F<S>,
+    pub top: F<S>,
+    pub right: F<S>,
+    pub bottom: F<S>,
+}
 
 /// The corners of a rectangle in pixels, made in a register: what is put together in memory takes longer to get back.
 #[inline(always)]
@@ -69,39 +78,33 @@ impl Axes {
         (pixels - self.middle) * self.pixel
     }
 
-    /// The column of pixels, with its fraction, that has some u.
-    pub fn column(&self, u: f32) -> f32 {
-        u / self.pixel + self.middle.x
-    }
-
-    /// A vector along the axes.
-    pub fn to_camera(&self, d: Vec3A) -> Vec3A {
-        let [right, down, forward] = self.rows;
-        Vec3A::new(d.dot(right), d.dot(down), d.dot(forward))
-    }
-
-    /// Where a sphere can be seen whose centre is at `to`, seen from the eye.
-    ///
-    /// On each side it is bounded by the slope of a tangent through the eye (Mara and McGuire: 2D Polyhedral Bounds of a
-    /// Clipped, Perspective-Projected 3D Sphere, JCGT 2013).
-    pub fn bounds(&self, to: Vec3A, radius: f32) -> ScreenBounds {
-        let to = self.to_camera(to);
-        // A little larger than it is, so that what rounding adds is covered.
-        let radius = radius * (1.0 + 1e-4);
-        let z = to.z;
-        if z < -radius {
-            return ScreenBounds::NONE;
+    /// As many rectangles below each other as there are lanes. The upper left corner of the first one, and the width and the height
+    /// of each are in pixels.
+    #[inline(always)]
+    pub fn rects<S: Isa>(&self, simd: S, [left, top]: [usize; 2], size: [usize; 2]) -> Rects<S> {
+        let [width, height] = size.map(pixels);
+        let [x, y, ..] = self.middle.to_array();
+        let left = splat(simd, pixels(left) - x);
+        let top = numbers(simd).bitcast::<I<S>>().to_float::<F<S>>() * height + (pixels(top) - y);
+        Rects {
+            left: left * self.pixel,
+            top: top * self.pixel,
+            right: (left + width) * self.pixel,
+            bottom: (top + height) * self.pixel,
         }
-        let tangent = |c: f32| sqrt(c * c + (z * z - radius * radius));
-        let (across, down) = (tangent(to.x), tangent(to.y));
-        let tangent = Vec4::new(across, down, across, down);
-        // Greatest slopes are least ones the other way round.
-        let c = to.xyxy() * Vec4::new(1.0, 1.0, -1.0, -1.0);
-        let ahead = z * tangent + c * radius;
-        let slope = (c * tangent - z * radius) / ahead - MARGIN * self.pixel;
-        // A tangent that points backwards leaves the picture on its side; an eye within has none, nor what is no number.
-        let is_slope = ahead.cmpgt(Vec4::ZERO) & slope.cmpeq(slope);
-        ScreenBounds(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))
+    }
+
+    /// Where pixels are, u and v.
+    #[inline(always)]
+    pub fn points<S: Isa>(&self, x: F<S>, y: F<S>) -> [F<S>; 2] {
+        let [middle_x, middle_y, ..] = self.middle.to_array();
+        [(x - middle_x) * self.pixel, (y - middle_y) * self.pixel]
+    }
+
+    /// The column of pixels, with its fraction, that has some u.
+    #[inline(always)]
+    pub fn column<S: Isa>(&self, u: F<S>) -> F<S> {
+        u / self.pixel + self.middle.x
     }
 }
 
@@ -115,20 +118,35 @@ impl ScreenBounds {
     /// No window, all zeros.
     pub const ZERO: Self = Self(Vec4::ZERO);
 
+    /// From the least to the greatest u, and from the least to the greatest v. Each pair is `(b + a) / (d + c)` and
+    /// `(b - a) / (d - c)`, of a vector's a, b, c and d.
+    #[inline(always)]
+    pub fn around(u: Vec4, v: Vec4, pixel: f32) -> Self {
+        // Greatest slopes are least ones the other way round.
+        let ends = |c: f32, d: f32| Vec4::new(c, d, -c, -d);
+        let ahead = Vec4::new(u.w, v.w, u.w, v.w) + ends(u.z, v.z);
+        let across = Vec4::new(u.x, v.x, u.x, v.x) + ends(u.y, v.y);
+        let slope = across / ahead - MARGIN * pixel;
+        // A tangent that points backwards leaves the picture on its side; an eye within has none, nor what is no number.
+        let is_slope = ahead.cmpgt(Vec4::ZERO) & slope.cmpeq(slope);
+        Self(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))
+    }
+
     /// Around both.
     pub fn join(&mut self, other: Self) {
         self.0 = self.0.min(other.0);
     }
 
-    /// Narrows a rectangle to the u that it shares with it, to none if it is above or below.
+    /// Narrows rectangles to the u that they share with it, to none if they are above or below.
     #[inline(always)]
-    pub fn narrow(&self, rect: &mut Rect) {
-        let [x, y, z, w] = self.0.to_array();
-        rect.x = rect.x.max(x);
-        rect.z = rect.z.min(-z);
-        if y > rect.w || -w < rect.y {
-            rect.z = f32::NEG_INFINITY;
-        }
+    pub fn narrow<S: Isa>(&self, rects: &mut Rects<S>) {
+        let simd = rects.left.token();
+        let [left, top, right, bottom] = self.0.to_array();
+        rects.left = rects.left.max(splat(simd, left));
+        rects.right = rects.right.min(splat(simd, -right));
+        let is_beside =
+            rects.bottom.simd_lt(splat(simd, top)) | rects.top.simd_gt(splat(simd, -bottom));
+        rects.right = is_beside.select(splat(simd, f32::NEG_INFINITY), rects.right);
     }
 
     /// Whether it shares a point with a rectangle.

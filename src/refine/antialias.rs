@@ -25,7 +25,7 @@ use super::middles::STRETCH;
 use super::{Band, MAX_BANDS, TILE_HEIGHT, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
-use crate::prepare::Prepared;
+use crate::prepare::{Prepared, rectangle};
 use crate::quality::Quality;
 use crate::trace::{BATCH, STEP, trace};
 use fearless_simd::{Level, u8x32, u32x8};
@@ -160,7 +160,8 @@ fn mix(
     for (word, start) in (0..width).step_by(STRETCH).enumerate() {
         // Points lie up to half a pixel outside.
         let (left, above) = (start.saturating_sub(1), top.saturating_sub(1));
-        let seen = scene.visible_groups(left, above, start + STRETCH, top + height);
+        let rect = rectangle(left, above, start + STRETCH, top + height);
+        let seen = scene.visible_groups(scene.axes.rect(rect));
         let traced = |worker: &mut Worker| {
             trace(isa, scene, quality, seen, &mut worker.batch);
             add_middles([start, top], height, worker);

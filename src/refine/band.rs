@@ -7,7 +7,7 @@ use super::worker::Worker;
 use super::{TILE_HEIGHT, TILE_WIDTH};
 use crate::MAX_HEIGHT;
 use crate::observe::{Observer, Stage};
-use crate::prepare::Prepared;
+use crate::prepare::{Prepared, rectangle};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Counts};
 use fearless_simd::Level;
@@ -70,18 +70,20 @@ pub(crate) fn render<O: Observer>(
             picture: [band.width, scene.height],
             least: quality.least_square(),
         };
+        let rect = scene.axes.rect(rectangle(
+            area.left,
+            area.top,
+            area.right.next_multiple_of(quality.square),
+            area.bottom.next_multiple_of(quality.square),
+        ));
         let mut tile = Tile {
             isa,
             scene,
             quality,
             observer,
-            seen: scene.visible_groups(
-                area.left,
-                area.top,
-                area.right.next_multiple_of(quality.square),
-                area.bottom.next_multiple_of(quality.square),
-            ),
+            seen: scene.visible_groups(rect),
             area,
+            rect,
             worker: &mut *worker,
             canvas: Canvas {
                 pixels: &mut *band.pixels,

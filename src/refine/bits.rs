@@ -1,7 +1,7 @@
 //! A bit for each square, or for each point, of a row of a tile.
 
 use super::TILE_WIDTH;
-use core::ops::{BitAnd, BitOr, BitOrAssign, Not, RangeInclusive};
+use core::ops::{BitAnd, BitOr, BitOrAssign, Not};
 
 /// Words of a row: one bit for each pixel that a tile is wide.
 pub(super) const WORDS: usize = TILE_WIDTH / 64;
@@ -39,12 +39,6 @@ impl Bits {
             (0..TILE_WIDTH).step_by(divisor).for_each(|i| bits.set(i));
             bits
         }
-    }
-
-    /// The bits of a range.
-    #[inline(always)]
-    pub fn range(range: RangeInclusive<usize>) -> Self {
-        Self::first(range.end() + 1) & !Self::first(*range.start())
     }
 
     /// Sets a bit.
@@ -117,6 +111,29 @@ impl Bits {
             }
         });
         bits
+    }
+
+    /// Calls with the number of each bit that is set from one number to another, both included, in order; with none if the first
+    /// is beyond the last.
+    #[inline(always)]
+    pub fn for_each_in(&self, first: i32, last: i32, mut call: impl FnMut(usize)) {
+        if first > last {
+            return;
+        }
+        let [first, last] = [first, last].map(|i| i as usize % TILE_WIDTH);
+        for i in first / 64..=last / 64 {
+            let mut rest = self.0[i];
+            if i == first / 64 {
+                rest &= u64::MAX << (first % 64);
+            }
+            if i == last / 64 {
+                rest &= u64::MAX >> (63 - last % 64);
+            }
+            while rest != 0 {
+                call(64 * i + rest.trailing_zeros() as usize);
+                rest &= rest - 1;
+            }
+        }
     }
 
     /// Calls with the number of each bit that is set, in order.

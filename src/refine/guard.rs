@@ -1,18 +1,21 @@
 //! The guard against what lies between corners: objects, shadows on planes, and mirror images in the first plane, that a square may
 //! show although no corner does.
 //!
-//! Everything that can be seen has a convex outline (see `prepare::outline`). It covers one range of a row of squares, which its
-//! tangents give. Only squares in that range are looked at.
+//! Everything that can be seen has a convex outline (see `prepare::outline`), and a rectangle around that. Of hundreds of outlines
+//! few have a rectangle that a tile meets. Each of these covers one range of a row of squares, which its tangents give, of four rows
+//! at once: only squares in that range are looked at.
 //!
 //! Which object a corner shows is known from tracing it. Whether it shows a shadow or an image on a plane is not, so there the
 //! outline tells: a corner that shows the plane and lies in the outline shows what has it, or what is in front of that.
 
+use super::TILE_HEIGHT;
 use super::area::Area;
 use super::bits::Bits;
 use super::pyramid::Pyramid;
-use super::{TILE_HEIGHT, TILE_WIDTH};
-use crate::prepare::{MAX_OUTLINES, ObjectId, Prepared, SeenOutline, rectangle};
-use core::ops::RangeInclusive;
+use crate::lanes::*;
+use crate::prepare::{MAX_OUTLINES, ObjectId, Prepared, Rect, SeenOutline};
+use crate::scene::camera::pixels;
+use crate::trace::Sample;
 
 /// The outlines of what may be seen in a tile although no corner has shown it so far, by number.
 pub(super) struct CoverageGuard {
@@ -23,6 +26,9 @@ pub(super) struct CoverageGuard {
 /// The most that rounding moves the ends of a range, in pixels.
 const MARGIN: f32 = 0.02;
 
+/// Rows of squares that an outline is narrowed to at once.
+const ROWS: usize = 4;
+
 impl CoverageGuard {
     pub const fn new() -> Self {
         Self {
@@ -31,26 +37,13 @@ impl CoverageGuard {
         }
     }
 
-    /// Lists the outlines that a tile may show.
-    pub fn begin(&mut self, scene: &Prepared, area: &Area) {
-        let (width, height) = (area.columns(0) as f32, area.rows(0) as f32);
-        let corner = rectangle(area.left, area.top, area.left, area.top);
-        let rect = scene
-            .axes
-            .rect(corner + glam::vec4(0.0, 0.0, width, height));
+    /// Lists the outlines that a tile, a rectangle of the picture, may show.
+    pub fn begin(&mut self, scene: &Prepared, rect: Rect) {
         self.count = 0;
-        let planes = scene.first_plane()..scene.background();
-        let mut sees_plane = false;
-        for number in 0..scene.outlined.min(MAX_OUTLINES) {
-            // Images and shadows are on planes.
-            if number >= planes.end && !sees_plane {
-                break;
-            }
-            if scene.outline(number).narrow(rect).is_some() {
-                sees_plane |= planes.contains(&number);
-                self.outlines[self.count] = number as u16;
-                self.count += 1;
-            }
+        for (number, bounds) in scene.screen[..scene.outlined].iter().enumerate() {
+            // No branch, since it could not be predicted.
+            self.outlines[self.count] = number as u16;
+            self.count += usize::from(bounds.meets(rect));
         }
     }
 
@@ -65,132 +58,132 @@ impl CoverageGuard {
         open: &mut [Bits; TILE_HEIGHT],
     ) {
         let rows = area.rows(level);
+        let grid = Grid::new(scene, area, pyramid, level);
         let mut uncovered = [Bits::NONE; TILE_HEIGHT];
         let mut kept = 0;
         for i in 0..self.count {
             let number = self.outlines[i];
-            let outline = scene.outline(number.into());
+            let outline = &scene.outline(number.into());
+            let object = scene.outlined_object(number.into());
+            let is_on_plane = object.index() != usize::from(number);
             let mut is_kept = false;
-            for y in 0..rows {
-                if open[y].is_empty() {
+            for top in (0..rows).step_by(ROWS) {
+                let group = top..rows.min(top + ROWS);
+                if open[group.clone()].iter().all(Bits::is_empty) {
                     continue;
                 }
-                let Some(range) = area.range(scene, &outline, level, y) else {
-                    continue;
-                };
-                (open[y] & Bits::range(range)).for_each(|x| {
-                    // The first corner is always a pixel, and shows most of what there is.
-                    let first = pyramid.sample(Pyramid::index(level, x, y)).object();
-                    if first.is_some_and(|id| id.index() == usize::from(number)) {
-                        return;
-                    }
-                    let square = Square {
-                        area,
-                        level,
-                        x,
-                        y,
-                        objects: pyramid.corners(level, x, y).map(|corner| corner.object()),
-                    };
-                    if !square.shows(scene, number.into(), &outline) {
-                        uncovered[y].set(x);
-                        is_kept = true;
-                    }
-                });
+                let [first, last] = grid.ranges(outline, top);
+                for (i, y) in group.enumerate() {
+                    open[y].for_each_in(first[i], last[i], |x| {
+                        let (corners, shown) = grid.corners(x, y, object);
+                        let is_covered = if is_on_plane {
+                            // Where no corner shows the plane of a shadow or an image it cannot be seen, or is looked for itself.
+                            shown == 0 || shown & grid.inside(x, y, outline) != 0
+                        } else {
+                            shown != 0 || grid.are_before(corners, object)
+                        };
+                        if !is_covered {
+                            uncovered[y].set(x);
+                            is_kept = true;
+                        }
+                    });
+                }
             }
-            if is_kept {
-                self.outlines[kept] = number;
-                kept += 1;
-            }
+            self.outlines[kept] = number;
+            kept += usize::from(is_kept);
         }
         self.count = kept;
         open[..rows].copy_from_slice(&uncovered[..rows]);
     }
 }
 
-impl Area {
-    /// The squares of a row, sides included, that may show what has an outline.
-    fn range(
-        &self,
-        scene: &Prepared,
-        outline: &SeenOutline<'_>,
-        level: usize,
-        y: usize,
-    ) -> Option<RangeInclusive<usize>> {
-        let side = self.side(level);
-        let columns = self.columns(level);
-        let (left, top) = (self.left, self.top + y * side);
-        let row = rectangle(left, top, left + columns * side, top + side);
-        let [from, to] = outline.narrow(scene.axes.rect(row))?;
-        let [from, to] = [from, to].map(|u| scene.axes.column(u) - left as f32);
-        // A square that ends where the outline begins shows it on its side.
-        let first = libm::ceilf((from - MARGIN) / side as f32) as usize;
-        let last = ((to + MARGIN) / side as f32) as usize;
-        let last = last.min(columns - 1).min(TILE_WIDTH - 1);
-        Some(first.saturating_sub(1)..=last)
-    }
-}
-
-/// A square of a level, and the objects that its corners show, where they are known.
-struct Square<'a> {
+/// The squares of a level.
+struct Grid<'a> {
+    scene: &'a Prepared,
     area: &'a Area,
+    pyramid: &'a Pyramid,
     level: usize,
-    x: usize,
-    y: usize,
-    objects: [Option<ObjectId>; 4],
+    side: usize,
+    columns: usize,
+    /// How many columns and rows of its points are pixels of the picture.
+    pixels: [usize; 2],
 }
 
-impl Square<'_> {
-    /// Whether its corners show what has an outline, or that it cannot be seen.
-    fn shows(&self, scene: &Prepared, number: usize, outline: &SeenOutline<'_>) -> bool {
-        let object = scene.outlined_object(number);
-        if number == object.index() {
-            self.shows_object(object) || self.is_hidden(scene, object)
-        } else {
-            // Where no corner shows the plane of a shadow or an image it cannot be seen, or is looked for itself.
-            !self.shows_object(object) || self.shows_on(scene, outline, object)
+impl<'a> Grid<'a> {
+    fn new(scene: &'a Prepared, area: &'a Area, pyramid: &'a Pyramid, level: usize) -> Self {
+        let side = area.side(level);
+        Self {
+            scene,
+            area,
+            pyramid,
+            level,
+            side,
+            columns: area.columns(level),
+            pixels: [
+                (area.picture[0] - area.left).div_ceil(side),
+                (area.picture[1] - area.top).div_ceil(side),
+            ],
         }
     }
 
-    /// Whether all corners show one object, if it is known.
-    fn only_object(&self) -> Option<ObjectId> {
-        let [first, others @ ..] = self.objects;
-        let is_one = others.iter().all(|&object| object == first);
-        if is_one { first } else { None }
+    /// The first and the last square, sides included, that may show what has an outline, of each of some rows from `top`
+    /// down; the first beyond the last where none may.
+    #[inline(never)]
+    fn ranges(&self, outline: &SeenOutline<'_>, top: usize) -> [[i32; ROWS]; 2] {
+        let simd = baseline();
+        let Area { left, top: y, .. } = *self.area;
+        let size = [self.columns * self.side, self.side];
+        let rects = self
+            .scene
+            .axes
+            .rects(simd, [left, y + top * self.side], size);
+        let [from, to] = outline.narrow(rects);
+        let [first, last] = [(from, -MARGIN), (to, MARGIN)].map(|(u, margin)| {
+            let column = self.scene.axes.column::<Baseline>(u) - (pixels(left) - margin);
+            let square = column / pixels(self.side);
+            let square = square.max(splat(simd, 0.0));
+            square
+                .min(splat(simd, pixels(self.columns - 1)))
+                .to_int::<I<Baseline>>()
+        });
+        let last = from
+            .simd_le(to)
+            .select(last, I::<Baseline>::splat(simd, -1));
+        [first, last].map(|squares| squares.into())
     }
 
-    /// Whether an object is shown by a corner that is a pixel of the picture, or by all.
-    fn shows_object(&self, object: ObjectId) -> bool {
-        self.only_object() == Some(object)
-            || (0..4).any(|i| self.objects[i] == Some(object) && self.is_pixel(i))
+    /// The labels of the corners of the square (x, y), and a bit for each that is a pixel of the picture and shows an object.
+    #[inline(always)]
+    fn corners(&self, x: usize, y: usize, object: ObjectId) -> ([usize; 4], u64) {
+        let labels = self.pyramid.corners(self.level, x, y).map(Sample::label);
+        let [upper, right, lower, last] =
+            labels.map(|label| u64::from(label == object.index() + 1));
+        // The first one always is a pixel.
+        let mut shown = upper | right << 1 | lower << 2 | last << 3;
+        if x + 1 == self.pixels[0] {
+            shown &= 0b0101;
+        }
+        if y + 1 == self.pixels[1] {
+            shown &= 0b0011;
+        }
+        (labels, shown)
     }
 
-    /// Whether all corners show an object that is in front of another one.
-    fn is_hidden(&self, scene: &Prepared, object: ObjectId) -> bool {
-        self.only_object()
-            .is_some_and(|front| scene.occludes(front, object))
+    /// Whether corners with some labels all show one object, which is in front of another one.
+    #[inline(always)]
+    fn are_before(&self, [front, others @ ..]: [usize; 4], object: ObjectId) -> bool {
+        front != 0 && others == [front; 3] && self.scene.occludes(ObjectId::new(front - 1), object)
     }
 
-    /// Whether a corner that is a pixel shows a plane within a shadow's or an image's outline.
-    fn shows_on(&self, scene: &Prepared, outline: &SeenOutline<'_>, plane: ObjectId) -> bool {
-        (0..4).any(|i| {
-            let [x, y] = self.corner(i);
-            let point = scene.axes.rect(rectangle(x, y, x, y));
-            self.objects[i] == Some(plane) && self.is_pixel(i) && outline.contains(point)
-        })
-    }
-
-    /// The position of corner number `i` in the picture.
-    fn corner(&self, i: usize) -> [usize; 2] {
-        let side = self.area.side(self.level);
-        [
-            self.area.left + (self.x + i % 2) * side,
-            self.area.top + (self.y + i / 2) * side,
-        ]
-    }
-
-    /// Whether corner number `i` is a pixel of the picture.
-    fn is_pixel(&self, i: usize) -> bool {
-        let [x, y] = self.corner(i);
-        x < self.area.picture[0] && y < self.area.picture[1]
+    /// A bit for each corner of the square (x, y) that is inside of an outline.
+    #[inline(always)]
+    fn inside(&self, x: usize, y: usize, outline: &SeenOutline<'_>) -> u64 {
+        let [left, right] = [x, x + 1].map(|x| pixels(self.area.left + x * self.side));
+        let [top, bottom] = [y, y + 1].map(|y| pixels(self.area.top + y * self.side));
+        let simd = baseline();
+        let x = F::<Baseline>::simd_from(simd, [left, right, left, right]);
+        let y = F::<Baseline>::simd_from(simd, [top, top, bottom, bottom]);
+        let points = self.scene.axes.points::<Baseline>(x, y);
+        outline.contains::<Baseline>(points).to_bitmask()
     }
 }

@@ -77,7 +77,7 @@
 //! | tracing: primary rays and their light | 0.45 | 0.25 |
 //! | tracing: secondary rays and their light | 0.81 | 0.50 |
 //! | finding points | 0.37 | 0.37 |
-//! | guard | 0.28 | 0.28 |
+//! | guard | 0.17 | 0.17 |
 //! | filling | 0.24 | 0.23 |
 //! | verdict | 0.06 | 0.06 |
 //! | splitting | 0.04 | 0.04 |

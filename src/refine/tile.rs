@@ -6,7 +6,7 @@ use super::fill::{Canvas, Run};
 use super::verdict::{Rules, Verdict, judge};
 use super::worker::Worker;
 use crate::observe::{Fill, Observer, Stage};
-use crate::prepare::{Prepared, VisibleGroups};
+use crate::prepare::{Prepared, Rect, VisibleGroups};
 use crate::quality::Quality;
 use crate::scene::camera::pixels;
 use crate::trace::Sample;
@@ -20,6 +20,8 @@ pub(super) struct Tile<'a, O: Observer> {
     pub quality: &'a Quality,
     pub observer: O,
     pub area: Area,
+    /// What its squares cover of the picture.
+    pub rect: Rect,
     /// The groups that the tile can show.
     pub seen: VisibleGroups,
     pub worker: &'a mut Worker,
@@ -34,7 +36,8 @@ impl<O: Observer> Tile<'_, O> {
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
         let open = if self.quality.guarded {
-            self.worker.guard.begin(self.scene, &self.area);
+            self.observer.stage(Stage::Guard);
+            self.worker.guard.begin(self.scene, self.rect);
             Bits::first(columns)
         } else {
             Bits::NONE

@@ -59,8 +59,13 @@ impl Sample {
     /// The object that is shown, if it is known.
     #[inline(always)]
     pub fn object(self) -> Option<ObjectId> {
-        let number = ((self.0 & !Self::PATTERN) >> OBJECT) as usize;
-        number.checked_sub(1).map(ObjectId::new)
+        self.label().checked_sub(1).map(ObjectId::new)
+    }
+
+    /// One more than the number of the object that is shown, or 0 if that is not known.
+    #[inline(always)]
+    pub fn label(self) -> usize {
+        ((self.0 & !Self::PATTERN) >> OBJECT) as usize
     }
 
     /// The colour half-way between two, and the object if it is the same.

@@ -41,19 +41,25 @@ proptest! {
     }
 
     #[test]
-    fn a_range_has_its_bits_and_no_others(from in 0..COUNT, to in 0..COUNT) {
-        let range = is_set(Bits::range(from..=to));
-        for (i, &is_in) in range.iter().enumerate() {
-            prop_assert_eq!(is_in, (from..=to).contains(&i));
-        }
-        prop_assert_eq!(Bits::first(to).is_empty(), to == 0);
-    }
-
-    #[test]
     fn every_bit_that_is_set_is_called_for_in_order(bits in bits()) {
         let mut called = Vec::new();
         bits.for_each(|i| called.push(i));
         let expected: Vec<usize> = (0..COUNT).filter(|&i| bits.has(i)).collect();
+        prop_assert_eq!(called, expected);
+    }
+
+    #[test]
+    fn bits_in_a_range_are_called_for_and_no_others(
+        bits in bits(),
+        first in 0..COUNT as i32,
+        last in -1..COUNT as i32,
+    ) {
+        let mut called = Vec::new();
+        bits.for_each_in(first, last, |i| called.push(i));
+        let expected: Vec<usize> = (first..=last)
+            .map(|i| i as usize)
+            .filter(|&i| bits.has(i))
+            .collect();
         prop_assert_eq!(called, expected);
     }
 }
