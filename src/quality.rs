@@ -21,7 +21,7 @@ pub struct Quality {
     /// The tolerance for the midpoint of a split square's side, 0 to infinity: if the side's ends have the same key and their
     /// colours are within it, the midpoint gets their mean and is not traced. With 0 all midpoints are traced.
     pub tolerance_side: f32,
-    /// Whether a square is also split if an object, the shadow of a sphere on a plane, or an image in the first plane may be
+    /// Whether a square is also split if an object, the shadow of a sphere on a plane, or an image in a flat first plane may be
     /// visible in it that none of its corners shows. Then no object and no such shadow is missed that tracing every pixel would
     /// show, nor an image of 2x2 pixels that no other one hides, unless it is a cylinder's. All named qualities are
     /// guarded, [`Quality::THESIS`] included. The original rules of 2008, which miss objects between corners, are

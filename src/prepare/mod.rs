@@ -261,6 +261,9 @@ impl Prepared {
         let is_mirror = |m: &Material| m.kr + m.fresnel + m.kt > 0.0;
         let first = self.scene.planes.first();
         let mirrors = usize::from(first.is_some_and(|plane| is_mirror(&plane.material)));
+        // Images in waves may be anywhere.
+        let is_calm = self.scene.water.are_calm();
+        let mirrors = mirrors * usize::from(is_calm);
         self.first_shadow = background + 1 + mirrors * first_plane;
         let (mut eye, mut axes) = (self.eye, self.axes.clone());
         for (i, groups) in self.bounds[..=mirrors].iter_mut().enumerate() {
@@ -286,6 +289,9 @@ impl Prepared {
             // An image in a plane is what the eye's own image sees of the object.
             eye.y = 2.0 * self.planes[0].centre.y - eye.y;
             axes.mirror();
+        }
+        if !is_calm {
+            self.bounds[1] = [ScreenBounds::ALL; MAX_GROUPS];
         }
         self.screen[first_plane..background].fill(ScreenBounds::ALL);
         self.screen[background] = ScreenBounds::NONE;

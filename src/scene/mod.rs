@@ -11,6 +11,7 @@ mod list;
 mod method;
 mod pattern;
 mod validate;
+mod waves;
 
 pub use block::{Block, Shape};
 pub use camera::Camera;
@@ -21,6 +22,7 @@ pub use list::List;
 pub use method::Method;
 pub use pattern::Pattern;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
+pub use waves::Waves;
 
 /// The most spheres in a scene. The show uses up to 256.
 pub const MAX_SPHERES: usize = 320;
@@ -61,6 +63,8 @@ pub struct Scene {
     pub spheres: List<Sphere, MAX_SPHERES>,
     /// Horizontal rectangles.
     pub planes: List<Plane, MAX_PLANES>,
+    /// The waves on the first plane.
+    pub water: Waves,
     /// Boxes and cylinders.
     pub blocks: List<Block, MAX_BLOCKS>,
     /// Lights.
@@ -112,6 +116,7 @@ impl Scene {
                 half_z: 0.0,
                 material,
             }),
+            water: Waves::CALM,
             blocks: List::over(Block {
                 centre: Vec3A::ZERO,
                 half: Vec3A::ZERO,

@@ -1,6 +1,6 @@
 //! Which scenes are within the tracer's limits.
 
-use super::{Block, Camera, Caption, Light, Material, Pattern, Plane, Scene, Shape, Sphere};
+use super::{Block, Camera, Caption, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Waves};
 use crate::flaw::{Checked, Flaw};
 use glam::Vec3A;
 
@@ -31,6 +31,7 @@ impl Scene {
         self.camera.validate()?;
         self.validate_air()?;
         self.validate_method()?;
+        self.water.validate()?;
         each("captions", &self.captions, Caption::validate)?;
         each("spheres", &self.spheres, Sphere::validate)?;
         each("planes", &self.planes, Plane::validate)?;
@@ -189,6 +190,18 @@ impl Material {
         let is_tint = self.tint.to_array().into_iter().all(is_share);
         object.field("material.tint", self.tint, SHARES, is_tint)?;
         self.pattern.validate(object)
+    }
+}
+
+impl Waves {
+    fn validate(&self) -> Result<(), Flaw> {
+        let water = Checked::one("water");
+        let is_slope = (0.0..=0.1).contains(&self.slope);
+        water.field("slope", self.slope, "0 to 0.1", is_slope)?;
+        let is_length = is_extent(self.length) || self.are_calm() && self.length == 0.0;
+        water.field("length", self.length, EXTENT, is_length)?;
+        let is_phase = self.phase.abs() <= 1e6;
+        water.field("phase", self.phase, "-1e6 to 1e6", is_phase)
     }
 }
 

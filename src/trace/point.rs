@@ -45,6 +45,9 @@ impl<S: Isa> ShadingPoint<S> {
         if scene.has_blocks() || scene.has_patterns() {
             point.add_detail(simd, scene, rays, hit);
         }
+        if !scene.scene.water.are_calm() {
+            point.ripple(simd, scene, rays, hit);
+        }
         point.face(simd, rays);
         point
     }

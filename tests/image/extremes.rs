@@ -5,7 +5,7 @@ use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::Difference;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::scene::{Block, Camera, Caption, List, Material, Scene, Shape, Spot};
+use eightfold::scene::{Block, Camera, Caption, List, Material, Scene, Shape, Spot, Waves};
 use eightfold::{Counts, Quality, show};
 use eightfold_oracle::frame::Frame;
 use glam::{Mat3A, Vec3A, vec3a};
@@ -23,6 +23,7 @@ pub fn scaled(scene: &Scene, factor: f32) -> Scene {
     scene.haze /= factor;
     scene.camera.eye *= factor;
     scene.camera.look_at *= factor;
+    scene.water.length *= factor;
     for sphere in scene.spheres.iter_mut() {
         sphere.centre *= factor;
         sphere.radius *= factor;
@@ -168,6 +169,11 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
         ("coarse", &mut method.coarse),
     ]);
     lengths.push(("front", &mut method.front));
+    lengths.extend([
+        ("slope", &mut scene.water.slope),
+        ("length", &mut scene.water.length),
+    ]);
+    lengths.push(("phase", &mut scene.water.phase));
     for caption in scene.captions.iter_mut() {
         lengths.extend([
             ("middle", &mut caption.middle),
@@ -244,6 +250,11 @@ fn rich() -> Scene {
             material: scene.spheres[0].material,
         });
     }
+    scene.water = Waves {
+        slope: 0.02,
+        length: 2.0,
+        phase: 0.3,
+    };
     let lamp = &mut scene.lights[0];
     lamp.size = 0.5;
     lamp.spot = Some(Spot {

@@ -28,4 +28,5 @@ mod shipped;
 mod show;
 mod sizes;
 mod soak;
+mod water;
 mod wrong_pixels;

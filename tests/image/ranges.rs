@@ -124,6 +124,16 @@ fn a_scene_out_of_range_is_refused_by_the_name_of_its_number() {
     let error = refusal(&scene, &Quality::DEFAULT, (64, 48), 64 * 48).unwrap();
     let text = "spheres[2].material.kd is -0.5, and takes 0 to 1";
     assert_eq!(error.to_string(), text);
+    let mut rough = scene;
+    (rough.spheres[2].material.kd, rough.water.slope) = (0.5, 0.2);
+    let flaw = rough.validate().unwrap_err().to_string();
+    assert_eq!(flaw, "water.slope is 0.2, and takes 0 to 0.1");
+    rough.water.slope = 0.1;
+    let flaw = rough.validate().unwrap_err().to_string();
+    assert_eq!(
+        flaw,
+        "water.length is 0, and takes a length from 1e-9 to 1e9"
+    );
     let source = core::error::Error::source(&error).expect("the flaw");
     assert_eq!(source.to_string(), text);
 }

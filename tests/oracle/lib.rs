@@ -9,6 +9,7 @@ mod light;
 pub mod pattern;
 mod shade;
 pub mod squares;
+pub mod waves;
 
 use eightfold::Quality;
 use eightfold::scene::Scene;

@@ -3,6 +3,7 @@
 use super::intersect::block;
 use super::light::ToLight;
 use super::pattern::reflectance;
+use super::waves;
 use super::{Object, Oracle, Ray, Traced};
 use eightfold::scene::{Light, Material};
 use glam::DVec3;
@@ -55,8 +56,12 @@ impl Oracle<'_> {
             }
         };
         let inside = ray.d.dot(normal) > 0.0;
+        let footprint = t * self.pixel / ray.d.dot(normal).abs();
+        let normal = match object {
+            Object::Plane(0) => waves::normal(&self.scene.water, p, ray.d, footprint),
+            _ => normal,
+        };
         let n = if inside { -normal } else { normal };
-        let footprint = t * self.pixel / -ray.d.dot(n);
         let painted = &Material {
             colour: material.colour * reflectance(&material.pattern, own, footprint) as f32,
             ..*material

@@ -5,7 +5,7 @@ use crate::error::worst_channel;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::Quality;
 use eightfold::glam::Vec3A;
-use eightfold::scene::{Light, List, Material, Scene};
+use eightfold::scene::{Light, List, Material, Scene, Waves};
 use eightfold_oracle::{Object, Oracle};
 use eightfold_window::cpu;
 use std::collections::BTreeMap;
@@ -25,9 +25,9 @@ pub enum Kind {
     BlockShadow,
     /// A shadow on a sphere, a box or a cylinder.
     SolidShadow,
-    /// An image in the first plane.
+    /// An image in the first plane, without waves.
     PlaneImage,
-    /// An image in another mirror.
+    /// An image in another mirror, or in waves.
     OtherImage,
     /// What glass shows.
     Glass,
@@ -43,7 +43,7 @@ impl Kind {
         (Self::BlockShadow, "shadows of blocks on planes"),
         (Self::SolidShadow, "shadows on spheres and blocks"),
         (Self::PlaneImage, "images in the first plane"),
-        (Self::OtherImage, "images in other mirrors"),
+        (Self::OtherImage, "images in other mirrors, in waves"),
         (Self::Glass, "through glass"),
     ];
 }
@@ -171,7 +171,7 @@ fn kind(scene: &Scene, thing: Object, host: Object, is_seen: bool) -> Kind {
     match host {
         _ if host == thing => Kind::Object,
         _ if is_image && material(scene, host).kt > 0.0 => Kind::Glass,
-        Object::Plane(0) if is_image => Kind::PlaneImage,
+        Object::Plane(0) if is_image && scene.water == Waves::CALM => Kind::PlaneImage,
         _ if is_image => Kind::OtherImage,
         Object::Plane(_) => match thing {
             Object::Block(_) => Kind::BlockShadow,

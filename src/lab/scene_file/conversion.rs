@@ -2,7 +2,7 @@
 
 use super::description::{
     Block, Camera, Caption, Description, Film, Light, Material, Method, Pattern, Plane, Sphere,
-    Spot,
+    Spot, Waves,
 };
 use eightfold::glam::{EulerRot, Mat3A};
 use eightfold::scene::{self, List, Scene};
@@ -39,6 +39,7 @@ same_fields!(Pattern, waves, depth, edge, balance, warp, grain);
 same_fields!(
     Material, colour, kd, ks, exponent, kr, fresnel, kt, index, tint, pattern
 );
+same_fields!(Waves, slope, length, phase);
 same_fields!(Spot, aim, dark, bright);
 same_fields!(Light, position, colour, radius, parallel, size, glow; spot);
 
@@ -127,6 +128,7 @@ impl Description {
             materials,
             spheres,
             planes,
+            water: scene.water.into(),
             blocks,
             lights: scene.lights.iter().map(|&light| light.into()).collect(),
             captions: scene
@@ -160,6 +162,7 @@ impl Description {
             film: self.film.into(),
             ambient: self.ambient.into(),
             method: self.method.into(),
+            water: self.water.into(),
             ..Scene::default()
         };
         for sphere in self.spheres {

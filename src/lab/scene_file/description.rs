@@ -27,6 +27,7 @@ pub struct Description {
     pub materials: BTreeMap<String, Material>,
     pub spheres: Vec<Sphere>,
     pub planes: Vec<Plane>,
+    pub water: Waves,
     pub blocks: Vec<Block>,
     pub lights: Vec<Light>,
     pub captions: Vec<Caption>,
@@ -109,6 +110,15 @@ pub struct Plane {
     pub half_x: f32,
     pub half_z: f32,
     pub material: String,
+}
+
+/// See [`scene::Waves`].
+#[derive(Clone, Debug, Default, Serialize, Deserialize, PartialEq)]
+#[serde(default, deny_unknown_fields)]
+pub struct Waves {
+    pub slope: f32,
+    pub length: f32,
+    pub phase: f32,
 }
 
 /// See [`scene::Block`].

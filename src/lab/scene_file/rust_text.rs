@@ -32,7 +32,7 @@ const fn library(
     }
 }
 
-const STRUCTS: [Struct; 11] = [
+const STRUCTS: [Struct; 12] = [
     library("camera", "Camera", 4, "Camera::default()"),
     library("film", "Film", 2, "Film::default()"),
     library("method", "Method", 3, "Method::default()"),
@@ -40,6 +40,7 @@ const STRUCTS: [Struct; 11] = [
     library("pattern", "Pattern", 5, "Pattern::NONE"),
     library("spheres", "Sphere", 3, "Sphere::default()"),
     library("planes", "Plane", 4, "Plane::default()"),
+    library("water", "Waves", 3, "Waves::default()"),
     library("blocks", "Block", 5, "Block::default()"),
     library("lights", "Light", 7, "Light::DARK"),
     library("spot", "Spot", 3, "Spot::default()"),

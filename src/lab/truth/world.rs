@@ -3,8 +3,9 @@
 use super::geometry::{Met, Ray, Shape};
 use super::lamp::Lamp;
 use eightfold::glam::DVec3;
-use eightfold::scene::{self, Camera, Pattern, Scene};
+use eightfold::scene::{self, Camera, Pattern, Scene, Waves};
 use eightfold_oracle::pattern::reflectance;
+use eightfold_oracle::waves;
 
 /// The material of a body; see [`scene::Material`].
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +44,8 @@ impl From<&scene::Material> for Material {
 pub struct Body {
     pub shape: Shape,
     pub material: Material,
+    /// The waves on it: none but on the first plane.
+    pub waves: Waves,
 }
 
 /// A scene for pictures of one size.
@@ -112,7 +115,14 @@ impl World {
                 nearest = Some((body, met));
             }
         }
-        nearest
+        // Waves tilt the normal. They are seen as coarse as a pixel at the distance of this part of the path would see them.
+        nearest.map(|(body, mut met)| {
+            if body.waves != Waves::CALM {
+                let seen = met.t * self.pixel / ray.d.y.abs();
+                met.normal = waves::normal(&body.waves, ray.at(met.t), ray.d, seen);
+            }
+            (body, met)
+        })
     }
 
     /// The share of light that bodies let pass over a distance along a ray: none, or with `is_tinted` the tint of each solid in
@@ -155,9 +165,13 @@ fn bodies(scene: &Scene) -> Vec<Body> {
     let body = |shape: Shape, material: &scene::Material| Body {
         shape,
         material: material.into(),
+        waves: Waves::CALM,
     };
     let spheres = scene.spheres.iter().map(|it| body(it.into(), &it.material));
-    let planes = scene.planes.iter().map(|it| body(it.into(), &it.material));
+    let planes = scene.planes.iter().enumerate().map(|(i, it)| Body {
+        waves: if i == 0 { scene.water } else { Waves::CALM },
+        ..body(it.into(), &it.material)
+    });
     let blocks = scene.blocks.iter().map(|it| body(it.into(), &it.material));
     spheres.chain(planes).chain(blocks).collect()
 }

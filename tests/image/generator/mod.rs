@@ -8,7 +8,7 @@ pub mod placed;
 pub mod seeded;
 
 use eightfold::scene::{
-    Block, Camera, Film, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
+    Block, Camera, Film, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
@@ -269,6 +269,7 @@ pub struct Rich {
     haze: f32,
     fade: f32,
     film: Film,
+    water: Waves,
 }
 
 impl Rich {
@@ -285,6 +286,7 @@ impl Rich {
             haze: self.haze,
             fade: self.fade,
             film: self.film,
+            water: self.water,
             ..scene
         }
     }
@@ -301,6 +303,17 @@ fn film() -> impl Strategy<Value = Film> {
     prop_oneof![Just(Film::PLAIN), any]
 }
 
+/// Calm water, or waves.
+fn water() -> impl Strategy<Value = Waves> {
+    let any = (0.001_f32..0.1, 0.5_f32..10.0, -9.0_f32..9.0);
+    let any = any.prop_map(|(slope, length, phase)| Waves {
+        slope,
+        length,
+        phase,
+    });
+    prop_oneof![Just(Waves::CALM), any]
+}
+
 /// Objects, materials and lights of all kinds.
 pub fn rich() -> impl Strategy<Value = Rich> {
     (
@@ -309,10 +322,10 @@ pub fn rich() -> impl Strategy<Value = Rich> {
         vec(any_light(), 0..=3),
         (painted(), colour()),
         (prop_oneof![Just(0.0_f32), 0.01_f32..0.1], -0.2_f32..0.9),
-        film(),
+        (film(), water()),
     )
         .prop_map(
-            |(sketch, blocks, lights, (floor, sky), (haze, fade), film)| Rich {
+            |(sketch, blocks, lights, (floor, sky), (haze, fade), (film, water))| Rich {
                 sketch,
                 blocks,
                 lights,
@@ -321,6 +334,7 @@ pub fn rich() -> impl Strategy<Value = Rich> {
                 haze,
                 fade,
                 film,
+                water,
             },
         )
 }

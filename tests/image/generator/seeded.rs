@@ -2,7 +2,7 @@
 
 use eightfold::Quality;
 use eightfold::scene::{
-    Block, Camera, Film, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
+    Block, Camera, Film, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 
@@ -141,6 +141,11 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
         vignette: random.between(0.0, 1.0),
         dither: random.between(0.0, 1.0),
     };
+    scene.water = Waves {
+        slope: [0.0, random.between(0.0, 0.1)][random.below(2)],
+        length: scale * random.between(0.1, 5.0),
+        phase: random.between(-9.0, 9.0),
+    };
     for light in scene.lights.iter_mut() {
         light.size = scale * [0.0, random.between(0.0, 2.0)][random.below(2)];
         light.glow = scale * [0.0, random.between(0.0, 2.0)][random.below(2)];
@@ -176,6 +181,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         haze,
         fade,
         film,
+        water,
         ..
     } = scene;
     let (a, b, c) = (
@@ -194,6 +200,9 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         &mut film.shoulder,
         &mut film.vignette,
         &mut film.dither,
+        &mut water.slope,
+        &mut water.length,
+        &mut water.phase,
     ];
     for block in blocks.iter_mut() {
         let m = &mut block.material;

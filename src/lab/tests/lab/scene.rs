@@ -35,9 +35,10 @@ fn contents(scene: &Scene) -> String {
         scene.ambient,
     );
     format!(
-        "{:?} {air:?} {:?} {:?} {:?} {:?} {:?} {:?}",
+        "{:?} {air:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",
         scene.camera,
         scene.method,
+        scene.water,
         &scene.spheres[..],
         &scene.planes[..],
         &scene.blocks[..],

@@ -53,7 +53,7 @@ fn by_the_oracle(scene: &Scene) -> Vec<DVec3> {
 
 fn scenes() -> impl Iterator<Item = (String, Scene)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes");
-    let files = ["first", "blocks", "patterns", "air", "lights"];
+    let files = ["first", "blocks", "patterns", "air", "lights", "water"];
     let files = files.map(|name| format!("{folder}/{name}.ron"));
     let names = ["model", "field:40", "show:machine", "show:colonnade"].map(str::to_owned);
     names.into_iter().chain(files).map(|name| {
