@@ -159,12 +159,12 @@ pub(super) static SANDSTONE: Material = Material {
     ..MATT
 };
 
-/// Still, dark water: the floor of the title, the machine and the finale.
-pub(super) static DUSK: Material = Material {
+/// Dark water, which mirrors lamps as it does the sky: the floor of the title, the machine and the finale.
+pub(super) static WATER: Material = Material {
     colour: vec3a(0.2, 0.2, 0.27),
     kd: 0.8,
-    ks: 0.2,
-    exponent: 20.0,
+    ks: 0.6,
+    exponent: 60.0,
     kr: 0.45,
     fresnel: 0.6,
     ..MATT

@@ -1,7 +1,7 @@
 //! What is set up for a scene of the show: air, floor, lamps, props.
 
 use super::props::Prop;
-use crate::scene::{Film, Light, Material, Plane, Scene, Spot};
+use crate::scene::{Film, Light, Material, Plane, Scene, Spot, Waves};
 use glam::Vec3A;
 
 /// What is set up for an act, or for several in a row.
@@ -20,6 +20,8 @@ pub(super) struct Set {
     pub floor: &'static Material,
     /// Half the side of the floor, in scene units.
     pub floor_half: f32,
+    /// The slope of the waves on the floor, see [`Waves::slope`].
+    pub swell: f32,
     /// The lights. Here a spotlight's aim may have any length.
     pub lights: &'static [Light],
     /// How much lights and camera follow the kick of the drum, 0 to 1.
@@ -40,6 +42,11 @@ pub(super) const SHOW: Film = Film {
 
 /// Half the side of a floor that seems endless: haze hides its edge.
 pub(super) const FAR: f32 = 100.0;
+
+/// The length of the longest waves, in scene units: some of a letter's size are among them, and some that reach the horizon.
+const SWELL: f32 = 9.0;
+/// How much of their length they go on in a beat.
+const PACE: f32 = 0.1;
 
 /// An invisible point light, whose shadows are hard.
 pub(super) const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {
@@ -73,6 +80,14 @@ impl Set {
             half_z: self.floor_half,
             material: *self.floor,
         });
+        scene.water = Waves::CALM;
+        if self.swell > 0.0 {
+            scene.water = Waves {
+                slope: self.swell,
+                length: SWELL,
+                phase: PACE * beat,
+            };
+        }
         scene.lights.clear();
         for &light in self.lights {
             let spot = light.spot.map(|spot| Spot {

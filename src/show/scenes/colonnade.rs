@@ -24,6 +24,7 @@ static SET: Set = Set {
     film: SHOW,
     floor: &material::SANDSTONE,
     floor_half: FAR,
+    swell: 0.0,
     lights: &[
         Light {
             size: 0.2,

@@ -1,4 +1,4 @@
-//! Credits and greetings at dusk: a glass ball before the sun, on still water, from which eight arms of spheres go out.
+//! Credits and greetings at dusk: a glass ball before the sun, on water with waves, from which eight arms of spheres go out.
 
 use crate::scene::{Light, Material, Scene};
 use crate::show::act::{Act, Shot, shot};
@@ -23,8 +23,9 @@ static SET: Set = Set {
     ambient: vec3a(0.12, 0.11, 0.16),
     haze: 0.02,
     film: SHOW,
-    floor: &material::DUSK,
+    floor: &material::WATER,
     floor_half: FAR,
+    swell: 0.03,
     lights: &[
         // The sun.
         Light {
@@ -32,7 +33,10 @@ static SET: Set = Set {
             glow: 7.0,
             ..point([4.0, 5.2, 70.0], [1.00, 0.72, 0.42])
         },
-        point([-6.0, 8.0, -8.0], [0.75, 0.62, 0.72]),
+        Light {
+            size: 1.0,
+            ..point([-6.0, 8.0, -8.0], [0.75, 0.62, 0.72])
+        },
     ],
     hit: 0.0,
     props: PROPS,

@@ -27,6 +27,7 @@ static SET: Set = Set {
     film: SHOW,
     floor: &material::PAPER,
     floor_half: FAR,
+    swell: 0.0,
     lights: &[
         Light {
             size: 0.9,

@@ -22,8 +22,9 @@ static SET: Set = Set {
     ambient: vec3a(0.10, 0.11, 0.15),
     haze: 0.03,
     film: SHOW,
-    floor: &material::DUSK,
+    floor: &material::WATER,
     floor_half: FAR,
+    swell: 0.0,
     lights: &[
         // The sun of the orrery.
         Light {

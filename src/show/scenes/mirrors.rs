@@ -24,6 +24,7 @@ static SET: Set = Set {
     film: SHOW,
     floor: &FLOOR,
     floor_half: FAR,
+    swell: 0.0,
     lights: &[
         // The light that walks, see `add`.
         Light {

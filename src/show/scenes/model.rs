@@ -27,6 +27,7 @@ pub(in crate::show) static SET: Set = Set {
     film: Film::PLAIN,
     floor: &material::PAPER,
     floor_half: 12.0,
+    swell: 0.0,
     lights: &[
         Light {
             radius: 0.15,

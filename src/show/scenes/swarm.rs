@@ -26,6 +26,7 @@ static SET: Set = Set {
     film: SHOW,
     floor: &material::NIGHT,
     floor_half: FAR,
+    swell: 0.0,
     lights: &[
         Light {
             size: 1.25,

@@ -25,8 +25,9 @@ static SET: Set = Set {
     ambient: vec3a(0.10, 0.10, 0.12),
     haze: 0.02,
     film: SHOW,
-    floor: &material::DUSK,
+    floor: &material::WATER,
     floor_half: FAR,
+    swell: 0.015,
     lights: &[
         // The lamp, see `add`.
         Light {
