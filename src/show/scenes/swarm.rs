@@ -19,20 +19,22 @@ pub(in crate::show) const ACT: Act = Act {
 };
 
 static SET: Set = Set {
-    background: vec3a(0.08, 0.28, 0.38),
-    sky: vec3a(-0.06, -0.25, -0.28),
-    ambient: vec3a(0.12, 0.12, 0.15),
+    background: vec3a(0.15, 0.38, 0.55),
+    sky: vec3a(-0.12, -0.33, -0.34),
+    ambient: vec3a(0.08, 0.08, 0.11),
     haze: 0.03,
     film: SHOW,
     floor: &material::NIGHT,
     floor_half: FAR,
     swell: 0.0,
     lights: &[
+        point([-8.0, 12.0, -6.0], [0.95, 0.86, 0.74]),
+        // The lamp that they fly around.
         Light {
-            size: 1.25,
-            ..point([-8.0, 12.0, -6.0], [1.00, 0.86, 0.70])
+            radius: 0.3,
+            glow: 0.5,
+            ..point(MIDDLE.to_array(), [1.00, 0.75, 0.45])
         },
-        point([10.0, 6.0, 4.0], [0.16, 0.26, 0.55]),
     ],
     hit: 1.0,
     props: &[],
@@ -104,7 +106,8 @@ fn sphere(i: i32, beat: f32) -> Sphere {
         radius,
         material: Material {
             colour: plastic.lerp(GOLD, gold),
-            kr: 0.2 * gold,
+            ks: 0.6,
+            exponent: 40.0,
             ..material::SCARLET
         },
     }
