@@ -3,7 +3,7 @@
 use crate::lanes::*;
 use crate::scene;
 use crate::scene::camera::pixels;
-use fearless_simd::f32x4;
+use fearless_simd::{f32x4, u16x8, u64x2};
 use glam::{Vec2, vec2};
 
 /// The film of a frame. Colours are in output steps, 255 the brightest; positions in pixels of the picture.
@@ -20,6 +20,9 @@ pub(crate) struct Film {
     /// See [`Dither`].
     pub dither: Dither,
 }
+
+/// The light or the colours of four points: blue, green, red, and one number of no meaning.
+pub(crate) type Four = [f32x4<Baseline>; 4];
 
 /// What is added to a pixel's colour before the fraction of an output step is cut off, in 256ths of a step: a word for each channel
 /// of the pixel (x, y), all alike, at `[y % 4][x % 4]`, and again four further on.
@@ -68,20 +71,39 @@ impl Film {
         self.dither[y % 4][x % 4] >> 1
     }
 
+    /// The same for four pixels from (x, y) to the right, two at a time.
+    #[inline(always)]
+    pub fn thresholds(&self, simd: Baseline, x: usize, y: usize) -> [u16x8<Baseline>; 2] {
+        [0, 2].map(|i| {
+            let two = &self.dither[y % 4][x % 4 + i..][..2];
+            u64x2::from_slice(simd, two).bitcast::<u16x8<Baseline>>() >> 1
+        })
+    }
+
     /// What light is divided by at four points, of which x and y are given.
     #[inline(always)]
-    pub fn dimming<S: Isa>(&self, [x, y]: [f32x4<S>; 2]) -> f32x4<S> {
+    fn dimming(&self, [x, y]: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
         let x = (x - self.middle.x) * self.unit;
         let y = (y - self.middle.y) * self.unit;
         (x * x + y * y) * self.vignette + 1.0
     }
 
-    /// The colour that light becomes at a point, channel by channel, by the point's [`Film::dimming`].
-    #[inline(always)]
-    pub fn expose<S: Isa>(&self, simd: S, light: f32x4<S>, dimming: f32) -> f32x4<S> {
-        let light = light / dimming;
-        let over = (light - self.shoulder).max(f32x4::splat(simd, 0.0));
-        light - over + over * self.room / (over + self.room)
+    /// Turns the light at four points, of which x and y are given, into colours, channel by channel.
+    #[inline(never)]
+    pub fn expose(&self, simd: Baseline, light: &mut Four, at: [f32x4<Baseline>; 2]) {
+        let dimming: [f32; 4] = self.dimming(at).into();
+        for (light, dimming) in light.iter_mut().zip(dimming) {
+            *light /= dimming;
+        }
+        let [a, b, c, d] = *light;
+        let most = a.max(b).max(c.max(d));
+        // Most is below the shoulder, and stays as it is.
+        if most.simd_gt(self.shoulder).any_true() {
+            for light in light {
+                let over = (*light - self.shoulder).max(splat(simd, 0.0));
+                *light = *light - over + over * self.room / (over + self.room);
+            }
+        }
     }
 }
 

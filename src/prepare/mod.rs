@@ -14,7 +14,7 @@ mod tree;
 pub(crate) use air::Air;
 #[cfg(test)]
 pub(crate) use film::ROUND;
-pub(crate) use film::{Dither, Film};
+pub(crate) use film::{Dither, Film, Four};
 pub(crate) use lamp::{Lamp, ShadowCone};
 pub(crate) use object::{Object, ObjectId};
 use outline::Outline;

@@ -10,14 +10,11 @@ use super::tile::Tile;
 use super::verdict::{Verdict, steps};
 use crate::lanes::*;
 use crate::observe::Observer;
-use crate::prepare::{Film, ObjectId};
-use crate::quality::Quality;
-use crate::trace::{Layers, STEP, Sample, pattern_at_pixels};
-use fearless_simd::f32x4;
+use crate::prepare::{Four, ObjectId};
+use crate::trace::{Layers, STEP, Sample, SeenPattern};
+use core::ops::Add;
+use fearless_simd::{f32x4, i16x8, i32x4, u16x8, u32x4};
 use glam::Vec3A;
-
-/// The output's brightest step.
-const BRIGHTEST: Vec3A = Vec3A::splat(255.0);
 
 impl<O: Observer> Tile<'_, O> {
     /// Fills the square (x, y) of a level, whose corners all show one object with a pattern, unless their layers are too far
@@ -64,6 +61,8 @@ impl<O: Observer> Tile<'_, O> {
         [a, b, c, d]: [Layers; 4],
         object: Option<ObjectId>,
     ) {
+        let simd = baseline();
+        let film = &self.scene.film;
         let side = self.area.side(level);
         let (left, top) = (self.area.left + x * side, y * side);
         let (right, bottom) = (
@@ -71,31 +70,71 @@ impl<O: Observer> Tile<'_, O> {
             self.canvas.height.min(top + side),
         );
         let part = 1.0 / side as f32;
-        let (mut first, mut step) = (a, (b - a) * part);
+        let (first, step) = (a, (b - a) * part);
         let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
-        let mut shares = [[0.0; 4]; Quality::MAX_SQUARE / 4];
+        let (mut first, mut step) = (Light::of(simd, first), Light::of(simd, step));
+        let (first_down, step_down) = (Light::of(simd, first_down), Light::of(simd, step_down));
+        let pattern = object.map(|object| SeenPattern::new(self.scene, object));
+        let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
         for y in top..bottom {
-            if let Some(object) = object {
-                for (x, shares) in (left..right).step_by(4).zip(&mut shares) {
-                    *shares = pattern_at_pixels(self.scene, object, x, self.area.top + y);
-                }
-            }
             let row = y * self.canvas.width;
             let row = &mut self.canvas.pixels[row + left..row + right];
+            let y = self.area.top + y;
+            let thresholds = film.thresholds(simd, left, y);
             let mut now = first;
-            let shares = shares.as_flattened();
-            for (x, (pixel, &share)) in (left..).zip(row.iter_mut().zip(shares)) {
-                let mut colour = now.rest + now.untextured * share;
-                if object.is_some() {
-                    // Samples are exposed, layers are not.
-                    colour = expose(&self.scene.film, colour, x, self.area.top + y);
+            for (x, pixels) in (left..).step_by(4).zip(row.chunks_mut(4)) {
+                let at = [x as f32 + columns, splat(simd, y as f32)];
+                let shares = match &pattern {
+                    Some(pattern) => pattern.at(at).into(),
+                    None => [0.0; 4],
+                };
+                let mut four = shares.map(|share| {
+                    let light = now.rest + now.untextured * share;
+                    now = now + step;
+                    light
+                });
+                // Samples are exposed, layers are not.
+                if pattern.is_some() && !film.is_plain {
+                    film.expose(simd, &mut four, at);
                 }
-                let threshold = self.scene.film.threshold(x, self.area.top + y);
-                *pixel = cut(colour + (threshold & 0xff) as f32 / STEP as f32);
-                now = now + step;
+                let four = rounded(simd, four, thresholds);
+                match pixels.first_chunk_mut() {
+                    Some(pixels) => *pixels = four,
+                    None => pixels.copy_from_slice(&four[..pixels.len()]),
+                }
             }
             first = first + first_down;
             step = step + step_down;
+        }
+    }
+}
+
+/// [`Layers`] in lanes: blue, green, red, and one of no meaning.
+#[derive(Clone, Copy)]
+struct Light {
+    rest: f32x4<Baseline>,
+    untextured: f32x4<Baseline>,
+}
+
+impl Light {
+    #[inline(always)]
+    fn of(simd: Baseline, layers: Layers) -> Self {
+        let lanes = |colour: Vec3A| colour.extend(0.0).to_array().simd_into(simd);
+        Self {
+            rest: lanes(layers.rest),
+            untextured: lanes(layers.untextured),
+        }
+    }
+}
+
+impl Add for Light {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self {
+            rest: self.rest + other.rest,
+            untextured: self.untextured + other.untextured,
         }
     }
 }
@@ -116,20 +155,16 @@ impl Layers {
     }
 }
 
-/// The colour that light becomes at the pixel (x, y).
+/// The pixels of four colours in output steps, of which the fraction is cut off after a threshold has been added: words of 128ths.
 #[inline(always)]
-fn expose(film: &Film, light: Vec3A, x: usize, y: usize) -> Vec3A {
-    let simd = baseline();
-    let at = [x, y].map(|c| f32x4::splat(simd, c as f32));
-    let dimming: [f32; 4] = film.dimming(at).into();
-    let light = light.extend(0.0).to_array().simd_into(simd);
-    let [blue, green, red, _] = film.expose(simd, light, dimming[0]).into();
-    Vec3A::new(blue, green, red)
-}
-
-/// The pixel of a colour in output steps, without its fraction.
-#[inline(always)]
-fn cut(colour: Vec3A) -> u32 {
-    let [blue, green, red] = colour.clamp(Vec3A::ZERO, BRIGHTEST).to_array();
-    (red as u32) << 16 | (green as u32) << 8 | blue as u32
+fn rounded(simd: Baseline, colours: Four, [first, last]: [u16x8<Baseline>; 2]) -> [u32; 4] {
+    let most = splat(simd, (255 * STEP) as f32);
+    let [a, b, c, d] = colours
+        .map(|colour| at_most::<Baseline>(colour * STEP as f32, most).to_int::<i32x4<Baseline>>());
+    let steps = |a: i32x4<Baseline>, b, threshold| {
+        let words = a.saturating_narrow(b).max(i16x8::splat(simd, 0));
+        (words.bitcast::<u16x8<Baseline>>() + threshold) >> STEP.trailing_zeros()
+    };
+    let bytes = steps(a, b, first).relaxed_narrow(steps(c, d, last));
+    (bytes.bitcast::<u32x4<Baseline>>() & 0x00ff_ffff).into()
 }

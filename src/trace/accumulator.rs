@@ -61,7 +61,8 @@ impl Accumulator {
 
     /// Turns the sums of the points into samples.
     #[inline(always)]
-    pub(super) fn finish<S: Isa>(&mut self, simd: S, film: &Film, queue: &Queue) {
+    pub(super) fn finish(&mut self, film: &Film, queue: &Queue) {
+        let simd = baseline();
         let (sums, _) = self.sums.as_chunks();
         let (samples, _) = self.samples.as_chunks_mut();
         let sums = sums.iter().zip(samples).enumerate();
@@ -139,13 +140,14 @@ fn steps(sum: &Sum) -> Vec3A {
 }
 
 /// The sums of four points after the film, without their keys. The points are at the given x and y.
-#[inline(always)]
-fn exposed<S: Isa>(simd: S, film: &Film, sums: &[Sum; 4], at: [f32x4<S>; 2]) -> [Sum; 4] {
-    let dimming: [f32; 4] = film.dimming(at).into();
-    core::array::from_fn(|i| {
-        let light: f32x4<S> = i32x4::simd_from(simd, sums[i]).to_float();
-        let light = light * (1.0 / (1 << STEP_BITS) as f32);
-        let colour = film.expose(simd, light, dimming[i]) * (1 << STEP_BITS) as f32 + 0.5;
-        colour.to_int::<i32x4<S>>().into()
+fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2]) -> [Sum; 4] {
+    let mut four = sums.map(|sum| {
+        let light: f32x4<Baseline> = i32x4::simd_from(simd, sum).to_float();
+        light * (1.0 / (1 << STEP_BITS) as f32)
+    });
+    film.expose(simd, &mut four, at);
+    four.map(|colour| {
+        let sum = colour * (1 << STEP_BITS) as f32 + 0.5;
+        sum.to_int::<i32x4<Baseline>>().into()
     })
 }

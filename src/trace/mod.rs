@@ -52,7 +52,7 @@ pub use counts::Counts;
 pub(crate) use layers::Layers;
 pub(crate) use queue::BATCH;
 pub(crate) use sample::{STEP, Sample};
-pub(crate) use texture::pattern_at_pixels;
+pub(crate) use texture::SeenPattern;
 
 use crate::lanes::*;
 use crate::prepare::{Prepared, VisibleGroups};
@@ -77,7 +77,7 @@ pub(crate) fn trace(
         _ => trace_by(baseline(), scene, quality, seen, batch),
     }
     // This takes a thousandth of the time, so one instruction set is enough.
-    batch.results.finish(baseline(), &scene.film, &batch.points);
+    batch.results.finish(&scene.film, &batch.points);
 }
 
 #[inline(always)]

@@ -1,10 +1,11 @@
 //! Evaluates procedural textures, see [`crate::scene::Pattern`].
 
 use super::block::{self, BlockHit};
-use super::rays::primary_directions;
+use super::rays::to_picture;
 use crate::lanes::*;
 use crate::prepare::{Object, ObjectId, Prepared};
 use crate::scene::{Pattern, Sphere};
+use fearless_simd::f32x4;
 use glam::Vec3A;
 
 /// The points of a packet at which textures are evaluated.
@@ -43,7 +44,8 @@ impl<S: Isa> TexturePoint<S> {
         }
     }
 
-    /// The share that the pattern leaves of the colour, 0 to 1, seen along `d` from the distance `t`.
+    /// The share that the pattern leaves of the colour, 0 to 1, seen along `d` from the distance `t`. If the length of `d` is
+    /// not 1, `t` is the distance times this length.
     #[inline(always)]
     pub fn reflectance(
         &self,
@@ -59,56 +61,73 @@ impl<S: Isa> TexturePoint<S> {
     }
 }
 
-/// The share that the pattern of an object leaves of its colour, 0 to 1, at the pixel (x, y) of the picture and the three to its
-/// right. For pixels that do not show the object it is of no meaning.
-pub(crate) fn pattern_at_pixels(scene: &Prepared, id: ObjectId, x: usize, y: usize) -> [f32; 4] {
-    let mut shares = [0.0; 4];
-    let found = pattern_at_row(baseline(), scene, id, x, y);
-    for (share, &found) in shares.iter_mut().zip(found.as_slice()) {
-        *share = found;
+/// The pattern of an object, as pixels see it that show the object.
+pub(crate) struct SeenPattern<'a> {
+    scene: &'a Prepared,
+    object: Object<'a>,
+    pattern: &'a Pattern,
+}
+
+impl<'a> SeenPattern<'a> {
+    /// That of an object of the scene.
+    pub fn new(scene: &'a Prepared, id: ObjectId) -> Self {
+        let (object, material) = scene.object(id);
+        Self {
+            scene,
+            object,
+            pattern: &material.pattern,
+        }
     }
-    shares
+
+    /// The share that the pattern leaves of the object's colour, 0 to 1, at four points (x, y) of the picture, in pixels. For those
+    /// that do not show the object it is of no meaning.
+    #[inline(always)]
+    pub fn at(&self, [x, y]: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
+        let (simd, scene) = (baseline(), self.scene);
+        let o = Vec3x::splat(simd, scene.eye);
+        let d = to_picture(simd, scene, x, y);
+        let length2 = d.dot(d);
+        let (point, t) = match self.object {
+            Object::Sphere(sphere) => {
+                let from = o - Vec3x::splat(simd, sphere.centre);
+                let t = sphere_distance(simd, sphere.radius, &from, &d, length2);
+                let out = from.add_scaled(d, t);
+                (TexturePoint::on_sphere(simd, sphere, out), t)
+            }
+            Object::Block(block) => {
+                let from = o - Vec3x::splat(simd, block.centre);
+                let t = block::distance(simd, block, &o, &d);
+                let hit = BlockHit::near(simd, block, from.add_scaled(d, t));
+                (TexturePoint::on_block(&hit), t)
+            }
+            Object::Plane(plane) => {
+                let from = o - Vec3x::splat(simd, plane.centre);
+                let t = -from.y / d.y;
+                let out = from.add_scaled(d, t);
+                (TexturePoint::on_plane(simd, out), t)
+            }
+            Object::Light(_) | Object::Background => return splat(simd, 1.0),
+        };
+        // So far `t` is in lengths of `d`.
+        point.reflectance(simd, scene, self.pattern, &d, t * length2)
+    }
 }
 
-/// The same for one pixel per lane.
+/// The distances at which rays hit a sphere, or leave it if they start inside, in lengths of `d`, of which the squares are given.
+/// `from` is the origin relative to the centre.
 #[inline(always)]
-fn pattern_at_row<S: Isa>(simd: S, scene: &Prepared, id: ObjectId, x: usize, y: usize) -> F<S> {
-    let (object, material) = scene.object(id);
-    let o = Vec3x::splat(simd, scene.eye);
-    let x: F<S> = numbers(simd).bitcast::<I<S>>().to_float::<F<S>>() + x as f32;
-    let d = primary_directions(simd, scene, x, splat(simd, y as f32));
-    let (point, t) = match object {
-        Object::Sphere(sphere) => {
-            let from = o - Vec3x::splat(simd, sphere.centre);
-            let t = sphere_distance(simd, sphere.radius, &from, &d);
-            let out = from.add_scaled(d, t);
-            (TexturePoint::on_sphere(simd, sphere, out), t)
-        }
-        Object::Block(block) => {
-            let from = o - Vec3x::splat(simd, block.centre);
-            let t = block::distance(simd, block, &o, &d);
-            let hit = BlockHit::near(simd, block, from.add_scaled(d, t));
-            (TexturePoint::on_block(&hit), t)
-        }
-        Object::Plane(plane) => {
-            let from = o - Vec3x::splat(simd, plane.centre);
-            let t = -from.y / d.y;
-            let out = from.add_scaled(d, t);
-            (TexturePoint::on_plane(simd, out), t)
-        }
-        Object::Light(_) | Object::Background => return splat(simd, 1.0),
-    };
-    point.reflectance(simd, scene, &material.pattern, &d, t)
-}
-
-/// The distances at which rays hit a sphere, or leave it if they start inside. `from` is the origin relative to the centre.
-#[inline(always)]
-fn sphere_distance<S: Isa>(simd: S, radius: f32, from: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
+fn sphere_distance<S: Isa>(
+    simd: S,
+    radius: f32,
+    from: &Vec3x<S>,
+    d: &Vec3x<S>,
+    length2: F<S>,
+) -> F<S> {
     let zero = splat(simd, 0.0);
-    let back: F<S> = from.dot(*d);
+    let back: F<S> = from.dot(*d) / length2;
     let across = from.add_scaled(*d, -back);
     let half2 = -across.dot(across) + radius * radius;
-    let half = at_least::<S>(half2, zero).sqrt();
+    let half = (at_least::<S>(half2, zero) / length2).sqrt();
     let (near, far) = (-back - half, half - back);
     near.simd_gt(zero).select(near, far)
 }

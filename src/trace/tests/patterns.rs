@@ -4,7 +4,7 @@ use super::*;
 use crate::prepare::ObjectId;
 use crate::scene::Pattern;
 use crate::show::{self, grid};
-use crate::trace::pattern_at_pixels;
+use crate::trace::SeenPattern;
 
 /// The size of the picture in pixels.
 const SIZE: [usize; 2] = [320, 180];
@@ -56,7 +56,10 @@ impl Property for Patterns {
                         let left = point.reflectance.as_slice()[lane];
                         // Wherever it stands among the four.
                         let start = (x + lane).saturating_sub((x + y) % 4);
-                        let four = pattern_at_pixels(&prepared, object, start, y);
+                        let columns = [0, 1, 2, 3].map(|i| (start + i) as f32);
+                        let four: [f32; 4] = SeenPattern::new(&prepared, object)
+                            .at([columns, [y as f32; 4]].map(|c| c.simd_into(baseline())))
+                            .into();
                         let is_share = |left| (0.0..=1.0).contains(left);
                         assert!(four.iter().all(is_share), "{isa}: {four:?}");
                         seen += 1;
