@@ -45,6 +45,10 @@ pub enum Stage {
     Fill,
     /// Listing the parts of those that were not filled.
     Split,
+    /// Antialiasing: finding edges, and mixing pixels with the points on them.
+    Edges,
+    /// Antialiasing: tracing the points on edges, with all their rays.
+    Middles,
 }
 
 /// How the pixels of a square were computed.

@@ -25,6 +25,7 @@ use super::middles::STRETCH;
 use super::{Band, MAX_BANDS, TILE_HEIGHT, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
+use crate::observe::{Observer, Stage};
 use crate::prepare::{Prepared, rectangle};
 use crate::quality::Quality;
 use crate::trace::{BATCH, STEP, trace};
@@ -43,12 +44,10 @@ const FIELD: usize = 21;
 type RowMarks = [u64; MAX_WIDTH.div_ceil(STRETCH)];
 
 /// Where the pixels of a band differ from their neighbours.
-struct Marks {
-    /// From the one to the right.
-    right: [RowMarks; TILE_HEIGHT],
-    /// From the one below; the first row is the one above the band.
-    below: [RowMarks; TILE_HEIGHT + 1],
-}
+///
+/// Each row has two: from the one above, and from the one to the right. The last are those of the row below the band from the one
+/// above it.
+struct Marks([RowMarks; PARTS * TILE_HEIGHT + 1]);
 
 /// Where a band's last row differs from the row below it, the first of the next band, as both were drawn.
 ///
@@ -82,34 +81,33 @@ impl Seams {
         }
     }
 
-    /// Smooths the edges of a band of the frame.
-    pub fn smooth(
+    /// Smooths the edges of a band of the frame. The observer hears of the stages.
+    pub fn smooth<O: Observer>(
         &self,
         isa: Level,
         scene: &Prepared,
         quality: &Quality,
+        observer: O,
         worker: &mut Worker,
         band: &mut Band<'_>,
     ) {
+        observer.stage(Stage::Edges);
         let marks = self.marks(isa, quality, scene.finished_columns(), band);
-        mix(isa, scene, quality, &marks, worker, band);
+        mix(isa, scene, quality, observer, &marks, worker, band);
     }
 
     /// Where the finished pixels of a band differ from their neighbours: marks of the method are no edges.
     fn marks(&self, isa: Level, quality: &Quality, finished: usize, band: &Band<'_>) -> Marks {
-        let mut marks = Marks {
-            right: [[0; _]; _],
-            below: [[0; _]; _],
-        };
+        let mut marks = Marks([[0; _]; _]);
         let number = band.top / Band::rows(quality);
         if let Some(above) = number.checked_sub(1) {
-            marks.below[0] = self.0[above];
+            marks.0[0] = self.0[above];
         }
         let lines = band.pixels.chunks_exact(band.width);
         let mut lines = lines.map(|line| &line[..finished]).enumerate().peekable();
         while let Some((y, line)) = lines.next() {
-            mark(isa, line, &line[1..], &mut marks.right[y]);
-            let below = &mut marks.below[y + 1];
+            mark(isa, line, &line[1..], &mut marks.0[PARTS * y + 1]);
+            let below = &mut marks.0[PARTS * y + 2];
             match lines.peek() {
                 Some((_, next)) => mark(isa, line, next, below),
                 None => *below = self.0[number],
@@ -147,10 +145,11 @@ fn edges<S: Simd>(simd: S, a: [u32; 8], b: [u32; 8]) -> u64 {
 }
 
 /// Traces the points between a band's pixels that differ, and mixes them.
-fn mix(
+fn mix<O: Observer>(
     isa: Level,
     scene: &Prepared,
     quality: &Quality,
+    observer: O,
     marks: &Marks,
     worker: &mut Worker,
     band: &mut Band<'_>,
@@ -163,28 +162,25 @@ fn mix(
         let rect = rectangle(left, above, start + STRETCH, top + height);
         let seen = scene.visible_groups(scene.axes.rect(rect));
         let traced = |worker: &mut Worker| {
+            observer.stage(Stage::Middles);
             trace(isa, scene, quality, seen, &mut worker.batch);
+            observer.stage(Stage::Edges);
             add_middles([start, top], height, worker);
         };
-        for y in 0..=height {
-            if worker.batch.points.len() + 2 * STRETCH + 1 > BATCH {
+        for (number, row) in marks.0[..=PARTS * height].iter().enumerate() {
+            if worker.batch.points.len() + STRETCH + 1 > BATCH {
                 traced(worker);
             }
             let points = &mut worker.batch.points;
-            let y_middle = (PARTS * (top + y)).wrapping_sub(1);
-            each(marks.below[y][word], |bit| {
-                points.push(PARTS * (start + bit), y_middle);
-            });
-            if y < height {
-                // Number 0 lies between the last pixel of the stretch before and the first of this one.
-                let sides = marks.sides(y, word);
-                if sides[0] & 1 != 0 {
-                    points.push(PARTS * start - 1, PARTS * (top + y));
-                }
-                each(sides[1], |bit| {
-                    points.push(PARTS * (start + bit) + 1, PARTS * (top + y));
-                });
+            let (x, y) = (
+                PARTS * start + number % PARTS,
+                (PARTS * top + number).wrapping_sub(1),
+            );
+            // Between the last pixel of the stretch before and the first of this one.
+            if number % PARTS != 0 && before(row, word) != 0 {
+                points.push(x - PARTS, y);
             }
+            each(row[word], |bit| points.push(x + PARTS * bit, y));
         }
         traced(worker);
         let rows = band.pixels.chunks_exact_mut(width).enumerate();
@@ -204,11 +200,17 @@ fn mix(
 impl Marks {
     /// The marks of the pixels of a stretch: whether each differs from the one to the left, to the right, above and below.
     fn sides(&self, y: usize, word: usize) -> [u64; 4] {
-        let right = self.right[y][word];
-        let before = word.checked_sub(1).map_or(0, |word| self.right[y][word]);
-        let left = right << 1 | before >> (STRETCH - 1);
-        [left, right, self.below[y][word], self.below[y + 1][word]]
+        let rows = &self.0[PARTS * y..][..3];
+        let right = rows[1][word];
+        let left = right << 1 | before(&rows[1], word);
+        [left, right, rows[0][word], rows[2][word]]
     }
+}
+
+/// The last mark of the stretch before one.
+fn before(row: &RowMarks, word: usize) -> u64 {
+    word.checked_sub(1)
+        .map_or(0, |word| row[word] >> (STRETCH - 1))
 }
 
 /// Calls with the number of each bit that is set.

@@ -82,7 +82,7 @@ impl Memory {
         };
         let rows = Band::rows(quality);
         let counts = self.drawing.run(rows, width, pixels, &job, threads);
-        let counts = counts + self.smooth(level, quality, width, pixels, threads);
+        let counts = counts + self.smooth(level, quality, width, pixels, threads, observer);
         if !scene.captions.is_empty() {
             let numbers = [counts.points as usize, pixels.len()];
             let job = |_: &mut Worker, band: &mut Band<'_>| {
@@ -94,13 +94,14 @@ impl Memory {
     }
 
     /// Smooths the edges of a frame if the quality says so.
-    fn smooth(
+    fn smooth<O: Observer>(
         &mut self,
         level: Level,
         quality: &Quality,
         width: usize,
         pixels: &mut [u32],
         threads: &mut dyn Threads,
+        observer: O,
     ) -> Counts {
         let finished = self.prepared.finished_columns();
         if !quality.antialias || finished == 0 {
@@ -109,7 +110,7 @@ impl Memory {
         self.seams.set(level, quality, width, finished, pixels);
         let (prepared, seams) = (&self.prepared, &self.seams);
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
-            seams.smooth(level, prepared, quality, worker, band);
+            seams.smooth(level, prepared, quality, observer, worker, band);
             band.counts = worker.take_counts();
         };
         let rows = Band::rows(quality);

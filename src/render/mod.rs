@@ -120,7 +120,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     }
 
     /// Like [`Renderer::render`], and the observer hears how the frame comes about: the same frame, the same counts, more time.
-    /// It does not hear of the points that edges get in the end (see [`Quality::antialias`]).
+    /// Of the points that edges get in the end (see [`Quality::antialias`]) it hears by their stages alone.
     ///
     /// # Errors
     /// As [`Renderer::render`].

@@ -17,7 +17,7 @@ const REPEATS: usize = 5;
 const THREADS: [usize; 3] = [4, 16, 64];
 
 /// What a frame's time is divided into, in the order of the table.
-const ROWS: [(&str, usize); 10] = [
+const ROWS: [(&str, usize); STAGES] = [
     ("preparing the scene", PREPARING),
     (
         "tracing: primary rays and their light",
@@ -33,11 +33,13 @@ const ROWS: [(&str, usize); 10] = [
     ("verdict", stage(Stage::Verdict)),
     ("filling", stage(Stage::Fill)),
     ("splitting", stage(Stage::Split)),
+    ("antialiasing: finding edges, mixing", stage(Stage::Edges)),
+    ("antialiasing: tracing", stage(Stage::Middles)),
     ("other: tiles, captions", OTHER),
 ];
-const STAGES: usize = 10;
-const OTHER: usize = 8;
-const PREPARING: usize = 9;
+const STAGES: usize = 12;
+const OTHER: usize = 10;
+const PREPARING: usize = 11;
 
 /// The number of a stage.
 const fn stage(stage: Stage) -> usize {
@@ -50,6 +52,8 @@ const fn stage(stage: Stage) -> usize {
         Stage::Verdict => 5,
         Stage::Fill => 6,
         Stage::Split => 7,
+        Stage::Edges => 8,
+        Stage::Middles => 9,
     }
 }
 

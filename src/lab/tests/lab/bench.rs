@@ -81,6 +81,8 @@ fn stages_are_all_told_and_threads_help_no_more_than_there_are() {
         "guard",
         "verdict",
         "filling",
+        "antialiasing: finding edges",
+        "antialiasing: tracing",
     ] {
         let rows = text
             .lines()
