@@ -83,9 +83,7 @@ impl RoundCone {
             is_flat: false,
         }
     }
-}
 
-impl RoundCone {
     /// Where it can be seen, if the planes through the tip with three normals are seen as the lines u = 0, v = 0, and that at
     /// infinity: the camera's axes, where the tip is the eye.
     ///
