@@ -5,7 +5,7 @@ use core::fmt::{self, Write};
 
 use eightfold::{Frame, MAX_WIDTH};
 use eightfold_window::{
-    line::{self, Writer},
+    line::{self, Decimal, Writer},
     screen::{Headless, Screen},
 };
 
@@ -40,7 +40,8 @@ pub fn write(time: u64, options: &Options) -> i32 {
 /// Writes a picture of `0x00RRGGBB` pixels in row-major order.
 fn write_ppm(width: usize, height: usize, pixels: &[u32]) -> fmt::Result {
     let mut head = Writer::new(line::OUTPUT);
-    write!(head, "P6\n{width} {height}\n255\n")?;
+    let size = [width, height].map(|side| Decimal(side as u64));
+    write!(head, "P6\n{} {}\n255\n", size[0], size[1])?;
     head.flush()?;
     let mut row = [[0; 3]; MAX_WIDTH];
     for pixels in pixels.chunks_exact(width) {

@@ -4,7 +4,7 @@ use core::fmt::{self, Write};
 
 use eightfold_window::{
     clock::SECOND,
-    line::{Hundredths, Tenths, Writer},
+    line::{Decimal, Hundredths, Tenths, Writer},
 };
 
 use super::qualities::NAMED;
@@ -58,13 +58,14 @@ impl Tally {
         let hundredths = |time: u64| Hundredths(time / (SECOND / 100));
         write!(
             output,
-            "{} frames in {} s: {} fps, worst second {} fps, {}x{}, threads {threads}, {isa}",
-            self.frames,
+            "{} frames in {} s: {} fps, worst second {} fps, {}x{}, threads {}, {isa}",
+            Decimal(self.frames),
             hundredths(self.time),
             Tenths(mean),
             Tenths(worst),
-            self.size.0,
-            self.size.1,
+            Decimal(self.size.0 as u64),
+            Decimal(self.size.1 as u64),
+            Decimal(threads as u64),
         )?;
         for ((name, _), &time) in NAMED.iter().zip(&self.used) {
             if time > 0 {

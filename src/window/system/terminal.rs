@@ -13,7 +13,7 @@ use core::{
 
 use crate::{
     backend::memory::pixels,
-    line::{self, Writer},
+    line::{self, Decimal, Writer},
     screen::{Next, Screen},
     system,
 };
@@ -22,9 +22,9 @@ use crate::{
 const UPPER_HALF: &str = "\u{2580}";
 
 /// The code that a foreground colour of 24 bits begins with.
-const FOREGROUND: u8 = 38;
+const FOREGROUND: &str = "38";
 /// The code that a background colour of 24 bits begins with.
-const BACKGROUND: u8 = 48;
+const BACKGROUND: &str = "48";
 
 /// Resets the colours and clears the screen.
 const CLEAR: &str = "\x1b[0m\x1b[2J";
@@ -94,7 +94,7 @@ impl Terminal {
         }
         let (width, height) = self.size;
         for row in 0..height / 2 {
-            write!(text, "\x1b[{};1H", row + 1)?;
+            write!(text, "\x1b[{};1H", Decimal(row as u64 + 1))?;
             // The colours of the last cell; no pixel has one with all bits set, so each row begins with its own.
             let (mut foreground, mut background) = (u32::MAX, u32::MAX);
             for x in 0..width {
@@ -110,12 +110,12 @@ impl Terminal {
 }
 
 /// Sets a colour of the cells that follow, unless it is set already.
-fn set_colour(text: &mut Writer, which: u8, set: &mut u32, colour: u32) -> fmt::Result {
+fn set_colour(text: &mut Writer, which: &str, set: &mut u32, colour: u32) -> fmt::Result {
     if *set == colour {
         return Ok(());
     }
     *set = colour;
-    let [_, red, green, blue] = colour.to_be_bytes();
+    let [_, red, green, blue] = colour.to_be_bytes().map(|channel| Decimal(channel.into()));
     write!(text, "\x1b[{which};2;{red};{green};{blue}m")
 }
 
