@@ -89,15 +89,15 @@ impl Quality {
     ///
     /// | name | dials | speed | traced | PSNR | over | flicker | FLIP |
     /// | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |
-    /// | finest | s8 c2 | 3.1 | 7.7 % | 53.8 dB | 283 | 0.1 | 0.0032 |
-    /// | finer | s8 c4 | 3.7 | 5.9 % | 51.2 dB | 565 | 0.3 | 0.0051 |
-    /// | fine | s8 c7 | 4.4 | 5.0 % | 48.9 dB | 1872 | 0.5 | 0.0069 |
-    /// | default | s8 c9 w0.02 | 4.7 | 4.7 % | 47.3 dB | 2937 | 0.6 | 0.0097 |
-    /// | fast | s8 c12 d4 w0.02 | 4.8 | 4.5 % | 45.9 dB | 4157 | 0.8 | 0.0111 |
-    /// | faster | s8 c18 d4 w0.02 | 5.1 | 4.2 % | 44.4 dB | 6055 | 1.5 | 0.0130 |
-    /// | fastest | s8 c28 d3 w0.05 | 5.4 | 4.1 % | 42.0 dB | 10691 | 3.4 | 0.0189 |
+    /// | finest | s8 c2 | 3.5 | 7.7 % | 53.8 dB | 283 | 0.1 | 0.0032 |
+    /// | finer | s8 c4 | 4.2 | 5.9 % | 51.2 dB | 565 | 0.3 | 0.0051 |
+    /// | fine | s8 c7 | 4.8 | 5.0 % | 48.9 dB | 1872 | 0.5 | 0.0069 |
+    /// | default | s8 c9 w0.02 | 5.2 | 4.7 % | 47.3 dB | 2937 | 0.6 | 0.0097 |
+    /// | fast | s8 c12 d4 w0.02 | 5.4 | 4.5 % | 45.9 dB | 4157 | 0.8 | 0.0111 |
+    /// | faster | s8 c18 d4 w0.02 | 5.7 | 4.2 % | 44.4 dB | 6055 | 1.5 | 0.0130 |
+    /// | fastest | s8 c28 d3 w0.05 | 6.0 | 4.1 % | 42.0 dB | 10691 | 3.4 | 0.0189 |
     ///
-    /// These figures are for AVX-512. With AVX2 an exhaustive frame takes 1.8 times as long, and the default quality is 6 times
+    /// These figures are for AVX-512. With AVX2 an exhaustive frame takes 1.7 times as long, and the default quality is 7 times
     /// as fast. In the dials `s` is the square, `c` the tolerance, and where they are not those of [`Quality::EXHAUSTIVE`], `d`
     /// is the depth and `w` the least contribution. At the same error squares of 16 are no faster than squares of 8: they need
     /// fewer corners, but more of them are split.

@@ -71,21 +71,21 @@
 //! # Where the time goes
 //!
 //! By `cargo lab bench --stages --jagged`, milliseconds of a default frame of the model scene, 1024x768, by one thread of an AMD
-//! EPYC (Zen 5), a machine that was not idle. Exhaustive frames took 15.9 ms by AVX2 and 9.8 by AVX-512.
+//! EPYC (Zen 5). Exhaustive frames took 14.8 ms by AVX2 and 8.6 by AVX-512.
 //!
 //! | stage | AVX2 | AVX-512 |
 //! | --- | ---: | ---: |
-//! | tracing: primary rays and their light | 0.45 | 0.25 |
-//! | tracing: secondary rays and their light | 0.81 | 0.50 |
-//! | finding points | 0.37 | 0.37 |
-//! | guard | 0.17 | 0.17 |
-//! | filling | 0.24 | 0.23 |
-//! | verdict | 0.06 | 0.06 |
+//! | tracing: primary rays and their light | 0.43 | 0.24 |
+//! | tracing: secondary rays and their light | 0.78 | 0.47 |
+//! | finding points | 0.35 | 0.35 |
+//! | filling | 0.23 | 0.24 |
+//! | guard | 0.16 | 0.16 |
+//! | verdict | 0.06 | 0.05 |
 //! | splitting | 0.04 | 0.04 |
 //! | taking in what was traced | 0.04 | 0.04 |
-//! | the rest | 0.02 | 0.02 |
+//! | the rest | 0.01 | 0.01 |
 //!
-//! So the frame is 6.5 times as fast as an exhaustive one by AVX2, and would be 12 times as fast if all but tracing took no time.
+//! So the frame is 6.8 times as fast as an exhaustive one by AVX2, and would be 12 times as fast if all but tracing took no time.
 //! A ray takes 1.5 times as many instructions as in an exhaustive frame: half of the pixels of that are background, in packets of
 //! nothing else, while the points that squares need are about edges, where the rays of a packet meet several objects. Finding points
 //! is flat in the profile: no line of it has more than 2 % of the frame. Branches that go either way by chance cost more than they
