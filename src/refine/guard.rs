@@ -73,8 +73,8 @@ impl CoverageGuard {
                     continue;
                 }
                 let [first, last] = grid.ranges(outline, top);
-                for (i, y) in group.enumerate() {
-                    open[y].for_each_in(first[i], last[i], |x| {
+                for (row, y) in group.enumerate() {
+                    open[y].for_each_in(first[row], last[row], |x| {
                         let (corners, shown) = grid.corners(x, y, object);
                         let is_covered = if is_on_plane {
                             // Where no corner shows the plane of a shadow or an image it cannot be seen, or is looked for itself.
