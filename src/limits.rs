@@ -93,6 +93,7 @@
 //! - Coincident surfaces, such as two planes at the same height: rounding decides which one is hit.
 //! - Chords of a sphere so short that rounding hides them, see above: the ray passes by.
 //! - Shadows between the corners of squares, except those of spheres on planes by point lights.
-//! - Reflections between the corners of squares but in the first plane without waves, and refractions: the guard does not look for them.
+//! - Reflections between the corners of squares but in the first plane without waves, and refractions: the guard does not look
+//!   for them.
 //! - The position of hits on a sphere whose radius is below the rounding error of its coordinates, about 1e-6 of the largest. No ray that
 //!   leaves it hits it again, though.

@@ -132,7 +132,8 @@ impl Observer for &Clock {
     }
 }
 
-/// The pieces of work of a frame: milliseconds until the first begins, and those of each piece, in the order in which they are taken.
+/// The pieces of work of a frame: milliseconds until the first begins, and those of each piece, in the order in which they are
+/// taken.
 struct Pieces {
     before: f64,
     /// Those of a phase begin when all of the phase before have ended.
