@@ -12,7 +12,6 @@ use crate::lanes::*;
 use crate::observe::Observer;
 use crate::prepare::{Four, ObjectId};
 use crate::trace::{Layers, STEP, Sample, SeenPattern};
-use core::ops::Add;
 use fearless_simd::{f32x4, i16x8, i32x4, u16x8, u32x4};
 use glam::Vec3A;
 
@@ -70,10 +69,8 @@ impl<O: Observer> Tile<'_, O> {
             self.canvas.height.min(top + side),
         );
         let part = 1.0 / side as f32;
-        let (first, step) = (a, (b - a) * part);
+        let (mut first, mut step) = (a, (b - a) * part);
         let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
-        let (mut first, mut step) = (Light::of(simd, first), Light::of(simd, step));
-        let (first_down, step_down) = (Light::of(simd, first_down), Light::of(simd, step_down));
         let pattern = object.map(|object| SeenPattern::new(self.scene, object));
         let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
         for y in top..bottom {
@@ -91,7 +88,7 @@ impl<O: Observer> Tile<'_, O> {
                 let mut four = shares.map(|share| {
                     let light = now.rest + now.untextured * share;
                     now = now + step;
-                    light
+                    light.extend(0.0).to_array().simd_into(simd)
                 });
                 // Samples are exposed, layers are not.
                 if pattern.is_some() && !film.is_plain {
@@ -105,36 +102,6 @@ impl<O: Observer> Tile<'_, O> {
             }
             first = first + first_down;
             step = step + step_down;
-        }
-    }
-}
-
-/// [`Layers`] in lanes: blue, green, red, and one of no meaning.
-#[derive(Clone, Copy)]
-struct Light {
-    rest: f32x4<Baseline>,
-    untextured: f32x4<Baseline>,
-}
-
-impl Light {
-    #[inline(always)]
-    fn of(simd: Baseline, layers: Layers) -> Self {
-        let lanes = |colour: Vec3A| colour.extend(0.0).to_array().simd_into(simd);
-        Self {
-            rest: lanes(layers.rest),
-            untextured: lanes(layers.untextured),
-        }
-    }
-}
-
-impl Add for Light {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self {
-            rest: self.rest + other.rest,
-            untextured: self.untextured + other.untextured,
         }
     }
 }
