@@ -1,5 +1,6 @@
 //! Haze and background.
 
+use super::surface::bounded;
 use crate::scene::Scene;
 use glam::Vec3A;
 
@@ -11,13 +12,11 @@ pub(crate) struct Air {
     pub horizon: Vec3A,
     /// Added to it at the zenith, see [`Scene::sky`].
     pub sky: Vec3A,
+    /// The density of haze, in 1 / scene units.
+    pub haze: f32,
     /// Whether any light has a glow.
     pub glows: bool,
 }
-
-/// The density of haze added for the background, in 1 / scene units. It is dense enough to hide everything at the distance that
-/// stands for "no hit", 1e30, so that the sky replaces it, and too thin to be visible at any distance within a scene.
-pub(super) const BACKGROUND_HAZE: f32 = 1e-20;
 
 impl Air {
     /// All zeros: memory before a frame is prepared.
@@ -25,6 +24,7 @@ impl Air {
         is_clear: false,
         horizon: Vec3A::ZERO,
         sky: Vec3A::ZERO,
+        haze: 0.0,
         glows: false,
     };
 
@@ -34,6 +34,7 @@ impl Air {
             is_clear: scene.haze == 0.0 && scene.sky == Vec3A::ZERO,
             horizon: scene.background,
             sky: scene.sky,
+            haze: bounded(scene.haze),
             glows: scene.lights.iter().any(|light| light.glow > 0.0),
         }
     }

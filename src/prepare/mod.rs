@@ -22,7 +22,7 @@ pub(crate) use outline::SeenOutline;
 use screen::ScreenBounds;
 pub(crate) use screen::{Axes, Rect, rectangle};
 use shadow::Shadows;
-pub(crate) use surface::{PerLane, Surface, SurfaceRow};
+pub(crate) use surface::{PerLane, SURFACE_NUMBERS, Surface, SurfaceNumbers, SurfaceTable};
 use tree::MAX_GROUPS;
 pub(crate) use tree::{BvhNode, GroupSet, Tree};
 
@@ -81,7 +81,7 @@ pub(crate) struct Prepared {
     pub lamp_count: usize,
     planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
-    surfaces: [Surface<f32>; MAX_OBJECTS],
+    surfaces: [SurfaceNumbers; MAX_OBJECTS],
     /// For each object, whether its pattern has edges.
     has_edges: [bool; MAX_OBJECTS],
     /// Whether any object has a pattern.
@@ -134,7 +134,7 @@ impl Prepared {
             lamp_count: 0,
             planes: [Rectangle::ZERO; MAX_PLANES],
             plane_count: 0,
-            surfaces: [const { Surface::<f32>::ZERO }; MAX_OBJECTS],
+            surfaces: [Surface::ZERO; MAX_OBJECTS],
             has_edges: [false; MAX_OBJECTS],
             has_patterns: false,
             weight: 0.0,
@@ -156,7 +156,7 @@ impl Prepared {
 
     /// The surface of an object.
     #[inline(always)]
-    pub fn surface(&self, id: ObjectId) -> &Surface<f32> {
+    pub fn surface(&self, id: ObjectId) -> &SurfaceNumbers {
         &self.surfaces[id.index()]
     }
 
@@ -237,7 +237,7 @@ impl Prepared {
             let (object, material) = object::of(scene, ObjectId::new(i));
             self.has_patterns |= material.pattern.depth != 0.0;
             self.has_edges[i] = object::has_edges(material);
-            self.surfaces[i].set(&object, material, scene);
+            self.surfaces[i] = Surface::numbers(&object, material, scene);
         }
         for (lamp, light) in self.lamps.iter_mut().zip(scene.lights.iter()) {
             lamp.set(light, self.tree.solid_nodes(), !scene.blocks.is_empty());

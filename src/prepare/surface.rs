@@ -1,6 +1,5 @@
 //! The surface parameters of an object, prepared for shading.
 
-use super::air::BACKGROUND_HAZE;
 use super::object::Object;
 use crate::lanes::MAX_LANES;
 use crate::scene::{Material, Scene};
@@ -16,10 +15,8 @@ const NO_HIGHLIGHT: f32 = 2.0;
 pub(crate) struct Surface<T> {
     /// The centre of a sphere or a plane.
     pub centre: [T; 3],
-    /// 1 / radius for a sphere, otherwise 0. The normal at p is `(p - centre) / radius + (0, upright, 0)`.
+    /// 1 / radius for a sphere, otherwise 0.
     pub inverse_radius: T,
-    /// 1 for a plane or a block, 0 for a sphere.
-    pub upright: T,
     /// 1 for surfaces on which lights shine, 0 for the lights' own spheres and the background.
     pub is_lit: T,
     /// The radiance that does not depend on lights: reflected ambient light, or the light's or the background's own colour.
@@ -40,84 +37,73 @@ pub(crate) struct Surface<T> {
     pub kt: T,
     /// The refractive index.
     pub index: T,
-    /// The density of the haze in front of it, in 1 / scene units.
-    pub haze: T,
 }
+
+/// How many numbers a surface has.
+pub(crate) const SURFACE_NUMBERS: usize = 18;
+
+/// A surface's numbers, in the order of [`Surface::from_numbers`].
+pub(crate) type SurfaceNumbers = [f32; SURFACE_NUMBERS];
 
 /// One number for each lane of the widest instruction set.
 pub(crate) type PerLane = [f32; MAX_LANES];
 
-/// The surfaces that the lanes of a packet hit.
-pub(crate) type SurfaceRow = Surface<PerLane>;
+/// The numbers of the surfaces that the lanes of a packet hit, each for all lanes.
+pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
+
+impl<T> Surface<T> {
+    /// Gives a surface's numbers their names.
+    #[inline(always)]
+    #[rustfmt::skip]
+    pub fn from_numbers(numbers: [T; SURFACE_NUMBERS]) -> Self {
+        let [
+            centre_x, centre_y, centre_z, inverse_radius, is_lit,
+            emitted_red, emitted_green, emitted_blue, diffuse_red, diffuse_green, diffuse_blue,
+            ks, exponent, highlight_start, kr, fresnel, kt, index,
+        ] = numbers;
+        Self {
+            centre: [centre_x, centre_y, centre_z],
+            inverse_radius,
+            is_lit,
+            emitted: [emitted_red, emitted_green, emitted_blue],
+            diffuse: [diffuse_red, diffuse_green, diffuse_blue],
+            ks,
+            exponent,
+            highlight_start,
+            kr,
+            fresnel,
+            kt,
+            index,
+        }
+    }
+
+    /// The numbers, in the same order.
+    #[rustfmt::skip]
+    fn into_numbers(self) -> [T; SURFACE_NUMBERS] {
+        let Self {
+            centre: [centre_x, centre_y, centre_z],
+            inverse_radius,
+            is_lit,
+            emitted: [emitted_red, emitted_green, emitted_blue],
+            diffuse: [diffuse_red, diffuse_green, diffuse_blue],
+            ks,
+            exponent,
+            highlight_start,
+            kr,
+            fresnel,
+            kt,
+            index,
+        } = self;
+        [
+            centre_x, centre_y, centre_z, inverse_radius, is_lit,
+            emitted_red, emitted_green, emitted_blue, diffuse_red, diffuse_green, diffuse_blue,
+            ks, exponent, highlight_start, kr, fresnel, kt, index,
+        ]
+    }
+}
 
 /// More than any parameter of a valid scene, and so small that products of a few such numbers do not overflow.
 const LARGEST: f32 = 2e9;
-
-impl<T: Copy> Surface<T> {
-    /// A surface with the same number for all parameters.
-    const fn filled(number: T) -> Self {
-        Self {
-            centre: [number; 3],
-            inverse_radius: number,
-            upright: number,
-            is_lit: number,
-            emitted: [number; 3],
-            diffuse: [number; 3],
-            ks: number,
-            exponent: number,
-            highlight_start: number,
-            kr: number,
-            fresnel: number,
-            kt: number,
-            index: number,
-            haze: number,
-        }
-    }
-}
-
-impl<T> Surface<T> {
-    /// Calls with each of its parameters and the same ones of other surfaces.
-    #[inline(always)]
-    pub fn for_each<const N: usize>(
-        &mut self,
-        others: [&Surface<f32>; N],
-        mut call: impl FnMut(&mut T, [f32; N]),
-    ) {
-        for i in 0..3 {
-            call(&mut self.centre[i], others.map(|other| other.centre[i]));
-            call(&mut self.emitted[i], others.map(|other| other.emitted[i]));
-            call(&mut self.diffuse[i], others.map(|other| other.diffuse[i]));
-        }
-        call(
-            &mut self.inverse_radius,
-            others.map(|other| other.inverse_radius),
-        );
-        call(&mut self.upright, others.map(|other| other.upright));
-        call(&mut self.is_lit, others.map(|other| other.is_lit));
-        call(&mut self.ks, others.map(|other| other.ks));
-        call(&mut self.exponent, others.map(|other| other.exponent));
-        call(
-            &mut self.highlight_start,
-            others.map(|other| other.highlight_start),
-        );
-        call(&mut self.kr, others.map(|other| other.kr));
-        call(&mut self.fresnel, others.map(|other| other.fresnel));
-        call(&mut self.kt, others.map(|other| other.kt));
-        call(&mut self.index, others.map(|other| other.index));
-        call(&mut self.haze, others.map(|other| other.haze));
-    }
-}
-
-impl SurfaceRow {
-    /// All zeros: memory before a frame is prepared.
-    pub const ZERO: Self = Self::filled([0.0; MAX_LANES]);
-
-    /// Copies a surface to all lanes. Few packets need that, so it is compiled only once, not for each instruction set.
-    #[inline(never)]
-    pub fn set(&mut self, surface: &Surface<f32>) {
-        self.for_each([surface], |row, [number]| *row = [number; MAX_LANES]);
-    }
-}
 
 /// A number, or 0 if it is NaN or its magnitude exceeds [`LARGEST`]: such a number would spoil the sum of a point even if it were
 /// multiplied by 0.
@@ -127,12 +113,13 @@ pub(super) fn bounded(number: f32) -> f32 {
 
 impl Surface<f32> {
     /// All zeros: memory before a frame is prepared.
-    pub const ZERO: Self = Self::filled(0.0);
+    pub const ZERO: SurfaceNumbers = [0.0; SURFACE_NUMBERS];
 
-    /// Prepares the surface of an object, with all numbers [`bounded`].
-    pub fn set(&mut self, object: &Object<'_>, material: &Material, scene: &Scene) {
-        *self = Self::of(object, material, scene);
-        self.for_each([], |number, []| *number = bounded(*number));
+    /// The surface of an object, with all numbers [`bounded`].
+    pub fn numbers(object: &Object<'_>, material: &Material, scene: &Scene) -> SurfaceNumbers {
+        Self::of(object, material, scene)
+            .into_numbers()
+            .map(bounded)
     }
 
     /// The surface of an object, without bounds on its numbers.
@@ -156,10 +143,6 @@ impl Surface<f32> {
         Self {
             centre: centre.to_array(),
             inverse_radius,
-            upright: match object {
-                Object::Plane(_) | Object::Block(_) => 1.0,
-                _ => 0.0,
-            },
             is_lit: match object {
                 Object::Light(_) | Object::Background => 0.0,
                 _ => 1.0,
@@ -173,11 +156,6 @@ impl Surface<f32> {
             fresnel: material.fresnel,
             kt: material.kt,
             index: material.index,
-            haze: match object {
-                Object::Light(_) => 0.0,
-                Object::Background => scene.haze + BACKGROUND_HAZE,
-                _ => scene.haze,
-            },
         }
     }
 }
@@ -196,7 +174,13 @@ fn root_below(x: f32, h: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{MIN_HIGHLIGHT, root_below};
+    use super::{MIN_HIGHLIGHT, SURFACE_NUMBERS, Surface, root_below};
+
+    #[test]
+    fn numbers_keep_their_names() {
+        let numbers: [usize; SURFACE_NUMBERS] = core::array::from_fn(|i| i);
+        assert_eq!(Surface::from_numbers(numbers).into_numbers(), numbers);
+    }
 
     #[test]
     fn roots_are_below_by_a_fifth_at_most() {

@@ -7,6 +7,10 @@ use crate::lanes::*;
 use crate::prepare::{Air, Prepared};
 use glam::Vec3A;
 
+/// The density of haze added everywhere, in 1 / scene units. It is dense enough to hide everything at the distance that stands
+/// for "no hit", 1e30, so that the sky replaces it, and too thin to be visible at any distance within a scene.
+const BACKGROUND_HAZE: f32 = 1e-20;
+
 /// The haze along a packet's rays.
 pub(super) struct AirLanes<S: Isa> {
     /// The background in the rays' directions.
@@ -25,13 +29,18 @@ impl<S: Isa> AirLanes<S> {
         t: F<S>,
         surface: &SurfaceLanes<'_, S>,
     ) -> Option<Self> {
-        let Air { horizon, sky, .. } = scene.air;
+        let Air {
+            horizon, sky, haze, ..
+        } = scene.air;
         if scene.air.is_clear {
             return None;
         }
         let rise = at_least::<S>(d.y, splat(simd, 0.0));
         let gradient = rise * (rise * -1.0 + 2.0);
-        let density = t * surface.haze();
+        // There is none in front of lamps.
+        let density = surface
+            .is_lamp()
+            .select(splat(simd, 0.0), t * (haze + BACKGROUND_HAZE));
         Some(Self {
             sky: Vec3x::splat(simd, horizon).add_scaled(Vec3x::splat(simd, sky), gradient),
             transmittance: splat::<S>(simd, 1.0) / (density * density + 1.0),

@@ -61,25 +61,22 @@ impl<S: Isa> ShadingPoint<S> {
         surface: &SurfaceLanes<'_, S>,
         solid: M<S>,
     ) -> Self {
-        let zero = splat(simd, 0.0);
+        let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
         let inverse_radius = surface.inverse_radius();
-        let upright = surface.upright();
+        let is_plane = inverse_radius.simd_eq(zero);
         // The hit is projected back to the sphere, so that secondary rays do not inherit the error of t.
         let out = (rays.o - surface.centre()).add_scaled(rays.d, t);
         let square: F<S> = out.dot(out) * (inverse_radius * inverse_radius);
-        let mut scale = square.mul_add(
-            splat(simd, -0.5),
-            upright.mul_add(splat(simd, -0.5), splat(simd, 1.5)),
-        );
+        let mut scale = square.mul_add(splat(simd, -0.5), is_plane.select(one, splat(simd, 1.5)));
         let far = solid & (scale - 1.0).abs().simd_gt(splat(simd, NEWTON));
         if far.any_true() {
-            scale = far.select(splat::<S>(simd, 1.0) / square.sqrt(), scale);
+            scale = far.select(one / square.sqrt(), scale);
         }
         let mut p = surface.centre().add_scaled(out, scale);
         // A point on a plane is exact.
-        p.y = upright.simd_gt(zero).select(surface.centre().y, p.y);
+        p.y = is_plane.select(surface.centre().y, p.y);
         let mut n = out.scaled(scale * inverse_radius);
-        n.y += upright;
+        n.y = is_plane.select(one, n.y);
         Self {
             p,
             n,

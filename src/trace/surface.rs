@@ -1,27 +1,32 @@
 //! The surfaces that a packet hits.
 
 use crate::lanes::*;
-use crate::prepare::{ObjectId, PerLane, Prepared, Surface, SurfaceRow};
+use crate::prepare::{
+    ObjectId, PerLane, Prepared, SURFACE_NUMBERS, Surface, SurfaceNumbers, SurfaceTable,
+};
 
 /// Surfaces that are kept in all lanes: more than a picture's tile shows of most scenes. Packets of primary and of secondary rays
 /// take turns and so do their objects: with one, the model scene's frame takes 3 % more instructions.
 const KEPT: usize = 16;
 
+/// Memory for the surfaces of a packet.
+const NO_SURFACES: SurfaceTable = [[0.0; MAX_LANES]; SURFACE_NUMBERS];
+
 /// Surfaces spread over lanes, which a thread keeps from packet to packet. That of an object is kept at its number modulo [`KEPT`].
 pub(super) struct SurfaceRows {
-    kept: [SurfaceRow; KEPT],
+    kept: [SurfaceTable; KEPT],
     /// The objects whose surfaces are kept.
     objects: [Option<ObjectId>; KEPT],
     /// The surfaces of a packet that hits several objects.
-    mixed: SurfaceRow,
+    mixed: SurfaceTable,
 }
 
 impl SurfaceRows {
     /// None.
     pub const NONE: Self = Self {
-        kept: [const { SurfaceRow::ZERO }; KEPT],
+        kept: [NO_SURFACES; KEPT],
         objects: [None; KEPT],
-        mixed: SurfaceRow::ZERO,
+        mixed: NO_SURFACES,
     };
 
     /// Forgets all surfaces.
@@ -34,8 +39,8 @@ impl SurfaceRows {
 pub(super) struct SurfaceLanes<'a, S: Isa> {
     simd: S,
     /// Of lanes that hit the background, any object's.
-    rows: &'a SurfaceRow,
-    background: &'a Surface<f32>,
+    table: &'a SurfaceTable,
+    background: &'a SurfaceNumbers,
     is_background: M<S>,
 }
 
@@ -52,9 +57,9 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     ) -> Self {
         let background = ObjectId::new(scene.background());
         let is_background = objects.simd_eq(U::<S>::splat(simd, background.lane()));
-        let surfaces = |rows| Self {
+        let surfaces = |table| Self {
             simd,
-            rows,
+            table,
             background: scene.surface(background),
             is_background,
         };
@@ -66,13 +71,13 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         };
         let first = scene.surface(id);
         if rest == 0 {
-            let rows = &mut memory.kept[id.index() % KEPT];
+            let table = &mut memory.kept[id.index() % KEPT];
             let kept = &mut memory.objects[id.index() % KEPT];
             if *kept != Some(id) {
                 *kept = Some(id);
-                rows.set(first);
+                spread(first, table);
             }
-            return surfaces(rows);
+            return surfaces(table);
         }
         let mixed = &mut memory.mixed;
         let mut is_first = true;
@@ -80,24 +85,30 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
             let (id, same) = object_at(simd, objects, &mut rest);
             let mask: U<S> = same.to_vector().bitcast();
             let new = scene.surface(id);
-            mixed.for_each(
-                [first, new],
-                #[inline(always)]
-                |row, [first, new]| {
-                    // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
-                    let old: F<S> = if is_first {
-                        splat(simd, first)
-                    } else {
-                        load(simd, row)
-                    };
-                    let (old, new): (U<S>, U<S>) = (old.bitcast(), splat::<S>(simd, new).bitcast());
-                    let both: F<S> = (old ^ ((old ^ new) & mask)).bitcast();
-                    both.store_slice(&mut row[..lanes::<S>()]);
-                },
-            );
+            for ((row, &first), &new) in mixed.iter_mut().zip(first).zip(new) {
+                // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
+                let old: F<S> = if is_first {
+                    splat(simd, first)
+                } else {
+                    load(simd, row)
+                };
+                let (old, new): (U<S>, U<S>) = (old.bitcast(), splat::<S>(simd, new).bitcast());
+                let both: F<S> = (old ^ ((old ^ new) & mask)).bitcast();
+                both.store_slice(&mut row[..lanes::<S>()]);
+            }
             is_first = false;
         }
         surfaces(mixed)
+    }
+
+    #[inline(always)]
+    fn rows(&self) -> Surface<&PerLane> {
+        Surface::from_numbers(self.table.each_ref())
+    }
+
+    #[inline(always)]
+    fn behind(&self) -> Surface<f32> {
+        Surface::from_numbers(*self.background)
     }
 
     #[inline(always)]
@@ -106,7 +117,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     }
 
     #[inline(always)]
-    fn vector(&self, [x, y, z]: &[PerLane; 3]) -> Vec3x<S> {
+    fn vector(&self, [x, y, z]: [&PerLane; 3]) -> Vec3x<S> {
         Vec3x {
             x: self.number(x),
             y: self.number(y),
@@ -116,78 +127,73 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
 
     #[inline(always)]
     pub fn centre(&self) -> Vec3x<S> {
-        self.vector(&self.rows.centre)
+        self.vector(self.rows().centre)
     }
 
     #[inline(always)]
     pub fn inverse_radius(&self) -> F<S> {
-        self.number(&self.rows.inverse_radius)
-    }
-
-    #[inline(always)]
-    pub fn upright(&self) -> F<S> {
-        self.number(&self.rows.upright)
+        self.number(self.rows().inverse_radius)
     }
 
     /// Which lanes hit something that lamps light: no lamp, and not the background.
     #[inline(always)]
     pub fn is_lit(&self) -> M<S> {
         let zero = splat(self.simd, 0.0);
-        self.number(&self.rows.is_lit).simd_gt(zero) & !self.is_background
+        self.number(self.rows().is_lit).simd_gt(zero) & !self.is_background
+    }
+
+    /// Which lanes hit a lamp's own sphere.
+    #[inline(always)]
+    pub fn is_lamp(&self) -> M<S> {
+        let zero = splat(self.simd, 0.0);
+        !self.number(self.rows().is_lit).simd_gt(zero) & !self.is_background
     }
 
     #[inline(always)]
     pub fn emitted(&self) -> Vec3x<S> {
-        let background = Vec3x::splat(self.simd, self.background.emitted.into());
-        let emitted = self.vector(&self.rows.emitted);
+        let background = Vec3x::splat(self.simd, self.behind().emitted.into());
+        let emitted = self.vector(self.rows().emitted);
         Vec3x::select(self.is_background, background, emitted)
     }
 
     #[inline(always)]
     pub fn diffuse(&self) -> Vec3x<S> {
-        self.vector(&self.rows.diffuse)
+        self.vector(self.rows().diffuse)
     }
 
     #[inline(always)]
     pub fn ks(&self) -> F<S> {
-        self.number(&self.rows.ks)
+        self.number(self.rows().ks)
     }
 
     #[inline(always)]
     pub fn exponent(&self) -> F<S> {
-        self.number(&self.rows.exponent)
+        self.number(self.rows().exponent)
     }
 
     #[inline(always)]
     pub fn highlight_start(&self) -> F<S> {
-        self.number(&self.rows.highlight_start)
+        self.number(self.rows().highlight_start)
     }
 
     #[inline(always)]
     pub fn kr(&self) -> F<S> {
-        self.number(&self.rows.kr)
+        self.number(self.rows().kr)
     }
 
     #[inline(always)]
     pub fn fresnel(&self) -> F<S> {
-        self.number(&self.rows.fresnel)
+        self.number(self.rows().fresnel)
     }
 
     #[inline(always)]
     pub fn kt(&self) -> F<S> {
-        self.number(&self.rows.kt)
+        self.number(self.rows().kt)
     }
 
     #[inline(always)]
     pub fn index(&self) -> F<S> {
-        self.number(&self.rows.index)
-    }
-
-    #[inline(always)]
-    pub fn haze(&self) -> F<S> {
-        let background = splat(self.simd, self.background.haze);
-        let haze = self.number(&self.rows.haze);
-        self.is_background.select(background, haze)
+        self.number(self.rows().index)
     }
 }
 
@@ -205,4 +211,12 @@ pub(super) fn object_at<S: Isa>(simd: S, objects: U<S>, rest: &mut u64) -> (Obje
 #[inline(always)]
 fn load<S: Isa>(simd: S, row: &PerLane) -> F<S> {
     F::<S>::from_slice(simd, &row[..lanes::<S>()])
+}
+
+/// Copies a surface to all lanes. Few packets need that, so it is compiled only once, not for each instruction set.
+#[inline(never)]
+fn spread(surface: &SurfaceNumbers, table: &mut SurfaceTable) {
+    for (row, &number) in table.iter_mut().zip(surface) {
+        *row = [number; MAX_LANES];
+    }
 }
