@@ -86,6 +86,8 @@ pub(crate) struct Prepared {
     has_edges: [bool; MAX_OBJECTS],
     /// Whether any object has a pattern.
     has_patterns: bool,
+    /// Whether any object is a block, or has a pattern or grooves.
+    has_details: bool,
     /// The weight of primary rays: below 1 where the picture is faded.
     pub weight: f32,
     /// The offset of the samples from the centres of their pixels, in pixels.
@@ -137,6 +139,7 @@ impl Prepared {
             surfaces: [Surface::ZERO; MAX_OBJECTS],
             has_edges: [false; MAX_OBJECTS],
             has_patterns: false,
+            has_details: false,
             weight: 0.0,
             offset: glam::Vec2::ZERO,
         }
@@ -165,10 +168,10 @@ impl Prepared {
         object::of(&self.scene, id)
     }
 
-    /// Whether any solid is a box or a cylinder.
+    /// Whether any object is a block, or has a pattern or grooves.
     #[inline(always)]
-    pub fn has_blocks(&self) -> bool {
-        !self.scene.blocks.is_empty()
+    pub fn has_details(&self) -> bool {
+        self.has_details
     }
 
     /// Whether any object has a pattern.
@@ -233,9 +236,11 @@ impl Prepared {
         self.plane_count = scene.planes.len();
         self.tree.set(scene);
         self.has_patterns = false;
+        self.has_details = !scene.blocks.is_empty();
         for i in 0..=self.background() {
             let (object, material) = object::of(scene, ObjectId::new(i));
             self.has_patterns |= material.pattern.depth != 0.0;
+            self.has_details |= self.has_patterns || material.brushed > 0.0;
             self.has_edges[i] = object::has_edges(material);
             self.surfaces[i] = Surface::numbers(&object, material, scene);
         }

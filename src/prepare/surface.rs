@@ -23,6 +23,8 @@ pub(crate) struct Surface<T> {
     pub emitted: [T; 3],
     /// The colour times the diffuse coefficient.
     pub diffuse: [T; 3],
+    /// The share of a lamp's light that highlights keep, per channel.
+    pub highlight: [T; 3],
     /// The specular coefficient.
     pub ks: T,
     /// The exponent of the highlight.
@@ -40,7 +42,7 @@ pub(crate) struct Surface<T> {
 }
 
 /// How many numbers a surface has.
-pub(crate) const SURFACE_NUMBERS: usize = 18;
+pub(crate) const SURFACE_NUMBERS: usize = 21;
 
 /// A surface's numbers, in the order of [`Surface::from_numbers`].
 pub(crate) type SurfaceNumbers = [f32; SURFACE_NUMBERS];
@@ -59,6 +61,7 @@ impl<T> Surface<T> {
         let [
             centre_x, centre_y, centre_z, inverse_radius, is_lit,
             emitted_red, emitted_green, emitted_blue, diffuse_red, diffuse_green, diffuse_blue,
+            highlight_red, highlight_green, highlight_blue,
             ks, exponent, highlight_start, kr, fresnel, kt, index,
         ] = numbers;
         Self {
@@ -67,6 +70,7 @@ impl<T> Surface<T> {
             is_lit,
             emitted: [emitted_red, emitted_green, emitted_blue],
             diffuse: [diffuse_red, diffuse_green, diffuse_blue],
+            highlight: [highlight_red, highlight_green, highlight_blue],
             ks,
             exponent,
             highlight_start,
@@ -86,6 +90,7 @@ impl<T> Surface<T> {
             is_lit,
             emitted: [emitted_red, emitted_green, emitted_blue],
             diffuse: [diffuse_red, diffuse_green, diffuse_blue],
+            highlight: [highlight_red, highlight_green, highlight_blue],
             ks,
             exponent,
             highlight_start,
@@ -97,6 +102,7 @@ impl<T> Surface<T> {
         [
             centre_x, centre_y, centre_z, inverse_radius, is_lit,
             emitted_red, emitted_green, emitted_blue, diffuse_red, diffuse_green, diffuse_blue,
+            highlight_red, highlight_green, highlight_blue,
             ks, exponent, highlight_start, kr, fresnel, kt, index,
         ]
     }
@@ -149,6 +155,7 @@ impl Surface<f32> {
             },
             emitted: emitted.to_array(),
             diffuse: (material.colour * material.kd).to_array(),
+            highlight: Vec3A::ONE.lerp(material.colour, material.metal).to_array(),
             ks: material.ks,
             exponent: material.exponent,
             highlight_start,

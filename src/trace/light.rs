@@ -15,7 +15,7 @@ use glam::Vec3A;
 pub(super) struct Reflected<S: Isa> {
     /// Ambient light and diffuse reflection, before the texture is applied.
     pub untextured: Vec3x<S>,
-    /// Highlights, in the lights' colours.
+    /// Highlights.
     pub specular: Vec3x<S>,
 }
 
@@ -51,7 +51,7 @@ pub(super) fn gather<S: Isa>(
     }
     Reflected {
         untextured: surface.emitted() + surface.diffuse() * phong.diffuse,
-        specular: phong.specular,
+        specular: surface.highlight() * phong.specular,
     }
 }
 
@@ -73,7 +73,7 @@ impl<S: Isa> Phong<'_, S> {
         let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
         let &ArrivingLight { l, nl, lit, colour } = light;
         self.diffuse = self.diffuse.add_scaled(colour, lit.select(nl, zero));
-        let rv = self.point.r.dot(l);
+        let rv = self.cosine(&l);
         let shiny = lit & rv.simd_gt(self.surface.highlight_start());
         if !shiny.any_true() {
             return M::<S>::splat(simd, false);
@@ -83,5 +83,21 @@ impl<S: Isa> Phong<'_, S> {
         let strength = shiny.select(strength, zero);
         self.specular = self.specular.add_scaled(colour, strength);
         strength.simd_gt(splat(simd, quality.highlight))
+    }
+
+    /// The cosine of the angle between the mirrored ray and the direction to a lamp, or what grooves make of it.
+    #[inline(always)]
+    fn cosine(&self, l: &Vec3x<S>) -> F<S> {
+        let &ShadingPoint {
+            r, groove, brushed, ..
+        } = self.point;
+        let simd = self.tracer.simd;
+        let rv = r.dot(*l);
+        if !brushed.simd_gt(splat(simd, 0.0)).any_true() {
+            return rv;
+        }
+        // See `Material::brushed`.
+        let along = (*l - r).dot(groove);
+        rv + brushed * (-rv + along.mul_add(along * -0.5, splat(simd, 1.0)))
     }
 }

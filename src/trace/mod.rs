@@ -12,7 +12,7 @@
 //! | --- | --- |
 //! | primary rays of queued points, or secondary rays from the stack | `queue`, `stack` |
 //! | the nearest hits: planes and spheres, then boxes and cylinders among the candidates | `intersect`, `block` |
-//! | points, normals, patterns and waves there | `surface`, `point`, `texture`, `waves` |
+//! | points, normals, grooves, patterns and waves there | `surface`, `point`, `texture`, `waves` |
 //! | visibility: which lamps' light arrives, and how much of it | `visibility`, `shadow`, `transmittance` |
 //! | light: what the surfaces reflect of it | `light` |
 //! | what the hits add to their points, and which secondary rays leave them | `shade` |

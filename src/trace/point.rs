@@ -7,6 +7,7 @@ use super::surface::{SurfaceLanes, object_at};
 use super::texture::TexturePoint;
 use crate::lanes::*;
 use crate::prepare::{Object, Prepared};
+use glam::Mat3A;
 
 /// The largest distance of a hit from its sphere, as a share of the radius, that one Newton step reduces to rounding errors.
 const NEWTON: f32 = 1.0 / (1 << 13) as f32;
@@ -22,6 +23,10 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub r: Vec3x<S>,
     /// The distance of `p` from the surface, on the ray's side: 0 except for boxes and cylinders.
     pub hit_error: F<S>,
+    /// The direction of the grooves of brushed surfaces, of length 1.
+    pub groove: Vec3x<S>,
+    /// See [`crate::scene::Material::brushed`].
+    pub brushed: F<S>,
     /// The share that the texture leaves of the surface's colour, 0 to 1.
     pub reflectance: F<S>,
     /// Whether the ray comes from inside of the object.
@@ -42,7 +47,7 @@ impl<S: Isa> ShadingPoint<S> {
         solid: M<S>,
     ) -> Self {
         let mut point = Self::on_sphere_or_plane(simd, rays, hit.t, surface, solid);
-        if scene.has_blocks() || scene.has_patterns() {
+        if scene.has_details() {
             point.add_detail(simd, scene, rays, hit);
         }
         if !scene.scene.water.are_calm() {
@@ -83,6 +88,8 @@ impl<S: Isa> ShadingPoint<S> {
             dn: zero,
             r: n,
             hit_error: zero,
+            groove: n,
+            brushed: zero,
             reflectance: splat(simd, 1.0),
             inside: solid,
             solid,
@@ -121,6 +128,15 @@ impl<S: Isa> ShadingPoint<S> {
                 }
                 Object::Light(_) | Object::Background => continue,
             };
+            if material.brushed > 0.0 {
+                let axes = match object {
+                    Object::Block(block) => block.axes,
+                    _ => Mat3A::IDENTITY,
+                };
+                let groove = texture_point.groove(simd, &axes);
+                self.groove = Vec3x::select(same, groove, self.groove);
+                self.brushed = same.select(splat(simd, material.brushed), self.brushed);
+            }
             let pattern = &material.pattern;
             if pattern.depth > 0.0 {
                 let left = texture_point.reflectance(simd, scene, pattern, d, hit.t);

@@ -162,6 +162,11 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     }
 
     #[inline(always)]
+    pub fn highlight(&self) -> Vec3x<S> {
+        self.vector(self.rows().highlight)
+    }
+
+    #[inline(always)]
     pub fn ks(&self) -> F<S> {
         self.number(self.rows().ks)
     }

@@ -1,4 +1,4 @@
-//! Evaluates procedural textures, see [`crate::scene::Pattern`].
+//! Evaluates procedural textures, see [`crate::scene::Pattern`], and the directions of grooves.
 
 use super::block::{self, BlockHit};
 use super::rays::to_picture;
@@ -6,7 +6,7 @@ use crate::lanes::*;
 use crate::prepare::{Object, ObjectId, Prepared};
 use crate::scene::{Pattern, Sphere};
 use fearless_simd::f32x4;
-use glam::Vec3A;
+use glam::{Mat3A, Vec3A};
 
 /// The points of a packet at which textures are evaluated.
 pub(super) struct TexturePoint<S: Isa> {
@@ -42,6 +42,17 @@ impl<S: Isa> TexturePoint<S> {
             own: hit.own,
             n: hit.n,
         }
+    }
+
+    /// The directions, of length 1, of grooves around the y axis of an object that has these axes.
+    #[inline(always)]
+    pub fn groove(&self, simd: S, axes: &Mat3A) -> Vec3x<S> {
+        let [x, z] = [axes.x_axis, axes.z_axis].map(|axis| Vec3x::splat(simd, axis));
+        let around = x.scaled(self.own.z).add_scaled(z, -self.own.x);
+        let along = around.add_scaled(self.n, -around.dot(self.n));
+        // On the axis there is none.
+        let length2 = at_least::<S>(along.dot(along), splat(simd, f32::MIN_POSITIVE));
+        along.scaled(splat::<S>(simd, 1.0) / length2.sqrt())
     }
 
     /// The share that the pattern leaves of the colour, 0 to 1, seen along `d` from the distance `t`. If the length of `d` is

@@ -217,6 +217,8 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
             kd,
             ks,
             exponent,
+            metal,
+            brushed,
             kr,
             fresnel,
             kt,
@@ -231,6 +233,7 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
         lengths.push(("balance", &mut pattern.balance));
         lengths.extend([("warp", &mut pattern.warp), ("grain", &mut pattern.grain)]);
         lengths.extend([("kd", kd), ("ks", ks), ("exponent", exponent)]);
+        lengths.extend([("metal", metal), ("brushed", brushed)]);
         lengths.extend([("kr", kr), ("fresnel", fresnel)]);
         lengths.extend([("kt", kt), ("index", index)]);
     }

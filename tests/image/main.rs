@@ -12,6 +12,7 @@ mod extremes;
 mod film;
 mod generator;
 mod golden;
+mod highlights;
 mod images_shown;
 mod limits;
 mod method;

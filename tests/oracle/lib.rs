@@ -4,6 +4,7 @@
 //! agree they are right, unless both misunderstood the same rule.
 
 pub mod frame;
+pub mod grooves;
 mod intersect;
 mod light;
 pub mod pattern;

@@ -1,12 +1,13 @@
 //! Shading by Phong's model, and secondary rays.
 
+use super::grooves;
 use super::intersect::block;
 use super::light::ToLight;
 use super::pattern::reflectance;
 use super::waves;
 use super::{Object, Oracle, Ray, Traced};
 use eightfold::scene::{Light, Material};
-use glam::DVec3;
+use glam::{DVec3, Vec3A};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// The state of a light at a hit: shadowed or behind the surface, lit, or lit with a highlight.
@@ -57,26 +58,24 @@ impl Oracle<'_> {
         };
         let inside = ray.d.dot(normal) > 0.0;
         let footprint = t * self.pixel / ray.d.dot(normal).abs();
+        let groove = self.groove(object, p, normal);
         let normal = match object {
             Object::Plane(0) => waves::normal(&self.scene.water, p, ray.d, footprint),
             _ => normal,
         };
         let n = if inside { -normal } else { normal };
-        let painted = &Material {
-            colour: material.colour * reflectance(&material.pattern, own, footprint) as f32,
-            ..*material
-        };
+        let painted = material.colour.as_dvec3() * reflectance(&material.pattern, own, footprint);
         // The transmittance of the haze.
         let transmittance = 1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2));
 
-        let mut colour = self.scene.ambient.as_dvec3() * painted.colour.as_dvec3();
+        let mut colour = self.scene.ambient.as_dvec3() * painted;
         let within = match object {
             Object::Sphere(i) if inside => Some(f64::from(self.scene.spheres[i].radius)),
             _ => None,
         };
         let mut states = Vec::new();
         for i in 0..self.scene.lights.len() {
-            let (state, light) = self.lit(i, ray, p, n, within, painted, traced);
+            let (state, light) = self.lit(i, ray, p, n, groove, within, material, painted, traced);
             colour += light;
             states.push(state);
         }
@@ -93,6 +92,20 @@ impl Oracle<'_> {
             traced,
         );
         own + transmittance * secondary
+    }
+
+    /// The direction of the grooves at a point of an object.
+    fn groove(&self, object: Object, p: DVec3, normal: DVec3) -> DVec3 {
+        let (axis, centre) = match object {
+            Object::Sphere(i) => (Vec3A::Y, self.scene.spheres[i].centre),
+            Object::Plane(i) => (Vec3A::Y, self.scene.planes[i].centre),
+            Object::Block(i) => (
+                self.scene.blocks[i].axes.y_axis,
+                self.scene.blocks[i].centre,
+            ),
+            Object::Light(_) | Object::Background => return DVec3::ZERO,
+        };
+        grooves::direction(axis.as_dvec3(), p - centre.as_dvec3(), normal)
     }
 
     /// The light of the air around lamps up to a distance: the sum over short steps would be the same.
@@ -166,8 +179,8 @@ impl Oracle<'_> {
         colour
     }
 
-    /// The state of a light at a hit at `p` with normal `n`, and the light that it adds. `within` is the radius if the hit is on
-    /// the inside of a sphere.
+    /// The state of a light at a hit at `p` with normal `n` and grooves along `groove`, and the light that it adds. `within` is the radius if the hit is on
+    /// the inside of a sphere; `painted` is the colour with its pattern.
     #[allow(clippy::too_many_arguments, reason = "a light and a hit")]
     fn lit(
         &self,
@@ -175,8 +188,10 @@ impl Oracle<'_> {
         ray: Ray,
         p: DVec3,
         n: DVec3,
+        groove: DVec3,
         within: Option<f64>,
         material: &Material,
+        painted: DVec3,
         traced: &mut Traced,
     ) -> (State, DVec3) {
         let light = &self.scene.lights[light];
@@ -193,9 +208,11 @@ impl Oracle<'_> {
         if is_beyond || share == DVec3::ZERO {
             return (State::Dark, DVec3::ZERO);
         }
-        let rv = (2.0 * nl * n - l).dot(-ray.d).max(0.0);
+        let r = ray.d - 2.0 * ray.d.dot(n) * n;
+        let rv = grooves::cosine(r, l, groove, material.brushed.into()).max(0.0);
         let specular = f64::from(material.ks) * rv.powf(f64::from(material.exponent));
-        let diffuse = f64::from(material.kd) * nl * material.colour.as_dvec3();
+        let highlight = DVec3::ONE.lerp(material.colour.as_dvec3(), material.metal.into());
+        let diffuse = f64::from(material.kd) * nl * painted;
         let state = if specular > f64::from(self.quality.highlight) {
             State::Highlight
         } else {
@@ -203,7 +220,7 @@ impl Oracle<'_> {
         };
         (
             state,
-            share * light.colour.as_dvec3() * (diffuse + specular),
+            share * light.colour.as_dvec3() * (diffuse + specular * highlight),
         )
     }
 

@@ -73,6 +73,8 @@ pub struct Material {
     pub kd: f32,
     pub ks: f32,
     pub exponent: f32,
+    pub metal: f32,
+    pub brushed: f32,
     pub kr: f32,
     pub fresnel: f32,
     pub kt: f32,

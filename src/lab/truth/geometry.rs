@@ -2,6 +2,7 @@
 
 use eightfold::glam::{DMat3, DVec3, Mat3};
 use eightfold::scene::{Block, Plane, Shape as BlockShape, Sphere};
+use eightfold_oracle::grooves;
 
 /// The smallest distance that counts as a hit, in scene units: more than the rounding error of a root for a ray that touches a
 /// sphere, which is about the square root of that of f64.
@@ -153,6 +154,15 @@ impl Shape {
             Self::Plane { centre, .. } => (p - centre).with_y(0.0),
             Self::Block { centre, axes, .. } => axes.transpose() * (p - centre),
         }
+    }
+
+    /// The direction of the grooves around its own y axis at a point of it with the normal `n`.
+    pub fn groove(&self, p: DVec3, n: DVec3) -> DVec3 {
+        let (axis, centre) = match *self {
+            Self::Sphere { centre, .. } | Self::Plane { centre, .. } => (DVec3::Y, centre),
+            Self::Block { centre, axes, .. } => (axes.y_axis, centre),
+        };
+        grooves::direction(axis, p - centre, n)
     }
 }
 

@@ -94,15 +94,16 @@ impl PathTracer<'_> {
         let is_inside = path.ray.d.dot(met.normal) > 0.0;
         let n = if is_inside { -met.normal } else { met.normal };
         let colour = world.paint(body, path.ray, &met);
+        let p = path.ray.at(t);
         let bsdf = Bsdf::new(
             &body.material,
             colour,
             path.ray.d,
             n,
+            body.shape.groove(p, n),
             is_inside,
             self.effects.surfaces,
         );
-        let p = path.ray.at(t);
         if !self.effects.indirect && is_lit {
             path.light += path.throughput * world.ambient * colour;
         }

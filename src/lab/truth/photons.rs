@@ -170,8 +170,17 @@ impl Flight<'_> {
             let n = if is_inside { -met.normal } else { met.normal };
             let colour = body.material.colour;
             let keeps_energy = self.keeps_energy;
-            let bsdf = Bsdf::new(&body.material, colour, ray.d, n, is_inside, keeps_energy);
             let p = ray.at(met.t);
+            let groove = body.shape.groove(p, n);
+            let bsdf = Bsdf::new(
+                &body.material,
+                colour,
+                ray.d,
+                n,
+                groove,
+                is_inside,
+                keeps_energy,
+            );
             if bounce > 0 && bsdf.is_rough() {
                 let power = self.lamp.power(first, travelled, self.has_extents);
                 photons.push(Photon {

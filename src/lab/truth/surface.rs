@@ -7,6 +7,7 @@
 use super::world::Material;
 use crate::sampler::{around, cosine_hemisphere};
 use eightfold::glam::{DVec2, DVec3};
+use eightfold_oracle::grooves;
 use std::f64::consts::{PI, TAU};
 
 /// A point of a surface, seen from a direction.
@@ -20,10 +21,16 @@ pub struct Bsdf {
     refracted: Option<DVec3>,
     /// The share of each channel that is scattered diffusely.
     pub diffuse: DVec3,
-    /// The share that is scattered into the lobe, if no part of the lobe lies below the surface.
+    /// The share that is scattered into the lobe, at most: no part of the lobe may lie below the surface, and none of the light be
+    /// taken by its colour.
     pub glossy: f64,
+    /// The radiance of the lobe's peak per irradiance of a surface that faces the light.
+    peak: DVec3,
     /// The exponent of the lobe.
     exponent: f64,
+    /// The direction of the grooves that spread the lobe, and how far.
+    groove: DVec3,
+    brushed: f64,
     /// Whether the lobe is the real-time model's: with no cosine of the angle of the light.
     is_plain_lobe: bool,
     /// The share that is mirrored.
@@ -43,13 +50,15 @@ pub struct Scattered {
 }
 
 impl Bsdf {
-    /// The surface at a point that a ray in direction `d` sees, where it has the normal `n` on the ray's side. `keeps_energy` is
+    /// The surface at a point that a ray in direction `d` sees, where it has the normal `n` on the ray's side and grooves along
+    /// `groove`. `keeps_energy` is
     /// whether it is a physical one; otherwise it is the real-time model's.
     pub fn new(
         material: &Material,
         colour: DVec3,
         d: DVec3,
         n: DVec3,
+        groove: DVec3,
         is_inside: bool,
         keeps_energy: bool,
     ) -> Self {
@@ -79,7 +88,14 @@ impl Bsdf {
         };
         let diffuse = material.kd * colour;
         // The peak of the lobe is the real-time model's, for light along the normal.
-        let glossy = material.ks * 2.0 / (material.exponent + if keeps_energy { 2.0 } else { 1.0 });
+        let glossy = if material.brushed > 0.0 {
+            // What the lobe across grooves scatters at most: the integral of the lobe, along the grooves, times a half circle's of
+            // the cosine, across them. This bound by Kershaw's inequality for the gamma function is too large by 1 % at most.
+            material.ks * (8.0 / (PI * (material.exponent + 0.75))).sqrt()
+        } else {
+            material.ks * 2.0 / (material.exponent + if keeps_energy { 2.0 } else { 1.0 })
+        };
+        let highlight = DVec3::ONE.lerp(material.colour, material.metal);
         let all = diffuse.max_element() + glossy + reflected + transmitted;
         let scale = if keeps_energy {
             1.0 / all.max(1.0)
@@ -92,6 +108,9 @@ impl Bsdf {
             refracted,
             diffuse: scale * diffuse,
             glossy: scale * glossy,
+            peak: scale * material.ks / PI * highlight,
+            groove,
+            brushed: material.brushed,
             exponent: material.exponent,
             is_plain_lobe: !keeps_energy,
             reflected: scale * reflected,
@@ -123,23 +142,26 @@ impl Bsdf {
         if cosine <= 0.0 {
             return DVec3::ZERO;
         }
-        let lobe = self.mirrored.dot(d).max(0.0).powf(self.exponent);
+        let along = grooves::cosine(self.mirrored, d, self.groove, self.brushed);
+        let lobe = along.max(0.0).powf(self.exponent);
         let lobe = if self.is_plain_lobe {
-            self.glossy * (self.exponent + 1.0) * lobe
+            lobe
         } else {
-            self.glossy * (self.exponent + 2.0) * lobe * cosine
+            lobe * cosine
         };
-        self.diffuse * cosine / PI + lobe / TAU
+        self.diffuse * cosine / PI + self.peak * lobe
     }
 
     /// The shares of diffuse, glossy, mirrored and transmitted light with which a path goes on, which add up to 1.
     fn chances(&self) -> Option<[f64; 4]> {
-        let shares = [
-            self.diffuse.max_element(),
-            self.glossy,
-            self.reflected,
-            self.transmitted,
-        ];
+        let diffuse = self.diffuse.max_element();
+        // A lobe that grooves spread is wide: directions are chosen as for diffuse light.
+        let (diffuse, glossy) = if self.brushed > 0.0 {
+            (diffuse + self.glossy, 0.0)
+        } else {
+            (diffuse, self.glossy)
+        };
+        let shares = [diffuse, glossy, self.reflected, self.transmitted];
         let all: f64 = shares.iter().sum();
         (all > 0.0).then(|| shares.map(|share| share / all))
     }

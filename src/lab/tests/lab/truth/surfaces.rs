@@ -7,6 +7,9 @@ use eightfold_lab::truth::surface::{Bsdf, fresnel};
 use eightfold_lab::truth::world::Material;
 use std::f64::consts::TAU;
 
+/// The direction of the grooves of brushed surfaces.
+const GROOVE: DVec3 = DVec3::new(0.6, 0.0, 0.8);
+
 /// The direction of sight at an angle of a cosine with the normal, which is y.
 fn sight(cosine: f64) -> DVec3 {
     DVec3::new((1.0 - cosine * cosine).sqrt(), -cosine, 0.0)
@@ -20,6 +23,7 @@ fn surface(material: scene::Material, cosine: f64) -> Bsdf {
         material.colour,
         sight(cosine),
         DVec3::Y,
+        GROOVE,
         false,
         true,
     )
@@ -66,6 +70,47 @@ fn a_lobe_gives_back_its_share_at_most() {
 }
 
 #[test]
+fn a_lobe_across_grooves_gives_back_its_share_at_most() {
+    for exponent in [1.0, 8.0, 100.0] {
+        for cosine in [1.0, 0.6, 0.1] {
+            for brushed in [0.1, 0.9, 1.0] {
+                let material = scene::Material {
+                    brushed,
+                    ..shiny(0.5, exponent)
+                };
+                let bsdf = surface(material, cosine);
+                let albedo = integral(|d| bsdf.of(d).x);
+                assert!(
+                    albedo <= bsdf.glossy * 1.001,
+                    "{exponent} {cosine} {brushed}"
+                );
+                if cosine == 1.0 && brushed == 1.0 && exponent == 100.0 {
+                    assert!((albedo / bsdf.glossy - 1.0).abs() < 0.01, "{albedo}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_lobe_of_a_metal_has_its_colour() {
+    let colour = Vec3A::new(0.9, 0.6, 0.3);
+    let seen = |metal| {
+        let material = scene::Material {
+            colour,
+            metal,
+            ..shiny(0.8, 20.0)
+        };
+        surface(material, 0.6).of(sight(0.6) * DVec3::new(1.0, -1.0, 1.0))
+    };
+    let ratio = seen(1.0) / seen(0.0);
+    assert!(
+        (ratio - colour.as_dvec3()).abs().max_element() < 1e-6,
+        "{ratio}"
+    );
+}
+
+#[test]
 fn a_surface_that_would_give_back_too_much_is_scaled() {
     let material = scene::Material {
         colour: Vec3A::ONE,
@@ -81,39 +126,49 @@ fn a_surface_that_would_give_back_too_much_is_scaled() {
 
 #[test]
 fn a_lobe_is_the_same_both_ways() {
-    let material: Material = (&shiny(0.8, 20.0)).into();
-    let reflectance = |from: DVec3, to: DVec3| {
-        let bsdf = Bsdf::new(&material, DVec3::ZERO, -from, DVec3::Y, false, true);
-        bsdf.of(to).x / to.y
-    };
-    let (a, b) = (DVec3::new(0.5, 0.7, 0.1), DVec3::new(-0.6, 0.4, 0.2));
-    let (a, b) = (a.normalize(), b.normalize());
-    assert!((reflectance(a, b) / reflectance(b, a) - 1.0).abs() < 1e-9);
+    for brushed in [0.0, 0.7] {
+        let material: Material = (&scene::Material {
+            brushed,
+            ..shiny(0.8, 20.0)
+        })
+            .into();
+        let reflectance = |from: DVec3, to: DVec3| {
+            let bsdf = Bsdf::new(&material, DVec3::ZERO, -from, DVec3::Y, GROOVE, false, true);
+            bsdf.of(to).x / to.y
+        };
+        let (a, b) = (DVec3::new(0.5, 0.7, 0.1), DVec3::new(-0.6, 0.4, 0.2));
+        let (a, b) = (a.normalize(), b.normalize());
+        assert!((reflectance(a, b) / reflectance(b, a) - 1.0).abs() < 1e-9);
+    }
 }
 
 #[test]
 fn directions_are_chosen_with_their_density_and_weighed_by_it() {
-    let material = scene::Material {
-        colour: Vec3A::new(0.2, 0.5, 0.8),
-        kd: 0.6,
-        ..shiny(0.9, 6.0)
-    };
-    let bsdf = surface(material, 0.5);
-    let (mut sum, mut below, count) = (DVec3::ZERO, 0, 1 << 14);
-    for i in 0..count {
-        let mut sampler = Sampler::new(Sequence::Sobol, i, 3);
-        match bsdf.sample(sampler.next_1d(), sampler.next_2d()) {
-            Some(next) => sum += next.weight,
-            None => below += 1,
+    for brushed in [0.0, 0.8] {
+        let material = scene::Material {
+            colour: Vec3A::new(0.2, 0.5, 0.8),
+            kd: 0.6,
+            metal: 0.5,
+            brushed,
+            ..shiny(0.9, 6.0)
+        };
+        let bsdf = surface(material, 0.5);
+        let (mut sum, mut below, count) = (DVec3::ZERO, 0, 1 << 14);
+        for i in 0..count {
+            let mut sampler = Sampler::new(Sequence::Sobol, i, 3);
+            match bsdf.sample(sampler.next_1d(), sampler.next_2d()) {
+                Some(next) => sum += next.weight,
+                None => below += 1,
+            }
         }
+        let mean = sum / count as f64;
+        for channel in 0..3 {
+            let known = integral(|d| bsdf.of(d)[channel]);
+            assert!((mean[channel] / known - 1.0).abs() < 2e-3, "{mean}");
+        }
+        let above = integral(|d| bsdf.density(d));
+        assert!((above + f64::from(below) / count as f64 - 1.0).abs() < 2e-3);
     }
-    let mean = sum / count as f64;
-    for channel in 0..3 {
-        let known = integral(|d| bsdf.of(d)[channel]);
-        assert!((mean[channel] / known - 1.0).abs() < 2e-3, "{mean}");
-    }
-    let above = integral(|d| bsdf.density(d));
-    assert!((above + f64::from(below) / count as f64 - 1.0).abs() < 2e-3);
 }
 
 #[test]
@@ -159,6 +214,7 @@ fn glass_bends_light_by_snells_law_both_ways_and_reflects_all_beyond_the_critica
             DVec3::ZERO,
             sight(cosine),
             DVec3::Y,
+            GROOVE,
             is_inside,
             true,
         );
