@@ -80,15 +80,38 @@ pub(super) static CRYSTAL: Material = Material {
 /// Gold.
 pub(super) static GOLD: Material = Material {
     colour: vec3a(0.98, 0.73, 0.38),
-    kd: 0.6,
-    ks: 0.5,
+    kd: 0.45,
+    ks: 0.9,
     exponent: 25.0,
+    metal: 1.0,
     kr: 0.2,
     ..MATT
 };
 
-/// Gold without reflections: on what is thin or small they would be hardly visible.
-pub(super) static BRASS: Material = Material { kr: 0.0, ..GOLD };
+/// Gold without reflections, for columns that are seen in mirrors: the bright rims of brushed ones would be missed there.
+pub(super) static DULL: Material = Material {
+    kd: 0.6,
+    ks: 0.5,
+    kr: 0.0,
+    ..GOLD
+};
+
+/// Brushed brass without reflections: on what is thin or small they would be hardly visible.
+pub(super) static BRASS: Material = Material {
+    kd: 0.4,
+    ks: 0.75,
+    exponent: 6.0,
+    kr: 0.0,
+    brushed: 0.95,
+    ..GOLD
+};
+
+/// Brass that is not brushed, for joints: its highlights are wide, to be as bright as what is joined.
+pub(super) static JOINT: Material = Material {
+    exponent: 4.0,
+    brushed: 0.0,
+    ..BRASS
+};
 
 /// Silver.
 pub(super) static SILVER: Material = Material {
@@ -100,12 +123,14 @@ pub(super) static SILVER: Material = Material {
     ..MATT
 };
 
-/// Cast steel without reflections, which were hardly visible.
+/// Turned steel without reflections, which were hardly visible.
 pub(super) static STEEL: Material = Material {
     colour: vec3a(0.55, 0.62, 0.75),
-    kd: 0.55,
-    ks: 0.5,
-    exponent: 25.0,
+    kd: 0.4,
+    ks: 0.35,
+    exponent: 10.0,
+    metal: 0.5,
+    brushed: 0.9,
     ..MATT
 };
 

@@ -69,7 +69,7 @@ static PROPS: &[Prop] = &[
     // Two walls along z and two along x.
     cuboid(&WALL, [-HALF, 2.5, 0.0], [0.2, 5.0, 10.4]).repeat([2, 1], [2.0 * HALF, 0.0]),
     cuboid(&WALL, [0.0, 2.5, -HALF], [10.4, 5.0, 0.2]).repeat([1, 2], [0.0, 2.0 * HALF]),
-    cylinder(&material::BRASS, [-3.4, 2.0, -3.4], [0.5, 4.0, 0.5]).repeat([2, 2], [6.8, 6.8]),
+    cylinder(&material::DULL, [-3.4, 2.0, -3.4], [0.5, 4.0, 0.5]).repeat([2, 2], [6.8, 6.8]),
 ];
 
 #[rustfmt::skip]

@@ -99,10 +99,10 @@ fn add(beat: f32, scene: &mut Scene) {
         let mut pen = Vec2::NAN;
         for (from, to) in strokes(letter) {
             if from != pen {
-                add_sphere(place(from), JOINT, &material::BRASS, scene);
+                add_sphere(place(from), JOINT, &material::JOINT, scene);
             }
             add_stroke(place(from), place(to), scene);
-            add_sphere(place(to), JOINT, &material::BRASS, scene);
+            add_sphere(place(to), JOINT, &material::JOINT, scene);
             pen = to;
         }
     }
