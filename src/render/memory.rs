@@ -72,7 +72,7 @@ impl Memory {
         let is_valid = frame.validate().is_ok() && quality.is_drawable();
         assert!(is_valid, "size or quality out of range");
         let (width, height) = (frame.width, frame.height);
-        let quality = &scene.method.coarsened(quality);
+        let quality = &scene.film.tightened(&scene.method.coarsened(quality));
         let pixels = &mut frame.pixels[..width * height];
         self.prepared.set(scene, width, height);
         let prepared = &self.prepared;

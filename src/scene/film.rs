@@ -1,5 +1,7 @@
 //! How light becomes the picture's colours.
 
+use crate::quality::Quality;
+
 /// What becomes of the light that reaches the picture, before it is cut to 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Film {
@@ -15,6 +17,9 @@ pub struct Film {
     /// pixels are rounded alike. The threshold of a pixel depends on its place alone; pixels on edges, which are antialiased, keep
     /// that of the picture before.
     pub dither: f32,
+    /// The share of a [`Quality`]'s tolerances within which squares are filled, 0 to 1. In the dark the eye sees steps that it
+    /// does not see in a bright picture; less than 1 is for scenes with dim edges that matter.
+    pub tolerance: f32,
 }
 
 impl Film {
@@ -23,7 +28,18 @@ impl Film {
         shoulder: 1.0,
         vignette: 0.0,
         dither: 0.0,
+        tolerance: 1.0,
     };
+
+    /// A quality with its tolerances for this film.
+    pub(crate) fn tightened(&self, quality: &Quality) -> Quality {
+        Quality {
+            tolerance_agreeing: quality.tolerance_agreeing * self.tolerance,
+            tolerance_differing: quality.tolerance_differing * self.tolerance,
+            tolerance_side: quality.tolerance_side * self.tolerance,
+            ..*quality
+        }
+    }
 }
 
 impl Default for Film {

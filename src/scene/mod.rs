@@ -96,6 +96,7 @@ impl Scene {
                 shoulder: 0.0,
                 vignette: 0.0,
                 dither: 0.0,
+                tolerance: 0.0,
             },
             ambient: Vec3A::ZERO,
             method: Method {

@@ -56,7 +56,8 @@ impl Scene {
         let film = Checked::one("film");
         film.share("shoulder", self.film.shoulder)?;
         film.share("vignette", self.film.vignette)?;
-        film.share("dither", self.film.dither)
+        film.share("dither", self.film.dither)?;
+        film.share("tolerance", self.film.tolerance)
     }
 
     fn validate_method(&self) -> Result<(), Flaw> {

@@ -88,14 +88,6 @@ pub(super) static GOLD: Material = Material {
     ..MATT
 };
 
-/// Gold without reflections, for columns that are seen in mirrors: the bright rims of brushed ones would be missed there.
-pub(super) static DULL: Material = Material {
-    kd: 0.6,
-    ks: 0.5,
-    kr: 0.0,
-    ..GOLD
-};
-
 /// Brushed brass without reflections: on what is thin or small they would be hardly visible.
 pub(super) static BRASS: Material = Material {
     kd: 0.4,

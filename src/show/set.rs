@@ -38,6 +38,7 @@ pub(super) const SHOW: Film = Film {
     shoulder: 0.8,
     vignette: 0.08,
     dither: 1.0,
+    ..Film::PLAIN
 };
 
 /// Half the side of a floor that seems endless: haze hides its edge.

@@ -6,6 +6,7 @@ use crate::drawn::draw;
 use eightfold::Quality;
 use eightfold::glam::{Vec3A, vec3a};
 use eightfold::scene::{Camera, Film, Light, List, Material, Plane, Scene};
+use eightfold::show;
 
 /// The picture of a scene with every pixel traced, and its brightest channels.
 fn channels(scene: &Scene, width: usize, height: usize) -> Vec<u32> {
@@ -63,6 +64,25 @@ fn a_vignette_leaves_the_middle_and_darkens_all_sides_alike() {
     assert!(at(80, 90).abs_diff(137) <= 1, "{}", at(80, 90));
     let row: Vec<u32> = (80..width).map(|x| at(x, 45)).collect();
     assert!(row.is_sorted_by(|a, b| a >= b));
+}
+
+#[test]
+fn a_films_tolerance_is_a_share_of_the_qualitys() {
+    let mut scene = show::scene(1.0);
+    let quality = Quality::DEFAULT;
+    let seen = |scene: &Scene, quality: &Quality| draw(cpu::best(), 1, scene, quality, 160, 120);
+    let whole = seen(&scene, &quality);
+    let halved = Quality {
+        tolerance_agreeing: 0.5 * quality.tolerance_agreeing,
+        tolerance_differing: 0.5 * quality.tolerance_differing,
+        tolerance_side: 0.5 * quality.tolerance_side,
+        ..quality
+    };
+    let by_quality = seen(&scene, &halved);
+    scene.film.tolerance = 0.5;
+    let by_film = seen(&scene, &quality);
+    assert_eq!(by_film.pixels, by_quality.pixels);
+    assert!(by_film.counts.points > whole.counts.points);
 }
 
 #[test]

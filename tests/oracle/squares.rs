@@ -2,7 +2,7 @@
 
 use super::{Oracle, Traced, pixel};
 use eightfold::Quality;
-use eightfold::scene::Scene;
+use eightfold::scene::{Film, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -113,12 +113,13 @@ impl<'a> Squares<'a> {
         } else {
             quality.tolerance_differing
         };
-        f64::from(spread) * 8.0 / side as f64
+        f64::from(spread * self.oracle.scene.film.tolerance) * 8.0 / side as f64
     }
 
     /// The largest spread with which the quality averages the midpoint of a side; negative if it averages none.
     fn allowed_side(&self, side: usize) -> f64 {
-        let tolerance = f64::from(self.oracle.quality.tolerance_side);
+        let Film { tolerance, .. } = self.oracle.scene.film;
+        let tolerance = f64::from(self.oracle.quality.tolerance_side * tolerance);
         if tolerance > 0.0 {
             tolerance * 8.0 / side as f64
         } else {

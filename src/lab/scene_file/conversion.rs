@@ -33,7 +33,7 @@ macro_rules! same_fields {
 }
 
 same_fields!(Camera, eye, look_at, up, field_of_view);
-same_fields!(Film, shoulder, vignette, dither);
+same_fields!(Film, shoulder, vignette, dither, tolerance);
 same_fields!(Method, points, squares, picture, coarse, front);
 same_fields!(Pattern, waves, depth, edge, balance, warp, grain);
 same_fields!(

@@ -52,6 +52,7 @@ pub struct Film {
     pub shoulder: f32,
     pub vignette: f32,
     pub dither: f32,
+    pub tolerance: f32,
 }
 
 /// See [`scene::Method`].

@@ -1,6 +1,6 @@
 //! A room of mirrors, in which a light walks about: four walls make endless halls of it.
 
-use crate::scene::{Light, Material, Pattern, Scene};
+use crate::scene::{Film, Light, Material, Pattern, Scene};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
@@ -21,7 +21,11 @@ static SET: Set = Set {
     sky: vec3a(-0.27, -0.16, -0.16),
     ambient: vec3a(0.20, 0.18, 0.26),
     haze: 0.06,
-    film: SHOW,
+    film: Film {
+        // Mirrors of mirrors are dark, and full of edges.
+        tolerance: 0.6,
+        ..SHOW
+    },
     floor: &FLOOR,
     floor_half: FAR,
     swell: 0.0,
@@ -69,7 +73,7 @@ static PROPS: &[Prop] = &[
     // Two walls along z and two along x.
     cuboid(&WALL, [-HALF, 2.5, 0.0], [0.2, 5.0, 10.4]).repeat([2, 1], [2.0 * HALF, 0.0]),
     cuboid(&WALL, [0.0, 2.5, -HALF], [10.4, 5.0, 0.2]).repeat([1, 2], [0.0, 2.0 * HALF]),
-    cylinder(&material::DULL, [-3.4, 2.0, -3.4], [0.5, 4.0, 0.5]).repeat([2, 2], [6.8, 6.8]),
+    cylinder(&material::BRASS, [-3.4, 2.0, -3.4], [0.5, 4.0, 0.5]).repeat([2, 2], [6.8, 6.8]),
 ];
 
 #[rustfmt::skip]

@@ -297,11 +297,12 @@ impl Rich {
 
 /// Any film, the plain one too.
 fn film() -> impl Strategy<Value = Film> {
-    let any = (0.0_f32..1.0, 0.0_f32..0.5, 0.0_f32..1.0);
-    let any = any.prop_map(|(shoulder, vignette, dither)| Film {
+    let any = (0.0_f32..1.0, 0.0_f32..0.5, 0.0_f32..1.0, 0.0_f32..1.0);
+    let any = any.prop_map(|(shoulder, vignette, dither, tolerance)| Film {
         shoulder,
         vignette,
         dither,
+        tolerance,
     });
     prop_oneof![Just(Film::PLAIN), any]
 }

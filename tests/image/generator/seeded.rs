@@ -140,6 +140,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
         shoulder: random.between(0.0, 1.0),
         vignette: random.between(0.0, 1.0),
         dither: random.between(0.0, 1.0),
+        tolerance: random.between(0.0, 1.0),
     };
     scene.water = Waves {
         slope: [0.0, random.between(0.0, 0.1)][random.below(2)],
@@ -200,6 +201,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         &mut film.shoulder,
         &mut film.vignette,
         &mut film.dither,
+        &mut film.tolerance,
         &mut water.slope,
         &mut water.length,
         &mut water.phase,
