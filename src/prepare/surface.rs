@@ -15,7 +15,7 @@ const NO_HIGHLIGHT: f32 = 2.0;
 pub(crate) struct Surface<T> {
     /// The centre of a sphere or a plane.
     pub centre: [T; 3],
-    /// 1 / radius for a sphere, otherwise 0.
+    /// 1 / radius for a sphere, otherwise 0: then the normal is upright, or a block's.
     pub inverse_radius: T,
     /// 1 for surfaces on which lights shine, 0 for the lights' own spheres and the background.
     pub is_lit: T,

@@ -51,8 +51,7 @@ pub struct Scattered {
 
 impl Bsdf {
     /// The surface at a point that a ray in direction `d` sees, where it has the normal `n` on the ray's side and grooves along
-    /// `groove`. `keeps_energy` is
-    /// whether it is a physical one; otherwise it is the real-time model's.
+    /// `groove`. `keeps_energy` is whether it is a physical one; otherwise it is the real-time model's.
     pub fn new(
         material: &Material,
         colour: DVec3,
