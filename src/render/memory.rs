@@ -13,7 +13,7 @@ use crate::text;
 use crate::trace::Counts;
 use fearless_simd::Level;
 
-/// What the threads share while they render a frame, of fixed size: at most 740,000 bytes, see [`Memory::BYTES`].
+/// What the threads share while they render a frame, of fixed size: at most 750,000 bytes, see [`Memory::BYTES`].
 ///
 /// So `Box::new(Memory::new())` works on the stack of a thread, which it passes over on its way; it may live in a `static` as
 /// well, which takes no room in a program's file.
