@@ -240,7 +240,7 @@ impl Prepared {
         for i in 0..=self.background() {
             let (object, material) = object::of(scene, ObjectId::new(i));
             self.has_patterns |= material.pattern.depth != 0.0;
-            self.has_details |= self.has_patterns || material.brushed > 0.0;
+            self.has_details |= self.has_patterns || material.anisotropy > 0.0;
             self.has_edges[i] = object::has_edges(material);
             self.surfaces[i] = Surface::numbers(&object, material, scene);
         }

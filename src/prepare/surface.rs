@@ -155,7 +155,9 @@ impl Surface<f32> {
             },
             emitted: emitted.to_array(),
             diffuse: (material.colour * material.kd).to_array(),
-            highlight: Vec3A::ONE.lerp(material.colour, material.metal).to_array(),
+            highlight: Vec3A::ONE
+                .lerp(material.colour, material.metallic)
+                .to_array(),
             ks: material.ks,
             exponent: material.exponent,
             highlight_start,

@@ -149,13 +149,13 @@ pub struct Material {
     pub exponent: f32,
     /// How far highlights take the surface's colour, 0 to 1. Those of plastic, 0, have the light's colour, and those of metal, 1,
     /// the light's times the surface's. What the surface mirrors keeps its colours.
-    pub metal: f32,
+    pub metallic: f32,
     /// How far fine grooves spread highlights, 0 to 1. They run in circles around the object's own y axis, which of a sphere or a
     /// plane is the vertical, as a lathe leaves them. The cosine of Phong's model is `1 - d.d / 2`, where d is the difference
     /// of the directions to the light and of the mirrored ray; the part of d across the grooves counts by the share
-    /// `1 - brushed` of its square. 1 is about the model of threads (Kajiya and Kay: Rendering Fur with Three Dimensional
+    /// `1 - anisotropy` of its square. 1 is about the model of threads (Kajiya and Kay: Rendering Fur with Three Dimensional
     /// Textures, SIGGRAPH 1989).
-    pub brushed: f32,
+    pub anisotropy: f32,
     /// The weight of the reflected ray, 0 to 1.
     pub kr: f32,
     /// How much more it reflects at grazing angles, 0 to 1, by Schlick's approximation: at an angle with the cosine c the share
@@ -180,8 +180,8 @@ impl Material {
         kd: 0.0,
         ks: 0.0,
         exponent: 1.0,
-        metal: 0.0,
-        brushed: 0.0,
+        metallic: 0.0,
+        anisotropy: 0.0,
         kr: 0.0,
         fresnel: 0.0,
         kt: 0.0,

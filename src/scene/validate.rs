@@ -182,8 +182,8 @@ impl Material {
         object.share("material.ks", self.ks)?;
         let is_exponent = (1.0..=1000.0).contains(&self.exponent);
         object.field("material.exponent", self.exponent, "1 to 1000", is_exponent)?;
-        object.share("material.metal", self.metal)?;
-        object.share("material.brushed", self.brushed)?;
+        object.share("material.metallic", self.metallic)?;
+        object.share("material.anisotropy", self.anisotropy)?;
         object.share("material.kr", self.kr)?;
         object.share("material.fresnel", self.fresnel)?;
         object.share("material.kt", self.kt)?;

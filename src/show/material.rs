@@ -83,7 +83,7 @@ pub(super) static GOLD: Material = Material {
     kd: 0.45,
     ks: 0.9,
     exponent: 25.0,
-    metal: 1.0,
+    metallic: 1.0,
     kr: 0.2,
     ..MATT
 };
@@ -94,14 +94,14 @@ pub(super) static BRASS: Material = Material {
     ks: 0.75,
     exponent: 6.0,
     kr: 0.0,
-    brushed: 0.95,
+    anisotropy: 0.95,
     ..GOLD
 };
 
 /// Brass that is not brushed, for joints: its highlights are wide, to be as bright as what is joined.
 pub(super) static JOINT: Material = Material {
     exponent: 4.0,
-    brushed: 0.0,
+    anisotropy: 0.0,
     ..BRASS
 };
 
@@ -121,8 +121,8 @@ pub(super) static STEEL: Material = Material {
     kd: 0.4,
     ks: 0.35,
     exponent: 10.0,
-    metal: 0.5,
-    brushed: 0.9,
+    metallic: 0.5,
+    anisotropy: 0.9,
     ..MATT
 };
 

@@ -89,15 +89,18 @@ impl<S: Isa> Phong<'_, S> {
     #[inline(always)]
     fn cosine(&self, l: &Vec3x<S>) -> F<S> {
         let &ShadingPoint {
-            r, groove, brushed, ..
+            r,
+            groove,
+            anisotropy,
+            ..
         } = self.point;
         let simd = self.tracer.simd;
         let rv = r.dot(*l);
-        if !brushed.simd_gt(splat(simd, 0.0)).any_true() {
+        if !anisotropy.simd_gt(splat(simd, 0.0)).any_true() {
             return rv;
         }
-        // See `Material::brushed`.
+        // See `Material::anisotropy`.
         let along = (*l - r).dot(groove);
-        rv + brushed * (-rv + along.mul_add(along * -0.5, splat(simd, 1.0)))
+        rv + anisotropy * (-rv + along.mul_add(along * -0.5, splat(simd, 1.0)))
     }
 }

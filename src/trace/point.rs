@@ -25,8 +25,8 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub hit_error: F<S>,
     /// The direction of the grooves of brushed surfaces, of length 1.
     pub groove: Vec3x<S>,
-    /// See [`crate::scene::Material::brushed`].
-    pub brushed: F<S>,
+    /// See [`crate::scene::Material::anisotropy`].
+    pub anisotropy: F<S>,
     /// The share that the texture leaves of the surface's colour, 0 to 1.
     pub reflectance: F<S>,
     /// Whether the ray comes from inside of the object.
@@ -89,7 +89,7 @@ impl<S: Isa> ShadingPoint<S> {
             r: n,
             hit_error: zero,
             groove: n,
-            brushed: zero,
+            anisotropy: zero,
             reflectance: splat(simd, 1.0),
             inside: solid,
             solid,
@@ -128,14 +128,14 @@ impl<S: Isa> ShadingPoint<S> {
                 }
                 Object::Light(_) | Object::Background => continue,
             };
-            if material.brushed > 0.0 {
+            if material.anisotropy > 0.0 {
                 let axes = match object {
                     Object::Block(block) => block.axes,
                     _ => Mat3A::IDENTITY,
                 };
                 let groove = texture_point.groove(simd, &axes);
                 self.groove = Vec3x::select(same, groove, self.groove);
-                self.brushed = same.select(splat(simd, material.brushed), self.brushed);
+                self.anisotropy = same.select(splat(simd, material.anisotropy), self.anisotropy);
             }
             let pattern = &material.pattern;
             if pattern.depth > 0.0 {

@@ -217,8 +217,8 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
             kd,
             ks,
             exponent,
-            metal,
-            brushed,
+            metallic,
+            anisotropy,
             kr,
             fresnel,
             kt,
@@ -233,7 +233,7 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
         lengths.push(("balance", &mut pattern.balance));
         lengths.extend([("warp", &mut pattern.warp), ("grain", &mut pattern.grain)]);
         lengths.extend([("kd", kd), ("ks", ks), ("exponent", exponent)]);
-        lengths.extend([("metal", metal), ("brushed", brushed)]);
+        lengths.extend([("metallic", metallic), ("anisotropy", anisotropy)]);
         lengths.extend([("kr", kr), ("fresnel", fresnel)]);
         lengths.extend([("kt", kt), ("index", index)]);
     }

@@ -49,10 +49,10 @@ fn disc(material: Material) -> Vec<[f32; 3]> {
 
 #[test]
 fn a_brushed_disc_shines_along_the_line_towards_the_lamp() {
-    for brushed in [0.0, 0.6, 1.0] {
+    for anisotropy in [0.0, 0.6, 1.0] {
         let seen = disc(Material {
             ks: 0.9,
-            brushed,
+            anisotropy,
             ..Material::BLACK
         });
         let mut brightest = 0.0_f32;
@@ -66,39 +66,43 @@ fn a_brushed_disc_shines_along_the_line_towards_the_lamp() {
                 // The lamp's direction differs from the mirrored one by so much, and along the grooves by so much.
                 let apart2 = 2.0 - 2.0 * SLANT.cos();
                 let along = SLANT.sin() * at[1] / distance;
-                let cosine = 1.0 - 0.5 * (apart2 + brushed * (along * along - apart2));
+                let cosine = 1.0 - 0.5 * (apart2 + anisotropy * (along * along - apart2));
                 let expected = 0.9 * cosine.powf(EXPONENT);
                 let [red, _, blue] = seen[y * SIDE + x];
                 assert!(
                     (red - expected).abs() < 0.01 && red == blue,
-                    "brushed {brushed}, {at:?}: {red} instead of {expected}"
+                    "anisotropy {anisotropy}, {at:?}: {red} instead of {expected}"
                 );
                 brightest = brightest.max(red);
             }
         }
         // Smooth metal mirrors the lamp elsewhere.
-        assert_eq!(brightest > 0.8, brushed == 1.0, "{brushed}: {brightest}");
+        assert_eq!(
+            brightest > 0.8,
+            anisotropy == 1.0,
+            "{anisotropy}: {brightest}"
+        );
     }
 }
 
 #[test]
 fn the_highlight_of_a_metal_has_its_colour() {
     let colour = vec3a(0.9, 0.6, 0.3);
-    let seen = |metal| {
+    let seen = |metallic| {
         let all = disc(Material {
             colour,
             ks: 1.0,
-            metal,
-            brushed: 1.0,
+            metallic,
+            anisotropy: 1.0,
             ..Material::BLACK
         });
         all[50 * SIDE + 80]
     };
     assert_eq!(seen(0.0), [1.0; 3], "the lamp's");
-    for metal in [0.5, 1.0] {
-        for (channel, share) in seen(metal).into_iter().zip(colour.to_array()) {
-            let expected = 1.0 + metal * (share - 1.0);
-            assert!((channel - expected).abs() < 0.01, "{metal}: {channel}");
+    for metallic in [0.5, 1.0] {
+        for (channel, share) in seen(metallic).into_iter().zip(colour.to_array()) {
+            let expected = 1.0 + metallic * (share - 1.0);
+            assert!((channel - expected).abs() < 0.01, "{metallic}: {channel}");
         }
     }
 }

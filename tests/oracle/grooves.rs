@@ -8,10 +8,10 @@ pub fn direction(axis: DVec3, out: DVec3, n: DVec3) -> DVec3 {
 }
 
 /// The cosine of the angle between the direction `r` of a mirrored ray and the direction `l` to a lamp, or what grooves make of it;
-/// see `Material::brushed`. Directions have a length of 1.
-pub fn cosine(r: DVec3, l: DVec3, groove: DVec3, brushed: f64) -> f64 {
+/// see `Material::anisotropy`. Directions have a length of 1.
+pub fn cosine(r: DVec3, l: DVec3, groove: DVec3, anisotropy: f64) -> f64 {
     let apart = l - r;
     let along = apart.dot(groove);
     let apart2 = apart.length_squared();
-    1.0 - 0.5 * (apart2 + brushed * (along * along - apart2))
+    1.0 - 0.5 * (apart2 + anisotropy * (along * along - apart2))
 }

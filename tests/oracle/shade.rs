@@ -209,9 +209,9 @@ impl Oracle<'_> {
             return (State::Dark, DVec3::ZERO);
         }
         let r = ray.d - 2.0 * ray.d.dot(n) * n;
-        let rv = grooves::cosine(r, l, groove, material.brushed.into()).max(0.0);
+        let rv = grooves::cosine(r, l, groove, material.anisotropy.into()).max(0.0);
         let specular = f64::from(material.ks) * rv.powf(f64::from(material.exponent));
-        let highlight = DVec3::ONE.lerp(material.colour.as_dvec3(), material.metal.into());
+        let highlight = DVec3::ONE.lerp(material.colour.as_dvec3(), material.metallic.into());
         let diffuse = f64::from(material.kd) * nl * painted;
         let state = if specular > f64::from(self.quality.highlight) {
             State::Highlight

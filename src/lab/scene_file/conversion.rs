@@ -37,7 +37,7 @@ same_fields!(Film, shoulder, vignette, dither, tolerance);
 same_fields!(Method, points, squares, picture, coarse, front);
 same_fields!(Pattern, waves, depth, edge, balance, warp, grain);
 same_fields!(
-    Material, colour, kd, ks, exponent, metal, brushed, kr, fresnel, kt, index, tint, pattern
+    Material, colour, kd, ks, exponent, metallic, anisotropy, kr, fresnel, kt, index, tint, pattern
 );
 same_fields!(Waves, slope, length, phase);
 same_fields!(Spot, aim, dark, bright);

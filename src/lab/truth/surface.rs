@@ -30,7 +30,7 @@ pub struct Bsdf {
     exponent: f64,
     /// The direction of the grooves that spread the lobe, and how far.
     groove: DVec3,
-    brushed: f64,
+    anisotropy: f64,
     /// Whether the lobe is the real-time model's: with no cosine of the angle of the light.
     is_plain_lobe: bool,
     /// The share that is mirrored.
@@ -87,14 +87,14 @@ impl Bsdf {
         };
         let diffuse = material.kd * colour;
         // The peak of the lobe is the real-time model's, for light along the normal.
-        let glossy = if material.brushed > 0.0 {
+        let glossy = if material.anisotropy > 0.0 {
             // What the lobe across grooves scatters at most: the integral of the lobe, along the grooves, times a half circle's of
             // the cosine, across them. This bound by Kershaw's inequality for the gamma function is too large by 1 % at most.
             material.ks * (8.0 / (PI * (material.exponent + 0.75))).sqrt()
         } else {
             material.ks * 2.0 / (material.exponent + if keeps_energy { 2.0 } else { 1.0 })
         };
-        let highlight = DVec3::ONE.lerp(material.colour, material.metal);
+        let highlight = DVec3::ONE.lerp(material.colour, material.metallic);
         let all = diffuse.max_element() + glossy + reflected + transmitted;
         let scale = if keeps_energy {
             1.0 / all.max(1.0)
@@ -109,7 +109,7 @@ impl Bsdf {
             glossy: scale * glossy,
             peak: scale * material.ks / PI * highlight,
             groove,
-            brushed: material.brushed,
+            anisotropy: material.anisotropy,
             exponent: material.exponent,
             is_plain_lobe: !keeps_energy,
             reflected: scale * reflected,
@@ -141,7 +141,7 @@ impl Bsdf {
         if cosine <= 0.0 {
             return DVec3::ZERO;
         }
-        let along = grooves::cosine(self.mirrored, d, self.groove, self.brushed);
+        let along = grooves::cosine(self.mirrored, d, self.groove, self.anisotropy);
         let lobe = along.max(0.0).powf(self.exponent);
         let lobe = if self.is_plain_lobe {
             lobe
@@ -155,7 +155,7 @@ impl Bsdf {
     fn chances(&self) -> Option<[f64; 4]> {
         let diffuse = self.diffuse.max_element();
         // A lobe that grooves spread is wide: directions are chosen as for diffuse light.
-        let (diffuse, glossy) = if self.brushed > 0.0 {
+        let (diffuse, glossy) = if self.anisotropy > 0.0 {
             (diffuse + self.glossy, 0.0)
         } else {
             (diffuse, self.glossy)

@@ -41,28 +41,30 @@ fn point(half: f32, height: f32) -> impl Strategy<Value = Vec3A> {
 fn material() -> impl Strategy<Value = Material> {
     let glass = prop_oneof![Just(0.0_f32), 0.2_f32..0.9];
     let index = prop_oneof![1.05_f32..2.4, 0.5_f32..0.95];
-    let brushed = prop_oneof![Just(0.0_f32), 0.0_f32..1.0];
+    let anisotropy = prop_oneof![Just(0.0_f32), 0.0_f32..1.0];
     (
         colour(),
         0.0_f32..1.0,
         prop_oneof![Just(0.0_f32), 0.1_f32..1.0],
-        (1.0_f32..200.0, 0.0_f32..1.0, brushed),
+        (1.0_f32..200.0, 0.0_f32..1.0, anisotropy),
         (0.0_f32..1.0, 0.0_f32..1.0),
         (glass, index),
     )
         .prop_map(
-            |(colour, kd, ks, (exponent, metal, brushed), (kr, fresnel), (kt, index))| Material {
-                colour,
-                kd,
-                ks,
-                exponent,
-                metal,
-                brushed,
-                kr: kr * (1.0 - kt),
-                fresnel,
-                kt,
-                index,
-                ..Material::BLACK
+            |(colour, kd, ks, (exponent, metallic, anisotropy), (kr, fresnel), (kt, index))| {
+                Material {
+                    colour,
+                    kd,
+                    ks,
+                    exponent,
+                    metallic,
+                    anisotropy,
+                    kr: kr * (1.0 - kt),
+                    fresnel,
+                    kt,
+                    index,
+                    ..Material::BLACK
+                }
             },
         )
 }

@@ -219,7 +219,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         fields.extend([&mut sphere.centre[a % 3], &mut sphere.radius]);
         fields.extend([&mut m.colour[b % 3], &mut m.kd, &mut m.ks, &mut m.exponent]);
         fields.extend([&mut m.kr, &mut m.fresnel, &mut m.kt, &mut m.index]);
-        fields.extend([&mut m.metal, &mut m.brushed]);
+        fields.extend([&mut m.metallic, &mut m.anisotropy]);
     }
     for plane in planes.iter_mut() {
         fields.extend([&mut plane.centre[a % 3], &mut plane.half_x]);

@@ -73,18 +73,18 @@ fn a_lobe_gives_back_its_share_at_most() {
 fn a_lobe_across_grooves_gives_back_its_share_at_most() {
     for exponent in [1.0, 8.0, 100.0] {
         for cosine in [1.0, 0.6, 0.1] {
-            for brushed in [0.1, 0.9, 1.0] {
+            for anisotropy in [0.1, 0.9, 1.0] {
                 let material = scene::Material {
-                    brushed,
+                    anisotropy,
                     ..shiny(0.5, exponent)
                 };
                 let bsdf = surface(material, cosine);
                 let albedo = integral(|d| bsdf.of(d).x);
                 assert!(
                     albedo <= bsdf.glossy * 1.001,
-                    "{exponent} {cosine} {brushed}"
+                    "{exponent} {cosine} {anisotropy}"
                 );
-                if cosine == 1.0 && brushed == 1.0 && exponent == 100.0 {
+                if cosine == 1.0 && anisotropy == 1.0 && exponent == 100.0 {
                     assert!((albedo / bsdf.glossy - 1.0).abs() < 0.01, "{albedo}");
                 }
             }
@@ -95,10 +95,10 @@ fn a_lobe_across_grooves_gives_back_its_share_at_most() {
 #[test]
 fn the_lobe_of_a_metal_has_its_colour() {
     let colour = Vec3A::new(0.9, 0.6, 0.3);
-    let seen = |metal| {
+    let seen = |metallic| {
         let material = scene::Material {
             colour,
-            metal,
+            metallic,
             ..shiny(0.8, 20.0)
         };
         surface(material, 0.6).of(sight(0.6) * DVec3::new(1.0, -1.0, 1.0))
@@ -126,9 +126,9 @@ fn a_surface_that_would_give_back_too_much_is_scaled() {
 
 #[test]
 fn a_lobe_is_the_same_both_ways() {
-    for brushed in [0.0, 0.7] {
+    for anisotropy in [0.0, 0.7] {
         let material: Material = (&scene::Material {
-            brushed,
+            anisotropy,
             ..shiny(0.8, 20.0)
         })
             .into();
@@ -144,12 +144,12 @@ fn a_lobe_is_the_same_both_ways() {
 
 #[test]
 fn directions_are_chosen_with_their_density_and_weighed_by_it() {
-    for brushed in [0.0, 0.8] {
+    for anisotropy in [0.0, 0.8] {
         let material = scene::Material {
             colour: Vec3A::new(0.2, 0.5, 0.8),
             kd: 0.6,
-            metal: 0.5,
-            brushed,
+            metallic: 0.5,
+            anisotropy,
             ..shiny(0.9, 6.0)
         };
         let bsdf = surface(material, 0.5);
