@@ -23,7 +23,7 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub r: Vec3x<S>,
     /// The distance of `p` from the surface, on the ray's side: 0 except for boxes and cylinders.
     pub hit_error: F<S>,
-    /// The direction of the grooves of brushed surfaces, of length 1.
+    /// The direction of the grooves, of length 1; of no meaning where `anisotropy` is 0.
     pub groove: Vec3x<S>,
     /// See [`crate::scene::Material::anisotropy`].
     pub anisotropy: F<S>,

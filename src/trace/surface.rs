@@ -9,7 +9,7 @@ use crate::prepare::{
 /// take turns and so do their objects: with one, the model scene's frame takes 3 % more instructions.
 const KEPT: usize = 16;
 
-/// Memory for the surfaces of a packet.
+/// All zeros: memory before a packet's surfaces are looked up.
 const NO_SURFACES: SurfaceTable = [[0.0; MAX_LANES]; SURFACE_NUMBERS];
 
 /// Surfaces spread over lanes, which a thread keeps from packet to packet. That of an object is kept at its number modulo [`KEPT`].
@@ -101,11 +101,13 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         surfaces(mixed)
     }
 
+    /// The rows of numbers of what the lanes hit, by name.
     #[inline(always)]
     fn rows(&self) -> Surface<&PerLane> {
         Surface::from_numbers(self.table.each_ref())
     }
 
+    /// The background's numbers, by name.
     #[inline(always)]
     fn behind(&self) -> Surface<f32> {
         Surface::from_numbers(*self.background)
