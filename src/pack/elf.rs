@@ -33,6 +33,8 @@ pub struct Segment {
     pub flags: u32,
     pub offset: u64,
     pub address: u64,
+    /// Where nobody looks.
+    pub physical_address: u64,
     pub file_size: u64,
     /// In memory; what the file does not have is zero.
     pub size: u64,
@@ -47,12 +49,13 @@ impl Segment {
             flags: number(bytes, 4, 4) as u32,
             offset: number(bytes, 8, 8),
             address: number(bytes, 16, 8),
+            physical_address: number(bytes, 24, 8),
             file_size: number(bytes, 32, 8),
             size: number(bytes, 40, 8),
         }
     }
 
-    /// As it is in a file, with a physical address, which nobody reads, and an alignment to pages.
+    /// As it is in a file, with an alignment to pages.
     pub fn to_bytes(self) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(Segment::SIZE);
         bytes.extend(self.kind.to_le_bytes());
@@ -60,7 +63,7 @@ impl Segment {
         for number in [
             self.offset,
             self.address,
-            self.address,
+            self.physical_address,
             self.file_size,
             self.size,
             PAGE,

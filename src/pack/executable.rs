@@ -1,16 +1,24 @@
 //! Makes a packed executable of an ordinary one.
 //!
-//! What is packed is an ELF file itself, without all that neither Linux nor the dynamic linker reads; the stub loads it like any
-//! other. The packed file has
+//! What is packed is an ELF file itself, without all that neither Linux nor the dynamic linker reads, and the stub's loader, which
+//! loads it like any other. The packed file has
 //!
 //! | bytes | what |
 //! | ---: | --- |
 //! | 64 | the ELF header |
 //! | 3 x 56 | program headers: this file; the memory that the program is loaded to; a stack that is not executable |
-//! | 4,600 | the stub |
+//! | 138 | the stub's beginning, which checks all that follows: a file that was cut to no less than this says so |
+//! | 4,200 | the stub |
 //! | the rest | what was packed |
 
-use crate::{Error, elf, elf::Segment, pack, panics, stub::Stub, unpack};
+use std::collections::HashMap;
+
+use crate::{
+    Damaged, Error, LONGEST, checksum, decode, elf,
+    elf::Segment,
+    encode, panics,
+    stub::{FIRST, LOADER, Stub},
+};
 
 /// Where the system lets programs have memory, unless it is told otherwise (`vm.mmap_min_addr`).
 const LOWEST: u64 = 0x1_0000;
@@ -18,14 +26,22 @@ const LOWEST: u64 = 0x1_0000;
 /// Bytes before the stub: the headers, and so many that its constants are aligned.
 const HEAD: usize = (elf::HEADER_SIZE + 3 * Segment::SIZE).next_multiple_of(16);
 
+/// Where in the file the checksum is: where the third program header has an address.
+const SUM: usize = elf::HEADER_SIZE + 2 * Segment::SIZE + 16;
+
 /// A packed executable of an ordinary one and the stub's object file.
 ///
 /// # Errors
 /// If it is no executable that the stub can load.
 pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     let stripped = strip(program)?;
-    let packed = pack(&stripped);
-    if unpack(&packed).as_deref() != Ok(&stripped) {
+    let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
+    let unpacked = [&*stripped, &loader].concat();
+    if unpacked.len() > LONGEST {
+        return Err(format!("{} bytes are too many", unpacked.len()).into());
+    }
+    let packed = encode(&unpacked);
+    if decode(&packed, unpacked.len()).as_ref() != Ok(&unpacked) {
         return Err("what is unpacked is not what was packed".into());
     }
     let loads = elf::segments(&stripped)?;
@@ -43,7 +59,7 @@ pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         .unwrap_or_default();
 
     // The file lies right before the program, so that the heap, which begins behind both, is where it always is.
-    let stub = Stub::read(stub)?;
+    let stub = Stub::read(stub, FIRST)?;
     let size = (HEAD + stub.size() + packed.len()) as u64;
     let address = start.saturating_sub(size) / elf::PAGE * elf::PAGE;
     if address < LOWEST {
@@ -51,7 +67,20 @@ pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
             format!("there is no room for {size} bytes below the program at {start:#x}").into(),
         );
     }
-    let mut file = elf::header(address + HEAD as u64, 3);
+    let entry = address + HEAD as u64;
+    let packed_at = entry + stub.size() as u64;
+    let names = HashMap::from([
+        ("SUM", address + SUM as u64),
+        ("CHECKED", entry + stub.first_size() as u64),
+        ("PACKED", packed_at),
+        ("PACKED_END", packed_at + packed.len() as u64),
+        ("LENGTH", unpacked.len() as u64),
+        ("PROGRAM_LENGTH", stripped.len() as u64),
+    ]);
+    let linked = stub.link(entry, &names)?;
+    let (first, rest) = linked.split_at(stub.first_size());
+    let checked = [rest, &packed].concat();
+    let mut file = elf::header(entry, 3);
     let file_itself = Segment {
         kind: elf::LOAD,
         flags: elf::READ | elf::EXECUTE,
@@ -67,20 +96,23 @@ pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         size: end - start,
         ..Segment::default()
     };
-    // Of this one, Linux reads only the flags. The rest says where in the file the packed bytes are.
+    // Of this one, Linux reads only the flags. The rest says where in the file the packed bytes are, how many bytes at its end are
+    // checked, what their checksum is, and how many bytes were packed.
     let stack = Segment {
         kind: elf::STACK,
         flags: elf::READ | elf::WRITE,
         offset: (HEAD + stub.size()) as u64,
+        address: checksum(&checked).into(),
+        physical_address: unpacked.len() as u64,
         file_size: packed.len() as u64,
-        ..Segment::default()
+        size: checked.len() as u64,
     };
     for segment in [file_itself, program, stack] {
         file.extend(segment.to_bytes());
     }
     file.resize(HEAD, 0);
-    file.extend(stub.link(address + HEAD as u64, packed.len() as u64)?);
-    file.extend(packed);
+    file.extend(first);
+    file.extend(checked);
     Ok(file)
 }
 
@@ -91,9 +123,20 @@ pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
 pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
     let segments = elf::segments(file)?;
     let is_stack = |segment: &&Segment| segment.kind == elf::STACK;
-    let packed = segments.iter().find(is_stack).ok_or("it is not packed")?;
-    let bytes = file.get(packed.range()).ok_or("it is not whole")?;
-    Ok(unpack(bytes)?)
+    let stack = segments.iter().find(is_stack).ok_or("it is not packed")?;
+    let packed = file.get(stack.range()).ok_or("it is not whole")?;
+    let start = file.len().checked_sub(stack.size as usize);
+    let checked = file.get(start.ok_or("it is not whole")?..);
+    if checked.is_none_or(|checked| u64::from(checksum(checked)) != stack.address) {
+        return Err(Damaged.into());
+    }
+    let mut unpacked = decode(packed, stack.physical_address as usize)?;
+    // The rest is the loader.
+    let ends = elf::segments(&unpacked)?
+        .into_iter()
+        .map(|segment| segment.range().end);
+    unpacked.truncate(ends.max().unwrap_or_default());
+    Ok(unpacked)
 }
 
 /// What Linux and the dynamic linker read of an executable: its headers and segments, without what only unwinding reads, or a

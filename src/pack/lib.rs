@@ -47,12 +47,15 @@
 //! | logits of pairs limited | | -121 |
 //! | a lowest rate of slots | | -45 |
 //! | sets of weights by reference | -0.02 s | -16 |
+//! | the loader packed with the program, when it had 65,287 bytes | | -427 |
+//! | contexts that expect a byte, targets of jumps as a feature | | -697 |
+//! | what followed the last bytes before, as such a byte; eighteen contexts; a fourth set of weights | +0.04 s | -612 |
+//! | slots found four at a time, constants made by instructions | -0.02 s | -132 |
+//! | contexts searched again | | -98 |
 //!
 //! Tried, and not worth it: prefetching the buckets, the hash of a context once a byte, inputs put together in registers (none
 //! changes more than the measure's noise); four buckets for each hash (-76 bytes, +0.03 s); 32 MB of buckets (no less time, +220
-//! bytes); a final estimator of the mixed probability (-30 bytes at most, and as much code again); a longer history (none);
-//! what followed the last five bytes when they were last there, as a context (-95 bytes, and as much code); other sets of weights, by
-//! opcodes, lengths or destinations (none).
+//! bytes); a longer history (none); other sets of weights, by opcodes, lengths or destinations (none). More is in `docs/size.md`.
 #![deny(missing_docs, unsafe_code)]
 
 mod aborts;
@@ -84,15 +87,20 @@ pub type Error = Box<dyn error::Error>;
 #[must_use]
 pub fn pack(bytes: &[u8]) -> Vec<u8> {
     assert!(bytes.len() <= LONGEST, "{} bytes are too many", bytes.len());
+    let length = (bytes.len() as u32).to_le_bytes();
+    let rest = [&length, &*encode(bytes)].concat();
+    [&checksum(&rest).to_le_bytes(), &*rest].concat()
+}
+
+/// The code of bytes.
+fn encode(bytes: &[u8]) -> Vec<u8> {
     let mut model = new_model();
     let mut encoder = Encoder::new();
     for byte in with_addresses(bytes) {
         encoder.byte = byte;
         model.byte(&mut encoder);
     }
-    let length = (bytes.len() as u32).to_le_bytes();
-    let rest = [&length, &*encoder.end()].concat();
-    [&model::checksum(&rest).to_le_bytes(), &*rest].concat()
+    encoder.end()
 }
 
 /// Bytes of a program with addresses in place of the offsets in its instructions.
@@ -113,13 +121,29 @@ fn with_addresses(bytes: &[u8]) -> Vec<u8> {
 /// # Errors
 /// If it is not what [`pack`] has made.
 pub fn unpack(packed: &[u8]) -> Result<Vec<u8>, Damaged> {
-    let (length, code) = model::open(packed).ok_or(Damaged)?;
+    let (sum, rest) = packed.split_first_chunk().ok_or(Damaged)?;
+    let (length, code) = rest.split_first_chunk().ok_or(Damaged)?;
+    if u32::from_le_bytes(*sum) != checksum(rest) {
+        return Err(Damaged);
+    }
+    decode(code, u32::from_le_bytes(*length) as usize)
+}
+
+/// As many bytes as a code is of.
+fn decode(code: &[u8], length: usize) -> Result<Vec<u8>, Damaged> {
     if length > LONGEST {
         return Err(Damaged);
     }
     let mut bytes = vec![0; length];
     let is_whole = model::decode(&mut new_model(), code, &mut bytes);
     is_whole.then_some(bytes).ok_or(Damaged)
+}
+
+/// The FNV-1a hash.
+fn checksum(bytes: &[u8]) -> u32 {
+    bytes.iter().fold(0x811c_9dc5, |hash, &byte| {
+        (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)
+    })
 }
 
 /// The most bytes that can be packed: they take 16 seconds.

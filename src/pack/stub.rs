@@ -1,4 +1,5 @@
-//! Links the stub: no linker has to do with it, as each is told in its own way what goes where.
+//! Links the stub and the loader, two parts of one object file: no linker has to do with it, as each is told in its own way what
+//! goes where.
 
 use std::collections::HashMap;
 
@@ -7,9 +8,13 @@ use object::{
     elf::{R_X86_64_32, R_X86_64_32S, R_X86_64_64, R_X86_64_PC32, R_X86_64_PLT32},
 };
 
-use crate::Error;
+use crate::{Error, elf};
 
-/// The stub's object file, with its sections laid out from address 0 on.
+/// The section that is executed first, and that of the loader.
+pub const FIRST: &str = ".text.first";
+pub const LOADER: &str = ".text.loader";
+
+/// A part of the stub's object file, with its sections laid out from address 0 on.
 pub struct Stub<'a> {
     file: object::File<'a>,
     /// Where each section is that is needed, in the order of places.
@@ -18,11 +23,11 @@ pub struct Stub<'a> {
 }
 
 impl<'a> Stub<'a> {
-    /// Lays out the section that is executed first, and all that it leads to.
-    pub fn read(object: &'a [u8]) -> Result<Stub<'a>, Error> {
+    /// Lays out a section, and all that it leads to.
+    pub fn read(object: &'a [u8], first: &str) -> Result<Stub<'a>, Error> {
         let file = object::File::parse(object)?;
         let first = file
-            .section_by_name(".text.first")
+            .section_by_name(first)
             .ok_or("the stub has no beginning")?;
         let mut found = vec![first.index()];
         let mut sections = Vec::new();
@@ -52,18 +57,32 @@ impl<'a> Stub<'a> {
         self.size
     }
 
-    /// The stub's bytes for an address, with so many packed bytes behind them.
-    pub fn link(&self, address: u64, packed: u64) -> Result<Vec<u8>, Error> {
+    /// Bytes of the section that it begins with.
+    pub fn first_size(&self) -> usize {
+        self.sections.get(1).map_or(self.size, |&(_, start)| start)
+    }
+
+    /// Its bytes, which may be anywhere in memory.
+    pub fn link_anywhere(&self) -> Result<Vec<u8>, Error> {
+        let names = HashMap::new();
+        let bytes = self.link(0, &names)?;
+        if self.link(elf::PAGE, &names)? == bytes {
+            Ok(bytes)
+        } else {
+            Err("the loader has addresses in it".into())
+        }
+    }
+
+    /// Its bytes for an address, with these names for numbers.
+    pub fn link(&self, address: u64, names: &HashMap<&str, u64>) -> Result<Vec<u8>, Error> {
         let places: HashMap<_, _> = self.sections.iter().copied().collect();
-        let end = address + self.size as u64;
-        let names = HashMap::from([("PACKED", end), ("PACKED_END", end + packed)]);
         let mut bytes = vec![0; self.size];
         for &(index, start) in &self.sections {
             let section = self.file.section_by_index(index)?;
             let data = section.data()?;
             bytes[start..start + data.len()].copy_from_slice(data);
             for (place, relocation) in section.relocations() {
-                let target = self.address_of(relocation.target(), &places, &names, address)?;
+                let target = self.address_of(relocation.target(), &places, names, address)?;
                 let place = start + place as usize;
                 let value = target.wrapping_add_signed(relocation.addend());
                 let relative = value.wrapping_sub(address + place as u64);

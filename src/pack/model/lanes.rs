@@ -60,11 +60,16 @@ impl Lanes {
 
     #[inline(always)]
     pub fn splat(number: i16) -> Lanes {
-        Lanes(sse2!(_mm_set1_epi16(number)))
+        Lanes::splat_pair(u32::from(number as u16) * 0x1_0001)
     }
 
+    /// By instructions, which are shorter than a constant of 16 bytes: the compiler must not know the number.
     #[inline(always)]
-    pub fn splat_pair(pair: u32) -> Lanes {
+    pub fn splat_pair(mut pair: u32) -> Lanes {
+        // SAFETY: it does nothing.
+        unsafe {
+            core::arch::asm!("/* {0:e} */", inout(reg) pair, options(pure, nomem, nostack, preserves_flags));
+        }
         Lanes(sse2!(_mm_set1_epi32(pair as i32)))
     }
 
@@ -94,6 +99,18 @@ impl Lanes {
     #[inline(always)]
     pub fn halve(self) -> Lanes {
         Lanes(sse2!(_mm_srai_epi16(self.0, 1)))
+    }
+
+    /// Numbers of 32 bits, shifted.
+    #[inline(always)]
+    pub fn shift_left<const BITS: i32>(self) -> Lanes {
+        Lanes(sse2!(_mm_slli_epi32::<BITS>(self.0)))
+    }
+
+    /// Numbers of 32 bits with a sign, shifted.
+    #[inline(always)]
+    pub fn shift_right<const BITS: i32>(self) -> Lanes {
+        Lanes(sse2!(_mm_srai_epi32::<BITS>(self.0)))
     }
 
     /// Adds the products of two lanes to these, which are four numbers of 32 bits.
@@ -186,6 +203,14 @@ mod plain {
             Lanes(self.0.map(|number| number >> 1))
         }
 
+        pub fn shift_left<const BITS: i32>(self) -> Lanes {
+            Lanes::pairs(&self.to_pairs().map(|pair| pair << BITS))
+        }
+
+        pub fn shift_right<const BITS: i32>(self) -> Lanes {
+            Lanes::pairs(&self.to_pairs().map(|pair| (pair as i32 >> BITS) as u32))
+        }
+
         pub fn add_products(self, a: Lanes, b: Lanes) -> Lanes {
             let sums = self.to_pairs();
             let product = |i| i32::from(a.0[i]) * i32::from(b.0[i]);
@@ -222,6 +247,8 @@ mod tests {
             assert_same!(x, y, p, q: and xor add subtract saturating_add);
             assert_same!(x, y, p, q: multiply_high multiply_high_unsigned);
             prop_assert_eq!(x.halve().to_pairs(), p.halve().to_pairs());
+            prop_assert_eq!(x.shift_left::<3>().to_pairs(), p.shift_left::<3>().to_pairs());
+            prop_assert_eq!(x.shift_right::<9>().to_pairs(), p.shift_right::<9>().to_pairs());
             prop_assert_eq!(x.to_numbers(), a);
             prop_assert_eq!(p.to_numbers(), a);
             prop_assert_eq!(x.limit(700).to_numbers(), p.limit(700).to_numbers());

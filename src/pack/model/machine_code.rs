@@ -6,15 +6,15 @@
 use super::operands::operands_by_runs;
 
 /// What the model predicts a byte by, each a number; contexts are sets of them. Features 0 to 3 are the last bytes, the newest
-/// first.
-pub const FEATURES: usize = 29;
+/// first. There is room for some more: a power of two.
+pub const FEATURES: usize = 32;
 /// How many of the last bytes are kept.
 const LAST: usize = 4;
 /// What the next byte is; see the kinds below.
 pub const KIND: usize = 4;
 /// The opcode of this instruction so far, plus 0x100 times its map, plus 0x400 times what `pp` is in VEX, by whatever prefixes that
 /// is said: so an operation has one number in SSE2, AVX2 and AVX-512. Those of the three instructions before follow it in steps of
-/// [`STEP`], as those of the three features after it do.
+/// [`STEP`], as those of the three features after it do of two.
 pub const OPCODE: usize = 5;
 /// The ModRM byte, which names a register and an operand.
 pub const MODRM: usize = 6;
@@ -25,23 +25,32 @@ pub const DESTINATION: usize = 8;
 /// Features that are kept of each instruction.
 const STEP: usize = 4;
 /// The end of those.
-const HISTORY_END: usize = OPCODE + 4 * STEP;
+const HISTORY_END: usize = OPCODE + 3 * STEP + 1;
 /// The place modulo 4: data has rows of words.
 pub const PLACE: usize = HISTORY_END;
 /// Which 256 bytes the place is in: many jumps end nearby.
-pub const PAGE: usize = 22;
+pub const PAGE: usize = 19;
+/// How many bytes ahead the next place is that a jump or call led to, at most [`FAR`]: an instruction begins there, and the one
+/// before often is a jump.
+pub const TARGET: usize = 20;
 /// The ModRM byte's operand, and what the SIB byte adds to it.
-pub const OPERAND: usize = 23;
+pub const OPERAND: usize = 21;
 /// The bits of prefixes that extend the numbers of registers: 8 that of ModRM's register, 2 that of its operand.
-pub const EXTENSION: usize = 24;
+pub const EXTENSION: usize = 22;
 /// The first byte of this instruction, without the bits that may extend registers.
-pub const FIRST: usize = 25;
+pub const FIRST: usize = 23;
 /// Bytes of this instruction so far.
-pub const LENGTH: usize = 26;
+pub const LENGTH: usize = 24;
+/// The register that VEX and EVEX name.
+pub const SOURCE: usize = 25;
+/// How many of the last bytes were the same before what [`AFTER_MATCH`] is, at most [`LONGEST_MATCH`], as a multiple of 0x100.
+pub const MATCH: usize = 26;
 /// The last two bytes that were of this kind behind the same opcode, the newer in the lower bits.
 pub const SAME_OPCODE: usize = 27;
 /// The same behind the same operand.
 pub const SAME_OPERAND: usize = 28;
+/// The byte that followed when the last bytes were here before.
+pub const AFTER_MATCH: usize = 29;
 
 /// A feature of an earlier instruction.
 pub const fn before(feature: usize, instructions: usize) -> usize {
@@ -63,7 +72,9 @@ const RELATIVE_DISPLACEMENT: u32 = 12;
 const IMMEDIATE: u32 = 16;
 /// The offset of a jump or call.
 const RELATIVE_JUMP: u32 = 20;
-/// More than the highest kind, and a power of two.
+/// More than the highest kind.
+pub const MORE_KINDS: u32 = RELATIVE_JUMP + 4;
+/// A power of two above that.
 pub const KINDS: usize = 32;
 
 /// What fields of instructions are told apart by, besides their kinds.
@@ -71,20 +82,40 @@ const FIELD_FEATURES: [usize; 2] = [OPCODE, OPERAND];
 /// Fields of all instructions: for each map, `pp` and opcode, each kind. (Of operands, the upper bits of SIB are left out.)
 const FIELDS: usize = 0x1000 << KINDS.ilog2();
 
+/// The most that [`TARGET`] is.
+const FAR: u32 = 7;
+/// How far jumps lead to places that are remembered. (Offsets of four bytes are addresses here.)
+const TARGETS: usize = 1 << 16;
+
+/// How many bytes are kept, as the intro has 200 kB; of a longer program, some are taken for others.
+const BYTES: usize = 1 << 18;
+/// Bits of a hash of three bytes.
+const PLACES: u32 = 16;
+/// Whether as many bytes or more were the same is of no matter.
+const LONGEST_MATCH: u32 = 15;
+
 /// The state of reading, all zero to begin with. Its largest part comes last: instructions reach the others by offsets of one byte.
 #[repr(C)]
 pub struct Reader {
-    features: [u32; FEATURES],
     /// Bytes read so far.
-    place: usize,
+    place: u32,
     /// Where the offset of this instruction is, behind its opcode; 0 if it has none.
-    offset: usize,
+    offset: u32,
     /// The kind of the displacement that follows a SIB byte.
     displacement: u32,
     /// The kind of what follows ModRM, SIB and displacement; 0 for nothing.
     operand: u32,
     /// The fields of the next byte.
     next: [u32; FIELD_FEATURES.len()],
+    /// Where [`AFTER_MATCH`] was.
+    matching: u32,
+    features: [u32; FEATURES],
+    /// All bytes, at their place modulo their number.
+    bytes: [u8; BYTES],
+    /// Behind three bytes, by a hash of these: where that was last.
+    places: [u32; 1 << PLACES],
+    /// Where jumps lead to, for each place modulo their number: 1 or 0.
+    targets: [u8; TARGETS],
     /// The last two bytes of each field.
     fields: [[u16; FIELDS]; FIELD_FEATURES.len()],
 }
@@ -92,12 +123,16 @@ pub struct Reader {
 impl Default for Reader {
     fn default() -> Reader {
         Reader {
-            features: [0; FEATURES],
             place: 0,
             offset: 0,
             displacement: 0,
             operand: 0,
             next: [0; FIELD_FEATURES.len()],
+            matching: 0,
+            features: [0; FEATURES],
+            bytes: [0; BYTES],
+            places: [0; 1 << PLACES],
+            targets: [0; TARGETS],
             fields: [[0; FIELDS]; FIELD_FEATURES.len()],
         }
     }
@@ -107,7 +142,7 @@ impl Reader {
     /// A feature of the next byte.
     #[inline(always)]
     pub fn feature(&self, number: usize) -> u32 {
-        self.features.get(number).copied().unwrap_or_default()
+        self.features[number % FEATURES]
     }
 
     /// Whether the next byte begins an instruction.
@@ -115,10 +150,14 @@ impl Reader {
         self.feature(KIND) == START
     }
 
-    /// Where an instruction that has just ended has the four bytes of an offset from its end to something else.
+    /// Where an instruction that has just ended has the four bytes of an offset from its end to something else. It says so once.
     #[inline(always)]
-    pub fn ended_offset(&self) -> Option<usize> {
-        (self.offset != 0 && self.feature(KIND) == START).then_some(self.offset)
+    pub fn ended_offset(&mut self) -> Option<usize> {
+        if !self.is_between_instructions() {
+            return None;
+        }
+        let offset = core::mem::take(&mut self.offset);
+        (offset != 0).then_some(offset as usize)
     }
 
     /// Reads the next byte.
@@ -129,15 +168,14 @@ impl Reader {
         features[0] = byte;
         features[LENGTH] += 1;
         let kind = features[KIND];
-        if kind == START {
-            features[FIRST] = byte & 0xf8;
-            self.offset = 0;
-        } else if kind == RELATIVE_DISPLACEMENT + 3 || kind == RELATIVE_JUMP + 3 {
+        // The first byte of either.
+        if kind & 7 == (RELATIVE_DISPLACEMENT + 3) & (RELATIVE_JUMP + 3) {
             self.offset = self.place;
         }
+        self.targets[self.place as usize % TARGETS] = 0;
         self.place += 1;
-        features[PLACE] = self.place as u32 & 3;
-        features[PAGE] = self.place as u32 >> 8;
+        features[PLACE] = self.place & 3;
+        features[PAGE] = self.place >> 8;
         let mut next = match kind {
             START | AFTER_PREFIX => self.read_opcode(byte),
             IS_MODRM => self.read_modrm(byte),
@@ -152,9 +190,16 @@ impl Reader {
             self.operand = START;
         }
         if next == START {
+            self.mark_target(byte, kind);
             self.end_instruction();
         }
         self.features[KIND] = next;
+        let mut distance = 0;
+        while distance < FAR && self.targets[(self.place + distance) as usize % TARGETS] == 0 {
+            distance += 1;
+        }
+        self.features[TARGET] = distance;
+        self.find_match(byte);
         for (i, &feature) in FIELD_FEATURES.iter().enumerate() {
             let field = &mut self.fields[i][self.next[i] as usize % FIELDS];
             *field = *field << 8 | byte as u16;
@@ -167,6 +212,9 @@ impl Reader {
     #[inline(always)]
     fn read_opcode(&mut self, byte: u32) -> u32 {
         let features = &mut self.features;
+        if features[FIRST] == 0 {
+            features[FIRST] = byte & 0xf8;
+        }
         if features[OPCODE] & 0x300 == 0 {
             let escape = match byte {
                 0x0f => AFTER_PREFIX,
@@ -180,7 +228,9 @@ impl Reader {
                 features[OPCODE] += 0x100;
                 return escape;
             }
-            if byte & 0xf0 == 0x40 || matches!(byte, 0x64 | 0x66 | 0x2e | 0xf0 | 0xf2 | 0xf3) {
+            // `lock` and the like, `fs`, 0x66, `cs`.
+            let is_other = byte & 0xfc == 0xf0 || byte & 0xfd == 0x64 || byte == 0x2e;
+            if byte & 0xf0 == 0x40 || is_other {
                 features[PREFIXES] = features[PREFIXES] << 8 | byte;
                 if byte & 0xf0 == 0x40 {
                     features[EXTENSION] = (byte & 7) << 1;
@@ -259,9 +309,55 @@ impl Reader {
         } else {
             // The last byte of EVEX has no `pp`, but zeros there unless a mask is used.
             features[OPCODE] |= (byte & 3) << 10;
+            // The third byte of EVEX has no register, but is nearly always the same.
+            features[SOURCE] += byte & 0x78;
         }
         features[PREFIXES] = features[PREFIXES] << 8 | byte;
         if kind == VEX { AFTER_PREFIX } else { kind - 1 }
+    }
+
+    /// Finds where the last bytes were before.
+    #[inline(always)]
+    fn find_match(&mut self, byte: u32) {
+        let is_expected = self.features[AFTER_MATCH] == byte;
+        self.bytes[self.place.wrapping_sub(1) as usize % BYTES] = byte as u8;
+        let [a, b, c, ..] = self.features;
+        let hash = (a | b << 8 | c << 16).wrapping_mul(0x9e37_79b1) >> (u32::BITS - PLACES);
+        let last = &mut self.places[hash as usize];
+        if is_expected {
+            self.matching = self.matching.wrapping_add(1);
+            self.features[MATCH] = (self.features[MATCH] + 0x100).min(LONGEST_MATCH << 8);
+        } else {
+            self.matching = *last;
+            self.features[MATCH] = 0;
+            let (mut there, mut here) = (*last, self.place);
+            while self.features[MATCH] < LONGEST_MATCH << 8 {
+                (there, here) = (there.wrapping_sub(1), here.wrapping_sub(1));
+                if self.bytes[there as usize % BYTES] != self.bytes[here as usize % BYTES] {
+                    break;
+                }
+                self.features[MATCH] += 0x100;
+            }
+        }
+        *last = self.place;
+        self.features[AFTER_MATCH] = self.bytes[self.matching as usize % BYTES].into();
+    }
+
+    /// Remembers where an instruction leads to that ends with this byte.
+    #[inline(always)]
+    fn mark_target(&mut self, byte: u32, kind: u32) {
+        let features = &self.features;
+        let distance = if kind == RELATIVE_JUMP {
+            let [a, b, c, d, ..] = *features;
+            (a << 24 | b << 16 | c << 8 | d).wrapping_sub(self.place)
+        } else if features[OPCODE] & !0xf == 0x70 || features[OPCODE] == 0xeb {
+            byte as i8 as u32
+        } else {
+            return;
+        };
+        if distance < TARGETS as u32 {
+            self.targets[(self.place + distance) as usize % TARGETS] = 1;
+        }
     }
 
     #[inline(always)]
@@ -275,13 +371,13 @@ impl Reader {
             };
         features.copy_within(OPCODE..HISTORY_END - STEP, OPCODE + STEP);
         features[OPCODE..OPCODE + STEP].fill(0);
-        features[OPERAND..SAME_OPCODE].fill(0);
+        features[OPERAND..MATCH].fill(0);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{DESTINATION, KIND, OPCODE, Reader, START, before};
+    use super::{DESTINATION, FAR, KIND, OPCODE, Reader, START, TARGET, before};
 
     /// Instructions with every kind of field, as an assembler writes them; the second is how many bytes each has.
     const CODE: [(&[u8], &str); 16] = [
@@ -372,6 +468,18 @@ mod tests {
             number
         });
         assert!(numbers[0] != numbers[1] && numbers[1] != numbers[2]);
+    }
+
+    #[test]
+    fn where_jumps_lead_to_is_known_ahead() {
+        // `je` by three bytes; `jmp` to the address 12, as the packer has it; two times `nop`.
+        let code = [0x74, 3, 0xe9, 12, 0, 0, 0, 0x90, 0x90];
+        let mut reader = Reader::default();
+        let distances = code.map(|byte| {
+            reader.read(byte);
+            reader.feature(TARGET)
+        });
+        assert_eq!(distances, [FAR, 3, 2, 1, 0, FAR, 5, 4, 3]);
     }
 
     #[test]

@@ -1,6 +1,9 @@
 //! Makes one probability of many, by a neuron that learns which of them to trust (logistic mixing).
 
-use super::{lanes::Lanes, machine_code::KINDS};
+use super::{
+    lanes::Lanes,
+    machine_code::{KINDS, MORE_KINDS},
+};
 
 /// Rows of inputs.
 pub const ROWS: usize = 3;
@@ -12,15 +15,16 @@ type Weights = [Lanes; ROWS];
 const FIRST_WEIGHT: i16 = 1000;
 
 /// Sets of weights: for each kind of byte and each beginning of it; that of beginning 0, which no byte has, is for all of that kind;
-/// and for each kind of byte and each byte before it.
+/// for each kind of byte and each byte before it; and, in place of kinds that there are not, for each kind and each number of inputs
+/// that have seen anything.
 const SETS: usize = (2 * KINDS) << 8;
 
 /// The highest logit of a pair that is believed, in 256ths: a probability of 94 %. With none, the
 /// intro takes 120 bytes more. Contexts may be as sure as they like.
 const PAIR_LIMIT: i16 = 700;
 
-/// How fast weights are learned: of 3, 4 and 5 the best.
-const RATE: i32 = 3;
+/// How fast weights are learned.
+const RATE: i32 = 18;
 
 /// The numbers of probabilities and of logits in tables.
 const STEPS: usize = 4096;
@@ -72,7 +76,7 @@ impl Mixer {
         for (i, inputs) in self.inputs.iter().enumerate() {
             let mut weights = Lanes::splat(FIRST_WEIGHT);
             for &set in sets {
-                weights = weights.saturating_add(self.weights[set & (SETS - 1)][i]);
+                weights = weights.saturating_add(self.weights[set as usize % SETS][i]);
             }
             sum = sum.add_products(weights, Lanes::new(inputs));
         }
@@ -85,9 +89,12 @@ impl Mixer {
     #[inline(always)]
     pub fn learn(&mut self, sets: &Sets, bit: u32) {
         let error = ((bit as i32) << 16) - self.probability;
-        let error = Lanes::splat(((error * RATE) >> 5) as i16);
+        let error = Lanes::splat(((error * RATE) >> 8) as i16);
         for &set in sets {
-            for (weight, inputs) in self.weights[set & (SETS - 1)].iter_mut().zip(&self.inputs) {
+            for (weight, inputs) in self.weights[set as usize % SETS]
+                .iter_mut()
+                .zip(&self.inputs)
+            {
                 let inputs = Lanes::new(inputs);
                 let change = inputs.saturating_add(inputs).multiply_high(error);
                 let change = change.saturating_add(Lanes::splat(1)).halve();
@@ -98,12 +105,16 @@ impl Mixer {
 }
 
 /// The sets whose weights are added for a bit.
-pub type Sets = [usize; 3];
+pub type Sets = [u32; 4];
 
-/// The sets for a bit of such a byte that begins like this, behind that byte.
+/// The sets for a bit of such a byte that begins like this, behind that byte, by so many inputs that have seen anything.
 #[inline(always)]
-pub fn sets(kind: u32, beginning: u32, before: u32) -> Sets {
+pub fn sets(kind: u32, beginning: u32, before: u32, seen: u32) -> Sets {
     let of_kind = kind << 8;
-    let behind = (KINDS as u32) << 8;
-    [of_kind | beginning, of_kind, behind | of_kind | before].map(|set| set as usize)
+    [
+        of_kind | beginning,
+        of_kind,
+        (KINDS as u32) << 8 | of_kind | before,
+        MORE_KINDS << 8 | kind << 5 | seen,
+    ]
 }

@@ -2,7 +2,9 @@
 //!
 //! It is context mixing, as in PAQ. A context is some of the last bytes or of what the [instruction](machine_code) is; each has a
 //! [slot](slot) for every beginning of the next byte, with a probability and the last bits. What such rows of bits of two contexts
-//! were followed by, anywhere in those, is a probability of that pair. A [mixer] weighs those of all contexts and pairs.
+//! were followed by, anywhere in those, is a probability of that pair. A context may expect a byte, such as the one that followed when
+//! the same bytes were here before: its slots are of the bits that differ from that byte's. A [mixer] weighs the probabilities of all
+//! contexts and pairs.
 //!
 //! There are only integers, and one function for both sides, so that the bytes are the same on every machine.
 
@@ -18,20 +20,17 @@ pub use addresses::to_address;
 pub use coder::{Coder, Decoder};
 pub use machine_code::Reader;
 
+use lanes::Lanes;
 use machine_code::{
-    DESTINATION, EXTENSION, FIRST, KIND, LENGTH, MODRM, OPCODE, OPERAND, PAGE, PLACE, PREFIXES,
-    SAME_OPCODE, SAME_OPERAND, before,
+    AFTER_MATCH, DESTINATION, EXTENSION, FIRST, KIND, LENGTH, MATCH, OPCODE, OPERAND, PLACE,
+    PREFIXES, SAME_OPCODE, SAME_OPERAND, SOURCE, TARGET, before,
 };
 use mixer::Mixer;
-use slot::{HISTORIES, Rates, Slot, Slots};
+use slot::{HISTORIES, OPPOSITE, Rates, Slot, Slots};
 
 /// The features that each context is made of, as a bit for each: found by changing one at random and keeping what packs the intro
-/// better. The order matters: two neighbours are a pair, whose histories are looked at together.
+/// better. The order matters: of those that the pairs take, two neighbours are one, whose histories are looked at together.
 static CONTEXTS: [u32; COUNT] = [
-    context(&[KIND, OPCODE, FIRST, LENGTH]),
-    context(&[KIND, OPCODE, before(OPCODE, 1)]),
-    context(&[0, PLACE]),
-    context(&[KIND, SAME_OPCODE]),
     context(&[
         KIND,
         OPCODE,
@@ -39,47 +38,67 @@ static CONTEXTS: [u32; COUNT] = [
         before(OPCODE, 2),
         before(OPCODE, 3),
     ]),
-    context(&[KIND]),
-    context(&[PLACE]),
-    context(&[
-        0,
-        3,
-        PREFIXES,
-        before(OPCODE, 1),
-        before(OPCODE, 2),
-        before(MODRM, 2),
-        before(PREFIXES, 2),
-        before(OPCODE, 3),
-        before(PREFIXES, 3),
-        LENGTH,
-        SAME_OPERAND,
-    ]),
-    context(&[KIND, PREFIXES, PAGE, OPERAND]),
-    context(&[KIND, before(DESTINATION, 1), EXTENSION]),
-    context(&[1, OPCODE, before(OPCODE, 1), before(OPCODE, 2), SAME_OPCODE]),
-    context(&[SAME_OPERAND]),
+    expecting(SAME_OPCODE, &[KIND, OPCODE]),
     context(&[0, KIND]),
+    context(&[0, PLACE]),
+    context(&[KIND, OPERAND, EXTENSION, FIRST, LENGTH]),
+    expecting(SAME_OPERAND, &[0, KIND, before(OPCODE, 1)]),
+    expecting(
+        SAME_OPERAND,
+        &[
+            0,
+            3,
+            PREFIXES,
+            before(OPCODE, 1),
+            before(PREFIXES, 1),
+            before(OPCODE, 2),
+            before(PREFIXES, 2),
+            TARGET,
+            OPERAND,
+            LENGTH,
+            SOURCE,
+            SAME_OPERAND,
+        ],
+    ),
+    expecting(AFTER_MATCH, &[MATCH]),
+    context(&[PLACE]),
+    context(&[KIND]),
+    context(&[KIND, OPCODE, TARGET, FIRST, LENGTH]),
+    context(&[KIND, OPCODE, before(OPCODE, 1), TARGET]),
+    context(&[0, 1, PREFIXES]),
     context(&[
         0,
-        KIND,
         before(OPCODE, 1),
         before(DESTINATION, 1),
         OPERAND,
         EXTENSION,
-    ]),
-    context(&[
-        2,
-        3,
-        OPCODE,
-        PREFIXES,
-        before(OPCODE, 1),
-        before(PREFIXES, 1),
         FIRST,
     ]),
-    context(&[0, 1, PREFIXES]),
+    expecting(SAME_OPERAND, &[KIND, FIRST, LENGTH]),
+    expecting(SAME_OPERAND, &[KIND, SAME_OPCODE, SAME_OPERAND]),
+    expecting(
+        SAME_OPERAND,
+        &[
+            2,
+            OPCODE,
+            PREFIXES,
+            before(OPCODE, 1),
+            before(PREFIXES, 1),
+            TARGET,
+            FIRST,
+        ],
+    ),
+    context(&[KIND, before(DESTINATION, 1), TARGET, EXTENSION]),
 ];
-const COUNT: usize = 16;
-const PAIRS: usize = COUNT / 2;
+const COUNT: usize = 18;
+const PAIRS: usize = 6;
+const INPUTS: usize = COUNT + PAIRS;
+/// Rows of four contexts.
+const ROWS: usize = COUNT.div_ceil(4);
+
+/// The lowest bit of those of a context that say what byte it expects: a feature, by how far it is behind [`MATCH`], whose lowest
+/// byte is 0.
+const EXPECTED: u32 = 30;
 
 const fn context(mut features: &[usize]) -> u32 {
     let mut set = 0;
@@ -90,27 +109,44 @@ const fn context(mut features: &[usize]) -> u32 {
     set
 }
 
-/// A cache line: whose it is, in place of a slot 0, and a slot for each beginning of four bits.
-#[repr(align(64))]
-struct Bucket([Slot; 16]);
+/// A context that does not learn what bits come in it, but which of them differ from those of a byte that a feature expects: so it
+/// learns from all such bytes at once how far that is to be trusted.
+const fn expecting(feature: usize, features: &[usize]) -> u32 {
+    context(features) | ((feature - MATCH) as u32) << EXPECTED
+}
 
-/// 64 MB of them for all contexts, which is too few: one takes the place of another that was seen less often. Half of that packs the
-/// intro to 220 bytes more.
-const BUCKETS: usize = 1 << 20;
+/// Slots of a context that a hash leads to, a cache line: whose they are, in place of a slot 0, and a slot for each beginning of four
+/// bits.
+const BUCKET: u32 = 16;
+
+/// Slots of all contexts, 64 MB, which is too few: one bucket takes the place of another that was seen less often. Half of that packs
+/// the intro to 220 bytes more.
+const SLOTS: usize = 1 << 24;
+
+/// Of these, the first are those of pairs: what the histories of two contexts were followed by, for contexts that expect the same bit
+/// and for others.
+const PAIR_SLOTS: usize = 2 * HISTORIES * HISTORIES;
+
+#[repr(align(64))]
+struct Table([Slot; SLOTS]);
 
 /// The model's memory. It begins with zeros. Small fields come first: instructions reach them by offsets of one byte.
 #[repr(C)]
 pub struct Model {
-    /// The bucket of each context.
-    buckets: [usize; COUNT],
+    /// The bucket of each context, as the place of its first slot.
+    buckets: [[u32; 4]; ROWS],
+    /// The four bits that each context expects, shifted by those that are behind.
+    expected: [[u32; 4]; ROWS],
+    /// The slots for the next bit, one of each context, then one of each pair.
+    places: [[u32; 4]; slot::ROWS],
+    /// What each of these is exclusive-or, once it has learned: 0, or [`OPPOSITE`] where a 1 was expected.
+    opposites: [[u32; 4]; slot::ROWS],
     pub reader: Reader,
-    /// Copies of the slots for the next bit, one of each context, then one of each pair.
+    /// Copies of the slots.
     slots: Slots,
     mixer: Mixer,
     rates: Rates,
-    /// What the histories of two contexts were followed by.
-    pairs: [[Slot; HISTORIES * HISTORIES]; PAIRS],
-    table: [Bucket; BUCKETS],
+    table: Table,
 }
 
 impl Model {
@@ -130,7 +166,7 @@ impl Model {
             let mut nibble = 1;
             while nibble < 0x10 {
                 let bit = self.bit(byte, nibble, coder);
-                nibble = nibble * 2 + bit as usize;
+                nibble = nibble * 2 + bit;
                 byte = byte * 2 + bit;
             }
         }
@@ -141,105 +177,107 @@ impl Model {
     /// Finds the buckets for the next four bits of a byte that begins like this.
     #[inline(always)]
     fn find_buckets(&mut self, byte: u32) {
+        let left = if byte == 1 { 4 } else { 0 };
         for (i, &context) in CONTEXTS.iter().enumerate() {
-            let mut hash = (i as u32) << 8 | byte;
-            let mut features = context;
+            let expected = self.reader.feature(MATCH + (context >> EXPECTED) as usize);
+            let expected = (expected & 0xff) >> left;
+            self.expected.as_flattened_mut()[i] = expected & 0xf;
+            let mut hash = (i as u32) << 8 | (byte ^ expected >> 4);
+            let mut features = context & ((1 << EXPECTED) - 1);
             while features != 0 {
                 let feature = self.reader.feature(features.trailing_zeros() as usize);
                 hash = hash.wrapping_mul(0x2c1b_3c6d).rotate_left(13) ^ feature;
                 features &= features - 1;
             }
-            self.buckets[i] = hash.wrapping_mul(0x9e37_79b1) as usize;
+            self.buckets.as_flattened_mut()[i] = hash.wrapping_mul(0x9e37_79b1);
         }
         // All hashes come first: a processor then waits for several buckets at once.
         for i in 0..COUNT {
-            self.buckets[i] = self.find_bucket(self.buckets[i] as u32);
+            let hash = self.buckets.as_flattened()[i];
+            self.buckets.as_flattened_mut()[i] = self.find_bucket(hash);
         }
     }
 
     /// Finds the bucket of a hash, or makes it one.
     #[inline(always)]
-    fn find_bucket(&mut self, hash: u32) -> usize {
-        let first = (hash >> (u32::BITS - BUCKETS.ilog2())) as usize;
+    fn find_bucket(&mut self, hash: u32) -> u32 {
+        let first = hash >> (u32::BITS - SLOTS.ilog2()) & !(BUCKET - 1);
+        let first = first.max((PAIRS * PAIR_SLOTS) as u32);
         let mut place = first;
-        if !self.bucket(place)[0].is(hash) {
-            place = first ^ 1;
-            if !self.bucket(place)[0].is(hash) {
+        if !self.slot(place).is(hash) {
+            place = first ^ BUCKET;
+            if !self.slot(place).is(hash) {
                 // All that came to a bucket has gone through its slot 1.
-                if self.bucket(first)[1].count() < self.bucket(place)[1].count() {
+                if self.slot(first | 1).count() < self.slot(place | 1).count() {
                     place = first;
                 }
-                let bucket = self.bucket(place);
-                *bucket = [Slot::NEW; 16];
-                bucket[0] = Slot::named(hash);
+                for i in 0..BUCKET {
+                    *self.slot(place | i) = Slot::NEW;
+                }
+                *self.slot(place) = Slot::named(hash);
             }
         }
         place
     }
 
     #[inline(always)]
-    fn bucket(&mut self, place: usize) -> &mut [Slot; 16] {
-        &mut self.table[place & (BUCKETS - 1)].0
+    fn slot(&mut self, place: u32) -> &mut Slot {
+        &mut self.table.0[place as usize % SLOTS]
     }
 
-    /// The slot of a context for the next bit.
+    /// Finds the slots for the next bit.
     #[inline(always)]
-    fn slot(&mut self, context: usize, nibble: usize) -> &mut Slot {
-        &mut self.bucket(self.buckets[context])[nibble & 15]
+    fn find_slots(&mut self, nibble: u32) {
+        for row in 0..ROWS {
+            let expected = Lanes::pairs(&self.expected[row]);
+            self.expected[row] = expected.shift_left::<1>().to_pairs();
+            let slot = Lanes::splat_pair(nibble).xor(expected.shift_right::<4>());
+            self.places[row] = slot.xor(Lanes::pairs(&self.buckets[row])).to_pairs();
+            // 0, or all bits where a 1 is expected.
+            let is_one = expected.shift_left::<28>().shift_right::<31>();
+            self.opposites[row] = is_one.and(Lanes::splat_pair(OPPOSITE)).to_pairs();
+        }
+        // Behind those of contexts, and in place of those that only fill a row.
+        for i in 0..PAIRS {
+            let [first, second] = [2 * i, 2 * i + 1];
+            let history = self.slot(self.place(first)).history() * HISTORIES;
+            let histories = history + self.slot(self.place(second)).history();
+            let opposites = self.opposites.as_flattened_mut();
+            let differ = opposites[first] ^ opposites[second];
+            opposites[COUNT + i] = opposites[first];
+            self.places.as_flattened_mut()[COUNT + i] =
+                (i * PAIR_SLOTS + histories) as u32 | (differ & (HISTORIES * HISTORIES) as u32);
+        }
     }
 
-    /// The slot of a pair for the next bit.
     #[inline(always)]
-    fn pair(&mut self, pair: usize, nibble: usize) -> &mut Slot {
-        let first = self.slot(2 * pair, nibble).history();
-        let second = self.slot(2 * pair + 1, nibble).history();
-        &mut self.pairs[pair][first * HISTORIES + second]
+    fn place(&self, input: usize) -> u32 {
+        self.places.as_flattened()[input]
     }
 
     /// Codes a bit behind those of its byte and those of its four, which begin with a 1.
     #[inline(never)]
-    fn bit(&mut self, byte: u32, nibble: usize, coder: &mut impl Coder) -> u32 {
-        let sets = mixer::sets(self.reader.feature(KIND), byte, self.reader.feature(0));
-        for i in 0..COUNT + PAIRS {
-            let slot = if i < COUNT {
-                *self.slot(i, nibble)
-            } else {
-                *self.pair(i - COUNT, nibble)
-            };
+    fn bit(&mut self, byte: u32, nibble: u32, coder: &mut impl Coder) -> u32 {
+        self.find_slots(nibble);
+        let mut seen = 0;
+        for i in 0..INPUTS {
+            let opposite = self.opposites.as_flattened()[i];
+            let slot = self.slot(self.place(i)).exclusive_or(opposite >> 1);
+            seen += u32::from(slot.count() != 0);
             self.slots.set(i, slot, &self.rates);
             self.mixer.input(i, slot.probability());
         }
+        let (kind, last) = (self.reader.feature(KIND), self.reader.feature(0));
+        let sets = mixer::sets(kind, byte, last, seen);
         let bit = coder.bit(self.mixer.predict(&sets));
         self.mixer.learn(&sets, bit);
         self.slots.learn(bit);
-        // The pairs first: where they are depends on the slots.
-        for i in 0..PAIRS {
-            *self.pair(i, nibble) = self.slots.get(COUNT + i);
-        }
-        for i in 0..COUNT {
-            *self.slot(i, nibble) = self.slots.get(i);
+        for i in 0..INPUTS {
+            let opposite = self.opposites.as_flattened()[i];
+            *self.slot(self.place(i)) = self.slots.get(i).exclusive_or(opposite);
         }
         bit
     }
-}
-
-/// The length of what was packed, and the code that it was packed to. None if something has changed since.
-#[inline(always)]
-pub fn open(packed: &[u8]) -> Option<(usize, &[u8])> {
-    let (sum, rest) = packed.split_first_chunk()?;
-    let (length, code) = rest.split_first_chunk()?;
-    let is_whole = u32::from_le_bytes(*sum) == checksum(rest);
-    is_whole.then_some((u32::from_le_bytes(*length) as usize, code))
-}
-
-/// The FNV-1a hash.
-#[inline(always)]
-pub fn checksum(bytes: &[u8]) -> u32 {
-    let mut hash = 0x811c_9dc5_u32;
-    for &byte in bytes {
-        hash = (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193);
-    }
-    hash
 }
 
 /// Unpacks bytes. False if they are not what was packed.

@@ -11,12 +11,21 @@ pub struct Slot(u32);
 /// More than the highest history, and a power of two.
 pub const HISTORIES: usize = 32;
 
+/// The bits of a slot that make it one of the opposite bit, once it has learned the last bit of its history. Shifted right by one
+/// they do so before: the rest of a history is as it was seen in its context.
+pub const OPPOSITE: u32 = 0x1_ffff;
+
 impl Slot {
     pub const NEW: Slot = Slot(0);
 
     /// No slot, but a number in its place.
     pub fn named(number: u32) -> Slot {
         Slot(number)
+    }
+
+    #[inline(always)]
+    pub fn exclusive_or(self, bits: u32) -> Slot {
+        Slot(self.0 ^ bits)
     }
 
     /// Whether it is that number.

@@ -1,5 +1,5 @@
 //! Does for a program what `execve` does: puts its segments to their addresses, and its dynamic linker to some, and tells the
-//! latter where the former is.
+//! latter where the former is. It is packed with the program, and so may be anywhere in memory.
 
 use crate::system::{CLOSE, MMAP, MPROTECT, OPEN, READ, call, is_error};
 use core::arch::asm;
@@ -43,7 +43,7 @@ const FIXED: usize = 0x10;
 const ANONYMOUS: usize = 0x20;
 
 /// A program that was put to its addresses.
-pub struct Loaded {
+struct Loaded {
     headers: usize,
     header_count: usize,
     entry: usize,
@@ -77,12 +77,25 @@ impl ProgramHeader {
     }
 }
 
-/// Puts a program to its addresses. None if the system refuses to execute what was written.
+/// What [`load`] is.
+pub type Load = unsafe extern "C" fn(&FileHeader, usize, *mut usize) -> usize;
+
+/// Loads a program, with a page of memory to be used and the stack that the process was started with. Returns where its dynamic
+/// linker starts, or 0 if the system refuses something.
 ///
 /// # Safety
 /// `file` has to be an executable, and at its addresses has to be memory that can be written to and is zero.
+#[unsafe(no_mangle)]
+#[unsafe(link_section = ".text.loader")]
+unsafe extern "C" fn load(file: &FileHeader, memory: usize, stack: *mut usize) -> usize {
+    // SAFETY: the caller vouches for it.
+    let entry = unsafe { place(file).and_then(|loaded| loaded.link(memory, stack)) };
+    entry.unwrap_or(0)
+}
+
+/// Puts a program to its addresses. None if the system refuses to execute what was written.
 #[inline(always)]
-pub unsafe fn load(file: &FileHeader) -> Option<Loaded> {
+unsafe fn place(file: &FileHeader) -> Option<Loaded> {
     let mut loaded = Loaded {
         headers: 0,
         header_count: file.header_count.into(),
@@ -135,10 +148,10 @@ impl Loaded {
     /// # Safety
     /// `memory` has to be a page, and `stack` what the process was started with.
     #[inline(always)]
-    pub unsafe fn link(&self, memory: usize, stack: *mut usize) -> Option<usize> {
+    unsafe fn link(&self, memory: usize, stack: *mut usize) -> Option<usize> {
         // SAFETY: the path is in the program, the caller vouches for the rest.
         unsafe {
-            let file = call(OPEN, [self.interpreter]);
+            let file = call(OPEN, [self.interpreter, 0]);
             // An error is met below: nothing can be read then, and no header found.
             call(READ, [file, memory, PAGE]);
             let header = &*(memory as *const FileHeader);
@@ -147,7 +160,10 @@ impl Loaded {
                 .clone()
                 .map(|header| header.address + header.size)
                 .last()?;
-            let base = call(MMAP, [0, size, READ_WRITE, PRIVATE | ANONYMOUS, usize::MAX]);
+            let base = call(
+                MMAP,
+                [0, size, READ_WRITE, PRIVATE | ANONYMOUS, usize::MAX, 0],
+            );
             if is_error(base) {
                 return None;
             }

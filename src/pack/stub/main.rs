@@ -1,6 +1,7 @@
 //! What starts the packed program: it unpacks the program behind it and puts that in its own place.
 //!
-//! It is compiled by itself, to an object that the packer links; see `src/pack/build`.
+//! It is compiled by itself, to an object that the packer links; see `src/pack/build`. What only a program that has been unpacked
+//! needs, the [loader], is packed with it.
 
 #![no_std]
 #![no_main]
@@ -11,10 +12,9 @@ mod loader;
 mod model;
 mod system;
 
-use core::{arch::naked_asm, panic::PanicInfo, slice};
-use loader::FileHeader;
+use core::{arch::global_asm, mem::transmute, panic::PanicInfo, slice};
 use model::Model;
-use system::{EXECVEAT, MADVISE, MEMFD_CREATE, MMAP, MUNMAP, WRITE, call, fail, is_error};
+use system::{EXECVEAT, MADVISE, MEMFD_CREATE, MMAP, MPROTECT, MUNMAP, WRITE, call, is_error};
 
 /// Bytes of a page with which a processor rarely has to look up where memory is. The model reads all over its memory: by such pages
 /// it takes three quarters of the time.
@@ -24,37 +24,97 @@ const HUGE_PAGES: usize = 14;
 /// Advice to have all pages at once: one by one takes longer, above all if they are small.
 const POPULATE: usize = 23;
 
-/// Linux comes here, with a stack that the dynamic linker is given as it was. The register `rdx` could have a function to be called
-/// at the end, and has none.
-#[unsafe(naked)]
-#[unsafe(no_mangle)]
-#[unsafe(link_section = ".text.first")]
-unsafe extern "C" fn _start() {
-    naked_asm!("mov rdi, rsp", "call {}", "xor edx, edx", "jmp rax", sym start)
-}
+// Linux comes here, with a stack that the dynamic linker is given as it was. The register `rdx` could have a function to be called
+// at the end, and has none.
+//
+// First of all it finds out whether the file is as it was packed. Where it was cut, its last pages are missing, and reading them
+// would end the process by a signal: so Linux is asked to read its last eight bytes, as a set of signals for `rt_sigprocmask` (14) to
+// do what it does not know (14), and would have no access to them (-14). Then there is a checksum of all behind these instructions,
+// FNV-1a as in the packer. They and what they say are all that nobody checks, and in the file's first page.
+global_asm!(
+    ".section .text.first, \"ax\"",
+    ".globl _start",
+    "_start:",
+    "push 14",
+    "pop rax",
+    "mov edi, eax",
+    "mov esi, offset {end} - 8",
+    "xor edx, edx",
+    "push 8",
+    "pop r10",
+    "syscall",
+    "cmp al, -14",
+    "je 3f",
+    "mov esi, offset {checked}",
+    "mov eax, 0x811c9dc5",
+    "2:",
+    "movzx edx, byte ptr [rsi]",
+    "xor eax, edx",
+    "imul eax, eax, 0x1000193",
+    "inc esi",
+    "cmp esi, offset {end}",
+    "jne 2b",
+    "cmp eax, [rip + {sum}]",
+    "jne 3f",
+    "mov rdi, rsp",
+    "call {start}",
+    "xor edx, edx",
+    "jmp rax",
+    "3:",
+    "lea rdi, [rip + 4f]",
+    "push 32",
+    "pop rsi",
+    // Says a line of so many bytes on standard error and ends the process.
+    "fail:",
+    "mov edx, esi",
+    "mov rsi, rdi",
+    "push 2",
+    "pop rdi",
+    "push 1",
+    "pop rax",
+    "syscall",
+    "push 1",
+    "pop rdi",
+    "mov eax, 231",
+    "syscall",
+    "4:",
+    ".ascii \"eightfold: this file is damaged\\n\"",
+    end = sym PACKED_END,
+    checked = sym CHECKED,
+    sum = sym SUM,
+    start = sym start,
+);
 
 unsafe extern "C" {
     /// What was packed, and its end: the packer has them in the file behind the stub.
     static PACKED: u8;
     static PACKED_END: u8;
+    /// Where all begins that [`SUM`] is the checksum of, up to the end of what was packed.
+    static CHECKED: u8;
+    static SUM: u32;
+    /// Its address is no address, but how many bytes were packed.
+    static LENGTH: u8;
+    /// Likewise; how many of those are the program. Behind them is the [loader].
+    static PROGRAM_LENGTH: u8;
+
+    safe fn fail(line: *const u8, length: usize) -> !;
 }
 
 /// Unpacks the program and loads it. Returns where its dynamic linker starts.
 unsafe extern "C" fn start(stack: *mut usize) -> usize {
-    let start = &raw const PACKED;
+    let packed = &raw const PACKED;
     // SAFETY: the packer has put the bytes there.
-    let packed =
-        unsafe { slice::from_raw_parts(start, (&raw const PACKED_END).addr() - start.addr()) };
-    let Some((length, code)) = model::open(packed) else {
-        fail("eightfold: this file is damaged\n");
-    };
+    let code =
+        unsafe { slice::from_raw_parts(packed, (&raw const PACKED_END).addr() - packed.addr()) };
+    let length = (&raw const LENGTH).addr();
     let used = size_of::<Model>() + length;
     let size = used + HUGE_PAGE;
     // For reading and writing, private, of nothing.
     // SAFETY: nobody has that memory.
-    let mapped = unsafe { call(MMAP, [0, size, 3, 0x22, usize::MAX]) };
+    let mapped = unsafe { call(MMAP, [0, size, 3, 0x22, usize::MAX, 0]) };
     if is_error(mapped) {
-        fail("eightfold: there are no 71 MB of memory to unpack it\n");
+        let line = "eightfold: there are no 71 MB of memory to unpack it\n";
+        fail(line.as_ptr(), line.len());
     }
     let memory = mapped.next_multiple_of(HUGE_PAGE);
     for advice in [HUGE_PAGES, POPULATE] {
@@ -63,38 +123,45 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
         unsafe { call(MADVISE, [memory, used, advice]) };
     }
     // SAFETY: there is as much memory, and zeros are a model.
-    let (model, file) = unsafe {
+    let (model, unpacked) = unsafe {
         (
             &mut *(memory as *mut Model),
             slice::from_raw_parts_mut((memory + size_of::<Model>()) as *mut u8, length),
         )
     };
     model.fill();
-    model::decode(model, code, file);
-    // SAFETY: the packer has packed an executable. The program header of this file has its addresses as memory.
-    let entry = unsafe {
-        let header = &*(file.as_ptr() as *const FileHeader);
-        match loader::load(header) {
-            Some(loaded) => loaded.link(memory, stack),
-            None => execute(file, stack),
+    model::decode(model, code, unpacked);
+    let file = unpacked.as_ptr();
+    let program_length = (&raw const PROGRAM_LENGTH).addr();
+    // SAFETY: the packer has packed an executable and the loader. The program header of this file has the former's addresses as
+    // memory.
+    unsafe {
+        // For reading and executing, from the page before on.
+        let loader = file.add(program_length);
+        let page = loader.addr() & !4095;
+        if !is_error(call(MPROTECT, [page, length - program_length + 4096, 5])) {
+            let load: loader::Load = transmute(loader);
+            let entry = load(&*file.cast(), memory, stack);
+            if entry != 0 {
+                call(MUNMAP, [mapped, size]);
+                return entry;
+            }
         }
-    };
-    let Some(entry) = entry else {
-        fail("eightfold: the system does not let it start\n");
-    };
-    // SAFETY: nobody uses it any more.
-    unsafe { call(MUNMAP, [mapped, size]) };
-    entry
+        execute(file.addr(), program_length, stack);
+    }
+    let line = "eightfold: the system does not let it start\n";
+    fail(line.as_ptr(), line.len());
 }
 
 /// Has the system execute the program from a file in memory, where it refuses to execute what has been written to. Returns if that
 /// fails too.
-unsafe fn execute(file: &[u8], stack: *mut usize) -> Option<usize> {
+#[inline(always)]
+unsafe fn execute(file: usize, length: usize, stack: *mut usize) {
     // SAFETY: the name is a string, the bytes are there, and the stack has the arguments and the environment.
     unsafe {
         let name = c"eightfold".as_ptr() as usize;
         let descriptor = call(MEMFD_CREATE, [name, 1]);
-        call(WRITE, [descriptor, file.as_ptr() as usize, file.len()]);
+        call(WRITE, [descriptor, file, length]);
         let arguments = stack.add(1);
         let environment = stack.add(*stack + 2);
         call(
@@ -108,7 +175,6 @@ unsafe fn execute(file: &[u8], stack: *mut usize) -> Option<usize> {
             ],
         );
     }
-    None
 }
 
 #[panic_handler]

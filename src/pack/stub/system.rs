@@ -10,49 +10,49 @@ pub const MPROTECT: usize = 10;
 pub const MUNMAP: usize = 11;
 pub const MADVISE: usize = 28;
 pub const CLOSE: usize = 3;
-pub const EXIT_GROUP: usize = 231;
 pub const MEMFD_CREATE: usize = 319;
 pub const EXECVEAT: usize = 322;
 
-/// Calls Linux with up to six arguments.
+/// Calls Linux with arguments in these registers. It changes no others but `rax`, `rcx` and `r11`.
+macro_rules! with_registers {
+    ($number:expr $(, $register:tt $argument:expr)*) => {{
+        let result;
+        asm!(
+            "syscall",
+            inout("rax") $number => result,
+            $(in($register) $argument,)*
+            lateout("rcx") _,
+            lateout("r11") _,
+            options(nostack),
+        );
+        result
+    }};
+}
+
+/// Calls Linux with as many arguments as the call has: what other registers hold is of no matter.
 ///
 /// # Safety
 /// The call has to do nothing to memory that is in use, but for what its arguments point to.
 #[inline(always)]
 pub unsafe fn call<const N: usize>(number: usize, arguments: [usize; N]) -> usize {
-    let argument = |i: usize| arguments.get(i).copied().unwrap_or_default();
-    let result;
-    // SAFETY: the caller vouches for the call, which changes no registers but these.
+    // SAFETY: the caller vouches for the call.
     unsafe {
-        asm!(
-            "syscall",
-            inout("rax") number => result,
-            in("rdi") argument(0),
-            in("rsi") argument(1),
-            in("rdx") argument(2),
-            in("r10") argument(3),
-            in("r8") argument(4),
-            in("r9") argument(5),
-            lateout("rcx") _,
-            lateout("r11") _,
-            options(nostack),
-        );
+        match arguments[..] {
+            [a] => with_registers!(number, "rdi" a),
+            [a, b] => with_registers!(number, "rdi" a, "rsi" b),
+            [a, b, c] => with_registers!(number, "rdi" a, "rsi" b, "rdx" c),
+            [a, b, c, d, e] => {
+                with_registers!(number, "rdi" a, "rsi" b, "rdx" c, "r10" d, "r8" e)
+            }
+            [a, b, c, d, e, f] => {
+                with_registers!(number, "rdi" a, "rsi" b, "rdx" c, "r10" d, "r8" e, "r9" f)
+            }
+            _ => -1_isize as usize,
+        }
     }
-    result
 }
 
 /// Whether a call failed.
 pub fn is_error(result: usize) -> bool {
     result > -4096_isize as usize
-}
-
-/// Says a line on standard error and ends the process.
-pub fn fail(line: &str) -> ! {
-    // SAFETY: the line is there, and nothing is left to be used.
-    unsafe {
-        call(WRITE, [2, line.as_ptr() as usize, line.len()]);
-        loop {
-            call(EXIT_GROUP, [1]);
-        }
-    }
 }
