@@ -74,7 +74,7 @@ impl fmt::Display for Flaw {
 
 impl core::error::Error for Flaw {}
 
-/// What is checked: a scene's field, or an item of one that is a list.
+/// What is checked: a scene, one of its fields, or an item of one that is a list.
 #[derive(Clone, Copy)]
 pub(crate) struct Checked {
     pub object: &'static str,
@@ -82,6 +82,21 @@ pub(crate) struct Checked {
 }
 
 impl Checked {
+    /// The scene itself, which has no name.
+    pub const SCENE: Self = Self {
+        object: "",
+        index: None,
+    };
+
+    /// Itself, or a field of the scene.
+    pub fn or_one(self, field: &'static str) -> Self {
+        if self.object.is_empty() {
+            Self::one(field)
+        } else {
+            self
+        }
+    }
+
     /// What stands alone.
     pub fn one(object: &'static str) -> Self {
         Self {
@@ -109,10 +124,11 @@ impl Checked {
         if is_in_range {
             return Ok(());
         }
+        let is_number = self.object.is_empty();
         Err(Flaw {
-            object: self.object,
+            object: if is_number { field } else { self.object },
             index: self.index,
-            field,
+            field: if is_number { "" } else { field },
             found: found.into(),
             takes,
         })

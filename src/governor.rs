@@ -1,9 +1,10 @@
-//! Chooses the quality that holds the frame rate.
+//! Chooses the quality that holds the frame rate, or an accuracy.
 //!
-//! The choice depends on nothing but how long the frames took. The governor has no clock of its own, so the same times always
-//! lead to the same qualities.
+//! The choice depends on nothing but how long the frames took, or on what their probes found. The governors have no clock of their
+//! own, so the same times, or probes, always lead to the same qualities.
 
 use crate::quality::Quality;
+use crate::trace::Probes;
 
 /// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
@@ -110,5 +111,86 @@ impl Governor {
             return;
         }
         (self.late, self.calm, self.age) = (0, 0, 0);
+    }
+}
+
+/// The fewest probes that a step of an [`AccuracyGovernor`] is decided by: 13 frames of [`Renderer::PROBES`](crate::Renderer::PROBES).
+const FEWEST: u64 = 1_000;
+
+/// The most probes that it remembers, 1.7 s at 60 frames per second: then each counts half.
+const MOST: u64 = 8_000;
+
+/// dB that a rung may be expected to be worse than the next finer one: the least of the ladder, and more than its most.
+const WORSE: [f32; 2] = [1.4, 3.0];
+
+/// dB that are left to chance before a rung is tried again that was left.
+const CHANCE: f32 = 0.5;
+
+/// Steps along the [`Quality::LADDER`] to hold an accuracy, by what probes find (see
+/// [`Renderer::set_probes`](crate::Renderer::set_probes)): to a finer rung when frames are certainly less accurate, and to a faster one
+/// once that would certainly be accurate enough. How accurate frames would be there is estimated from what the step to the finer one
+/// gained.
+///
+/// Few pixels make most of the error, so a second of frames is known to some dB: it takes its steps when the difference is larger than
+/// that, within a second or two if it is 6 dB. Where the accuracy is constant it stays on one rung, at most 1 dB
+/// less accurate than asked for, unless it is the finest, and up to 4 dB more.
+pub struct AccuracyGovernor {
+    /// The accuracy to hold, in dB.
+    target: f32,
+    /// The current rung, an index in the ladder.
+    rung: usize,
+    /// What was found on it.
+    probes: Probes,
+    /// The dB on the next faster rung when it was left, until it is known what that gained.
+    before: Option<f32>,
+    /// For each rung, the dB above which the next faster one looks accurate enough.
+    room: [f32; RUNGS],
+}
+
+impl AccuracyGovernor {
+    /// A governor that holds a peak signal-to-noise ratio, in dB. It starts on the finest rung.
+    #[must_use]
+    pub fn new(target: f32) -> Self {
+        Self {
+            target,
+            rung: 0,
+            probes: Probes::NONE,
+            before: None,
+            room: [target + WORSE[0]; RUNGS],
+        }
+    }
+
+    /// The rung for the next frame, as an index in [`Quality::LADDER`].
+    #[must_use]
+    pub fn rung(&self) -> usize {
+        self.rung
+    }
+
+    /// Records what the last frame's probes found.
+    pub fn frame(&mut self, probes: Probes) {
+        self.probes += probes;
+        if self.probes.pixels < FEWEST {
+            return;
+        }
+        // Without any error there is no margin.
+        let (psnr, margin) = (self.probes.psnr(), self.probes.margin().max(0.0));
+        let room = &mut self.room[self.rung];
+        if let Some(before) = self.before {
+            *room = self.target + (psnr - before).clamp(WORSE[0], WORSE[1]) + CHANCE;
+        }
+        if self.probes.pixels > MOST {
+            self.probes.halve();
+            self.before = None;
+        }
+        if psnr + margin < self.target && self.rung > 0 {
+            self.rung -= 1;
+            self.before = Some(psnr);
+        } else if psnr - margin > *room && self.rung + 1 < RUNGS {
+            self.rung += 1;
+            self.before = None;
+        } else {
+            return;
+        }
+        self.probes = Probes::NONE;
     }
 }

@@ -77,13 +77,13 @@
 //!
 //! [`Quality::EXHAUSTIVE`] traces every pixel. The [`Quality::LADDER`] has seven rungs, from one that can hardly be told from
 //! it to one that is for slow machines; [`Quality::DEFAULT`] is in the middle. A [`Governor`] walks the ladder so that frames
-//! come in time: it is told how long each frame took, and has no clock itself.
+//! come in time: it is told how long each frame took, and has no clock itself. A frame can tell how accurate it is
+//! ([`Renderer::set_probes`]), and an [`AccuracyGovernor`] holds that instead.
 //!
 //! # Memory and threads
 //!
-//! The library cannot allocate. A renderer has [`Memory::BYTES`] bytes, 732 kB, in itself or lent by the caller, and each
-//! thread has a [`Worker`] of [`Worker::BYTES`] bytes, 451 kB, whatever the size of the picture: under 8 MB with
-//! sixteen threads. Both are small enough to be made on a thread's stack and boxed, and are all zeros at first, so that a
+//! The library cannot allocate. A renderer has [`Memory::BYTES`] bytes, in itself or lent by the caller, and each thread has
+//! a [`Worker`] of [`Worker::BYTES`] bytes, whatever the size of the picture: under 8 MB with sixteen threads. Both are small enough to be made on a thread's stack and boxed, and are all zeros at first, so that a
 //! `static` takes no room in a program's file.
 //!
 //! Which threads draw is the caller's business: [`Threads`] is a trait with one method. A worker alone is the caller's thread.
@@ -135,11 +135,11 @@ pub mod limits;
 pub use fearless_simd::Level;
 pub use flaw::{Flaw, Found};
 pub use glam;
-pub use governor::Governor;
+pub use governor::{AccuracyGovernor, Governor};
 pub use quality::Quality;
 pub use refine::{Band, Worker};
 pub use render::{Error, Frame, Job, Memory, Renderer, Threads};
-pub use trace::Counts;
+pub use trace::{Counts, Probes};
 
 /// The widest picture, in pixels.
 pub const MAX_WIDTH: usize = 3840;

@@ -21,14 +21,18 @@ pub struct Quality {
     /// The tolerance for the midpoint of a split square's side, 0 to infinity: if the side's ends have the same key and their
     /// colours are within it, the midpoint gets their mean and is not traced. With 0 all midpoints are traced.
     pub tolerance_side: f32,
-    /// Whether a square is also split if an object, the shadow of a sphere on a plane, or an image in a flat first plane may be
-    /// visible in it that none of its corners shows. Then no object and no such shadow is missed that tracing every pixel would
-    /// show, nor an image of 2x2 pixels that no other one hides, unless it is a cylinder's. All named qualities are
+    /// Whether a square is also split if an object, the shadow of a sphere on a plane, an image in a flat first plane, or a highlight
+    /// may be visible in it that none of its corners shows. Then no object and no such shadow is missed that tracing every pixel would
+    /// show, nor an image of 2x2 pixels that no other one hides, unless it is a cylinder's; and hardly ever a highlight of five
+    /// pixels (see [`limits`](crate::limits)). All named qualities are
     /// guarded, [`Quality::THESIS`] included. The original rules of 2008, which miss objects between corners, are
     /// `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,
     /// The largest depth of rays whose hit objects are part of the key. Primary rays have depth 0.
     pub key_depth: u32,
+    /// The smallest weight of rays whose hit objects are part of the key, 0 to infinity; a ray's weight is the product of `kr` and
+    /// `kt` along its path, and of what the air leaves. So a key tells what a mirror or a glass shows, and not what a dull floor does.
+    pub key_weight: f32,
     /// The largest depth of rays at whose hits the lights' states are part of the key, if their objects are.
     pub state_depth: u32,
     /// The strength `ks (r.v)^h` above which a light's highlight makes its state "lit with a highlight" instead of "lit", 0 to
@@ -58,6 +62,7 @@ impl Quality {
         tolerance_side: 0.0,
         guarded: true,
         key_depth: 5,
+        key_weight: 0.0,
         state_depth: 0,
         highlight: 1.0 / 256.0,
         depth: 5,
@@ -75,39 +80,27 @@ impl Quality {
 
     /// The middle of the ladder: squares of 8 pixels are filled if the corners' colours are close and they show the same object
     /// with the same lights lit.
-    pub const DEFAULT: Self = Self::within(8, 9.0).followed(5, 0.02).antialiased();
+    pub const DEFAULT: Self = Self::within(8, 7.5).followed(5, 0.015).antialiased();
 
     /// The named qualities from the finest to the fastest, with [`Quality::DEFAULT`] among them.
     ///
-    /// The first four are antialiased, which takes a third more time.
+    /// The first four are antialiased, which takes a third more time. Speed, error and what a viewer sees of it are in
+    /// `docs/accuracy.md`, as `cargo lab trade --ladder` measures them.
     ///
-    /// `cargo lab trade --ladder` measured the model scene at 1024x768 on one thread of an AMD EPYC (Zen 5), without
-    /// antialiasing. Speed is relative to
-    /// [`Quality::EXHAUSTIVE`], and errors are against its frames; a test measures the errors again. `over` is the number of
-    /// pixels per frame with an error of more than 8/255 in a channel, `flicker` the number of 8x8 blocks per frame whose mean
-    /// error changes by more than that from one frame to the next. FLIP is computed for 67 pixels per degree.
+    /// The rungs are chosen on the front of time against FLIP and pops, pixels that jump from a frame to the next while those of
+    /// exhaustive frames stay: `cargo lab trade` prints it. By PSNR alone the default had a tolerance of 9 and a least contribution
+    /// of 0.02; it now has a third of the pops in the model scene, most of which lay in squares of 2, and a third less of FLIP. With the
+    /// guard of highlights and keys that tell what mirrors show it takes a fifth more instructions there, half of them for the smaller
+    /// tolerance.
     ///
-    /// | name | dials | speed | traced | PSNR | over | flicker | FLIP |
-    /// | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |
-    /// | finest | s8 c2 | 3.5 | 7.7 % | 53.8 dB | 283 | 0.1 | 0.0032 |
-    /// | finer | s8 c4 | 4.2 | 5.9 % | 51.2 dB | 565 | 0.3 | 0.0051 |
-    /// | fine | s8 c7 | 4.8 | 5.0 % | 48.9 dB | 1872 | 0.5 | 0.0069 |
-    /// | default | s8 c9 w0.02 | 5.2 | 4.7 % | 47.3 dB | 2937 | 0.6 | 0.0097 |
-    /// | fast | s8 c12 d4 w0.02 | 5.4 | 4.5 % | 45.9 dB | 4157 | 0.8 | 0.0111 |
-    /// | faster | s8 c18 d4 w0.02 | 5.7 | 4.2 % | 44.4 dB | 6055 | 1.5 | 0.0130 |
-    /// | fastest | s8 c28 d3 w0.05 | 6.0 | 4.1 % | 42.0 dB | 10691 | 3.4 | 0.0189 |
-    ///
-    /// These figures are for AVX-512. With AVX2 an exhaustive frame takes 1.7 times as long, and the default quality is 7 times
-    /// as fast. In the dials `s` is the square, `c` the tolerance, and where they are not those of [`Quality::EXHAUSTIVE`], `d`
-    /// is the depth and `w` the least contribution. At the same error squares of 16 are no faster than squares of 8: they need
-    /// fewer corners, but more of them are split.
+    /// At the same error squares of 16 are no faster than squares of 8: they need fewer corners, but more of them are split.
     pub const LADDER: &'static [Self; 7] = &[
         Self::within(8, 2.0).antialiased(),
-        Self::within(8, 4.0).antialiased(),
-        Self::within(8, 7.0).antialiased(),
+        Self::within(8, 3.0).antialiased(),
+        Self::within(8, 5.0).antialiased(),
         Self::DEFAULT,
-        Self::within(8, 12.0).followed(4, 0.02),
-        Self::within(8, 18.0).followed(4, 0.02),
+        Self::within(8, 8.0).followed(4, 0.02),
+        Self::within(8, 16.0).followed(4, 0.02),
         Self::within(8, 28.0).followed(3, 0.05),
     ];
 
@@ -119,14 +112,15 @@ impl Quality {
         "finest", "finer", "fine", "default", "fast", "faster", "fastest",
     ];
 
-    /// A quality that fills squares, and averages midpoints of sides, within one tolerance if the primary hit's object and the
-    /// lights' states, lit or dark, agree.
+    /// A quality that fills squares, and averages midpoints of sides, within one tolerance if the objects of the primary hit
+    /// and of its stronger reflections and refractions agree, and the lights' states, lit or dark.
     const fn within(square: usize, tolerance: f32) -> Self {
         Self {
             square,
             tolerance_agreeing: tolerance,
             tolerance_side: tolerance,
-            key_depth: 0,
+            key_depth: 2,
+            key_weight: 0.3,
             state_depth: 0,
             highlight: f32::INFINITY,
             ..Self::EXHAUSTIVE
@@ -173,6 +167,7 @@ impl Quality {
         tolerance("tolerance_agreeing", self.tolerance_agreeing)?;
         tolerance("tolerance_differing", self.tolerance_differing)?;
         tolerance("tolerance_side", self.tolerance_side)?;
+        tolerance("key_weight", self.key_weight)?;
         tolerance("highlight", self.highlight)?;
         let is_depth = self.depth <= Self::MAX_DEPTH;
         quality.field("depth", self.depth as usize, "0 to 7", is_depth)?;

@@ -23,8 +23,15 @@ const SHADOW: f32 = 0.35;
 /// The share of the picture that the shadow hides at most.
 const DARKNESS: f32 = 0.7;
 
-/// Draws captions over a band of a picture that is `height` pixels high. `numbers` are what [`Caption::letters`] may stand for.
-pub(crate) fn draw(captions: &[Caption], numbers: [usize; 2], height: usize, band: &mut Band<'_>) {
+/// Draws captions over a band of a picture that is `height` pixels high. `numbers` are what [`Caption::letters`] may stand for. At
+/// `middle` of the picture's width, 0 to 1, lies the same share of a line: 0.5 centres lines, and with 0 they begin at the left.
+pub(crate) fn draw(
+    captions: &[Caption],
+    middle: f32,
+    numbers: &[usize],
+    height: usize,
+    band: &mut Band<'_>,
+) {
     let (w, h) = (pixels(band.width), pixels(height));
     for caption in captions {
         if caption.brightness == 0.0 {
@@ -32,9 +39,9 @@ pub(crate) fn draw(captions: &[Caption], numbers: [usize; 2], height: usize, ban
         }
         // The size of a grid unit in pixels. A letter is four units high and two wide.
         let unit = 0.25 * caption.size * h.min(w * (9.0 / 16.0));
-        let middle = caption.middle * h - pixels(band.top);
+        let line = caption.middle * h - pixels(band.top);
         for (y, row) in band.pixels.chunks_exact_mut(band.width.max(1)).enumerate() {
-            let y = (pixels(y) + 0.5 - middle) / unit;
+            let y = (pixels(y) + 0.5 - line) / unit;
             // Beyond half a letter and the shadow there is nothing to draw.
             if y.abs() > 2.0 + HALF_WIDTH + SHADOW {
                 continue;
@@ -42,7 +49,7 @@ pub(crate) fn draw(captions: &[Caption], numbers: [usize; 2], height: usize, ban
             for (x, pixel) in row.iter_mut().enumerate() {
                 // In grid units from the middle of the first letter.
                 let letters = pixels(caption.letters.len()) - 1.0;
-                let x = (pixels(x) + 0.5 - 0.5 * w) / unit + 0.5 * ADVANCE * letters;
+                let x = (pixels(x) + 0.5 - middle * w) / unit + middle * ADVANCE * letters;
                 let index = round(x / ADVANCE);
                 if index < 0.0 {
                     continue;
@@ -62,7 +69,7 @@ pub(crate) fn draw(captions: &[Caption], numbers: [usize; 2], height: usize, ban
 }
 
 /// The letter of a caption at an index, a digit of a number where one stands for it; `None` beyond its end.
-fn letter(letters: &[u8], index: usize, numbers: [usize; 2]) -> Option<u8> {
+fn letter(letters: &[u8], index: usize, numbers: &[usize]) -> Option<u8> {
     let (&letter, after) = letters.get(index..)?.split_first()?;
     let Some(number) = numbers.get(usize::from(letter.wrapping_sub(b'#'))) else {
         return Some(letter);

@@ -1,6 +1,6 @@
-//! The governor holds the frame rate on simulated machines, without a clock.
+//! The governors hold the frame rate and the accuracy on simulated machines, without a clock.
 
-use eightfold::{Governor, Quality};
+use eightfold::{AccuracyGovernor, Governor, Probes, Quality, Renderer};
 use proptest::prelude::*;
 
 const SECOND: u64 = 1_000_000_000;
@@ -52,16 +52,7 @@ impl Machine {
 
     /// Draws a frame that takes `factor` times as long as usual.
     fn frame(&mut self, factor: f64) {
-        // Xorshift, which repeats.
-        for shift in [13, -17, 5] {
-            let shifted = if shift > 0 {
-                self.random << shift
-            } else {
-                self.random >> -shift
-            };
-            self.random ^= shifted;
-        }
-        let chance = f64::from(self.random) / f64::from(u32::MAX) * 2.0 - 1.0;
+        let chance = 2.0 * chance(&mut self.random) - 1.0;
         let time = self.cost() * (1.0 + self.noise * chance) * factor * self.budget();
         let rung = self.governor.rung();
         self.governor.frame(time as u64);
@@ -91,6 +82,154 @@ impl Machine {
         self.run(3 * SECOND);
         self.changes.first().map(|&(time, ..)| time - start)
     }
+}
+
+/// A number of 0 to 1, by Xorshift, which repeats.
+fn chance(random: &mut u32) -> f64 {
+    *random ^= *random << 13;
+    *random ^= *random >> 17;
+    *random ^= *random << 5;
+    f64::from(*random) / f64::from(u32::MAX)
+}
+
+/// A simulated show at 60 frames a second, whose accuracy is held.
+struct Show {
+    governor: AccuracyGovernor,
+    /// The peak signal-to-noise ratio on the finest rung, and how much is lost from each rung to the next faster one, in dB.
+    finest: f64,
+    losses: [f64; RUNGS - 1],
+    random: u32,
+    /// Steps so far: the frame, and the rung before and after.
+    frames: u32,
+    changes: Vec<(u32, usize, usize)>,
+}
+
+impl Show {
+    fn new(target: f64, finest: f64, losses: [f64; RUNGS - 1], random: u32) -> Show {
+        Show {
+            governor: AccuracyGovernor::new(target as f32),
+            finest,
+            losses,
+            random,
+            frames: 0,
+            changes: Vec::new(),
+        }
+    }
+
+    /// The accuracy on a rung, in dB.
+    fn psnr(&self, rung: usize) -> f64 {
+        self.finest - self.losses[..rung].iter().sum::<f64>()
+    }
+
+    /// What the probes of a frame find: a fiftieth of the pixels has four fifths of the error, as where edges were missed.
+    fn probes(&mut self) -> Probes {
+        let mean = 3.0 * 255.0 * 255.0 / 10_f64.powf(self.psnr(self.governor.rung()) / 10.0);
+        let mut probes = Probes::NONE;
+        for _ in 0..Renderer::PROBES {
+            let share = if chance(&mut self.random) < 0.02 {
+                40.0 * -(1.0 - 0.999 * chance(&mut self.random)).ln()
+            } else {
+                0.2
+            };
+            let square = (mean * share + chance(&mut self.random)) as u64;
+            probes += Probes {
+                pixels: 1,
+                squares: square,
+                fourths: square * square,
+            };
+        }
+        probes
+    }
+
+    fn run(&mut self, frames: u32) {
+        for _ in 0..frames {
+            let probes = self.probes();
+            let rung = self.governor.rung();
+            self.governor.frame(probes);
+            self.frames += 1;
+            if self.governor.rung() != rung {
+                self.changes.push((self.frames, rung, self.governor.rung()));
+            }
+        }
+    }
+}
+
+/// dB that are lost between neighbouring rungs.
+fn losses() -> impl Strategy<Value = [f64; RUNGS - 1]> {
+    prop::array::uniform(1.0..3.0)
+}
+
+proptest! {
+    #[test]
+    fn a_constant_accuracy_leads_to_the_fastest_rung_that_has_it_and_then_nowhere(
+        target in 35.0..50.0, above in -5.0..15.0, losses in losses(), random in 1u32..,
+    ) {
+        let mut show = Show::new(target, target + above, losses, random);
+        show.run(60 * 60);
+        let rung = show.governor.rung();
+        let psnr = show.psnr(rung);
+        prop_assert!(rung == 0 || psnr > target - 1.0, "{psnr} of {target}");
+        prop_assert!(rung + 1 == RUNGS || psnr - losses[rung] < target + 1.5, "{psnr} of {target}, {losses:?}");
+        show.changes.clear();
+        show.run(60 * 60);
+        prop_assert!(show.changes.len() <= 4, "{:?}", show.changes);
+    }
+
+    #[test]
+    fn a_cut_to_a_harder_scene_is_followed_within_two_seconds_and_back_within_fifteen(
+        target in 35.0..50.0, change in 6.0..10.0, losses in losses(), random in 1u32..,
+    ) {
+        let mut show = Show::new(target, target + 5.0, losses, random);
+        show.run(30 * 60);
+        let settled = show.governor.rung();
+        prop_assert!(settled > 0 && settled + 1 < RUNGS);
+        for finest in [target + 5.0 - change, target + 5.0] {
+            show.changes.clear();
+            let cut = show.frames;
+            show.finest = finest;
+            show.run(15 * 60);
+            let rung = show.governor.rung();
+            let psnr = show.psnr(rung);
+            prop_assert!(rung == 0 || psnr > target - 1.5, "{psnr} of {target}");
+            // A rung that was too inaccurate before is not tried as long as there is little room.
+            prop_assert!(rung + 1 == RUNGS || psnr < target + 6.0, "{psnr} of {target}");
+            if finest < target {
+                let &(frame, from, to) = show.changes.first().expect("a step");
+                prop_assert!(to < from && frame - cut <= 2 * 60, "{} frames", frame - cut);
+            }
+        }
+    }
+
+    #[test]
+    fn scenes_that_take_turns_lead_to_and_fro_once_each(
+        target in 35.0..50.0, change in 6.0..10.0, losses in losses(), random in 1u32..,
+    ) {
+        let mut show = Show::new(target, target + 6.0, losses, random);
+        for scene in 0..10 {
+            show.finest = target + 6.0 - if scene % 2 == 0 { 0.0 } else { change };
+            show.run(12 * 60);
+        }
+        let turns = show.changes.windows(2).filter(|pair| {
+            (pair[0].1 < pair[0].2) != (pair[1].1 < pair[1].2)
+        });
+        prop_assert!(turns.count() <= 14, "{:?}", show.changes);
+    }
+}
+
+#[test]
+fn frames_without_probes_lead_nowhere_and_those_without_any_error_to_the_fastest_rung() {
+    let mut governor = AccuracyGovernor::new(45.0);
+    for _ in 0..10_000 {
+        governor.frame(Probes::NONE);
+    }
+    assert_eq!(governor.rung(), 0);
+    for _ in 0..10_000 {
+        governor.frame(Probes {
+            pixels: 80,
+            ..Probes::NONE
+        });
+    }
+    assert_eq!(governor.rung(), RUNGS - 1);
 }
 
 /// The ratios of frame times between neighbouring rungs.

@@ -233,3 +233,20 @@ fn it_uses_no_time_while_it_waits_for_the_next_frame() {
         .sum();
     assert!(ticks < 50, "{ticks} hundredths of a second of 150");
 }
+
+#[test]
+fn a_small_stack_is_enough_or_told_in_one_line() {
+    for (kilobytes, expected) in [(110, 0), (96, 0), (95, 1), (64, 1)] {
+        for options in ["--still 62.5", "--seconds 0.2"] {
+            let limited =
+                format!("ulimit -s {kilobytes}; exec INTRO --silent {options} --size 64x48");
+            let (code, errors) = shell(&format!("{limited} > /dev/null"));
+            assert_eq!(code, Some(expected), "{limited}: {errors}");
+            assert_eq!(
+                errors.contains("of stack"),
+                expected != 0,
+                "{limited}: {errors}"
+            );
+        }
+    }
+}

@@ -59,6 +59,22 @@ fn memory_is_as_small_as_its_docs_say() {
     }
 }
 
+/// Others link to these docs, so that one figure can't become three.
+#[test]
+fn nobody_else_says_how_large_it_is() {
+    for text in [
+        include_str!("../src/lib.rs"),
+        include_str!("../src/render/mod.rs"),
+        include_str!("../README.md"),
+        include_str!("../ARCHITECTURE.md"),
+        include_str!("../CHANGELOG.md"),
+    ] {
+        for line in text.lines().filter(|line| line.contains("`Memory")) {
+            assert!(!line.contains(" kB"), "{line}");
+        }
+    }
+}
+
 #[test]
 fn sixteen_threads_take_less_than_8_mb_for_a_picture_of_any_size() {
     const { assert!(Memory::BYTES + 16 * Worker::BYTES < 8_000_000) };

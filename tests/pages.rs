@@ -71,7 +71,7 @@ fn pages_tell_the_length_of_the_show_and_where_its_scenes_begin() {
         &format!("{bars} bars of {} seconds", grid::BAR),
     );
     has("docs/intro.md", &format!("the show, {seconds} s |"));
-    has("docs/intro.md", &format!("0 to {} s,", seconds - 0.01));
+    has("docs/intro.md", &format!("from 0 to below {seconds} s,"));
     for (name, cut) in show::NAMES.iter().zip(show::CUTS) {
         let start = cut as f32 * grid::BAR;
         has("docs/intro.md", &format!("\n| {start} s | {name} |"));

@@ -67,20 +67,56 @@ fn what_was_linked_is_what_is_packed() {
     assert!(inside == expected, "the packed program is another one");
 }
 
-#[test]
-fn a_damaged_intro_says_so() {
-    let mut packed = read(&intro().program);
-    let last = packed.last_mut().expect("a byte");
-    *last ^= 1;
+/// The first bytes of the file, which nobody checks: headers, and what checks all others.
+const UNCHECKED: usize = 400;
+
+/// Runs a file of these bytes, which has to say that it is damaged.
+fn assert_damaged(what: &str, bytes: &[u8]) {
     let folder = tempfile::tempdir().expect("a folder");
-    let (bytes, path) = (folder.path().join("bytes"), folder.path().join("damaged"));
-    fs::write(&bytes, packed).expect("it can be written");
+    let (source, path) = (folder.path().join("bytes"), folder.path().join("damaged"));
+    fs::write(&source, bytes).expect("it can be written");
     // By a process of its own: a program cannot be started while a process that another test forks has it open for writing.
-    let copied = Command::new("install").args([&bytes, &path]).status();
+    let copied = Command::new("install").args([&source, &path]).status();
     assert!(copied.expect("install is there").success());
     let output = Command::new(&path).output().expect("it starts");
-    assert_eq!(output.status.code(), Some(1));
-    assert_eq!(output.stderr, b"eightfold: this file is damaged\n");
+    assert_eq!(output.status.code(), Some(1), "{what}: {output:?}");
+    assert_eq!(
+        output.stderr, b"eightfold: this file is damaged\n",
+        "{what}"
+    );
+}
+
+#[test]
+fn a_damaged_intro_says_so() {
+    let packed = read(&intro().program);
+    // The stub from its beginning on, then what is packed.
+    let places = (UNCHECKED..5000).step_by(460);
+    for place in places.chain([packed.len() / 2, packed.len() - 1]) {
+        let mut damaged = packed.clone();
+        damaged[place] ^= 1;
+        assert_damaged(&format!("byte {place}"), &damaged);
+    }
+}
+
+/// As a download that was interrupted is, by pages that are not there and by others that end in zeros.
+#[test]
+fn a_cut_intro_says_so() {
+    let packed = read(&intro().program);
+    let last_page = (packed.len() - 1) / 4096 * 4096;
+    for length in [
+        UNCHECKED,
+        1000,
+        4095,
+        4096,
+        4097,
+        8192,
+        packed.len() / 2,
+        last_page,
+        last_page + 1,
+        packed.len() - 1,
+    ] {
+        assert_damaged(&format!("{length} bytes"), &packed[..length]);
+    }
 }
 
 /// No path is in the file, and nothing of chance; `EIGHTFOLD_UNPACKED` leaves out the packing and nothing else.

@@ -1,7 +1,7 @@
 //! `--still` writes one frame of the show. `tests/image/shipped.rs` compares such frames with the library's and the oracle's.
 
-use eightfold_stage::{headless, intro, reader::read_ppm, run, texts};
-use std::process::Command;
+use eightfold_stage::{headless, intro, lacks, reader::read_ppm, run, texts, tool};
+use std::{env, process::Command};
 
 /// The frame that the intro writes with some options: its width and its pixels.
 fn still(options: &str) -> (usize, Vec<u32>) {
@@ -66,8 +66,11 @@ fn what_can_not_be_written_is_an_error_in_one_line() {
 
 #[test]
 fn a_terminal_is_refused() {
+    if lacks(&["script"]) {
+        return;
+    }
     let command = format!("{} --still 2; echo code $?", intro().display());
-    let (_, said) = run(Command::new("script").args(["-q", "-c", &command, "/dev/null"]));
+    let (_, said) = run(tool("script").args(["-q", "-c", &command, "/dev/null"]));
     let lines: Vec<&str> = said.lines().map(str::trim_end).collect();
     let [error, code] = lines[..] else {
         panic!("{said}");
@@ -77,4 +80,17 @@ fn a_terminal_is_refused() {
         "{said}"
     );
     assert_eq!(code, "code 2");
+}
+
+#[test]
+fn a_tool_that_is_missing_is_named() {
+    let nothing = tempfile::tempdir().unwrap();
+    let mut test = Command::new(env::current_exe().expect("this program"));
+    let test = test.args(["--exact", "a_terminal_is_refused", "--nocapture"]);
+    let (output, _) = run(test
+        .env("PATH", nothing.path())
+        .env_remove("EIGHTFOLD_TOOLS"));
+    let (said, errors) = texts(&output);
+    assert!(output.status.success(), "{said}{errors}");
+    assert!(errors.contains("not run, needs script"), "{errors}");
 }

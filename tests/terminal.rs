@@ -194,6 +194,8 @@ fn escape_and_control_c_end_it_and_other_keys_do_not() {
         terminal.wait_for_picture(60, 20);
         terminal.tmux(&["send-keys", "Up", "F5", "x", "Home", "C-z", "C-s"]);
         sleep(Duration::from_millis(300));
+        terminal.tmux(&["send-keys", "M-x"]);
+        sleep(Duration::from_millis(300));
         terminal.wait_for_picture(60, 20);
         terminal.tmux(&["send-keys", key]);
         terminal.wait_for_end(0);
@@ -206,12 +208,58 @@ fn signals_end_it_with_the_terminal_restored() {
     if lacks(&["tmux", "pkill"]) {
         return;
     }
-    for (name, number) in [("TERM", 15), ("HUP", 1), ("INT", 2), ("USR1", 10)] {
+    for (name, number) in [
+        ("TERM", 15),
+        ("HUP", 1),
+        ("INT", 2),
+        ("USR1", 10),
+        ("VTALRM", 26),
+        ("PROF", 27),
+        ("IO", 29),
+        ("PWR", 30),
+        ("STKFLT", 16),
+        ("RTMIN", 34),
+        ("RTMIN+30", 64),
+    ] {
         let terminal = Terminal::play(60, 20, "");
         terminal.wait_for_picture(60, 20);
         terminal.signal(name);
         terminal.wait_for_end(128 + number);
     }
+}
+
+#[test]
+fn a_mistake_of_its_own_leaves_the_terminal_restored() {
+    if lacks(&["tmux", "pkill"]) {
+        return;
+    }
+    for (name, number) in [("SEGV", 11), ("ABRT", 6)] {
+        let terminal = Terminal::play(60, 20, "");
+        terminal.wait_for_picture(60, 20);
+        terminal.signal(name);
+        let text = wait_for("the end", || {
+            let text = terminal.text();
+            text.contains("code ").then_some(text)
+        });
+        assert!(text.contains(&format!("code {}", 128 + number)), "{text}");
+        assert!(text.contains("mode restored"), "{text}");
+        assert_eq!(terminal.value("alternate_on"), "0");
+    }
+}
+
+#[test]
+fn a_terminal_that_knows_no_colours_gets_none() {
+    if lacks(&["script"]) {
+        return;
+    }
+    let play = format!("{} --silent --seconds 0.2 --size 64x48", intro().display());
+    let mut script = tool("script");
+    let script = script.args(["--quiet", "--return", "--command", &play, "/dev/null"]);
+    let script = script.env_remove("DISPLAY").env("TERM", "dumb");
+    let (output, text) = run(script.stdin(process::Stdio::null()));
+    assert!(output.status.success(), "{output:?}");
+    assert!(text.contains("playing without a screen"), "{text}");
+    assert!(!text.contains('\x1b'), "{text}");
 }
 
 #[test]

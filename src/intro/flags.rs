@@ -2,6 +2,7 @@
 
 use core::fmt::{self, Display, Formatter, Write};
 
+use eightfold::show;
 use eightfold_window::{cpu, line::Writer};
 
 use super::qualities::NAMED;
@@ -10,7 +11,7 @@ use super::qualities::NAMED;
 pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 
 /// The keys, as `--help` lists them.
-const KEYS: &str = "keys: F fullscreen, W window, Esc end";
+const KEYS: &str = "keys: F fullscreen, W window, H numbers, Esc end";
 
 /// What a flag sets, in the order of [`FLAGS`].
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -22,9 +23,11 @@ pub enum Switch {
     Seconds,
     Loop,
     Fps,
+    Psnr,
     Quality,
     Exhaustive,
     Uncapped,
+    Hud,
     Silent,
     Still,
     Help,
@@ -88,6 +91,12 @@ pub const FLAGS: &[Flag] = &[
         help: "frames a second to hold, 1 to 1000 (60)",
     },
     Flag {
+        switch: Switch::Psnr,
+        name: "--psnr",
+        value: "DB",
+        help: "accuracy to hold if no rate is named, in dB, 1 to 99",
+    },
+    Flag {
         switch: Switch::Quality,
         name: "--quality",
         value: "NAME",
@@ -106,6 +115,12 @@ pub const FLAGS: &[Flag] = &[
         help: "draw frames without a pause, at default quality unless one is named",
     },
     Flag {
+        switch: Switch::Hud,
+        name: "--hud",
+        value: "",
+        help: "show frames a second, points traced, and dB against exhaustive ones",
+    },
+    Flag {
         switch: Switch::Silent,
         name: "--silent",
         value: "",
@@ -115,7 +130,7 @@ pub const FLAGS: &[Flag] = &[
         switch: Switch::Still,
         name: "--still",
         value: "S",
-        help: "write the frame at S seconds, 0 to 115.99, to standard output as PPM",
+        help: "write the frame at S seconds, from 0 to below 116, to standard output as PPM",
     },
     Flag {
         switch: Switch::Help,
@@ -134,8 +149,9 @@ pub const FLAGS: &[Flag] = &[
 /// The width, in characters, of the column with the flags and their values in `--help`.
 const COLUMN: usize = 16;
 
-// The table fits the enumeration and the column.
+// The table fits the enumeration, the column and the show's length, which two of the flags tell.
 const _: () = {
+    assert!(show::LENGTH == 116.0);
     assert!(FLAGS.len() == Switch::Version as usize + 1);
     let mut i = 0;
     while i < FLAGS.len() {
@@ -189,7 +205,7 @@ pub fn write_help(output: &mut Writer) -> fmt::Result {
         writeln!(output)?;
     }
     output.write_str("instruction sets of this CPU:")?;
-    write_names(output, cpu::instruction_sets().map(|isa| isa.name))?;
+    write_names(output, cpu::shipped().map(|isa| isa.name))?;
     writeln!(output, "\n{KEYS}")
 }
 

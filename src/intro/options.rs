@@ -22,6 +22,9 @@ pub const MAX_THREADS: usize = 64;
 /// The largest value of `--fps`.
 const MAX_FPS: usize = 1000;
 
+/// The largest value of `--psnr`.
+const MAX_PSNR: usize = 99;
+
 /// The largest number of seconds, about 30 years: sums of such times in nanoseconds stay far below 2^64.
 const MAX_SECONDS: u64 = 1_000_000_000;
 
@@ -56,10 +59,16 @@ pub struct Options {
     pub is_looping: bool,
     /// The frame rate to hold, in frames per second, 1 to [`MAX_FPS`].
     pub fps: u64,
+    /// Whether the frame rate was named.
+    pub has_fps: bool,
+    /// The accuracy to hold, in dB, 1 to [`MAX_PSNR`]; if a frame rate is named, that comes first.
+    pub psnr: Option<u64>,
     /// The fixed quality, as an index in [`qualities::NAMED`]; with `None` the governor chooses.
     pub quality: Option<usize>,
     /// Whether frames follow each other without a pause.
     pub is_uncapped: bool,
+    /// Whether the numbers over the picture are there from the start.
+    pub has_hud: bool,
     /// Whether the show is played without sound.
     pub is_silent: bool,
 }
@@ -107,8 +116,11 @@ impl Options {
             length: None,
             is_looping: false,
             fps: 60,
+            has_fps: false,
+            psnr: None,
             quality: None,
             is_uncapped: false,
+            has_hud: false,
             is_silent: false,
         }
     }
@@ -149,10 +161,15 @@ impl Options {
                 self.length = Some(length.ok_or(bad_value)?);
             }
             Switch::Loop => self.is_looping = true,
-            Switch::Fps => self.fps = number(text, MAX_FPS).ok_or(bad_value)? as u64,
+            Switch::Fps => {
+                self.fps = number(text, MAX_FPS).ok_or(bad_value)? as u64;
+                self.has_fps = true;
+            }
+            Switch::Psnr => self.psnr = Some(number(text, MAX_PSNR).ok_or(bad_value)? as u64),
             Switch::Quality => self.keep_to(qualities::find(text).ok_or(bad_value)?)?,
             Switch::Exhaustive => self.keep_to(qualities::EXHAUSTIVE)?,
             Switch::Uncapped => self.is_uncapped = true,
+            Switch::Hud => self.has_hud = true,
             Switch::Silent => self.is_silent = true,
             Switch::Still => {
                 let time = nanoseconds(text).filter(|&time| time < SHOW_NANOSECONDS);

@@ -1,6 +1,6 @@
 //! Playing the show on a screen, in time with its sound.
 
-use eightfold::{Frame, Governor, MAX_HEIGHT, MAX_WIDTH, sound::Synthesizer};
+use eightfold::{AccuracyGovernor, Frame, Governor, MAX_HEIGHT, MAX_WIDTH, sound::Synthesizer};
 use eightfold_window::{
     clock::SECOND,
     fixed::Fixed,
@@ -70,7 +70,7 @@ pub fn play(options: &Options) -> i32 {
     let Playing {
         renderer, tally, ..
     } = &playing;
-    let reported = print(|output| tally.report(output, renderer.threads(), options.isa.name));
+    let reported = print(|output| tally.report(output, renderer.threads(), options));
     if code != 0 { code } else { reported }
 }
 
@@ -86,18 +86,20 @@ impl Playing<'_> {
     /// Plays on a screen until the show ends or the viewer ends it. Returns the exit code.
     fn on(&mut self, screen: &mut dyn Screen) -> i32 {
         let options = self.options;
-        let kept = options
-            .quality
-            .or(options.is_uncapped.then_some(qualities::DEFAULT));
+        let by_accuracy = options.psnr.filter(|_| !options.has_fps);
+        let is_default = options.is_uncapped && by_accuracy.is_none();
+        let kept = options.quality.or(is_default.then_some(qualities::DEFAULT));
         let length = options.length.unwrap_or(if options.is_looping {
             u64::MAX
         } else {
             SHOW_NANOSECONDS
         });
-        let mut governor = Governor::new(options.fps);
+        let mut by_rate = Governor::new(options.fps);
+        let mut by_accuracy = by_accuracy.map(|psnr| AccuracyGovernor::new(psnr as f32));
         let clock = self.player.clock();
         // The time at which the next frame should begin.
         let mut due = 0;
+        let mut has_hud = options.has_hud;
         loop {
             let start = clock.time();
             let heard = self.player.time();
@@ -105,21 +107,34 @@ impl Playing<'_> {
                 self.tally.end(start);
                 return 0;
             }
-            let quality = kept.unwrap_or_else(|| governor.rung());
+            let quality = kept.unwrap_or_else(|| match &by_accuracy {
+                Some(governor) => governor.rung(),
+                None => by_rate.rung(),
+            });
             let size = fit(screen.size());
             let (width, height) = size;
-            let frame = Frame {
+            let mut frame = Frame {
                 width,
                 height,
                 pixels: screen.canvas(width, height),
             };
-            self.renderer.draw(heard, &NAMED[quality].1, frame);
+            let counts =
+                self.renderer
+                    .draw(heard, self.tally.frames(), &NAMED[quality].1, &mut frame);
+            if has_hud {
+                self.tally.write(&mut frame, counts.points);
+            }
             let next = screen.show();
             let shown = clock.time();
-            governor.frame(shown - start);
-            self.tally.count(shown, size, quality);
-            if let Next::End(code) = next {
-                return code;
+            match &mut by_accuracy {
+                Some(governor) => governor.frame(counts.probes),
+                None => by_rate.frame(shown - start),
+            }
+            self.tally.count(shown, size, quality, counts.probes);
+            match next {
+                Next::End(code) => return code,
+                Next::Toggle => has_hud = !has_hud,
+                Next::GoOn => {}
             }
             if !options.is_uncapped {
                 // After a late frame the following ones do not try to catch up. The last frame is not shown beyond the end.

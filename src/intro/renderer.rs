@@ -1,6 +1,8 @@
 //! Draws frames of the show on all threads.
 
-use eightfold::{Band, Frame, Job, Memory, Quality, Renderer, Threads, Worker, scene::Scene, show};
+use eightfold::{
+    Band, Counts, Frame, Job, Memory, Quality, Renderer, Threads, Worker, scene::Scene, show,
+};
 use eightfold_window::{
     clock::SECOND,
     fixed::Fixed,
@@ -43,7 +45,7 @@ impl ShowRenderer {
         } = WORKSPACE.take();
         let threads = options.threads.unwrap_or_else(pool::processors);
         ShowRenderer {
-            renderer: Renderer::with_memory(options.isa.level, memory),
+            renderer: Renderer::narrow(options.isa.level, memory),
             scene,
             threads: PoolThreads {
                 pool: Pool::new(threads.min(MAX_THREADS)),
@@ -57,13 +59,25 @@ impl ShowRenderer {
         self.threads.pool.threads()
     }
 
-    /// Draws the frame at a time, in nanoseconds. The show repeats.
-    pub fn draw(&mut self, time: u64, quality: &Quality, frame: Frame<'_>) {
+    /// Draws the frame at a time, in nanoseconds, and says how much work it was. The show repeats. The number of the frame says
+    /// which pixels are probed.
+    pub fn draw(
+        &mut self,
+        time: u64,
+        number: u64,
+        quality: &Quality,
+        frame: &mut Frame<'_>,
+    ) -> Counts {
         // An f64 represents every nanosecond of the show exactly, so the time is rounded only once.
         let seconds = ((time % SHOW_NANOSECONDS) as f64 / SECOND as f64) as f32;
         show::at(seconds, self.scene);
+        self.renderer.set_probes(Renderer::PROBES, number as u32);
+        let frame = Frame {
+            pixels: &mut *frame.pixels,
+            ..*frame
+        };
         self.renderer
-            .render_valid(self.scene, quality, frame, &mut self.threads);
+            .render_valid(self.scene, quality, frame, &mut self.threads)
     }
 }
 

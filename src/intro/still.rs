@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Write};
 
-use eightfold::{Frame, MAX_WIDTH};
+use eightfold::Frame;
 use eightfold_window::{
     line::{self, Decimal, Writer},
     screen::{Headless, Screen},
@@ -28,12 +28,12 @@ pub fn write(time: u64, options: &Options) -> i32 {
     let (width, height) = options.size;
     let mut screen = Headless::new(width, height);
     let pixels = screen.canvas(width, height);
-    let frame = Frame {
+    let mut frame = Frame {
         width,
         height,
         pixels: &mut *pixels,
     };
-    ShowRenderer::new(options).draw(time, quality, frame);
+    ShowRenderer::new(options).draw(time, 0, quality, &mut frame);
     exit_code(write_ppm(width, height, pixels))
 }
 
@@ -43,13 +43,13 @@ fn write_ppm(width: usize, height: usize, pixels: &[u32]) -> fmt::Result {
     let size = [width, height].map(|side| Decimal(side as u64));
     write!(head, "P6\n{} {}\n255\n", size[0], size[1])?;
     head.flush()?;
-    let mut row = [[0; 3]; MAX_WIDTH];
-    for pixels in pixels.chunks_exact(width) {
-        for (to, pixel) in row.iter_mut().zip(pixels) {
+    let mut part = [[0; 3]; 1024];
+    for pixels in pixels.chunks(part.len()) {
+        for (to, pixel) in part.iter_mut().zip(pixels) {
             let [_, red, green, blue] = pixel.to_be_bytes();
             *to = [red, green, blue];
         }
-        if !line::write(line::OUTPUT, row[..width].as_flattened()) {
+        if !line::write(line::OUTPUT, part[..pixels.len()].as_flattened()) {
             return Err(fmt::Error);
         }
     }

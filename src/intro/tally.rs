@@ -7,7 +7,12 @@ use eightfold_window::{
     line::{Decimal, Hundredths, Tenths, Writer},
 };
 
-use super::qualities::NAMED;
+use eightfold::{
+    Frame, Probes,
+    scene::{Caption, List},
+};
+
+use super::{options::Options, qualities::NAMED};
 
 /// Statistics of a run. All times are in nanoseconds.
 #[derive(Default)]
@@ -21,6 +26,11 @@ pub struct Tally {
     second: u64,
     /// Frames in the current second so far.
     frames_in_second: u64,
+    /// Frames in the last complete second.
+    rate: u64,
+    /// What probes found, in the whole run and of late: each second counts half as much as the one after it.
+    probes: Probes,
+    recent: Probes,
     /// The width and height of the last frame in pixels.
     size: (usize, usize),
     /// The time for which each quality of [`NAMED`] was used.
@@ -28,9 +38,16 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts a frame: the time at which it was shown, its size, and the index of its quality in [`NAMED`].
-    pub fn count(&mut self, time: u64, size: (usize, usize), quality: usize) {
+    /// The number of frames.
+    pub fn frames(&self) -> u64 {
+        self.frames
+    }
+
+    /// Counts a frame: the time at which it was shown, its size, the index of its quality in [`NAMED`], and what probes found.
+    pub fn count(&mut self, time: u64, size: (usize, usize), quality: usize, probes: Probes) {
         self.frames += 1;
+        self.probes += probes;
+        self.recent += probes;
         self.size = size;
         self.used[quality] += time - self.time;
         self.time = time;
@@ -42,8 +59,26 @@ impl Tally {
             self.slowest = Some(self.slowest.map_or(frames, |slowest| slowest.min(frames)));
             self.second = second;
             self.frames_in_second = 0;
+            self.rate = frames;
+            self.recent.halve();
         }
         self.frames_in_second += 1;
+    }
+
+    /// Writes over a frame the frames of the last second, the points of this one, and the accuracy of late.
+    pub fn write(&self, frame: &mut Frame<'_>, points: u64) {
+        let hud = Caption {
+            letters: List::of(b" #### FPS $$$$$$$ POINTS %% DB"),
+            middle: 0.04,
+            size: 0.03,
+            brightness: 1.0,
+        };
+        // Nothing is told of an error before any is found.
+        let decibels = match self.recent.squares {
+            0 => 0,
+            _ => self.recent.psnr() as usize,
+        };
+        frame.write(&[hud], [self.rate as usize, points as usize, decibels]);
     }
 
     /// Notes the time at which the show ended.
@@ -51,21 +86,28 @@ impl Tally {
         self.time = time;
     }
 
-    /// Writes the statistics in one line, with the number of threads and the name of the instruction set.
-    pub fn report(&self, output: &mut Writer, threads: usize, isa: &str) -> fmt::Result {
+    /// Writes the statistics in one line, with the number of threads, the name of the instruction set, and whether what was asked for
+    /// was had.
+    pub fn report(&self, output: &mut Writer, threads: usize, options: &Options) -> fmt::Result {
         let mean = self.frames * 10 * SECOND / self.time.max(1);
         let worst = self.slowest.map_or(mean, |frames| frames * 10);
         let hundredths = |time: u64| Hundredths(time / (SECOND / 100));
         write!(
             output,
-            "{} frames in {} s: {} fps, worst second {} fps, {}x{}, threads {}, {isa}",
+            "{} frames in {} s: {} fps, worst second {} fps",
             Decimal(self.frames),
             hundredths(self.time),
             Tenths(mean),
             Tenths(worst),
+        )?;
+        self.report_accuracy(output, mean, options)?;
+        write!(
+            output,
+            ", {}x{}, threads {}, {}",
             Decimal(self.size.0 as u64),
             Decimal(self.size.1 as u64),
             Decimal(threads as u64),
+            options.isa.name,
         )?;
         for ((name, _), &time) in NAMED.iter().zip(&self.used) {
             if time > 0 {
@@ -73,5 +115,28 @@ impl Tally {
             }
         }
         writeln!(output)
+    }
+
+    /// Writes how accurate the frames were, with the 95 % interval, and whether what was asked for was had, at so many tenths of frames
+    /// a second.
+    fn report_accuracy(&self, output: &mut Writer, rate: u64, options: &Options) -> fmt::Result {
+        let tenths = |decibels: f32| Tenths((10.0 * decibels + 0.5) as u64);
+        let (psnr, margin) = (self.probes.psnr(), self.probes.margin());
+        if self.probes.squares > 0 {
+            write!(output, ", {} dB (±{})", tenths(psnr), tenths(margin))?;
+        }
+        let Options { fps, has_fps, .. } = *options;
+        // A hundredth of the frames may be late.
+        let is_slow = has_fps && rate * 10 < fps * 99;
+        match options.psnr {
+            Some(asked) if is_slow || psnr + margin < asked as f32 => {
+                write!(output, ", short of {} dB", Decimal(asked))?;
+                if has_fps {
+                    write!(output, " at {} fps", Decimal(fps))?;
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
     }
 }

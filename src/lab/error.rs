@@ -9,6 +9,8 @@ pub struct Difference {
     pub largest: u32,
     /// The number of pixels that differ by more than 8 in a channel.
     pub over_8: usize,
+    /// The mean of the squares over all channels of all pixels.
+    pub square: f64,
     /// The peak signal-to-noise ratio in dB; infinite if nothing differs.
     pub psnr: f64,
 }
@@ -29,13 +31,27 @@ impl Difference {
             over_8 += usize::from(worst > 8);
         }
         let count = (a.len() * 3) as f64;
+        let square = squares as f64 / count;
         Self {
             mean: sum as f64 / count,
             largest,
             over_8,
-            psnr: 10.0 * (255.0 * 255.0 * count / squares as f64).log10(),
+            square,
+            psnr: decibels(square),
         }
     }
+
+    /// The PSNR of pictures of one size together, in dB. It is their squares that are averaged: a mean of decibels would rate
+    /// pictures that are all alike as good as the best of them.
+    pub fn pooled_psnr(differences: &[Self]) -> f64 {
+        let sum: f64 = differences.iter().map(|each| each.square).sum();
+        decibels(sum / differences.len() as f64)
+    }
+}
+
+/// The PSNR of a mean square.
+fn decibels(square: f64) -> f64 {
+    10.0 * (255.0 * 255.0 / square).log10()
 }
 
 /// The largest difference between two pixels in any channel.

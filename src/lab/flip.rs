@@ -18,6 +18,10 @@ pub struct Flip {
 impl Flip {
     /// Compares two pictures of `0x00RRGGBB` pixels and the same size.
     pub fn between(width: usize, reference: &[u32], test: &[u32]) -> Self {
+        if reference == test {
+            let errors = vec![0.0; test.len()];
+            return Self { errors };
+        }
         let map = flip(
             image(width, reference),
             image(width, test),
@@ -40,6 +44,46 @@ impl Flip {
         let rank = (errors.len() * 99).div_ceil(100) - 1;
         let (_, error, _) = errors.select_nth_unstable_by(rank, f32::total_cmp);
         f64::from(*error)
+    }
+}
+
+/// The FLIP errors of the pixels of some pictures together.
+#[derive(Clone, Default)]
+pub struct Flips {
+    sum: f64,
+    pixels: usize,
+    /// The number of pixels by their errors' thousandths; nothing without any pictures.
+    counts: Vec<usize>,
+}
+
+/// The largest number of thousandths.
+const THOUSANDTHS: usize = 1000;
+
+impl Flips {
+    /// Adds the pixels of another picture.
+    pub fn add(&mut self, flip: &Flip) {
+        self.counts.resize(THOUSANDTHS + 1, 0);
+        for &error in &flip.errors {
+            self.sum += f64::from(error);
+            self.counts[((error * THOUSANDTHS as f32) as usize).min(THOUSANDTHS)] += 1;
+        }
+        self.pixels += flip.errors.len();
+    }
+
+    /// The mean over all pixels.
+    pub fn mean(&self) -> Option<f64> {
+        (self.pixels > 0).then(|| self.sum / self.pixels as f64)
+    }
+
+    /// The 99th percentile over all pixels, rounded down to a thousandth.
+    pub fn p99(&self) -> Option<f64> {
+        let rank = (self.pixels * 99).div_ceil(100);
+        let mut below = 0;
+        let bin = self.counts.iter().position(|count| {
+            below += count;
+            below >= rank
+        })?;
+        Some(bin as f64 / THOUSANDTHS as f64)
     }
 }
 

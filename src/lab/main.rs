@@ -8,7 +8,8 @@ use eightfold_lab::{
     arguments, bench, capture, figures, interrupt, missed, output, release, render, report, scene,
     size, sound, study, trade, truth, view,
 };
-use std::env;
+use std::io::{self, IsTerminal};
+use std::path::Path;
 use std::time::Instant;
 
 /// Draws Eightfold's frames and measures what speed costs.
@@ -49,6 +50,9 @@ fn run(_: eightfold_window::arguments::Arguments) -> i32 {
         Ok(lab) => lab,
         Err(error) => return explain(&error),
     };
+    if let Err(error) = interrupt::watch() {
+        return fail(&error.into());
+    }
     let done = match lab.command {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Capture(arguments) => capture::run(&arguments),
@@ -67,37 +71,52 @@ fn run(_: eightfold_window::arguments::Arguments) -> i32 {
     };
     match done {
         Ok(()) => {
-            let is_quiet = env::var_os(output::QUIET).is_some();
-            if let Some(written) = output::written().filter(|_| !is_quiet) {
+            if let Some(written) = output::written().filter(|_| !output::is_quiet()) {
                 eprintln!("wrote {written}, in {:.1} s", start.elapsed().as_secs_f64());
             }
             0
         }
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            if error.is::<arguments::BadInput>() {
-                BAD_INPUT
-            } else if error.is::<interrupt::Stopped>() {
-                interrupt::exit_code()
-            } else {
-                1
-            }
-        }
+        Err(error) => fail(&error),
+    }
+}
+
+/// Prints an error. Returns its exit code.
+fn fail(error: &anyhow::Error) -> i32 {
+    let is_stopped = error.is::<interrupt::Stopped>();
+    // One that runs inside of another leaves that line to it.
+    if !(is_stopped && output::is_quiet()) {
+        eprintln!("error: {error:#}");
+    }
+    if is_stopped {
+        interrupt::exit_code()
+    } else if error.is::<arguments::BadInput>() {
+        BAD_INPUT
+    } else {
+        1
     }
 }
 
 /// Prints the help, or one line that says what is wrong.
 fn explain(error: &clap::Error) -> i32 {
     let text = error.render();
-    if error.use_stderr() && error.kind() != ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+    if !error.use_stderr() {
+        let text = if io::stdout().is_terminal() {
+            text.ansi().to_string()
+        } else {
+            text.to_string()
+        };
+        let printed = output::write(Path::new("-"), text.as_bytes());
+        return printed.map_or_else(|error| fail(&error), |()| 0);
+    }
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        let _ = error.print();
+    } else {
         let text = text.to_string();
         // The usage and a pointer to the help follow.
         let wrong = text.split("\n\nUsage:").next().unwrap_or(&text);
         let wrong = wrong.split("\n\nFor more").next().unwrap_or(wrong);
         let words: Vec<&str> = wrong.split_whitespace().collect();
         eprintln!("{}", words.join(" "));
-    } else {
-        let _ = error.print();
     }
-    if error.use_stderr() { BAD_INPUT } else { 0 }
+    BAD_INPUT
 }

@@ -10,6 +10,16 @@ pub fn decibels(psnr: f64) -> String {
     if psnr.is_finite() {
         format!("{psnr:.1} dB")
     } else {
-        "-".to_owned()
+        dash()
     }
+}
+
+/// A number with so many digits, or a dash if it was not measured.
+pub fn known(number: Option<f64>, digits: usize) -> String {
+    number.map_or_else(dash, |number| format!("{number:.digits$}"))
+}
+
+/// What stands for no number.
+pub fn dash() -> String {
+    "-".to_owned()
 }

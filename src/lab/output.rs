@@ -1,10 +1,14 @@
 //! Writes results: a file appears whole, or not at all.
 
 use anyhow::{Context, Result};
+use std::env;
 use std::fs::{self, File, Permissions};
 use std::io::{self, Write};
+use std::mem;
+use std::os::fd::AsFd;
+use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::NamedTempFile;
 
 /// Writes `bytes` to a file, or to standard output if the name is `-`; see [`Sink`].
@@ -29,8 +33,8 @@ enum Target {
     Output(File),
     /// A device or a pipe.
     Direct(File),
-    /// A temporary file, and the path that it gets when it is complete.
-    Whole(NamedTempFile, PathBuf),
+    /// A part of a file, and the path that it gets when it is complete.
+    Whole(Part, PathBuf),
 }
 
 impl Sink {
@@ -45,7 +49,7 @@ impl Sink {
                 Ok(there) if !there.is_file() => open_directly(&path).map(Target::Direct),
                 there => {
                     let permissions = there.ok().map(|there| there.permissions());
-                    start(&path, permissions, PART).map(|file| Target::Whole(file, path))
+                    start(&path, permissions, PART).map(|part| Target::Whole(part, path))
                 }
             };
             opened.with_context(|| cannot_write(name))?
@@ -58,7 +62,7 @@ impl Sink {
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
         let written = match &mut self.target {
             Target::Output(file) | Target::Direct(file) => file.write_all(bytes),
-            Target::Whole(file, _) => file.write_all(bytes),
+            Target::Whole(part, _) => part.write_all(bytes),
         };
         written.with_context(|| cannot_write(&self.name))
     }
@@ -66,60 +70,145 @@ impl Sink {
     /// Completes the result: the file gets its name.
     pub fn finish(self) -> Result<()> {
         match self.target {
-            Target::Whole(file, path) => {
-                persist(file, &path).with_context(|| cannot_write(&self.name))
+            Target::Whole(part, path) => {
+                let complete = part.persist(&path);
+                complete.with_context(|| cannot_write(&self.name))?;
             }
-            Target::Direct(_) => {
-                note(&self.name);
-                Ok(())
-            }
-            Target::Output(_) => Ok(()),
+            Target::Direct(_) => {}
+            Target::Output(_) => return Ok(()),
         }
+        note(&self.name);
+        Ok(())
     }
 }
 
-#[cfg(unix)]
 fn standard_output() -> io::Result<File> {
-    use std::os::fd::AsFd;
     Ok(io::stdout().as_fd().try_clone_to_owned()?.into())
 }
 
 /// The environment variable that keeps the lab from printing what it wrote, for one that runs inside of another.
 pub const QUIET: &str = "EIGHTFOLD_LAB_QUIET";
 
+/// Whether this lab runs inside of another.
+pub fn is_quiet() -> bool {
+    env::var_os(QUIET).is_some()
+}
+
 /// The number of files written, and the name of the first.
 static WRITTEN: Mutex<(usize, String)> = Mutex::new((0, String::new()));
 
-/// Records that a file has been written.
-fn note(path: &Path) {
-    let mut written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
+/// Records that a file has been written, by the name that the user gave.
+fn note(name: &Path) {
+    let mut written = lock(&WRITTEN);
     let (count, first) = &mut *written;
     if *count == 0 {
-        *first = path.display().to_string();
+        *first = name.display().to_string();
     }
     *count += 1;
 }
 
+fn lock<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
+    shared.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// The files that this process has written, in words; `None` if there are none.
 pub fn written() -> Option<String> {
-    let written = WRITTEN.lock().unwrap_or_else(PoisonError::into_inner);
-    match &*written {
+    match &*lock(&WRITTEN) {
         (0, _) => None,
         (1, first) => Some(first.clone()),
         (count, first) => Some(format!("{count} files, the first is {first}")),
     }
 }
 
-/// A temporary file that another program writes to. Its name ends in `suffix` until [`persist`] gives it its own.
-pub fn start_for_another(name: &Path, suffix: &str) -> Result<NamedTempFile> {
+/// A file that is not complete: a temporary one, which is deleted when dropped.
+pub struct Part {
+    file: NamedTempFile,
+    _listed: Listed,
+}
+
+/// The paths of all parts, which nobody drops where a signal ends the program at once.
+static PARTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// A path in that list, for as long as this lives.
+struct Listed(PathBuf);
+
+impl Drop for Listed {
+    fn drop(&mut self) {
+        lock(&PARTS).retain(|path| *path != self.0);
+    }
+}
+
+impl Part {
+    /// An empty one with a name of its own in a folder. `mode` has the permissions of a new file, as Unix has them.
+    fn make(folder: &Path, mode: u32, suffix: &str) -> io::Result<Self> {
+        let mut builder = tempfile::Builder::new();
+        // Unlike `tempfile_in`, this leaves errors as they are: what is wrong is not the temporary name.
+        let file = builder
+            .prefix(".lab-")
+            .suffix(suffix)
+            .make_in(folder, |path| {
+                let mut parts = lock(&PARTS);
+                let file = File::options()
+                    .read(true)
+                    .write(true)
+                    .create_new(true)
+                    .mode(mode)
+                    .open(path)?;
+                parts.push(path.to_owned());
+                Ok(file)
+            })?;
+        let _listed = Listed(file.path().to_owned());
+        Ok(Self { file, _listed })
+    }
+
+    /// One for the system's folder of temporary files.
+    pub fn passing(suffix: &str) -> io::Result<Self> {
+        Self::make(&env::temp_dir(), 0o600, suffix)
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        self.file.path()
+    }
+
+    /// Gives a complete file its name, once it is on the disk.
+    pub fn persist(self, path: &Path) -> io::Result<()> {
+        self.file.as_file().sync_all()?;
+        self.file.persist(path)?;
+        Ok(())
+    }
+}
+
+/// As to its file: by itself a [`NamedTempFile`] puts its path behind every error.
+impl Write for Part {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.as_file_mut().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.as_file_mut().flush()
+    }
+}
+
+/// Deletes all parts of files for good: whoever begins another one waits until the program has ended.
+pub fn discard() {
+    let parts = lock(&PARTS);
+    for path in &*parts {
+        // It may have got its name just now.
+        let _ = fs::remove_file(path);
+    }
+    mem::forget(parts);
+}
+
+/// A part that another program writes to. Its name ends in `suffix` until [`persist`] gives it its own.
+pub fn start_for_another(name: &Path, suffix: &str) -> Result<Part> {
     start(name, None, suffix).with_context(|| cannot_write(name))
 }
 
-/// Gives a complete file its name, once it is on the disk.
-pub fn persist(file: NamedTempFile, path: &Path) -> io::Result<()> {
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    note(path);
+/// Gives such a part its name.
+pub fn persist(part: Part, name: &Path) -> io::Result<()> {
+    part.persist(name)?;
+    note(name);
     Ok(())
 }
 
@@ -154,8 +243,8 @@ fn open_directly(path: &Path) -> io::Result<File> {
 /// The suffix of incomplete files.
 const PART: &str = ".part";
 
-/// An empty temporary file next to its final path. It is deleted when dropped.
-fn start(path: &Path, permissions: Option<Permissions>, suffix: &str) -> io::Result<NamedTempFile> {
+/// A part next to the path that it gets, with the permissions of the file that it replaces, or those of any new file.
+fn start(path: &Path, permissions: Option<Permissions>, suffix: &str) -> io::Result<Part> {
     if path.file_name().is_none() {
         return Err(io::Error::new(
             io::ErrorKind::InvalidInput,
@@ -166,12 +255,6 @@ fn start(path: &Path, permissions: Option<Permissions>, suffix: &str) -> io::Res
         Some(folder) if folder != Path::new("") => folder,
         _ => Path::new("."),
     };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".lab-").suffix(suffix);
-    // The permissions of the file that is replaced, or those of any new file.
-    #[cfg(unix)]
-    builder.permissions(
-        permissions.unwrap_or_else(|| std::os::unix::fs::PermissionsExt::from_mode(0o666)),
-    );
-    builder.tempfile_in(folder)
+    let mode = permissions.map_or(0o666, |permissions| permissions.mode());
+    Part::make(folder, mode, suffix)
 }

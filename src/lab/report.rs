@@ -79,7 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         }
         output::check(&page.path)?;
     }
-    interrupt::listen()?;
+    interrupt::listen();
     let docs = arguments.folder.join(DOCS);
     for part in &parts {
         eprintln!("{}: {}", part.name, part.shown());
@@ -212,10 +212,18 @@ const SHEET: [(&str, &str); 1] = [(
     "show.png",
     "Frames of the show, row by row: title, model scene, method, colonnade, machine, flake, mirrors, swarm, finale",
 )];
-const TRADE: [(&str, &str); 4] = [
+const TRADE: [(&str, &str); 6] = [
     (
         "front.svg",
         "Speed and PSNR of every setting, and the Pareto front by number",
+    ),
+    (
+        "front-flip.svg",
+        "Speed and FLIP of every setting, and the Pareto front by number",
+    ),
+    (
+        "front-pops.svg",
+        "Speed and pops of every setting, and the Pareto front by number",
     ),
     (
         "resolution.svg",

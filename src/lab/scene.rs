@@ -6,12 +6,12 @@ use crate::rate::Rate;
 use crate::scene_file;
 use crate::scenes::{self, SceneName};
 use anyhow::Result;
-use clap::Args;
+use clap::{ArgGroup, Args};
 use std::path::PathBuf;
 
 /// Writes a built-in scene as a scene file, or a scene file as Rust
 #[derive(Args)]
-#[group(id = "what", required = true, args = ["export", "rust"])]
+#[command(group(ArgGroup::new("what").required(true).args(["export", "rust"])))]
 pub struct Arguments {
     #[arg(long, value_name = "NAME", help = format!("Writes a scene as a scene file: {}", scenes::takes()))]
     export: Option<SceneName>,

@@ -6,11 +6,6 @@ use std::env;
 use std::ffi::OsStr;
 use std::io::{Read, Seek};
 use std::process::{Command, Stdio};
-use std::thread::sleep;
-use std::time::Duration;
-
-/// How often a command is asked whether it has ended: hardly any work beside what it measures.
-const INTERVAL: Duration = Duration::from_millis(50);
 
 /// Runs a command, and returns what it prints, without the end of the last line. After [`interrupt::listen`] a signal ends it
 /// early, as an error.
@@ -25,16 +20,7 @@ pub fn run<T: AsRef<OsStr>>(arguments: &[T]) -> Result<String> {
         .stderr(Stdio::inherit())
         .spawn()
         .context("cannot start the lab")?;
-    let status = loop {
-        if interrupt::is_stopped() {
-            // It may have ended already.
-            let _ = child.kill();
-        }
-        match child.try_wait().context("cannot wait for the lab")? {
-            Some(status) => break status,
-            None => sleep(INTERVAL),
-        }
-    };
+    let status = interrupt::wait(&mut child).context("cannot wait for the lab")?;
     if interrupt::is_stopped() {
         return Err(
             interrupt::Stopped("what was not complete is left as it was".to_owned()).into(),

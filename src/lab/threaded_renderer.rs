@@ -72,6 +72,11 @@ impl ThreadedRenderer {
             .expect("a valid scene")
     }
 
+    /// Has some pixels of the next frames probed.
+    pub fn set_probes(&mut self, count: u16, seed: u32) {
+        self.renderer.set_probes(count, seed);
+    }
+
     /// Moves the samples of the next frames by so many pixels.
     pub fn set_offset(&mut self, x: f32, y: f32) {
         self.renderer.set_offset(x, y);

@@ -3,8 +3,8 @@
 use cpu_time::ThreadTime;
 use std::time::Instant;
 
-/// The frame rate, in frames per second, at which flicker is measured: that of most screens.
-pub const FLICKER_FPS: f64 = 60.0;
+/// The frame rate, in frames per second, of frames in a row: that of most screens.
+pub const FPS: f64 = 60.0;
 
 /// Does some work. Returns its result, and the seconds of real time that it took: for work on several threads.
 pub fn real_time<T>(work: impl FnOnce() -> T) -> (T, f64) {
@@ -27,9 +27,9 @@ pub fn evenly_spaced(from: f32, to: f32, i: usize, count: usize) -> f32 {
     (f64::from(from) * (1.0 - share) + f64::from(to) * share) as f32
 }
 
-/// The time of successive frame `i` of those in which flicker is measured, in seconds.
-pub fn flicker_time(from: f32, i: usize) -> f32 {
-    (f64::from(from) + i as f64 / FLICKER_FPS) as f32
+/// The time of frame `i` of those in a row from a first time on, in seconds.
+pub fn frame_time(from: f32, i: usize) -> f32 {
+    (f64::from(from) + i as f64 / FPS) as f32
 }
 
 /// The median: the middle one of some times, or the mean of the two in the middle.

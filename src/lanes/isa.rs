@@ -74,11 +74,23 @@ cfg_select! {
         pub(crate) fn avx2(level: Level) -> Option<fearless_simd::Avx2> {
             level.as_avx2()
         }
+
+        /// AVX-512, where the level has it.
+        #[inline(always)]
+        pub(crate) fn avx512(level: Level) -> Option<fearless_simd::Avx512> {
+            level.as_avx512()
+        }
     }
     _ => {
         /// None: other CPUs have no such thing.
         #[inline(always)]
         pub(crate) fn avx2(_: Level) -> Option<Baseline> {
+            None
+        }
+
+        /// None: other CPUs have no such thing.
+        #[inline(always)]
+        pub(crate) fn avx512(_: Level) -> Option<Baseline> {
             None
         }
     }

@@ -11,7 +11,7 @@ mod pow;
 mod vec3x;
 
 pub(crate) use fearless_simd::prelude::*;
-pub(crate) use isa::{Baseline, Isa, avx2, baseline};
+pub(crate) use isa::{Baseline, Isa, avx2, avx512, baseline};
 pub(crate) use pow::pow;
 pub(crate) use vec3x::Vec3x;
 

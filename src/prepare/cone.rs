@@ -9,8 +9,8 @@
 //! is greatest at a corner of a square of the picture. So a square that has a side's tangent plane in its middle below 0 at
 //! all corners is outside.
 
-use super::Rectangle;
 use super::screen::{Axes, Rects, ScreenBounds};
+use super::{HIT_ERROR, Rectangle};
 use crate::lanes::*;
 use crate::maths::sqrt;
 use core::array;
@@ -29,7 +29,7 @@ pub(crate) struct Cone {
     pub(super) is_flat: bool,
 }
 
-/// What rounding may add to a side's inequality, whose terms are below 2.
+/// What rounding may add to a side's inequality, whose terms are below twice [`Axes::reach`].
 pub(super) const ROUNDING: f32 = 1e-5;
 
 /// The least length that is divided by, where there is a direction across.
@@ -59,18 +59,30 @@ impl RoundCone {
         sine: 0.0,
     };
 
-    /// The cone around a sphere whose centre is at `to`, and the square of its cosine; all rays are inside where there is none.
-    pub fn around(to: Vec3A, radius: f32) -> (Self, f32) {
+    /// The cone around a sphere whose centre is at `to`; all rays are inside where there is none.
+    pub fn around(to: Vec3A, radius: f32) -> Self {
         let distance2 = to.length_squared();
         let radius = radius * WIDE;
         let cosine2 = (distance2 - radius * radius) / distance2;
-        let cone = Self {
+        Self {
             to: to.into(),
             // `to` is as long as the distance, which the sine has once more.
             cosine: sqrt(cosine2 / distance2),
             sine: radius / distance2,
-        };
-        (cone, cosine2)
+        }
+    }
+
+    /// The share of its sine by which rays may be inside and miss the sphere, around which it is wider by `hit_error`; not a number if
+    /// the tip is inside.
+    ///
+    /// Shadow rays have another such error taken from the radius, so that no sphere shadows itself, and one more of the way to the
+    /// lamp, see `ShadowCone::r2`; the points that they leave from are off by less than a third one.
+    #[inline(never)]
+    pub fn unsure(&self, hit_error: f32) -> f32 {
+        let distance2 = self.to.length_squared();
+        let (radius, cosine2) = (self.sine * distance2, self.cosine * self.cosine * distance2);
+        let error = 3.0 * (hit_error + HIT_ERROR * sqrt(distance2));
+        error / (radius * cosine2)
     }
 
     /// The rays of the picture that are inside; `rays` are what a step along u is, one along v, and (0, 0).
@@ -132,15 +144,15 @@ impl Cone {
     }
 
     /// How far inside rays through points of the picture are, below 0 if they are outside, and not a number if all are
-    /// inside.
+    /// inside. A round cone counts as one whose sine is so many times as large.
     #[inline(never)]
-    pub fn depth<S: Isa>(&self, u: F<S>, v: F<S>) -> F<S> {
+    pub fn depth<S: Isa>(&self, u: F<S>, v: F<S>, sine: f32) -> F<S> {
         let [right, down, terms] = self.terms.map(|terms| terms.to_array());
         let [x, y, z, w]: [F<S>; 4] = array::from_fn(|i| u * right[i] + v * down[i] + terms[i]);
         if self.is_flat {
             x.min(y).min(z.min(w))
         } else {
-            w - (x * x + y * y + z * z).sqrt()
+            w * sine - (x * x + y * y + z * z).sqrt()
         }
     }
 

@@ -49,7 +49,7 @@ pub(crate) struct ShadowCone {
     pub skip: u16,
     /// See [`BvhNode::object`].
     pub object: ObjectId,
-    /// Whether the lamp is inside the sphere.
+    /// Whether all of the lamp is inside the sphere, which then blocks its light to the outside alone. A block is none.
     pub around_lamp: bool,
     /// The vector from the sphere's centre to the lamp.
     pub from_lamp: Vec3,
@@ -122,7 +122,7 @@ impl Lamp {
             } else {
                 node.radius
             };
-            cone.set(self.position - node.centre, radius, node);
+            cone.set(self.position - node.centre, self.diameter, radius, node);
         }
     }
 }
@@ -144,8 +144,8 @@ impl ShadowCone {
         radius: 0.0,
     };
 
-    /// Prepares the shadow of a node; `radius` includes the penumbra.
-    fn set(&mut self, from_lamp: Vec3A, radius: f32, node: &BvhNode) {
+    /// Prepares the shadow of a node by a lamp of some diameter; `radius` includes the penumbra.
+    fn set(&mut self, from_lamp: Vec3A, diameter: f32, radius: f32, node: &BvhNode) {
         let distance2 = from_lamp.length_squared();
         // A bound on the rounding errors of the sphere's centre and of the vector from the lamp.
         let error = hit_error(from_lamp, 0.0);
@@ -154,7 +154,8 @@ impl ShadowCone {
         // The squared chord is 2 - 2 cos. Computed from the sine it loses no digits.
         let sine2 = wide * wide / distance2;
         let chord2 = 2.0 * sine2 / (1.0 + sqrt(1.0 - sine2));
-        self.around_lamp = distance2 < node.r2;
+        let room = node.radius - 0.5 * diameter;
+        self.around_lamp = !node.is_block && room > 0.0 && distance2 < room * room;
         // No part of the sphere is nearer to the lamp than this.
         let from = sqrt(distance2) * (1.0 - MARGIN) - wide;
         let sine = sqrt(node.thin2) / from.max(0.0) + ROUNDING;

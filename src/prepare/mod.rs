@@ -3,6 +3,7 @@
 mod air;
 mod cone;
 mod film;
+mod highlight;
 mod lamp;
 mod object;
 mod outline;
@@ -15,6 +16,8 @@ pub(crate) use air::Air;
 #[cfg(test)]
 pub(crate) use film::ROUND;
 pub(crate) use film::{Dither, Film, Four};
+use highlight::Highlights;
+pub(crate) use highlight::{Highlight, MAX_HIGHLIGHTS};
 pub(crate) use lamp::{Lamp, ShadowCone};
 pub(crate) use object::{Object, ObjectId};
 use outline::Outline;
@@ -75,6 +78,7 @@ pub(crate) struct Prepared {
     first_shadow: usize,
     /// The number of outlines.
     pub outlined: usize,
+    highlights: Highlights,
     /// The number of spheres and blocks.
     pub solids: usize,
     lamps: [Lamp; MAX_LIGHTS],
@@ -131,6 +135,7 @@ impl Prepared {
             shadows: Shadows::ZERO,
             first_shadow: 0,
             outlined: 0,
+            highlights: Highlights::NONE,
             solids: 0,
             lamps: [const { Lamp::ZERO }; MAX_LIGHTS],
             lamp_count: 0,
@@ -187,6 +192,7 @@ impl Prepared {
     }
 
     /// How many columns of pixels, from the left, are finished: without an overlay.
+    #[inline(never)]
     pub fn finished_columns(&self) -> usize {
         let method = &self.scene.method;
         if *method == Method::PLAIN {
@@ -255,6 +261,7 @@ impl Prepared {
             };
         }
         self.set_outlines();
+        self.set_highlights();
     }
 
     /// Prepares the outlines, after the objects.

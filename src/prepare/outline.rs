@@ -2,7 +2,7 @@
 
 use super::cone::{Cone, ROUNDING, RoundCone};
 use super::screen::{Axes, Rects, ScreenBounds};
-use super::{BvhNode, ObjectId, Prepared, Rectangle};
+use super::{BvhNode, HIT_ERROR, ObjectId, Prepared, Rectangle, hit_error};
 use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::scene::{Block, Shape};
@@ -17,23 +17,28 @@ pub(crate) struct Outline {
     ends: Cone,
     /// Whether it is a box or a cylinder.
     is_block: bool,
-    /// A sphere's power of the eye, distance squared minus radius squared: of two spheres the one with the smaller power
+    /// Bounds of a sphere's power of the eye, distance squared minus radius squared: of two spheres the one with the smaller power
     /// is in front wherever both are, since the plane of equal powers parts what can be seen of them (Aurenhammer: Power
     /// Diagrams, SIAM Journal on Computing, 1987). Infinite around the eye, and not a number where that is not sure, and of
     /// what is no sphere.
-    power: f32,
-    /// Where it begins and ends along the scene's axes and forward, from the eye.
+    power: [f32; 2],
+    /// Where it begins and ends along the scene's axes, and forward from the eye.
+    ///
+    /// Along the axes these are the scene's own numbers, where they are exact: what stands on something, or rises out of it by
+    /// the last digit of its height, does so here.
     least: Vec4,
     most: Vec4,
+    /// How much of it may not show what has it: for a sphere the share of its sine, see [`RoundCone::unsure`], and for a block, whose
+    /// sides are wider by [`CORNER`], the sine of an angle.
+    unsure: f32,
 }
 
 /// How far a block's corner may be from where it is computed, as a share of its distance and size: what axes may be off, by
 /// [`Scene::validate`](crate::scene::Scene::validate), which is far more than rounding, and a tenth of a pixel.
 const CORNER: f32 = 2e-4;
 
-/// How far inside of a block's outline a ray meets the block for sure, as the tangent of an angle: more than the [`CORNER`]s that
-/// it is larger by, seen from beyond the block's own size.
-const WELL_INSIDE: f32 = 1e-3;
+/// More than rounding moves a hit towards the eye, as a share of how far the object reaches from it.
+const CONTACT: f32 = 1e-6;
 
 /// An eye as near to a sphere as so many times its slack, below which hits are none, is neither outside nor inside for
 /// sure.
@@ -44,9 +49,10 @@ impl Outline {
         cone: Cone::NONE,
         ends: Cone::NONE,
         is_block: false,
-        power: 0.0,
+        power: [0.0; 2],
         least: Vec4::ZERO,
         most: Vec4::ZERO,
+        unsure: 0.0,
     };
 
     /// Takes in a sphere, `to` from the eye, and returns where it can be seen.
@@ -56,17 +62,20 @@ impl Outline {
         let distance = sqrt(distance2);
         let power = distance2 - radius * radius;
         let is_sure = (distance - radius).abs() > TOUCHING * ball.hit_error;
-        self.power = if ball.is_block || !is_sure {
+        let power = if ball.is_block || !is_sure {
             f32::NAN
         } else if power < 0.0 {
             f32::INFINITY
         } else {
             power
         };
+        let unsure = HIT_ERROR * (distance2 + radius * radius);
+        self.power = [power - unsure, power + unsure];
         self.is_block = ball.is_block;
-        self.set_extent(axes, to, Vec4::splat(radius));
-        let (cone, _) = RoundCone::around(to, radius);
+        self.set_extent(axes, to, ball.centre, Vec4::splat(radius));
+        let cone = RoundCone::around(to, radius + ball.hit_error);
         self.cone = cone.seen_by(&axes.rows);
+        self.unsure = cone.unsure(ball.hit_error);
         cone.bounds(&axes.rows, axes.pixel)
     }
 
@@ -76,7 +85,8 @@ impl Outline {
     /// most. Across its axis a cylinder counts as the box around it.
     pub fn set_block(&mut self, axes: &Axes, to: Vec3A, block: &Block) {
         let inward = block.axes.transpose();
-        let slack = CORNER * (to.abs() + block.half).element_sum();
+        let slack = CORNER * (to.abs() + block.half).element_sum() + hit_error(block.centre, 0.0);
+        self.unsure = 0.0;
         // Along each axis, in a lane, it is a rectangle across the other two.
         let (centre, half) = (inward * to, block.half + slack);
         let (a, b) = (centre.yzx(), centre.zxy());
@@ -98,6 +108,8 @@ impl Outline {
                 y.y = b.y * touched - a.y * apart * way;
             }
             let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
+            // The root of 3 is for the length of rays, and that of 2 because the scale has a sum for the distance of an edge.
+            self.unsure = self.unsure.max(2.5 * slack * scale.abs().max_element());
             cone.is_flat = true;
             for (n, axis) in cone.terms.iter_mut().zip(axes.rows) {
                 let axis = inward * axis;
@@ -108,15 +120,26 @@ impl Outline {
         }
         let forward = inward * axes.rows[2];
         let own = [inward.x_axis, inward.y_axis, inward.z_axis, forward];
-        let extent = own.map(|axis| axis.abs().dot(block.half));
-        self.set_extent(axes, to, Vec4::from(extent));
+        let extent = own.map(|axis| {
+            // Exact along an axis of its own, and larger by what axes may be off elsewhere.
+            let tilt = (axis.abs().element_sum() - 1.0).abs();
+            axis.abs().dot(block.half) + CORNER.min(4.0 * tilt) * block.half.element_sum()
+        });
+        self.set_extent(axes, to, block.centre, Vec4::from(extent));
     }
 
     /// Takes in how far it reaches from its centre, `to` from the eye, along the scene's axes and forward.
-    fn set_extent(&mut self, axes: &Axes, to: Vec3A, extent: Vec4) {
-        let to = to.extend(to.dot(axes.rows[2]));
-        self.least = to - extent;
-        self.most = to + extent;
+    fn set_extent(&mut self, axes: &Axes, to: Vec3A, centre: Vec3A, extent: Vec4) {
+        let centre = centre.extend(to.dot(axes.rows[2]));
+        self.least = centre - extent;
+        self.most = centre + extent;
+    }
+
+    /// See [`hit_error`].
+    #[inline(never)]
+    pub fn hit_error(&self) -> f32 {
+        let reach = self.least.abs().max(self.most.abs());
+        hit_error(Vec3A::from_vec4(reach), 0.0)
     }
 
     /// Whether its extent is finite.
@@ -125,24 +148,37 @@ impl Outline {
         self.most.is_finite()
     }
 
-    /// Whether a plane across an axis has the eye and this object on one side, but for rounding, and another one on the
-    /// other: then this one is in front wherever both are.
-    fn is_before(&self, other: &Self) -> bool {
-        let slack = (other.least.abs() + other.most.abs()) * CONTACT;
-        let (least, most) = (other.least + slack, other.most - slack);
-        let below = self.most.max(Vec4::ZERO).cmple(least);
-        let above = self.least.min(Vec4::ZERO).cmpge(most);
+    /// Whether a plane across an axis has the eye and this object on one side, and another one on the other: then this one is in
+    /// front wherever both are.
+    ///
+    /// The other has to be beyond by what rounding does to hits, but for a solid seen from outside, which is in front of what it
+    /// stands on by its own height.
+    #[inline(never)]
+    fn is_before(&self, other: &Self, eye: Vec4) -> bool {
+        let is_solid = self.least.y < self.most.y && self.is_beside(eye);
+        let lanes = if is_solid { Vec4::W } else { Vec4::ONE };
+        let [far, near] = [other.least, other.most].map(|end| (end - eye).abs() + end.abs());
+        let slack = (far + near) * lanes * CONTACT;
+        let below = self.most.max(eye).cmple(other.least - slack);
+        let above = self.least.min(eye).cmpge(other.most + slack);
         (below | above).any()
+    }
+
+    /// Whether a point is outside of it for sure.
+    fn is_beside(&self, point: Vec4) -> bool {
+        let is_beside = self.least.cmpgt(point) | self.most.cmplt(point);
+        is_beside.bitmask() & 0b111 != 0
     }
 
     /// Takes in a horizontal rectangle.
     pub fn set_rectangle(&mut self, axes: &Axes, eye: Vec3A, plane: &Rectangle) {
         self.cone.set_flat(axes, eye, plane);
         self.is_block = false;
-        self.power = f32::NAN;
+        self.power = [f32::NAN; 2];
+        self.unsure = 0.0;
         // Forward it is nowhere before or behind anything.
         let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
-        self.set_extent(axes, plane.centre - eye, extent);
+        self.set_extent(axes, plane.centre - eye, plane.centre, extent);
     }
 }
 
@@ -170,6 +206,12 @@ pub(crate) struct SeenOutline<'a> {
     cone: Cone,
     /// More of the sides of a box or a cylinder.
     ends: Option<&'a Cone>,
+    /// Of which share of its sine a round cone holds for sure what has it.
+    sure: f32,
+    /// What rounding may add to a side's inequality.
+    rounding: f32,
+    /// How far inside of all sides points are for sure.
+    margin: f32,
 }
 
 impl SeenOutline<'_> {
@@ -178,9 +220,9 @@ impl SeenOutline<'_> {
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
         self.bounds.narrow(&mut rects);
-        self.cone.narrow(&mut rects, -ROUNDING);
+        self.cone.narrow(&mut rects, -self.rounding);
         if let Some(ends) = self.ends {
-            ends.narrow(&mut rects, -ROUNDING);
+            ends.narrow(&mut rects, -self.rounding);
         }
         [rects.left, rects.right]
     }
@@ -188,34 +230,68 @@ impl SeenOutline<'_> {
     /// Whether points of the picture are inside for sure.
     #[inline(always)]
     pub fn contains<S: Isa>(&self, [u, v]: [F<S>; 2]) -> M<S> {
-        let depth = self.cone.depth::<S>(u, v);
-        let is_outside = if let Some(ends) = self.ends {
-            let depth = depth.min(ends.depth::<S>(u, v));
-            depth.simd_lt(splat(u.token(), WELL_INSIDE))
-        } else {
-            depth.simd_lt(splat(u.token(), ROUNDING))
-        };
-        !is_outside
+        let mut depth = self.cone.depth::<S>(u, v, self.sure);
+        if let Some(ends) = self.ends {
+            depth = depth.min(ends.depth::<S>(u, v, 1.0));
+        }
+        depth.simd_ge(splat(u.token(), self.margin))
     }
 }
 
 impl Prepared {
     /// What has the outline of a number.
+    #[inline(never)]
     pub fn outline(&self, number: usize) -> SeenOutline<'_> {
-        let bounds = self.screen[number];
+        let mut seen = SeenOutline {
+            bounds: self.screen[number],
+            cone: Cone::NONE,
+            ends: None,
+            sure: 1.0,
+            rounding: ROUNDING * self.axes.reach,
+            margin: ROUNDING * self.axes.reach,
+        };
         if number < self.first_shadow {
             let outline = &self.outlines[number];
-            SeenOutline {
-                bounds,
-                cone: outline.cone,
-                ends: outline.is_block.then_some(&outline.ends),
+            seen.cone = outline.cone;
+            if outline.is_block {
+                seen.ends = Some(&outline.ends);
+                seen.margin += outline.unsure * self.axes.reach;
+            } else {
+                seen.sure -= outline.unsure;
             }
         } else {
-            SeenOutline {
-                bounds,
-                cone: self.shadow_cone(number),
-                ends: None,
+            let (cone, unsure) = self.shadow_cone(number);
+            seen.cone = cone;
+            seen.sure -= unsure;
+        }
+        // What a plane cuts has rays in its outline that only its part beyond would meet.
+        if number > self.background() {
+            let [least, most] = self.heights(number);
+            if least < 0.0 {
+                seen.margin = f32::INFINITY;
             }
+            if most < 0.0 {
+                seen.bounds = ScreenBounds::NONE;
+            }
+        }
+        seen
+    }
+
+    /// How far what casts a shadow on a plane, or has an image in it, reaches from the plane towards the lamp or the eye, least and
+    /// most, and a bound on rounding more. The number is that of the shadow's or the image's outline.
+    fn heights(&self, number: usize) -> [f32; 2] {
+        let (object, plane, viewer) = if number < self.first_shadow {
+            (number, 0, self.eye)
+        } else {
+            self.caster(number)
+        };
+        let (object, height) = (&self.outlines[object], self.planes[plane].centre.y);
+        let error = object.hit_error();
+        let [least, most] = [object.least.y - height, object.most.y - height];
+        if viewer.y > height {
+            [least + error, most + error]
+        } else {
+            [error - most, error - least]
         }
     }
 
@@ -224,9 +300,13 @@ impl Prepared {
     /// Objects are convex: between what the corners see of it, it is nowhere farther away than that.
     pub fn occludes(&self, front: ObjectId, back: ObjectId) -> bool {
         let (f, b) = (&self.outlines[front.index()], &self.outlines[back.index()]);
-        front.index() < self.background() && (f.is_before(b) || f.power < b.power)
+        front.index() < self.background()
+            && (f.is_before(b, self.eye.extend(0.0)) || f.power[1] < b.power[0])
+    }
+
+    /// Whether a plane, `back`, leaves on the eye's side of it a convex part of an object, which the eye is not in.
+    pub fn may_part(&self, front: ObjectId, back: ObjectId) -> bool {
+        let front = &self.outlines[front.index()];
+        back.index() >= self.first_plane() && front.is_beside(self.eye.extend(0.0))
     }
 }
-
-/// How far objects that stand on each other may reach into each other by rounding, as a share of where they are.
-const CONTACT: f32 = 1e-6;

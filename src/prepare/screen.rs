@@ -4,7 +4,7 @@
 
 use crate::lanes::*;
 use crate::scene::camera::{Raster, pixels};
-use glam::{Vec3A, Vec4, Vec4Swizzles};
+use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 
 /// The camera's axes, and where its pixels are in the plane at distance 1.
 #[derive(Clone)]
@@ -12,6 +12,8 @@ pub(crate) struct Axes {
     /// To the right, down, and forward.
     pub rows: [Vec3A; 3],
     pub pixel: f32,
+    /// The largest u or v of the picture, at least 1: its rays are at most the root of 3 times as long.
+    pub reach: f32,
     /// The middle of the picture in pixels, x and y, twice.
     middle: Vec4,
 }
@@ -45,6 +47,7 @@ impl Axes {
     pub const NONE: Self = Self {
         rows: [Vec3A::ZERO; 3],
         pixel: 0.0,
+        reach: 0.0,
         middle: Vec4::ZERO,
     };
 
@@ -58,11 +61,12 @@ impl Axes {
             raster.corner + raster.dx * x + raster.dy * y,
         ];
         self.pixel = pixel;
+        self.reach = (pixel * x.max(y)).max(1.0);
         self.middle = Vec4::new(x, y, x, y);
     }
 
     /// Has the pixels' samples that much to the left and above.
-    pub fn move_middle(&mut self, by: glam::Vec2) {
+    pub fn move_middle(&mut self, by: Vec2) {
         self.middle += Vec4::new(by.x, by.y, by.x, by.y);
     }
 
@@ -99,6 +103,11 @@ impl Axes {
     pub fn points<S: Isa>(&self, x: F<S>, y: F<S>) -> [F<S>; 2] {
         let [middle_x, middle_y, ..] = self.middle.to_array();
         [(x - middle_x) * self.pixel, (y - middle_y) * self.pixel]
+    }
+
+    /// The place in pixels of a point (u, v).
+    pub fn pixel_at(&self, u: f32, v: f32) -> Vec2 {
+        self.middle.xy() + Vec2::new(u, v) / self.pixel
     }
 
     /// The column of pixels, with its fraction, that has some u.

@@ -9,10 +9,6 @@ use super::{ObjectId, Prepared, Rectangle};
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS};
 use glam::Vec3A;
 
-/// The smallest squared cosine of a shadow's cone. Wider cones, whose lamp is within 0.1 % of the radius from the sphere, are
-/// left out.
-const MIN_COSINE2: f32 = 0.0025;
-
 /// The largest number of pairs of a sphere and a lamp.
 const MAX_CASTERS: usize = MAX_LIGHTS * MAX_SOLIDS;
 
@@ -31,6 +27,8 @@ struct Caster {
     cone: RoundCone,
     /// The lamp's number.
     lamp: u8,
+    /// The sphere's.
+    object: u16,
 }
 
 impl Shadows {
@@ -39,6 +37,7 @@ impl Shadows {
         casters: [Caster {
             cone: RoundCone::ZERO,
             lamp: 0,
+            object: 0,
         }; MAX_CASTERS],
         count: 0,
         seen: [[Projection::ZERO; MAX_LIGHTS]; MAX_PLANES],
@@ -46,8 +45,7 @@ impl Shadows {
 }
 
 impl Prepared {
-    /// Prepares the shadows, after objects and lamps. Lamps that are not points have none, nor do spheres that contain a lamp or
-    /// nearly touch it. Spheres on the far side of a plane are not left out.
+    /// Prepares the shadows, after objects and lamps. Lamps that are not points have none, nor do spheres that contain a lamp. Spheres on the far side of a plane are left out later.
     pub(super) fn set_shadows(&mut self) {
         self.shadows.count = 0;
         for (number, lamp) in self.lamps[..self.lamp_count].iter().enumerate() {
@@ -58,12 +56,15 @@ impl Prepared {
                 if node.is_bound || node.is_block {
                     continue;
                 }
-                let (cone, cosine2) = RoundCone::around(node.centre - lamp.position, node.radius);
+                // All rays are inside where the lamp is as near as rounding.
+                let to = node.centre - lamp.position;
+                let cone = RoundCone::around(to, node.radius + node.hit_error);
                 self.shadows.casters[self.shadows.count] = Caster {
                     cone,
                     lamp: number as u8,
+                    object: node.object.index() as u16,
                 };
-                self.shadows.count += usize::from(cosine2 > MIN_COSINE2);
+                self.shadows.count += usize::from(to.length_squared() > node.r2);
             }
             let planes = &self.planes[..self.plane_count];
             for (plane, seen) in planes.iter().zip(&mut self.shadows.seen) {
@@ -72,8 +73,9 @@ impl Prepared {
         }
         self.outlined = self.first_shadow + self.plane_count * self.shadows.count;
         for number in self.first_shadow..self.outlined {
-            let (cone, seen) = self.shadow(number);
-            self.screen[number] = cone.bounds(&seen.normals, self.axes.pixel);
+            let (caster, plane) = self.shadow(number);
+            let seen = &self.shadows.seen[plane][usize::from(caster.lamp)];
+            self.screen[number] = caster.cone.bounds(&seen.normals, self.axes.pixel);
         }
     }
 
@@ -88,22 +90,26 @@ impl Prepared {
         })
     }
 
-    /// A shadow, given by the number of its outline: the cone of the lamp's rays, and how they are seen.
-    fn shadow(&self, number: usize) -> (&RoundCone, &Projection) {
-        let Shadows {
-            casters,
-            count,
-            seen,
-        } = &self.shadows;
-        let (shadow, count) = (number - self.first_shadow, (*count).max(1));
-        let caster = &casters[shadow % count];
-        (&caster.cone, &seen[shadow / count][caster.lamp as usize])
+    /// A shadow, given by the number of its outline: the pair that casts it, and the number of its plane.
+    fn shadow(&self, number: usize) -> (&Caster, usize) {
+        let (shadow, count) = (number - self.first_shadow, self.shadows.count.max(1));
+        (&self.shadows.casters[shadow % count], shadow / count)
     }
 
-    /// The cone of camera rays that may meet a shadow, given by the number of its outline.
-    pub fn shadow_cone(&self, number: usize) -> Cone {
-        let (cone, seen) = self.shadow(number);
-        cone.seen_by(&seen.rays)
+    /// The cone of camera rays that may meet a shadow, given by the number of its outline, and the share of its sine that is not
+    /// sure, see [`RoundCone::unsure`].
+    pub(super) fn shadow_cone(&self, number: usize) -> (Cone, f32) {
+        let (&Caster { cone, lamp, object }, plane) = self.shadow(number);
+        let rays = &self.shadows.seen[plane][usize::from(lamp)].rays;
+        let error = self.outlines[usize::from(object)].hit_error();
+        (cone.seen_by(rays), cone.unsure(error))
+    }
+
+    /// What casts a shadow, given by the number of its outline: the object's number, the plane's, and where the lamp is.
+    pub(super) fn caster(&self, number: usize) -> (usize, usize, Vec3A) {
+        let (caster, plane) = self.shadow(number);
+        let lamp = self.lamps[usize::from(caster.lamp)].position;
+        (caster.object.into(), plane, lamp)
     }
 }
 

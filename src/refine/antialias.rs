@@ -28,14 +28,14 @@ use crate::lanes::*;
 use crate::observe::{Observer, Stage};
 use crate::prepare::{Prepared, rectangle};
 use crate::quality::Quality;
-use crate::trace::{BATCH, STEP, trace};
+use crate::trace::{BATCH, STEP, Sample, trace};
 use fearless_simd::{Level, u8x32, u32x8};
 
 /// The least difference of neighbours, in a channel and 255ths, that is an edge.
 const EDGE: u8 = 20;
 
 /// Positions are counted in halves of a pixel.
-const PARTS: usize = 2;
+pub(super) const PARTS: usize = 2;
 
 /// Bits of a channel in a sum of points: enough for the four beside a pixel.
 const FIELD: usize = 21;
@@ -92,13 +92,22 @@ impl Seams {
         band: &mut Band<'_>,
     ) {
         observer.stage(Stage::Edges);
-        let marks = self.marks(isa, quality, scene.finished_columns(), band);
+        let mut marks = Marks([[0; _]; _]);
+        self.mark(isa, quality, scene.finished_columns(), band, &mut marks);
         mix(isa, scene, quality, observer, &marks, worker, band);
     }
 
-    /// Where the finished pixels of a band differ from their neighbours: marks of the method are no edges.
-    fn marks(&self, isa: Level, quality: &Quality, finished: usize, band: &Band<'_>) -> Marks {
-        let mut marks = Marks([[0; _]; _]);
+    /// Marks where the finished pixels of a band differ from their neighbours: marks of the method are no edges.
+    ///
+    /// They are put into what the caller has: two more copies on the way there would be most of what a thread's stack takes.
+    fn mark(
+        &self,
+        isa: Level,
+        quality: &Quality,
+        finished: usize,
+        band: &Band<'_>,
+        marks: &mut Marks,
+    ) {
         let number = band.top / Band::rows(quality);
         if let Some(above) = number.checked_sub(1) {
             marks.0[0] = self.0[above];
@@ -113,7 +122,6 @@ impl Seams {
                 None => *below = self.0[number],
             }
         }
-        marks
     }
 }
 
@@ -142,6 +150,12 @@ fn edges<S: Simd>(simd: S, a: [u32; 8], b: [u32; 8]) -> u64 {
     let over = (a.max(b) - a.min(b)).saturating_sub(EDGE - 1);
     let over: u32x8<S> = over.bitcast();
     (!over.simd_eq(0)).to_bitmask()
+}
+
+/// Whether two pixels differ by an edge.
+pub(super) fn is_edge(a: u32, b: u32) -> bool {
+    let mut channels = a.to_le_bytes().into_iter().zip(b.to_le_bytes());
+    channels.any(|(a, b)| a.abs_diff(b) >= EDGE)
 }
 
 /// Traces the points between a band's pixels that differ, and mixes them.
@@ -229,9 +243,7 @@ fn add_middles([left, top]: [usize; 2], height: usize, worker: &mut Worker) {
     let middles = &mut middles[..height];
     for i in 0..batch.points.len() {
         let (x, y) = batch.points.position(i);
-        let sample = batch.results.sample(i).0.0;
-        let channel = |number: usize| (sample >> (16 * number) & 0xffff) << (FIELD * number);
-        let sample = channel(0) | channel(1) | channel(2);
+        let sample = spread(batch.results.sample(i).0);
         for [x, y] in [
             [x / PARTS, y / PARTS],
             [x.div_ceil(PARTS), y.div_ceil(PARTS)],
@@ -246,8 +258,15 @@ fn add_middles([left, top]: [usize; 2], height: usize, worker: &mut Worker) {
     batch.points.clear();
 }
 
+/// A point's channels as far apart as a sum has them.
+pub(super) fn spread(sample: Sample) -> u64 {
+    let channel = |number: usize| (sample.0 >> (16 * number) & 0xffff) << (FIELD * number);
+    channel(0) | channel(1) | channel(2)
+}
+
 /// A pixel mixed with points beside it, by the sum of these and how many there are to the left, to the right, above and below.
-fn mixed(pixel: u32, sum: u64, [left, right, above, below]: [usize; 4]) -> u32 {
+#[inline(never)]
+pub(super) fn mixed(pixel: u32, sum: u64, [left, right, above, below]: [usize; 4]) -> u32 {
     // Thirds of the pixel along each axis that has a point; what has none is the pixel's own.
     let thirds = 3 * ((left | right) + (above | below));
     let own = thirds - (left + right + above + below);

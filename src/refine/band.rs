@@ -83,6 +83,7 @@ pub(crate) fn render<O: Observer>(
             observer,
             seen: scene.visible_groups(rect),
             area,
+            crowding: 0.0,
             rect,
             worker: &mut *worker,
             canvas: Canvas {

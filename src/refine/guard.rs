@@ -13,7 +13,9 @@ use super::area::Area;
 use super::bits::Bits;
 use super::pyramid::Pyramid;
 use crate::lanes::*;
-use crate::prepare::{MAX_OUTLINES, ObjectId, Prepared, Rect, SeenOutline};
+use crate::prepare::{
+    Highlight, MAX_HIGHLIGHTS, MAX_OUTLINES, ObjectId, Prepared, Rect, SeenOutline, rectangle,
+};
 use crate::scene::camera::pixels;
 use crate::trace::Sample;
 
@@ -21,10 +23,15 @@ use crate::trace::Sample;
 pub(super) struct CoverageGuard {
     outlines: [u16; MAX_OUTLINES],
     count: usize,
+    /// The highlights that may be seen in the tile, a bit each.
+    highlights: [u64; MAX_HIGHLIGHTS.div_ceil(64)],
 }
 
 /// The most that rounding moves the ends of a range, in pixels.
 const MARGIN: f32 = 0.02;
+
+/// All corners of a square.
+const ALL: u64 = 0b1111;
 
 /// Rows of squares that an outline is narrowed to at once.
 const ROWS: usize = 4;
@@ -34,11 +41,17 @@ impl CoverageGuard {
         Self {
             outlines: [0; MAX_OUTLINES],
             count: 0,
+            highlights: [0; _],
         }
     }
 
-    /// Lists the outlines that a tile, a rectangle of the picture, may show.
-    pub fn begin(&mut self, scene: &Prepared, rect: Rect) {
+    /// Lists the outlines and the highlights that a tile, a rectangle of the picture, may show.
+    pub fn begin(&mut self, scene: &Prepared, area: &Area, rect: Rect) {
+        let pixels = rectangle(area.left, area.top, area.right, area.bottom);
+        self.highlights = [0; _];
+        for (number, highlight) in scene.highlights().iter().enumerate() {
+            self.highlights[number / 64] |= u64::from(highlight.meets(pixels)) << (number % 64);
+        }
         self.count = 0;
         for (number, bounds) in scene.screen[..scene.outlined].iter().enumerate() {
             // No branch, since it could not be predicted.
@@ -55,6 +68,7 @@ impl CoverageGuard {
         area: &Area,
         pyramid: &Pyramid,
         level: usize,
+        squares: &[Bits; TILE_HEIGHT],
         open: &mut [Bits; TILE_HEIGHT],
     ) {
         let rows = area.rows(level);
@@ -77,10 +91,15 @@ impl CoverageGuard {
                     open[y].for_each_in(first[row], last[row], |x| {
                         let (corners, shown) = grid.corners(x, y, object);
                         let is_covered = if is_on_plane {
-                            // Where no corner shows the plane of a shadow or an image it cannot be seen, or is looked for itself.
-                            shown == 0 || shown & grid.inside(x, y, outline) != 0
+                            // Where no corner shows the plane of a shadow or an image it cannot be seen, or is looked for itself:
+                            // then the square is open already, and so it stays for what is on the plane.
+                            if shown == 0 {
+                                !uncovered[y].has(x)
+                            } else {
+                                shown & grid.inside(x, y, outline) != 0
+                            }
                         } else {
-                            shown != 0 || grid.are_before(corners, object)
+                            shown != 0 || grid.are_before(corners, object, [x, y], outline)
                         };
                         if !is_covered {
                             uncovered[y].set(x);
@@ -93,6 +112,14 @@ impl CoverageGuard {
             kept += usize::from(is_kept);
         }
         self.count = kept;
+        for (i, &word) in self.highlights.iter().enumerate() {
+            let mut rest = word;
+            while rest != 0 {
+                let number = 64 * i + rest.trailing_zeros() as usize;
+                grid.look_for(&scene.highlights()[number], squares, &mut uncovered);
+                rest &= rest - 1;
+            }
+        }
         open[..rows].copy_from_slice(&uncovered[..rows]);
     }
 }
@@ -152,6 +179,32 @@ impl<'a> Grid<'a> {
         [first, last].map(|squares| squares.into())
     }
 
+    /// Leaves those squares open that may show a highlight which none of their corners does.
+    fn look_for(
+        &self,
+        highlight: &Highlight,
+        squares: &[Bits; TILE_HEIGHT],
+        open: &mut [Bits; TILE_HEIGHT],
+    ) {
+        let Area { left, top, .. } = *self.area;
+        let [least, most] = highlight.ends([left, top].map(pixels));
+        let square =
+            |place: f32, count: usize| ((place / pixels(self.side)) as i32).min(count as i32 - 1);
+        let [first, last] = [least.x.max(0.0), most.x].map(|x| square(x, self.columns));
+        let rows = [least.y.max(0.0), most.y].map(|y| square(y, self.area.rows(self.level)));
+        for y in rows[0]..=rows[1] {
+            let y = y as usize % TILE_HEIGHT;
+            squares[y].for_each_in(first, last, |x| {
+                let (_, shown) = self.corners(x, y, highlight.object);
+                let (left, top) = (left + x * self.side, top + y * self.side);
+                let rect = rectangle(left, top, left + self.side, top + self.side);
+                if shown != 0 && highlight.is_missed(rect, shown) {
+                    open[y].set(x);
+                }
+            });
+        }
+    }
+
     /// The labels of the corners of the square (x, y), and a bit for each that is a pixel of the picture and shows an object.
     #[inline(always)]
     fn corners(&self, x: usize, y: usize, object: ObjectId) -> ([usize; 4], u64) {
@@ -169,10 +222,23 @@ impl<'a> Grid<'a> {
         (labels, shown)
     }
 
-    /// Whether corners with some labels all show one object, which is in front of another one.
+    /// Whether the corners of the square (x, y), which have some labels, all show one object, which is in front of another one.
+    ///
+    /// It is if all of them would show a plane otherwise: then what they see of it, and all between, is on the eye's side.
     #[inline(always)]
-    fn are_before(&self, [front, others @ ..]: [usize; 4], object: ObjectId) -> bool {
-        front != 0 && others == [front; 3] && self.scene.occludes(ObjectId::new(front - 1), object)
+    fn are_before(
+        &self,
+        [front, others @ ..]: [usize; 4],
+        object: ObjectId,
+        [x, y]: [usize; 2],
+        outline: &SeenOutline<'_>,
+    ) -> bool {
+        if front == 0 || others != [front; 3] {
+            return false;
+        }
+        let front = ObjectId::new(front - 1);
+        self.scene.occludes(front, object)
+            || self.scene.may_part(front, object) && self.inside(x, y, outline) == ALL
     }
 
     /// A bit for each corner of the square (x, y) that is inside of an outline.

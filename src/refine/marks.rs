@@ -16,8 +16,8 @@ pub(super) struct Marks {
     /// Those of them that may show something which their corners do not; before the guard has looked at them, the parts of
     /// such ones.
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
-    /// Those that were filled.
-    pub filled: [[Bits; TILE_HEIGHT]; LEVELS],
+    /// Those that were filled: no pixels, so there are half as many rows at most.
+    pub filled: [[Bits; TILE_HEIGHT / 2]; LEVELS],
     /// Points that were traced; clusters of them end with more rows than there are.
     pub traced: [[Bits; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
 }
@@ -27,7 +27,7 @@ impl Marks {
         Self {
             squares: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
             open: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
-            filled: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
+            filled: [[Bits::NONE; TILE_HEIGHT / 2]; LEVELS],
             traced: [[Bits::NONE; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
         }
     }

@@ -7,7 +7,7 @@
 
 use super::pyramid::Pyramid;
 use super::tile::Tile;
-use super::verdict::{Verdict, steps};
+use super::verdict::Verdict;
 use crate::lanes::*;
 use crate::observe::Observer;
 use crate::prepare::{Four, ObjectId};
@@ -28,7 +28,7 @@ impl<O: Observer> Tile<'_, O> {
         } else {
             self.quality.tolerance_differing
         };
-        if span(&corners) > steps(tolerance, side) {
+        if span(&corners) > tolerance * self.growth(level) {
             return false;
         }
         let corner = pyramid.sample(indices[0]);

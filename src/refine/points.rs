@@ -22,7 +22,7 @@ impl<O: Observer> Tile<'_, O> {
         let squares = self.area.rows(level);
         let rows = squares + usize::from(level > 0);
         let parts = self.area.parts(level);
-        let limit = Limit::new(self.quality.tolerance_side, self.area.side(level + 1));
+        let limit = Limit::new(self.quality.tolerance_side * self.growth(level + 1));
         let known_columns = Bits::multiples(parts);
         for y in 0..rows {
             let marks = &self.worker.marks;

@@ -3,13 +3,14 @@
 use super::area::Area;
 use super::bits::Bits;
 use super::fill::{Canvas, Run};
-use super::verdict::{Rules, Verdict, judge};
+use super::verdict::{Rules, Verdict, growth, judge};
 use super::worker::Worker;
 use crate::observe::{Fill, Observer, Stage};
 use crate::prepare::{Prepared, Rect, VisibleGroups};
 use crate::quality::Quality;
 use crate::scene::camera::pixels;
 use crate::trace::Sample;
+use core::ops::Range;
 use fearless_simd::Level;
 
 /// A tile that is being drawn.
@@ -20,6 +21,8 @@ pub(super) struct Tile<'a, O: Observer> {
     pub quality: &'a Quality,
     pub observer: O,
     pub area: Area,
+    /// How much of it the largest squares leave open, from 0, some, to 1, nearly all.
+    pub crowding: f32,
     /// What its squares cover of the picture.
     pub rect: Rect,
     /// The groups that the tile can show.
@@ -29,6 +32,10 @@ pub(super) struct Tile<'a, O: Observer> {
     pub canvas: Canvas<'a>,
 }
 
+/// The share of its largest squares that a tile splits where it begins to count as crowded, and where it is. The model scene at
+/// 1024x768 has no tile that is; of a field of 256 spheres most are.
+const CROWDED: Range<f32> = 0.7..0.9;
+
 impl<O: Observer> Tile<'_, O> {
     /// Draws the tile, from the largest squares down to pixels.
     pub fn draw(&mut self) {
@@ -37,7 +44,7 @@ impl<O: Observer> Tile<'_, O> {
         self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
         let open = if self.quality.guarded {
             self.observer.stage(Stage::Guard);
-            self.worker.guard.begin(self.scene, self.rect);
+            self.worker.guard.begin(self.scene, &self.area, self.rect);
             Bits::first(columns)
         } else {
             Bits::NONE
@@ -50,9 +57,28 @@ impl<O: Observer> Tile<'_, O> {
                 self.fill_row(level, y);
                 self.split_row(level, y);
             }
+            if level == top {
+                self.crowding = self.crowding(top);
+            }
         }
         self.find_points(0, false);
         self.show_method();
+    }
+
+    /// How crowded the tile is, by the share of the largest squares that were not filled.
+    fn crowding(&self, top: usize) -> f32 {
+        let (columns, rows) = (self.area.columns(top), self.area.rows(top));
+        let words = self.worker.marks.filled[top][..rows]
+            .iter()
+            .flat_map(|row| row.0);
+        let filled: u32 = words.map(u64::count_ones).sum();
+        let split = 1.0 - pixels(filled as usize) / pixels(columns * rows);
+        ((split - CROWDED.start) / (CROWDED.end - CROWDED.start)).clamp(0.0, 1.0)
+    }
+
+    /// What tolerances for squares of 8 are multiplied by for those of a level.
+    pub fn growth(&self, level: usize) -> f32 {
+        growth(self.area.side(level), self.crowding)
     }
 
     /// Has the guard look at a level's squares.
@@ -66,7 +92,8 @@ impl<O: Observer> Tile<'_, O> {
                 ..
             } = &mut *self.worker;
             let open = &mut marks.open[level];
-            guard.look_at(self.scene, &self.area, pyramid, level, open);
+            let squares = &marks.squares[level];
+            guard.look_at(self.scene, &self.area, pyramid, level, squares, open);
         }
     }
 
@@ -86,7 +113,7 @@ impl<O: Observer> Tile<'_, O> {
         }
         let pyramid = &self.worker.pyramid;
         let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
-        let rules = Rules::new(self.quality, side);
+        let rules = Rules::new(self.quality, self.growth(level));
         let mut verdict = judge(self.isa, rules, &squares, above, below);
         self.observer.stage(Stage::Fill);
         if is_coarse {

@@ -15,10 +15,9 @@ use fearless_simd::Level;
 pub(super) struct Limit(u64);
 
 impl Limit {
-    /// For squares of a side, by a tolerance for squares of 8: an error in one of 4 covers a quarter of the pixels, so it may be
-    /// twice as large.
-    pub fn new(tolerance: f32, side: usize) -> Self {
-        let limit = steps(tolerance, side) * STEP as f32;
+    /// By a tolerance in output steps.
+    pub fn new(tolerance: f32) -> Self {
+        let limit = tolerance * STEP as f32;
         // What is too large for 15 bits is as good as no limit, and what is no number is 0.
         let limit = limit.clamp(0.0, 32_767.0) as u64;
         Self((limit * 0x0001_0001_0001) | (0x7fff << 48))
@@ -38,9 +37,12 @@ impl Limit {
     }
 }
 
-/// A tolerance in output steps for squares of a side, by one for squares of 8.
-pub(super) fn steps(tolerance: f32, side: usize) -> f32 {
-    tolerance * 8.0 / side as f32
+/// What a tolerance for squares of 8 is multiplied by for squares of a side: an error in one of 4 covers a quarter of the pixels,
+/// so it may be twice as large. Where tiles are crowded, smaller squares are filled all over, and errors in them add up: the more
+/// crowded a tile is, from 0 to 1, the less its tolerances grow.
+pub(super) fn growth(side: usize, crowding: f32) -> f32 {
+    let growth = 8.0 / side as f32;
+    growth + crowding * (growth.min(1.0) - growth)
 }
 
 /// The rules that squares of one side are judged by.
@@ -53,11 +55,11 @@ pub(super) struct Rules {
 }
 
 impl Rules {
-    /// A quality's rules for squares of a side.
-    pub fn new(quality: &Quality, side: usize) -> Self {
+    /// A quality's rules for squares whose tolerances have grown, see [`growth`].
+    pub fn new(quality: &Quality, growth: f32) -> Self {
         Self {
-            agreeing: Limit::new(quality.tolerance_agreeing, side),
-            differing: Limit::new(quality.tolerance_differing, side),
+            agreeing: Limit::new(quality.tolerance_agreeing * growth),
+            differing: Limit::new(quality.tolerance_differing * growth),
         }
     }
 }

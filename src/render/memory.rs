@@ -7,13 +7,14 @@ use crate::observe::Observer;
 use crate::prepare::Prepared;
 use crate::quality::Quality;
 use crate::refine::antialias::Seams;
+use crate::refine::probe::{Probing, probe};
 use crate::refine::{self, Band, Worker};
 use crate::scene::Scene;
 use crate::text;
-use crate::trace::Counts;
+use crate::trace::{Counts, WideKernel};
 use fearless_simd::Level;
 
-/// What the threads share while they render a frame, of fixed size: at most 750,000 bytes, see [`Memory::BYTES`].
+/// What the threads share while they render a frame, of fixed size: at most 820,000 bytes, see [`Memory::BYTES`].
 ///
 /// So `Box::new(Memory::new())` works on the stack of a thread, which it passes over on its way; it may live in a `static` as
 /// well, which takes no room in a program's file.
@@ -23,6 +24,8 @@ pub struct Memory {
     /// Of drawing bands, and of smoothing their edges.
     drawing: Schedule,
     smoothing: Schedule,
+    pub(super) probing: Probing,
+    wide: Option<WideKernel>,
 }
 
 impl Memory {
@@ -39,8 +42,15 @@ impl Memory {
                 seams: Seams::new(),
                 drawing: Schedule::new(),
                 smoothing: Schedule::new(),
+                probing: Probing::NONE,
+                wide: None,
             }
         }
+    }
+
+    /// Has the next frames drawn with a kernel for wide packets, if there is one.
+    pub(super) fn widen(&mut self, kernel: Option<WideKernel>) {
+        self.wide = kernel;
     }
 
     pub(super) fn set_offset(&mut self, x: f32, y: f32) {
@@ -76,24 +86,34 @@ impl Memory {
         let pixels = &mut frame.pixels[..width * height];
         self.prepared.set(scene, width, height);
         let prepared = &self.prepared;
+        let has_edges = quality.antialias && prepared.finished_columns() > 0;
+        let (probing, wide) = (self.probing, self.wide);
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
+            worker.widen(wide);
             refine::render(level, prepared, quality, observer, worker, band);
             band.counts = worker.take_counts();
+            if !has_edges {
+                probe(level, prepared, quality, probing, worker, band);
+            }
         };
         let rows = Band::rows(quality);
         let counts = self.drawing.run(rows, width, pixels, &job, threads);
-        let counts = counts + self.smooth(level, quality, width, pixels, threads, observer);
+        let counts = if has_edges {
+            counts + self.smooth(level, quality, width, pixels, threads, observer)
+        } else {
+            counts
+        };
         if !scene.captions.is_empty() {
             let numbers = [counts.points as usize, pixels.len()];
             let job = |_: &mut Worker, band: &mut Band<'_>| {
-                text::draw(&scene.captions, numbers, height, band);
+                text::draw(&scene.captions, 0.5, &numbers, height, band);
             };
             Schedule::new().run(rows, width, pixels, &job, threads);
         }
         counts
     }
 
-    /// Smooths the edges of a frame if the quality says so.
+    /// Smooths the edges of a frame that is drawn, one of whose columns is finished at least.
     fn smooth<O: Observer>(
         &mut self,
         level: Level,
@@ -104,14 +124,14 @@ impl Memory {
         observer: O,
     ) -> Counts {
         let finished = self.prepared.finished_columns();
-        if !quality.antialias || finished == 0 {
-            return Counts::NONE;
-        }
         self.seams.set(level, quality, width, finished, pixels);
-        let (prepared, seams) = (&self.prepared, &self.seams);
+        let (prepared, seams, probing) = (&self.prepared, &self.seams, self.probing);
+        let wide = self.wide;
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
+            worker.widen(wide);
             seams.smooth(level, prepared, quality, observer, worker, band);
             band.counts = worker.take_counts();
+            probe(level, prepared, quality, probing, worker, band);
         };
         let rows = Band::rows(quality);
         self.smoothing.run(rows, width, pixels, &job, threads)

@@ -1,31 +1,31 @@
 //! The pinhole camera.
 
+use super::fields::Range;
+use super::validate::POINT;
 use crate::maths::{cos, sin};
+use core::f32::consts::{FRAC_PI_4, PI};
 use glam::Vec3A;
 
-/// A pinhole camera with square pixels. Each pixel is sampled at its centre.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Camera {
-    /// The position of the pinhole, in scene units.
-    pub eye: Vec3A,
-    /// The point shown in the middle of the picture. It has to differ from `eye`.
-    pub look_at: Vec3A,
-    /// The direction that is up in the picture, of any length. It must not be parallel to the line of sight.
-    pub up: Vec3A,
-    /// Vertical field of view in radians, greater than 0 and less than pi.
-    pub field_of_view: f32,
-}
-
-impl Default for Camera {
-    fn default() -> Self {
-        Self {
-            eye: Vec3A::Z,
-            look_at: Vec3A::ZERO,
-            up: Vec3A::Y,
-            field_of_view: core::f32::consts::FRAC_PI_4,
-        }
+fields! {
+    /// A pinhole camera with square pixels. Each pixel is sampled at its centre.
+    pub struct Camera in "" {
+        /// The position of the pinhole, in scene units.
+        eye: Vec3A = Vec3A::Z, in POINT;
+        /// The point shown in the middle of the picture. It has to differ from `eye`.
+        look_at: Vec3A = Vec3A::ZERO, in POINT, if |it| it.forward() != Vec3A::ZERO => "a point that is not the eye";
+        /// The direction that is up in the picture, of any length. It must not be parallel to the line of sight.
+        up: Vec3A = Vec3A::Y, if |it| it.has_upright() => "a direction that is not along the line of sight";
+        /// Vertical field of view in radians, greater than 0 and less than pi.
+        field_of_view: f32 = FRAC_PI_4, in ANGLE;
     }
 }
+
+/// Greater than 0 and less than pi.
+const ANGLE: Range = Range::new(
+    f32::from_bits(1),
+    PI.next_down(),
+    "radians between 0 and pi",
+);
 
 /// The picture plane of a camera, in scene coordinates. The ray through pixel (x, y) of the picture has the direction
 /// `corner + x dx + y dy`, which is not normalised.
@@ -49,6 +49,18 @@ impl Raster {
 }
 
 impl Camera {
+    /// The direction in which it looks, of length 1; 0 if there is none.
+    fn forward(&self) -> Vec3A {
+        (self.look_at - self.eye).normalize_or_zero()
+    }
+
+    /// Whether it is known what is up in the picture. Within a thousandth of the line of sight, rounding decides where the picture's
+    /// sides are.
+    fn has_upright(&self) -> bool {
+        let across = self.forward().cross(self.up.normalize_or_zero());
+        across.length() > 1e-3
+    }
+
     /// The picture plane, at distance 1 from the eye, of a picture of `width` by `height` pixels.
     #[must_use]
     pub fn raster(&self, width: usize, height: usize) -> Raster {

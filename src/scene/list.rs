@@ -1,9 +1,11 @@
 //! A list of fixed capacity, since the library cannot allocate.
 
+use core::fmt;
 use core::ops::{Deref, DerefMut};
 
-/// Up to `N` items, stored in place. It dereferences to the slice of the items pushed.
-#[derive(Clone, Copy, Debug)]
+/// Up to `N` items, stored in place. It dereferences to the slice of the items pushed, is displayed as that, and two lists are equal
+/// if those are.
+#[derive(Clone, Copy)]
 pub struct List<T, const N: usize> {
     items: [T; N],
     len: usize,
@@ -50,6 +52,18 @@ impl<T: Copy + Default, const N: usize> Default for List<T, N> {
             items: [T::default(); N],
             len: 0,
         }
+    }
+}
+
+impl<T: fmt::Debug, const N: usize> fmt::Debug for List<T, N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        (**self).fmt(f)
+    }
+}
+
+impl<T: PartialEq, const N: usize> PartialEq for List<T, N> {
+    fn eq(&self, other: &Self) -> bool {
+        **self == **other
     }
 }
 

@@ -1,5 +1,6 @@
 //! What a thread needs to trace some points together.
 
+use super::WideKernel;
 use super::accumulator::Accumulator;
 use super::candidates::Candidates;
 use super::casters::Casters;
@@ -24,6 +25,8 @@ pub(crate) struct Batch {
     pub(super) candidates: Candidates,
     /// The surfaces of the packet at work.
     pub(super) surfaces: SurfaceRows,
+    /// The kernel for wide packets, if there is one.
+    pub wide: Option<WideKernel>,
 }
 
 impl Batch {
@@ -37,10 +40,12 @@ impl Batch {
             candidates: Candidates::NONE,
             casters: Casters::NONE,
             surfaces: SurfaceRows::NONE,
+            wide: None,
         }
     }
 
     /// Begins a part of a picture: forgets the surfaces of other frames. Points are counted in so many parts of a pixel.
+    #[inline(never)]
     pub fn begin(&mut self, parts: usize) {
         self.surfaces.clear();
         self.points.count_in_parts(parts);

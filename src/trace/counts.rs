@@ -1,4 +1,7 @@
-//! Counts of the work that tracing takes.
+//! Counts of the work that tracing takes, and of what probes find.
+
+use crate::maths::{log2, sqrt};
+use core::f32::consts::{LOG10_2, LOG10_E};
 
 /// How much work was done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -11,6 +14,9 @@ pub struct Counts {
     pub shadow_rays: u64,
     /// Lanes of the packets that the primary and secondary rays travelled in, idle ones included.
     pub lanes: u64,
+    /// What the probes found, if there were any: see [`Renderer::set_probes`](crate::Renderer::set_probes). Their points and rays are not
+    /// among the counts.
+    pub probes: Probes,
 }
 
 impl Counts {
@@ -20,6 +26,7 @@ impl Counts {
         rays: 0,
         shadow_rays: 0,
         lanes: 0,
+        probes: Probes::NONE,
     };
 }
 
@@ -38,5 +45,84 @@ impl core::ops::AddAssign for Counts {
         self.rays += other.rays;
         self.shadow_rays += other.shadow_rays;
         self.lanes += other.lanes;
+        self.probes += other.probes;
+    }
+}
+
+/// How far the probed pixels of one or more frames are off: an estimate of the error of all their pixels.
+///
+/// An error is that of [`Quality::reference`](crate::Quality::reference): against the same frame with every pixel traced, antialiased
+/// if the frame is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Probes {
+    /// Pixels that were probed.
+    pub pixels: u64,
+    /// The sum of their squared errors: of a pixel the squares of three channels, in 255ths.
+    pub squares: u64,
+    /// The sum of the squares of these pixels' squared errors, for the width of the interval.
+    pub fourths: u64,
+}
+
+impl Probes {
+    /// None.
+    pub const NONE: Self = Self {
+        pixels: 0,
+        squares: 0,
+        fourths: 0,
+    };
+
+    /// Makes these count half as much beside others that are added: so what was long ago is forgotten.
+    pub fn halve(&mut self) {
+        self.pixels /= 2;
+        self.squares /= 2;
+        self.fourths /= 2;
+    }
+
+    /// Adds a pixel as it was drawn, and as it is if every pixel is traced.
+    pub(crate) fn compare(&mut self, drawn: u32, traced: u32) {
+        let channels = drawn.to_le_bytes().into_iter().zip(traced.to_le_bytes());
+        let square: u64 = channels.map(|(a, b)| u64::from(a.abs_diff(b)).pow(2)).sum();
+        *self += Self {
+            pixels: 1,
+            squares: square,
+            fourths: square * square,
+        };
+    }
+
+    /// The mean squared error of a channel, in 255ths, without bias; it is no number if nothing was probed.
+    #[must_use]
+    pub fn mean_squared_error(&self) -> f64 {
+        self.squares as f64 / (3 * self.pixels) as f64
+    }
+
+    /// The peak signal-to-noise ratio in dB, to 0.01 dB: infinite if no error was found.
+    #[must_use]
+    #[inline(never)]
+    pub fn psnr(&self) -> f32 {
+        if self.squares == 0 {
+            return f32::INFINITY;
+        }
+        10.0 * LOG10_2 * log2((255.0 * 255.0 / self.mean_squared_error()) as f32)
+    }
+
+    /// How many dB the ratio of all pixels may be above or below [`Probes::psnr`], with 95 % confidence: half the width of the
+    /// interval of a normal distribution. It shrinks with the square root of the number of probes: four times as many halve it. While it is
+    /// more than half a dB, it is rather too narrow, since few pixels with large errors may not have been met. It is infinite or no number if
+    /// there are fewer than two probes, or no error was found.
+    #[must_use]
+    pub fn margin(&self) -> f32 {
+        let [n, squares, fourths] = [self.pixels, self.squares, self.fourths].map(|sum| sum as f32);
+        // The squared standard error of the mean square, as a share of its square.
+        let variance = (n * fourths / (squares * squares) - 1.0) / (n - 1.0);
+        // A share e of the mean is 10 log10(1 + e), nearly 10 e / ln 10.
+        1.96 * 10.0 * LOG10_E * sqrt(variance)
+    }
+}
+
+impl core::ops::AddAssign for Probes {
+    fn add_assign(&mut self, other: Self) {
+        self.pixels += other.pixels;
+        self.squares += other.squares;
+        self.fourths += other.fourths;
     }
 }

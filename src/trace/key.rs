@@ -4,7 +4,7 @@
 //! sum of these hashes. Equal trees have equal keys. Different trees have equal keys with a probability of 2^-32: a frame compares
 //! some 10^5 keys, so one frame in 40,000 fills one square wrongly.
 
-use super::rays::PATH_BITS;
+use super::rays::{PATH_BITS, Rays};
 use crate::lanes::*;
 use crate::quality::Quality;
 
@@ -26,9 +26,10 @@ pub(crate) struct Keys<S: Isa> {
 }
 
 impl<S: Isa> Keys<S> {
-    /// The keys of the active lanes' nodes, which have these paths in their trees. No light is lit so far.
+    /// The keys of the active lanes' nodes, where rays end. No light is lit so far.
     #[inline(always)]
-    pub fn new(simd: S, quality: &Quality, active: M<S>, paths: U<S>) -> Self {
+    pub fn new(simd: S, quality: &Quality, active: M<S>, rays: &Rays<S>) -> Self {
+        let paths = rays.paths();
         let mut keys = Self {
             paths,
             counted: active,
@@ -36,7 +37,8 @@ impl<S: Isa> Keys<S> {
             states: U::<S>::splat(simd, 0),
         };
         if keys.has_any {
-            keys.counted &= to_depth(simd, paths, quality.key_depth);
+            keys.counted &= to_depth(simd, paths, quality.key_depth)
+                & rays.weight.simd_ge(splat(simd, quality.key_weight));
             keys.has_any = keys.counted.any_true();
         }
         keys

@@ -48,7 +48,7 @@ mod visibility;
 mod waves;
 
 pub(crate) use batch::Batch;
-pub use counts::Counts;
+pub use counts::{Counts, Probes};
 pub(crate) use layers::Layers;
 pub(crate) use queue::BATCH;
 pub(crate) use sample::{STEP, Sample};
@@ -69,15 +69,36 @@ pub(crate) fn trace(
     seen: VisibleGroups,
     batch: &mut Batch,
 ) {
-    match level {
-        #[cfg(target_arch = "x86_64")]
-        Level::Avx512(simd) => trace_by(simd, scene, quality, seen, batch),
-        #[cfg(target_arch = "x86_64")]
-        Level::Avx2(simd) => trace_by(simd, scene, quality, seen, batch),
-        _ => trace_by(baseline(), scene, quality, seen, batch),
+    let is_traced = batch
+        .wide
+        .is_some_and(|wide| wide(level, scene, quality, seen, batch));
+    if !is_traced {
+        if let Some(simd) = avx2(level) {
+            trace_by(simd, scene, quality, seen, batch);
+        } else {
+            trace_by(baseline(), scene, quality, seen, batch);
+        }
     }
     // This takes a thousandth of the time, so one instruction set is enough.
     batch.results.finish(&scene.film, &batch.points);
+}
+
+/// A kernel for wider packets than AVX2 has; says whether the level has such. Only a program that refers to one has it in its file.
+pub(crate) type WideKernel = fn(Level, &Prepared, &Quality, VisibleGroups, &mut Batch) -> bool;
+
+/// Traces a batch's points by AVX-512, if the level has that.
+pub(crate) fn trace_wide(
+    level: Level,
+    scene: &Prepared,
+    quality: &Quality,
+    seen: VisibleGroups,
+    batch: &mut Batch,
+) -> bool {
+    let Some(simd) = avx512(level) else {
+        return false;
+    };
+    trace_by(simd, scene, quality, seen, batch);
+    true
 }
 
 #[inline(always)]

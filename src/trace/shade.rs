@@ -46,7 +46,7 @@ pub(super) fn shade<S: Isa>(
     let mut colour = surface.emitted();
     let mut untextured = colour;
     let mut reflectance = splat(simd, 1.0);
-    let mut keys = Keys::new(simd, quality, active, rays.paths());
+    let mut keys = Keys::new(simd, quality, active, rays);
     if solid.any_true() {
         let point = &ShadingPoint::new(simd, scene, rays, hit, &surface, solid);
         let reflected = light::gather(

@@ -72,7 +72,7 @@ impl<S: Isa> ShadowRays<S> {
     }
 
     /// Which rays towards a lamp of a given diameter certainly miss the box, the cylinder or the sphere of a shadow cone, and
-    /// its penumbra.
+    /// its penumbra; or all of the way is inside of the sphere, as in [`ShadowRays::meet_sphere`].
     #[inline(always)]
     fn are_off(&self, simd: S, cone: &ShadowCone, diameter: f32) -> M<S> {
         let &Self { d, distance, .. } = self;
@@ -84,7 +84,11 @@ impl<S: Isa> ShadowRays<S> {
         // to the lamp. All is multiplied by the distance, which saves a division.
         let share = at_least::<S>(distance - way, splat(simd, 0.0));
         let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
-        let past = across.dot(across) * distance * distance;
+        let across2 = across.dot(across);
+        if cone.around_lamp {
+            return (splat::<S>(simd, cone.r2) - across2).simd_ge(share * share);
+        }
+        let past = across2 * distance * distance;
         (off * off).simd_gt(splat(simd, cone.sine2)) | past.simd_gt(reach * reach)
     }
 

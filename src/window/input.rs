@@ -1,6 +1,6 @@
 //! What somebody does at a window with the keyboard and the mouse, for programs that are worked with, as the lab's viewer is.
 //!
-//! The intro hears Esc, F and W alone, and does not listen to this: what hears it is not in its file.
+//! The intro hears Esc, F, H and W alone, and does not listen to this: what hears it is not in its file.
 
 pub use crate::keyboard::Press;
 

@@ -23,11 +23,23 @@ pub trait Screen {
     fn show(&mut self) -> Next;
 }
 
+impl Next {
+    /// What comes of H as well.
+    pub(crate) fn toggled(self) -> Next {
+        match self {
+            Next::GoOn => Next::Toggle,
+            _ => Next::GoOn,
+        }
+    }
+}
+
 /// Whether the show goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Next {
     /// It goes on.
     GoOn,
+    /// It goes on, and H was pressed: the numbers over the picture come or go.
+    Toggle,
     /// It ends, with this exit code: 0 if the viewer ended it, something else if the screen was lost.
     End(i32),
 }

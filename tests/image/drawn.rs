@@ -15,7 +15,7 @@ pub struct Drawn {
 const UNDRAWN: u32 = 0xdead_beef;
 
 /// The quality without antialiasing, which mixes pixels that refining leaves as they were traced.
-pub fn jagged(quality: Quality) -> Quality {
+pub const fn jagged(quality: Quality) -> Quality {
     Quality {
         antialias: false,
         ..quality

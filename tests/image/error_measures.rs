@@ -1,8 +1,7 @@
-//! The measures of a picture's error: differences, flicker, FLIP and missed objects.
+//! The measures of a picture's error: differences, FLIP and missed objects.
 
 use crate::cpu;
 use crate::error::Difference;
-use crate::flicker::Flicker;
 use crate::flip::Flip;
 use crate::missed::Visible;
 use crate::threaded_renderer::ThreadedRenderer;
@@ -24,15 +23,6 @@ fn block(column: usize, row: usize, light: u32) -> Vec<u32> {
     pixels
 }
 
-/// The number of flickering blocks in frames, compared with black ones.
-fn jumps(frames: &[Vec<u32>]) -> usize {
-    let mut flicker = Flicker::default();
-    for frame in frames {
-        flicker.next(WIDTH, &DARK, frame);
-    }
-    flicker.jumps
-}
-
 #[test]
 fn a_difference_is_that_of_the_furthest_channel() {
     let difference = Difference::between(&DARK, &block(0, 0, 0x0002_0900));
@@ -42,33 +32,15 @@ fn a_difference_is_that_of_the_furthest_channel() {
 }
 
 #[test]
-fn an_error_that_comes_and_goes_flickers() {
-    let (on, off) = (block(1, 1, 0x0009_0000), DARK.to_vec());
-    assert_eq!(
-        jumps(&[off.clone(), on.clone(), off.clone(), on.clone()]),
-        3
-    );
-    // If the error moves from a block to another, both flicker.
-    assert_eq!(jumps(&[on, block(0, 1, 0x0009_0000)]), 2);
-    // Clipped blocks at the picture's edges count, too.
-    assert_eq!(jumps(&[off.clone(), block(2, 2, 0x0000_0009)]), 1);
-    assert_eq!(jumps(&[off, block(1, 1, 0x0008_0808)]), 0);
-}
-
-#[test]
-fn an_error_that_stays_does_not_flicker() {
-    let on = block(1, 1, 0x00ff_ffff);
-    assert_eq!(jumps(&[on.clone(), on.clone(), on]), 0);
-}
-
-#[test]
-fn flicker_is_told_from_the_second_frame_on() {
-    let mut flicker = Flicker::default();
-    assert_eq!(flicker.per_frame(), None);
-    flicker.next(WIDTH, &DARK, &DARK);
-    assert_eq!(flicker.per_frame(), None);
-    flicker.next(WIDTH, &DARK, &block(0, 0, 0x00ff_ffff));
-    assert_eq!(flicker.per_frame(), Some(1.0));
+fn frames_together_have_the_psnr_of_their_squares_mean() {
+    let lights = [0x0002_0900, 0x0000_0011, 0];
+    let differences = lights.map(|light| Difference::between(&DARK, &block(0, 0, light)));
+    let squares = f64::from(64 * (2 * 2 + 9 * 9 + 17 * 17)) / (3 * 3 * DARK.len()) as f64;
+    let psnr = 10.0 * (255.0 * 255.0 / squares).log10();
+    assert!((Difference::pooled_psnr(&differences) - psnr).abs() < 1e-9);
+    // The last one equals its reference, whose PSNR alone is infinite.
+    assert!(differences[2].psnr.is_infinite());
+    assert!(Difference::pooled_psnr(&differences[2..]).is_infinite());
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::Difference;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::scene::{Block, Camera, Caption, List, Material, Scene, Shape, Spot, Waves};
+use eightfold::scene::{self, Block, Camera, Caption, List, Range, Scene, Shape, Spot, Waves};
 use eightfold::{Counts, Quality, show};
 use eightfold_oracle::frame::Frame;
 use glam::{Mat3A, Vec3A, vec3a};
@@ -137,107 +137,12 @@ fn a_million_seconds_on_the_picture_is_the_one_of_that_time() {
     assert!((eye.z + 7.5 * angle.cos()).abs() < 1e-4, "{eye}");
 }
 
-/// Adds a vector's components to a list.
-fn add<'a>(all: &mut Vec<(&'static str, &'a mut f32)>, name: &'static str, v: &'a mut Vec3A) {
-    all.extend(
-        AsMut::<[f32; 3]>::as_mut(v)
-            .iter_mut()
-            .map(|number| (name, number)),
-    );
-}
-
-/// All numbers of a scene, with their names.
-fn numbers(scene: &mut Scene) -> Vec<(&'static str, &mut f32)> {
+/// All numbers of a scene, with their names and ranges.
+fn numbers(scene: &mut Scene) -> Vec<(&'static str, Range, &mut f32)> {
     let mut all = Vec::new();
-    let camera = &mut scene.camera;
-    add(&mut all, "eye", &mut camera.eye);
-    add(&mut all, "look_at", &mut camera.look_at);
-    add(&mut all, "up", &mut camera.up);
-    add(&mut all, "background", &mut scene.background);
-    add(&mut all, "sky", &mut scene.sky);
-    add(&mut all, "ambient", &mut scene.ambient);
-    let mut materials = Vec::new();
-    let mut lengths = vec![("field of view", &mut camera.field_of_view)];
-    lengths.extend([("haze", &mut scene.haze), ("fade", &mut scene.fade)]);
-    let method = &mut scene.method;
-    lengths.extend([
-        ("points", &mut method.points),
-        ("squares", &mut method.squares),
-    ]);
-    lengths.extend([
-        ("picture", &mut method.picture),
-        ("coarse", &mut method.coarse),
-    ]);
-    lengths.push(("front", &mut method.front));
-    lengths.extend([
-        ("slope", &mut scene.water.slope),
-        ("length", &mut scene.water.length),
-    ]);
-    lengths.push(("phase", &mut scene.water.phase));
-    for caption in scene.captions.iter_mut() {
-        lengths.extend([
-            ("middle", &mut caption.middle),
-            ("letters", &mut caption.size),
-        ]);
-        lengths.push(("brightness", &mut caption.brightness));
-    }
-    for sphere in scene.spheres.iter_mut() {
-        add(&mut all, "sphere", &mut sphere.centre);
-        lengths.push(("radius", &mut sphere.radius));
-        materials.push(&mut sphere.material);
-    }
-    for plane in scene.planes.iter_mut() {
-        add(&mut all, "plane", &mut plane.centre);
-        lengths.push(("half_x", &mut plane.half_x));
-        lengths.push(("half_z", &mut plane.half_z));
-        materials.push(&mut plane.material);
-    }
-    for block in scene.blocks.iter_mut() {
-        add(&mut all, "block", &mut block.centre);
-        add(&mut all, "half", &mut block.half);
-        add(&mut all, "axis x", &mut block.axes.x_axis);
-        add(&mut all, "axis y", &mut block.axes.y_axis);
-        add(&mut all, "axis z", &mut block.axes.z_axis);
-        materials.push(&mut block.material);
-    }
-    for light in scene.lights.iter_mut() {
-        if let Some(spot) = &mut light.spot {
-            add(&mut all, "aim", &mut spot.aim);
-            lengths.extend([("dark", &mut spot.dark), ("bright", &mut spot.bright)]);
-        }
-        add(&mut all, "light", &mut light.position);
-        add(&mut all, "light's colour", &mut light.colour);
-        lengths.push(("light's radius", &mut light.radius));
-        lengths.push(("light's size", &mut light.size));
-        lengths.push(("light's glow", &mut light.glow));
-    }
-    for material in materials {
-        let Material {
-            colour,
-            kd,
-            ks,
-            exponent,
-            metallic,
-            anisotropy,
-            kr,
-            fresnel,
-            kt,
-            index,
-            tint,
-            pattern,
-        } = material;
-        add(&mut all, "colour", colour);
-        add(&mut all, "tint", tint);
-        add(&mut all, "waves", &mut pattern.waves);
-        lengths.extend([("depth", &mut pattern.depth), ("edge", &mut pattern.edge)]);
-        lengths.push(("balance", &mut pattern.balance));
-        lengths.extend([("warp", &mut pattern.warp), ("grain", &mut pattern.grain)]);
-        lengths.extend([("kd", kd), ("ks", ks), ("exponent", exponent)]);
-        lengths.extend([("metallic", metallic), ("anisotropy", anisotropy)]);
-        lengths.extend([("kr", kr), ("fresnel", fresnel)]);
-        lengths.extend([("kt", kt), ("index", index)]);
-    }
-    all.extend(lengths);
+    scene::numbers(scene, &mut |name, range, number| {
+        all.push((name, range, number))
+    });
     all
 }
 
@@ -290,11 +195,12 @@ fn assert_numbers_are_checked(mut scene: Scene) {
     let mut pixels = vec![0; 64 * 48];
     for quality in QUALITIES {
         for isa in cpu::instruction_sets() {
+            let all = work(&draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 64, 48).counts);
             let normal = work(&draw(isa, 1, &scene, &quality, 64, 48).counts);
             for i in 0..count {
                 for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
                     let mut scene = scene;
-                    let (name, number) = numbers(&mut scene).swap_remove(i);
+                    let (name, _, number) = numbers(&mut scene).swap_remove(i);
                     *number = wrong;
                     let what = format!("{name} {wrong} by {}", isa.name);
                     // The refractive index of an opaque material may be anything.
@@ -302,12 +208,37 @@ fn assert_numbers_are_checked(mut scene: Scene) {
                     assert!(is_refused || name == "index", "{what}");
                     pixels.fill(u32::MAX);
                     let rays = work(&renderer.draw(isa.level, &scene, &quality, 64, &mut pixels));
+                    // Without a tolerance no square is filled.
+                    let normal = if name == "tolerance" { all } else { normal };
                     assert!(2 * rays <= 5 * normal, "{what}: {rays} rays, not {normal}");
                     assert!(pixels.iter().all(|pixel| pixel >> 24 == 0), "{what}");
                 }
             }
         }
     }
+}
+
+#[test]
+fn every_number_is_refused_beyond_its_range_by_its_name() {
+    let mut count = 0;
+    for i in 0..numbers(&mut rich()).len() {
+        let range = numbers(&mut rich())[i].1;
+        if range == Range::ANY {
+            continue;
+        }
+        for wrong in [range.least.next_down(), range.most.next_up()] {
+            let mut scene = rich();
+            let (name, _, number) = numbers(&mut scene).swap_remove(i);
+            *number = wrong;
+            let flaw = scene.validate().expect_err(name);
+            assert!(flaw.to_string().contains(name), "{name}: {flaw}");
+            // One of the axes is wrong with regard to another, which comes first.
+            let takes = flaw.takes == range.takes || name == "axes";
+            assert!(takes, "{name}: {flaw}");
+            count += 1;
+        }
+    }
+    assert!(count > 500, "{count}");
 }
 
 #[test]

@@ -6,6 +6,8 @@
 
 use crate::cpu;
 use crate::drawn::{draw, jagged};
+use crate::generator::alone::{image, wide_image};
+use crate::generator::near::seeds;
 use crate::generator::seeded::Random;
 use crate::refinement::bare;
 use eightfold::Quality;
@@ -153,4 +155,33 @@ fn every_image_in_a_plane_that_2x2_pixels_show_is_shown_and_the_bare_rules_miss_
     // Of all qualities together.
     assert!(missed_cylinders <= 2, "{missed_cylinders}");
     assert!(shown > 500 && bare_misses > 150, "{shown}, {bare_misses}");
+}
+
+/// The image's pixel in the random scenes, but for rounding: half of its object's colour.
+fn is_imaged(pixel: u32) -> bool {
+    (0x7f_664c..=0x80_664d).contains(&pixel)
+}
+
+#[test]
+fn the_image_of_a_single_thing_is_shown_wherever_it_is() {
+    let mut images = 0;
+    let scenes = [wide_image()].into_iter();
+    for near in scenes.chain(seeds(400).map(|mut random| image(&mut random))) {
+        for isa in cpu::instruction_sets() {
+            let draw =
+                |quality| draw(isa, 2, &near.scene, &quality, near.width, near.height).pixels;
+            let exhaustive = draw(Quality::EXHAUSTIVE);
+            if !exhaustive.iter().any(|&pixel| is_imaged(pixel)) {
+                continue;
+            }
+            images += 1;
+            for quality in Quality::LADDER.iter().copied().chain([Quality::THESIS]) {
+                let drawn = draw(jagged(quality));
+                let mut pairs = exhaustive.iter().zip(&drawn);
+                let is_shown = pairs.any(|(&a, &b)| is_imaged(a) && is_imaged(b));
+                assert!(is_shown, "{} {quality:?} {:?}", isa.name, near.scene);
+            }
+        }
+    }
+    assert!(images > 500, "{images}");
 }

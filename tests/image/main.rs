@@ -1,6 +1,6 @@
 //! Properties of the pictures, each checked on every instruction set of the machine.
 
-use eightfold_lab::{error, flicker, flip, missed, overlay, picture, threaded_renderer};
+use eightfold_lab::{error, flip, missed, overlay, picture, threaded_renderer};
 use eightfold_window::cpu;
 
 mod accuracy;
@@ -9,10 +9,12 @@ mod any_scene;
 mod drawn;
 mod error_measures;
 mod extremes;
+mod far_away;
 mod film;
 mod generator;
 mod golden;
 mod highlights;
+mod highlights_shown;
 mod images_shown;
 mod limits;
 mod method;
@@ -20,6 +22,7 @@ mod nothing_missed;
 mod observed;
 mod patterned;
 mod penumbra;
+mod probes;
 mod ranges;
 mod refinement;
 mod reflected;
@@ -30,4 +33,5 @@ mod show;
 mod sizes;
 mod soak;
 mod water;
+mod written;
 mod wrong_pixels;

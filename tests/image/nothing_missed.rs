@@ -3,6 +3,7 @@
 use crate::cpu::{self, Isa};
 use crate::drawn::{draw, jagged};
 use crate::generator::config;
+use crate::generator::near::{contact, seeds, slivers};
 use crate::generator::placed::{between_corners, extreme_blocks, of_the_show, placed};
 use crate::refinement::bare;
 use crate::threaded_renderer::ThreadedRenderer;
@@ -68,6 +69,21 @@ fn spheres_between_corners_are_shown_and_the_bare_rules_miss_them() {
             let bare = missed(&exhaustive, &draw(bare(quality)));
             assert!(bare > 200, "{bare} missed by the bare {quality:?}");
         }
+    }
+}
+
+#[test]
+fn what_rises_by_little_out_of_what_it_stands_in_is_shown() {
+    for near in slivers() {
+        assert_nothing_is_missed(&near.scene, near.width, near.height);
+    }
+}
+
+#[test]
+fn whatever_touches_or_rises_by_any_height_is_shown() {
+    for mut random in seeds(60) {
+        let near = contact(&mut random);
+        assert_nothing_is_missed(&near.scene, near.width, near.height);
     }
 }
 

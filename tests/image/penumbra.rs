@@ -1,9 +1,9 @@
 //! The approximate penumbra of a sphere is close to the one that many shadow rays find.
 
 use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::{draw, draw_by_all};
 use eightfold::Quality;
-use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{DVec3, Vec3A, vec3a};
 
 const SPHERE: Sphere = Sphere {
@@ -97,4 +97,50 @@ fn a_penumbra_is_within_a_tenth_of_what_many_rays_find() {
         mean < 0.01 && largest < 0.1,
         "mean {mean}, largest {largest}"
     );
+}
+
+#[test]
+fn a_dome_is_lit_from_within_whatever_the_lamps_size_and_whatever_stands_outside() {
+    let matt = Material {
+        colour: Vec3A::splat(0.5),
+        kd: 0.4,
+        ..Material::BLACK
+    };
+    let dome = |size: f32, boxes: &[Block]| Scene {
+        camera: Camera::default(),
+        ambient: Vec3A::splat(0.5),
+        spheres: List::of(&[Sphere {
+            centre: Vec3A::ZERO,
+            radius: 20.0,
+            material: matt,
+        }]),
+        blocks: List::of(boxes),
+        lights: List::of(&[Light {
+            position: vec3a(0.1, 0.6, 0.0),
+            colour: Vec3A::splat(0.5),
+            size,
+            ..Light::DARK
+        }]),
+        ..Scene::default()
+    };
+    let outside = Block {
+        centre: vec3a(60.0, 0.0, 0.0),
+        half: vec3a(3.0, 5.0, 2.0),
+        material: matt,
+        ..Block::default()
+    };
+    let by_all = |scene| draw_by_all(&scene, &Quality::EXHAUSTIVE, 64, 48);
+    for (isa, lit) in by_all(dome(0.0, &[])) {
+        // Ambient light alone is 64.
+        let dimmest = lit.pixels.iter().map(|pixel| pixel & 0xff).min();
+        assert!(dimmest > Some(80), "{}: {dimmest:?}", isa.name);
+        for scene in [
+            dome(0.0, &[outside]),
+            dome(2.0, &[]),
+            dome(38.0, &[outside]),
+        ] {
+            let pixels = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, 64, 48).pixels;
+            assert!(pixels == lit.pixels, "{}: {:?}", isa.name, scene.lights[0]);
+        }
+    }
 }

@@ -18,7 +18,7 @@ pub fn assert_as_refined(drawn: &Drawn, squares: &Squares<'_>, what: &str) {
         "{what}: {points} points for {expected}"
     );
     let difference = Difference::between(&squares.picture, &drawn.pixels);
-    let most = (drawn.pixels.len() / 5000).max(4);
+    let most = (drawn.pixels.len() / 5000).max(24);
     assert!(difference.mean <= 0.02, "{what}: {difference:?}");
     assert!(difference.over_8 <= most, "{what}: {difference:?}");
 }
@@ -191,5 +191,23 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
             points >= width * height / 2,
             "the scene does not make every square split: {points} points"
         );
+    }
+}
+
+#[test]
+fn crowded_pictures_have_42_db() {
+    for (count, time) in [
+        (100, 13.0),
+        (256, 9.0),
+        (300, 20.0),
+        (320, 0.0),
+        (320, 41.6),
+    ] {
+        let scene = show::field(count, time);
+        let quality = Quality::DEFAULT;
+        let [exhaustive, played] = [quality.reference(), quality]
+            .map(|quality| draw(cpu::best(), 2, &scene, &quality, 1024, 768).pixels);
+        let psnr = Difference::between(&exhaustive, &played).psnr;
+        assert!(psnr >= 42.0, "{psnr} dB of {count} spheres at {time} s");
     }
 }

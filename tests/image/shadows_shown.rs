@@ -6,6 +6,8 @@
 
 use crate::cpu;
 use crate::drawn::{draw, jagged};
+use crate::generator::alone::{shadow, thin_shadows};
+use crate::generator::near::seeds;
 use crate::generator::seeded::Random;
 use crate::refinement::bare;
 use crate::wrong_pixels::largest_patch;
@@ -154,4 +156,35 @@ fn every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some() {
         shadows > 1000 && bare_misses > 100,
         "{shadows}, {bare_misses}"
     );
+}
+
+/// The pixel of the random scenes' floors in shadow: 0.1 of 0.7.
+const DARK: u32 = 0x12_1212;
+
+#[test]
+fn every_shadow_is_shown_however_thin_and_however_near_its_sphere_is_to_the_plane_or_the_lamp() {
+    let mut shadows = 0;
+    let scenes = thin_shadows().into_iter();
+    for near in scenes.chain(seeds(400).map(|mut random| shadow(&mut random))) {
+        let floor = near.without_solids();
+        for isa in cpu::instruction_sets() {
+            let draw =
+                |scene, quality| draw(isa, 2, scene, &quality, near.width, near.height).pixels;
+            let lit = draw(&floor, Quality::EXHAUSTIVE);
+            let exhaustive = draw(&near.scene, Quality::EXHAUSTIVE);
+            let shaded: Vec<usize> = (0..lit.len())
+                .filter(|&i| exhaustive[i] == DARK && lit[i] != DARK)
+                .collect();
+            if shaded.is_empty() {
+                continue;
+            }
+            shadows += 1;
+            for quality in Quality::LADDER.iter().copied().chain([Quality::THESIS]) {
+                let drawn = draw(&near.scene, jagged(quality));
+                let is_shown = shaded.iter().any(|&i| drawn[i] == DARK);
+                assert!(is_shown, "{} {quality:?} {:?}", isa.name, near.scene);
+            }
+        }
+    }
+    assert!(shadows > 300, "{shadows}");
 }

@@ -66,7 +66,7 @@ impl Still {
 
     /// Asserts that both are the same for every instruction set, and for one thread and several.
     fn assert_same(&self) {
-        let several = cpu::instruction_sets().map(|isa| (isa, 3));
+        let several = cpu::shipped().map(|isa| (isa, 3));
         for (isa, threads) in several.chain([(cpu::best(), 1)]) {
             let what = format!(
                 "{} ms, {}x{}, {} by {}, {threads} threads",
@@ -98,7 +98,7 @@ fn what_ships_is_as_the_oracle_sees_it_in_every_scene() {
         scene.captions.clear();
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
         let mut exhaustive = Vec::new();
-        for isa in cpu::instruction_sets() {
+        for isa in cpu::shipped() {
             let what = format!("{time} ms by {}", isa.name);
             let pixels = still.shipped(isa, 2);
             let counts = Counts::default();

@@ -4,9 +4,23 @@ use super::{Object, Oracle, Ray};
 use eightfold::scene::{Block, Light, Plane, Shape};
 use glam::{DVec3, Vec3A};
 
-/// The smallest distance that counts as a hit. The error of the roots for a ray that touches a sphere is about the square root of
-/// the rounding error of f64.
-const T_MIN: f64 = 1e-6;
+/// The rounding error of a few operations in f64, relative to the lengths in them.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+impl Ray {
+    /// A ray from a place that a scene names, by numbers of 32 bits.
+    pub(super) fn from_scene(o: DVec3, d: DVec3) -> Self {
+        let slack = f64::from(f32::EPSILON) * o.abs().max_element();
+        Self { o, d, slack }
+    }
+
+    /// A ray from where this one hits something at the distance `t`.
+    pub(super) fn onward(&self, t: f64, d: DVec3) -> Self {
+        let o = self.o + t * self.d;
+        let slack = ROUNDING * (self.o.abs().max_element() + t);
+        Self { o, d, slack }
+    }
+}
 
 impl Oracle<'_> {
     /// The nearest object along a ray, and its distance.
@@ -57,6 +71,7 @@ pub(super) fn block(ray: Ray, it: &Block) -> Option<(f64, DVec3)> {
     let is_cylinder = it.shape == Shape::Cylinder;
     let o = axes.transpose() * (ray.o - it.centre.as_dvec3());
     let d = axes.transpose() * ray.d;
+    let slack = ray.slack + ROUNDING * half.max_element();
     let mut hits: Vec<(f64, DVec3)> = Vec::new();
     // The flat faces: their planes, if hit inside the face.
     for i in 0..3 {
@@ -64,45 +79,54 @@ pub(super) fn block(ray: Ray, it: &Block) -> Option<(f64, DVec3)> {
             continue;
         }
         for side in [-1.0, 1.0] {
-            let t = (side * half[i] - o[i]) / d[i];
+            let to_face = side * half[i] - o[i];
+            let t = to_face / d[i];
             let p = o + t * d;
             let is_inside = if is_cylinder {
                 p.x * p.x + p.z * p.z <= half.x * half.x
             } else {
                 (0..3).all(|j| j == i || p[j].abs() <= half[j])
             };
-            if t.is_finite() && is_inside {
+            if t.is_finite() && is_inside && to_face.abs() > slack {
                 hits.push((t, side * axes.col(i)));
             }
         }
     }
     if is_cylinder {
-        let a = d.x * d.x + d.z * d.z;
-        let b = o.x * d.x + o.z * d.z;
-        let root = (b * b - a * (o.x * o.x + o.z * o.z - half.x * half.x)).sqrt();
-        for t in [(-b - root) / a, (-b + root) / a] {
+        let (across, along) = (o.with_y(0.0), d.with_y(0.0));
+        for t in round(across, along, half.x, slack) {
             let p = o + t * d;
-            // NaN, without a root, fails this comparison.
             if p.y.abs() <= half.y {
-                hits.push((t, axes * (DVec3::new(p.x, 0.0, p.z) / half.x)));
+                hits.push((t, axes * (p.with_y(0.0) / half.x)));
             }
         }
     }
-    let ahead = hits.into_iter().filter(|hit| hit.0 > T_MIN);
+    let ahead = hits.into_iter().filter(|hit| hit.0 > 0.0);
     ahead.min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// The distances to a sphere about the origin, or to a cylinder along whose axis `o` and `d` have no part. A ray that starts within
+/// `slack` of it starts on it, and hits only its far side.
+fn round(o: DVec3, d: DVec3, radius: f64, slack: f64) -> Vec<f64> {
+    let a = d.length_squared();
+    let nearest = -o.dot(d) / a;
+    let is_on = (o.length() - radius).abs() <= slack;
+    let half = ((radius * radius - (o + nearest * d).length_squared()) / a).sqrt();
+    let roots = if is_on {
+        vec![2.0 * nearest]
+    } else {
+        vec![nearest - half, nearest + half]
+    };
+    // NaN, without a root or along the axis, fails this comparison.
+    roots.into_iter().filter(|&t| t > slack).collect()
 }
 
 /// The distance to a sphere.
 fn sphere(ray: Ray, centre: Vec3A, radius: f32) -> Option<f64> {
-    let to_centre = centre.as_dvec3() - ray.o;
-    let b = to_centre.dot(ray.d);
-    let perpendicular = to_centre - b * ray.d;
-    let discriminant = f64::from(radius).powi(2) - perpendicular.length_squared();
-    if discriminant < 0.0 {
-        return None;
-    }
-    let half = discriminant.sqrt();
-    [b - half, b + half].into_iter().find(|&t| t > T_MIN)
+    let radius = f64::from(radius);
+    let slack = ray.slack + ROUNDING * radius;
+    let hits = round(ray.o - centre.as_dvec3(), ray.d, radius, slack);
+    hits.first().copied()
 }
 
 /// The distance to a plane.
@@ -111,5 +135,5 @@ fn plane(ray: Ray, plane: &Plane) -> Option<f64> {
     let t = -from_centre.y / ray.d.y;
     let p = from_centre + t * ray.d;
     let inside = p.x.abs() <= f64::from(plane.half_x) && p.z.abs() <= f64::from(plane.half_z);
-    (t > T_MIN && t.is_finite() && inside).then_some(t)
+    (from_centre.y.abs() > ray.slack && t > 0.0 && t.is_finite() && inside).then_some(t)
 }

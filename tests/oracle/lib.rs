@@ -66,6 +66,8 @@ struct Ray {
     o: DVec3,
     /// The direction, of length 1.
     d: DVec3,
+    /// How far off the origin may be by rounding, in scene units: on surfaces as near as that it starts.
+    slack: f64,
 }
 
 impl<'a> Oracle<'a> {
@@ -99,10 +101,7 @@ impl<'a> Oracle<'a> {
     /// The ray through the centre of a pixel.
     fn primary_ray(&self, x: isize, y: isize) -> Ray {
         let d = self.corner + self.dx * x as f64 + self.dy * y as f64;
-        Ray {
-            o: self.scene.camera.eye.as_dvec3(),
-            d: d.normalize(),
-        }
+        Ray::from_scene(self.scene.camera.eye.as_dvec3(), d.normalize())
     }
 
     /// Traces the point at the centre of pixel (x, y), which may lie outside the picture.

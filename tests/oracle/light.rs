@@ -31,10 +31,9 @@ impl ToLight {
 }
 
 impl Oracle<'_> {
-    /// The share of a light, as a colour, that its cone and all shadows let reach `p`.
-    pub(super) fn reaching(&self, light: &Light, to_light: &ToLight, p: DVec3) -> DVec3 {
+    /// The share of a light, as a colour, that its cone and all shadows let reach the origin of a ray to it.
+    pub(super) fn reaching(&self, light: &Light, to_light: &ToLight, ray: Ray) -> DVec3 {
         let ToLight { l, distance } = *to_light;
-        let ray = Ray { o: p, d: l };
         let cone = light.spot.map_or(1.0, |spot| {
             let (dark, bright) = (f64::from(spot.dark), f64::from(spot.bright));
             let cosine = -l.dot(spot.aim.as_dvec3());
@@ -56,7 +55,7 @@ impl Oracle<'_> {
             }
         }
         for s in self.scene.spheres.iter() {
-            let passing = penumbra(s, p, to_light, light);
+            let passing = penumbra(s, ray.o, to_light, light);
             let tint = s.material.tint.as_dvec3();
             share *= tint + passing * (DVec3::ONE - tint);
         }
@@ -69,6 +68,8 @@ impl Oracle<'_> {
 ///
 /// The rays from `p` to the light form a cone. At the distance `a`, where it passes the sphere, it is `b = a size / distance`
 /// wide. As the sphere's edge crosses the cone from one side to the other, the share goes from 1 to 0.
+///
+/// A sphere that contains both `p` and the whole light, a ball of that diameter, is between neither: a dome is lit from within.
 fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64 {
     let centre = sphere.centre.as_dvec3();
     let radius = f64::from(sphere.radius);
@@ -83,6 +84,12 @@ fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64
         1.0
     };
     let b = a * far * f64::from(light.size) / to_light.distance;
+    let centre_to_light = to_centre - to_light.distance * to_light.l;
+    let is_dome = to_centre.length() <= radius + error
+        && centre_to_light.length() + 0.5 * far * f64::from(light.size) <= radius;
+    if is_dome {
+        return 1.0;
+    }
     if b == 0.0 {
         return f64::from(u8::from(off > 0.0));
     }

@@ -31,11 +31,11 @@ impl Oracle<'_> {
         // The material, the outward normal, and the hit from the centre along the object's own axes.
         let (material, normal, own): (&Material, _, _) = match object {
             Object::Background => {
-                self.note(object, &[], path, traced);
+                self.note(object, &[], weight, path, traced);
                 return cut(self.behind(ray.d) + glow);
             }
             Object::Light(i) => {
-                self.note(object, &[], path, traced);
+                self.note(object, &[], weight, path, traced);
                 return cut(self.scene.lights[i].colour.as_dvec3() + glow);
             }
             Object::Sphere(i) => {
@@ -75,15 +75,15 @@ impl Oracle<'_> {
         };
         let mut states = Vec::new();
         for i in 0..self.scene.lights.len() {
-            let (state, light) = self.lit(i, ray, p, n, groove, within, material, painted, traced);
+            let (state, light) = self.lit(i, ray, t, n, groove, within, material, painted, traced);
             colour += light;
             states.push(state);
         }
-        self.note(object, &states, path, traced);
+        self.note(object, &states, weight, path, traced);
         let own = cut(self.behind(ray.d).lerp(colour, transmittance) + glow);
         let secondary = self.secondary(
             ray,
-            p,
+            t,
             n,
             inside,
             material,
@@ -141,7 +141,7 @@ impl Oracle<'_> {
     fn secondary(
         &self,
         ray: Ray,
-        p: DVec3,
+        t: f64,
         n: DVec3,
         inside: bool,
         material: &Material,
@@ -166,27 +166,27 @@ impl Oracle<'_> {
                 kr += kt;
             } else if weight >= self.quality.least_contribution {
                 let d = eta * ray.d + (eta * cosine - k.sqrt()) * n;
-                let seen = self.follow(Ray { o: p, d }, weight, 2 * path + 1, traced);
+                let seen = self.follow(ray.onward(t, d), weight, 2 * path + 1, traced);
                 colour += f64::from(kt) * seen;
             }
         }
         let weight = weight * kr;
         if weight >= self.quality.least_contribution {
             let d = ray.d + 2.0 * cosine * n;
-            let seen = self.follow(Ray { o: p, d }, weight, 2 * path, traced);
+            let seen = self.follow(ray.onward(t, d), weight, 2 * path, traced);
             colour += f64::from(kr) * seen;
         }
         colour
     }
 
-    /// The state of a light at a hit at `p` with normal `n` and grooves along `groove`, and the light that it adds. `within` is the radius if the hit is on
-    /// the inside of a sphere; `painted` is the colour with its pattern.
+    /// The state of a light where a ray hits something at the distance `t`, with normal `n` and grooves along `groove`, and the light
+    /// that it adds. `within` is the radius if the hit is on the inside of a sphere; `painted` is the colour with its pattern.
     #[allow(clippy::too_many_arguments, reason = "a light and a hit")]
     fn lit(
         &self,
         light: usize,
         ray: Ray,
-        p: DVec3,
+        t: f64,
         n: DVec3,
         groove: DVec3,
         within: Option<f64>,
@@ -195,7 +195,7 @@ impl Oracle<'_> {
         traced: &mut Traced,
     ) -> (State, DVec3) {
         let light = &self.scene.lights[light];
-        let to_light = ToLight::new(light, p);
+        let to_light = ToLight::new(light, ray.o + t * ray.d);
         let l = to_light.l;
         let nl = n.dot(l);
         if nl <= 0.0 {
@@ -204,7 +204,7 @@ impl Oracle<'_> {
         traced.shadow_rays += 1;
         // Inside a sphere, lights beyond its far side are blocked by the sphere itself.
         let is_beyond = within.is_some_and(|radius| 2.0 * nl * radius < to_light.distance);
-        let share = self.reaching(light, &to_light, p);
+        let share = self.reaching(light, &to_light, ray.onward(t, l));
         if is_beyond || share == DVec3::ZERO {
             return (State::Dark, DVec3::ZERO);
         }
@@ -225,9 +225,12 @@ impl Oracle<'_> {
     }
 
     /// Adds a node of the ray tree to the hashes.
-    fn note(&self, object: Object, states: &[State], path: u32, traced: &mut Traced) {
+    fn note(&self, object: Object, states: &[State], weight: f32, path: u32, traced: &mut Traced) {
         let lit: Vec<bool> = states.iter().map(|&s| s != State::Dark).collect();
         traced.tree ^= hash(&(path, object, lit));
+        if weight < self.quality.key_weight {
+            return;
+        }
         if depth(path) <= self.quality.key_depth {
             traced.key ^= hash(&("object", path, object));
         }

@@ -19,6 +19,8 @@ pub struct Squares<'a> {
     traced: HashMap<(usize, usize), Traced>,
     /// The averaged midpoints of the current tile.
     averaged: HashMap<(usize, usize), Traced>,
+    /// How crowded the current tile is, 0 to 1.
+    crowding: f64,
     /// The picture as `0x00RRGGBB` pixels, row by row.
     pub picture: Vec<u32>,
 }
@@ -31,16 +33,19 @@ impl<'a> Squares<'a> {
             points: 0,
             traced: HashMap::new(),
             averaged: HashMap::new(),
+            crowding: 0.0,
             picture: vec![0; width * height],
         };
         let [tile_width, tile_height] = TILE.map(|side| side / quality.square * quality.square);
         for top in (0..height).step_by(tile_height) {
             for left in (0..width).step_by(tile_width) {
+                let mut all = Vec::new();
                 for y in (top..height.min(top + tile_height)).step_by(quality.square) {
                     for x in (left..width.min(left + tile_width)).step_by(quality.square) {
-                        squares.check(x, y, quality.square);
+                        all.push((x, y));
                     }
                 }
+                squares.draw_tile(&all, quality.square);
                 squares.points += squares.traced.drain().count();
                 squares.averaged.clear();
             }
@@ -62,29 +67,58 @@ impl<'a> Squares<'a> {
         *self.traced.entry((x, y)).or_insert_with(trace)
     }
 
-    /// Fills or splits the square of a given side at (x, y).
+    /// Draws a tile by all its squares of a side.
+    fn draw_tile(&mut self, all: &[(usize, usize)], side: usize) {
+        self.crowding = 0.0;
+        let mut split = all.to_vec();
+        split.retain(|&(x, y)| !self.is_filled(x, y, side));
+        let share = split.len() as f64 / all.len() as f64;
+        self.crowding = ((share - 0.7) / 0.2).clamp(0.0, 1.0);
+        for (x, y) in split {
+            self.split(x, y, side);
+        }
+    }
+
+    /// Fills or splits the square of a given side at (x, y), if it is in the picture.
     fn check(&mut self, x: usize, y: usize, side: usize) {
-        if x >= self.oracle.width || y >= self.oracle.height {
-            return;
+        let is_inside = x < self.oracle.width && y < self.oracle.height;
+        if is_inside && !self.is_filled(x, y, side) {
+            self.split(x, y, side);
         }
-        let a = self.at(x, y);
+    }
+
+    /// The corners of a square.
+    fn corners(&mut self, x: usize, y: usize, side: usize) -> [Traced; 4] {
+        [(0, 0), (side, 0), (0, side), (side, side)].map(|(u, v)| self.at(x + u, y + v))
+    }
+
+    /// Fills a square if its corners allow it, and says whether they do.
+    fn is_filled(&mut self, x: usize, y: usize, side: usize) -> bool {
         if side == 1 {
-            self.put(x, y, a.colour);
-            return;
+            let point = self.at(x, y);
+            self.put(x, y, point.colour);
+            return true;
         }
-        let others = [(side, 0), (0, side), (side, side)].map(|(u, v)| self.at(x + u, y + v));
-        let corners = [a, others[0], others[1], others[2]];
+        let corners = self.corners(x, y, side);
+        let [a, others @ ..] = corners;
         let rounded = |point: &Traced| pixel(point.colour, 0.0, 0, 0);
         let flat = others.iter().all(|b| rounded(b) == rounded(&a));
-        if flat || spread(&corners) <= self.allowed(&corners, side) {
+        let is_filled = flat || spread(&corners) <= self.allowed(&corners, side);
+        if is_filled {
             self.fill(x, y, side, corners);
-        } else if side % 2 == 1 {
+        }
+        is_filled
+    }
+
+    /// Draws the parts of a square.
+    fn split(&mut self, x: usize, y: usize, side: usize) {
+        if side % 2 == 1 {
             for i in 0..side * side {
                 self.check(x + i % side, y + i / side, 1);
             }
         } else {
             let half = side / 2;
-            let [a, b, c, d] = corners;
+            let [a, b, c, d] = self.corners(x, y, side);
             for ((u, v), p, q) in [
                 ((half, 0), a, b),
                 ((0, half), a, c),
@@ -113,7 +147,13 @@ impl<'a> Squares<'a> {
         } else {
             quality.tolerance_differing
         };
-        f64::from(spread * self.oracle.scene.film.tolerance) * 8.0 / side as f64
+        f64::from(spread * self.oracle.scene.film.tolerance) * self.growth(side)
+    }
+
+    /// What a tolerance for squares of 8 is multiplied by for squares of a side.
+    fn growth(&self, side: usize) -> f64 {
+        let growth = 8.0 / side as f64;
+        growth + self.crowding * (growth.min(1.0) - growth)
     }
 
     /// The largest spread with which the quality averages the midpoint of a side; negative if it averages none.
@@ -121,7 +161,7 @@ impl<'a> Squares<'a> {
         let Film { tolerance, .. } = self.oracle.scene.film;
         let tolerance = f64::from(self.oracle.quality.tolerance_side * tolerance);
         if tolerance > 0.0 {
-            tolerance * 8.0 / side as f64
+            tolerance * self.growth(side)
         } else {
             -1.0
         }

@@ -92,6 +92,32 @@ fn a_window_manager_that_never_heard_of_fullscreen_does_not_keep_it_from_the_who
 }
 
 #[test]
+fn h_shows_numbers_over_the_picture_and_hides_them() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    let [_, _, width, height] = SCREEN.map(|side| side as usize);
+    let server = Server::start(width, height);
+    let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+    let [left, top, ..] = server.window().expect("a window");
+    server.xdotool(&format!("mousemove {} {}", left + 20, top + 300));
+    // The title's sky is dark there for seconds.
+    let is_written = || {
+        let corner = server.screenshot([left, top, 250, 30]);
+        corner.iter().any(|&pixel| pixel & 0xff_ff_ff == 0xff_ff_ff)
+    };
+    sleep(Duration::from_millis(300));
+    assert!(!is_written());
+    for _ in 0..2 {
+        server.xdotool("key h");
+        wait_for("numbers", || is_written().then_some(()));
+        server.xdotool("key h");
+        wait_for("no numbers", || (!is_written()).then_some(()));
+    }
+    end_by_escape(&server, intro);
+}
+
+#[test]
 fn it_can_start_over_the_whole_screen() {
     if lacks(DISPLAY) {
         return;

@@ -2,10 +2,11 @@
 
 use crate::arguments::{NamedQuality, Size};
 use crate::error::Difference;
-use crate::flicker::Flicker;
+use crate::interrupt;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
-use crate::timing::{flicker_time, real_time};
+use crate::timing::real_time;
+use crate::views::{Seen, Subject, Viewer};
 use eightfold::Counts;
 use eightfold::scene::Scene;
 use eightfold_window::cpu::Isa;
@@ -35,8 +36,8 @@ pub struct Shot {
     pub scene: SceneName,
     /// When they are, in seconds since the scene's start.
     pub times: Vec<f32>,
-    /// Frames in a row, 60 a second, that flicker is looked for in, from the first time on.
-    pub flicker_frames: usize,
+    /// The times of the frames of each view at which FLIP and pops are measured, see [`crate::views`].
+    pub views: Vec<Vec<f32>>,
 }
 
 /// Where a size is drawn by a number of threads.
@@ -83,8 +84,8 @@ pub struct Run {
     pub counts: Counts,
     /// Of each frame to what it is held to.
     pub differences: Vec<Difference>,
-    /// Of the frames that flicker is looked for in.
-    pub flicker: Flicker,
+    /// Of the views.
+    pub seen: Seen,
 }
 
 /// What frames are filled with to see how fast that is.
@@ -96,14 +97,14 @@ impl Plan {
     /// How often [`Plan::measure`] calls back.
     pub fn steps(&self) -> usize {
         let frames: usize = self.shots.iter().map(|shot| shot.times.len()).sum();
-        let flicker: usize = self.shots.iter().map(|shot| shot.flicker_frames).sum();
-        self.sizes.len() * (self.threads.len() * (self.shots.len() + frames) + flicker)
+        let views: usize = self.shots.iter().map(|shot| shot.views.len()).sum();
+        self.sizes.len() * (self.threads.len() * (self.shots.len() + frames) + views)
     }
 
     /// Draws all frames in all ways in all settings. Calls `step` now and then, while no time is taken.
     ///
     /// All settings take turns frame by frame, and the ways of a setting, so that a machine whose speed drifts
-    /// hits them alike.
+    /// hits them alike. After Ctrl-C the rest of the frames is left out; the first of each is always drawn.
     pub fn measure(&self, mut step: impl FnMut()) -> Vec<Setting> {
         let threads = self.threads.iter();
         let mut benches: Vec<Bench> = threads.map(|&threads| Bench::new(self, threads)).collect();
@@ -115,6 +116,9 @@ impl Plan {
         }
         let longest = self.shots.iter().map(|shot| shot.times.len()).max();
         for frame in 0..longest.unwrap_or(0) {
+            if frame > 0 && interrupt::is_stopped() {
+                break;
+            }
             for bench in &mut benches {
                 bench.each(|renderer, canvas, setting| {
                     if let Some(&time) = self.shots[setting.shot].times.get(frame) {
@@ -127,20 +131,22 @@ impl Plan {
         // The frames are the same on any number of threads.
         let last = benches.last_mut().expect("there is a number of threads");
         last.each(|renderer, canvas, setting| {
-            let shot = &self.shots[setting.shot];
-            for frame in 0..shot.flicker_frames {
-                let time = flicker_time(shot.times[0], frame);
-                setting.look_for_flicker(self, renderer, canvas, time);
+            let mut viewer = Viewer::new(renderer, self.isa, canvas.size, true);
+            for view in &self.shots[setting.shot].views {
+                if interrupt::is_stopped() {
+                    return;
+                }
+                setting.look(self, &mut viewer, view);
                 step();
             }
         });
-        let flickers: Vec<Vec<Flicker>> = last.settings().map(Setting::flickers).collect();
+        let seen: Vec<Vec<Seen>> = last.settings().map(Setting::seen).collect();
         let mut settings = Vec::new();
         for bench in benches {
             let cases = bench.cases.into_iter().flat_map(|case| case.settings);
-            for (mut setting, flickers) in cases.zip(&flickers) {
-                for (run, flicker) in setting.runs.iter_mut().zip(flickers) {
-                    run.flicker = flicker.clone();
+            for (mut setting, seen) in cases.zip(&seen) {
+                for (run, seen) in setting.runs.iter_mut().zip(seen) {
+                    run.seen = seen.clone();
                 }
                 settings.push(setting);
             }
@@ -167,18 +173,22 @@ impl Way {
         scene
     }
 
-    /// Makes the scene of a time and draws it `width` pixels wide.
+    /// The scene of a time, if it takes no part in the time of a frame: what a scene file says is put together before, as no
+    /// program does that in each frame.
+    fn made_before(&self, scene: SceneName, time: f32) -> Option<Scene> {
+        matches!(scene, SceneName::File(_)).then(|| self.scene(scene, time))
+    }
+
+    /// Draws a scene `width` pixels wide.
     fn draw(
         &self,
-        scene: SceneName,
-        time: f32,
+        scene: &Scene,
         isa: Isa,
         renderer: &mut ThreadedRenderer,
         width: usize,
         picture: &mut [u32],
     ) -> Counts {
-        let scene = self.scene(scene, time);
-        renderer.draw(isa.level, &scene, &self.quality.quality, width, picture)
+        renderer.draw(isa.level, scene, &self.quality.quality, width, picture)
     }
 }
 
@@ -221,7 +231,7 @@ impl Setting {
             times: Vec::new(),
             counts: Counts::NONE,
             differences: Vec::new(),
-            flicker: Flicker::default(),
+            seen: Seen::default(),
         });
         Self {
             shot,
@@ -232,9 +242,9 @@ impl Setting {
         }
     }
 
-    /// The flicker of each way.
-    fn flickers(&self) -> Vec<Flicker> {
-        self.runs.iter().map(|run| run.flicker.clone()).collect()
+    /// What was seen of each way.
+    fn seen(&self) -> Vec<Seen> {
+        self.runs.iter().map(|run| run.seen.clone()).collect()
     }
 
     /// Draws a frame in each way that does not count.
@@ -263,9 +273,10 @@ impl Setting {
             runs.reverse();
         }
         for (run, picture) in runs {
+            let made = run.way.made_before(scene, time);
             let draw = || {
-                run.way
-                    .draw(scene, time, plan.isa, renderer, width, picture)
+                let scene = made.unwrap_or_else(|| run.way.scene(scene, time));
+                run.way.draw(&scene, plan.isa, renderer, width, picture)
             };
             let (counts, seconds) = real_time(draw);
             run.times.push(1e3 * seconds);
@@ -287,22 +298,23 @@ impl Setting {
         }
     }
 
-    /// Draws a frame in each way and compares it to the one before.
-    fn look_for_flicker(
-        &mut self,
-        plan: &Plan,
-        renderer: &mut ThreadedRenderer,
-        canvas: &mut Canvas,
-        t: f32,
-    ) {
-        let (scene, width) = (plan.shots[self.shot].scene, canvas.size.width);
-        for (run, picture) in self.runs.iter().zip(&mut canvas.pictures) {
-            run.way.draw(scene, t, plan.isa, renderer, width, picture);
-        }
-        let (reference, others) = canvas.pictures.split_first().expect("a reference");
-        for (run, picture) in self.runs[1..].iter_mut().zip(others) {
-            run.flicker.next(width, reference, picture);
-        }
+    /// Has a view of all ways looked at.
+    fn look(&mut self, plan: &Plan, viewer: &mut Viewer<'_>, view: &[f32]) {
+        let scene = plan.shots[self.shot].scene;
+        let scenes: Vec<_> = plan
+            .ways
+            .iter()
+            .map(|way| move |time| way.scene(scene, time))
+            .collect();
+        let runs = self.runs.iter_mut().zip(&scenes);
+        let mut subjects: Vec<Subject<'_>> = runs
+            .map(|(run, scene)| Subject {
+                quality: &run.way.quality.quality,
+                scene,
+                seen: &mut run.seen,
+            })
+            .collect();
+        viewer.look(view, &mut subjects, |_| {});
     }
 }
 
@@ -311,4 +323,22 @@ fn fill(pool: &mut Pool, width: usize, pixels: &mut [u32]) {
     let mut strips: Vec<&mut [u32]> = pixels.chunks_mut(STRIP * width).collect();
     let mut threads = vec![(); pool.threads()];
     pool.run(&mut threads, &mut strips, &|_, strip| strip.fill(COLOUR));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene_file::SceneFile;
+
+    #[test]
+    fn a_frame_of_a_scene_file_is_timed_without_reading_what_the_file_says() {
+        let way = Way {
+            quality: NamedQuality::THESIS,
+            hard_shadows: false,
+        };
+        let file = SceneFile::parse("room.ron", "Scene()").expect("a scene");
+        let file = SceneName::File(Box::leak(Box::new(file)));
+        assert!(way.made_before(file, 0.0).is_some());
+        assert!(way.made_before(SceneName::Model, 0.0).is_none());
+    }
 }

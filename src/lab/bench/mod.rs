@@ -6,11 +6,13 @@ mod stages;
 mod table;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
+use crate::interrupt::{self, Stopped};
 use crate::machine::machine;
 use crate::scenes::{self, SceneName};
 use crate::timing::evenly_spaced;
+use crate::views::views;
 use crate::{output, progress};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::Args;
 use eightfold_window::cpu::{self, Isa};
 use measure::{Plan, Shot, Way};
@@ -21,7 +23,8 @@ use std::thread::available_parallelism;
 /// Measures how fast frames are drawn, and what that costs in accuracy
 ///
 /// Prints a Markdown table. Exhaustive frames, every pixel traced, are always among those measured: the others are
-/// held to them. What is compared takes turns, frame by frame. A frame's time holds making the scene and drawing it.
+/// held to them. What is compared takes turns, frame by frame. A frame's time holds making the scene, but for a scene file, and
+/// drawing it. Ctrl-C prints and writes what has been measured so far.
 ///
 /// The show has a line for each of its scenes, with the frames a second of its worst second, and one for the worst of the
 /// whole show.
@@ -56,15 +59,16 @@ pub struct Arguments {
     /// Time of the last frame in seconds [default: 10, and in the show the last frame before the end]
     #[arg(long, value_name = "SECONDS", value_parser = arguments::seconds, allow_negative_numbers = true)]
     time_to: Option<f32>,
-    /// Frames in a row, 60 a second, in which flicker is counted, from each scene's first time on
-    #[arg(long, value_name = "N", default_value = "300", value_parser = arguments::frames)]
-    flicker: usize,
+    /// Different views, spread evenly, at which FLIP and the distance to 64 samples a pixel are measured; pixels that pop are
+    /// counted in the ten frames after each, 60 a second
+    #[arg(long, value_name = "N", default_value = "9", value_parser = arguments::frames)]
+    views: usize,
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
     /// Tells where the time of a frame goes instead, stage by stage, on one thread, and how many times as fast more threads can
     /// be by the times of the pieces of work
-    #[arg(long, conflicts_with_all = ["threads", "json", "flicker"])]
+    #[arg(long, conflicts_with_all = ["threads", "json", "views"])]
     stages: bool,
     /// File to write the figures to as JSON, or - for standard output; the table then goes to standard error
     #[arg(long, value_name = "FILE")]
@@ -76,6 +80,9 @@ const FRAME: f32 = 1.0 / 60.0;
 
 /// Measures, and says how it went.
 pub fn run(arguments: &Arguments) -> Result<()> {
+    if !arguments.stages {
+        interrupt::listen();
+    }
     if let Some(file) = &arguments.json {
         output::check(file)?;
     }
@@ -98,7 +105,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         scene => (&*format!("{scene} scene,"), table::of_scene(&rows)),
     };
     let (from, to) = times(arguments);
-    let frames = arguments.frames;
+    let drawn = rows.iter().map(|row| row.frames).max().unwrap_or(0);
+    let frames = if drawn < arguments.frames {
+        format!("the first {drawn} of {}", arguments.frames)
+    } else {
+        drawn.to_string()
+    };
     let table = format!(
         "{}; {what} {frames} frames from {from} s to {to} s\n\n{table}",
         machine()
@@ -109,6 +121,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     if let Some(file) = &arguments.json {
         output::write(file, &json(&rows)?)?;
+    }
+    if interrupt::is_stopped() {
+        bail!(Stopped("the table holds what was measured".to_owned()));
     }
     Ok(())
 }
@@ -163,7 +178,6 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
 /// The frames of a scene; none if they would all lie outside of it.
 fn shot(arguments: &Arguments, scene: SceneName) -> Option<Shot> {
     let (mut from, mut to) = times(arguments);
-    let mut flicker_frames = arguments.flicker;
     if let Some(start) = scene.start() {
         // Between its cuts.
         let start = start - arguments.scene.start().unwrap_or(0.0);
@@ -172,14 +186,14 @@ fn shot(arguments: &Arguments, scene: SceneName) -> Option<Shot> {
         if from > to {
             return None;
         }
-        let rest = ((scene.length() - from) / FRAME).round() as usize;
-        flicker_frames = flicker_frames.min(rest);
     }
     let time = |frame: usize| evenly_spaced(from, to, frame, arguments.frames);
+    // The next scene of the show has no part in this one.
+    let end = scene.start().map(|_| scene.length());
     Some(Shot {
         scene,
         times: (0..arguments.frames).map(time).collect(),
-        flicker_frames,
+        views: views(from, to, arguments.views, end),
     })
 }
 

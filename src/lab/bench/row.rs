@@ -1,13 +1,16 @@
 //! The figures of a run.
 
 use super::measure::{Plan, Setting, Shot};
+use crate::error::Difference;
+use crate::interrupt;
 use crate::timing::{median, percentile};
+use crate::views::Seen;
 use serde::Serialize;
 
 /// What was measured of one quality in one setting.
 ///
 /// Times are in milliseconds, counts are means of a frame, shares are of 1. An infinite PSNR, where no pixel differs, is
-/// `null` in JSON.
+/// `null` in JSON, and what was not measured to its end.
 #[derive(Serialize)]
 pub struct Row {
     pub scene: String,
@@ -34,14 +37,20 @@ pub struct Row {
     pub shadow_rays: f64,
     /// Primary and secondary rays for each lane that could have carried one.
     pub lane_occupancy: f64,
-    /// Mean of the frames' PSNR against the exhaustive ones, of those frames that differ.
-    pub psnr_mean_db: f64,
+    /// The PSNR of all frames together against the exhaustive ones.
+    pub psnr_db: f64,
     pub psnr_worst_db: f64,
     /// Pixels with a channel more than 8 of 255 off.
     pub pixels_over_8: f64,
-    /// Blocks of 8x8 pixels whose error jumps by more than 8 of 255 from a frame to the next, in all frames that flicker is
-    /// looked for in; see [`crate::flicker`].
-    pub flicker: usize,
+    /// Pixels that jump from a frame to the next while the exhaustive frames' stay, see [`crate::views`]; `null` if no view has a
+    /// second frame.
+    pub pops: Option<f64>,
+    /// The mean of FLIP at 67 pixels per degree, and its 99th percentile, of the views against the exhaustive ones.
+    pub flip_mean: Option<f64>,
+    pub flip_p99: Option<f64>,
+    /// The PSNR and the mean of FLIP against exhaustive frames with 64 samples a pixel.
+    pub psnr_to_64_db: Option<f64>,
+    pub flip_to_64: Option<f64>,
     /// The exhaustive frames' median time over this one.
     pub speedup_vs_exhaustive: f64,
     /// The median time over that of filling the frame with one colour.
@@ -52,7 +61,7 @@ impl Row {
     /// The rows of a setting, one for each run.
     pub fn of(plan: &Plan, setting: &Setting) -> Vec<Self> {
         let shot = &plan.shots[setting.shot];
-        let frames = shot.times.len();
+        let frames = setting.floor.len();
         let floor = median(&setting.floor);
         let exhaustive = median(&setting.runs[0].times);
         let rows = setting.runs.iter().map(|run| {
@@ -60,10 +69,9 @@ impl Row {
             let ms = median(&run.times);
             let (worst_second, worst_ms) = worst_second(shot, &run.times);
             let psnr = run.differences.iter().map(|difference| difference.psnr);
-            // Black frames are all alike.
-            let finite: Vec<f64> = psnr.clone().filter(|psnr| psnr.is_finite()).collect();
-            let sum = finite.iter().sum::<f64>();
             let over_8: usize = run.differences.iter().map(|d| d.over_8).sum();
+            // Of views that an interrupt cut short nothing is told.
+            let seen = (!interrupt::is_stopped()).then_some(&run.seen);
             Self {
                 scene: shot.scene.to_string(),
                 width: setting.size.width,
@@ -81,14 +89,14 @@ impl Row {
                 rays: per_frame(run.counts.rays),
                 shadow_rays: per_frame(run.counts.shadow_rays),
                 lane_occupancy: run.counts.rays as f64 / run.counts.lanes as f64,
-                psnr_mean_db: if finite.is_empty() {
-                    f64::INFINITY
-                } else {
-                    sum / finite.len() as f64
-                },
+                psnr_db: Difference::pooled_psnr(&run.differences),
                 psnr_worst_db: psnr.fold(f64::INFINITY, f64::min),
                 pixels_over_8: per_frame(over_8 as u64),
-                flicker: run.flicker.jumps,
+                pops: seen.and_then(Seen::pops),
+                flip_mean: seen.and_then(|seen| seen.flips.mean()),
+                flip_p99: seen.and_then(|seen| seen.flips.p99()),
+                psnr_to_64_db: seen.and_then(Seen::psnr_to_64_db),
+                flip_to_64: seen.and_then(|seen| seen.flips_to_64.mean()),
                 speedup_vs_exhaustive: exhaustive / ms,
                 floor_ratio: ms / floor,
             }

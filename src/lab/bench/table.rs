@@ -1,7 +1,7 @@
 //! Rows as a table in Markdown.
 
 use super::row::Row;
-use crate::markdown::{decibels, percent};
+use crate::markdown::{dash, decibels, known, percent};
 
 /// A column's title, and what a row says in it.
 type Column = (&'static str, fn(&Row) -> String);
@@ -19,17 +19,22 @@ const TRACED: Column = ("traced", |row| percent(row.traced_fraction));
 const RAYS: Column = ("rays", |row| format!("{:.0}", row.rays));
 const SHADOW_RAYS: Column = ("shadow rays", |row| format!("{:.0}", row.shadow_rays));
 const LANES: Column = ("lanes used", |row| percent(row.lane_occupancy));
-const PSNR_MEAN: Column = ("PSNR mean", |row| decibels(row.psnr_mean_db));
+const PSNR: Column = ("PSNR", |row| decibels(row.psnr_db));
 const PSNR_WORST: Column = ("PSNR worst", |row| decibels(row.psnr_worst_db));
 const OVER_8: Column = ("over 8/255", |row| format!("{:.1}", row.pixels_over_8));
-const FLICKER: Column = ("flicker", |row| row.flicker.to_string());
+const POPS: Column = ("pops", |row| known(row.pops, 1));
+const FLIP: Column = ("FLIP", |row| known(row.flip_mean, 4));
+const PSNR_TO_64: Column = ("PSNR to 64", |row| {
+    row.psnr_to_64_db.map_or_else(dash, decibels)
+});
+const FLIP_TO_64: Column = ("FLIP to 64", |row| known(row.flip_to_64, 4));
 const SPEED_UP: Column = ("speed-up", |row| {
     format!("{:.2}", row.speedup_vs_exhaustive)
 });
 const FLOOR: Column = ("floor", |row| format!("{:.1}", row.floor_ratio));
 
 /// Of a scene.
-const COLUMNS: [Column; 17] = [
+const COLUMNS: [Column; 20] = [
     SIZE,
     THREADS,
     ISA,
@@ -41,16 +46,19 @@ const COLUMNS: [Column; 17] = [
     RAYS,
     SHADOW_RAYS,
     LANES,
-    PSNR_MEAN,
+    PSNR,
     PSNR_WORST,
     OVER_8,
-    FLICKER,
+    POPS,
+    FLIP,
+    PSNR_TO_64,
+    FLIP_TO_64,
     SPEED_UP,
     FLOOR,
 ];
 
 /// Of the show's scenes.
-const SHOW_COLUMNS: [Column; 13] = [
+const SHOW_COLUMNS: [Column; 16] = [
     SIZE,
     THREADS,
     SCENE,
@@ -60,10 +68,13 @@ const SHOW_COLUMNS: [Column; 13] = [
     MS,
     MS_P99,
     TRACED,
-    PSNR_MEAN,
+    PSNR,
     PSNR_WORST,
     OVER_8,
-    FLICKER,
+    POPS,
+    FLIP,
+    PSNR_TO_64,
+    FLIP_TO_64,
 ];
 
 /// A line for each row.

@@ -76,13 +76,32 @@ impl Film {
             Samples::Spread(exposure) => format!("{exposure:?}"),
         };
         format!(
-            "eightfold {}: scene {}, frame {frame} at {} fps, {}, {:?}, {samples}, {lanes}",
+            "eightfold {}: scene {} ({:016x}), frame {frame} at {} fps, {}, {:?}, {samples}, {lanes}",
             env!("CARGO_PKG_VERSION"),
             self.scene,
+            self.contents(frame),
             self.rate,
             self.size,
             self.quality.quality,
         )
+    }
+
+    /// A number for the line that describes a frame.
+    pub fn made(&self, frame: usize) -> u64 {
+        fnv(FNV_START, &self.describe(frame))
+    }
+
+    /// A number for all that the scenes of a frame have in them: several while the shutter is open.
+    fn contents(&self, frame: usize) -> u64 {
+        let moments = match self.samples {
+            Samples::Spread(exposure) if exposure.shutter > 0.0 => exposure.samples,
+            _ => 1,
+        };
+        let still = self.scene.at(self.time(frame));
+        (0..moments).fold(FNV_START, |hash, index| {
+            let (scene, _) = self.picture(frame, index, &still);
+            fnv(hash, &format!("{scene:?}"))
+        })
     }
 
     /// Draws a frame as `0x00RRGGBB` pixels, row by row: the mean of its pictures as they would be shown.
@@ -155,6 +174,15 @@ impl Canvas {
         }
     }
 }
+
+/// The hash of a text that follows what has the hash so far (Fowler, Noll and Vo: FNV-1a of 64 bits). It is the same on any machine.
+fn fnv(hash: u64, text: &str) -> u64 {
+    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
+    text.bytes().fold(hash, step)
+}
+
+/// The hash of nothing.
+const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
 
 /// Adds a picture to the sums.
 fn add(sums: &mut Vec<[u32; 3]>, pixels: &[u32]) {

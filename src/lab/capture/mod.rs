@@ -154,7 +154,7 @@ What is made of frames, by ffmpeg:
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    interrupt::listen()?;
+    interrupt::listen();
     let film = film(arguments)?;
     let frames = range(arguments, &film)?;
     if let Some(name) = &arguments.audio {

@@ -34,7 +34,7 @@ pub fn send(
     let frames: Vec<usize> = frames.collect();
     let done = queue.draw(
         &frames,
-        |_, pixels| Ok(y4m::frame(pixels)),
+        |frame, pixels| Ok(y4m::frame(film.made(frame), pixels)),
         |bytes| {
             write(&bytes)?;
             bar.inc(1);
@@ -45,8 +45,8 @@ pub fn send(
     done
 }
 
-/// Whether a file holds exactly this stream. The header, the length and the first and last frame are compared. A file under its
-/// final name is complete, so the frames between are there, too.
+/// Whether a file holds exactly this stream. The header, the length, how each frame was made, and the first and the last frame are
+/// compared. A file under its final name is complete, so the pictures between are there, too.
 fn is_there(film: &Film, frames: &Range<usize>, name: &Path) -> io::Result<bool> {
     let header = y4m::header(film.size, film.rate);
     let bytes = y4m::frame_bytes(film.size);
@@ -62,9 +62,18 @@ fn is_there(film: &Film, frames: &Range<usize>, name: &Path) -> io::Result<bool>
         file.read_exact(&mut found)?;
         io::Result::Ok(found == wanted)
     };
+    if !holds(0, &header)? {
+        return Ok(false);
+    }
+    for (i, number) in frames.clone().enumerate() {
+        if !holds(header.len() + i * bytes, &y4m::mark(film.made(number)))? {
+            return Ok(false);
+        }
+    }
     let mut canvas = Canvas::new();
-    let mut frame = |number| y4m::frame(film.draw(number, &mut canvas));
-    Ok(holds(0, &header)?
-        && holds(header.len(), &frame(frames.start))?
-        && holds(length - bytes, &frame(frames.end - 1))?)
+    let mut frame = |number| y4m::frame(film.made(number), film.draw(number, &mut canvas));
+    Ok(
+        holds(header.len(), &frame(frames.start))?
+            && holds(length - bytes, &frame(frames.end - 1))?,
+    )
 }

@@ -3,15 +3,15 @@
 use super::film::Film;
 use super::frame_queue::FrameQueue;
 use super::{sound, stream};
-use crate::interrupt::Stopped;
-use crate::output;
+use crate::interrupt::{self, Stopped};
+use crate::output::{self, Part};
 use anyhow::{Context, Error, Result, anyhow, bail};
 use std::io::{self, Read, Write};
 use std::ops::Range;
+use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStderr, Command, Stdio};
 use std::thread;
-use tempfile::NamedTempFile;
 
 /// The extensions of containers in which all players support H.264, and of the animated pictures that pages show.
 const SUFFIXES: [&str; 3] = [".mp4", ".mkv", WEBP];
@@ -42,38 +42,38 @@ pub fn write(queue: &FrameQueue<'_>, frames: Range<usize>, name: &Path) -> Resul
     let mut ffmpeg = if is_animated_picture {
         start(&ANIMATED_WEBP, None, file.path())?
     } else {
-        start(&H264, sound.as_ref().map(NamedTempFile::path), file.path())?
+        start(&H264, sound.as_ref().map(Part::path), file.path())?
     };
     let complaints = ffmpeg.stderr.take().expect("a pipe was asked for");
     let complaints = thread::spawn(move || last_line(complaints));
     let mut pipe = ffmpeg.stdin.take().expect("a pipe was asked for");
+    // A signal ends ffmpeg, whatever it is at: so neither writing to it nor waiting for it lasts longer than that.
+    let ended = thread::spawn(move || interrupt::wait(&mut ffmpeg));
     let sent = stream::send(queue, frames, |bytes| Ok(pipe.write_all(bytes)?));
-    let is_stopped = sent.as_ref().is_err_and(|error| error.is::<Stopped>());
-    if is_stopped {
-        ffmpeg.kill().context("ffmpeg is lost")?;
-    }
     drop(pipe);
-    let status = ffmpeg.wait().context("ffmpeg is lost")?;
+    let ended = ended.join().expect("waiting does not panic");
     let complaint = complaints.join().unwrap_or_default();
-    // ffmpeg reports success even if a full disk cuts off the end of the file.
-    if !is_stopped && (!status.success() || complaint.is_some()) {
-        let complaint = complaint.as_deref().unwrap_or("it does not say why");
-        bail!("ffmpeg cannot write {}: {complaint}", name.display());
+    if interrupt::is_stopped() {
+        bail!(Stopped("no video is written".to_owned()));
     }
-    if is_stopped {
-        return sent;
+    // ffmpeg reports success even if a full disk cuts off the end of the file.
+    if !ended.context("ffmpeg is lost")?.success() || complaint.is_some() {
+        let complaint = complaint.as_deref().unwrap_or("it does not say why");
+        let (part, shown) = (file.path().display().to_string(), name.display());
+        let complaint = complaint.replace(&part, &shown.to_string());
+        bail!("ffmpeg cannot write {shown}: {complaint}");
     }
     sent.with_context(|| format!("ffmpeg ended before {} was complete", name.display()))?;
     output::persist(file, name).with_context(|| format!("cannot write {}", name.display()))
 }
 
 /// A temporary file with the sound of a range of frames.
-fn sound(film: &Film, frames: &Range<usize>) -> Result<Option<NamedTempFile>> {
-    let Some(bytes) = sound::bytes(film, frames) else {
+fn sound(film: &Film, frames: &Range<usize>) -> Result<Option<Part>> {
+    let Some(bytes) = sound::bytes(film, frames)? else {
         return Ok(None);
     };
     let write = || {
-        let mut file = tempfile::Builder::new().suffix(".wav").tempfile()?;
+        let mut file = Part::passing(".wav")?;
         file.write_all(&bytes)?;
         io::Result::Ok(file)
     };
@@ -106,6 +106,8 @@ fn start(codec: &[&str], sound: Option<&Path>, out: &Path) -> Result<Child> {
     ffmpeg
         .args(codec)
         .arg(out)
+        // What a terminal sends on Ctrl-C goes to the lab alone, which ends ffmpeg.
+        .process_group(0)
         .stdin(Stdio::piped())
         .stdout(Stdio::null())
         .stderr(Stdio::piped())

@@ -1,6 +1,7 @@
 //! YUV4MPEG2, the stream of raw pictures that video programs read.
 //!
-//! The stream has a header of one line, then for each frame the line `FRAME` and three planes. The colours are those of HDTV
+//! The stream has a header of one line, then for each frame the line `FRAME`, with a comment that tells how it was made, and three
+//! planes. The colours are those of HDTV
 //! (BT.709, limited range) in full resolution (4:4:4). The format cannot express the matrix. Players assume BT.709 for large
 //! pictures; ffmpeg assumes BT.601 and has to be told.
 
@@ -14,18 +15,20 @@ pub fn header(size: Size, rate: Rate) -> Vec<u8> {
         .into_bytes()
 }
 
-/// The line in front of each picture.
-const MARK: &[u8] = b"FRAME\n";
+/// The line in front of each picture, with a number that tells how the picture was made. Readers pass over what begins with an X.
+pub fn mark(made: u64) -> Vec<u8> {
+    format!("FRAME XMADE={made:016x}\n").into_bytes()
+}
 
 /// The bytes of a frame in the stream.
 pub fn frame_bytes(size: Size) -> usize {
-    MARK.len() + 3 * size.area()
+    mark(0).len() + 3 * size.area()
 }
 
 /// Encodes a picture of `0x00RRGGBB` pixels as a frame.
-pub fn frame(pixels: &[u32]) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(MARK.len() + 3 * pixels.len());
-    bytes.extend_from_slice(MARK);
+pub fn frame(made: u64, pixels: &[u32]) -> Vec<u8> {
+    let mut bytes = mark(made);
+    bytes.reserve_exact(3 * pixels.len());
     for plane in [LUMA, CB, CR] {
         bytes.extend(pixels.iter().map(|&pixel| plane.of(pixel)));
     }

@@ -23,10 +23,12 @@ pub enum Setting {
     Mirrors,
     /// Large panes of glass.
     Glass,
+    /// A shiny floor and a point of light; the small things are shiny spheres and cylinders.
+    Shiny,
 }
 
 /// All of them.
-pub const SETTINGS: [Setting; 8] = [
+pub const SETTINGS: [Setting; 9] = [
     Setting::Point,
     Setting::SizedLamp,
     Setting::Sun,
@@ -35,6 +37,7 @@ pub const SETTINGS: [Setting; 8] = [
     Setting::Mirror,
     Setting::Mirrors,
     Setting::Glass,
+    Setting::Shiny,
 ];
 
 /// How many small things a scene has.
@@ -74,9 +77,17 @@ pub fn scene(setting: Setting, seed: u32) -> Scene {
 fn add_things(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
     for number in 0..THINGS {
         let centre = point(random, vec3a(-5.0, 0.5, -5.0), vec3a(5.0, 3.0, 5.0));
-        let size = 10.0_f32.powf(between(random, -2.0, -0.7));
-        let material = matt(point(random, Vec3A::splat(0.3), Vec3A::ONE));
-        if setting != Setting::Blocks {
+        let is_shiny = setting == Setting::Shiny;
+        let size = if is_shiny {
+            between(random, 0.1, 0.8)
+        } else {
+            10.0_f32.powf(between(random, -2.0, -0.7))
+        };
+        let mut material = matt(point(random, Vec3A::splat(0.3), Vec3A::ONE));
+        if is_shiny {
+            material = shiny(material, random);
+        }
+        if setting != Setting::Blocks && !(is_shiny && number % 2 == 1) {
             scene.spheres.push(Sphere {
                 centre,
                 radius: size,
@@ -113,6 +124,7 @@ fn add_hosts(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
             scene.planes = floor(white)
         }
         Setting::Mirror => scene.planes = floor(mirror),
+        Setting::Shiny => scene.planes = floor(shiny(white, random)),
         Setting::Spheres | Setting::Mirrors => {
             let material = if setting == Setting::Spheres {
                 white
@@ -164,6 +176,16 @@ fn matt(colour: Vec3A) -> Material {
         colour,
         kd: 0.8,
         ..Material::BLACK
+    }
+}
+
+/// A material with highlights of any size.
+fn shiny(material: Material, random: &mut Sampler) -> Material {
+    Material {
+        ks: between(random, 0.2, 1.0),
+        exponent: 10.0_f32.powf(between(random, 1.0, 3.0)),
+        kd: 0.5,
+        ..material
     }
 }
 

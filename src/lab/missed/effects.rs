@@ -8,7 +8,8 @@ use eightfold::glam::Vec3A;
 use eightfold::scene::{Light, List, Material, Scene, Waves};
 use eightfold_oracle::{Object, Oracle};
 use eightfold_window::cpu;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
 
 /// What a pixel shows of a thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -31,11 +32,15 @@ pub enum Kind {
     OtherImage,
     /// What glass shows.
     Glass,
+    /// A highlight, in the eye's own sight.
+    Highlight,
+    /// A highlight, in a mirror or through glass.
+    MirroredHighlight,
 }
 
 impl Kind {
     /// All of them, as they stand in a table.
-    pub const ALL: [(Self, &'static str); 9] = [
+    pub const ALL: [(Self, &'static str); 11] = [
         (Self::Object, "objects"),
         (Self::PointShadow, "shadows of spheres on planes, by points"),
         (Self::SizedShadow, "... by lamps with a size"),
@@ -45,11 +50,16 @@ impl Kind {
         (Self::PlaneImage, "images in the first plane"),
         (Self::OtherImage, "images in other mirrors, in waves"),
         (Self::Glass, "through glass"),
+        (Self::Highlight, "highlights"),
+        (Self::MirroredHighlight, "... in mirrors"),
     ];
 }
 
 /// The most pixels of what is small.
 const SMALL: usize = 16;
+
+/// The fewest and the most pixels of a small highlight, which is less sharp than other things.
+const SMALL_HIGHLIGHT: RangeInclusive<usize> = 5..=64;
 
 /// How many small effects there are, and how many of them a picture misses: none of their pixels is right.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -120,15 +130,53 @@ impl EffectCounter {
             }
             pixels.retain(|_, pixels| pixels.len() <= SMALL);
             for (kind, pixels) in pixels {
-                let count = counts.entry(kind).or_default();
-                count.small += 1;
-                for (missed, drawn) in count.missed.iter_mut().zip(&drawn) {
-                    let is_missed = pixels.iter().all(|&i| differ(whole[i], drawn[i]));
-                    *missed += usize::from(is_missed);
+                add(counts, kind, &pixels, &whole, &drawn);
+            }
+        }
+        for thing in shiny(scene) {
+            let matt = self.draw(&made_matt(scene, thing), Quality::EXHAUSTIVE);
+            let (own, mirrored): (Vec<usize>, Vec<usize>) = (0..whole.len())
+                .filter(|&i| differ(whole[i], matt[i]))
+                .partition(|&i| hosts[i] == thing);
+            for (kind, pixels) in [(Kind::Highlight, own), (Kind::MirroredHighlight, mirrored)] {
+                for patch in patches(&pixels, self.width) {
+                    if SMALL_HIGHLIGHT.contains(&patch.len()) {
+                        add(counts, kind, &patch, &whole, &drawn);
+                    }
                 }
             }
         }
     }
+}
+
+/// Counts a small effect that some pixels show, and the pictures that have none of them right.
+fn add(counts: &mut Counts, kind: Kind, pixels: &[usize], whole: &[u32], drawn: &[Vec<u32>; 2]) {
+    let count = counts.entry(kind).or_default();
+    count.small += 1;
+    for (missed, drawn) in count.missed.iter_mut().zip(drawn) {
+        *missed += usize::from(pixels.iter().all(|&i| differ(whole[i], drawn[i])));
+    }
+}
+
+/// Pixels, given by ascending index, by patches of neighbours, corners included.
+pub fn patches(pixels: &[usize], width: usize) -> Vec<Vec<usize>> {
+    let mut rest: BTreeSet<usize> = pixels.iter().copied().collect();
+    let mut patches = Vec::new();
+    while let Some(first) = rest.pop_first() {
+        let mut patch = vec![first];
+        let mut next = 0;
+        while let Some(&pixel) = patch.get(next) {
+            let (x, y) = (pixel % width, pixel / width);
+            for y in y.saturating_sub(1)..=y + 1 {
+                for x in x.saturating_sub(1)..=(x + 1).min(width - 1) {
+                    patch.extend(rest.take(&(y * width + x)));
+                }
+            }
+            next += 1;
+        }
+        patches.push(patch);
+    }
+    patches
 }
 
 fn differ(a: u32, b: u32) -> bool {
@@ -139,6 +187,26 @@ fn differ(a: u32, b: u32) -> bool {
 fn things(scene: &Scene) -> impl Iterator<Item = Object> {
     let spheres = (0..scene.spheres.len()).map(Object::Sphere);
     spheres.chain((0..scene.blocks.len()).map(Object::Block))
+}
+
+/// The objects of a scene that have highlights.
+fn shiny(scene: &Scene) -> impl Iterator<Item = Object> {
+    let planes = (0..scene.planes.len()).map(Object::Plane);
+    things(scene)
+        .chain(planes)
+        .filter(|&thing| material(scene, thing).ks > 0.0)
+}
+
+/// The scene with an object that has no highlights.
+fn made_matt(scene: &Scene, thing: Object) -> Scene {
+    let mut scene = *scene;
+    match thing {
+        Object::Sphere(i) => scene.spheres[i].material.ks = 0.0,
+        Object::Block(i) => scene.blocks[i].material.ks = 0.0,
+        Object::Plane(i) => scene.planes[i].material.ks = 0.0,
+        Object::Light(_) | Object::Background => {}
+    }
+    scene
 }
 
 /// The scene without one of its things.

@@ -23,8 +23,9 @@ use std::thread::available_parallelism;
 /// Counts the small objects, shadows and images that a quality misses
 ///
 /// Prints a Markdown table. A sphere, box or cylinder is taken out of the scene, and the pixels of an exhaustive frame that change
-/// by more than 8/255 are what shows it, beside its own: its shadows, its images. What has 16 pixels of a kind at most is small, and it is
-/// missed if none of these pixels is right; `unguarded` is what the quality would miss without the guard. Without --scene it counts
+/// by more than 8/255 are what shows it, beside its own: its shadows, its images. What has 16 pixels of a kind at most is small, and a patch of 5 to 64 pixels that an object
+/// without highlights would change is a small highlight. What is small is
+/// missed if none of its pixels is right; `unguarded` is what the quality would miss without the guard. Without --scene it counts
 /// in scenes drawn by chance, in the model scene and in the show.
 #[derive(Args)]
 pub struct Arguments {
@@ -36,7 +37,7 @@ pub struct Arguments {
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest
     #[arg(long, value_name = "NAME", default_value = "default")]
     quality: NamedQuality,
-    /// Scenes to draw by chance of each of eight sorts
+    /// Scenes to draw by chance of each of nine sorts
     #[arg(long, value_name = "N", default_value = "20", value_parser = arguments::frames)]
     seeds: usize,
     /// Frames of a scene, at times spread evenly over it
@@ -58,7 +59,7 @@ struct Group {
 
 /// Counts, and prints the table.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    interrupt::listen()?;
+    interrupt::listen();
     let groups = groups(arguments);
     for scene in groups.iter().flat_map(|group| &group.scenes) {
         scene.validate()?;

@@ -188,7 +188,9 @@ impl Patches {
         let indent = indent(text, last.start);
         for item in items {
             if tail.ends_line {
-                self.replace(tail.line_end..tail.line_end, format!("\n{indent}{item},"));
+                let line_break = &text[tail.line_end..tail.next_line];
+                let line = format!("{line_break}{indent}{item},");
+                self.replace(tail.line_end..tail.line_end, line);
             } else {
                 let end = tail.comma_end.unwrap_or(last.end);
                 self.replace(end..end, format!(" {item},"));
@@ -203,7 +205,7 @@ impl Patches {
         let line = item.start - indent_length(text, item.start);
         let begins_line = line == 0 || text[..line].ends_with('\n');
         let place = if begins_line && tail.ends_line {
-            line..text.len().min(tail.line_end + 1)
+            line..tail.next_line
         } else {
             item.start..tail.comma_end.unwrap_or(item.end)
         };
@@ -217,20 +219,24 @@ struct Tail {
     comma_end: Option<usize>,
     /// Whether there is nothing else but a comment.
     ends_line: bool,
-    /// Where the line ends.
+    /// Where the line ends, before its `\n` or `\r\n`, and where the next one begins.
     line_end: usize,
+    next_line: usize,
 }
 
 impl Tail {
     fn of(text: &str, end: usize) -> Self {
-        let line_end = text[end..].find('\n').map_or(text.len(), |at| end + at);
-        let rest = &text[end..line_end];
+        let line = text[end..].split_inclusive('\n').next().unwrap_or_default();
+        let rest = line.strip_suffix('\n').unwrap_or(line);
+        let rest = rest.strip_suffix('\r').unwrap_or(rest);
+        let line_end = end + rest.len();
         let comma = rest.trim_start().strip_prefix(',');
         let after = comma.unwrap_or(rest).trim_start();
         Self {
             comma_end: comma.map(|_| line_end - after.len()),
             ends_line: after.is_empty() || after.starts_with("//"),
             line_end,
+            next_line: end + line.len(),
         }
     }
 }
@@ -348,6 +354,25 @@ mod tests {
         );
         assert_eq!(duplicate(TEXT, "spheres", 2), None);
         assert_eq!(duplicate(TEXT, "blocks", 0), None);
+    }
+
+    #[test]
+    fn lines_end_as_those_beside_them_and_a_byte_order_mark_stays() {
+        let other = |text: &str| format!("\u{feff}{}", text.replace('\n', "\r\n"));
+        let edits: [fn(&str) -> Option<String>; 3] = [
+            |text| duplicate(text, "spheres", 0),
+            |text| remove(text, "spheres", 1),
+            |text| {
+                let eye = ("camera.eye".to_owned(), json!([1.0, 2.0, 3.0]));
+                let radius = ("spheres[0].radius".to_owned(), json!(2.0));
+                set(text, &[eye, radius])
+            },
+        ];
+        for edit in edits {
+            let text = edit(TEXT).expect("it can be put there");
+            assert_eq!(edit(&other(TEXT)), Some(other(&text)));
+            assert_eq!(value(&other(&text), "spheres"), value(&text, "spheres"));
+        }
     }
 
     #[test]

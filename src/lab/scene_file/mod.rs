@@ -3,33 +3,47 @@
 //! `examples/scenes` has a file for each of its features.
 
 mod changes;
-mod conversion;
-mod description;
 pub mod edit;
 mod keys;
 mod motion;
 mod path;
 mod places;
+mod reading;
 mod record;
 mod ron_text;
 mod rust_text;
+mod tree;
 
-pub use record::record;
+pub use record::{record, text_of};
 pub use rust_text::rust;
 
-use description::Description;
 use eightfold::Flaw;
-use eightfold::scene::{
-    MAX_BLOCKS, MAX_CAPTIONS, MAX_LETTERS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene,
-};
+use eightfold::scene::{Fields, MAX_LETTERS, Scene, Value as Place};
 use motion::{Motion, Numbers};
-use places::{Places, line_and_column};
-use ron::extensions::Extensions;
+use places::{BYTE_ORDER_MARK, Places, line_and_column};
 use serde_json::Value;
+use std::borrow::Cow;
 use std::fs;
+use std::path::Path;
 
 /// The suffix of scene files.
 pub const SUFFIX: &str = ".ron";
+
+/// What is said of a pipe or a device: it may have no end, and can't be read again.
+pub const NO_FILE: &str = "it is not a regular file";
+
+/// Reads the text of a scene file.
+///
+/// # Errors
+/// One line: the file, and why it can't be read.
+pub fn text(path: &Path) -> Result<String, String> {
+    let cannot = |why: &str| format!("cannot read {}: {why}", path.display());
+    let bytes = match fs::metadata(path) {
+        Ok(there) if !there.is_file() => return Err(cannot(NO_FILE)),
+        _ => fs::read(path).map_err(|error| cannot(&error.to_string()))?,
+    };
+    String::from_utf8(bytes).map_err(|_| cannot("it is not UTF-8"))
+}
 
 /// A scene that has been read from a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,9 +76,7 @@ impl SceneFile {
     /// # Errors
     /// One line: the file, the line, the column, the field, and what it takes.
     pub fn read(name: &str) -> Result<Self, String> {
-        let text =
-            fs::read_to_string(name).map_err(|error| format!("cannot read {name}: {error}"))?;
-        Self::parse(name, &text)
+        Self::parse(name, &text(Path::new(name))?)
     }
 
     /// Reads a scene from the text of a file.
@@ -72,12 +84,12 @@ impl SceneFile {
     /// # Errors
     /// As [`SceneFile::read`].
     pub fn parse(name: &str, text: &str) -> Result<Self, String> {
-        let options = ron::Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
-        let description: Description = options.from_str(text).map_err(|error| {
+        let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
+        let (tree, motions) = reading::read(text).map_err(|error| {
             let start = error.span.start;
             format!("{name}:{}:{}: {}", start.line, start.col, error.code)
         })?;
-        Self::of(name, description).map_err(|Fault { path, what }| {
+        Self::of(name, tree, motions).map_err(|Fault { path, what }| {
             let place = Places::of(text).find(&path).unwrap_or_default();
             let (line, column) = line_and_column(text, place.start);
             let subject = if path.is_empty() { "the scene" } else { &path };
@@ -85,18 +97,18 @@ impl SceneFile {
         })
     }
 
-    fn of(name: &str, mut description: Description) -> Result<Self, Fault> {
-        check_counts(&description)?;
-        check_materials(&description)?;
-        if !(description.length > 0.0 && description.length <= 3600.0) {
-            let what = format!("is {}, and takes seconds up to 3600", description.length);
+    fn of(name: &str, tree: Value, motions: Vec<Motion>) -> Result<Self, Fault> {
+        check_numbers(&tree)?;
+        check_lists(&tree)?;
+        let length = tree::number(&tree["length"]);
+        if !(length > 0.0 && length <= 3600.0) {
+            let what = format!("is {length}, and takes seconds up to 3600");
             return Err(fault("length", what));
         }
-        let motions = std::mem::take(&mut description.motions);
         let file = Self {
             name: name.to_owned(),
-            length: description.length,
-            tree: tree(description)?,
+            length,
+            tree,
             motions,
         };
         for (i, motion) in file.motions.iter().enumerate() {
@@ -166,84 +178,67 @@ impl SceneFile {
         }
     }
 
-    /// What the file says, without the motions.
-    fn description(&self) -> Description {
-        serde_json::from_value(self.tree.clone()).expect("it is a description's")
-    }
-
     /// The scene at a time in seconds.
     pub fn at(&self, time: f32) -> Scene {
-        let mut tree = self.tree.clone();
+        let mut tree = Cow::Borrowed(&self.tree);
         for motion in &self.motions {
             let value = serde_json::to_value(motion.at(time)).unwrap_or_default();
-            path::set(&mut tree, &motion.of, value);
+            path::set(tree.to_mut(), &motion.of, value);
         }
-        let description: Description =
-            serde_json::from_value(tree).expect("numbers have taken the place of numbers");
-        description.scene()
+        tree::scene(&tree)
     }
 }
 
-/// What a description says, by names.
-fn tree(description: Description) -> Result<Value, Fault> {
-    let tree = serde_json::to_value(description)
-        .map_err(|error| fault("", format!("cannot be kept: {error}")))?;
+/// Checks that all numbers are finite.
+fn check_numbers(tree: &Value) -> Result<(), Fault> {
     let mut none = None;
-    path::leaves(&tree, String::new(), &mut |path, value| {
+    path::leaves(tree, String::new(), &mut |path, value| {
         // Only a light without a cone may have nothing for it.
         if value.is_null() && !path.ends_with(".spot") && none.is_none() {
             none = Some(path);
         }
     });
     match none {
-        None => Ok(tree),
+        None => Ok(()),
         Some(path) => Err(fault(path, "is no number, and takes a finite one")),
     }
 }
 
-/// Checks that the library has room for everything.
-fn check_counts(description: &Description) -> Result<(), Fault> {
-    let lists = [
-        ("spheres", description.spheres.len(), MAX_SPHERES),
-        ("planes", description.planes.len(), MAX_PLANES),
-        ("blocks", description.blocks.len(), MAX_BLOCKS),
-        ("lights", description.lights.len(), MAX_LIGHTS),
-        ("captions", description.captions.len(), MAX_CAPTIONS),
-    ];
-    for (list, count, most) in lists {
-        if count > most {
-            let what = format!("has {count}, and takes up to {most}");
+/// Checks that the library has room for everything, and that every object's material is in the table.
+fn check_lists(tree: &Value) -> Result<(), Fault> {
+    let mut capacities = Vec::new();
+    Scene::default().visit(&mut |field| {
+        if let Place::List(items) = field.value {
+            capacities.push((field.name, items.capacity()));
+        }
+    });
+    for (list, most) in capacities {
+        let items = tree[list].as_array().map_or(&[][..], Vec::as_slice);
+        if items.len() > most {
+            let what = format!("has {}, and takes up to {most}", items.len());
             return Err(fault(list, what));
         }
-    }
-    for (i, caption) in description.captions.iter().enumerate() {
-        let letters = &caption.letters;
-        if letters.len() > MAX_LETTERS || !letters.is_ascii() {
-            let what = format!("is {letters:?}, and takes up to {MAX_LETTERS} letters of ASCII");
-            return Err(fault(format!("captions[{i}].letters"), what));
+        for (i, item) in items.iter().enumerate() {
+            let word = |field: &str| item.get(field).and_then(Value::as_str);
+            if let Some(letters) = word("letters")
+                && (letters.len() > MAX_LETTERS || !letters.is_ascii())
+            {
+                let what =
+                    format!("is {letters:?}, and takes up to {MAX_LETTERS} letters of ASCII");
+                return Err(fault(format!("{list}[{i}].letters"), what));
+            }
+            if let Some(name) = word("material")
+                && tree["materials"].get(name).is_none()
+            {
+                let materials = tree["materials"].as_object().into_iter().flatten();
+                let names: Vec<String> = materials.map(|(name, _)| format!("{name:?}")).collect();
+                let what = format!(
+                    "is {name:?}, and takes one of materials: {}",
+                    names.join(", ")
+                );
+                return Err(fault(format!("{list}[{i}].material"), what));
+            }
         }
     }
     Ok(())
-}
-
-/// Checks that every object's material is in the table.
-fn check_materials(description: &Description) -> Result<(), Fault> {
-    let spheres = description.spheres.iter().map(|sphere| &sphere.material);
-    let planes = description.planes.iter().map(|plane| &plane.material);
-    let blocks = description.blocks.iter().map(|block| &block.material);
-    let named = spheres.enumerate().map(|(i, name)| ("spheres", i, name));
-    let named = named.chain(planes.enumerate().map(|(i, name)| ("planes", i, name)));
-    let mut named = named.chain(blocks.enumerate().map(|(i, name)| ("blocks", i, name)));
-    let materials = &description.materials;
-    match named.find(|(.., name)| !materials.contains_key(*name)) {
-        None => Ok(()),
-        Some((list, i, name)) => {
-            let names: Vec<String> = materials.keys().map(|name| format!("{name:?}")).collect();
-            let what = format!(
-                "is {name:?}, and takes one of materials: {}",
-                names.join(", ")
-            );
-            Err(fault(format!("{list}[{i}].material"), what))
-        }
-    }
 }

@@ -3,6 +3,9 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+/// What some editors put in front of a text. It takes no column.
+pub const BYTE_ORDER_MARK: char = '\u{feff}';
+
 /// The values of a text in RON by their paths, such as `spheres[3].material`, `materials["gold"].kr` or `motions[0].keys[2]`.
 #[derive(Debug, Default)]
 pub struct Places(BTreeMap<String, Range<usize>>);
@@ -15,6 +18,7 @@ impl Places {
             at: 0,
             places: Self::default(),
         };
+        reader.skip(|c| c == BYTE_ORDER_MARK);
         reader.value("");
         reader.places
     }

@@ -1,10 +1,9 @@
 //! Scene files of the scenes that are compiled in.
 
-use super::description::Description;
 use super::keys::linear;
 use super::motion::{Between, Motion, Numbers};
 use super::path::leaves;
-use super::ron_text;
+use super::{ron_text, tree};
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use anyhow::{Result, bail};
@@ -17,26 +16,30 @@ use serde_json::Value;
 /// # Errors
 /// If the scene changes by more than its numbers.
 pub fn record(name: SceneName, fps: Rate) -> Result<String> {
-    let times: Vec<f32> = (0..fps.frames(name.length()))
-        .map(|frame| fps.time(frame))
-        .collect();
-    let mut scenes: Vec<Scene> = times.iter().map(|&time| name.at(time)).collect();
+    let frames = (0..fps.frames(name.length())).map(|frame| fps.time(frame));
+    let scenes = frames.map(|time| (time, name.at(time))).collect();
+    text_of(&name.to_string(), name.length(), scenes)
+}
+
+/// The text of a file that plays for some seconds, and shows scenes at their times; its name is for errors.
+///
+/// # Errors
+/// If the scenes differ by more than their numbers.
+pub fn text_of(name: &str, length: f32, mut scenes: Vec<(f32, Scene)>) -> Result<String> {
     hold_captions(&mut scenes);
-    let mut descriptions = Description::of_each(&scenes).into_iter();
-    let Some(mut first) = descriptions.next() else {
+    let names = tree::material_names(scenes.iter().map(|(_, scene)| scene));
+    let times: Vec<f32> = scenes.iter().map(|(time, _)| *time).collect();
+    let mut trees = scenes
+        .iter()
+        .map(|(_, scene)| tree::named(scene, length, &names));
+    let Some(first) = trees.next() else {
         bail!("{name} has no frames");
     };
-    first.length = name.length();
-    let start = serde_json::to_value(&first)?;
     let mut tracks = Vec::new();
-    leaves(&start, String::new(), &mut |path, value| {
+    leaves(&first, String::new(), &mut |path, value| {
         tracks.push((path, vec![value.clone()]))
     });
-    for (description, time) in descriptions.zip(&times[1..]) {
-        let tree = serde_json::to_value(&Description {
-            length: first.length,
-            ..description
-        })?;
+    for (tree, time) in trees.zip(&times[1..]) {
         let mut track = tracks.iter_mut();
         leaves(
             &tree,
@@ -53,12 +56,13 @@ pub fn record(name: SceneName, fps: Rate) -> Result<String> {
             bail!("{name} has other objects at {time} s than before: a scene file can't say that");
         }
     }
+    let mut motions = Vec::new();
     for (path, values) in tracks {
         if values.iter().any(|value| !is_same(value, &values[0])) {
-            first.motions.push(motion(path, &times, &values)?);
+            motions.push(motion(path, &times, &values)?);
         }
     }
-    Ok(ron_text::text(&first))
+    Ok(ron_text::text(first, &motions))
 }
 
 /// The number of frames up to a time.
@@ -97,9 +101,9 @@ fn is_same(a: &Value, b: &Value) -> bool {
 }
 
 /// Has every scene all captions of all scenes; those that it has not are dark.
-fn hold_captions(scenes: &mut [Scene]) {
+fn hold_captions(scenes: &mut [(f32, Scene)]) {
     let mut all: Vec<Caption> = Vec::new();
-    for scene in scenes.iter() {
+    for (_, scene) in scenes.iter() {
         for caption in scene.captions.iter() {
             if !all.iter().any(|known| *known.letters == *caption.letters) {
                 all.push(Caption {
@@ -109,7 +113,7 @@ fn hold_captions(scenes: &mut [Scene]) {
             }
         }
     }
-    for scene in scenes {
+    for (_, scene) in scenes {
         let shown = scene.captions;
         scene.captions.clear();
         for caption in &all {

@@ -1,20 +1,19 @@
 //! The text of a scene file: one object on a line, and nothing that is as it would be without a word.
 
-use super::description::{Caption, Description, Light, Material};
 use super::motion::Motion;
-use serde_json::Value;
+use super::tree::{self, TURN};
+use eightfold::scene::{Fields, Material, Scene, Value as Place};
+use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// The text of a file that describes a scene.
-pub fn text(description: &Description) -> String {
-    let Value::Object(tree) = tree(description) else {
-        return String::new();
-    };
+/// The text of a file with a tree and motions.
+pub fn text(mut tree: Value, motions: &[Motion]) -> String {
+    prune(&mut tree);
     let mut text = "Scene(\n".to_owned();
     let mut line = |indent: usize, line: &str| {
         let _ = writeln!(text, "{:1$}{line}", "", 4 * indent);
     };
-    for (name, value) in &tree {
+    for (name, value) in tree.as_object().into_iter().flatten() {
         match value {
             Value::Object(entries) if name == "materials" => {
                 line(1, "materials: {");
@@ -33,9 +32,9 @@ pub fn text(description: &Description) -> String {
             _ => line(1, &format!("{name}: {},", inline(value))),
         }
     }
-    if !description.motions.is_empty() {
+    if !motions.is_empty() {
         line(1, "motions: [");
-        for motion in &description.motions {
+        for motion in motions {
             write_motion(&mut line, motion);
         }
         line(1, "],");
@@ -53,54 +52,56 @@ fn write_motion(line: &mut impl FnMut(usize, &str), motion: &Motion) {
     line(2, "]),");
 }
 
-/// What a description says beyond what would be there without a word; its motions excepted.
-pub fn tree(description: &Description) -> Value {
-    let value = |value: serde_json::Result<Value>| value.unwrap_or_default();
-    let standard = value(serde_json::to_value(Description::default()));
-    let mut tree = value(serde_json::to_value(description));
-    prune(&mut tree, &standard);
-    let kinds = [
-        (
-            "materials",
-            value(serde_json::to_value(Material::default())),
-        ),
-        ("lights", value(serde_json::to_value(Light::default()))),
-        ("captions", value(serde_json::to_value(Caption::default()))),
-        (
-            "blocks",
-            serde_json::json!({
-                "shape": "Box",
-                "axes": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-                "turn": [0.0, 0.0, 0.0],
-            }),
-        ),
-    ];
-    for (list, standard) in kinds {
-        match tree.get_mut(list) {
-            Some(Value::Array(items)) => items.iter_mut().for_each(|item| prune(item, &standard)),
-            Some(Value::Object(items)) => {
-                items.values_mut().for_each(|item| prune(item, &standard));
-            }
-            _ => {}
-        }
+/// Takes away from the tree of a file what is as it would be without a word.
+pub fn prune(tree: &mut Value) {
+    let standard = tree::standard();
+    for material in tree["materials"].as_object_mut().into_iter().flatten() {
+        prune_struct(&mut Material::default(), material.1);
     }
-    if let Value::Object(tree) = &mut tree {
-        tree.remove("motions");
+    prune_struct(&mut Scene::default(), tree);
+    for field in ["length", "materials"] {
+        prune_field(tree, field, &standard[field]);
     }
-    tree
 }
 
-/// Takes away the fields that are as in the standard.
-fn prune(value: &mut Value, standard: &Value) {
-    let (Value::Object(fields), Value::Object(standard)) = (value, standard) else {
-        return;
-    };
-    fields.retain(|name, field| standard.get(name) != Some(field));
-    for (name, field) in fields {
-        if let Some(standard) = standard.get(name) {
-            prune(field, standard);
-        }
+/// Takes away a field that is the same as in the standard, to the bit: 0 is not -0.
+fn prune_field(tree: &mut Value, name: &str, standard: &Value) {
+    if let Some(fields) = tree.as_object_mut()
+        && fields.get(name).map(Value::to_string) == Some(standard.to_string())
+    {
+        fields.shift_remove(name);
     }
+}
+
+/// Takes away the fields of a struct that are as in the standard.
+fn prune_struct(standard: &mut dyn Fields, tree: &mut Value) {
+    standard.visit(&mut |field| {
+        let name = field.name;
+        let value = tree.get_mut(name);
+        let standard = match field.value {
+            _ if field.is_needed => return,
+            Place::Struct(standard) => {
+                value
+                    .into_iter()
+                    .for_each(|value| prune_struct(standard, value));
+                json!({})
+            }
+            Place::List(items) => {
+                let values = value.and_then(Value::as_array_mut);
+                for value in values.into_iter().flatten() {
+                    items.reset(1);
+                    items.each(&mut |standard| prune_struct(standard, value));
+                }
+                json!([])
+            }
+            Place::Axes(axes) => {
+                prune_field(tree, TURN, &json!([0.0, 0.0, 0.0]));
+                tree::value(Place::Axes(axes))
+            }
+            place => tree::value(place),
+        };
+        prune_field(tree, name, &standard);
+    });
 }
 
 /// A value on one line. Numbers are those of `f32`, by as few digits as tell them from others.

@@ -1,96 +1,61 @@
 //! A scene file as Rust source: a function of the time, for an intro of one's own.
 
 use super::motion::{Between, Motion, Numbers};
+use super::tree::{self, TURN};
 use super::{SceneFile, path, ron_text};
 use anyhow::{Result, bail};
+use eightfold::scene::{Fields, Items, Material, Scene, Value as Place};
 use serde_json::Value;
+use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fmt::Write;
-
-/// A struct of the library as scene files have it.
-struct Struct {
-    /// The field of a scene file that has one, several in a list, or several by name.
-    field: &'static str,
-    name: &'static str,
-    /// The number of its fields in the library.
-    fields: usize,
-    /// Where the fields come from that a file leaves out.
-    others: &'static str,
-}
-
-const fn library(
-    field: &'static str,
-    name: &'static str,
-    fields: usize,
-    others: &'static str,
-) -> Struct {
-    Struct {
-        field,
-        name,
-        fields,
-        others,
-    }
-}
-
-const STRUCTS: [Struct; 12] = [
-    library("camera", "Camera", 4, "Camera::default()"),
-    library("film", "Film", 2, "Film::default()"),
-    library("method", "Method", 3, "Method::default()"),
-    library("materials", "Material", 10, "Material::BLACK"),
-    library("pattern", "Pattern", 5, "Pattern::NONE"),
-    library("spheres", "Sphere", 3, "Sphere::default()"),
-    library("planes", "Plane", 4, "Plane::default()"),
-    library("water", "Waves", 3, "Waves::default()"),
-    library("blocks", "Block", 5, "Block::default()"),
-    library("lights", "Light", 7, "Light::DARK"),
-    library("spot", "Spot", 3, "Spot::default()"),
-    library("captions", "Caption", 4, "Caption::default()"),
-];
 
 /// Source text of a module with a function that gives the file's scene at a time. What the file moves is moved by functions that
 /// stand below it.
 ///
 /// # Errors
-/// If two materials have the same name but for what variables can't have.
+/// If two materials have the same name but for what variables can't have, or two motions move the same number.
 pub fn rust(file: &SceneFile) -> Result<String> {
+    for (i, motion) in file.motions.iter().enumerate() {
+        let mut others = file.motions[..i].iter();
+        if let Some(other) = others.find(|other| overlap(other, motion)) {
+            bail!("{} and {} move the same", other.of, motion.of);
+        }
+    }
     let printer = Printer {
         motions: &file.motions,
+        kinds: RefCell::default(),
     };
-    let description = file.description();
-    let mut tree = ron_text::tree(&description);
+    let mut tree = file.tree.clone();
+    ron_text::prune(&mut tree);
     // What moves is told, even from where it would be without a word.
     for motion in &file.motions {
-        let value = path::get(&file.tree, &motion.of).cloned();
-        path::set(&mut tree, &motion.of, value.unwrap_or_default());
+        let field = field(&motion.of);
+        let value = path::get(&file.tree, field).cloned();
+        path::set(&mut tree, field, value.unwrap_or_default());
     }
     let mut body = String::new();
     let mut variables = BTreeSet::new();
     for (name, material) in tree["materials"].as_object().into_iter().flatten() {
         let path = format!("materials[{name:?}]");
-        let material = printer.value(&path, "materials", material);
+        let material = printer.record(&path, &mut Material::default(), material);
         if !variables.insert(variable(name)) {
             bail!("the name of material {name:?} is too much like that of another");
         }
         let _ = writeln!(body, "let {} = {material};", variable(name));
     }
-    let mut fields = String::new();
-    for (name, value) in tree.as_object().into_iter().flatten() {
-        if !["length", "materials"].contains(&name.as_str()) {
-            let _ = writeln!(fields, "{name}: {},", printer.value(name, name, value));
-        }
-    }
+    body += &printer.record("", &mut Scene::default(), &tree);
     let time = if file.motions.is_empty() {
         "_time"
     } else {
         "time"
     };
-    let _ = writeln!(body, "Scene {{ {fields} ..Scene::default() }}");
     let mut text = format!(
         "//! Made of {} by `cargo lab scene --rust`.\n\n{}\n\n/// How long the scene plays, in seconds.\n\
          pub const LENGTH: f32 = {:?};\n\n/// The scene at a time in seconds.\n\
          pub fn scene({time}: f32) -> Scene {{\n{body}}}\n",
         file.name,
-        imports(&body, &file.motions),
+        imports(&body, &printer),
         file.length,
     );
     if !file.motions.is_empty() {
@@ -104,7 +69,7 @@ pub fn rust(file: &SceneFile) -> Result<String> {
 }
 
 /// What the function needs of the library and of the module below it.
-fn imports(body: &str, motions: &[Motion]) -> String {
+fn imports(body: &str, printer: &Printer<'_>) -> String {
     let words: BTreeSet<&str> = body
         .split(|c: char| !c.is_alphanumeric() && c != '_')
         .collect();
@@ -117,11 +82,11 @@ fn imports(body: &str, motions: &[Motion]) -> String {
     if !glam.is_empty() {
         let _ = writeln!(text, "use eightfold::glam::{{{}}};", glam.join(", "));
     }
-    let structs = STRUCTS.iter().map(|kind| kind.name);
-    let scene: Vec<&str> = structs.chain(["List", "Scene", "Shape"]).collect();
-    let scene = used(&scene);
-    let _ = write!(text, "use eightfold::scene::{{{}}};", scene.join(", "));
-    let functions: BTreeSet<&str> = motions.iter().map(function).collect();
+    let mut kinds = printer.kinds.borrow().clone();
+    kinds.extend(used(&["List"]));
+    let kinds: Vec<&str> = kinds.into_iter().collect();
+    let _ = write!(text, "use eightfold::scene::{{{}}};", kinds.join(", "));
+    let functions: BTreeSet<&str> = printer.motions.iter().map(function).collect();
     if !functions.is_empty() {
         let functions: Vec<&str> = functions.into_iter().collect();
         let _ = write!(text, "\nuse keys::{{{}}};", functions.join(", "));
@@ -139,72 +104,115 @@ fn function(motion: &Motion) -> &'static str {
     }
 }
 
+/// Whether two motions move a number that is the same, or a part of the other's.
+fn overlap(a: &Motion, b: &Motion) -> bool {
+    let rest = a.of.strip_prefix(&b.of).or(b.of.strip_prefix(&a.of));
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('['))
+}
+
+/// The path of the field that a path is in: of `spheres[0].centre[1]` it is `spheres[0].centre`.
+fn field(path: &str) -> &str {
+    let name = path.rfind('.').map_or(0, |dot| dot + 1);
+    let part = path[name..].find('[');
+    &path[..part.map_or(path.len(), |part| name + part)]
+}
+
 /// Prints values as Rust expressions.
 struct Printer<'a> {
     motions: &'a [Motion],
+    /// The names of the library's types that are printed.
+    kinds: RefCell<BTreeSet<&'static str>>,
 }
 
 impl Printer<'_> {
-    /// The value of a field.
-    fn value(&self, path: &str, name: &str, value: &Value) -> String {
+    /// A struct with its fields, and where the others come from.
+    fn record(&self, path: &str, fields: &mut dyn Fields, value: &Value) -> String {
+        let kind = fields.name();
+        self.kinds.borrow_mut().insert(kind);
+        let mut said = Vec::new();
+        let mut others = String::new();
+        fields.visit(&mut |field| {
+            let name = field.name;
+            let path = match path {
+                "" => name.to_owned(),
+                _ => format!("{path}.{name}"),
+            };
+            let turn = value
+                .get(TURN)
+                .filter(|_| matches!(field.value, Place::Axes(_)));
+            let own = value
+                .get(name)
+                .map(|value| self.value(&path, field.value, value));
+            let text = match (own, turn) {
+                (own, Some(turn)) => self.turned(&path, own, turn),
+                (Some(own), None) => own,
+                (None, None) => {
+                    others = format!("..{kind}::default()");
+                    return;
+                }
+            };
+            said.push(format!("{name}: {text}, "));
+        });
+        format!("{kind} {{ {}{others} }}", said.concat())
+    }
+
+    /// A value of a file that the library has at a place.
+    fn value(&self, path: &str, place: Place<'_>, value: &Value) -> String {
+        let word = value.as_str().unwrap_or_default();
+        match place {
+            Place::Number(_) | Place::Vector(_) | Place::Axes(_) => self.numbers(path, value),
+            Place::Flag(_) => value.to_string(),
+            Place::Letters(_) => format!("List::of(b\"{}\")", word.as_bytes().escape_ascii()),
+            Place::Shape(_) => {
+                self.kinds.borrow_mut().insert("Shape");
+                format!("Shape::{word}")
+            }
+            Place::Material(_) => variable(word),
+            Place::Struct(fields) => self.record(path, fields, value),
+            Place::Optional(items) => format!("Some({})", self.item(path, items, value)),
+            Place::List(items) => {
+                let values = value.as_array().into_iter().flatten().enumerate();
+                let texts =
+                    values.map(|(i, value)| self.item(&format!("{path}[{i}]"), items, value));
+                format!("List::of(&[{}])", texts.collect::<Vec<_>>().join(", "))
+            }
+        }
+    }
+
+    /// An item of others.
+    fn item(&self, path: &str, items: &mut dyn Items, value: &Value) -> String {
+        let mut text = String::new();
+        items.reset(1);
+        items.each(&mut |item| text = self.record(path, item, value));
+        text
+    }
+
+    /// A number, a vector or axes, which may move in whole or in part.
+    fn numbers(&self, path: &str, value: &Value) -> String {
         if let Some(motion) = self.motions.iter().find(|motion| motion.of == path) {
             return moved(motion);
         }
-        if let Some(kind) = STRUCTS.iter().find(|kind| kind.field == name) {
-            return match value {
-                Value::Array(items) => self.list(path, items, kind),
-                _ if name == "spot" => format!("Some({})", self.record(path, value, kind)),
-                _ => self.record(path, value, kind),
-            };
-        }
-        match (name, value) {
-            ("shape", Value::String(shape)) => format!("Shape::{shape}"),
-            ("letters", Value::String(letters)) => format!("List::of(b{letters:?})"),
-            ("material", Value::String(name)) => variable(name),
-            ("parallel", Value::Bool(is_so)) => is_so.to_string(),
-            _ => Numbers::of(value).map(numbers).unwrap_or_default(),
-        }
-    }
-
-    /// Items of a list.
-    fn list(&self, path: &str, items: &[Value], kind: &Struct) -> String {
-        let items = items.iter().enumerate();
-        let items = items.map(|(i, item)| self.record(&format!("{path}[{i}]"), item, kind));
-        format!("List::of(&[{}])", items.collect::<Vec<_>>().join(", "))
-    }
-
-    /// A struct with its fields, and where the others come from.
-    fn record(&self, path: &str, value: &Value, kind: &Struct) -> String {
-        let mut fields: Vec<(String, String)> = Vec::new();
-        for (name, value) in value.as_object().into_iter().flatten() {
-            fields.push((
-                name.clone(),
-                self.value(&format!("{path}.{name}"), name, value),
-            ));
-        }
-        let taken = |fields: &mut Vec<(String, String)>, name: &str| {
-            let i = fields.iter().position(|(known, _)| known == name)?;
-            Some(fields.remove(i).1)
+        let Some(parts) = value.as_array() else {
+            return format!("{:?}", tree::number(value));
         };
-        if let Some(turn) = taken(&mut fields, "turn") {
-            let axes = taken(&mut fields, "axes")
-                .map(|axes| format!("{axes} * "))
-                .unwrap_or_default();
-            let turned = format!(
-                "{{ let turn = {turn}; {axes}Mat3A::from_euler(EulerRot::YXZ, turn.y, turn.x, turn.z) }}"
-            );
-            fields.push(("axes".to_owned(), turned));
-        }
-        let others = if fields.len() == kind.fields {
-            String::new()
+        let texts = parts.iter().enumerate();
+        let texts = texts.map(|(i, part)| self.numbers(&format!("{path}[{i}]"), part));
+        let texts = texts.collect::<Vec<_>>().join(", ");
+        if parts.iter().any(Value::is_array) {
+            format!("Mat3A::from_cols({texts})")
         } else {
-            format!(", ..{}", kind.others)
-        };
-        let fields: Vec<String> = fields
-            .into_iter()
-            .map(|(name, value)| format!("{name}: {value}"))
-            .collect();
-        format!("{} {{ {}{others} }}", kind.name, fields.join(", "))
+            format!("vec3a({texts})")
+        }
+    }
+
+    /// The axes at a path after their turn.
+    fn turned(&self, path: &str, axes: Option<String>, turn: &Value) -> String {
+        let parent = path.rsplit_once('.').map_or("", |(parent, _)| parent);
+        let turn = self.numbers(&format!("{parent}.{TURN}"), turn);
+        let axes = axes.map(|axes| format!("{axes} * ")).unwrap_or_default();
+        format!(
+            "{{ let turn = {turn}; {axes}Mat3A::from_euler(EulerRot::YXZ, turn.y, turn.x, turn.z) }}"
+        )
     }
 }
 

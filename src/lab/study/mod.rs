@@ -67,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         return Err(BadInput::error(line.to_owned()));
     }
     output::check(&arguments.out)?;
-    interrupt::listen()?;
+    interrupt::listen();
     let mut page = Page::new(&format!("Study of {}", arguments.scene));
     page.paragraph(&format!(
         "{}. What trades accuracy for speed is measured on this scene: how fast each setting is, and how far its pictures are \
@@ -115,7 +115,7 @@ fn sections(arguments: &Arguments) -> Vec<Section> {
         Section {
             title: "Speed and error",
             says: "One thread. The speed-up is over frames in which every pixel is traced; PSNR, pixels that are more than 8 of \
-                   255 off, and flicker are against the same frames.",
+                   255 off, pixels that pop, and FLIP are against the same frames, the last columns against 64 samples a pixel.",
             command: format!("bench --size {size} --threads 1 --frames {frames} --time-to {end}"),
             flag: "",
             files: &[],
@@ -131,7 +131,7 @@ fn sections(arguments: &Arguments) -> Vec<Section> {
         },
         Section {
             title: "What speed costs",
-            says: "Every dial is turned. On the Pareto front nothing is both faster and closer to the picture that it should be.",
+            says: "Every dial is turned. In the table nothing is faster, closer by FLIP to the picture that it should be, and with fewer pixels that pop at once.",
             command: format!("trade --quick --size {size} --frames {frames} --time-to {end}"),
             flag: "--out",
             files: &[

@@ -5,7 +5,7 @@ use super::outcome::Outcome;
 /// A column: its title, and the text for a row.
 type Column = (&'static str, fn(&Outcome) -> String);
 
-const COLUMNS: [Column; 27] = [
+const COLUMNS: [Column; 29] = [
     ("name", |row| row.name.clone()),
     ("dials", |row| row.dials.clone()),
     ("sweep", |row| format!("\"{}\"", row.sweep)),
@@ -38,18 +38,18 @@ const COLUMNS: [Column; 27] = [
     ("largest_error", |row| row.largest_error.to_string()),
     ("pixels_over_8", |row| format!("{:.2}", row.pixels_over_8)),
     ("missed_objects", |row| format!("{:.3}", row.missed_objects)),
-    ("flicker_blocks", |row| {
-        row.flicker_blocks
-            .map_or_else(String::new, |n| format!("{n:.3}"))
+    ("pops", |row| known(row.pops)),
+    ("flip_mean", |row| known(row.flip_mean)),
+    ("flip_p99", |row| known(row.flip_p99)),
+    ("psnr_to_64_db", |row| {
+        row.psnr_to_64_db.map_or_else(String::new, finite)
     }),
-    ("flip_mean", |row| {
-        row.flip_mean
-            .map_or_else(String::new, |n| format!("{n:.6}"))
-    }),
-    ("flip_p99", |row| {
-        row.flip_p99.map_or_else(String::new, |n| format!("{n:.6}"))
-    }),
+    ("flip_to_64", |row| known(row.flip_to_64)),
 ];
+
+fn known(number: Option<f64>) -> String {
+    number.map_or_else(String::new, |number| format!("{number:.6}"))
+}
 
 fn finite(decibels: f64) -> String {
     if decibels.is_finite() {

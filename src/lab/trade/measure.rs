@@ -1,15 +1,15 @@
-//! Draws the frames of every point: to measure time and error, flicker, and FLIP.
+//! Draws the frames of every point: to measure time and error, and what a viewer sees of it.
 
 use super::sweep::Point;
 use super::tally::Tally;
 use crate::arguments::Size;
 use crate::error::Difference;
-use crate::flip::Flip;
 use crate::interrupt;
 use crate::missed::Visible;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
-use crate::timing::{evenly_spaced, flicker_time, thread_time};
+use crate::timing::{evenly_spaced, thread_time};
+use crate::views::{Subject, Viewer};
 use eightfold::scene::Scene;
 use eightfold::{Counts, Quality};
 use eightfold_window::cpu::Isa;
@@ -30,10 +30,10 @@ pub struct Plan {
     pub time_from: f32,
     /// The time of the last timed frame, in seconds.
     pub time_to: f32,
-    /// The number of successive frames for measuring flicker, from the first time on.
-    pub flicker_frames: usize,
-    /// The number of frames for FLIP, at even intervals.
-    pub flip_frames: usize,
+    /// The times of the frames of each view at which FLIP and pops are measured, see [`crate::views`].
+    pub views: Vec<Vec<f32>>,
+    /// Whether views are compared with 64 samples a pixel.
+    pub has_samples: bool,
 }
 
 /// Draws and compares frames.
@@ -57,16 +57,14 @@ pub struct Measurement<'a> {
 const DRAWING: f64 = 3.0;
 /// Estimated nanoseconds per pixel to compare two frames.
 const COMPARING: f64 = 1.0;
-/// Estimated nanoseconds per pixel to compute FLIP.
+/// Estimated nanoseconds per pixel of a view, most of them to compute FLIP.
 const FLIPPING: f64 = 700.0;
 
 impl Plan {
     /// The estimated microseconds to measure a number of points.
     pub fn steps(&self, points: usize) -> u64 {
-        let frames = self.frames * points;
-        let flicker = self.flicker_frames * points;
-        let flips = self.flip_frames * points;
-        self.cost(DRAWING + COMPARING, frames + flicker) + self.cost(FLIPPING, flips)
+        self.cost(DRAWING + COMPARING, self.frames * points)
+            + self.cost(FLIPPING, self.views.len() * points)
     }
 
     fn cost(&self, per_pixel: f64, frames: usize) -> u64 {
@@ -110,13 +108,7 @@ impl<'a> Measurement<'a> {
         }
         let rotated = plan.frames.min(tallies[0].times.len()) % tallies.len();
         tallies.rotate_right(rotated);
-        for frame in 0..plan.flicker_frames {
-            let time = flicker_time(plan.time_from, frame);
-            self.measure_flicker(&mut tallies, time);
-        }
-        for frame in 0..plan.flip_frames {
-            self.measure_flip(&mut tallies, plan.time(frame, plan.flip_frames));
-        }
+        self.look(&mut tallies);
         tallies
     }
 
@@ -144,36 +136,23 @@ impl<'a> Measurement<'a> {
         }
     }
 
-    fn measure_flicker(&mut self, tallies: &mut [Tally], time: f32) {
-        if interrupt::is_stopped() {
-            return;
-        }
-        let scene = self.plan.scene.without_overlay(time);
-        self.draw_exhaustive(&scene);
-        let width = self.plan.size.width;
-        for group in tallies.chunks_mut(GROUP) {
-            self.draw_group(&scene, group);
-            self.compare(group, |tally, exhaustive, pixels| {
-                tally.flicker.next(width, exhaustive, pixels);
+    /// Has all views of all points looked at.
+    fn look(&mut self, tallies: &mut [Tally]) {
+        let plan = self.plan;
+        let scene = |time| plan.scene.without_overlay(time);
+        let mut subjects: Vec<Subject<'_>> = tallies
+            .iter_mut()
+            .map(|tally| Subject {
+                quality: &tally.point.quality,
+                scene: &scene,
+                seen: &mut tally.seen,
+            })
+            .collect();
+        let mut viewer = Viewer::new(&mut self.renderer, plan.isa, plan.size, plan.has_samples);
+        for view in &plan.views {
+            viewer.look(view, &mut subjects, |points| {
+                (self.progress)(plan.cost(FLIPPING, points));
             });
-            (self.progress)(self.plan.cost(DRAWING + COMPARING, group.len()));
-        }
-    }
-
-    fn measure_flip(&mut self, tallies: &mut [Tally], time: f32) {
-        let scene = self.plan.scene.without_overlay(time);
-        self.draw_exhaustive(&scene);
-        let width = self.plan.size.width;
-        for group in tallies.chunks_mut(GROUP) {
-            if interrupt::is_stopped() {
-                return;
-            }
-            self.draw_group(&scene, group);
-            self.compare(group, |tally, exhaustive, pixels| {
-                let flip = Flip::between(width, exhaustive, pixels);
-                tally.flips.push((flip.mean(), flip.p99()));
-            });
-            (self.progress)(self.plan.cost(FLIPPING, group.len()));
         }
     }
 
@@ -209,15 +188,6 @@ impl<'a> Measurement<'a> {
         let pixels = &mut self.exhaustive;
         self.renderer
             .draw(level, scene, &self.plan.reference, width, pixels);
-    }
-
-    /// Draws a frame of each point of a group.
-    fn draw_group(&mut self, scene: &Scene, group: &[Tally]) {
-        let (level, width) = (self.plan.isa.level, self.plan.size.width);
-        for (tally, pixels) in group.iter().zip(&mut self.frames) {
-            let quality = &tally.point.quality;
-            self.renderer.draw(level, scene, quality, width, pixels);
-        }
     }
 
     /// Calls a function for each point of a group, with the reference frame and the point's own, on all threads.

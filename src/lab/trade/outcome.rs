@@ -1,6 +1,7 @@
 //! The results for a point.
 
 use super::tally::Tally;
+use crate::error::Difference;
 use crate::timing::percentile;
 use serde::Serialize;
 
@@ -46,12 +47,16 @@ pub struct Outcome {
     pub pixels_over_8: f64,
     /// Missed objects, see [`crate::missed`].
     pub missed_objects: f64,
-    /// Flickering blocks, see [`crate::flicker`].
-    pub flicker_blocks: Option<f64>,
+    /// Pixels that jump from a frame to the next while the exhaustive frames' stay, see [`crate::views`].
+    pub pops: Option<f64>,
     /// The mean of FLIP at 67 pixels per degree.
     pub flip_mean: Option<f64>,
     /// The 99th percentile of FLIP over the pixels.
     pub flip_p99: Option<f64>,
+    /// The PSNR against exhaustive frames with 64 samples a pixel, for the named qualities alone.
+    pub psnr_to_64_db: Option<f64>,
+    /// The mean of FLIP against the same.
+    pub flip_to_64: Option<f64>,
     /// Whether it is on the Pareto front, see [`mark_front`].
     pub on_front: bool,
 }
@@ -66,13 +71,8 @@ impl Outcome {
             .iter()
             .map(|d| d.psnr)
             .fold(f64::INFINITY, f64::min);
-        // The mean is taken over the squared errors, since the PSNR of equal frames is infinite.
-        let squares = differences.iter().map(|d| 10_f64.powf(-0.1 * d.psnr)).sum();
         let quality = &tally.point.quality;
-        let flips = (!tally.flips.is_empty()).then_some(&tally.flips);
-        let flip = |part: fn(&(f64, f64)) -> f64| {
-            flips.map(|flips| flips.iter().map(part).sum::<f64>() / flips.len() as f64)
-        };
+        let seen = &tally.seen;
         Self {
             name: tally.point.name.clone(),
             dials: tally.point.dials.clone(),
@@ -93,14 +93,16 @@ impl Outcome {
             speedup: percentile(&tally.exhaustive_times, 25) / percentile(&tally.times, 25),
             traced_fraction: mean(tally.counts.points as f64) / area as f64,
             rays: mean((tally.counts.rays + tally.counts.shadow_rays) as f64),
-            psnr_db: -10.0 * mean(squares).log10(),
+            psnr_db: Difference::pooled_psnr(differences),
             psnr_worst_db: worst,
             largest_error: differences.iter().map(|d| d.largest).max().unwrap_or(0),
             pixels_over_8: mean(differences.iter().map(|d| d.over_8).sum::<usize>() as f64),
             missed_objects: mean(tally.missed as f64),
-            flicker_blocks: tally.flicker.per_frame(),
-            flip_mean: flip(|flip| flip.0),
-            flip_p99: flip(|flip| flip.1),
+            pops: seen.pops(),
+            flip_mean: seen.flips.mean(),
+            flip_p99: seen.flips.p99(),
+            psnr_to_64_db: seen.psnr_to_64_db(),
+            flip_to_64: seen.flips_to_64.mean(),
             on_front: false,
         }
     }
@@ -118,17 +120,49 @@ impl Outcome {
     }
 }
 
-/// Marks the Pareto front: the points for which no other point is both faster and more accurate, among those that keep the rules
-/// of the product.
+/// Marks the Pareto front of time against what is seen: the points that keep the rules of the product, and that no other of these
+/// beats in speed, FLIP and pops at once. Where these were not measured, before Ctrl-C, it is the front of time against PSNR.
 pub fn mark_front(rows: &mut [Outcome]) {
-    let mut order: Vec<usize> = (0..rows.len()).collect();
-    order.sort_by(|&a, &b| rows[b].speedup.total_cmp(&rows[a].speedup));
-    let mut best = f64::NEG_INFINITY;
-    for i in order {
-        let row = &mut rows[i];
-        if row.keeps_the_rules() && row.psnr_db > best {
-            best = row.psnr_db;
-            row.on_front = true;
-        }
+    let is_seen = rows
+        .iter()
+        .all(|row| row.flip_mean.is_some() && row.pops.is_some());
+    let costs = |row: &Outcome| match (row.flip_mean, row.pops) {
+        (Some(flip), Some(pops)) if is_seen => [-row.speedup, flip, pops],
+        _ => [-row.speedup, -row.psnr_db, 0.0],
+    };
+    let on_front = unbeaten(rows, costs);
+    for (row, on_front) in rows.iter_mut().zip(on_front) {
+        row.on_front = on_front;
     }
+}
+
+/// The points on the front of time against one error, from the slowest to the fastest, without those that have no error.
+pub fn front_by(rows: &[Outcome], error: impl Fn(&Outcome) -> f64) -> Vec<&Outcome> {
+    let on_front = unbeaten(rows, |row| [-row.speedup, error(row)]);
+    let front = rows.iter().zip(on_front);
+    let front = front.filter(|(row, on_front)| *on_front && !row.is_exact());
+    from_the_slowest(front.map(|(row, _)| row))
+}
+
+/// Points in the order of their speed.
+pub fn from_the_slowest<'a>(rows: impl Iterator<Item = &'a Outcome>) -> Vec<&'a Outcome> {
+    let mut rows: Vec<&Outcome> = rows.collect();
+    rows.sort_by(|a, b| a.speedup.total_cmp(&b.speedup));
+    rows
+}
+
+/// Whether each point keeps the rules of the product, and no other one that does costs less of something and more of nothing.
+fn unbeaten<const N: usize>(rows: &[Outcome], costs: impl Fn(&Outcome) -> [f64; N]) -> Vec<bool> {
+    let all = rows.iter().filter(|row| row.keeps_the_rules()).map(&costs);
+    let all: Vec<[f64; N]> = all.collect();
+    let is_beaten = |row: &Outcome| {
+        let own = costs(row);
+        let beats = |other: &[f64; N]| {
+            *other != own && other.iter().zip(own).all(|(other, own)| *other <= own)
+        };
+        all.iter().any(beats)
+    };
+    let rows = rows.iter();
+    rows.map(|row| row.keeps_the_rules() && !is_beaten(row))
+        .collect()
 }

@@ -2,7 +2,7 @@
 
 use super::Trade;
 use super::curves::Curve;
-use super::outcome::Outcome;
+use super::outcome::{Outcome, front_by};
 use crate::plot::{Axis, COLOURS, Chart, DARK, GREY, Label, Series};
 use anyhow::Result;
 use plotters::style::RGBColor;
@@ -13,9 +13,44 @@ const LISTED: usize = 12;
 
 const PSNR: &str = "PSNR against every pixel traced, dB";
 
+/// What the points of a plot are rated by.
+struct Measure {
+    /// The name of the plot's files.
+    file: &'static str,
+    axis: &'static str,
+    of: fn(&Outcome) -> Option<f64>,
+    /// Whether less of it is better; its axis is then logarithmic, without those that have none.
+    is_error: bool,
+}
+
+const MEASURES: [Measure; 3] = [
+    Measure {
+        file: "front",
+        axis: PSNR,
+        of: |row| Some(row.psnr_db),
+        is_error: false,
+    },
+    Measure {
+        file: "front-flip",
+        axis: "FLIP against every pixel traced, mean",
+        of: |row| row.flip_mean,
+        is_error: true,
+    },
+    Measure {
+        file: "front-pops",
+        axis: "pixels that pop, of a frame",
+        of: |row| row.pops,
+        is_error: true,
+    },
+];
+
 /// Writes all plots for which there are results.
 pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
-    cloud(trade).write(folder, "front")?;
+    for measure in &MEASURES {
+        if trade.points.iter().any(|row| measure.has(row)) {
+            cloud(trade, measure).write(folder, measure.file)?;
+        }
+    }
     squares(trade).write(folder, "squares")?;
     if ys(&trade.by_resolution).next().is_some() {
         resolution(trade).write(folder, "resolution")?;
@@ -38,51 +73,86 @@ fn note(trade: &Trade) -> String {
     )
 }
 
-/// The points of the front from the slowest to the fastest. Points without any error are left out: their PSNR is infinite.
-pub fn front(rows: &[Outcome]) -> Vec<&Outcome> {
-    let on_front = rows.iter().filter(|row| row.on_front && !row.is_exact());
-    let mut front: Vec<&Outcome> = on_front.collect();
-    front.sort_by(|a, b| a.speedup.total_cmp(&b.speedup));
-    front
+impl Measure {
+    /// Where a point is in the plot.
+    fn position(&self, row: &Outcome) -> (f64, f64) {
+        (row.speedup, (self.of)(row).unwrap_or(f64::NAN))
+    }
+
+    /// Whether a point is in the plot: none without any error is.
+    fn has(&self, row: &Outcome) -> bool {
+        let is_there = |value: f64| value.is_finite() && (value > 0.0 || !self.is_error);
+        !row.is_exact() && (self.of)(row).is_some_and(is_there)
+    }
+
+    fn axis(&self, values: impl Iterator<Item = f64>) -> Axis {
+        if self.is_error {
+            Axis::log(self.axis, values, tenths())
+        } else {
+            Axis::linear(self.axis, values, 8)
+        }
+    }
+
+    /// Whether a point is so near to a label that their texts would cover each other.
+    fn is_close(&self, label: &Label, row: &Outcome) -> bool {
+        let (x, y) = self.position(row);
+        let apart = if self.is_error {
+            4.0 * (label.y / y).ln().abs()
+        } else {
+            (label.y - y).abs()
+        };
+        (label.x / x).ln().abs() < 0.05 && apart < 1.0
+    }
+
+    fn label(&self, row: &Outcome, text: String, is_below: bool) -> Label {
+        let (x, y) = self.position(row);
+        Label {
+            x,
+            y,
+            text,
+            is_below,
+        }
+    }
 }
 
-/// The plot of all points, with the front numbered.
-fn cloud(trade: &Trade) -> Chart {
-    let front = front(&trade.points);
+/// The plot of all points by a measure, with its front numbered.
+fn cloud(trade: &Trade, measure: &Measure) -> Chart {
+    let sign = if measure.is_error { 1.0 } else { -1.0 };
+    let mut front = front_by(&trade.points, |row| sign * measure.position(row).1);
+    front.retain(|row| measure.has(row));
     // If the front has many points, every n-th is listed, and all named qualities.
     let every = front.len().div_ceil(LISTED).max(1);
     let is_listed = |&(i, row): &(usize, &&Outcome)| i.is_multiple_of(every) || is_named(row);
     let listed = front.iter().enumerate().filter(is_listed);
     let listed: Vec<&Outcome> = listed.map(|(_, row)| *row).collect();
-    let off_front = |row: &&Outcome| is_named(row) && !row.on_front && !row.is_exact();
+    let is_on_front = |row: &Outcome| front.iter().any(|on| std::ptr::eq(*on, row));
+    let off_front = |row: &&Outcome| is_named(row) && measure.has(row) && !is_on_front(row);
     let mut labels: Vec<Label> = Vec::new();
     for (number, row) in (1..).zip(&listed) {
         // If two points are close, the number of the second one goes below it.
-        let is_close = |label: &Label| {
-            (label.x / row.speedup).ln().abs() < 0.05 && (label.y - row.psnr_db).abs() < 1.0
-        };
         let is_below = labels
             .last()
-            .is_some_and(|last| is_close(last) && !last.is_below);
-        labels.push(label(row, number.to_string(), is_below));
+            .is_some_and(|last| measure.is_close(last, row) && !last.is_below);
+        labels.push(measure.label(row, number.to_string(), is_below));
     }
     let named = trade.points.iter().filter(off_front);
-    labels.extend(named.map(|row| label(row, row.name.clone(), true)));
+    labels.extend(named.map(|row| measure.label(row, row.name.clone(), true)));
     let by = |is: &dyn Fn(&Outcome) -> bool| {
-        let rows = trade.points.iter().filter(|row| !row.is_exact() && is(row));
-        rows.map(position).collect::<Vec<_>>()
+        let rows = trade.points.iter();
+        let rows = rows.filter(|row| measure.has(row) && is(row));
+        rows.map(|row| measure.position(row)).collect::<Vec<_>>()
     };
-    let all = || trade.points.iter().filter(|row| !row.is_exact());
+    let all = || by(&|_| true).into_iter();
     Chart {
         title: "What speed costs: every setting, and the Pareto front".to_owned(),
         note: note(trade)
             + "; the front is of settings that compare colours, objects and lights of corners",
         x: Axis::log(
             "speed-up over exhaustive frames",
-            all().map(|row| row.speedup),
+            all().map(|(speedup, _)| speedup),
             tenths(),
         ),
-        y: Axis::linear(PSNR, all().map(|row| row.psnr_db), 8),
+        y: measure.axis(all().map(|(_, value)| value)),
         series: vec![
             series(
                 "colours, objects, lights",
@@ -96,7 +166,7 @@ fn cloud(trade: &Trade) -> Chart {
             series(
                 "Pareto front",
                 COLOURS[1],
-                front.iter().map(|row| position(row)).collect(),
+                front.iter().map(|row| measure.position(row)).collect(),
                 true,
                 4,
             ),
@@ -120,21 +190,6 @@ fn entry(number: usize, row: &Outcome) -> String {
 
 fn is_named(row: &Outcome) -> bool {
     row.name != row.dials
-}
-
-/// The position of a point in the plot.
-fn position(row: &Outcome) -> (f64, f64) {
-    (row.speedup, row.psnr_db)
-}
-
-fn label(row: &Outcome, text: String, is_below: bool) -> Label {
-    let (x, y) = position(row);
-    Label {
-        x,
-        y,
-        text,
-        is_below,
-    }
 }
 
 /// The plot of the error by the side of the squares, for the rules of 2008 and the default quality.

@@ -17,8 +17,8 @@ pub struct Point {
 
 /// Sides of squares: powers of two, some between them, and 17, whose squares are split directly into pixels.
 pub const SQUARES: [usize; 13] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 17, 20, 24, 32];
-/// Tolerances around the default of 9.
-const TOLERANCES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 7.0, 10.0, 14.0, 18.0, 26.0, 40.0, 64.0];
+/// Tolerances around the default of 7.
+const TOLERANCES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 5.5, 9.0, 14.0, 18.0, 26.0, 40.0, 64.0];
 /// Tolerances for agreeing and for differing keys.
 const KEYED: [(f32, f32); 8] = [
     (f32::INFINITY, 4.0),
@@ -52,7 +52,7 @@ const HIGHLIGHTS: [f32; 6] = [
     f32::INFINITY,
 ];
 /// The smallest weights of rays that are followed.
-const CONTRIBUTIONS: [f32; 8] = [0.0, 0.003, 0.01, 0.02, 0.04, 0.06, 0.1, 0.2];
+const CONTRIBUTIONS: [f32; 9] = [0.0, 0.003, 0.01, 0.015, 0.02, 0.04, 0.06, 0.1, 0.2];
 
 /// The named qualities, the exhaustive one first.
 pub fn named() -> Vec<Point> {
@@ -128,7 +128,7 @@ fn single_dials() -> Vec<(&'static str, Quality)> {
             },
         ));
     }
-    for tolerance_side in [0.0, 3.0, 6.0, 14.0, 20.0] {
+    for tolerance_side in [0.0, 3.0, 5.0, 10.0, 16.0] {
         dials.push((
             "side",
             Quality {
@@ -156,13 +156,13 @@ fn together(quick: bool) -> Vec<Quality> {
         &[3.0, 18.0, 40.0]
     } else {
         &[
-            2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 12.0, 14.0, 18.0, 22.0, 28.0, 40.0,
+            2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 12.0, 16.0, 18.0, 22.0, 28.0, 40.0,
         ]
     };
     let followed = [
         (5, 0.01),
+        (5, 0.015),
         (5, 0.02),
-        (5, 0.03),
         (4, 0.02),
         (4, 0.04),
         (3, 0.05),
@@ -226,7 +226,8 @@ fn has_keys(quality: &Quality) -> bool {
     quality.square > 1 && quality.tolerance_agreeing != quality.tolerance_differing
 }
 
-/// A quality's dials in short notation: `s` is the square, `k` the depths of objects and states in keys, `c` the tolerances for
+/// A quality's dials in short notation: `s` is the square, `k` the depths of objects and states in keys, `m` the
+/// least weight of objects in keys, `c` the tolerances for
 /// agreeing and differing keys, `e` the tolerance for midpoints of sides, `h` the highlight, `u` unguarded, `d` the depth and `w`
 /// the least contribution. What has its usual value is left out, as the help of `lab trade` explains.
 fn dials(quality: &Quality) -> String {
@@ -238,8 +239,12 @@ fn dials(quality: &Quality) -> String {
             "\u{221e}".to_owned()
         }
     };
-    if has_keys(quality) && (quality.key_depth, quality.state_depth) != (0, 0) {
+    let keys = |quality: &Quality| (quality.key_depth, quality.state_depth, quality.key_weight);
+    if has_keys(quality) && keys(quality) != keys(&Quality::DEFAULT) {
         text += &format!(" k{}/{}", quality.key_depth, quality.state_depth);
+        if quality.key_weight != 0.0 {
+            text += &format!(" m{}", quality.key_weight);
+        }
     }
     if quality.square > 1 {
         text += &format!(" c{}", number(quality.tolerance_agreeing));

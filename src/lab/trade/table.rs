@@ -1,13 +1,14 @@
 //! Tables of the results in Markdown.
 
 use super::Trade;
-use super::outcome::Outcome;
-use super::plots::front;
-use crate::markdown::{decibels, percent};
+use super::outcome::{Outcome, from_the_slowest};
+use crate::markdown::{dash, decibels, known, percent};
 
-/// The table of the Pareto front, from the slowest point to the fastest.
+/// The table of the Pareto front, from the slowest point to the fastest, without those that have no error.
 pub fn front_table(trade: &Trade) -> String {
-    let rows = front(&trade.points);
+    let on_front = trade.points.iter();
+    let on_front = on_front.filter(|row| row.on_front && !row.is_exact());
+    let rows = from_the_slowest(on_front);
     heading(trade) + &table(&rows)
 }
 
@@ -36,8 +37,8 @@ fn heading(trade: &Trade) -> String {
 }
 
 fn table(rows: &[&Outcome]) -> String {
-    let mut text = "| quality | dials | speed-up | traced | PSNR | worst | largest | over 8/255 | missed | flicker | FLIP | p99 |\n\
-                    | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n"
+    let mut text = "| quality | dials | speed-up | traced | PSNR | worst | largest | over 8/255 | missed | pops | FLIP | p99 | PSNR to 64 | FLIP to 64 |\n\
+                    | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n"
         .to_owned();
     for row in rows {
         text += &format!("| {} |\n", cells(row).join(" | "));
@@ -46,9 +47,7 @@ fn table(rows: &[&Outcome]) -> String {
 }
 
 /// The cells of a row. A dash stands for an infinite PSNR and for what was not measured.
-fn cells(row: &Outcome) -> [String; 12] {
-    let dash = || "-".to_owned();
-    let known = |value: Option<f64>, digits| value.map_or_else(dash, |v| format!("{v:.digits$}"));
+fn cells(row: &Outcome) -> [String; 14] {
     [
         row.name.clone(),
         row.dials.clone(),
@@ -59,8 +58,10 @@ fn cells(row: &Outcome) -> [String; 12] {
         row.largest_error.to_string(),
         format!("{:.0}", row.pixels_over_8),
         format!("{:.2}", row.missed_objects),
-        known(row.flicker_blocks, 1),
+        known(row.pops, 1),
         known(row.flip_mean, 4),
         known(row.flip_p99, 3),
+        row.psnr_to_64_db.map_or_else(dash, decibels),
+        known(row.flip_to_64, 4),
     ]
 }

@@ -2,7 +2,7 @@
 
 use super::sweep::Point;
 use crate::error::Difference;
-use crate::flicker::Flicker;
+use crate::views::Seen;
 use eightfold::Counts;
 
 /// The records of a point.
@@ -18,9 +18,8 @@ pub struct Tally {
     pub differences: Vec<Difference>,
     /// The number of missed objects in all frames together.
     pub missed: usize,
-    pub flicker: Flicker,
-    /// The mean and the 99th percentile of FLIP for each frame compared.
-    pub flips: Vec<(f64, f64)>,
+    /// Of the views.
+    pub seen: Seen,
 }
 
 impl Tally {
@@ -33,8 +32,7 @@ impl Tally {
             counts: Counts::NONE,
             differences: Vec::new(),
             missed: 0,
-            flicker: Flicker::default(),
-            flips: Vec::new(),
+            seen: Seen::default(),
         }
     }
 }

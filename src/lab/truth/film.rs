@@ -1,6 +1,7 @@
 //! The film: the sums of the samples of a picture's pixels, which a run leaves to the next one.
 
 use super::REPLICATIONS;
+use super::connect::Connections;
 use super::effects::Effects;
 use super::estimate::Estimate;
 use super::path::PathTracer;
@@ -70,7 +71,8 @@ impl Film {
         done: &(impl Fn() + Sync),
     ) {
         let width = self.width;
-        let photons = photons(world, effects, sampling, count - 1);
+        let connections = Connections::new(&world.bodies, &world.lamps);
+        let photons = photons(world, &connections, effects, sampling, count - 1);
         let rows = self.rows.par_iter_mut().enumerate();
         let rows = rows.filter(|(_, row)| row.count < count);
         rows.for_each(|(y, row)| {
@@ -82,6 +84,7 @@ impl Film {
                 for (replication, sum) in sums.iter_mut().enumerate() {
                     let tracer = PathTracer {
                         world,
+                        connections: &connections,
                         effects,
                         photons: &photons[replication],
                     };
@@ -118,7 +121,13 @@ impl Film {
 }
 
 /// The photons of a sample, for each replication.
-fn photons(world: &World, effects: Effects, sampling: &Sampling, index: usize) -> Vec<Photons> {
+fn photons(
+    world: &World,
+    connections: &Connections,
+    effects: Effects,
+    sampling: &Sampling,
+    index: usize,
+) -> Vec<Photons> {
     let of = |replication: usize| {
         if !effects.caustics {
             return Photons::none();
@@ -128,9 +137,10 @@ fn photons(world: &World, effects: Effects, sampling: &Sampling, index: usize) -
         let emission = Emission {
             sequence: sampling.sequence,
             seed: seed_of(!sampling.seed, part),
+            index,
             has_extents: effects.soft_shadows,
         };
-        Photons::emit(world, &emission, effects.surfaces)
+        Photons::emit(world, connections, &emission, effects.surfaces)
     };
     (0..REPLICATIONS).into_par_iter().map(of).collect()
 }

@@ -4,9 +4,8 @@ use eightfold::glam::{DMat3, DVec3, Mat3};
 use eightfold::scene::{Block, Plane, Shape as BlockShape, Sphere};
 use eightfold_oracle::grooves;
 
-/// The smallest distance that counts as a hit, in scene units: more than the rounding error of a root for a ray that touches a
-/// sphere, which is about the square root of that of f64.
-pub const T_MIN: f64 = 1e-6;
+/// The rounding error of a few operations in f64, relative to the lengths in them.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A ray.
 #[derive(Clone, Copy, Debug)]
@@ -15,13 +14,54 @@ pub struct Ray {
     pub o: DVec3,
     /// The direction, of length 1.
     pub d: DVec3,
+    /// How far off the origin may be by rounding, in scene units. It lies on every surface as near as that: outward the ray does
+    /// not meet that, inward it meets the far side. So no least distance of hits is needed, and a scene may have any size.
+    slack: f64,
 }
 
 impl Ray {
+    /// A ray from a place that a scene names, by numbers of 32 bits.
+    pub fn new(o: DVec3, d: DVec3) -> Self {
+        let slack = f64::from(f32::EPSILON) * o.abs().max_element();
+        Self { o, d, slack }
+    }
+
     /// The point at a distance.
     pub fn at(&self, t: f64) -> DVec3 {
         self.o + t * self.d
     }
+
+    /// The same ray from the point at a distance, where it has met something.
+    pub fn moved(&self, t: f64) -> Self {
+        let slack = ROUNDING * (self.o.abs().max_element() + t);
+        Self {
+            o: self.at(t),
+            slack,
+            ..*self
+        }
+    }
+
+    /// A ray in another direction from the same point.
+    pub fn turned(&self, d: DVec3) -> Self {
+        Self { d, ..*self }
+    }
+}
+
+/// The distances, in order, at which a ray crosses a round surface of a radius: of a sphere, or of a cylinder along whose axis
+/// `oc` and `d` have no part. `oc` is the ray's origin from the centre.
+fn crossings(oc: DVec3, d: DVec3, radius: f64, slack: f64) -> Option<[f64; 2]> {
+    let a = d.length_squared();
+    let b = oc.dot(d);
+    let above = oc.length() - radius;
+    if above.abs() <= slack + ROUNDING * radius {
+        // It starts on the surface.
+        let other = -2.0 * b / a;
+        return Some([other.min(0.0), other.max(0.0)]);
+    }
+    let off2 = (oc - b / a * d).length_squared();
+    let root = ((radius * radius - off2) / a).sqrt();
+    // NaN, without a root, or along the axis.
+    root.is_finite().then(|| [-b / a - root, -b / a + root])
 }
 
 /// A shape.
@@ -55,6 +95,36 @@ pub struct Met {
     pub normal: DVec3,
 }
 
+/// A flat side of a shape.
+#[derive(Clone, Copy, Debug)]
+pub struct Face {
+    p: DVec3,
+    /// Outward, of length 1.
+    n: DVec3,
+}
+
+impl Face {
+    /// How far a point is before it.
+    pub fn height(&self, p: DVec3) -> f64 {
+        self.n.dot(p - self.p)
+    }
+
+    /// Whether a ray comes from before it, and meets its shape there.
+    pub fn is_at(&self, ray: Ray, met: Met) -> bool {
+        self.height(ray.o) > 0.0 && ray.d.dot(self.n) < 0.0 && met.normal.dot(self.n).abs() > 0.999
+    }
+
+    /// A point as it is mirrored.
+    pub fn mirrored(&self, p: DVec3) -> DVec3 {
+        p - 2.0 * self.height(p) * self.n
+    }
+
+    /// A direction as it is mirrored.
+    pub fn turned(&self, d: DVec3) -> DVec3 {
+        d - 2.0 * self.n.dot(d) * self.n
+    }
+}
+
 impl From<&Sphere> for Shape {
     fn from(sphere: &Sphere) -> Self {
         Self::Sphere {
@@ -86,7 +156,7 @@ impl From<&Block> for Shape {
 }
 
 impl Shape {
-    /// Where a ray first meets it, between [`T_MIN`] and `limit`.
+    /// Where a ray first meets it, nearer than `limit`.
     pub fn meet(&self, ray: Ray, limit: f64) -> Option<Met> {
         let met = match *self {
             Self::Sphere { centre, radius } => sphere(ray, centre, radius).map(|t| Met {
@@ -107,9 +177,10 @@ impl Shape {
                 let own = Ray {
                     o: axes.transpose() * (ray.o - centre),
                     d: axes.transpose() * ray.d,
+                    slack: ray.slack + ROUNDING * half.max_element(),
                 };
                 // Its bounding sphere is met by few rays.
-                let bound = half.length() * (1.0 + 1e-9) + T_MIN;
+                let bound = half.length() * (1.0 + 1e-6) + own.slack;
                 let nearest = own.o - own.o.dot(own.d) * own.d;
                 if nearest.length_squared() > bound * bound {
                     return None;
@@ -126,6 +197,31 @@ impl Shape {
             }
         };
         met.filter(|met| met.t < limit)
+    }
+
+    /// Its flat sides: of a rectangle both.
+    pub fn faces(&self) -> Vec<Face> {
+        let (centre, half, axes, flat): (_, _, _, &[usize]) = match *self {
+            Self::Sphere { .. } => return Vec::new(),
+            Self::Plane { centre, .. } => (centre, DVec3::ZERO, DMat3::IDENTITY, &[1]),
+            Self::Block {
+                centre,
+                half,
+                axes,
+                is_cylinder,
+            } => (
+                centre,
+                half,
+                axes,
+                if is_cylinder { &[1] } else { &[0, 1, 2] },
+            ),
+        };
+        let sides = flat.iter().flat_map(|&i| [(i, -1.0), (i, 1.0)]);
+        let face = |(i, side): (usize, f64)| Face {
+            p: centre + side * half[i] * axes.col(i),
+            n: side * axes.col(i).normalize(),
+        };
+        sides.map(face).collect()
     }
 
     /// Its centre.
@@ -179,28 +275,32 @@ pub fn width(radius: f64, distance: f64) -> f64 {
 
 /// The distance at which a ray meets a sphere.
 pub fn sphere(ray: Ray, centre: DVec3, radius: f64) -> Option<f64> {
-    let to_centre = centre - ray.o;
-    let middle = to_centre.dot(ray.d);
-    let off = to_centre - middle * ray.d;
-    let discriminant = radius * radius - off.length_squared();
-    if discriminant < 0.0 {
-        return None;
-    }
-    let half = discriminant.sqrt();
-    [middle - half, middle + half]
+    let least = ray.slack + ROUNDING * radius;
+    crossings(ray.o - centre, ray.d, radius, ray.slack)?
         .into_iter()
-        .find(|&t| t > T_MIN)
+        .find(|&t| t > least)
 }
 
 fn plane(ray: Ray, centre: DVec3, half_x: f64, half_z: f64) -> Option<Met> {
-    let t = (centre.y - ray.o.y) / ray.d.y;
+    let above = ray.o.y - centre.y;
+    let t = -above / ray.d.y;
     let p = ray.at(t) - centre;
     // NaN and infinity, for a ray along the plane, fail these comparisons.
-    let is_hit = t > T_MIN && p.x.abs() <= half_x && p.z.abs() <= half_z;
+    let is_hit = above.abs() > ray.slack && t > 0.0 && p.x.abs() <= half_x && p.z.abs() <= half_z;
     is_hit.then_some(Met {
         t,
         normal: DVec3::Y,
     })
+}
+
+/// The distance at which a ray crosses a face of a block at `at` along axis `i`: 0 if it starts there.
+fn face(ray: &Ray, at: f64, i: usize) -> f64 {
+    let to_face = at - ray.o[i];
+    if to_face.abs() <= ray.slack {
+        0.0
+    } else {
+        to_face / ray.d[i]
+    }
 }
 
 /// Where a ray meets a box about the origin: the last of the three slabs to be entered, or the first to be left.
@@ -215,7 +315,7 @@ fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
             continue;
         }
         let side = half[i].copysign(ray.d[i]);
-        let (near, far) = ((-side - ray.o[i]) / ray.d[i], (side - ray.o[i]) / ray.d[i]);
+        let (near, far) = (face(&ray, -side, i), face(&ray, side, i));
         if near > enter {
             (enter, enter_axis) = (near, i);
         }
@@ -223,18 +323,18 @@ fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
             (leave, leave_axis) = (far, i);
         }
     }
-    let face = |axis: usize, sign: f64| DVec3::AXES[axis] * sign * ray.d[axis].signum();
-    if enter > leave || leave <= T_MIN {
+    let normal = |axis: usize, sign: f64| DVec3::AXES[axis] * sign * ray.d[axis].signum();
+    if enter > leave || leave <= 0.0 {
         None
-    } else if enter > T_MIN {
+    } else if enter > 0.0 {
         Some(Met {
             t: enter,
-            normal: face(enter_axis, -1.0),
+            normal: normal(enter_axis, -1.0),
         })
     } else {
         Some(Met {
             t: leave,
-            normal: face(leave_axis, 1.0),
+            normal: normal(leave_axis, 1.0),
         })
     }
 }
@@ -243,13 +343,13 @@ fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
 fn cylinder(ray: Ray, half: DVec3) -> Option<Met> {
     let mut nearest: Option<Met> = None;
     let mut add = |t: f64, normal: DVec3| {
-        if t > T_MIN && nearest.is_none_or(|met| t < met.t) {
+        if t > ray.slack && nearest.is_none_or(|met| t < met.t) {
             nearest = Some(Met { t, normal });
         }
     };
     let radius2 = half.x * half.x;
     for side in [-1.0, 1.0] {
-        let t = (side * half.y - ray.o.y) / ray.d.y;
+        let t = face(&ray, side * half.y, 1);
         let p = ray.at(t);
         // NaN, for a ray in the cap's plane, fails this comparison.
         if p.x * p.x + p.z * p.z <= radius2 {
@@ -257,11 +357,8 @@ fn cylinder(ray: Ray, half: DVec3) -> Option<Met> {
         }
     }
     let (o, d) = (ray.o.with_y(0.0), ray.d.with_y(0.0));
-    let (a, b) = (d.length_squared(), o.dot(d));
-    let root = (b * b - a * (o.length_squared() - radius2)).sqrt();
-    for t in [(-b - root) / a, (-b + root) / a] {
+    for t in crossings(o, d, half.x, ray.slack).into_iter().flatten() {
         let p = ray.at(t);
-        // NaN, without a root, fails this comparison.
         if p.y.abs() <= half.y {
             add(t, p.with_y(0.0) / half.x);
         }

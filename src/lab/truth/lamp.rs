@@ -7,10 +7,10 @@
 //! of the light, also by way of mirrors and glass. With falloff the radiance is the same from everywhere: that which gives the
 //! irradiance pi c at the point that the camera looks at.
 
-use super::geometry::{self, Ray};
+use super::geometry::{self, Face, Ray};
 use crate::sampler::around;
 use eightfold::glam::{DVec2, DVec3};
-use eightfold::scene::{Camera, Light, Spot};
+use eightfold::scene::{Camera, Light};
 use std::f64::consts::{PI, TAU};
 
 /// A lamp.
@@ -28,6 +28,14 @@ pub struct Lamp {
     spot: Option<Spot>,
     /// With falloff, the distance at which it is as bright as without.
     reference: Option<f64>,
+}
+
+/// The cone of a spotlight; see [`eightfold::scene::Spot`].
+#[derive(Clone, Copy, Debug)]
+struct Spot {
+    aim: DVec3,
+    dark: f64,
+    bright: f64,
 }
 
 /// The light of a lamp from one direction at a point.
@@ -71,9 +79,26 @@ impl Lamp {
             radius,
             drawn_radius,
             is_tinted: light.size > 0.0,
-            spot: light.spot,
+            spot: light.spot.map(|spot| Spot {
+                aim: spot.aim.as_dvec3(),
+                dark: spot.dark.into(),
+                bright: spot.bright.into(),
+            }),
             reference: (has_falloff && !light.parallel).then_some(reference),
         }
+    }
+
+    /// The lamp that a flat mirror shows; `None` if all of it is behind that.
+    pub fn mirrored(&self, face: Face) -> Option<Self> {
+        let is_before = face.height(self.position) > -self.radius;
+        is_before.then(|| Self {
+            position: face.mirrored(self.position),
+            spot: self.spot.map(|spot| Spot {
+                aim: face.turned(spot.aim),
+                ..spot
+            }),
+            ..*self
+        })
     }
 
     /// Where a ray meets the sphere that is seen, and the radiance that it is seen with.
@@ -95,8 +120,9 @@ impl Lamp {
         }
     }
 
-    /// The light at `p` from a direction in which the lamp is, chosen by `u`, uniform over solid angle.
-    pub fn sample(&self, p: DVec3, u: DVec2) -> Arriving {
+    /// The light at the origin of a ray from a direction in which the lamp is, chosen by `u`, uniform over solid angle.
+    pub fn sample(&self, here: Ray, u: DVec2) -> Arriving {
+        let p = here.o;
         if self.radius == 0.0 {
             return self.from_centre(p);
         }
@@ -104,15 +130,15 @@ impl Lamp {
         let width = self.width(p);
         let cosine = 1.0 - u.x * width;
         let d = around(to_lamp.normalize_or(DVec3::Y), cosine, u.y);
-        let ray = Ray { o: p, d };
         // A direction along the rim may miss it by rounding.
         let middle = to_lamp.dot(d).max(0.0);
-        let distance = geometry::sphere(ray, self.position, self.radius).unwrap_or(middle);
+        let distance =
+            geometry::sphere(here.turned(d), self.position, self.radius).unwrap_or(middle);
         let density = 1.0 / (TAU * width);
         Arriving {
             d,
             distance,
-            light: self.radiance(p, 0.0) / density,
+            light: self.radiance(p) / density,
             density: Some(density),
         }
     }
@@ -127,11 +153,11 @@ impl Lamp {
         1.0 / (TAU * self.width(p))
     }
 
-    /// The radiance of the sphere that shines, seen from `p`. `travelled` is how far that has come from the surface that is
-    /// lit, by way of mirrors and glass.
-    pub fn radiance(&self, p: DVec3, travelled: f64) -> DVec3 {
+    /// The radiance of the sphere that shines, seen from `p`: by way of mirrors and glass, where that would be if the way were
+    /// straight.
+    pub fn radiance(&self, p: DVec3) -> DVec3 {
         // Within the sphere it is that of its surface.
-        let distance = self.position.distance(p).max(self.radius) + travelled;
+        let distance = self.position.distance(p).max(self.radius);
         let ratio = distance / self.radius;
         self.share(p, distance) * ratio * ratio * self.colour
     }
@@ -145,14 +171,24 @@ impl Lamp {
         (self.position + self.radius * normal, Some(normal))
     }
 
-    /// The power that it sends into a unit of solid angle and, of a sphere, of the cosine to its normal, for what is lit by way of
-    /// a first point `p` and a further distance `travelled`.
-    pub fn power(&self, p: DVec3, travelled: f64, has_extent: bool) -> DVec3 {
+    /// The power that it sends into a unit of solid angle and, of a sphere, of the cosine to its normal, for what is lit at `p` if
+    /// the way there were straight.
+    pub fn power(&self, p: DVec3, has_extent: bool) -> DVec3 {
         if self.radius == 0.0 || !has_extent {
-            let distance = self.position.distance(p) + travelled;
+            let distance = self.position.distance(p);
             return PI * distance * distance * self.share(p, distance) * self.colour;
         }
-        2.0 * TAU * self.radius * self.radius * self.radiance(p, travelled)
+        self.area() * self.radiance(p)
+    }
+
+    /// The area of its sphere.
+    pub fn area(&self) -> f64 {
+        2.0 * TAU * self.radius * self.radius
+    }
+
+    /// The cosine at which a ray in direction `d` meets its sphere at `p`.
+    pub fn cosine(&self, p: DVec3, d: DVec3) -> f64 {
+        (self.position - p).dot(d) / self.radius
     }
 
     /// One minus the cosine of the half angle at which the sphere that shines is seen from `p`, up to 2 from within.
@@ -164,11 +200,8 @@ impl Lamp {
     fn share(&self, p: DVec3, distance: f64) -> f64 {
         let falloff = self.reference.map_or(1.0, |at| (at / distance).powi(2));
         let cone = self.spot.map_or(1.0, |spot| {
-            let (dark, bright) = (f64::from(spot.dark), f64::from(spot.bright));
-            let cosine = (p - self.position)
-                .normalize_or_zero()
-                .dot(spot.aim.as_dvec3());
-            let s = ((cosine - dark) / (bright - dark)).clamp(0.0, 1.0);
+            let cosine = (p - self.position).normalize_or_zero().dot(spot.aim);
+            let s = ((cosine - spot.dark) / (spot.bright - spot.dark)).clamp(0.0, 1.0);
             s * s * (3.0 - 2.0 * s)
         });
         falloff * cone

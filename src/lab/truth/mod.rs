@@ -1,5 +1,6 @@
 //! `lab truth`: what a scene would look like by the rendering equation, and what the real-time model leaves out of it.
 
+mod connect;
 mod convergence;
 pub mod effects;
 pub mod estimate;
@@ -15,13 +16,13 @@ pub mod state;
 pub mod surface;
 pub mod world;
 
-use crate::arguments::{self, Size};
+use crate::arguments::{self, BadInput, Size};
 use crate::overlay::heat;
 use crate::sampler::{MAX_POINTS, Sequence};
 use crate::scenes::{self, SceneName};
 use crate::{interrupt, output, picture};
 use anyhow::{Context, Result};
-use clap::Args;
+use clap::{ArgGroup, Args};
 use effects::Effects;
 use eightfold::scene::{Film, Scene};
 use estimate::{Estimate, Intervals};
@@ -42,7 +43,7 @@ const INTERVAL_SHOWN: f64 = 16.0;
 /// It follows paths of light by chance, in numbers of 64 bits, and tells how far each pixel may be off. After Ctrl-C the same
 /// command goes on where it was, to the same bits.
 #[derive(Args)]
-#[group(id = "what", required = true, args = ["out", "effects", "convergence"])]
+#[command(group(ArgGroup::new("what").required(true).args(["out", "effects", "convergence"])))]
 pub struct Arguments {
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
     scene: SceneName,
@@ -93,7 +94,12 @@ pub struct Arguments {
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     if !arguments.convergence {
-        interrupt::listen()?;
+        interrupt::listen();
+    } else if arguments.samples <= REPLICATIONS {
+        return Err(BadInput::error(format!(
+            "--samples {} takes more than {REPLICATIONS} for --convergence, which compares two numbers of samples at least",
+            arguments.samples
+        )));
     }
     let scene = shown(arguments)?;
     let picture = Picture {

@@ -2,8 +2,9 @@
 //!
 //! At each point of a path the light of every lamp is looked for, and the path goes on in one direction by chance. Both find
 //! lamps with an extent: multiple importance sampling weighs one by the other (Veach and Guibas, 1995). What lamps send by way of
-//! mirrors and glass is found by photons instead.
+//! mirrors and glass is found in closed form (`connect`), or by `photons` where there is none.
 
+use super::connect::Connections;
 use super::effects::Effects;
 use super::geometry::Ray;
 use super::lamp::Lamp;
@@ -22,6 +23,8 @@ const MAX_SURVIVAL: f64 = 0.95;
 #[derive(Clone, Copy)]
 pub struct PathTracer<'a> {
     pub world: &'a World,
+    /// Its ways of light that are known in closed form.
+    pub connections: &'a Connections,
     pub effects: Effects,
     /// The light of caustics, for this sample.
     pub photons: &'a Photons,
@@ -91,35 +94,40 @@ impl PathTracer<'_> {
         path.light += (1.0 - clear) * behind;
         path.throughput *= clear;
 
-        let is_inside = path.ray.d.dot(met.normal) > 0.0;
-        let n = if is_inside { -met.normal } else { met.normal };
-        let colour = world.paint(body, path.ray, &met);
-        let p = path.ray.at(t);
-        let bsdf = Bsdf::new(
-            &body.material,
-            colour,
-            path.ray.d,
-            n,
-            body.shape.groove(p, n),
-            is_inside,
-            self.effects.surfaces,
-        );
+        let bsdf = world.surface(body, path.ray, &met, self.effects.surfaces);
         if !self.effects.indirect && is_lit {
-            path.light += path.throughput * world.ambient * colour;
+            path.light += path.throughput * world.ambient * world.paint(body, path.ray, &met);
         }
-        if is_lit {
-            let caustics = self.photons.reflected(p, n, &bsdf);
-            path.light += path.throughput * (self.direct(p, &bsdf, sampler) + caustics);
+        path.ray = path.ray.moved(t);
+        if is_lit && bsdf.is_rough() {
+            let caustics = self.caustics(path.ray, &bsdf, sampler);
+            path.light += path.throughput * (self.direct(path.ray, &bsdf, sampler) + caustics);
         }
-        self.scatter(path, p, &bsdf, sampler)
+        self.scatter(path, &bsdf, sampler)
+    }
+
+    /// The light of all lamps that a surface, at which `here` starts, sends back along the path by way of mirrors and glass.
+    fn caustics(&self, here: Ray, bsdf: &Bsdf, sampler: &mut Sampler) -> DVec3 {
+        let Effects {
+            soft_shadows,
+            surfaces,
+            ..
+        } = self.effects;
+        if !self.effects.caustics {
+            return DVec3::ZERO;
+        }
+        let world = self.world;
+        let ways = self.connections;
+        ways.light(world, here, bsdf, soft_shadows, surfaces, sampler)
+            + self.photons.reflected(here.o, bsdf)
     }
 
     /// Has a path go on from a point of a surface. Returns whether it does.
-    fn scatter(&self, path: &mut Path, p: DVec3, bsdf: &Bsdf, sampler: &mut Sampler) -> bool {
+    fn scatter(&self, path: &mut Path, bsdf: &Bsdf, sampler: &mut Sampler) -> bool {
         let Some(next) = bsdf.sample(sampler.next_1d(), sampler.next_2d()) else {
             return false;
         };
-        path.ray = Ray { o: p, d: next.d };
+        path.ray = path.ray.turned(next.d);
         path.throughput *= next.weight;
         path.density = next.density;
         let is_scattered = next.density.is_some();
@@ -129,25 +137,21 @@ impl PathTracer<'_> {
             || is_scattered && path.scatters == 1 && self.effects.soft_shadows
     }
 
-    /// The light of all lamps that a surface at `p` sends back along the path.
-    fn direct(&self, p: DVec3, bsdf: &Bsdf, sampler: &mut Sampler) -> DVec3 {
+    /// The light of all lamps that a surface, at which `here` starts, sends back along the path.
+    fn direct(&self, here: Ray, bsdf: &Bsdf, sampler: &mut Sampler) -> DVec3 {
         let mut sum = DVec3::ZERO;
         for lamp in &self.world.lamps {
             let u = sampler.next_2d();
             let arriving = if self.effects.soft_shadows {
-                lamp.sample(p, u)
+                lamp.sample(here, u)
             } else {
-                lamp.from_centre(p)
+                lamp.from_centre(here.o)
             };
             let light = bsdf.of(arriving.d) * arriving.light;
             if light == DVec3::ZERO {
                 continue;
             }
-            let ray = Ray {
-                o: p,
-                d: arriving.d,
-            };
-            let passing = self.passing(lamp, ray, arriving.distance);
+            let passing = self.passing(lamp, here.turned(arriving.d), arriving.distance);
             let weight = arriving
                 .density
                 .map_or(1.0, |density| power(density, bsdf.density(arriving.d)));
@@ -172,7 +176,7 @@ impl PathTracer<'_> {
                 self.passing(lamp, path.ray, met)
             };
             let weight = power(density, lamp.density(path.ray.o));
-            let radiance = lamp.radiance(path.ray.o, 0.0);
+            let radiance = lamp.radiance(path.ray.o);
             path.light += weight * path.throughput * passing * radiance;
         }
     }

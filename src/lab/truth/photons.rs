@@ -1,15 +1,19 @@
-//! Caustics: light that mirrors and glass send from a lamp to a rough surface.
+//! Caustics: light that mirrors and glass send from a lamp to a rough surface, by ways that no [closed form](super::connect) has.
 //!
 //! Paths from the eye hardly ever find such light, and those from the lamp do (Jensen, "Global Illumination using Photon Maps",
 //! 1996). A photon lights a disc that reaches as far as some of its neighbours, and at least as far as some pixels: caustics are
-//! blurred by as much. Each sample has photons of its own: their noise averages out, and is part of the intervals.
+//! blurred by as much, and lose light at the edges of what they fall on. Each sample has photons of its own, of smaller discs from
+//! sample to sample (Knaus and Zwicker, "Progressive Photon Mapping: A Probabilistic Approach", 2011): so noise and blur average
+//! out. The noise is part of the intervals, the blur is not.
 
-use super::geometry::Ray;
+use super::connect::{Connections, Event};
+use super::geometry::{Ray, Shape};
 use super::lamp::Lamp;
 use super::surface::Bsdf;
 use super::world::{Body, World};
 use crate::sampler::{Sampler, Sequence, around, seed_of};
 use eightfold::glam::DVec3;
+use eightfold::scene::Waves;
 use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree, RTreeObject};
 use std::f64::consts::{PI, TAU};
@@ -45,6 +49,8 @@ pub struct Photons(RTree<Photon>);
 pub struct Emission {
     pub sequence: Sequence,
     pub seed: u32,
+    /// How many samples had photons before.
+    pub index: usize,
     /// Whether lamps with an extent send them from all of it; otherwise from their centres.
     pub has_extents: bool,
 }
@@ -67,11 +73,22 @@ impl Photons {
     }
 
     /// Sends photons from every lamp to every body that mirrors or lets light through.
-    pub fn emit(world: &World, emission: &Emission, keeps_energy: bool) -> Self {
+    pub fn emit(
+        world: &World,
+        connections: &Connections,
+        emission: &Emission,
+        keeps_energy: bool,
+    ) -> Self {
         let targets = world.bodies.iter().enumerate();
-        let targets: Vec<(usize, &Body)> = targets
-            .filter(|(_, body)| body.material.kr + body.material.kt > 0.0)
-            .collect();
+        let targets: Vec<(usize, &Body)> = targets.filter(|(_, body)| body.is_specular()).collect();
+        if let [(_, only)] = *targets
+            && only.material.kt == 0.0
+            && only.waves == Waves::CALM
+            && !matches!(only.shape, Shape::Block { is_cylinder, .. } if is_cylinder)
+        {
+            // All ways have a closed form.
+            return Self::none();
+        }
         let count = PHOTONS / (world.lamps.len() * targets.len()).max(1);
         let mut photons = Vec::new();
         for (i, lamp) in world.lamps.iter().enumerate() {
@@ -80,6 +97,7 @@ impl Photons {
                 let seed = seed_of(emission.seed, part);
                 let flight = Flight {
                     world,
+                    connections,
                     lamp,
                     keeps_energy,
                     has_extents: emission.has_extents,
@@ -91,12 +109,15 @@ impl Photons {
                 }
             }
         }
-        widen(&mut photons, world.blur);
+        // The variance of the mean falls by the number of samples to the power of 2/3, and so does the squared error by the blur.
+        let narrower = (emission.index as f64 + 1.0).powf(-1.0 / 6.0);
+        widen(&mut photons, world.blur, narrower);
         Self(RTree::bulk_load(photons))
     }
 
-    /// The light of the photons that a surface at `p` with normal `n` sends back along the path.
-    pub fn reflected(&self, p: DVec3, n: DVec3, bsdf: &Bsdf) -> DVec3 {
+    /// The light of the photons that a surface at `p` sends back along the path.
+    pub fn reflected(&self, p: DVec3, bsdf: &Bsdf) -> DVec3 {
+        let n = bsdf.n;
         let here = AABB::from_point(p.to_array());
         let mut sum = DVec3::ZERO;
         for photon in self.0.locate_in_envelope_intersecting(here) {
@@ -112,8 +133,8 @@ impl Photons {
     }
 }
 
-/// Widens the discs of photons until each reaches some neighbours; `least` is their least radius.
-fn widen(photons: &mut [Photon], least: f64) {
+/// Widens the discs of photons until each reaches some neighbours, and `least` at least; then makes them narrower by a factor.
+fn widen(photons: &mut [Photon], least: f64, narrower: f64) {
     let places = photons.iter().map(|photon| photon.p.to_array());
     let places: Vec<_> = places.map(|p| GeomWithData::new(p, ())).collect();
     let tree = RTree::bulk_load(places);
@@ -123,13 +144,14 @@ fn widen(photons: &mut [Photon], least: f64) {
         let reach = near
             .nth(NEIGHBOURS)
             .map_or(0.0, |(_, squared)| squared.sqrt());
-        photon.radius = reach.max(least);
+        photon.radius = narrower * reach.max(least);
     }
 }
 
 /// A photon on its way.
 struct Flight<'a> {
     world: &'a World,
+    connections: &'a Connections,
     lamp: &'a Lamp,
     keeps_energy: bool,
     has_extents: bool,
@@ -144,21 +166,20 @@ impl Flight<'_> {
         let u = sampler.next_2d();
         let width = target.shape.width_from(o);
         let axis = (target.shape.centre() - o).normalize_or(DVec3::Y);
-        let mut ray = Ray {
-            o,
-            d: around(axis, 1.0 - u.x * width, u.y),
-        };
+        let start = around(axis, 1.0 - u.x * width, u.y);
+        let mut ray = Ray::new(o, start);
         let Some((body, met)) = self.world.nearest(ray) else {
             return;
         };
         // Others have photons of their own. Those that would enter the lamp are not sent.
-        let cosine = normal.map_or(1.0, |n| n.dot(ray.d));
+        let cosine = normal.map_or(1.0, |n| n.dot(start));
         if !std::ptr::eq(body, target) || cosine <= 0.0 {
             return;
         }
         let first = ray.at(met.t);
         let solid_angle = TAU * width * cosine * self.share;
         let mut travelled = 0.0;
+        let mut way: Vec<Event> = Vec::new();
         for bounce in 0..MAX_BOUNCES {
             let Some((body, met)) = self.world.nearest(ray) else {
                 return;
@@ -166,35 +187,31 @@ impl Flight<'_> {
             if bounce > 0 {
                 travelled += met.t;
             }
-            let is_inside = ray.d.dot(met.normal) > 0.0;
-            let n = if is_inside { -met.normal } else { met.normal };
-            let colour = body.material.colour;
-            let keeps_energy = self.keeps_energy;
-            let p = ray.at(met.t);
-            let groove = body.shape.groove(p, n);
-            let bsdf = Bsdf::new(
-                &body.material,
-                colour,
-                ray.d,
-                n,
-                groove,
-                is_inside,
-                keeps_energy,
-            );
-            if bounce > 0 && bsdf.is_rough() {
-                let power = self.lamp.power(first, travelled, self.has_extents);
+            let bsdf = self.world.surface(body, ray, &met, self.keeps_energy);
+            let next = ray.moved(met.t);
+            if bounce > 0 && bsdf.is_rough() && !self.connections.has(&way) {
+                let unfolded = first + travelled * start;
                 photons.push(Photon {
-                    p,
-                    n,
+                    p: next.o,
+                    n: bsdf.n,
                     d: -ray.d,
-                    power: solid_angle * power,
+                    power: solid_angle * self.lamp.power(unfolded, self.has_extents),
                     radius: 0.0,
                 });
             }
-            let Some(d) = bsdf.sample_mirrored(sampler.next_1d()) else {
+            let Some(bounce) = bsdf.sample_bounce(sampler.next_1d()) else {
                 return;
             };
-            ray = Ray { o: p, d };
+            let Some((d, _)) = bsdf.bounced(bounce) else {
+                return;
+            };
+            way.push(Event {
+                body: self.world.index(body),
+                bounce,
+                is_flat: body.faces().iter().any(|face| face.is_at(ray, met)),
+                is_inside: ray.d.dot(met.normal) > 0.0,
+            });
+            ray = next.turned(d);
         }
     }
 }

@@ -30,37 +30,20 @@ pub struct Picture<'a> {
 
 impl Picture<'_> {
     /// A line that describes it: equal lines mean equal samples, however many.
-    fn made(&self, scene: &str) -> String {
+    fn made(&self) -> String {
+        let scene = self.scene;
         let sampling = self.sampling;
         let sequence = match sampling.sequence {
             Sequence::Sobol => "sobol",
             Sequence::Random => "random",
         };
         format!(
-            "eightfold {}: {scene}, {}, {:?}, {sequence} {}, antialiased: {}",
+            "eightfold {}: {scene:?}, {}, {:?}, {sequence} {}, antialiased: {}",
             env!("CARGO_PKG_VERSION"),
             self.size,
             self.effects,
             sampling.seed,
             sampling.is_antialiased,
-        )
-    }
-
-    /// What is in its scene, but for captions.
-    fn contents(&self) -> String {
-        let scene = self.scene;
-        format!(
-            "{:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",
-            scene.camera,
-            scene.background,
-            scene.sky,
-            scene.haze,
-            scene.fade,
-            scene.ambient,
-            &scene.spheres[..],
-            &scene.planes[..],
-            &scene.blocks[..],
-            &scene.lights[..],
         )
     }
 
@@ -78,7 +61,7 @@ impl Picture<'_> {
     /// `is_kept` a finished picture is left there, too, until [`forget`] deletes it: one of several, which are not all finished.
     ///
     /// # Errors
-    /// [`Stopped`] after Ctrl-C, or if the unfinished picture cannot be written.
+    /// [`Stopped`] after Ctrl-C, or if the unfinished picture cannot be written, or is damaged.
     pub fn draw_resumably(
         &self,
         pool: &ThreadPool,
@@ -86,9 +69,9 @@ impl Picture<'_> {
         is_kept: bool,
     ) -> Result<Vec<Estimate>> {
         let name = state::beside(out);
-        let made = self.made(&self.contents());
+        let made = self.made();
         let count = self.sampling.count;
-        let loaded = state::load(&name, &made, self.size, count);
+        let loaded = state::load(&name, &made, self.size, count)?;
         let was_begun = loaded.is_some();
         let mut film = loaded.unwrap_or_else(|| Film::new(self.size));
         let begun = film.count();

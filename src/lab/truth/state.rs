@@ -1,13 +1,13 @@
 //! Keeps a film that is not finished: a file that the next run goes on from.
 //!
 //! The first line tells, as JSON, how the picture is made, and how many samples each row has. The sums follow, row by row, as
-//! little-endian numbers of 64 bits.
+//! little-endian numbers of 64 bits, and at the end the CRC-32 of all before it.
 
 use super::REPLICATIONS;
 use super::film::Film;
 use crate::arguments::Size;
 use crate::output;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use eightfold::glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -46,6 +46,7 @@ pub fn save(name: &Path, made: &str, film: &Film) -> Result<()> {
             bytes.extend(number.to_le_bytes());
         }
     }
+    bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
     let write = || {
         let mut file = output::start_for_another(name, ".part")?;
         file.write_all(&bytes)?;
@@ -58,8 +59,23 @@ pub fn save(name: &Path, made: &str, film: &Film) -> Result<()> {
 
 /// Reads the film of a picture of the same making with up to `count` samples of each replication; `None` if there is none, or
 /// another's.
-pub fn load(name: &Path, made: &str, size: Size, count: usize) -> Option<Film> {
-    let bytes = fs::read(name).ok()?;
+///
+/// # Errors
+/// If the file is not as it was written.
+pub fn load(name: &Path, made: &str, size: Size, count: usize) -> Result<Option<Film>> {
+    let Ok(bytes) = fs::read(name) else {
+        return Ok(None);
+    };
+    let whole = bytes.split_last_chunk();
+    let whole = whole.filter(|(bytes, sum)| crc32fast::hash(bytes).to_le_bytes() == **sum);
+    let Some((bytes, _)) = whole else {
+        bail!("{} is damaged: delete it to begin anew", name.display());
+    };
+    Ok(film(bytes, made, size, count))
+}
+
+/// The film in the bytes of a file that is as it was written.
+fn film(bytes: &[u8], made: &str, size: Size, count: usize) -> Option<Film> {
     let end = bytes.iter().position(|&byte| byte == b'\n')?;
     let header: Header = serde_json::from_slice(&bytes[..end]).ok()?;
     let numbers = &bytes[end + 1..];

@@ -4,17 +4,60 @@
 //! The shares of a surface that keeps energy add up to 1 at most. Radiance is taken over the squared refractive index of where
 //! it travels, which refraction leaves as it is.
 
-use super::world::Material;
 use crate::sampler::{around, cosine_hemisphere};
 use eightfold::glam::{DVec2, DVec3};
+use eightfold::scene::{self, Pattern};
 use eightfold_oracle::grooves;
 use std::f64::consts::{PI, TAU};
+
+/// The material of a body; see [`scene::Material`].
+#[derive(Clone, Copy, Debug)]
+pub struct Material {
+    pub colour: DVec3,
+    pub kd: f64,
+    pub ks: f64,
+    pub exponent: f64,
+    pub metallic: f64,
+    pub anisotropy: f64,
+    pub kr: f64,
+    pub fresnel: f64,
+    pub kt: f64,
+    pub index: f64,
+    pub tint: DVec3,
+    pub pattern: Pattern,
+}
+
+impl From<&scene::Material> for Material {
+    fn from(material: &scene::Material) -> Self {
+        Self {
+            colour: material.colour.as_dvec3(),
+            kd: material.kd.into(),
+            ks: material.ks.into(),
+            exponent: material.exponent.into(),
+            metallic: material.metallic.into(),
+            anisotropy: material.anisotropy.into(),
+            kr: material.kr.into(),
+            fresnel: material.fresnel.into(),
+            kt: material.kt.into(),
+            index: material.index.into(),
+            tint: material.tint.as_dvec3(),
+            pattern: material.pattern,
+        }
+    }
+}
+
+/// What becomes of light at a surface that does not scatter it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bounce {
+    Mirrored,
+    Through,
+}
 
 /// A point of a surface, seen from a direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Bsdf {
     /// The normal on the side from which it is seen.
-    n: DVec3,
+    pub n: DVec3,
     /// Where a mirror would reflect the sight.
     mirrored: DVec3,
     /// Where glass would refract the sight; `None` if it lets none through, or reflects all.
@@ -122,15 +165,21 @@ impl Bsdf {
         self.diffuse.max_element() + self.glossy > 0.0
     }
 
-    /// Where light goes that is mirrored or let through, by a number from 0 to 1; `None` if it goes elsewhere. The chance is the
-    /// share of the light.
-    pub fn sample_mirrored(&self, choice: f64) -> Option<DVec3> {
+    /// What becomes of light that is mirrored or let through, by a number from 0 to 1; `None` if it goes elsewhere. The chance is
+    /// the share of the light.
+    pub fn sample_bounce(&self, choice: f64) -> Option<Bounce> {
         if choice < self.reflected {
-            Some(self.mirrored)
-        } else if choice < self.reflected + self.transmitted {
-            self.refracted
+            Some(Bounce::Mirrored)
         } else {
-            None
+            (choice < self.reflected + self.transmitted).then_some(Bounce::Through)
+        }
+    }
+
+    /// Where light goes that is mirrored or let through, and its share.
+    pub fn bounced(&self, bounce: Bounce) -> Option<(DVec3, f64)> {
+        match bounce {
+            Bounce::Mirrored => Some((self.mirrored, self.reflected)),
+            Bounce::Through => Some((self.refracted?, self.transmitted)),
         }
     }
 

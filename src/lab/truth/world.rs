@@ -1,47 +1,12 @@
 //! A scene in f64, as the path tracer sees it.
 
-use super::geometry::{Met, Ray, Shape};
+use super::geometry::{Face, Met, Ray, Shape};
 use super::lamp::Lamp;
+use super::surface::{Bsdf, Material};
 use eightfold::glam::DVec3;
-use eightfold::scene::{self, Camera, Pattern, Scene, Waves};
+use eightfold::scene::{self, Camera, Scene, Waves};
 use eightfold_oracle::pattern::reflectance;
 use eightfold_oracle::waves;
-
-/// The material of a body; see [`scene::Material`].
-#[derive(Clone, Copy, Debug)]
-pub struct Material {
-    pub colour: DVec3,
-    pub kd: f64,
-    pub ks: f64,
-    pub exponent: f64,
-    pub metallic: f64,
-    pub anisotropy: f64,
-    pub kr: f64,
-    pub fresnel: f64,
-    pub kt: f64,
-    pub index: f64,
-    pub tint: DVec3,
-    pub pattern: Pattern,
-}
-
-impl From<&scene::Material> for Material {
-    fn from(material: &scene::Material) -> Self {
-        Self {
-            colour: material.colour.as_dvec3(),
-            kd: material.kd.into(),
-            ks: material.ks.into(),
-            exponent: material.exponent.into(),
-            metallic: material.metallic.into(),
-            anisotropy: material.anisotropy.into(),
-            kr: material.kr.into(),
-            fresnel: material.fresnel.into(),
-            kt: material.kt.into(),
-            index: material.index.into(),
-            tint: material.tint.as_dvec3(),
-            pattern: material.pattern,
-        }
-    }
-}
 
 /// A shape and its material.
 #[derive(Clone, Copy, Debug)]
@@ -50,6 +15,25 @@ pub struct Body {
     pub material: Material,
     /// The waves on it: none but on the first plane.
     pub waves: Waves,
+}
+
+impl Body {
+    /// Whether it mirrors light or lets light through.
+    pub fn is_specular(&self) -> bool {
+        let Material {
+            kr, fresnel, kt, ..
+        } = self.material;
+        kr + fresnel + kt > 0.0
+    }
+
+    /// Its flat sides.
+    pub fn faces(&self) -> Vec<Face> {
+        if self.waves == Waves::CALM {
+            self.shape.faces()
+        } else {
+            Vec::new()
+        }
+    }
 }
 
 /// A scene for pictures of one size.
@@ -80,14 +64,16 @@ const BLUR: f64 = 2.0;
 impl World {
     /// The world of a scene, without its captions. Whether lamps have falloff is for [`Lamp::new`].
     pub fn new(scene: &Scene, width: usize, height: usize, has_falloff: bool) -> Self {
+        let bodies = bodies(scene);
         let lamps = scene.lights.iter();
+        let lamps: Vec<Lamp> = lamps
+            .map(|light| Lamp::new(light, &scene.camera, has_falloff))
+            .collect();
         let (corner, dx, dy) = picture_plane(&scene.camera, width, height);
         let sight = scene.camera.look_at.distance(scene.camera.eye);
         Self {
-            bodies: bodies(scene),
-            lamps: lamps
-                .map(|light| Lamp::new(light, &scene.camera, has_falloff))
-                .collect(),
+            bodies,
+            lamps,
             background: scene.background.as_dvec3(),
             sky: scene.sky.as_dvec3(),
             haze: scene.haze.into(),
@@ -104,10 +90,8 @@ impl World {
 
     /// The ray through a point of the picture, in pixels. A pixel's coordinates are those of its centre.
     pub fn primary_ray(&self, x: f64, y: f64) -> Ray {
-        Ray {
-            o: self.eye,
-            d: (self.corner + x * self.dx + y * self.dy).normalize(),
-        }
+        let d = self.corner + x * self.dx + y * self.dy;
+        Ray::new(self.eye, d.normalize())
     }
 
     /// The body that a ray meets first.
@@ -154,6 +138,29 @@ impl World {
     /// The share of light that the haze lets through over a distance. The background's makes up for the rest.
     pub fn transmittance(&self, t: f64) -> f64 {
         1.0 / (1.0 + (self.haze * t).powi(2))
+    }
+
+    /// The index of a body.
+    pub fn index(&self, body: &Body) -> usize {
+        let mut bodies = self.bodies.iter();
+        bodies
+            .position(|it| std::ptr::eq(it, body))
+            .expect("one of its own")
+    }
+
+    /// The surface of a body where a ray meets it. `keeps_energy` is whether it is a physical one.
+    pub fn surface(&self, body: &Body, ray: Ray, met: &Met, keeps_energy: bool) -> Bsdf {
+        let is_inside = ray.d.dot(met.normal) > 0.0;
+        let n = if is_inside { -met.normal } else { met.normal };
+        Bsdf::new(
+            &body.material,
+            self.paint(body, ray, met),
+            ray.d,
+            n,
+            body.shape.groove(ray.at(met.t), n),
+            is_inside,
+            keeps_energy,
+        )
     }
 
     /// The colour of a body, painted with its pattern, where a ray meets it. The edges of a pattern are at least a pixel wide.

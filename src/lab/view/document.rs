@@ -1,17 +1,12 @@
 //! The text of a scene file while it is edited: its earlier states, the file on the disk, and a copy of what is not saved.
 
-use crate::output;
+use super::copies::Copies;
+use super::disk::SceneOnDisk;
 use crate::scene_file::SceneFile;
-use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant, SystemTime};
-
-/// How often the file is looked at.
-const LOOK_EVERY: Duration = Duration::from_millis(100);
 
 /// A scene file that is open.
 pub struct Document {
-    name: PathBuf,
     text: String,
     pub scene: SceneFile,
     /// Earlier texts, the last one last, and those that were undone.
@@ -19,32 +14,27 @@ pub struct Document {
     future: Vec<String>,
     /// What the last change was a part of, if more of that may follow.
     step: Option<Step>,
+    /// What a drag began with, until it ends or anything else changes the text.
+    held: Option<Held>,
     /// Is another one after each change.
     pub version: u64,
-    /// What the file held when it was last read or written.
-    saved: String,
-    disk: Disk,
-    unsaved: Unsaved,
+    disk: SceneOnDisk,
+    is_written: bool,
+    copies: Copies,
 }
 
-/// Changes that follow each other and are undone as one, each with the number of the object and of the gesture.
+/// Changes that follow each other and are undone as one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
-    Drag(usize),
+    Drag,
+    /// The resizing of an object by its number.
     Resize(usize),
 }
 
-/// The file as it was when it was last looked at.
-struct Disk {
-    looked: Instant,
-    stamp: Option<(SystemTime, u64)>,
-}
-
-/// The file beside it that holds the text as long as it is not saved.
-struct Unsaved {
-    path: PathBuf,
-    /// What it holds; `None` if it is not there.
-    text: Option<String>,
+/// A text to which all of a drag is applied anew with each move, and what it says.
+pub struct Held {
+    pub text: String,
+    pub scene: SceneFile,
 }
 
 /// What became of the file on the disk.
@@ -63,27 +53,20 @@ impl Document {
     /// # Errors
     /// As [`SceneFile::read`].
     pub fn open(name: &str) -> Result<Self, String> {
-        let stamp = stamp(Path::new(name));
-        let text = read(Path::new(name))?;
-        let scene = SceneFile::parse(name, &text)?;
         let path = Path::new(name);
+        let disk = SceneOnDisk::open(path)?;
+        let text = disk.seen.clone();
         Ok(Self {
-            name: path.to_owned(),
-            saved: text.clone(),
+            scene: SceneFile::parse(name, &text)?,
             text,
-            scene,
             past: Vec::new(),
             future: Vec::new(),
             step: None,
+            held: None,
             version: 0,
-            disk: Disk {
-                looked: Instant::now(),
-                stamp,
-            },
-            unsaved: Unsaved {
-                path: unsaved_path(path),
-                text: None,
-            },
+            disk,
+            is_written: false,
+            copies: Copies::new(path),
         })
     }
 
@@ -92,12 +75,7 @@ impl Document {
     }
 
     pub fn is_saved(&self) -> bool {
-        self.text == self.saved
-    }
-
-    /// Where the changes that are not saved are.
-    pub fn unsaved_path(&self) -> &Path {
-        &self.unsaved.path
+        self.text == self.disk.seen
     }
 
     /// Takes another text. Those of one step are undone as one.
@@ -109,102 +87,128 @@ impl Document {
             return Ok(());
         }
         let scene = self.parse(&text)?;
-        let before = std::mem::replace(&mut self.text, text);
-        if step.is_none() || step != self.step {
+        let goes_on = step.is_some() && step == self.step;
+        let before = self.take(text, scene, step);
+        if !goes_on {
             self.past.push(before);
         }
         self.future.clear();
-        self.step = step;
-        self.take(scene);
         Ok(())
     }
 
     /// Goes back before the last step, or does it again. Returns false if there is none.
     pub fn undo(&mut self, again: bool) -> bool {
-        let (from, to) = match again {
-            false => (&mut self.past, &mut self.future),
-            true => (&mut self.future, &mut self.past),
+        let from = if again {
+            &mut self.future
+        } else {
+            &mut self.past
         };
         let Some(text) = from.pop() else {
             return false;
         };
-        to.push(std::mem::replace(&mut self.text, text));
-        self.step = None;
-        if let Ok(scene) = self.parse(&self.text) {
-            self.take(scene);
-        }
+        let Ok(scene) = self.parse(&text) else {
+            return false;
+        };
+        let before = self.take(text, scene, None);
+        let to = if again {
+            &mut self.past
+        } else {
+            &mut self.future
+        };
+        to.push(before);
         true
+    }
+
+    /// Begins a drag.
+    pub fn hold(&mut self) {
+        self.step = None;
+        self.held = Some(Held {
+            text: self.text.clone(),
+            scene: self.scene.clone(),
+        });
+    }
+
+    /// What the drag began with; `None` if something has ended it.
+    pub fn held(&self) -> Option<&Held> {
+        self.held.as_ref()
     }
 
     /// Ends a step: what follows is undone by itself.
     pub fn end_step(&mut self) {
         self.step = None;
+        self.held = None;
     }
 
-    /// Whether another program has written the file since it was read.
-    pub fn is_written_by_others(&self) -> bool {
-        fs::read_to_string(&self.name).is_ok_and(|text| text != self.saved)
-    }
-
-    /// Writes the file.
+    /// Writes the file. While a question is told, the same again is the answer to it.
     ///
     /// # Errors
-    /// One line that says why it can't be written.
-    pub fn save(&mut self) -> Result<(), String> {
-        output::write(&self.name, self.text.as_bytes()).map_err(|error| format!("{error:#}"))?;
-        self.saved.clone_from(&self.text);
-        self.disk.stamp = stamp(&self.name);
+    /// One line: a question, or why it can't be written.
+    pub fn save(&mut self, told: Option<&str>) -> Result<(), String> {
+        let (copies, text) = (&mut self.copies, &self.text);
+        self.disk
+            .write(text, told, || copies.keep(text).map(drop))?;
+        self.is_written = true;
         self.step = None;
-        self.keep_unsaved()
+        self.follow();
+        Ok(())
     }
 
     /// Reads the file again if it has changed on the disk.
     pub fn look(&mut self) -> Option<News> {
-        if self.disk.looked.elapsed() < LOOK_EVERY {
-            return None;
-        }
-        self.disk.looked = Instant::now();
-        let now = stamp(&self.name);
-        if now == self.disk.stamp {
-            return None;
-        }
-        self.disk.stamp = now;
-        let read = read(&self.name).and_then(|text| Ok((self.parse(&text)?, text)));
-        let (scene, text) = match read {
+        let read = self.disk.look()?;
+        let (scene, text) = match read.and_then(|text| Ok((self.parse(&text)?, text))) {
             Ok(read) => read,
             Err(why) => return Some(News::Faulty(why)),
         };
-        let was_saved = self.is_saved();
-        self.saved.clone_from(&text);
-        if text != self.text {
-            self.past.push(std::mem::replace(&mut self.text, text));
-            self.future.clear();
-            self.step = None;
-            self.take(scene);
+        if text == self.disk.seen {
+            return Some(News::Read);
         }
-        Some(match was_saved {
-            true => News::Read,
-            false => News::ReadOver(self.unsaved.path.clone()),
-        })
+        let is_lost = !self.is_saved() && text != self.text;
+        let news = match is_lost.then(|| self.copies.keep(&self.text)) {
+            None => News::Read,
+            Some(Ok(path)) => {
+                self.copies.leave();
+                News::ReadOver(path)
+            }
+            Some(Err(_)) => {
+                self.disk.look_again();
+                return Some(News::Faulty(NOT_READ.to_owned()));
+            }
+        };
+        self.disk.seen.clone_from(&text);
+        if text != self.text {
+            let before = self.take(text, scene, None);
+            self.past.push(before);
+            self.future.clear();
+        }
+        Some(news)
     }
 
     /// Has the file beside it hold what is not saved, and be gone when all is saved.
-    ///
-    /// # Errors
-    /// One line that says why it can't be written.
-    pub fn keep_unsaved(&mut self) -> Result<(), String> {
+    pub fn follow(&mut self) {
         if self.is_saved() {
-            if self.unsaved.text.take().is_some() {
-                // If it is gone already, so much the better.
-                let _ = fs::remove_file(&self.unsaved.path);
-            }
-        } else if self.unsaved.text.as_ref() != Some(&self.text) {
-            self.unsaved.text = Some(self.text.clone());
-            let path = &self.unsaved.path;
-            fs::write(path, &self.text)
-                .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
+            self.copies.discard(&self.text);
+        } else {
+            self.copies.follow(&self.text);
         }
-        Ok(())
+    }
+
+    /// Why what is not saved is in no file.
+    pub fn copy_fault(&self) -> Option<&str> {
+        self.copies.fault()
+    }
+
+    /// What is left at the end, in words; `None` if nothing was written.
+    pub fn left_behind(&mut self) -> Option<String> {
+        if self.is_saved() {
+            let path = self.disk.path().display();
+            return self.is_written.then(|| format!("wrote {path}"));
+        }
+        let what = "the changes that are not saved are";
+        Some(match self.copies.keep(&self.text) {
+            Ok(path) => format!("{what} in {}", path.display()),
+            Err(why) => format!("{what} lost: {why}"),
+        })
     }
 
     /// What a text says in the place of this one.
@@ -212,30 +216,20 @@ impl Document {
     /// # Errors
     /// As [`SceneFile::parse`].
     pub fn parse(&self, text: &str) -> Result<SceneFile, String> {
-        SceneFile::parse(&self.name.to_string_lossy(), text)
+        SceneFile::parse(&self.scene.name, text)
     }
 
-    fn take(&mut self, scene: SceneFile) {
+    /// Takes another text, which ends any drag that it is no part of. Returns the text before.
+    fn take(&mut self, text: String, scene: SceneFile, step: Option<Step>) -> String {
         self.scene = scene;
+        self.step = step;
+        if step != Some(Step::Drag) {
+            self.held = None;
+        }
         self.version += 1;
+        std::mem::replace(&mut self.text, text)
     }
 }
 
-fn read(path: &Path) -> Result<String, String> {
-    fs::read_to_string(path).map_err(|error| format!("cannot read {}: {error}", path.display()))
-}
-
-/// When a file was written, and its length: it is not read again as long as these are the same.
-fn stamp(path: &Path) -> Option<(SystemTime, u64)> {
-    let file = fs::metadata(path).ok()?;
-    Some((file.modified().ok()?, file.len()))
-}
-
-/// A name beside a file that no other file has: `room.unsaved.ron`, `room.unsaved-2.ron` and so on.
-fn unsaved_path(path: &Path) -> PathBuf {
-    let numbers = std::iter::once(String::new()).chain((2..).map(|number| format!("-{number}")));
-    numbers
-        .map(|number| path.with_extension(format!("unsaved{number}.ron")))
-        .find(|path| !path.exists())
-        .unwrap_or_default()
-}
+/// Why changes are not given up for what another program has written.
+const NOT_READ: &str = "The file has changed. It is not read as long as the changes that are not saved cannot be kept.";

@@ -3,7 +3,6 @@
 use super::camera::View;
 use super::document::{Document, Step};
 use super::objects::Picked;
-use crate::scene_file::SceneFile;
 use crate::scene_file::edit::{self, Changes};
 use eightfold::glam::{DVec2, DVec3};
 use eightfold::scene::{Camera, Scene};
@@ -13,18 +12,12 @@ use serde_json::{Value, json};
 pub struct Editor {
     pub document: Document,
     pub picked: Option<Picked>,
-    /// The number of drags so far.
-    drags: usize,
 }
 
-/// An object that is being dragged.
+/// An object that is being dragged. The document holds the text that the drag began with.
 pub struct Drag {
     object: Picked,
-    number: usize,
-    /// The text when the drag began, to which all of it is applied anew with each move, and what it says.
-    text: String,
-    file: SceneFile,
-    /// The object's centre then.
+    /// The object's centre when it began.
     centre: DVec3,
     /// A point at the distance of the object's centre, which follows the pointer.
     held: DVec3,
@@ -51,7 +44,6 @@ impl Editor {
         Self {
             document,
             picked: None,
-            drags: 0,
         }
     }
 
@@ -60,12 +52,9 @@ impl Editor {
         let object = self.picked?;
         let (centre, _) = object.bounds(scene)?;
         let held = view.on_plane(at, centre, view.forward)?;
-        self.drags += 1;
+        self.document.hold();
         Some(Drag {
             object,
-            number: self.drags,
-            file: self.document.scene.clone(),
-            text: self.document.text().to_owned(),
             centre,
             held,
             way: DVec3::ZERO,
@@ -76,7 +65,7 @@ impl Editor {
         })
     }
 
-    /// Moves the dragged object to where the pointer is.
+    /// Moves the dragged object to where the pointer is, unless something else has ended the drag.
     ///
     /// # Errors
     /// What the scene file does not take.
@@ -116,9 +105,13 @@ impl Editor {
         drag.way = way;
         let rounded = (end / drag.grain).round() * drag.grain - drag.centre;
         let way = DVec3::select(way.cmpne(DVec3::ZERO), rounded, DVec3::ZERO);
+        let Some(held) = self.document.held() else {
+            return Ok(());
+        };
         let path = drag.object.centre_path();
-        let changes = drag.file.changed(&path, |i, number| number + way[i]);
-        self.set(&drag.text, &changes, Some(Step::Drag(drag.number)))
+        let changes = held.scene.changed(&path, |i, number| number + way[i]);
+        let text = edit::set(&held.text, &changes).ok_or(NOT_IN_TEXT)?;
+        self.document.change(text, Some(Step::Drag))
     }
 
     /// Makes the picked object larger, or smaller, by notches of the wheel.
@@ -220,13 +213,13 @@ impl Editor {
     /// Goes back before the last step, or does it again.
     ///
     /// # Errors
-    /// If there is no such step, or a file that was written for it can't be removed.
+    /// If there is no such step.
     pub fn undo(&mut self, again: bool) -> Result<(), String> {
         if !self.document.undo(again) {
             return Err("there is nothing more".to_owned());
         }
         self.forget_what_is_gone();
-        self.document.keep_unsaved()
+        Ok(())
     }
 
     /// Picks nothing if the picked object is not in the file any more.

@@ -1,10 +1,13 @@
 //! `lab view`: plays the show, or edits a scene file, in a window in which keys select time, quality and overlay.
 //!
 //! `session` is the loop. Keys and the mouse go to `workspace`, which moves the camera and has `editor` change the file's text;
-//! what they do not mean anything to goes to `controls`.
+//! what they do not mean anything to goes to `controls`. `document` has that text, `disk` the file, and
+//! `copies` the files of what is not saved.
 
 mod camera;
 mod controls;
+mod copies;
+mod disk;
 mod document;
 mod editor;
 mod frame_viewer;
@@ -81,7 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let workspace = Workspace::open(arguments.scene).map_err(|why| anyhow!(why))?;
     if workspace.editor.is_some() {
         // What is not saved is told of then.
-        interrupt::listen()?;
+        interrupt::listen();
     }
     let length = f64::from(workspace.length()) * rate;
     let controls = Controls {

@@ -89,8 +89,9 @@ impl Session {
         let mut title = String::new();
         loop {
             if interrupt::is_stopped() {
-                self.workspace.keep_unsaved();
-                return Err(Stopped(self.left_behind()).into());
+                let left = self.workspace.left_behind();
+                let left = left.unwrap_or_else(|| "all changes are saved".to_owned());
+                return Err(Stopped(left).into());
             }
             let now = Instant::now();
             self.take_inputs();
@@ -127,29 +128,16 @@ impl Session {
 
     /// Whether it may end: if all is saved, or if the viewer has been told that it is not.
     fn may_end(&mut self) -> bool {
-        if self.workspace.unsaved().is_none() {
-            return true;
+        if self.workspace.is_unsaved() && !self.is_end_asked {
+            self.is_end_asked = true;
+            let what = "There are changes that are not saved. Ctrl-S saves them, Esc again leaves.";
+            self.workspace.notice = Some(what.to_owned());
+            return false;
         }
-        if self.is_end_asked {
-            self.workspace.keep_unsaved();
-            eprintln!("view: {}", self.left_behind());
-            return true;
+        if let Some(left) = self.workspace.left_behind() {
+            eprintln!("view: {left}");
         }
-        self.is_end_asked = true;
-        let what = "There are changes that are not saved. Ctrl-S saves them, Esc again leaves.";
-        self.workspace.notice = Some(what.to_owned());
-        false
-    }
-
-    /// What becomes of changes that are not saved.
-    fn left_behind(&self) -> String {
-        match self.workspace.unsaved() {
-            None => "all changes are saved".to_owned(),
-            Some(document) => {
-                let path = document.unsaved_path().display();
-                format!("the changes that are not saved are in {path}")
-            }
-        }
+        true
     }
 
     /// Does what keys and the mouse ask for.
@@ -168,7 +156,7 @@ impl Session {
                 }
                 Input::Mouse(mouse) => {
                     let gesture = Gesture::new(mouse, window, size);
-                    if !gesture.is_move() {
+                    if gesture.is_new() {
                         self.answered();
                         self.workspace.notice = None;
                     }
@@ -222,7 +210,7 @@ impl Session {
 
     /// Whether a title is wrong about changes that are not saved.
     fn is_outdated(&self, title: &str) -> bool {
-        self.workspace.unsaved().is_some() != title.contains(UNSAVED)
+        self.workspace.is_unsaved() != title.contains(UNSAVED)
     }
 
     /// The title: what is shown, how fast it is drawn, and its error.
@@ -237,7 +225,11 @@ impl Session {
         let Figures { time, points, psnr } = self.viewer.figures;
         let seconds = frame / self.rate;
         let state = if is_paused { ", paused" } else { "" };
-        let unsaved = self.workspace.unsaved().map_or("", |_| UNSAVED);
+        let unsaved = if self.workspace.is_unsaved() {
+            UNSAVED
+        } else {
+            ""
+        };
         let fps = fps.map_or("-".to_owned(), |fps| format!("{fps:.0}"));
         let error = if psnr.is_finite() {
             format!("{psnr:.1} dB")
@@ -275,8 +267,10 @@ impl Panels {
             told.push(line(HINT));
         }
         told.extend(workspace.fault.as_deref().map(line));
-        told.extend(workspace.notice.as_deref().map(line));
         let editor = workspace.editor.as_ref();
+        let unkept = editor.and_then(|editor| editor.document.copy_fault());
+        told.extend(unkept.map(|why| line(&format!("What is not saved is not kept: {why}"))));
+        told.extend(workspace.notice.as_deref().map(line));
         let picked = editor.and_then(|editor| {
             let scene = workspace.scene(time);
             let picked = editor.picked?;

@@ -108,10 +108,15 @@ impl Workspace {
         ]
     }
 
-    /// The scene file if it has changes that are not saved.
-    pub fn unsaved(&self) -> Option<&Document> {
-        let document = &self.editor.as_ref()?.document;
-        (!document.is_saved()).then_some(document)
+    /// Whether there are changes that are not saved.
+    pub fn is_unsaved(&self) -> bool {
+        let editor = self.editor.as_ref();
+        editor.is_some_and(|editor| !editor.document.is_saved())
+    }
+
+    /// What is left at the end, in words; `None` if nothing was written.
+    pub fn left_behind(&mut self) -> Option<String> {
+        self.editor.as_mut()?.document.left_behind()
     }
 
     /// Looks whether the file has changed, and keeps what is not saved in a file of its own.
@@ -119,7 +124,13 @@ impl Workspace {
         let Some(editor) = &mut self.editor else {
             return;
         };
-        match editor.document.look() {
+        let news = editor.document.look();
+        if let Hand::Drag(..) = self.hand
+            && editor.document.held().is_none()
+        {
+            self.hand = Hand::Free;
+        }
+        match news {
             None => {}
             Some(News::Faulty(why)) => self.fault = Some(why),
             Some(News::Read) => self.fault = None,
@@ -131,20 +142,7 @@ impl Workspace {
             }
         }
         editor.forget_what_is_gone();
-        // What is being dragged is kept when it has come to its place.
-        if !matches!(self.hand, Hand::Drag(..)) {
-            self.keep_unsaved();
-        }
-    }
-
-    /// Keeps what is not saved in a file of its own. That stays if the text was read over the changes.
-    pub fn keep_unsaved(&mut self) {
-        if let Some(editor) = &mut self.editor
-            && !editor.document.is_saved()
-            && let Err(why) = editor.document.keep_unsaved()
-        {
-            self.notice = Some(why);
-        }
+        editor.document.follow();
     }
 
     /// Does what a key asks for. Returns false if it asks for nothing here.
@@ -156,6 +154,7 @@ impl Workspace {
             return true;
         }
         let scene = self.scene(shown.time);
+        let told = self.notice.take();
         let Some(editor) = &mut self.editor else {
             return false;
         };
@@ -170,12 +169,8 @@ impl Workspace {
             Press::Control('z') => editor.undo(false),
             Press::Control('y') => editor.undo(true),
             Press::Control('s') => {
-                let is_asked = self.notice.as_deref() == Some(OVERWRITE);
-                if editor.document.is_written_by_others() && !is_asked {
-                    Err(OVERWRITE.to_owned())
-                } else {
-                    editor.document.save().map(|()| self.fault = None)
-                }
+                let saved = editor.document.save(told.as_deref());
+                saved.map(|()| self.fault = None)
             }
             _ => return false,
         };
@@ -284,8 +279,9 @@ impl Workspace {
 }
 
 impl Gesture {
-    pub fn is_move(&self) -> bool {
-        self.action == Action::Move
+    /// Whether something else begins with it.
+    pub fn is_new(&self) -> bool {
+        matches!(self.action, Action::Down(_) | Action::Wheel(_))
     }
 
     /// Something done at a pixel of a window, whose picture may have another size.
@@ -303,7 +299,3 @@ impl Gesture {
         }
     }
 }
-
-/// Why a file is not saved at once.
-const OVERWRITE: &str =
-    "Another program has written the file, and this would be lost. Ctrl-S again writes over it.";

@@ -1,7 +1,7 @@
 //! The verdict on rows of squares against that on one at a time.
 
 use super::super::bits::Bits;
-use super::super::verdict::{Rules, Verdict, judge};
+use super::super::verdict::{Rules, Verdict, growth, judge};
 use super::{isas, sample, span, two_rows};
 use crate::quality::Quality;
 use crate::trace::Sample;
@@ -41,7 +41,7 @@ proptest! {
         let mut squares = Bits([squares; _]);
         squares = squares & Bits::first(count);
         for isa in isas() {
-            let rules = Rules::new(&quality, side);
+            let rules = Rules::new(&quality, growth(side, 0.0));
             let (above, below) = (pyramid.row(level, 0), pyramid.row(level, 1));
             let all = judge(isa, rules, &squares, above, below);
             let Verdict { agreeing, flat, filled, patterned } = all;

@@ -45,14 +45,14 @@ static SET: Set = Set {
 
 #[rustfmt::skip]
 static SHOTS: &[Shot] = &[
-    // Along the letters, and back until all of them are seen.
+    // Back as fast as letters rise, so that all are in the picture, also where it is no wider than 4:3, and past them.
     shot(6, &[
         key([6.4, 0.9, 0.0], 0.9, 5.0, 0.1),
-        key([4.6, 1.0, 0.0], 0.75, 4.6, 0.0).rolled(-0.04),
-        key([1.8, 1.0, 0.0], 0.6, 4.6, 0.1),
-        key([-1.6, 1.0, 0.0], 0.4, 5.2, 0.2).rolled(0.04),
-        key([-2.2, 1.0, 0.0], 0.1, 8.5, 0.6).rolled(0.03),
-        key([-0.3, 1.0, 0.0], -0.1, 13.2, 1.1),
+        key([4.5, 1.0, 0.0], 0.75, 5.1, 0.05).rolled(-0.03),
+        key([2.6, 1.0, 0.0], 0.6, 9.0, 0.15),
+        key([0.6, 1.0, 0.0], 0.42, 12.9, 0.4).rolled(0.03),
+        key([0.4, 1.0, 0.0], 0.2, 13.1, 0.8).rolled(0.02),
+        key([0.1, 1.0, 0.0], 0.0, 13.3, 1.15),
         key([0.0, 1.0, 0.0], -0.15, 13.4, 1.3),
     ]),
 ];

@@ -36,7 +36,10 @@ trait Property {
 fn on_every_instruction_set(property: &impl Property) {
     #[cfg(target_arch = "x86_64")]
     {
-        let level = eightfold_window::cpu::best().level;
+        let level = eightfold_window::cpu::instruction_sets()
+            .next()
+            .expect("every machine has one")
+            .level;
         if let Some(simd) = level.as_avx512() {
             simd.vectorize(
                 #[inline(always)]

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::quality::Quality;
-use crate::scene::Light;
+use crate::scene::{Block, Light};
 use crate::trace::Batch;
 use crate::trace::shade::shade;
 use crate::trace::tracer::Tracer;
@@ -31,7 +31,7 @@ impl Property for OwnShadow {
         let mut random = Random::new(1968);
         let mut batch = Box::new(Batch::new());
         let (mut lit, mut dark) = (0, 0);
-        for _ in 0..SPHERES {
+        for number in 0..SPHERES {
             let r = 10_f64.powf(random.between(-4.0, 4.0));
             let centre = random.vector(-4.0, 4.0);
             // Where rounding leaves something of it.
@@ -53,6 +53,15 @@ impl Property for OwnShadow {
                 radius: 0.0,
                 ..Light::DARK
             }]);
+            if self.is_inside && number % 2 == 0 {
+                // Neither a box beyond the sphere makes a difference, nor a lamp's size, if all of it is within.
+                scene.blocks = List::of(&[Block {
+                    centre: from(random.direction(), 3.0),
+                    half: Vec3A::splat(r as f32),
+                    ..Block::default()
+                }]);
+                scene.lights[0].size = (1.9 * (1.0 - lamp_at).max(0.0) * r) as f32;
+            }
             let scene = prepared(&scene);
             let mut ways = [Vec3A::ZERO; MAX_LANES];
             for way in &mut ways {

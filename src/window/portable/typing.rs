@@ -26,8 +26,8 @@ struct State {
     others: Vec<c_uint>,
 }
 
-/// What is typed with the keys of F and W where the alphabet is Russian, Greek, Hebrew or Arabic.
-const PLACES: [(char, u8); 7] = [
+/// What is typed with the keys of F, W and H where the alphabet is Russian, Greek, Hebrew or Arabic.
+const PLACES: [(char, u8); 11] = [
     ('\u{430}', b'f'),
     ('\u{446}', b'w'),
     ('\u{3c6}', b'f'),
@@ -35,6 +35,10 @@ const PLACES: [(char, u8); 7] = [
     ('\u{5db}', b'f'),
     ('\u{628}', b'f'),
     ('\u{635}', b'w'),
+    ('\u{440}', b'h'),
+    ('\u{3b7}', b'h'),
+    ('\u{5d9}', b'h'),
+    ('\u{627}', b'h'),
 ];
 
 impl InputCallback for Typing {

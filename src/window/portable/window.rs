@@ -144,18 +144,19 @@ impl Screen for Window {
             return Next::End(1);
         }
         self.note(&keys);
-        let mut fullscreen = None;
+        let (mut fullscreen, mut next) = (None, Next::GoOn);
         for key in keys {
             match key {
                 keyboard::ESCAPE => return Next::End(0),
                 keyboard::F => fullscreen = Some(true),
                 keyboard::W => fullscreen = Some(false),
+                keyboard::H => next = next.toggled(),
                 _ => {}
             }
         }
         if let Some(on) = fullscreen {
             self.set_fullscreen(on);
         }
-        Next::GoOn
+        next
     }
 }

@@ -12,7 +12,7 @@ use crate::{
 };
 
 /// The number of a key that was pressed, without Shift: by the layout, of several the one that is in use. Where that has no
-/// Latin letter, as those of other alphabets, F and W are those in the same place on a keyboard of the USA. [`keyboard::NONE`]
+/// Latin letter, as those of other alphabets, F, H and W are those in the same place on a keyboard of the USA. [`keyboard::NONE`]
 /// with Ctrl or Alt.
 pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     if event.state & COMMAND != 0 {
@@ -26,6 +26,7 @@ pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     match event.keycode {
         25 => keyboard::W,
         41 => keyboard::F,
+        43 => keyboard::H,
         _ => key,
     }
 }

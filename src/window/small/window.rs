@@ -14,7 +14,8 @@ use crate::{
     x11::{self, Place, Toplevel, Xlib, types as xlib},
 };
 
-/// A window that shows frames, with keys: F for the whole screen, W for the window, Esc to end.
+/// A window that shows frames, with keys: F for the whole screen, W for the window, H for numbers over the
+/// picture, Esc to end.
 ///
 /// What happens in it is taken from Xlib, so that a key that is pressed and released between two frames counts. It stays until
 /// the process ends, when the display closes it, at once and for sure.
@@ -135,7 +136,7 @@ impl Screen for Window {
 
     fn show(&mut self) -> Next {
         self.frames.show(&self.top, self.size);
-        let mut fullscreen = None;
+        let (mut fullscreen, mut next) = (None, Next::GoOn);
         let Toplevel { x, display, .. } = self.top;
         // SAFETY: zero is a value of every field of an event, and which of its parts is there is told by its type.
         unsafe {
@@ -150,6 +151,7 @@ impl Screen for Window {
                         keyboard::ESCAPE => return Next::End(0),
                         keyboard::F => fullscreen = Some(true),
                         keyboard::W => fullscreen = Some(false),
+                        keyboard::H => next = next.toggled(),
                         _ => {}
                     },
                     xlib::ConfigureNotify => {
@@ -172,6 +174,6 @@ impl Screen for Window {
         if let Some(on) = fullscreen {
             self.set_fullscreen(on);
         }
-        Next::GoOn
+        next
     }
 }

@@ -2,7 +2,7 @@
 
 use core::{
     cell::UnsafeCell,
-    ffi::c_int,
+    ffi::{CStr, c_int},
     fmt::{self, Write},
     mem::{MaybeUninit, zeroed},
     sync::atomic::{
@@ -35,38 +35,67 @@ const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J";
 /// Undoes [`ENTER`], and the colours.
 const LEAVE: &[u8] = b"\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
-/// The signals that end a process unless it heeds them, and that others send: not those of its own mistakes.
-const ENDING: [u8; 8] = [
-    libc::SIGHUP as u8,
-    libc::SIGINT as u8,
-    libc::SIGQUIT as u8,
-    libc::SIGTERM as u8,
-    libc::SIGUSR1 as u8,
-    libc::SIGUSR2 as u8,
-    libc::SIGALRM as u8,
-    libc::SIGXCPU as u8,
-];
+/// The signals that end no process: what it does with them stays as it is. No process can heed SIGKILL and SIGSTOP.
+const HARMLESS: u64 = bits(&[
+    libc::SIGPIPE,
+    libc::SIGCHLD,
+    libc::SIGCONT,
+    libc::SIGTSTP,
+    libc::SIGTTIN,
+    libc::SIGTTOU,
+    libc::SIGURG,
+    libc::SIGWINCH,
+    #[cfg(not(target_os = "linux"))]
+    libc::SIGINFO,
+]);
+
+/// The signals of a process's own mistakes, which it can't go on after.
+const MISTAKES: u64 = bits(&[
+    libc::SIGILL,
+    libc::SIGTRAP,
+    libc::SIGABRT,
+    libc::SIGBUS,
+    libc::SIGFPE,
+    libc::SIGSEGV,
+    libc::SIGSYS,
+]);
+
+/// A set of signals, a bit for each from 1 on.
+const fn bits(signals: &[c_int]) -> u64 {
+    let (mut set, mut i) = (0, 0);
+    while i < signals.len() {
+        set |= 1 << (signals[i] - 1);
+        i += 1;
+    }
+    set
+}
 
 /// The most cells beside each other and above each other that are drawn on: the pixels of the largest frame.
 const MOST_COLUMNS: usize = 3840;
 const MOST_ROWS: usize = 2160 / 2;
 
-/// The terminal on standard output. Esc and Ctrl-C end the show.
+/// The terminal on standard output. Esc and Ctrl-C end the show, H is for numbers over the picture.
 ///
 /// It is given back as it was when this is dropped, when the process aborts, and after the signals
 /// that ask a process to end.
 pub struct Terminal {
-    escape: Escape,
+    keys: Keys,
     pixels: &'static mut [u32],
     size: (usize, usize),
     shown: (usize, usize),
 }
 
 impl Terminal {
-    /// Whether standard output is a terminal that [`Terminal::open`] takes over.
+    /// Whether standard output is a terminal that [`Terminal::open`] takes over: one that says of itself that it knows no colours
+    /// and no places is none.
     #[must_use]
     pub fn is_there() -> bool {
-        line::terminal(line::OUTPUT)
+        // SAFETY: nobody changes the environment; what is there is a string.
+        let is_dumb = unsafe {
+            let name = libc::getenv(c"TERM".as_ptr());
+            !name.is_null() && CStr::from_ptr(name) == c"dumb"
+        };
+        line::terminal(line::OUTPUT) && !is_dumb
     }
 
     /// Takes over the terminal on standard output, if there is one.
@@ -76,7 +105,7 @@ impl Terminal {
             return None;
         }
         let terminal = Terminal {
-            escape: Escape::default(),
+            keys: Keys::default(),
             pixels: pixels(),
             size: (0, 0),
             shown: (0, 0),
@@ -148,7 +177,8 @@ impl Screen for Terminal {
         match signal() {
             // Where nobody reads, a later frame may find room; the show goes on meanwhile, to its end.
             0 if drawn.is_err() && system::error() != libc::EAGAIN => Next::End(1),
-            0 if self.escape.read(SAVED.keyboard()) => Next::End(0),
+            0 if self.keys.read(SAVED.keyboard()) => Next::End(0),
+            0 if core::mem::take(&mut self.keys.toggles) => Next::Toggle,
             0 => Next::GoOn,
             signal => Next::End(128 + signal),
         }
@@ -161,14 +191,16 @@ impl Drop for Terminal {
     }
 }
 
-/// Tells Esc and Ctrl-C from other keys, of which many send sequences that begin like Esc.
+/// Tells Esc, Ctrl-C and H from other keys: many send sequences that begin like Esc, and so do those that are pressed with Alt.
 #[derive(Default)]
-struct Escape {
+struct Keys {
     /// An Esc was the last that came. What it is shows when something follows, or nothing.
     open: bool,
+    /// H came an odd number of times.
+    toggles: bool,
 }
 
-impl Escape {
+impl Keys {
     /// Reads what was typed. True if it means the end.
     fn read(&mut self, keyboard: c_int) -> bool {
         let mut typed = [0; 64];
@@ -181,20 +213,18 @@ impl Escape {
         self.ends(typed.get(..count as usize).unwrap_or_default())
     }
 
-    /// Whether what was typed since the last call means the end.
+    /// Whether what was typed since the last call means the end. What follows an Esc at once belongs to it.
     fn ends(&mut self, typed: &[u8]) -> bool {
         const ESCAPE: u8 = 0x1b;
         const CONTROL_C: u8 = 0x03;
-        if typed.is_empty() {
-            return core::mem::take(&mut self.open);
-        }
+        let was_open = core::mem::replace(&mut self.open, typed.last() == Some(&ESCAPE));
+        let is_escape = was_open && !matches!(typed.first(), Some(b'[' | b'O'));
+        let mut before = 0;
         for &byte in typed {
-            let follows = core::mem::replace(&mut self.open, byte == ESCAPE);
-            if byte == CONTROL_C || follows && !matches!(byte, b'[' | b'O') {
-                return true;
-            }
+            self.toggles ^= byte == b'h' && before != ESCAPE;
+            before = byte;
         }
-        false
+        is_escape || typed.contains(&CONTROL_C)
     }
 }
 
@@ -231,14 +261,24 @@ pub(crate) fn signal() -> c_int {
     SIGNAL.load(Relaxed)
 }
 
+/// What is done on a signal that ends a process.
 extern "C" fn note(signal: c_int) {
-    SIGNAL.store(signal, Relaxed);
+    if MISTAKES >> (signal - 1) & 1 == 0 {
+        SIGNAL.store(signal, Relaxed);
+        return;
+    }
+    restore();
+    // SAFETY: both may be called in a signal's function. The signal comes again when this one has returned.
+    unsafe {
+        on_signal(signal, libc::SIG_DFL);
+        libc::raise(signal);
+    }
 }
 
-/// Sets what is done on a signal: a function that does no more than it may there, or `SIG_IGN`.
+/// Sets what is done on a signal: a function that does no more than it may there, `SIG_IGN` or `SIG_DFL`.
 ///
 /// # Safety
-/// The action has to be one or the other.
+/// The action has to be one of these.
 pub(crate) unsafe fn on_signal(signal: c_int, action: libc::sighandler_t) {
     // SAFETY: zero is a value of every field. Without SA_RESTART, a write that waits returns.
     unsafe {
@@ -273,11 +313,9 @@ impl Saved {
         // SAFETY: zero is a value of every field of the structures, which outlive the calls; `note`
         // does only what a signal's function may. `mode` is written while `active` isn't set.
         unsafe {
-            for signal in ENDING {
-                on_signal(
-                    signal.into(),
-                    note as extern "C" fn(c_int) as libc::sighandler_t,
-                );
+            // The last ones are those of real time; what is none is refused.
+            for signal in (1..=64).filter(|signal| HARMLESS >> (signal - 1) & 1 == 0) {
+                on_signal(signal, note as extern "C" fn(c_int) as libc::sighandler_t);
             }
             PATIENCE.store(1000, Relaxed);
             system::never_wait(line::OUTPUT, c"/dev/stdout");
@@ -337,17 +375,18 @@ pub(crate) fn restore() {
 
 #[cfg(test)]
 mod tests {
-    use super::Escape;
+    use super::Keys;
 
     #[test]
     fn escape_ends_and_sequences_do_not() {
         let ends = |reads: &[&[u8]]| {
-            let mut escape = Escape::default();
-            reads.iter().any(|typed| escape.ends(typed))
+            let mut keys = Keys::default();
+            reads.iter().any(|typed| keys.ends(typed))
         };
         assert!(ends(&[b"\x1b", b""]), "Esc, and nothing after it");
-        assert!(ends(&[b"\x1b\x1b"]), "Esc twice");
-        assert!(ends(&[b"\x1bx"]), "Esc and a letter");
+        assert!(ends(&[b"\x1b\x1b", b""]), "Esc twice");
+        assert!(ends(&[b"\x1b", b"x"]), "Esc, and a letter later");
+        assert!(!ends(&[b"\x1bx", b""]), "Alt and a letter");
         assert!(ends(&[b"ab\x03"]), "Ctrl-C");
         assert!(ends(&[b"\x1b[A\x1b", b""]), "an arrow, and Esc");
         assert!(!ends(&[b"", b"fw", b""]), "letters");
@@ -359,5 +398,16 @@ mod tests {
             !ends(&[b"\x1b", b"[A", b""]),
             "an arrow that comes in two parts"
         );
+    }
+
+    #[test]
+    fn h_is_heard_and_twice_is_as_good_as_never() {
+        let toggles = |typed: &[u8]| {
+            let mut keys = Keys::default();
+            assert!(!keys.ends(typed));
+            keys.toggles
+        };
+        assert!(toggles(b"h") && toggles(b"\x1b[Ah") && toggles(b"hfhh"));
+        assert!(!toggles(b"f\x1b[H") && !toggles(b"hh"), "Home is no H");
     }
 }

@@ -7,14 +7,18 @@ use core::{
     sync::atomic::{AtomicU32, Ordering::Relaxed},
 };
 
-use crate::terminal;
+use crate::{line, terminal};
 
 /// The number of standard output.
 pub const OUTPUT: c_int = libc::STDOUT_FILENO;
 /// The number of standard error.
 pub const ERROR: c_int = libc::STDERR_FILENO;
 
-/// Prepares the process: a broken pipe is an error of the write, not a signal, and the standard streams are open.
+/// The least bytes of stack to start with. Drawing takes 56 kB of each thread's; the rest is for libraries.
+const STACK: libc::rlim_t = 96 << 10;
+
+/// Prepares the process: a broken pipe is an error of the write, not a signal, and the standard streams are open. Ends it where it
+/// has so little stack that it would end without a word.
 ///
 /// # Safety
 /// No other thread may be running yet.
@@ -31,6 +35,15 @@ pub unsafe fn start() {
     // opened later takes its number and is written to by mistake: writing fails, as it would have when closed. One more stays
     // open, as the sign that the first three are.
     while (0..=2).contains(&open(c"/dev/null")) {}
+    // SAFETY: zero is a value of both fields of the limit, which outlives the call.
+    unsafe {
+        let mut stack: libc::rlimit = zeroed();
+        libc::getrlimit(libc::RLIMIT_STACK, &mut stack);
+        if stack.rlim_cur < STACK {
+            line::complain(format_args!("it takes 96 kB of stack"));
+            libc::_exit(1);
+        }
+    }
 }
 
 /// How often the process has gone on after a stop.

@@ -245,6 +245,7 @@ pub fn quality(random: &mut Random) -> Quality {
         tolerance_differing: [0.0, 4.0, f32::NAN][random.below(3)],
         tolerance_side: [0.0, 9.0][random.below(2)],
         key_depth: random.below(9) as u32,
+        key_weight: [0.0, 0.3, f32::NAN][random.below(3)],
         state_depth: random.below(9) as u32,
         depth: random.below(Quality::MAX_DEPTH as usize + 1) as u32,
         least_contribution: [0.0, 0.01, 0.2, f32::NAN][random.below(4)],

@@ -2,7 +2,7 @@
 
 mod exposure;
 mod formats;
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 mod interrupted;
 mod parts;
 mod sound;

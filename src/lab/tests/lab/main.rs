@@ -14,10 +14,13 @@ mod sound;
 mod study;
 mod trade;
 mod truth;
+mod views;
 
 use eightfold::Quality;
 use eightfold_stage::reader::read_png;
 use std::path::Path;
+#[cfg(target_os = "linux")]
+use std::process::Child;
 use std::process::{Command, Output};
 
 fn lab(arguments: &[&str]) -> Output {
@@ -33,12 +36,13 @@ fn render(out: &Path, more: &[&str]) -> Output {
     lab(&[&["render", "--size", "40x30", "--out", out], more].concat())
 }
 
-/// Asserts that a command failed with an exit code, and printed one line that contains some words.
+/// Asserts that a command failed with an exit code, and printed one line that contains some words, and no temporary name.
 #[track_caller]
 fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
     let text = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(code), "{text}");
     assert_eq!(text.trim_end().lines().count(), 1, "{text}");
+    assert!(!text.contains(".lab-"), "{text}");
     for word in words {
         assert!(text.contains(word), "no {word} in: {text}");
     }
@@ -64,6 +68,70 @@ fn a_frame_is_written_whole() {
     let black = pixels.iter().filter(|&&pixel| pixel == 0).count();
     assert_eq!(black, 0, "the background alone is brighter than that");
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn a_file_is_called_as_it_was_asked_for_whether_it_is_there_or_not() {
+    let folder = tempfile::tempdir().unwrap();
+    for _ in 0..2 {
+        let output = Command::new(env!("CARGO_BIN_EXE_lab"))
+            .args(["render", "--size", "40x30", "--out", "x.png"])
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(said.starts_with("wrote x.png, in "), "{said}");
+    }
+}
+
+/// Starts the lab, and waits until it has said what is to be done on a signal.
+#[cfg(target_os = "linux")]
+fn start(command: &mut Command) -> Child {
+    use std::process::Stdio;
+    let command = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let child = command.spawn().expect("the lab starts");
+    let status = format!("/proc/{}/status", child.id());
+    eightfold_stage::wait_for("the signals to be heard", || {
+        let status = std::fs::read_to_string(&status).expect("it runs");
+        let (_, heard) = status.split_once("SigCgt:").expect("a set of signals");
+        let heard = heard.split_whitespace().next().expect("a number");
+        let heard = u64::from_str_radix(heard, 16).expect("hexadecimal digits");
+        // Bit 0 is that of signal 1.
+        (heard >> (2 - 1) & 1 != 0).then_some(())
+    });
+    child
+}
+
+/// Sends a signal to a process, or to a group of them by the number of its first one with a minus.
+#[cfg(target_os = "linux")]
+fn signal(process: &str, name: &str) -> bool {
+    let kill = format!("kill -s {name} -- {process}");
+    let mut sh = Command::new("sh");
+    let status = sh.args(["-c", &kill]).stderr(std::process::Stdio::null());
+    status.status().unwrap().success()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn commands_without_results_so_far_end_on_a_signal_with_one_line() {
+    let folder = tempfile::tempdir().unwrap();
+    for command in [
+        "render --size 3840x2160 --quality exhaustive --threads 1 --out x.png",
+        "figures --size 3840x2160 --quality exhaustive --out figures",
+        "sound --wav x.wav --spectrogram x.png",
+        "scene --export show --fps 1000 --out x.ron",
+        "bench --stages --frames 100000",
+    ] {
+        let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
+        let lab = lab.args(command.split(' ')).current_dir(folder.path());
+        let child = start(lab);
+        assert!(signal(&child.id().to_string(), "INT"), "{command}");
+        let output = child.wait_with_output().unwrap();
+        assert_one_line(&output, 130, &["stopped at once"]);
+    }
+    let left = std::fs::read_dir(folder.path()).unwrap();
+    let left: Vec<_> = left.map(|entry| entry.unwrap().file_name()).collect();
+    assert!(left.iter().all(|name| name == "figures"), "{left:?}");
 }
 
 #[test]
@@ -151,13 +219,20 @@ fn a_file_that_cannot_be_written_is_named_in_one_line() {
 
 #[test]
 fn a_closed_standard_output_is_named_in_one_line() {
-    let output = Command::new("sh")
-        .args(["-c", "exec \"$0\" \"$@\" >&-"])
-        .arg(env!("CARGO_BIN_EXE_lab"))
-        .args(["render", "--size", "40x30", "--out", "-"])
-        .output()
-        .unwrap();
-    assert_one_line(&output, 1, &["standard output"]);
+    for command in [
+        "render --size 40x30 --out -",
+        "--help",
+        "bench --help",
+        "--version",
+    ] {
+        let output = Command::new("sh")
+            .args(["-c", "exec \"$0\" \"$@\" >&-"])
+            .arg(env!("CARGO_BIN_EXE_lab"))
+            .args(command.split(' '))
+            .output()
+            .unwrap();
+        assert_one_line(&output, 1, &["standard output"]);
+    }
 }
 
 #[cfg(target_os = "linux")]
@@ -201,7 +276,7 @@ fn help_names_every_command_and_flag() {
         ),
         (
             "bench",
-            "--scene --time-from --time-to --size --quality --threads --isa --frames --flicker --json",
+            "--scene --time-from --time-to --size --quality --threads --isa --frames --views --json",
         ),
         (
             "capture",

@@ -1,6 +1,9 @@
 //! Scene files say what is in them, and where something is wrong; scenes that are written and read again are the same.
 
 #[rustfmt::skip]
+mod every_field;
+mod fields;
+#[rustfmt::skip]
 mod motion;
 
 use super::{assert_one_line, lab, render};
@@ -9,7 +12,9 @@ use eightfold_lab::scene_file::{self, SceneFile};
 use eightfold_lab::scenes::SceneName;
 use eightfold_stage::reader::read_png;
 use std::fs;
+use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// The folder of the examples.
 fn examples() -> PathBuf {
@@ -21,30 +26,9 @@ fn example(name: &str) -> String {
     fs::read_to_string(examples().join(name)).expect("the example is there")
 }
 
-/// What is in a scene. Unused places of its lists are no part of it.
+/// What is in a scene, to the bit.
 fn contents(scene: &Scene) -> String {
-    let captions = scene.captions.iter().map(|caption| {
-        let numbers = [caption.middle, caption.size, caption.brightness];
-        (caption.letters.to_vec(), numbers)
-    });
-    let air = (
-        scene.background,
-        scene.sky,
-        scene.haze,
-        scene.fade,
-        scene.ambient,
-    );
-    format!(
-        "{:?} {air:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",
-        scene.camera,
-        scene.method,
-        scene.water,
-        &scene.spheres[..],
-        &scene.planes[..],
-        &scene.blocks[..],
-        &scene.lights[..],
-        captions.collect::<Vec<_>>()
-    )
+    format!("{scene:?}")
 }
 
 #[test]
@@ -93,6 +77,15 @@ fn a_scene_that_is_exported_is_the_same_at_its_frames() {
 }
 
 #[test]
+fn what_is_to_be_written_is_asked_for_once() {
+    let first = examples().join("first.ron");
+    let first = first.to_str().expect("a plain name");
+    let both = lab(&["scene", "--export", "model", "--rust", first]);
+    assert_one_line(&both, 2, &["--export", "--rust", "cannot"]);
+    assert_one_line(&lab(&["scene", "--out", "-"]), 2, &["--export", "--rust"]);
+}
+
+#[test]
 fn an_exported_scene_gives_the_same_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("machine.ron");
@@ -137,18 +130,27 @@ fn motions_pass_their_keys() {
     assert_eq!([colour(0.999), colour(1.0), colour(2.0)], [0.2, 0.9, 0.2]);
 }
 
-#[test]
-fn rust_made_of_a_file_is_the_same_scene() {
-    let file = examples().join("motion.ron");
+/// The Rust text that the lab makes of a scene file, which is compiled as a module of these tests: `UPDATE_GOLDEN=1` writes it.
+#[track_caller]
+fn assert_is_compiled(name: &str, file: &Path) {
     let output = lab(&["scene", "--rust", file.to_str().expect("a plain name")]);
     let text = String::from_utf8(output.stdout).expect("text");
-    let name = format!("Made of {}", file.display());
-    let text = text.replace(&name, "Made of examples/scenes/motion.ron");
-    let known = include_str!("scene/motion.rs");
+    let made = format!("Made of {}", file.display());
+    let text = text.replace(&made, &format!("Made of {name}.ron"));
+    let known = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/lab/scene/{name}.rs"));
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(&known, &text).expect("it can be written");
+    }
+    let known = fs::read_to_string(known).expect("it is there");
     assert!(
         text == known,
-        "src/lab/tests/lab/scene/motion.rs has to be made anew: {text}"
+        "tests/lab/scene/{name}.rs has to be made anew"
     );
+}
+
+#[test]
+fn rust_made_of_a_file_is_the_same_scene() {
+    assert_is_compiled("motion", &examples().join("motion.ron"));
     let file = SceneFile::parse("motion.ron", &example("motion.ron")).expect("a scene");
     assert_eq!(motion::LENGTH, file.length);
     for step in 0..200 {
@@ -217,6 +219,36 @@ fn what_is_wrong_is_named_by_line_column_field_and_what_it_takes() {
 }
 
 #[test]
+fn a_byte_order_mark_is_no_part_of_the_text() {
+    let first = example("first.ron");
+    let [plain, marked] = [first.clone(), format!("\u{feff}{first}")]
+        .map(|text| SceneFile::parse("first.ron", &text).expect("a scene"));
+    assert_eq!(plain, marked);
+    let error = SceneFile::parse("my.ron", "\u{feff}Scene(haze: -1.0)").expect_err("it is wrong");
+    assert!(error.starts_with("my.ron:1:13: haze is -1"), "{error}");
+}
+
+#[test]
+fn what_may_have_no_end_is_not_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [pipe, device] = ["pipe.ron", "device.ron"].map(|name| folder.path().join(name));
+    let made = Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.expect("mkfifo runs").success());
+    symlink("/dev/null", &device).expect("a link");
+    // One that reads the pipe is not kept waiting: it gets an empty text.
+    let writer = pipe.clone();
+    std::thread::spawn(move || fs::write(writer, ""));
+    for file in [&pipe, &device] {
+        let name = file.to_str().expect("UTF-8");
+        assert_one_line(
+            &lab(&["bench", "--scene", name]),
+            2,
+            &["cannot read", name, "not a regular file"],
+        );
+    }
+}
+
+#[test]
 fn what_is_wrong_with_a_motion_is_named() {
     let text = example("motion.ron");
     for (old, new, says) in [
@@ -253,6 +285,45 @@ fn what_is_wrong_with_a_motion_is_named() {
 }
 
 #[test]
+fn fields_that_are_missing_twice_or_unknown_are_told() {
+    for (fields, says) in [
+        (
+            "radius: 1, material: \"a\"",
+            "`Sphere` takes a field `centre`",
+        ),
+        (
+            "centre: (0, 0, 0), radius: 1, radius: 2, material: \"a\"",
+            "`radius` is twice in `Sphere`",
+        ),
+        (
+            "centre: (0, 0, 0), size: 1, material: \"a\"",
+            "`Sphere` has no field `size`, and takes `centre`, `radius`, `material`",
+        ),
+    ] {
+        let text = format!("(materials: {{\"a\": ()}}, spheres: [({fields})])");
+        let error = SceneFile::parse("my.ron", &text).expect_err("it is wrong");
+        assert!(
+            error.starts_with("my.ron:1:") && error.contains(says),
+            "{error}"
+        );
+    }
+    let error = SceneFile::parse("my.ron", "(motion: [])").expect_err("it is wrong");
+    assert!(error.contains("`captions`, `motions`"), "{error}");
+}
+
+#[test]
+fn two_motions_of_one_number_are_no_rust() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("twice.ron");
+    let keys = "keys: [(0.0, (0.0, 0.0, 9.0)), (1.0, (1.0, 0.0, 9.0))]";
+    let part = "(of: \"camera.eye[1]\", keys: [(0.0, 1.0)])";
+    let text = format!("(motions: [(of: \"camera.eye\", {keys}), {part}])");
+    fs::write(&file, text).expect("it can be written");
+    let output = lab(&["scene", "--rust", file.to_str().expect("a plain name")]);
+    assert_one_line(&output, 1, &["camera.eye and camera.eye[1] move the same"]);
+}
+
+#[test]
 fn too_many_objects_are_told() {
     let sphere = "(centre: (0.0, 0.0, 0.0), radius: 1.0, material: \"m\"),";
     let text = format!(
@@ -282,6 +353,8 @@ fn bad_input_is_named_in_one_line() {
     let none = folder.path().join("none.ron");
     let none = none.to_str().expect("a plain name");
     assert_one_line(&lab(&["bench", "--scene", none]), 2, &["cannot read", none]);
+    fs::write(&file, b"Scene() // \xe9").expect("it can be written");
+    assert_one_line(&lab(&["bench", "--scene", name]), 2, &[name, "not UTF-8"]);
     assert_one_line(&lab(&["scene"]), 2, &["--export", "--rust"]);
     assert_one_line(
         &lab(&["scene", "--rust", "model"]),

@@ -1,9 +1,11 @@
 //! `lab truth`: pictures that are known in closed form, surfaces that keep energy, and files that are whole.
 
+mod caustics;
 mod closed_forms;
 mod effects;
 mod files;
 mod lamps;
+mod lengths;
 mod surfaces;
 
 use eightfold::glam::{DVec3, Vec3A};

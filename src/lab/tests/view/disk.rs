@@ -1,8 +1,13 @@
 //! A scene file is read again when another program writes it.
 
-use crate::stage::{BALL, Edit, SCENE, is_bright};
-use eightfold_stage::{DISPLAY, lacks};
+use crate::stage::{BALL, Edit, SCENE, View, blue, is_bright, letters, read};
+use eightfold_stage::{DISPLAY, Server, lacks, wait_for};
 use std::fs;
+
+/// [`SCENE`] with a larger ball, as another program writes it.
+fn larger() -> String {
+    SCENE.replace("radius: 1.0", "radius: 1.4")
+}
 
 #[test]
 fn what_another_program_writes_is_seen() {
@@ -11,7 +16,7 @@ fn what_another_program_writes_is_seen() {
     }
     let edit = Edit::start(SCENE);
     let before = edit.picture();
-    fs::write(&edit.file, SCENE.replace("radius: 1.0", "radius: 1.4")).expect("it is written");
+    fs::write(&edit.file, larger()).expect("it is written");
     assert!(edit.picture() != before);
     edit.assert_shows_file();
     assert!(!edit.view.title().contains("not saved"));
@@ -51,20 +56,108 @@ fn changes_that_are_not_saved_come_back_after_the_file_was_read_over_them() {
     let edit = Edit::start(SCENE);
     edit.view.click(1, BALL);
     edit.view.press("m", "not saved");
-    let changed = SCENE.replace("1.0, material: \"red\"", "1.0, material: \"blue\"");
-    let other = SCENE.replace("radius: 1.0", "radius: 1.4");
-    fs::write(&edit.file, &other).expect("it is written");
-    eightfold_stage::wait_for("it to be read", || {
-        (!edit.view.title().contains("not saved")).then_some(())
-    });
+    edit.read_over(&larger());
     // They are in the other file, too.
-    assert_eq!(
-        fs::read_to_string(edit.unsaved()).expect("it is there"),
-        changed
-    );
+    assert_eq!(read(&edit.unsaved()), blue());
     edit.assert_unpicked_shows_file();
     edit.view.key("ctrl+z");
-    assert_eq!(edit.save(), changed);
+    assert_eq!(edit.save(), blue());
+}
+
+#[test]
+fn the_same_text_written_again_is_not_read_over_changes() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    let edit = Edit::start(SCENE);
+    edit.view.click(1, BALL);
+    edit.view.press("m", "not saved");
+    fs::write(&edit.file, SCENE).expect("it is written");
+    edit.view.settled_shot();
+    assert_eq!(edit.save(), blue());
+}
+
+#[test]
+fn a_later_change_leaves_the_file_of_those_that_were_read_over() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    let edit = Edit::start(SCENE);
+    edit.view.click(1, BALL);
+    edit.view.press("m", "not saved");
+    edit.read_over(&larger());
+    edit.view.click(4, BALL);
+    let second = edit.file.with_extension("unsaved-2.ron");
+    let changed = SCENE.replace("radius: 1.0", "radius: 1.47");
+    wait_for("the second file", || second.exists().then_some(()));
+    assert_eq!([read(&edit.unsaved()), read(&second)], [blue(), changed]);
+    edit.view.key("ctrl+s");
+    edit.wait_until_saved();
+    // What is saved needs no other file.
+    assert!(!second.exists());
+    assert_eq!(read(&edit.unsaved()), blue());
+}
+
+#[test]
+fn two_that_edit_a_file_keep_what_is_not_saved_apart() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    let edit = Edit::start(SCENE);
+    let other = View::of_file(Server::start(640, 480), &edit.file);
+    edit.view.click(1, BALL);
+    edit.view.press("m", "not saved");
+    other.click(1, BALL);
+    other.click(4, BALL);
+    other.wait("not saved");
+    let second = edit.file.with_extension("unsaved-2.ron");
+    let resized = SCENE.replace("radius: 1.0", "radius: 1.05");
+    wait_for("the second file", || second.exists().then_some(()));
+    assert_eq!([read(&edit.unsaved()), read(&second)], [blue(), resized]);
+    other.key("ctrl+s");
+    edit.wait_until_saved();
+    // The first one has read over its changes what the second one has saved.
+    assert!(!second.exists());
+    assert_eq!(read(&edit.unsaved()), blue());
+    edit.view.key("ctrl+z");
+    assert_eq!(edit.save(), blue());
+}
+
+#[test]
+fn what_another_program_writes_ends_a_drag() {
+    if lacks(DISPLAY) {
+        return;
+    }
+    let [x, y] = BALL;
+    let further = [[x + 60, y], [x + 80, y]];
+    // Before anything has moved.
+    let edit = Edit::start(SCENE);
+    edit.view.hold(1, &[BALL]);
+    let held = edit.view.settled_shot();
+    fs::write(&edit.file, larger()).expect("it is written");
+    edit.view.assert_shows("what is new", |shot| shot != held);
+    edit.view.follow(&further);
+    edit.view.release(1);
+    edit.view.key("ctrl+s");
+    edit.assert_unpicked_shows_file();
+    assert_eq!(edit.text(), larger());
+    // And after that.
+    let edit = Edit::start(SCENE);
+    edit.view.hold(1, &[BALL, [x + 20, y], [x + 40, y]]);
+    edit.view.wait("not saved");
+    let before = letters(&edit.view.settled_shot());
+    edit.read_over(&larger());
+    edit.view.follow(&further);
+    edit.view.release(1);
+    // It is told until something else is done.
+    assert!(letters(&edit.view.settled_shot()) > before + 200);
+    edit.view.key("ctrl+s");
+    edit.assert_unpicked_shows_file();
+    assert_eq!(edit.text(), larger());
+    let kept = read(&edit.unsaved());
+    edit.view.key("ctrl+z");
+    assert_eq!(edit.save(), kept);
+    assert!(kept.contains("radius: 1.0") && !kept.contains("right */ 0.0"));
 }
 
 #[test]
@@ -72,28 +165,24 @@ fn it_asks_before_it_writes_over_what_another_program_has_written() {
     if lacks(DISPLAY) {
         return;
     }
-    let edit = Edit::start(SCENE);
-    edit.view.click(1, BALL);
-    edit.view.press("m", "not saved");
-    let letters = |shot: &[u32]| {
-        let upper = shot[..shot.len() / 2].iter();
-        upper.filter(|&&pixel| is_bright(pixel)).count()
-    };
-    let before = letters(&edit.view.shot());
     // It can't be read, so that it is not seen.
-    let faulty = format!("{SCENE})");
-    fs::write(&edit.file, &faulty).expect("it is written");
-    edit.view
-        .assert_shows("the fault", |shot| letters(shot) > before + 50);
-    let fault = letters(&edit.view.shot());
-    edit.view.key("ctrl+s");
-    edit.view
-        .assert_shows("a question", |shot| letters(shot) > fault + 100);
-    assert_eq!(edit.text(), faulty);
-    let text = edit.save();
-    assert_eq!(
-        text,
-        SCENE.replace("1.0, material: \"red\"", "1.0, material: \"blue\"")
-    );
-    edit.assert_unpicked_shows_file();
+    let faulty = format!("{SCENE})").into_bytes();
+    let latin_1 = [b"// \xe9t\xe9\n", SCENE.as_bytes()].concat();
+    let utf_16 = SCENE.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    for written in [faulty, latin_1, utf_16] {
+        let edit = Edit::start(SCENE);
+        edit.view.click(1, BALL);
+        edit.view.press("m", "not saved");
+        let before = letters(&edit.view.settled_shot());
+        fs::write(&edit.file, &written).expect("it is written");
+        edit.view
+            .assert_shows("the fault", |shot| letters(shot) > before + 50);
+        let fault = letters(&edit.view.settled_shot());
+        edit.view.key("ctrl+s");
+        edit.view
+            .assert_shows("a question", |shot| letters(shot) > fault + 100);
+        assert_eq!(fs::read(&edit.file).expect("it is there"), written);
+        assert_eq!(edit.save(), blue());
+        edit.assert_unpicked_shows_file();
+    }
 }

@@ -1,6 +1,6 @@
 //! Objects of a scene file are picked and changed, and the file keeps all else as it is.
 
-use crate::stage::{BALL, Edit, FLOOR, NOTHING, SCENE, SIZE, is_bright};
+use crate::stage::{BALL, Edit, FLOOR, NOTHING, SCENE, SIZE, blue, is_bright};
 use eightfold_stage::{DISPLAY, lacks};
 
 /// The line of the ball in [`SCENE`].
@@ -30,7 +30,7 @@ fn a_click_shows_what_is_picked_and_its_numbers() {
     edit.view.click(1, BALL);
     let is_told = |shot: &[u32]| letters(shot) > 100 && corners(shot) > 40;
     edit.view.assert_shows("the ball's numbers", is_told);
-    let ball = edit.view.shot();
+    let ball = edit.view.settled_shot();
     edit.view.click(1, FLOOR);
     edit.view.assert_shows("the floor's numbers", |shot| {
         letters(shot) > 100 && corners(shot) < 40 && shot != ball
@@ -68,8 +68,7 @@ fn m_steps_through_the_materials() {
     let edit = Edit::start(SCENE);
     edit.view.click(1, BALL);
     edit.view.key("m");
-    let blue = SCENE.replace("1.0, material: \"red\"", "1.0, material: \"blue\"");
-    assert_eq!(edit.save(), blue);
+    assert_eq!(edit.save(), blue());
     edit.view.key("m");
     assert_eq!(edit.save(), SCENE);
     edit.assert_unpicked_shows_file();
@@ -125,9 +124,7 @@ fn steps_are_undone_and_done_again() {
     for _ in 0..3 {
         edit.view.key("ctrl+z");
     }
-    eightfold_stage::wait_for("what is saved", || {
-        (!edit.view.title().contains("not saved")).then_some(())
-    });
+    edit.wait_until_saved();
     edit.assert_unpicked_shows_file();
     assert_eq!(edit.text(), SCENE);
     for _ in 0..2 {

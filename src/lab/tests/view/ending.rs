@@ -1,6 +1,6 @@
 //! Changes that are not saved are not lost when it ends.
 
-use crate::stage::{BALL, Edit, SCENE};
+use crate::stage::{BALL, Edit, SCENE, blue};
 use eightfold_stage::{DISPLAY, Process, Server, is_portable, lacks, run, wait_for};
 use std::fs;
 use std::process::Command;
@@ -17,8 +17,7 @@ fn changed_on(server: Server) -> (Edit, String) {
     wait_for("the file of what is not saved", || {
         edit.unsaved().exists().then_some(())
     });
-    let text = SCENE.replace("1.0, material: \"red\"", "1.0, material: \"blue\"");
-    (edit, text)
+    (edit, blue())
 }
 
 /// Asserts that it ends with an exit code, and that the changes are in a file that it names.
@@ -45,7 +44,7 @@ fn escape_asks_once_where_something_is_not_saved() {
         return;
     }
     let (mut edit, text) = changed();
-    let before = edit.view.shot();
+    let before = edit.view.settled_shot();
     edit.view.key("Escape");
     edit.view.assert_shows("a question", |shot| shot != before);
     assert!(is_running(&mut edit.view.process));
@@ -70,7 +69,7 @@ fn escape_ends_it_at_once_where_all_is_saved() {
     let (_, code, _, errors) = edit.view.process.end();
     assert_eq!(code, Some(0), "{errors}");
     assert!(
-        errors.contains("wrote ") && errors.contains("scene.ron"),
+        errors.contains("wrote ") && errors.ends_with("scene.ron\n"),
         "{errors}"
     );
 }
@@ -93,7 +92,7 @@ fn a_window_that_is_asked_to_close_asks_once() {
         return;
     }
     let (edit, text) = changed_on(Server::start_managed(640, 480));
-    let before = edit.view.shot();
+    let before = edit.view.settled_shot();
     let close = || run(edit.view.server.tool("wmctrl").args(["-c", "Eightfold"]));
     close();
     edit.view.assert_shows("a question", |shot| shot != before);

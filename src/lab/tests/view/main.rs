@@ -4,6 +4,8 @@ mod camera;
 mod disk;
 mod editing;
 mod ending;
+mod keeping;
 mod moving;
 mod playing;
+mod saving;
 mod stage;

@@ -44,6 +44,11 @@ Scene(
 )
 "#;
 
+/// [`SCENE`] after M was pressed for the ball.
+pub fn blue() -> String {
+    SCENE.replace("1.0, material: \"red\"", "1.0, material: \"blue\"")
+}
+
 /// Where the ball of [`SCENE`] is seen, and the floor, and nothing.
 pub const BALL: [i32; 2] = [160, 120];
 pub const FLOOR: [i32; 2] = [90, 170];
@@ -88,6 +93,14 @@ impl View {
         view
     }
 
+    /// Opens a scene file, and takes the hint away by a click on nothing.
+    pub fn of_file(server: Server, file: &Path) -> View {
+        let name = file.to_str().expect("UTF-8");
+        let view = View::on(server, &["--scene", name, "--paused"]);
+        view.click(1, NOTHING);
+        view
+    }
+
     pub fn title(&self) -> String {
         let id = self.id();
         let mut xprop = self.server.tool("xprop");
@@ -124,14 +137,28 @@ impl View {
 
     /// Drags by a button from pixel to pixel.
     pub fn drag(&self, button: u32, way: &[[i32; 2]]) {
+        self.hold(button, way);
+        self.release(button);
+    }
+
+    /// Drags, and does not release the button.
+    pub fn hold(&self, button: u32, way: &[[i32; 2]]) {
         self.point(way[0]);
         self.pause();
         self.server.xdotool(&format!("mousedown {button}"));
         self.pause();
-        for &at in &way[1..] {
+        self.follow(&way[1..]);
+    }
+
+    /// Moves the pointer from pixel to pixel.
+    pub fn follow(&self, way: &[[i32; 2]]) {
+        for &at in way {
             self.point(at);
             self.pause();
         }
+    }
+
+    pub fn release(&self, button: u32) {
         self.server.xdotool(&format!("mouseup {button}"));
         self.pause();
     }
@@ -175,20 +202,37 @@ impl Edit {
 
     /// The same on a given server.
     pub fn on(server: Server, text: &str) -> Edit {
+        Edit::named(server, "scene.ron", text)
+    }
+
+    /// The same in a file of a given name.
+    pub fn named(server: Server, name: &str, text: &str) -> Edit {
         let folder = tempfile::tempdir().expect("a folder");
-        let file = folder.path().join("scene.ron");
+        let file = folder.path().join(name);
         fs::write(&file, text).expect("it is written");
-        let name = file.to_str().expect("UTF-8");
-        let view = View::on(server, &["--scene", name, "--paused"]);
+        let view = View::of_file(server, &file);
         let edit = Edit { view, file, folder };
-        // A click on nothing takes the hint away.
-        edit.view.click(1, NOTHING);
         edit.assert_shows_file();
         edit
     }
 
     pub fn text(&self) -> String {
-        fs::read_to_string(&self.file).expect("it is there")
+        read(&self.file)
+    }
+
+    /// Has another program write the file, and waits until what was not saved is read over.
+    #[track_caller]
+    pub fn read_over(&self, text: &str) {
+        fs::write(&self.file, text).expect("it is written");
+        self.wait_until_saved();
+    }
+
+    /// Waits until the title tells of no changes.
+    #[track_caller]
+    pub fn wait_until_saved(&self) {
+        wait_for("it to be saved", || {
+            (!self.view.title().contains("not saved")).then_some(())
+        });
     }
 
     /// The file of what is not saved.
@@ -201,9 +245,7 @@ impl Edit {
     pub fn save(&self) -> String {
         self.view.wait("not saved");
         self.view.key("ctrl+s");
-        wait_for("it to be saved", || {
-            (!self.view.title().contains("not saved")).then_some(())
-        });
+        self.wait_until_saved();
         assert!(!self.unsaved().exists());
         self.text()
     }
@@ -245,6 +287,18 @@ pub fn is_bright(pixel: u32) -> bool {
     pixel.to_be_bytes()[1..]
         .iter()
         .all(|&channel| channel > 180)
+}
+
+/// The number of bright pixels in the upper half, where words are told.
+pub fn letters(shot: &[u32]) -> usize {
+    let upper = shot[..shot.len() / 2].iter();
+    upper.filter(|&&pixel| is_bright(pixel)).count()
+}
+
+/// The text of a file.
+#[track_caller]
+pub fn read(file: &Path) -> String {
+    fs::read_to_string(file).expect("it is there")
 }
 
 /// The picture that `lab render` draws.

@@ -1,8 +1,10 @@
 //! Bad input, files that cannot be written and full disks lead to one line of explanation.
 
-use super::cells;
+use super::{cells, number};
 use crate::{assert_one_line, lab};
 use eightfold::Quality;
+use serde_json::Value;
+use std::process::Command;
 
 #[test]
 fn bad_input_is_named_in_one_line() {
@@ -61,4 +63,39 @@ fn a_full_disk_costs_the_json_but_not_the_table() {
         "{text}"
     );
     assert_eq!(cells(&String::from_utf8_lossy(&output.stdout)).len(), 1 + 3);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn after_a_signal_the_figures_are_those_of_the_frames_until_then() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("bench.json");
+    let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
+    let lab =
+        lab.args("bench --threads 3 --frames 100000 --size 32x24 --size 48x36 --json".split(' '));
+    let bench = crate::start(lab.arg(&file));
+    // Its own, the one that hears signals, and two that draw.
+    eightfold_stage::wait_for("threads that draw", || {
+        let threads = std::fs::read_dir(format!("/proc/{}/task", bench.id()));
+        (threads.expect("it runs").count() == 4).then_some(())
+    });
+    assert!(crate::signal(&bench.id().to_string(), "INT"));
+    let mut output = bench.wait_with_output().unwrap();
+    let table = String::from_utf8(std::mem::take(&mut output.stdout)).unwrap();
+    assert_one_line(&output, 130, &["stopped early"]);
+    let rows: Vec<Value> = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
+    assert_eq!(rows.len(), 6);
+    for row in &rows {
+        let frames = number(row, "frames");
+        assert!((1.0..100_000.0).contains(&frames), "{row}");
+        assert!(
+            table.contains(&format!("the first {frames} of 100000 frames")),
+            "{table}"
+        );
+        assert!(
+            row["flicker"].is_null() && number(row, "ms_median") > 0.0,
+            "{row}"
+        );
+    }
+    assert_eq!(cells(&table).len(), 1 + 6);
 }

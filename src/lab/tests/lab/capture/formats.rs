@@ -91,10 +91,16 @@ fn a_streams_colours_are_those_of_bt709() {
     );
     let header = b"YUV4MPEG2 W49 H31 F30000:1001 Ip A1:1 C444 XCOLORRANGE=LIMITED\n";
     let frames = output.stdout.strip_prefix(header).expect("a header");
-    assert_eq!(frames.len(), 2 * (b"FRAME\n".len() + 3 * size));
+    let mark = frames
+        .iter()
+        .position(|&byte| byte == b'\n')
+        .expect("a line")
+        + 1;
+    assert_eq!(frames.len(), 2 * (mark + 3 * size));
     let mut decoded = Vec::new();
-    for frame in frames.chunks(6 + 3 * size) {
-        let planes = frame.strip_prefix(b"FRAME\n").expect("a mark");
+    for frame in frames.chunks(mark + 3 * size) {
+        assert!(frame.starts_with(b"FRAME X") && frame[mark - 1] == b'\n');
+        let planes = &frame[mark..];
         for i in 0..size {
             decoded.push(rgb([planes[i], planes[size + i], planes[2 * size + i]]));
         }

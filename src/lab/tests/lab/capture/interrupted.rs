@@ -1,11 +1,11 @@
 //! A signal that asks for the end leaves no part of a file and no other program behind.
 
 use super::{files, flags};
-use crate::assert_one_line;
+use crate::{assert_one_line, signal};
 use std::fs;
-use std::os::unix::fs::PermissionsExt;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::os::unix::{fs::PermissionsExt, process::CommandExt};
+use std::path::Path;
+use std::process::{Child, Command};
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -16,23 +16,23 @@ fn write_ffmpeg(folder: &Path, script: &str) {
     fs::set_permissions(&ffmpeg, fs::Permissions::from_mode(0o755)).unwrap();
 }
 
-/// Starts a capture of far too many frames, with the programs of a folder before others.
+/// Starts a capture of far too many frames as a group of processes, with the programs of a folder before others.
 fn start(arguments: &str, programs: &Path) -> Child {
     let path = format!("{}:/usr/bin:/bin", programs.display());
-    Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args(flags(&format!("--to 100000 {arguments}")))
-        .env("PATH", path)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap()
+    let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
+    let lab = lab.args(flags(&format!("--to 100000 {arguments}")));
+    crate::start(lab.env("PATH", path).process_group(0))
 }
 
-fn signal(process: &str, name: &str) -> bool {
-    let kill = format!("kill -{name} {process}");
-    let mut sh = Command::new("sh");
-    let status = sh.args(["-c", &kill]).stderr(Stdio::null()).status();
-    status.unwrap().success()
+/// The number of the program that stands for ffmpeg, once it has written it.
+fn ffmpeg(programs: &Path) -> String {
+    loop {
+        let id = fs::read_to_string(programs.join("ffmpeg.id")).unwrap_or_default();
+        if id.ends_with('\n') {
+            return id.trim().to_owned();
+        }
+        sleep(Duration::from_millis(5));
+    }
 }
 
 #[test]
@@ -61,19 +61,79 @@ fn ffmpeg_does_not_outlive_it() {
     );
     let video = folder.path().join("show.mp4");
     let capture = start(&format!("--video {}", video.display()), programs.path());
-    let id: PathBuf = programs.path().join("ffmpeg.id");
-    let ffmpeg = loop {
-        let id = fs::read_to_string(&id).unwrap_or_default();
-        if id.ends_with('\n') {
-            break id;
-        }
-        sleep(Duration::from_millis(5));
-    };
+    let ffmpeg = ffmpeg(programs.path());
     assert!(signal(&capture.id().to_string(), "TERM"));
     let output = capture.wait_with_output().unwrap();
     assert_one_line(&output, 143, &["stopped early"]);
     assert!(files(folder.path()).is_empty());
-    assert!(!signal(ffmpeg.trim(), "0"), "it still runs");
+    assert!(!signal(&ffmpeg, "0"), "it still runs");
+}
+
+#[test]
+fn an_ffmpeg_that_hangs_does_not_keep_it_from_ending() {
+    let [programs, folder] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    // It does not read, so that nothing more can be written to it after some frames.
+    write_ffmpeg(programs.path(), "echo $$ > \"$0.id\"; exec sleep 60");
+    let video = folder.path().join("show.mp4");
+    let capture = start(&format!("--video {}", video.display()), programs.path());
+    let ffmpeg = ffmpeg(programs.path());
+    sleep(Duration::from_millis(500));
+    assert!(signal(&capture.id().to_string(), "INT"));
+    let output = capture.wait_with_output().unwrap();
+    assert_one_line(&output, 130, &["stopped early"]);
+    assert!(files(folder.path()).is_empty());
+    assert!(!signal(&ffmpeg, "0"), "it still runs");
+}
+
+#[test]
+fn control_c_in_a_terminal_is_not_taken_for_an_error_of_ffmpeg() {
+    let [programs, folder] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    write_ffmpeg(
+        programs.path(),
+        "trap 'echo interrupted >&2; exit 255' INT; echo $$ > \"$0.id\"; while read -r _; do :; done",
+    );
+    let video = folder.path().join("show.mp4");
+    for _ in 0..6 {
+        let capture = start(&format!("--video {}", video.display()), programs.path());
+        ffmpeg(programs.path());
+        // A terminal sends it to all processes of the group.
+        assert!(signal(&format!("-{}", capture.id()), "INT"));
+        let output = capture.wait_with_output().unwrap();
+        assert_one_line(&output, 130, &["stopped early"]);
+        assert!(files(folder.path()).is_empty());
+        fs::remove_file(programs.path().join("ffmpeg.id")).unwrap();
+    }
+}
+
+#[test]
+fn a_second_signal_leaves_no_part_of_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let stream = folder.path().join("show.y4m");
+    // No frame is done before the second one.
+    let slow = "--size 3840x2160 --quality exhaustive --supersample 16";
+    let capture = start(&format!("--y4m {} {slow}", stream.display()), folder.path());
+    while files(folder.path()).is_empty() {
+        sleep(Duration::from_millis(5));
+    }
+    assert!(signal(&capture.id().to_string(), "INT"));
+    // Two that come together are one.
+    sleep(Duration::from_millis(300));
+    assert!(signal(&capture.id().to_string(), "TERM"));
+    let output = capture.wait_with_output().unwrap();
+    assert_one_line(&output, 143, &["stopped at once"]);
+    assert!(files(folder.path()).is_empty());
+}
+
+#[test]
+fn the_sound_alone_is_ended_by_a_signal_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let sound = folder.path().join("show.wav");
+    let all = format!("--audio {} --scene show", sound.display());
+    let capture = start(&all, folder.path());
+    assert!(signal(&capture.id().to_string(), "INT"));
+    let output = capture.wait_with_output().unwrap();
+    assert_one_line(&output, 130, &["stopped"]);
+    assert!(files(folder.path()).is_empty());
 }
 
 #[test]

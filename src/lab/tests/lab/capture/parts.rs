@@ -107,6 +107,45 @@ fn frames_of_another_capture_are_not_kept() {
 }
 
 #[test]
+fn frames_of_a_scene_file_are_kept_until_it_says_something_else_at_their_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let scene = path("scene.ron");
+    let write = |height: f32, shoulder: f32| {
+        let motion = format!(
+            "(of: \"spheres[0].centre[1]\", keys: [(0, 0), (2, 0), (3, {height:?}), (4, 0)])"
+        );
+        let text = format!(
+            "(length: 6, film: (shoulder: {shoulder:?}), materials: {{\"a\": (colour: (1, 1, 1))}}, ambient: (1, 1, 1), \
+             spheres: [(centre: (0, 0, -3), radius: 1, material: \"a\")], motions: [{motion}])"
+        );
+        fs::write(&scene, text).unwrap();
+    };
+    let more = format!("--scene {} --fps 1", scene.display());
+    let png = |what: &str| {
+        let output = captured("--png", &path("frames"), &more);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.contains(what), "{said}");
+    };
+    let is_kept = || {
+        let output = captured("--y4m", &path("stream.y4m"), &more);
+        String::from_utf8(output.stderr).unwrap().contains("kept")
+    };
+    write(1.0, 1.0);
+    png("6 frames drawn, 0 kept");
+    assert!(!is_kept());
+    assert!(is_kept());
+    // Frame 3 alone shows it: neither the first nor the last.
+    write(0.5, 1.0);
+    png("1 frames drawn, 5 kept");
+    assert!(!is_kept());
+    assert!(is_kept());
+    write(0.5, 0.5);
+    png("6 frames drawn, 0 kept");
+    assert!(!is_kept());
+}
+
+#[test]
 fn a_stream_that_is_there_whole_is_kept() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("show.y4m");

@@ -1,4 +1,4 @@
-//! Made of examples/scenes/motion.ron by `cargo lab scene --rust`.
+//! Made of motion.ron by `cargo lab scene --rust`.
 use eightfold::glam::{EulerRot, Mat3A, vec3a};
 use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
 use keys::{hold, linear, smooth, spline};
@@ -11,13 +11,13 @@ pub fn scene(time: f32) -> Scene {
         kd: 0.8,
         ks: 0.5,
         exponent: 40.0,
-        ..Material::BLACK
+        ..Material::default()
     };
     let material_floor = Material {
         colour: vec3a(0.6, 0.6, 0.6),
         kd: 0.7,
         kr: 0.2,
-        ..Material::BLACK
+        ..Material::default()
     };
     let material_lamp = Material {
         colour: hold(
@@ -29,7 +29,7 @@ pub fn scene(time: f32) -> Scene {
             time.rem_euclid(2.0),
         ),
         kd: 0.8,
-        ..Material::BLACK
+        ..Material::default()
     };
     Scene {
         camera: Camera {
@@ -43,6 +43,7 @@ pub fn scene(time: f32) -> Scene {
                 time,
             ),
             look_at: vec3a(0.0, 0.8, 0.0),
+            up: vec3a(linear(&[(0.0, 0.0), (4.0, 0.1), (8.0, 0.0)], time), 1.0, 0.0),
             ..Camera::default()
         },
         background: vec3a(0.1, 0.1, 0.15),
@@ -83,7 +84,6 @@ pub fn scene(time: f32) -> Scene {
                 Block {
                     centre: vec3a(2.5, 0.7, -1.0),
                     half: vec3a(0.5, 0.5, 0.5),
-                    material: material_lamp,
                     axes: {
                         let turn = linear(
                             &[
@@ -94,6 +94,7 @@ pub fn scene(time: f32) -> Scene {
                         );
                         Mat3A::from_euler(EulerRot::YXZ, turn.y, turn.x, turn.z)
                     },
+                    material: material_lamp,
                     ..Block::default()
                 },
             ],
@@ -104,7 +105,7 @@ pub fn scene(time: f32) -> Scene {
                     position: vec3a(-4.0, 6.0, 4.0),
                     colour: vec3a(0.9, 0.9, 0.9),
                     size: 0.5,
-                    ..Light::DARK
+                    ..Light::default()
                 },
             ],
         ),

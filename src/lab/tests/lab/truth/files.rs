@@ -5,10 +5,13 @@ use eightfold_lab::arguments::Size;
 use eightfold_lab::sampler::Sequence;
 use eightfold_lab::scenes::SceneName;
 use eightfold_lab::truth::effects::Effects;
+use eightfold_lab::truth::estimate::Estimate;
 use eightfold_lab::truth::film::{Film, Sampling};
+use eightfold_lab::truth::render::Picture;
 use eightfold_lab::truth::state;
 use eightfold_lab::truth::world::World;
 use eightfold_stage::reader::read_png;
+use rayon::ThreadPoolBuilder;
 use std::fs;
 use std::path::Path;
 use std::process::Output;
@@ -18,6 +21,18 @@ fn truth(out: &Path, more: &[&str]) -> Output {
     let out = out.to_str().expect("a plain name");
     let fixed = ["truth", "--size", "24x18", "--samples", "16", "--out", out];
     lab(&[&fixed[..], more].concat())
+}
+
+#[test]
+fn what_to_do_is_asked_for_and_an_order_of_convergence_takes_two_numbers_of_samples() {
+    for more in [&[][..], &["--scene", "model"]] {
+        let output = lab(&[&["truth"], more].concat());
+        assert_one_line(&output, 2, &["--out", "--effects", "--convergence"]);
+    }
+    let both = lab(&["truth", "--out", "-", "--convergence"]);
+    assert_one_line(&both, 2, &["--out", "--convergence"]);
+    let few = lab(&["truth", "--convergence", "--samples", "8"]);
+    assert_one_line(&few, 2, &["--samples 8", "--convergence"]);
 }
 
 #[test]
@@ -105,16 +120,87 @@ fn a_film_that_was_saved_goes_on_to_the_same_bits() {
     expose(&mut ahead, 2);
     part.rows[3..9].clone_from_slice(&ahead.rows[3..9]);
     state::save(&name, "it", &part).expect("it is saved");
-    let mut loaded = state::load(&name, "it", size, 4).expect("it is there");
+    let load = |made, count| state::load(&name, made, size, count).expect("it is whole");
+    let mut loaded = load("it", 4).expect("it is there");
     assert!(loaded == part);
     (2..=4).for_each(|count| expose(&mut loaded, count));
     assert!(loaded == whole);
-    // What is of another picture, has too many samples or is broken is not taken.
-    assert!(state::load(&name, "another", size, 4).is_none());
-    assert!(state::load(&name, "it", size, 1).is_none());
-    let bytes = fs::read(&name).expect("a file");
-    fs::write(&name, &bytes[..bytes.len() - 1]).expect("it is written");
-    assert!(state::load(&name, "it", size, 4).is_none());
+    // What is of another picture or has too many samples is not taken.
+    assert!(load("another", 4).is_none() && load("it", 1).is_none());
+}
+
+#[test]
+fn a_damaged_film_is_refused_in_one_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("truth.png");
+    let name = state::beside(&out);
+    let size = Size {
+        width: 24,
+        height: 18,
+    };
+    state::save(&name, "it", &Film::new(size)).expect("it is saved");
+    let whole = fs::read(&name).expect("a file");
+    // Foreign bytes in its middle or its first line, and a lost end.
+    let changed = |from: usize, to: usize| {
+        let mut bytes = whole.clone();
+        (from..to).for_each(|i| bytes[i] ^= (i % 255) as u8 + 1);
+        bytes
+    };
+    let middle = whole.len() / 2;
+    let last = whole.len() - 1;
+    for damaged in [
+        changed(middle, middle + 800),
+        changed(middle, middle + 1),
+        changed(9, 10),
+        whole[..last].to_vec(),
+        Vec::new(),
+    ] {
+        fs::write(&name, &damaged).expect("it is written");
+        assert_one_line(
+            &truth(&out, &[]),
+            1,
+            &["truth.png.unfinished is damaged", "delete it"],
+        );
+        // It is left as it is, for whoever can mend it.
+        assert!(fs::read(&name).expect("a file") == damaged && !out.exists());
+    }
+}
+
+#[test]
+fn a_film_of_another_scene_does_not_go_on() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("truth.png");
+    let pool = ThreadPoolBuilder::new().build().expect("threads");
+    let calm = SceneName::Model.without_overlay(1.0);
+    let mut rough = calm;
+    (rough.water.slope, rough.water.length) = (0.1, 1.0);
+    let [calm, rough] = [&calm, &rough].map(|scene| {
+        let picture = Picture {
+            scene,
+            size: Size {
+                width: 24,
+                height: 18,
+            },
+            effects: Effects::TRUTH,
+            sampling: Sampling {
+                count: 1,
+                sequence: Sequence::Sobol,
+                seed: 9,
+                is_antialiased: true,
+            },
+        };
+        let kept = picture
+            .draw_resumably(&pool, &out, true)
+            .expect("it is drawn");
+        assert!(pixels(&kept) == pixels(&picture.draw(&pool)));
+        pixels(&kept)
+    });
+    assert!(calm != rough);
+}
+
+/// The pixels of estimates.
+fn pixels(estimates: &[Estimate]) -> Vec<u32> {
+    estimates.iter().map(Estimate::pixel).collect()
 }
 
 #[cfg(unix)]

@@ -3,8 +3,7 @@
 use eightfold::glam::{DVec3, Vec3A, dvec2};
 use eightfold::scene;
 use eightfold_lab::sampler::{Sampler, Sequence};
-use eightfold_lab::truth::surface::{Bsdf, fresnel};
-use eightfold_lab::truth::world::Material;
+use eightfold_lab::truth::surface::{Bsdf, Material, fresnel};
 use std::f64::consts::TAU;
 
 /// The direction of the grooves of brushed surfaces.

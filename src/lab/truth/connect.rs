@@ -1,0 +1,453 @@
+//! Caustics in closed form: the ways of light from a lamp to a point by flat mirrors, or by way of one sphere.
+//!
+//! A flat mirror shows a lamp as if a second one stood behind it: that is looked for as any lamp is. By a sphere the way lies in the
+//! plane of its centre, the lamp and the point, so that one angle is to be found (manifold exploration in one dimension). All other
+//! ways are left to [photons](super::photons), which must leave these out.
+
+use super::geometry::{Face, Ray, Shape};
+use super::lamp::Lamp;
+use super::surface::{Bounce, Bsdf};
+use super::world::{Body, World};
+use crate::sampler::{Sampler, around};
+use eightfold::glam::{DVec2, DVec3, dvec2};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// The most flat mirrors that are followed one after another, and the most images of lamps in them: each costs a ray at every point.
+const MOST_MIRRORS: usize = 4;
+const MOST_IMAGES: usize = 64;
+/// Parts of a sphere, seen from a point, in each of which a way of light is looked for: between two of its ends there are at most
+/// two, of which the turn of the offset tells.
+const PARTS: usize = 16;
+/// The most steps to a root: as many as f64 has digits.
+const STEPS: usize = 52;
+/// The least distance of a lamp from the axis from a point to a sphere's centre, relative to that from the centre: on the axis all
+/// planes are the same.
+const LEAST_OFF: f64 = 1e-7;
+
+/// A lamp as flat mirrors show it.
+#[derive(Clone, Debug)]
+struct Image {
+    lamp: Lamp,
+    /// The mirrors on the way to it: the body's index, and its face.
+    mirrors: Vec<(usize, Face)>,
+}
+
+/// The lamps and the bodies between which ways are known in closed form.
+#[derive(Clone, Debug, Default)]
+pub struct Connections {
+    images: Vec<Image>,
+    /// The number of flat mirrors that are followed one after another.
+    mirrors: usize,
+    /// The indices of spheres that mirror or let light through.
+    spheres: Vec<usize>,
+}
+
+impl Connections {
+    /// Those of a world's lamps and bodies.
+    pub fn new(bodies: &[Body], lamps: &[Lamp]) -> Self {
+        let specular = || bodies.iter().enumerate().filter(|it| it.1.is_specular());
+        let spheres = specular().filter(|(_, body)| matches!(body.shape, Shape::Sphere { .. }));
+        let faces: Vec<(usize, Face)> = specular()
+            .flat_map(|(i, body)| body.faces().into_iter().map(move |face| (i, face)))
+            .collect();
+        let mut all = Self {
+            spheres: spheres.map(|(i, _)| i).collect(),
+            ..Self::default()
+        };
+        let mut last: Vec<Image> = lamps
+            .iter()
+            .map(|&lamp| Image {
+                lamp,
+                mirrors: Vec::new(),
+            })
+            .collect();
+        while all.mirrors < MOST_MIRRORS {
+            last = last
+                .iter()
+                .flat_map(|image| faces.iter().filter_map(|&mirror| image.behind(mirror)))
+                .collect();
+            // Of one mirror all are followed.
+            if last.is_empty() || all.mirrors > 0 && all.images.len() + last.len() > MOST_IMAGES {
+                break;
+            }
+            all.images.extend_from_slice(&last);
+            all.mirrors += 1;
+        }
+        all
+    }
+
+    /// Whether light that has gone this way, by bodies that it met from within or not, is known in closed form.
+    pub fn has(&self, way: &[Event]) -> bool {
+        let is_flat = |event: &Event| event.is_flat && event.bounce == Bounce::Mirrored;
+        let are_outside = !way[0].is_inside;
+        let is_sphere = |event: &Event| self.spheres.contains(&event.body);
+        match *way {
+            [only] if is_sphere(&only) => are_outside && only.bounce == Bounce::Mirrored,
+            [into, out] if is_sphere(&into) => {
+                let are_through = [into, out].iter().all(|it| it.bounce == Bounce::Through);
+                are_outside && into.body == out.body && are_through
+            }
+            _ => way.len() <= self.mirrors && way.iter().all(is_flat),
+        }
+    }
+
+    /// The light of all lamps, by these ways, that a surface sends back along the path. `here` starts at the surface;
+    /// `has_extents` is whether lamps shine from all of their spheres, or from their centres.
+    pub fn light(
+        &self,
+        world: &World,
+        here: Ray,
+        bsdf: &Bsdf,
+        has_extents: bool,
+        keeps_energy: bool,
+        sampler: &mut Sampler,
+    ) -> DVec3 {
+        let point = Point {
+            world,
+            here,
+            bsdf,
+            has_extents,
+            keeps_energy,
+        };
+        let images = self.images.iter();
+        let mut sum: DVec3 = images
+            .map(|it| point.by_mirrors(it, sampler.next_2d()))
+            .sum();
+        for &index in &self.spheres {
+            for lamp in &world.lamps {
+                let u = sampler.next_2d();
+                sum += point.by_sphere(index, Bounce::Mirrored, lamp, u);
+                if world.bodies[index].material.kt > 0.0 {
+                    let directions = sampler.next_2d();
+                    sum += point.by_sphere(index, Bounce::Through, lamp, u);
+                    sum += point.through_sphere(index, lamp, directions);
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// What light has met on its way.
+#[derive(Clone, Copy, Debug)]
+pub struct Event {
+    /// The body's index.
+    pub body: usize,
+    pub bounce: Bounce,
+    pub is_flat: bool,
+    /// Whether it came from within.
+    pub is_inside: bool,
+}
+
+impl Image {
+    /// How a further mirror, which is a point's first one, shows it; `None` if it is behind that.
+    fn behind(&self, mirror: (usize, Face)) -> Option<Self> {
+        let (body, face) = mirror;
+        // No ray meets a convex body twice in a row.
+        if self.mirrors.first().is_some_and(|first| first.0 == body) {
+            return None;
+        }
+        let lamp = self.lamp.mirrored(face)?;
+        let mut mirrors = vec![mirror];
+        mirrors.extend_from_slice(&self.mirrors);
+        Some(Self { lamp, mirrors })
+    }
+}
+
+/// A point of a surface to which light is looked for.
+struct Point<'a> {
+    world: &'a World,
+    here: Ray,
+    bsdf: &'a Bsdf,
+    has_extents: bool,
+    keeps_energy: bool,
+}
+
+impl Point<'_> {
+    /// The light of a lamp by way of flat mirrors, chosen by `u`.
+    fn by_mirrors(&self, image: &Image, u: DVec2) -> DVec3 {
+        let p = self.here.o;
+        if image.mirrors[0].1.height(p) <= 0.0 {
+            return DVec3::ZERO;
+        }
+        let arriving = if self.has_extents {
+            image.lamp.sample(self.here, u)
+        } else {
+            image.lamp.from_centre(p)
+        };
+        let light = self.bsdf.of(arriving.d) * arriving.light;
+        if light == DVec3::ZERO {
+            return light;
+        }
+        let mut ray = self.here.turned(arriving.d);
+        let (mut travelled, mut share) = (0.0, 1.0);
+        for &(index, face) in &image.mirrors {
+            // Most rays miss it.
+            let is_met = self.world.bodies[index].shape.meet(ray, f64::INFINITY);
+            let is_face = is_met.is_some_and(|met| face.is_at(ray, met));
+            let Some((t, passed)) = is_face
+                .then(|| self.bounce(&mut ray, index, Bounce::Mirrored))
+                .flatten()
+            else {
+                return DVec3::ZERO;
+            };
+            travelled += t;
+            share *= passed;
+        }
+        // Part of a lamp's sphere may be behind the mirror.
+        let left = arriving.distance - travelled;
+        if left < 0.0 && !self.has_extents {
+            return DVec3::ZERO;
+        }
+        share * light * self.world.passing(ray, left, false)
+    }
+
+    /// The light of a point of a lamp, chosen by `u`, by way of a sphere.
+    fn by_sphere(&self, index: usize, bounce: Bounce, lamp: &Lamp, u: DVec2) -> DVec3 {
+        let (o, normal) = lamp.point(self.has_extents, u);
+        let Some(plan) = self.plan(o, index, bounce) else {
+            return DVec3::ZERO;
+        };
+        let light = |at: f64| {
+            let (d, spread) = plan.way(at)?;
+            let (scattered, ray, travelled) = self.beyond(index, bounce, d)?;
+            let to_lamp = o - ray.o;
+            let distance = to_lamp.length();
+            let d = to_lamp / distance;
+            let cosine = normal.map_or(1.0, |n| -n.dot(d)).max(0.0);
+            let mut weight = spread * cosine;
+            if bounce == Bounce::Through && normal.is_some() {
+                // The same way may be found by directions, which are better where much of the lamp is seen: the balance heuristic.
+                let density = 1.0 / self.cone(index);
+                weight = 1.0 / (1.0 / weight + lamp.area() * density);
+            }
+            let power = lamp.power(ray.o - travelled * d, self.has_extents);
+            Some(weight * scattered * power * self.world.passing(ray.turned(d), distance, false))
+        };
+        plan.roots().into_iter().filter_map(light).sum()
+    }
+
+    /// The light of a lamp with an extent that comes through a sphere from a direction, chosen by `u`.
+    fn through_sphere(&self, index: usize, lamp: &Lamp, u: DVec2) -> DVec3 {
+        let light = || {
+            let shape = &self.world.bodies[index].shape;
+            let axis = (shape.centre() - self.here.o).normalize();
+            let chosen = around(axis, 1.0 - u.x * self.cone(index) / TAU, u.y);
+            let (scattered, ray, travelled) = self.beyond(index, Bounce::Through, chosen)?;
+            let t = lamp.meet(ray)?;
+            let o = ray.at(t);
+            let plan = self.plan(o, index, Bounce::Through)?;
+            let (_, spread) = plan.way(plan.at(chosen))?;
+            let chance = lamp.area() * lamp.cosine(o, ray.d) * spread;
+            let density = 1.0 / self.cone(index) + 1.0 / chance;
+            let radiance = lamp.radiance(ray.o - travelled * ray.d);
+            Some(scattered * radiance * self.world.passing(ray, t, false) / density)
+        };
+        self.has_extents.then(light).flatten().unwrap_or_default()
+    }
+
+    /// The plane of the ways by a sphere to a point of a lamp; `None` if the surface faces away from the sphere.
+    fn plan(&self, o: DVec3, index: usize, bounce: Bounce) -> Option<Plan> {
+        let Shape::Sphere { centre, radius } = self.world.bodies[index].shape else {
+            return None;
+        };
+        let is_before = self.bsdf.n.dot(centre - self.here.o) > -radius;
+        let index = self.world.bodies[index].material.index;
+        let index = (bounce == Bounce::Through).then_some(index);
+        let plan = || Plan::new(self.here.o - centre, o - centre, radius, index);
+        is_before.then(plan).flatten()
+    }
+
+    /// The solid angle of a sphere.
+    fn cone(&self, index: usize) -> f64 {
+        TAU * self.world.bodies[index].shape.width_from(self.here.o)
+    }
+
+    /// Follows a ray in the direction `d` by way of a sphere: what is scattered back along the path of the light that comes there,
+    /// the ray from there on, and how far it is.
+    fn beyond(&self, index: usize, bounce: Bounce, d: DVec3) -> Option<(DVec3, Ray, f64)> {
+        let mut scattered = self.bsdf.of(d);
+        if scattered == DVec3::ZERO {
+            return None;
+        }
+        let mut ray = self.here.turned(d);
+        let mut travelled = 0.0;
+        let surfaces = if bounce == Bounce::Through { 2 } else { 1 };
+        for _ in 0..surfaces {
+            let (t, share) = self.bounce(&mut ray, index, bounce)?;
+            travelled += t;
+            scattered *= share;
+        }
+        Some((scattered, ray, travelled))
+    }
+
+    /// Has a ray go on from the body that it has to meet next: how far that is, and the share of the light that goes this way.
+    fn bounce(&self, ray: &mut Ray, index: usize, bounce: Bounce) -> Option<(f64, f64)> {
+        let world = self.world;
+        let (body, met) = world.nearest(*ray)?;
+        if !std::ptr::eq(body, &world.bodies[index]) {
+            return None;
+        }
+        let bsdf = world.surface(body, *ray, &met, self.keeps_energy);
+        let (d, share) = bsdf.bounced(bounce)?;
+        *ray = ray.moved(met.t).turned(d);
+        Some((met.t, share))
+    }
+}
+
+/// The plane of a point, a sphere's centre and a lamp. Its origin is the sphere's centre; the point is at (-`distance`, 0).
+struct Plan {
+    distance: f64,
+    radius: f64,
+    /// The refractive index of the sphere; `None` if it mirrors.
+    index: Option<f64>,
+    lamp: DVec2,
+    axes: [DVec3; 2],
+}
+
+/// The ray at an angle of incidence, by which it is looked for, and what changes with it.
+struct Candidate {
+    /// The sine of the angle of incidence.
+    sine: f64,
+    /// The direction of the ray at the point, and the derivative of its angle.
+    seen: DVec2,
+    seen_turns: f64,
+    /// The direction in which it leaves the sphere.
+    leaving: DVec2,
+    /// The signed distance at which it passes the lamp, and its derivative.
+    offset: [f64; 2],
+}
+
+impl Plan {
+    /// For a point `p` and a lamp at `o`, both from the sphere's centre; `None` if one of them is within.
+    fn new(p: DVec3, o: DVec3, radius: f64, index: Option<f64>) -> Option<Self> {
+        let (distance, outside) = (p.length(), radius * (1.0 + 1e-9));
+        if distance <= outside || o.length() <= outside {
+            return None;
+        }
+        let axis = -p / distance;
+        let along = o.dot(axis);
+        let off = o - along * axis;
+        let least = LEAST_OFF * o.length();
+        let across = off.normalize_or(axis.any_orthonormal_vector());
+        Some(Self {
+            distance,
+            radius,
+            index,
+            lamp: dvec2(along, off.length().max(least)),
+            axes: [axis, across],
+        })
+    }
+
+    /// Up to which sine of the angle of incidence light goes this way.
+    fn most(&self) -> f64 {
+        self.index.map_or(1.0, |index| index.min(1.0))
+    }
+
+    /// The ray in the direction `d`, as [`Plan::candidate`] takes it.
+    fn at(&self, d: DVec3) -> f64 {
+        let sine = d.dot(self.axes[1]) * self.distance / self.radius;
+        (sine / self.most()).clamp(-1.0, 1.0).asin()
+    }
+
+    /// The ray whose angle of incidence is `at`, or has `at` for the angle behind the surface if that is larger.
+    fn candidate(&self, at: f64) -> Candidate {
+        let (y, x) = at.sin_cos();
+        let sine = [self.most() * y, self.most() * x];
+        // A direction at the angle whose sine is that times a factor, and the derivative of the angle.
+        let angle = |factor: f64| {
+            let sine = [factor * sine[0], factor * sine[1]];
+            let cosine = (1.0 - sine[0] * sine[0]).max(0.0).sqrt();
+            (dvec2(cosine, sine[0]), sine[1] / cosine)
+        };
+        let (seen, seen_turns) = angle(self.radius / self.distance);
+        let (incident, incident_turns) = angle(1.0);
+        let back = dvec2(incident.x, -incident.y);
+        let (turned, turns) = match self.index {
+            None => (-back.rotate(back), -2.0 * incident_turns),
+            Some(index) => {
+                let (refracted, refracted_turns) = angle(1.0 / index);
+                let bent = refracted.rotate(back);
+                (bent.rotate(bent), 2.0 * (refracted_turns - incident_turns))
+            }
+        };
+        let leaving = seen.rotate(turned);
+        // A sphere keeps the distance at which a ray passes its centre.
+        let offset = [
+            self.lamp.perp_dot(leaving) + self.radius * sine[0],
+            self.lamp.dot(leaving) * (seen_turns + turns) + self.radius * sine[1],
+        ];
+        Candidate {
+            sine: sine[0],
+            seen,
+            seen_turns,
+            leaving,
+            offset,
+        }
+    }
+
+    /// Where the offset is 0.
+    fn roots(&self) -> Vec<f64> {
+        // Just short of the rays that touch the sphere.
+        let most = FRAC_PI_2 * (1.0 - 1e-6);
+        let at = |i: usize| most * (2.0 * i as f64 / PARTS as f64 - 1.0);
+        let offset = |at: f64| self.candidate(at).offset;
+        // Its derivative, by which it is halved.
+        let turn = |at: f64| [self.candidate(at).offset[1], 0.0];
+        let mut roots = Vec::new();
+        let mut from = (at(0), self.candidate(at(0)).offset);
+        for i in 1..=PARTS {
+            let to = (at(i), self.candidate(at(i)).offset);
+            let ([a, a_turn], [b, b_turn]) = (from.1, to.1);
+            if a * b < 0.0 {
+                roots.push(zero(from.0, to.0, offset));
+            } else if a * a_turn < 0.0 && b * b_turn > 0.0 {
+                // It comes nearer to 0 and goes away again: there may be two in between.
+                let nearest = zero(from.0, to.0, turn);
+                if a * offset(nearest)[0] < 0.0 {
+                    roots.push(zero(from.0, nearest, offset));
+                    roots.push(zero(nearest, to.0, offset));
+                }
+            }
+            from = to;
+        }
+        roots
+    }
+
+    /// The direction of a root, and the solid angle per area at the lamp; `None` if the lamp is not ahead.
+    fn way(&self, at: f64) -> Option<(DVec3, f64)> {
+        let found = self.candidate(at);
+        let leaves_at = self.radius * (1.0 - found.sine * found.sine).sqrt();
+        if self.lamp.dot(found.leaving) <= leaves_at {
+            return None;
+        }
+        // Within the plane, and by turning it about its axis.
+        let within = found.seen_turns / found.offset[1];
+        let spread = (within * found.seen.y / self.lamp.y).abs();
+        let d = found.seen.x * self.axes[0] + found.seen.y * self.axes[1];
+        spread.is_finite().then_some((d.normalize(), spread))
+    }
+}
+
+/// Where a function, given with its derivative, changes its sign, which it does between `from` and `to`: by Newton's steps, and by
+/// halving where these lead out.
+fn zero(mut from: f64, mut to: f64, of: impl Fn(f64) -> [f64; 2]) -> f64 {
+    let is_negative = of(from)[0] < 0.0;
+    let mut at = 0.5 * (from + to);
+    for _ in 0..STEPS {
+        let [value, slope] = of(at);
+        if (value < 0.0) == is_negative {
+            from = at;
+        } else {
+            to = at;
+        }
+        let next = at - value / slope;
+        let is_between = (next - from) * (next - to) < 0.0;
+        let next = if is_between { next } else { 0.5 * (from + to) };
+        if (next - at).abs() < f64::EPSILON {
+            return next;
+        }
+        at = next;
+    }
+    at
+}

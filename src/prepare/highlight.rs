@@ -1,0 +1,294 @@
+//! The highlights that lamps leave on objects in the eye's own sight, as ellipses in the picture.
+//!
+//! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the difference of the mirrored ray r and of the
+//! direction l to the lamp. Where d is 0 the surface mirrors the lamp. About that place d is linear in the pixels x to the right
+//! and y below, so the lobe is `ks e^-u` with `u = a x^2 + 2 b x y + c y^2`. Grooves, which make a lobe wider, are left out.
+
+use super::object::{self, Object, ObjectId};
+use super::{Axes, Prepared};
+use crate::maths::sqrt;
+use crate::scene::camera::pixels;
+use crate::scene::{Block, MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Shape};
+use core::f32::consts::PI;
+use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
+
+/// The most highlights: a lamp leaves one on a sphere and on a plane, and three on a box or a cylinder.
+pub(crate) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
+
+/// The side of the largest squares of the named qualities, in pixels.
+const SQUARE: f32 = 8.0;
+
+/// How much brighter than what is around it a highlight has to be for being missed, of 255: errors of that size are counted as
+/// wrong pixels.
+const VISIBLE: f32 = 8.0;
+
+/// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
+const REACH: f32 = 3.5;
+
+/// The area in pixels of the smallest highlight that is looked for. One of less shows in fewer than five pixels.
+const LEAST_AREA: f32 = 4.0;
+
+/// The square of how far from a corner of a square of 8 pixels a pixel of it is at most, in pixels.
+const FARTHEST2: f32 = 0.5 * SQUARE * SQUARE;
+
+/// Newton's steps to where a curved surface mirrors a lamp. Two are enough far from it; the others are for eyes and lamps that are
+/// near.
+const NEWTON_STEPS: usize = 8;
+
+/// A highlight.
+#[derive(Clone, Copy)]
+pub(crate) struct Highlight {
+    /// The object that shows it.
+    pub object: ObjectId,
+    /// Its middle, in pixels.
+    middle: Vec2,
+    /// Half its width and its height, in pixels.
+    reach: Vec2,
+    /// The decay a, b and c.
+    decay: [f32; 3],
+    /// How bright it is, of 255.
+    strength: f32,
+}
+
+impl Highlight {
+    /// All zeros.
+    const ZERO: Self = Self {
+        object: ObjectId::FIRST,
+        middle: Vec2::ZERO,
+        reach: Vec2::ZERO,
+        decay: [0.0; 3],
+        strength: 0.0,
+    };
+
+    /// Whether it may be seen in a rectangle of the picture, in pixels.
+    #[inline(always)]
+    pub fn meets(&self, rect: Vec4) -> bool {
+        let least = Vec4::from((self.middle - self.reach, -self.middle - self.reach));
+        least
+            .cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0))
+            .all()
+    }
+
+    /// The least and the greatest of its pixels, from a place in the picture.
+    pub fn ends(&self, from: [f32; 2]) -> [Vec2; 2] {
+        let middle = self.middle - Vec2::from_array(from);
+        [middle - self.reach, middle + self.reach]
+    }
+
+    /// Whether a square, given by its ends in pixels, may show something that is visibly brighter than it is at those corners that
+    /// have a bit: upper left, upper right, lower left, lower right.
+    #[inline(never)]
+    pub fn is_missed(&self, rect: Vec4, corners: u64) -> bool {
+        let [a, b, c] = self.decay;
+        let rect = rect - Vec4::from((self.middle, self.middle));
+        let [left, top, right, bottom] = rect.to_array();
+        let u = |x: f32, y: f32| a * x * x + y * (2.0 * b * x + c * y);
+        let mut seen = f32::INFINITY;
+        for i in 0..4 {
+            let (x, y) = (
+                if i & 1 == 0 { left } else { right },
+                if i & 2 == 0 { top } else { bottom },
+            );
+            if corners >> i & 1 != 0 {
+                seen = seen.min(u(x, y));
+            }
+        }
+        // It is brightest in its middle, or else somewhere on a side.
+        let mut least = 0.0;
+        if left.max(top).max(-right.min(bottom)) > 0.0 {
+            let [beside, above] = [
+                [left, right].map(|x| u(x, (-b * x / c).max(top).min(bottom))),
+                [top, bottom].map(|y| u((-b * y / a).max(left).min(right), y)),
+            ]
+            .map(|[a, b]| a.min(b));
+            least = beside.min(above);
+        }
+        // e^-u is at most 1 / (1 + u + u^2 / 2), and e^-u - e^-v at most min(1, v - u) e^-u. What is missed of a smaller square has
+        // fewer pixels, so it may be more, as for the tolerances of a quality; but never half of what is there.
+        let most = (VISIBLE * SQUARE / (right - left)).min(0.5 * self.strength);
+        self.strength * (seen - least).min(1.0) > most * (1.0 + least + 0.5 * least * least)
+    }
+}
+
+/// The highlights of a frame.
+pub(super) struct Highlights {
+    list: [Highlight; MAX_HIGHLIGHTS],
+    count: usize,
+}
+
+impl Highlights {
+    /// None, all zeros.
+    pub const NONE: Self = Self {
+        list: [Highlight::ZERO; MAX_HIGHLIGHTS],
+        count: 0,
+    };
+}
+
+impl Prepared {
+    /// The highlights.
+    pub fn highlights(&self) -> &[Highlight] {
+        &self.highlights.list[..self.highlights.count]
+    }
+
+    /// Prepares the highlights, after objects and lamps. Those that are seen from within a sphere or a cylinder are left out, and
+    /// those on waves.
+    pub(super) fn set_highlights(&mut self) {
+        self.highlights.count = 0;
+        for i in 0..self.background() {
+            let (object, material) = object::of(&self.scene, ObjectId::new(i));
+            let centre = match object {
+                Object::Sphere(sphere) => sphere.centre,
+                Object::Block(block) => block.centre,
+                Object::Plane(plane) => plane.centre,
+                _ => continue,
+            };
+            if i == self.first_plane() && !self.scene.water.are_calm() {
+                continue;
+            }
+            // Those of several lamps may add up.
+            let visible = VISIBLE / pixels(self.lamp_count);
+            let tint = Vec3A::ONE.lerp(material.colour, material.metallic);
+            for lamp in &self.lamps[..self.lamp_count] {
+                let colour = tint * lamp.colour * (material.ks * self.weight * 255.0);
+                let strength = colour.max_element();
+                if strength <= visible {
+                    continue;
+                }
+                let [eye, lamp] = [self.eye, lamp.position].map(|point| point - centre);
+                // What of an object is nearest to the middle of a highlight beside it has most of that.
+                let mut add = |mut place: Place| {
+                    if let Object::Block(Block { half, axes, .. }) = object {
+                        place.p = *axes * (axes.transpose() * place.p).clamp(-*half, *half);
+                    }
+                    let highlight = Highlight {
+                        object: ObjectId::new(i),
+                        strength,
+                        ..place.seen(&self.axes, eye, lamp, 0.5 * material.exponent)
+                    };
+                    // Not to be branched on: what is no number is kept out as well.
+                    let count = &mut self.highlights.count;
+                    self.highlights.list[*count % MAX_HIGHLIGHTS] = highlight;
+                    *count += usize::from(highlight.is_small(visible));
+                };
+                match object {
+                    Object::Sphere(sphere) => {
+                        add(Place::round(eye, lamp, Vec3A::ZERO, sphere.radius));
+                    }
+                    Object::Block(block) => {
+                        let is_round = block.shape == Shape::Cylinder;
+                        for side in 0..3 {
+                            let axis = block.axes.col(side);
+                            if side == 1 || !is_round {
+                                add(Place::flat(eye, lamp, axis, block.half[side]));
+                            }
+                        }
+                        if is_round {
+                            add(Place::round(eye, lamp, block.axes.y_axis, block.half.x));
+                        }
+                    }
+                    _ => add(Place::flat(eye, lamp, Vec3A::Y, 0.0)),
+                }
+            }
+        }
+    }
+}
+
+impl Highlight {
+    /// Whether it is large enough to be seen, and small enough to lie between corners.
+    fn is_small(&self, visible: f32) -> bool {
+        let [a, b, c] = self.decay;
+        // An ellipse has the area pi r^2 / sqrt(a c - b^2) where u is r^2, here ln x: at most (x - 1) / sqrt(x).
+        let x = self.strength / visible;
+        let area = PI * (x - 1.0);
+        let is_seen = area * area > LEAST_AREA * LEAST_AREA * (a * c - b * b) * x;
+        is_seen && self.strength * (a + c) * FARTHEST2 > visible
+    }
+}
+
+/// A place of a surface that mirrors a lamp to the eye, from the object's centre.
+struct Place {
+    p: Vec3A,
+    /// The normal, of length 1.
+    n: Vec3A,
+    /// The curvature across an axis, along which there is none.
+    curvature: f32,
+    axis: Vec3A,
+}
+
+impl Place {
+    /// On a sphere, without an axis, or on a cylinder about one, of length 1.
+    ///
+    /// Across the axis the normal halves the angle between the directions to the eye and the lamp. Unrolled, the way from the one
+    /// to the other is straight, which tells the height.
+    fn round(eye: Vec3A, lamp: Vec3A, axis: Vec3A, radius: f32) -> Self {
+        let heights = [eye, lamp].map(|point| point.dot(axis));
+        let [eye, lamp] = [eye - axis * heights[0], lamp - axis * heights[1]];
+        let mut n = (eye.normalize() + lamp.normalize()).normalize();
+        let mut height = 0.0;
+        for _ in 0..NEWTON_STEPS {
+            let [near, far] = [eye, lamp].map(|point| point - n * radius);
+            let [a, b] = [near, far].map(|way| 1.0 / way.length());
+            height = (heights[0] * a + heights[1] * b) / (a + b);
+            let half = near * a + far * b;
+            let length = half.length();
+            // As the normal turns by an angle, what halves the directions turns back by that times this.
+            let back = 0.25 * radius * (a + b) * length;
+            n = (n + (half / length - n) / (1.0 + back)).normalize();
+        }
+        Self {
+            p: n * radius + axis * height,
+            n,
+            curvature: 1.0 / radius,
+            axis,
+        }
+    }
+
+    /// On the side towards the eye of two that are so far from the centre, with the normals `axis` and `-axis`.
+    fn flat(eye: Vec3A, lamp: Vec3A, axis: Vec3A, half: f32) -> Self {
+        let n = axis * 1.0_f32.copysign(eye.dot(axis));
+        let [above, lamp_above] = [eye, lamp].map(|point| point.dot(n) - half);
+        let way = eye.lerp(lamp, above / (above + lamp_above));
+        Self {
+            p: way + n * (half - way.dot(n)),
+            n,
+            curvature: 0.0,
+            axis,
+        }
+    }
+
+    /// The highlight there, in a picture with some axes; `eye` and `lamp` are from the object's centre, too. It is no number where
+    /// the eye or the lamp does not see the place.
+    fn seen(&self, axes: &Axes, eye: Vec3A, lamp: Vec3A, half_exponent: f32) -> Highlight {
+        let &Self {
+            p,
+            n,
+            curvature,
+            axis,
+        } = self;
+        let (way, to_lamp) = (p - eye, lamp - p);
+        let (distance, lamp_distance) = (way.length(), to_lamp.length());
+        let (d, l) = (way / distance, to_lamp / lamp_distance);
+        let [x, y, depth] = axes.rows.map(|row| row.dot(way));
+        let facing = -d.dot(n);
+        // How d - l changes from pixel to pixel, with the place on the surface.
+        let [right, down] = [axes.rows[0], axes.rows[1]].map(|step| {
+            let step = (step + d * (step.dot(n) / facing)) * (depth * axes.pixel);
+            let turned = (step - axis * step.dot(axis)) * curvature;
+            let ray = (step - d * d.dot(step)) / distance;
+            let mirrored = ray - (n * (ray.dot(n) + d.dot(turned)) - turned * facing) * 2.0;
+            mirrored + (step - l * l.dot(step)) / lamp_distance
+        });
+        let is_seen = depth.min(facing).min(l.dot(n)) > 0.0;
+        let scale = if is_seen { half_exponent } else { f32::NAN };
+        let [a, b, c] =
+            [(right, right), (right, down), (down, down)].map(|(v, w)| v.dot(w) * scale);
+        // No more drawn out than rounding allows for.
+        let scale = REACH / (a * c - b * b).max(a * c * 1e-6);
+        Highlight {
+            middle: axes.pixel_at(x / depth, y / depth),
+            reach: Vec2::new(sqrt(c * scale), sqrt(a * scale)),
+            decay: [a, b, c],
+            ..Highlight::ZERO
+        }
+    }
+}
