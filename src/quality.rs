@@ -89,9 +89,8 @@ impl Quality {
     ///
     /// The rungs are chosen on the front of time against FLIP and pops, pixels that jump from a frame to the next while those of
     /// exhaustive frames stay: `cargo lab trade` prints it. By PSNR alone the default had a tolerance of 9 and a least contribution
-    /// of 0.02; it now has a third of the pops in the model scene, most of which lay in squares of 2, and a third less of FLIP. With the
-    /// guard of highlights and keys that tell what mirrors show it takes a fifth more instructions there, half of them for the smaller
-    /// tolerance.
+    /// of 0.02; it now has a third of the pops in the model scene, most of which lay in squares of 2, and a third less of FLIP. The
+    /// smaller tolerance and contribution take a tenth more time there.
     ///
     /// At the same error squares of 16 are no faster than squares of 8: they need fewer corners, but more of them are split.
     pub const LADDER: &'static [Self; 7] = &[

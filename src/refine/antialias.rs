@@ -16,23 +16,27 @@
 //! and the mean of that along x and along y if it differs along both. As an edge goes from a pixel to the next, the two take steps
 //! of a third. So points are traced on edges alone, and a single one for each row or column that an edge goes through, where a
 //! grid of four in each pixel would take eight. What is compared are the pixels as they were drawn, those of the neighbouring bands
-//! too, so that a picture has the same bits for any number of threads, and what is all alike keeps its bits.
+//! too, so that a picture has the same bits for any number of threads, and what is all alike keeps its bits. Where a square of 8 was
+//! filled by colours between its corners' no pixel differs from the next by an edge, so that only the other blocks are looked at, and
+//! the pixels on their borders.
 //!
 //! What is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
 //! more closely only where something can be seen.
 
+use super::band::{BLOCK, Rough, RoughRow};
 use super::middles::STRETCH;
-use super::{Band, MAX_BANDS, TILE_HEIGHT, Worker};
+use super::{Band, MAX_BANDS, TILE_HEIGHT, TILE_WIDTH, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
 use crate::observe::{Observer, Stage};
 use crate::prepare::{Prepared, rectangle};
 use crate::quality::Quality;
 use crate::trace::{BATCH, STEP, Sample, trace};
+use core::ops::Range;
 use fearless_simd::{Level, u8x32, u32x8};
 
 /// The least difference of neighbours, in a channel and 255ths, that is an edge.
-const EDGE: u8 = 20;
+pub(super) const EDGE: u8 = 20;
 
 /// Positions are counted in halves of a pixel.
 pub(super) const PARTS: usize = 2;
@@ -41,13 +45,13 @@ pub(super) const PARTS: usize = 2;
 const FIELD: usize = 21;
 
 /// A bit for each pixel of a row, number 0 in the lowest bit of the first word: whether it differs from a certain neighbour.
-type RowMarks = [u64; MAX_WIDTH.div_ceil(STRETCH)];
+type RowMarks = [u64; MAX_STRETCHES];
 
-/// Where the pixels of a band differ from their neighbours.
-///
-/// Each row has two: from the one above, and from the one to the right. The last are those of the row below the band from the one
-/// above it.
-struct Marks([RowMarks; PARTS * TILE_HEIGHT + 1]);
+/// Stretches of the widest row.
+const MAX_STRETCHES: usize = MAX_WIDTH.div_ceil(STRETCH);
+
+/// Blocks of a stretch.
+const BLOCKS: usize = STRETCH / BLOCK;
 
 /// Where a band's last row differs from the row below it, the first of the next band, as both were drawn.
 ///
@@ -60,23 +64,26 @@ impl Seams {
         Self([[0; _]; MAX_BANDS])
     }
 
-    /// Takes in a frame that is drawn, `width` pixels wide, of whose columns so many are finished, one at least.
+    /// Takes in a frame that is drawn, of bands of so many rows, and `width` pixels wide, of whose columns so many are finished, one
+    /// at least.
     pub fn set(
         &mut self,
-        isa: Level,
-        quality: &Quality,
+        rows: usize,
         width: usize,
         finished: usize,
         pixels: &[u32],
+        rough: &[Rough; MAX_BANDS],
     ) {
-        let rows = Band::rows(quality) * width;
         // The last band has none below it.
-        let ends = (rows..pixels.len()).step_by(rows).map(Some);
-        for (seam, end) in self.0.iter_mut().zip(ends.chain([None])) {
-            *seam = [0; _];
-            if let Some(end) = end {
-                let (above, below) = (&pixels[end - width..], &pixels[end..]);
-                mark(isa, &above[..finished], &below[..finished], seam);
+        let ends = (rows * width..pixels.len()).step_by(rows * width);
+        for (number, end) in ends.enumerate() {
+            let (above, below) = (&pixels[end - width..], &pixels[end..]);
+            let rough = [&rough[number][(rows - 1) / BLOCK], &rough[number + 1][0]];
+            let words = finished.div_ceil(STRETCH);
+            for (word, marks) in self.0[number][..words].iter_mut().enumerate() {
+                let stretch = stretch(word, finished);
+                let blocks = blocks(rough[0], word) | blocks(rough[1], word);
+                *marks = mark(&above[stretch.clone()], &below[stretch], blocks);
             }
         }
     }
@@ -92,63 +99,114 @@ impl Seams {
         band: &mut Band<'_>,
     ) {
         observer.stage(Stage::Edges);
-        let mut marks = Marks([[0; _]; _]);
-        self.mark(isa, quality, scene.finished_columns(), band, &mut marks);
-        mix(isa, scene, quality, observer, &marks, worker, band);
-    }
-
-    /// Marks where the finished pixels of a band differ from their neighbours: marks of the method are no edges.
-    ///
-    /// They are put into what the caller has: two more copies on the way there would be most of what a thread's stack takes.
-    fn mark(
-        &self,
-        isa: Level,
-        quality: &Quality,
-        finished: usize,
-        band: &Band<'_>,
-        marks: &mut Marks,
-    ) {
         let number = band.top / Band::rows(quality);
-        if let Some(above) = number.checked_sub(1) {
-            marks.0[0] = self.0[above];
-        }
-        let lines = band.pixels.chunks_exact(band.width);
-        let mut lines = lines.map(|line| &line[..finished]).enumerate().peekable();
-        while let Some((y, line)) = lines.next() {
-            mark(isa, line, &line[1..], &mut marks.0[PARTS * y + 1]);
-            let below = &mut marks.0[PARTS * y + 2];
-            match lines.peek() {
-                Some((_, next)) => mark(isa, line, next, below),
-                None => *below = self.0[number],
+        let is_last = band.top + band.height() == scene.height;
+        let borders = Borders {
+            above: number.checked_sub(1).map(|above| &self.0[above]),
+            below: (!is_last).then_some(&self.0[number]),
+        };
+        mix(isa, scene, quality, observer, borders, worker, band);
+    }
+}
+
+/// Where the first row of a band differs from the row above it, and the last from the row below it; `None` at the picture's edge.
+#[derive(Clone, Copy)]
+struct Borders<'a> {
+    above: Option<&'a RowMarks>,
+    below: Option<&'a RowMarks>,
+}
+
+/// Where the pixels of a stretch of a band differ from their neighbours.
+///
+/// Each row has two: from the one above, and from the one to the right. The last are those of the row below the band from the one
+/// above it.
+type Marks = [u64; PARTS * TILE_HEIGHT + 1];
+
+/// The pixels of a stretch in a row of so many.
+#[inline(always)]
+fn stretch(word: usize, width: usize) -> Range<usize> {
+    width.min(word * STRETCH)..width.min((word + 1) * STRETCH)
+}
+
+/// Which of a stretch's blocks are rough.
+#[inline(always)]
+fn blocks(row: &RoughRow, word: usize) -> u64 {
+    let tile = row[word / (TILE_WIDTH / STRETCH)];
+    tile >> (BLOCKS * word % (TILE_WIDTH / BLOCK)) & ((1 << BLOCKS) - 1)
+}
+
+/// Marks where a line of pixels of a stretch differs by an edge from another one, as far as this goes, in those of its blocks that
+/// are given.
+#[inline(never)]
+fn mark(line: &[u32], other: &[u32], mut blocks: u64) -> u64 {
+    let mut marks = 0;
+    while blocks != 0 {
+        let start = BLOCK * blocks.trailing_zeros() as usize;
+        blocks &= blocks - 1;
+        let end = start + BLOCK;
+        marks |= match (line.get(start..end), other.get(start..end)) {
+            (Some(a), Some(b)) => edges(a, b) << start,
+            // The last block, which is cut off: what is missing is alike.
+            _ => {
+                let mut ends = [[0; BLOCK]; 2];
+                let count = other.len().saturating_sub(start);
+                for (end, line) in ends.iter_mut().zip([line, other]) {
+                    let rest = line.iter().skip(start).take(count);
+                    end.iter_mut()
+                        .zip(rest)
+                        .for_each(|(end, &pixel)| *end = pixel);
+                }
+                edges(&ends[0], &ends[1]) << start
             }
-        }
+        };
+    }
+    marks
+}
+
+/// Marks where the finished pixels of a stretch differ from their neighbours: marks of the method are no edges.
+fn mark_stretch(
+    band: &Band<'_>,
+    finished: usize,
+    word: usize,
+    borders: Borders<'_>,
+    marks: &mut Marks,
+) {
+    let stretch = stretch(word, finished);
+    let right = finished.min(stretch.start + 1)..finished.min(stretch.end + 1);
+    let rows = band.height();
+    let line = |y: usize| &band.pixels[y * band.width..][..finished];
+    marks[0] = borders.above.map_or(0, |marks| marks[word]);
+    for y in 0..rows {
+        let rough = &band.rough[y / BLOCK];
+        let here = blocks(rough, word);
+        // The last pixel of each block lies beside the first of the next.
+        let next = if word + 1 < MAX_STRETCHES {
+            blocks(rough, word + 1) & 1
+        } else {
+            0
+        };
+        let beside = here | here >> 1 | next << (BLOCKS - 1);
+        marks[PARTS * y + 1] = mark(&line(y)[stretch.clone()], &line(y)[right.clone()], beside);
+        marks[PARTS * y + 2] = if y + 1 < rows {
+            let both = here | blocks(&band.rough[(y + 1) / BLOCK], word);
+            mark(
+                &line(y)[stretch.clone()],
+                &line(y + 1)[stretch.clone()],
+                both,
+            )
+        } else {
+            borders.below.map_or(0, |marks| marks[word])
+        };
     }
 }
 
-/// Marks where two lines of pixels differ by an edge, as far as both go.
-fn mark(isa: Level, a: &[u32], b: &[u32], marks: &mut RowMarks) {
-    by_isa!(isa, simd => mark_by(simd, a, b, marks));
-}
-
+/// Which of a block's pixels in a row differ from as many others by an edge.
 #[inline(always)]
-fn mark_by<S: Simd>(simd: S, a: &[u32], b: &[u32], marks: &mut RowMarks) {
-    let (eights_a, rest_a) = a[..b.len()].as_chunks();
-    let (eights_b, rest_b) = b.as_chunks();
-    for (i, (&a, &b)) in eights_a.iter().zip(eights_b).enumerate() {
-        marks[8 * i / STRETCH] |= edges(simd, a, b) << (8 * i % STRETCH);
-    }
-    let rest = rest_a.iter().zip(rest_b);
-    for (x, (&a, &b)) in (8 * eights_b.len()..).zip(rest) {
-        marks[x / STRETCH] |= (edges(simd, [a; 8], [b; 8]) & 1) << (x % STRETCH);
-    }
-}
-
-/// Which of eight pixels differ from eight others by an edge.
-#[inline(always)]
-fn edges<S: Simd>(simd: S, a: [u32; 8], b: [u32; 8]) -> u64 {
-    let [a, b]: [u8x32<S>; 2] = [a, b].map(|eight| u32x8::simd_from(simd, eight).bitcast());
+fn edges(a: &[u32], b: &[u32]) -> u64 {
+    let [a, b]: [u8x32<Baseline>; 2] =
+        [a, b].map(|row| u32x8::from_slice(baseline(), row).bitcast());
     let over = (a.max(b) - a.min(b)).saturating_sub(EDGE - 1);
-    let over: u32x8<S> = over.bitcast();
+    let over: u32x8<Baseline> = over.bitcast();
     (!over.simd_eq(0)).to_bitmask()
 }
 
@@ -164,13 +222,25 @@ fn mix<O: Observer>(
     scene: &Prepared,
     quality: &Quality,
     observer: O,
-    marks: &Marks,
+    borders: Borders<'_>,
     worker: &mut Worker,
     band: &mut Band<'_>,
 ) {
     worker.batch.begin(PARTS);
-    let (width, top, height) = (band.width, band.top, band.pixels.len() / band.width);
-    for (word, start) in (0..width).step_by(STRETCH).enumerate() {
+    let finished = scene.finished_columns();
+    let mut marks: Marks = [0; _];
+    // For each row, whether the last pixel of the stretch before differs from the first of this one.
+    let mut before = [0; TILE_HEIGHT];
+    let (width, top, height) = (band.width, band.top, band.height());
+    for (word, start) in (0..finished).step_by(STRETCH).enumerate() {
+        mark_stretch(band, finished, word, borders, &mut marks);
+        let any = marks[..=PARTS * height]
+            .iter()
+            .chain(&before)
+            .fold(0, |all, row| all | row);
+        if any == 0 {
+            continue;
+        }
         // Points lie up to half a pixel outside.
         let (left, above) = (start.saturating_sub(1), top.saturating_sub(1));
         let rect = rectangle(left, above, start + STRETCH, top + height);
@@ -181,7 +251,10 @@ fn mix<O: Observer>(
             observer.stage(Stage::Edges);
             add_middles([start, top], height, worker);
         };
-        for (number, row) in marks.0[..=PARTS * height].iter().enumerate() {
+        for (number, &row) in marks[..=PARTS * height].iter().enumerate() {
+            if row == 0 && (number % PARTS == 0 || before[number / PARTS] == 0) {
+                continue;
+            }
             if worker.batch.points.len() + STRETCH + 1 > BATCH {
                 traced(worker);
             }
@@ -191,15 +264,22 @@ fn mix<O: Observer>(
                 (PARTS * top + number).wrapping_sub(1),
             );
             // Between the last pixel of the stretch before and the first of this one.
-            if number % PARTS != 0 && before(row, word) != 0 {
+            if number % PARTS != 0 && before[number / PARTS] != 0 {
                 points.push(x - PARTS, y);
             }
-            each(row[word], |bit| points.push(x + PARTS * bit, y));
+            each(row, |bit| points.push(x + PARTS * bit, y));
         }
         traced(worker);
         let rows = band.pixels.chunks_exact_mut(width).enumerate();
         for (y, row) in rows {
-            let sides = marks.sides(y, word);
+            let right = marks[PARTS * y + 1];
+            let sides = [
+                right << 1 | before[y],
+                right,
+                marks[PARTS * y],
+                marks[PARTS * y + 2],
+            ];
+            before[y] = right >> (STRETCH - 1);
             let [left, right, above, below] = sides;
             each(left | right | above | below, |bit| {
                 let count = sides.map(|side| (side >> bit & 1) as usize);
@@ -209,22 +289,6 @@ fn mix<O: Observer>(
             });
         }
     }
-}
-
-impl Marks {
-    /// The marks of the pixels of a stretch: whether each differs from the one to the left, to the right, above and below.
-    fn sides(&self, y: usize, word: usize) -> [u64; 4] {
-        let rows = &self.0[PARTS * y..][..3];
-        let right = rows[1][word];
-        let left = right << 1 | before(&rows[1], word);
-        [left, right, rows[0][word], rows[2][word]]
-    }
-}
-
-/// The last mark of the stretch before one.
-fn before(row: &RowMarks, word: usize) -> u64 {
-    word.checked_sub(1)
-        .map_or(0, |word| row[word] >> (STRETCH - 1))
 }
 
 /// Calls with the number of each bit that is set.
@@ -270,11 +334,16 @@ pub(super) fn mixed(pixel: u32, sum: u64, [left, right, above, below]: [usize; 4
     // Thirds of the pixel along each axis that has a point; what has none is the pixel's own.
     let thirds = 3 * ((left | right) + (above | below));
     let own = thirds - (left + right + above + below);
-    let steps = thirds * STEP as usize;
+    // Divided by 3 or 6 output steps: exact below 2^20.
+    let (half, inverse) = if thirds == 3 {
+        (3 * STEP as usize / 2, (1 << 40) / (3 * STEP as usize) + 1)
+    } else {
+        (6 * STEP as usize / 2, (1 << 40) / (6 * STEP as usize) + 1)
+    };
     let channel = |number: usize| {
         let pixel = (pixel >> (8 * number) & 0xff) as usize * STEP as usize;
         let sum = (sum >> (FIELD * number)) as usize % (1 << FIELD);
-        (((pixel * own + sum + steps / 2) / steps) << (8 * number)) as u32
+        ((((pixel * own + sum + half) * inverse) >> 40) << (8 * number)) as u32
     };
     channel(0) | channel(1) | channel(2)
 }

@@ -5,11 +5,11 @@ use super::fill::Canvas;
 use super::tile::Tile;
 use super::worker::Worker;
 use super::{TILE_HEIGHT, TILE_WIDTH};
-use crate::MAX_HEIGHT;
 use crate::observe::{Observer, Stage};
 use crate::prepare::{Prepared, rectangle};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Counts};
+use crate::{MAX_HEIGHT, MAX_WIDTH};
 use fearless_simd::Level;
 
 /// Bands of the tallest picture.
@@ -26,9 +26,29 @@ pub struct Band<'a> {
     pub(crate) pixels: &'a mut [u32],
     /// How much work it was to draw it.
     pub(crate) counts: Counts,
+    /// Which of its blocks are rough, row after row.
+    pub(crate) rough: &'a mut [RoughRow],
 }
 
+/// A bit for each block of 8x8 pixels in a row of blocks, a word for each tile: whether it is rough, so that neighbouring pixels in
+/// it may differ by an edge. In the others no two neighbours do, nor across the border of two that are not rough.
+pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
+
+/// The rows of blocks of a band.
+pub(crate) type Rough = [RoughRow; BLOCK_ROWS];
+
+/// How many rows of blocks a band has at most.
+pub(crate) const BLOCK_ROWS: usize = TILE_HEIGHT / BLOCK;
+
+/// The side of a block in pixels.
+pub(crate) const BLOCK: usize = TILE_WIDTH / u64::BITS as usize;
+
 impl Band<'_> {
+    /// How many rows it has.
+    pub(crate) fn height(&self) -> usize {
+        self.pixels.len() / self.width
+    }
+
     /// Rows of a band, as many as whole squares fit into the tallest tile; the last one of a picture may have fewer.
     pub(crate) fn rows(quality: &Quality) -> usize {
         TILE_HEIGHT / quality.square * quality.square
@@ -41,6 +61,7 @@ impl Band<'_> {
             width: 0,
             pixels: &mut [],
             counts: Counts::NONE,
+            rough: &mut [],
         }
     }
 }
@@ -55,7 +76,8 @@ pub(crate) fn render<O: Observer>(
     band: &mut Band<'_>,
 ) {
     worker.batch.begin(1);
-    let height = band.pixels.len() / band.width;
+    band.rough.fill([u64::MAX; _]);
+    let height = band.height();
     let width = if quality.square == 1 {
         BATCH / TILE_HEIGHT
     } else {
@@ -96,6 +118,11 @@ pub(crate) fn render<O: Observer>(
             tile.trace_pixels();
         } else {
             tile.draw();
+            if let Some(rows) = tile.rough() {
+                for (row, word) in band.rough.iter_mut().zip(rows) {
+                    row[left / TILE_WIDTH] = word;
+                }
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Bits for the squares and points of a tile.
 
 use super::TILE_HEIGHT;
+use super::band::BLOCK_ROWS;
 use super::bits::Bits;
 use super::pyramid::LEVELS;
 
@@ -18,6 +19,8 @@ pub(super) struct Marks {
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
     /// Those that were filled: no pixels, so there are half as many rows at most.
     pub filled: [[Bits; TILE_HEIGHT / 2]; LEVELS],
+    /// Those of squares of 8, if these are the largest, that were filled by colours between their corners'.
+    pub smooth: [u64; BLOCK_ROWS],
     /// Points that were traced; clusters of them end with more rows than there are.
     pub traced: [[Bits; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
 }
@@ -28,6 +31,7 @@ impl Marks {
             squares: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
             open: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
             filled: [[Bits::NONE; TILE_HEIGHT / 2]; LEVELS],
+            smooth: [0; BLOCK_ROWS],
             traced: [[Bits::NONE; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
         }
     }

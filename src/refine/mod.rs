@@ -141,7 +141,7 @@ mod worker;
 mod tests;
 
 pub use band::Band;
-pub(crate) use band::{MAX_BANDS, render};
+pub(crate) use band::{MAX_BANDS, Rough, render};
 pub use worker::Worker;
 
 /// The largest width of a tile in pixels; it has as many whole squares as fit. A row of a level's bits is then eight words, and the

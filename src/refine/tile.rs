@@ -1,8 +1,11 @@
 //! Drawing a tile: level by level its points are traced, and its squares judged, then filled or split.
 
+use super::antialias::EDGE;
 use super::area::Area;
+use super::band::{BLOCK, BLOCK_ROWS};
 use super::bits::Bits;
 use super::fill::{Canvas, Run};
+use super::marks::Marks;
 use super::verdict::{Rules, Verdict, growth, judge};
 use super::worker::Worker;
 use crate::observe::{Fill, Observer, Stage};
@@ -10,6 +13,7 @@ use crate::prepare::{Prepared, Rect, VisibleGroups};
 use crate::quality::Quality;
 use crate::scene::camera::pixels;
 use crate::trace::Sample;
+use core::array;
 use core::ops::Range;
 use fearless_simd::Level;
 
@@ -81,6 +85,24 @@ impl<O: Observer> Tile<'_, O> {
         growth(self.area.side(level), self.crowding)
     }
 
+    /// The tile's words of the rough blocks of its band, once it is drawn: blocks are rough unless they are the largest squares
+    /// and were filled by colours between their corners'. `None` if that says nothing of edges.
+    ///
+    /// Between corners within a tolerance each pixel differs from the next by an eighth of it at most, and by 2 more for rounding
+    /// and dither.
+    pub fn rough(&self) -> Option<[u64; BLOCK_ROWS]> {
+        let quality = self.quality;
+        let tolerance = quality.tolerance_agreeing.max(quality.tolerance_differing);
+        let is_known = quality.square == BLOCK
+            && tolerance / BLOCK as f32 + 2.0 < f32::from(EDGE)
+            && self.scene.scene.method.coarse < 1.0;
+        let Marks {
+            squares, smooth, ..
+        } = &self.worker.marks;
+        let squares = &squares[quality.top_level()];
+        is_known.then(|| array::from_fn(|y| squares[y].0[0] & !smooth[y]))
+    }
+
     /// Has the guard look at a level's squares.
     fn look_for_uncovered(&mut self, level: usize) {
         if self.quality.guarded {
@@ -109,6 +131,7 @@ impl<O: Observer> Tile<'_, O> {
         let squares = marks.squares[level][y] & !marks.open[level][y];
         if squares.is_empty() {
             self.worker.marks.filled[level][y] = Bits::NONE;
+            self.set_smooth(side, y, Bits::NONE);
             return;
         }
         let pyramid = &self.worker.pyramid;
@@ -136,6 +159,14 @@ impl<O: Observer> Tile<'_, O> {
             });
         }
         self.worker.marks.filled[level][y] = verdict.filled | patterned;
+        self.set_smooth(side, y, verdict.filled);
+    }
+
+    /// Notes the blocks of a row that are squares filled by colours between their corners'.
+    fn set_smooth(&mut self, side: usize, y: usize, filled: Bits) {
+        if side == BLOCK {
+            self.worker.marks.smooth[y] = filled.0[0];
+        }
     }
 
     /// Fills the squares of a row that passed the verdict, whose side is a power of two.

@@ -8,19 +8,20 @@ use crate::prepare::Prepared;
 use crate::quality::Quality;
 use crate::refine::antialias::Seams;
 use crate::refine::probe::{Probing, probe};
-use crate::refine::{self, Band, Worker};
+use crate::refine::{self, Band, MAX_BANDS, Rough, Worker};
 use crate::scene::Scene;
 use crate::text;
 use crate::trace::{Counts, WideKernel};
 use fearless_simd::Level;
 
-/// What the threads share while they render a frame, of fixed size: at most 820,000 bytes, see [`Memory::BYTES`].
+/// What the threads share while they render a frame, of fixed size: at most 850,000 bytes, see [`Memory::BYTES`].
 ///
 /// So `Box::new(Memory::new())` works on the stack of a thread, which it passes over on its way; it may live in a `static` as
 /// well, which takes no room in a program's file.
 pub struct Memory {
     prepared: Prepared,
     seams: Seams,
+    rough: [Rough; MAX_BANDS],
     /// Of drawing bands, and of smoothing their edges.
     drawing: Schedule,
     smoothing: Schedule,
@@ -40,6 +41,7 @@ impl Memory {
             Self {
                 prepared: Prepared::new(),
                 seams: Seams::new(),
+                rough: [[[0; _]; _]; _],
                 drawing: Schedule::new(),
                 smoothing: Schedule::new(),
                 probing: Probing::NONE,
@@ -97,7 +99,9 @@ impl Memory {
             }
         };
         let rows = Band::rows(quality);
-        let counts = self.drawing.run(rows, width, pixels, &job, threads);
+        let counts = self
+            .drawing
+            .run(rows, width, pixels, &job, threads, &mut self.rough);
         let counts = if has_edges {
             counts + self.smooth(level, quality, width, pixels, threads, observer)
         } else {
@@ -108,7 +112,7 @@ impl Memory {
             let job = |_: &mut Worker, band: &mut Band<'_>| {
                 text::draw(&scene.captions, 0.5, &numbers, height, band);
             };
-            Schedule::new().run(rows, width, pixels, &job, threads);
+            Schedule::new().run(rows, width, pixels, &job, threads, &mut self.rough);
         }
         counts
     }
@@ -124,7 +128,8 @@ impl Memory {
         observer: O,
     ) -> Counts {
         let finished = self.prepared.finished_columns();
-        self.seams.set(level, quality, width, finished, pixels);
+        self.seams
+            .set(Band::rows(quality), width, finished, pixels, &self.rough);
         let (prepared, seams, probing) = (&self.prepared, &self.seams, self.probing);
         let wide = self.wide;
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
@@ -134,7 +139,8 @@ impl Memory {
             probe(level, prepared, quality, probing, worker, band);
         };
         let rows = Band::rows(quality);
-        self.smoothing.run(rows, width, pixels, &job, threads)
+        self.smoothing
+            .run(rows, width, pixels, &job, threads, &mut self.rough)
     }
 }
 

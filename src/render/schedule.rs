@@ -1,7 +1,7 @@
 //! The order in which threads take the bands of a frame.
 
 use super::threads::{Job, Threads};
-use crate::refine::{Band, MAX_BANDS};
+use crate::refine::{Band, MAX_BANDS, Rough};
 use crate::trace::Counts;
 
 /// Has those bands drawn first that took the most rays in the frame before, which looked much the same. So what threads take last is
@@ -19,7 +19,7 @@ impl Schedule {
         }
     }
 
-    /// Cuts a picture into bands of so many rows, and has the job done on each.
+    /// Cuts a picture into bands of so many rows, and has the job done on each, with what is known of its roughness.
     pub fn run(
         &mut self,
         rows: usize,
@@ -27,15 +27,17 @@ impl Schedule {
         pixels: &mut [u32],
         job: Job<'_>,
         threads: &mut dyn Threads,
+        rough: &mut [Rough; MAX_BANDS],
     ) -> Counts {
         let mut bands = [const { Band::none() }; MAX_BANDS];
         let parts = pixels.chunks_mut(rows * width);
         let count = parts.len();
-        for (number, pixels) in parts.enumerate() {
+        for (number, (pixels, rough)) in parts.zip(rough).enumerate() {
             bands[self.rank(number, count)] = Band {
                 top: number * rows,
                 width,
                 pixels,
+                rough,
                 ..Band::none()
             };
         }
@@ -88,7 +90,8 @@ mod tests {
         let mut schedule = Schedule::new();
         for tops in [[32, 24, 16, 8, 0], [16, 32, 24, 0, 8]] {
             let (mut pixels, mut threads) = ([0; 38 * 2], Tops(Vec::new()));
-            let counts = schedule.run(8, 2, &mut pixels, &job, &mut threads);
+            let rough = &mut [[[0; _]; _]; MAX_BANDS];
+            let counts = schedule.run(8, 2, &mut pixels, &job, &mut threads, rough);
             assert_eq!(threads.0, tops);
             assert_eq!(counts.rays, 19);
             assert_eq!(pixels, [1; 38 * 2], "each band is drawn once");
