@@ -3,6 +3,8 @@
 use crate::cpu;
 use crate::drawn::draw;
 use crate::error::{Difference, worst_channel};
+use crate::generator::near::seeds;
+use crate::generator::seeded::scene;
 use eightfold::glam::{Mat3A, Vec3A, vec3a};
 use eightfold::scene::{Block, Material, Scene, Shape};
 use eightfold::{Quality, show};
@@ -86,6 +88,44 @@ fn what_differs_from_no_neighbour_keeps_its_bits() {
         }
         assert!(edges < width * height / 4, "{edges} pixels at edges");
         assert!(changed > edges / 2, "{changed} of {edges} changed");
+    }
+}
+
+/// Tolerances on both sides of that beyond which a filled square may have an edge within it.
+#[test]
+fn the_point_between_two_pixels_is_traced_wherever_they_differ() {
+    for (seed, mut random) in seeds(120).enumerate() {
+        let scene = scene(&mut random);
+        let quality = Quality {
+            square: [8, 8, 8, 4, 16, 17][random.below(6)],
+            tolerance_agreeing: [7.5, 140.0, 180.0, 250.0, f32::INFINITY][random.below(5)],
+            tolerance_differing: [0.0, 30.0, 140.0, 250.0][random.below(4)],
+            ..Quality::DEFAULT
+        };
+        let (width, height) = (1 + random.below(600), 1 + random.below(80));
+        let [plain, smooth] = [false, true].map(|antialias| {
+            draw(
+                cpu::best(),
+                2,
+                &scene,
+                &with(antialias, quality),
+                width,
+                height,
+            )
+        });
+        let is_edge = |i: usize, j: usize| worst_channel(plain.pixels[i], plain.pixels[j]) >= 20;
+        // Points between two bands, of whole squares in at most 32 rows, and between two stretches of 64 columns are traced for each.
+        let band = width * (32 - 32 % quality.square);
+        let points = (0..width * height).map(|i| {
+            let right = i % width + 1 < width && is_edge(i, i + 1);
+            let below = i + width < width * height && is_edge(i, i + width);
+            let across = if i % width % 64 == 63 { 2 } else { 1 };
+            let down = if (i + width) % band < width { 2 } else { 1 };
+            across * u64::from(right) + down * u64::from(below)
+        });
+        let points: u64 = points.sum();
+        let traced = smooth.counts.points - plain.counts.points;
+        assert_eq!(traced, points, "seed {seed}: {width}x{height}");
     }
 }
 
