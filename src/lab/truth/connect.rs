@@ -3,7 +3,11 @@
 //! A flat mirror shows a lamp as if a second one stood behind it: that is looked for as any lamp is. By a sphere the way lies in the
 //! plane of its centre, the lamp and the point, so that one angle is to be found (manifold exploration in one dimension). All other
 //! ways are left to [photons](super::photons), which must leave these out.
+//!
+//! A ball of glass gathers light in a small place. Paths that were scattered find that by chance, hardly ever and very bright, which is
+//! noise; photons, which blur it, have none. So light through balls is theirs wherever a path has been scattered before.
 
+use super::effects::Effects;
 use super::geometry::{Face, Ray, Shape};
 use super::lamp::Lamp;
 use super::surface::{Bounce, Bsdf};
@@ -76,38 +80,44 @@ impl Connections {
         all
     }
 
-    /// Whether light that has gone this way, by bodies that it met from within or not, is known in closed form.
-    pub fn has(&self, way: &[Event]) -> bool {
+    /// Where light that has gone this way, by bodies that it met from within or not, is left to photons.
+    pub fn gap(&self, way: &[Event]) -> Gap {
         let is_flat = |event: &Event| event.is_flat && event.bounce == Bounce::Mirrored;
         let are_outside = !way[0].is_inside;
         let is_sphere = |event: &Event| self.spheres.contains(&event.body);
         match *way {
-            [only] if is_sphere(&only) => are_outside && only.bounce == Bounce::Mirrored,
-            [into, out] if is_sphere(&into) => {
-                let are_through = [into, out].iter().all(|it| it.bounce == Bounce::Through);
-                are_outside && into.body == out.body && are_through
+            [only] if is_sphere(&only) => {
+                Gap::none_if(are_outside && only.bounce == Bounce::Mirrored)
             }
-            _ => way.len() <= self.mirrors && way.iter().all(is_flat),
+            [into, out] if is_sphere(&into) && are_outside && into.body == out.body => {
+                let are_through = [into, out].iter().all(|it| it.bounce == Bounce::Through);
+                if are_through {
+                    Gap::Scattered
+                } else {
+                    Gap::All
+                }
+            }
+            _ => Gap::none_if(way.len() <= self.mirrors && way.iter().all(is_flat)),
         }
     }
 
     /// The light of all lamps, by these ways, that a surface sends back along the path. `here` starts at the surface;
-    /// `has_extents` is whether lamps shine from all of their spheres, or from their centres.
+    /// `is_scattered` is whether the path has been scattered before.
     pub fn light(
         &self,
         world: &World,
         here: Ray,
         bsdf: &Bsdf,
-        has_extents: bool,
-        keeps_energy: bool,
+        effects: &Effects,
+        is_scattered: bool,
         sampler: &mut Sampler,
     ) -> DVec3 {
         let point = Point {
             world,
             here,
             bsdf,
-            has_extents,
-            keeps_energy,
+            has_extents: effects.soft_shadows,
+            keeps_energy: effects.surfaces,
         };
         let images = self.images.iter();
         let mut sum: DVec3 = images
@@ -117,7 +127,7 @@ impl Connections {
             for lamp in &world.lamps {
                 let u = sampler.next_2d();
                 sum += point.by_sphere(index, Bounce::Mirrored, lamp, u);
-                if world.bodies[index].material.kt > 0.0 {
+                if world.bodies[index].material.kt > 0.0 && !is_scattered {
                     let directions = sampler.next_2d();
                     sum += point.by_sphere(index, Bounce::Through, lamp, u);
                     sum += point.through_sphere(index, lamp, directions);
@@ -125,6 +135,21 @@ impl Connections {
             }
         }
         sum
+    }
+}
+
+/// Where a way of light has no closed form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Gap {
+    Nowhere,
+    /// At surfaces at which a path arrives scattered.
+    Scattered,
+    All,
+}
+
+impl Gap {
+    fn none_if(is_known: bool) -> Self {
+        if is_known { Self::Nowhere } else { Self::All }
     }
 }
 

@@ -100,26 +100,22 @@ impl PathTracer<'_> {
         }
         path.ray = path.ray.moved(t);
         if is_lit && bsdf.is_rough() {
-            let caustics = self.caustics(path.ray, &bsdf, sampler);
+            let caustics = self.caustics(path.ray, &bsdf, path.scatters > 0, sampler);
             path.light += path.throughput * (self.direct(path.ray, &bsdf, sampler) + caustics);
         }
         self.scatter(path, &bsdf, sampler)
     }
 
-    /// The light of all lamps that a surface, at which `here` starts, sends back along the path by way of mirrors and glass.
-    fn caustics(&self, here: Ray, bsdf: &Bsdf, sampler: &mut Sampler) -> DVec3 {
-        let Effects {
-            soft_shadows,
-            surfaces,
-            ..
-        } = self.effects;
+    /// The light of all lamps that a surface, at which `here` starts, sends back along the path by way of mirrors and glass;
+    /// `is_scattered` is whether the path has been scattered before.
+    fn caustics(&self, here: Ray, bsdf: &Bsdf, is_scattered: bool, sampler: &mut Sampler) -> DVec3 {
         if !self.effects.caustics {
             return DVec3::ZERO;
         }
         let world = self.world;
         let ways = self.connections;
-        ways.light(world, here, bsdf, soft_shadows, surfaces, sampler)
-            + self.photons.reflected(here.o, bsdf)
+        let known = ways.light(world, here, bsdf, &self.effects, is_scattered, sampler);
+        known + self.photons.reflected(here.o, bsdf, is_scattered)
     }
 
     /// Has a path go on from a point of a surface. Returns whether it does.

@@ -6,7 +6,7 @@
 //! sample to sample (Knaus and Zwicker, "Progressive Photon Mapping: A Probabilistic Approach", 2011): so noise and blur average
 //! out. The noise is part of the intervals, the blur is not.
 
-use super::connect::{Connections, Event};
+use super::connect::{Connections, Event, Gap};
 use super::geometry::{Ray, Shape};
 use super::lamp::Lamp;
 use super::surface::Bsdf;
@@ -40,10 +40,17 @@ struct Photon {
     power: DVec3,
     /// The radius of the disc that it lights, in scene units.
     radius: f64,
+    /// Where its way has no closed form.
+    gap: Gap,
 }
 
 /// The photons of one sample.
-pub struct Photons(RTree<Photon>);
+pub struct Photons {
+    tree: RTree<Photon>,
+    /// The share of its radius that a photon's disc has where the eye sees it, by way of mirrors and glass or not. What comes from
+    /// there to other surfaces is a mean over all of these, so that its blur is hardly seen.
+    narrower: f64,
+}
 
 /// How photons are sent out.
 pub struct Emission {
@@ -69,7 +76,10 @@ impl RTreeObject for Photon {
 impl Photons {
     /// No photons.
     pub fn none() -> Self {
-        Self(RTree::new())
+        Self {
+            tree: RTree::new(),
+            narrower: 1.0,
+        }
     }
 
     /// Sends photons from every lamp to every body that mirrors or lets light through.
@@ -111,19 +121,27 @@ impl Photons {
         }
         // The variance of the mean falls by the number of samples to the power of 2/3, and so does the squared error by the blur.
         let narrower = (emission.index as f64 + 1.0).powf(-1.0 / 6.0);
-        widen(&mut photons, world.blur, narrower);
-        Self(RTree::bulk_load(photons))
+        widen(&mut photons, world.blur);
+        Self {
+            tree: RTree::bulk_load(photons),
+            narrower,
+        }
     }
 
-    /// The light of the photons that a surface at `p` sends back along the path.
-    pub fn reflected(&self, p: DVec3, bsdf: &Bsdf) -> DVec3 {
+    /// The light of the photons that a surface at `p` sends back along the path, which has been scattered before or not.
+    pub fn reflected(&self, p: DVec3, bsdf: &Bsdf, is_scattered: bool) -> DVec3 {
         let n = bsdf.n;
         let here = AABB::from_point(p.to_array());
         let mut sum = DVec3::ZERO;
-        for photon in self.0.locate_in_envelope_intersecting(here) {
-            let area = PI * photon.radius * photon.radius;
+        let narrower = if is_scattered { 1.0 } else { self.narrower };
+        for photon in self.tree.locate_in_envelope_intersecting(here) {
+            let radius = narrower * photon.radius;
+            let area = PI * radius * radius;
             let near = 1.0 - PI * p.distance_squared(photon.p) / area;
             let cosine = n.dot(photon.d);
+            if photon.gap == Gap::Scattered && !is_scattered {
+                continue;
+            }
             if near > 0.0 && cosine > LEAST_COSINE && n.dot(photon.n) > SAME_SIDE {
                 // Epanechnikov's kernel, whose integral over the disc is 1. The power counts the cosine already.
                 sum += 2.0 * near / (area * cosine) * photon.power * bsdf.of(photon.d);
@@ -133,8 +151,8 @@ impl Photons {
     }
 }
 
-/// Widens the discs of photons until each reaches some neighbours, and `least` at least; then makes them narrower by a factor.
-fn widen(photons: &mut [Photon], least: f64, narrower: f64) {
+/// Widens the discs of photons until each reaches some neighbours, and `least` at least.
+fn widen(photons: &mut [Photon], least: f64) {
     let places = photons.iter().map(|photon| photon.p.to_array());
     let places: Vec<_> = places.map(|p| GeomWithData::new(p, ())).collect();
     let tree = RTree::bulk_load(places);
@@ -144,7 +162,7 @@ fn widen(photons: &mut [Photon], least: f64, narrower: f64) {
         let reach = near
             .nth(NEIGHBOURS)
             .map_or(0.0, |(_, squared)| squared.sqrt());
-        photon.radius = narrower * reach.max(least);
+        photon.radius = reach.max(least);
     }
 }
 
@@ -189,7 +207,12 @@ impl Flight<'_> {
             }
             let bsdf = self.world.surface(body, ray, &met, self.keeps_energy);
             let next = ray.moved(met.t);
-            if bounce > 0 && bsdf.is_rough() && !self.connections.has(&way) {
+            let gap = if bounce > 0 {
+                self.connections.gap(&way)
+            } else {
+                Gap::Nowhere
+            };
+            if bsdf.is_rough() && gap != Gap::Nowhere {
                 let unfolded = first + travelled * start;
                 photons.push(Photon {
                     p: next.o,
@@ -197,6 +220,7 @@ impl Flight<'_> {
                     d: -ray.d,
                     power: solid_angle * self.lamp.power(unfolded, self.has_extents),
                     radius: 0.0,
+                    gap,
                 });
             }
             let Some(bounce) = bsdf.sample_bounce(sampler.next_1d()) else {
