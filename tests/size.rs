@@ -120,6 +120,24 @@ fn a_cut_intro_says_so() {
 }
 
 /// No path is in the file, and nothing of chance; `EIGHTFOLD_UNPACKED` leaves out the packing and nothing else.
+/// Without a word Linux would end a program that has more memory in its headers than it may have.
+#[test]
+fn too_little_memory_is_told_in_one_line() {
+    let program = &intro().program;
+    for (kilobytes, told) in [
+        (20_000, "eightfold: there are no 105 MB of memory for it\n"),
+        (80_000, "eightfold: there are no 105 MB of memory for it\n"),
+        (105_000_000_u32.div_ceil(1024), ""),
+    ] {
+        let mut bash = Command::new("bash");
+        let limited = format!("ulimit -d {kilobytes}; exec \"$0\" --version");
+        let output = bash.args(["-c", &limited]).arg(program).output();
+        let output = output.expect("bash is there");
+        assert_eq!(String::from_utf8_lossy(&output.stderr), told);
+        assert_eq!(output.status.success(), told.is_empty(), "{kilobytes}");
+    }
+}
+
 #[test]
 fn another_folder_has_the_same_bytes_packed_and_unpacked() {
     let folder = tempfile::tempdir().expect("a folder");

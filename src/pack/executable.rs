@@ -6,7 +6,7 @@
 //! | bytes | what |
 //! | ---: | --- |
 //! | 64 | the ELF header |
-//! | 3 x 56 | program headers: this file; the memory that the program is loaded to; a stack that is not executable |
+//! | 2 x 56 | program headers: this file; a stack that is not executable |
 //! | 138 | the stub's beginning, which checks all that follows: a file that was cut to no less than this says so |
 //! | 4,200 | the stub |
 //! | the rest | what was packed |
@@ -20,14 +20,11 @@ use crate::{
     stub::{FIRST, LOADER, Stub},
 };
 
-/// Where the system lets programs have memory, unless it is told otherwise (`vm.mmap_min_addr`).
-const LOWEST: u64 = 0x1_0000;
-
 /// Bytes before the stub: the headers, and so many that its constants are aligned.
-const HEAD: usize = (elf::HEADER_SIZE + 3 * Segment::SIZE).next_multiple_of(16);
+const HEAD: usize = (elf::HEADER_SIZE + 2 * Segment::SIZE).next_multiple_of(16);
 
-/// Where in the file the checksum is: where the third program header has an address.
-const SUM: usize = elf::HEADER_SIZE + 2 * Segment::SIZE + 16;
+/// Where in the file the checksum is: where the second program header has an address.
+const SUM: usize = elf::HEADER_SIZE + Segment::SIZE + 16;
 
 /// A packed executable of an ordinary one and the stub's object file.
 ///
@@ -58,15 +55,10 @@ pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         .max()
         .unwrap_or_default();
 
-    // The file lies right before the program, so that the heap, which begins behind both, is where it always is.
+    // The file lies right behind the program, so that the heap, which begins behind both, is where it always is.
     let stub = Stub::read(stub, FIRST)?;
     let size = (HEAD + stub.size() + packed.len()) as u64;
-    let address = start.saturating_sub(size) / elf::PAGE * elf::PAGE;
-    if address < LOWEST {
-        return Err(
-            format!("there is no room for {size} bytes below the program at {start:#x}").into(),
-        );
-    }
+    let address = end.next_multiple_of(elf::PAGE);
     let entry = address + HEAD as u64;
     let packed_at = entry + stub.size() as u64;
     let names = HashMap::from([
@@ -76,24 +68,19 @@ pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         ("PACKED_END", packed_at + packed.len() as u64),
         ("LENGTH", unpacked.len() as u64),
         ("PROGRAM_LENGTH", stripped.len() as u64),
+        ("PROGRAM", start),
+        ("PROGRAM_SIZE", end - start),
     ]);
     let linked = stub.link(entry, &names)?;
     let (first, rest) = linked.split_at(stub.first_size());
     let checked = [rest, &packed].concat();
-    let mut file = elf::header(entry, 3);
+    let mut file = elf::header(entry, 2);
     let file_itself = Segment {
         kind: elf::LOAD,
         flags: elf::READ | elf::EXECUTE,
         address,
         file_size: size,
         size,
-        ..Segment::default()
-    };
-    let program = Segment {
-        kind: elf::LOAD,
-        flags: elf::READ | elf::WRITE,
-        address: start,
-        size: end - start,
         ..Segment::default()
     };
     // Of this one, Linux reads only the flags. The rest says where in the file the packed bytes are, how many bytes at its end are
@@ -107,7 +94,7 @@ pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         file_size: packed.len() as u64,
         size: checked.len() as u64,
     };
-    for segment in [file_itself, program, stack] {
+    for segment in [file_itself, stack] {
         file.extend(segment.to_bytes());
     }
     file.resize(HEAD, 0);

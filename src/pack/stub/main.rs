@@ -96,6 +96,10 @@ unsafe extern "C" {
     static LENGTH: u8;
     /// Likewise; how many of those are the program. Behind them is the [loader].
     static PROGRAM_LENGTH: u8;
+    /// Where the program is loaded to.
+    static PROGRAM: u8;
+    /// Likewise no address, but how much memory it takes there.
+    static PROGRAM_SIZE: u8;
 
     safe fn fail(line: *const u8, length: usize) -> !;
 }
@@ -109,11 +113,18 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     let length = (&raw const LENGTH).addr();
     let used = size_of::<Model>() + length;
     let size = used + HUGE_PAGE;
-    // For reading and writing, private, of nothing.
+    // For reading and writing, private, of nothing; the program's memory is at a fixed place. Had this file a program header for it,
+    // Linux would end a process that may not have as much before it can say so.
     // SAFETY: nobody has that memory.
-    let mapped = unsafe { call(MMAP, [0, size, 3, 0x22, usize::MAX, 0]) };
-    if is_error(mapped) {
-        let line = "eightfold: there are no 71 MB of memory to unpack it\n";
+    let [mapped, program] = unsafe {
+        let (program, size_of_it) = ((&raw const PROGRAM).addr(), (&raw const PROGRAM_SIZE).addr());
+        [
+            call(MMAP, [0, size, 3, 0x22, usize::MAX, 0]),
+            call(MMAP, [program, size_of_it, 3, 0x32, usize::MAX, 0]),
+        ]
+    };
+    if is_error(mapped) || is_error(program) {
+        let line = "eightfold: there are no 105 MB of memory for it\n";
         fail(line.as_ptr(), line.len());
     }
     let memory = mapped.next_multiple_of(HUGE_PAGE);
@@ -133,7 +144,7 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     model::decode(model, code, unpacked);
     let file = unpacked.as_ptr();
     let program_length = (&raw const PROGRAM_LENGTH).addr();
-    // SAFETY: the packer has packed an executable and the loader. The program header of this file has the former's addresses as
+    // SAFETY: the packer has packed an executable and the loader. The former's addresses are
     // memory.
     unsafe {
         // For reading and executing, from the page before on.
