@@ -1,8 +1,8 @@
 //! An intro of ten seconds: a ball that jumps to a kick. Esc ends it: `cargo run --release --example intro`
 
-use eightfold::glam::{Vec3A, vec3a};
-use eightfold::scene::{Light, Material, Plane, Scene, Sphere};
-use eightfold::{Error, Frame, Quality, Renderer, Worker};
+use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
+use eightfold_tracer::{Error, Frame, Quality, Renderer, Worker};
 use eightfold_window::screen::{Next, Screen};
 use eightfold_window::sound::{Player, RATE, Source};
 use eightfold_window::{clock::SECOND, cpu, fixed::Fixed, window::Window};

@@ -1,8 +1,9 @@
 //! The squares that were filled, drawn over the picture, as a PNG file:
 //! `cargo run --release --example squares squares.png`
 
-use eightfold::observe::{Fill, Observer};
-use eightfold::{Counts, Frame, Level, Quality, Renderer, Worker, show};
+use eightfold::show;
+use eightfold_tracer::observe::{Fill, Observer};
+use eightfold_tracer::{Counts, Frame, Level, Quality, Renderer, Worker};
 use std::{env, error::Error, fs::File, sync::Mutex};
 
 const WIDTH: usize = 640;

@@ -1,8 +1,8 @@
 //! A still of a scene of one's own, as a PNG file: `cargo run --release --example still still.png`
 
-use eightfold::glam::{Vec3A, vec3a};
-use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
-use eightfold::{Frame, Level, Quality, Renderer, Worker};
+use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::{Frame, Level, Quality, Renderer, Worker};
 use std::{env, error::Error, fs::File};
 
 const WIDTH: usize = 640;

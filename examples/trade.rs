@@ -1,8 +1,8 @@
 //! Speed and error of each rung of the ladder, on a scene of one's own: `cargo run --release --example trade`
 
-use eightfold::glam::{Vec3A, vec3a};
-use eightfold::scene::{Light, List, Material, Plane, Scene, Sphere};
-use eightfold::{Error, Frame, Quality, Renderer, Worker};
+use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::scene::{Light, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::{Error, Frame, Quality, Renderer, Worker};
 use eightfold_window::cpu;
 use std::time::Instant;
 

@@ -1,147 +1,16 @@
-//! A ray tracer of animated scenes for the CPU, which traces few of a picture's pixels and fills the rest.
+//! The show and its soundtrack, as functions of time: what the intro plays by [`eightfold_tracer`], and the lab measures.
 //!
-//! # A first picture
-//!
-//! A [`Scene`](scene::Scene) says what there is to see, a [`Quality`] how much may be left out, a [`Frame`] where the picture
-//! goes, and a [`Renderer`] makes it:
-//!
-//! ```
-//! use eightfold::glam::{Vec3A, vec3a};
-//! use eightfold::scene::{Light, List, Material, Scene, Sphere};
-//! use eightfold::{Frame, Level, Quality, Renderer, Worker};
-//!
-//! // The camera stands at z = 1 and looks at the origin, unless told otherwise.
-//! let scene = Scene {
-//!     spheres: List::of(&[Sphere {
-//!         centre: vec3a(0.0, 0.0, -1.0),
-//!         radius: 0.5,
-//!         material: Material {
-//!             colour: vec3a(1.0, 0.3, 0.1),
-//!             kd: 0.8,
-//!             ..Material::BLACK
-//!         },
-//!     }]),
-//!     lights: List::of(&[Light {
-//!         position: vec3a(-2.0, 3.0, 2.0),
-//!         colour: Vec3A::ONE,
-//!         ..Light::DARK
-//!     }]),
-//!     ..Scene::default()
-//! };
-//!
-//! let (width, height) = (320, 240);
-//! let mut pixels = vec![0; width * height];
-//! let frame = Frame { width, height, pixels: &mut pixels };
-//! let mut renderer = Renderer::new(Level::baseline());
-//! let counts = renderer.render(&scene, &Quality::DEFAULT, frame, &mut Worker::new())?;
-//!
-//! // The sphere is red in the middle, and black lies around it.
-//! let [_, red, green, _] = pixels[height / 2 * width + width / 2].to_be_bytes();
-//! assert!(red > 100 && green < red / 2);
-//! assert_eq!(pixels[0], 0);
-//! // Most pixels were filled without a ray of their own.
-//! assert!(counts.points < 320 * 240 / 4);
-//! # Ok::<(), eightfold::Error>(())
-//! ```
-//!
-//! [`Scene::validate`](scene::Scene::validate) says what is wrong with a scene, by the name of the number, and
-//! [`Renderer::render`] asks it. The repository's `examples` write such a picture to a file, show it in a window, measure what
-//! each quality costs, draw the squares, and play an intro of ten seconds.
-//!
-//! # How it comes about
-//!
-//! The picture is cut into squares of 8 pixels. Only their corners are traced. Where the four corners of a square have
-//! similar colours, show the same object, and have the same light on it, the square is filled with colours between theirs;
-//! elsewhere it is split into four, down to single pixels. What an object between corners would look like is not left to
-//! chance: a square is also split where an object may be seen that none of its corners shows.
-//!
-//! A module per stage, from the time to the pixels:
-//!
-//! | stage | module |
+//! | what | module |
 //! | --- | --- |
-//! | what there is to draw: a camera, primitives, lights, captions | [`scene`] |
 //! | time to scene: the show, and the model scene of all measurements | [`show`] |
-//! | what trades accuracy for speed, as one struct | [`Quality`] |
-//! | what every ray of a frame uses, computed once | `prepare` |
-//! | rays to colours and keys, as many side by side as the instruction set holds | `trace` |
-//! | which points to trace, and which squares to fill or to split | `refine` |
-//! | captions over a finished picture | `text` |
-//! | a frame: bands of the picture, by one thread or several | [`Renderer`] |
+//! | the soundtrack | [`sound`] |
+//! | the beats that both are laid out on | [`grid`] |
 //!
-//! Beside it: the soundtrack in [`sound`], on the beats of [`grid`] as the show is; [`Governor`], which chooses a quality by how
-//! long frames take; [`observe`], which tells how a frame came about; [`limits`], how far the numbers can be trusted. At the
-//! bottom, `lanes` holds the vectors that kernels are written in, `maths` functions of single numbers, `font` the letters.
-//! `ARCHITECTURE.md` in the repository says where a change goes.
-//!
-//! # Accuracy for speed
-//!
-//! [`Quality::EXHAUSTIVE`] traces every pixel. The [`Quality::LADDER`] has seven rungs, from one that can hardly be told from
-//! it to one that is for slow machines; [`Quality::DEFAULT`] is in the middle. A [`Governor`] walks the ladder so that frames
-//! come in time: it is told how long each frame took, and has no clock itself. A frame can tell how accurate it is
-//! ([`Renderer::set_probes`]), and an [`AccuracyGovernor`] holds that instead.
-//!
-//! # Memory and threads
-//!
-//! The library cannot allocate. A renderer has [`Memory::BYTES`] bytes, in itself or lent by the caller, and each thread has
-//! a [`Worker`] of [`Worker::BYTES`] bytes, whatever the size of the picture: under 8 MB with sixteen threads. Both are small enough to be made on a thread's stack and boxed, and are all zeros at first, so that a
-//! `static` takes no room in a program's file.
-//!
-//! Which threads draw is the caller's business: [`Threads`] is a trait with one method. A worker alone is the caller's thread.
-//!
-//! # Conventions
-//!
-//! Coordinates are right-handed, y up, in scene units, which are of any size; angles in radians, times in seconds. The
-//! picture's pixel (0, 0) is its upper left, x to the right, y down; a pixel's sample is its centre. Colours are linear RGB, 1
-//! the brightest that is shown; pixels are `0x00RRGGBB`, a colour clamped to 0 to 1, times 255 and rounded, without gamma.
-//! Vectors are those of [`glam`].
-//!
-//! # What a frame depends on
-//!
-//! Scene, size, quality, the samples' offset and the instruction set, and nothing else: the same bits by any number of threads,
-//! whatever was rendered before. Instruction sets differ by 1 of 255 at most, but for silhouettes.
-//!
-//! # When something is wrong
-//!
-//! What can't be rendered is an [`Error`], which is displayed as a sentence that says what to mend. [`Renderer::render_valid`]
-//! is for scenes that are known to be valid: it leaves them unchecked, and panics where a size or a quality is out of its range.
+//! It can't allocate, and needs no std. `ARCHITECTURE.md` in the repository says where a change goes.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-// Leaves: what needs no other module.
-mod flaw;
-mod font;
 pub mod grid;
-mod lanes;
-mod maths;
-
-// What is drawn and heard.
-pub mod scene;
 pub mod show;
 pub mod sound;
-
-// How it is drawn.
-pub mod observe;
-mod prepare;
-mod quality;
-mod refine;
-mod render;
-mod text;
-mod trace;
-
-mod governor;
-pub mod limits;
-
-pub use fearless_simd::Level;
-pub use flaw::{Flaw, Found};
-pub use glam;
-pub use governor::{AccuracyGovernor, Governor};
-pub use quality::Quality;
-pub use refine::{Band, Worker};
-pub use render::{Error, Frame, Job, Memory, Renderer, Threads};
-pub use trace::{Counts, Probes};
-
-/// The widest picture, in pixels.
-pub const MAX_WIDTH: usize = 3840;
-/// The tallest picture, in pixels.
-pub const MAX_HEIGHT: usize = 2160;

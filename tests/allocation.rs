@@ -1,7 +1,8 @@
 //! Nothing is allocated while frames are drawn and while a window shows them.
 
-use eightfold::{Band, Frame, Job, Memory, Quality, Renderer, Threads, Worker, show};
+use eightfold::show;
 use eightfold_stage::on_displays;
+use eightfold_tracer::{Band, Frame, Job, Memory, Quality, Renderer, Threads, Worker};
 use eightfold_window::{
     cpu,
     fixed::Fixed,

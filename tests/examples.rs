@@ -87,7 +87,7 @@ fn trade_tells_speed_and_error_of_each_rung() {
         .map(|row| row.split_whitespace().collect())
         .collect();
     let names: Vec<&str> = rows.iter().map(|row| row[0]).collect();
-    assert_eq!(names, eightfold::Quality::NAMES);
+    assert_eq!(names, eightfold_tracer::Quality::NAMES);
     let psnr = |row: &Vec<&str>| row[3].parse::<f64>().expect("a number");
     assert!(rows.iter().all(|row| psnr(row) > 35.0), "{text}");
     assert!(

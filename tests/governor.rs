@@ -1,6 +1,6 @@
 //! The governors hold the frame rate and the accuracy on simulated machines, without a clock.
 
-use eightfold::{AccuracyGovernor, Governor, Probes, Quality, Renderer};
+use eightfold_tracer::{AccuracyGovernor, Governor, Probes, Quality, Renderer};
 use proptest::prelude::*;
 
 const SECOND: u64 = 1_000_000_000;

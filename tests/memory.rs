@@ -1,6 +1,7 @@
 //! The memory that the library needs from its caller can be made on the stack of any thread.
 
-use eightfold::{Frame, Level, Memory, Quality, Renderer, Worker, show};
+use eightfold::show;
+use eightfold_tracer::{Frame, Level, Memory, Quality, Renderer, Worker};
 use std::{iter, thread};
 
 /// The default stack size of threads in bytes: the smallest of the usual systems.
@@ -46,8 +47,14 @@ fn a_frame_is_drawn_on_two_megabytes_of_stack() {
 #[test]
 fn memory_is_as_small_as_its_docs_say() {
     for (bytes, source) in [
-        (Memory::BYTES, include_str!("../src/render/memory.rs")),
-        (Worker::BYTES, include_str!("../src/refine/worker.rs")),
+        (
+            Memory::BYTES,
+            include_str!("../src/tracer/render/memory.rs"),
+        ),
+        (
+            Worker::BYTES,
+            include_str!("../src/tracer/refine/worker.rs"),
+        ),
     ] {
         let (_, said) = source
             .split_once("at most ")
@@ -63,8 +70,8 @@ fn memory_is_as_small_as_its_docs_say() {
 #[test]
 fn nobody_else_says_how_large_it_is() {
     for text in [
-        include_str!("../src/lib.rs"),
-        include_str!("../src/render/mod.rs"),
+        include_str!("../src/tracer/lib.rs"),
+        include_str!("../src/tracer/render/mod.rs"),
         include_str!("../README.md"),
         include_str!("../ARCHITECTURE.md"),
         include_str!("../CHANGELOG.md"),

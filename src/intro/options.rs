@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Display, Formatter};
 
-use eightfold::{MAX_HEIGHT, MAX_WIDTH};
+use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::{
     arguments::Arguments,
     clock::SECOND,

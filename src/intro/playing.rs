@@ -1,6 +1,7 @@
 //! Playing the show on a screen, in time with its sound.
 
-use eightfold::{AccuracyGovernor, Frame, Governor, MAX_HEIGHT, MAX_WIDTH, sound::Synthesizer};
+use eightfold::sound::Synthesizer;
+use eightfold_tracer::{AccuracyGovernor, Frame, Governor, MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::{
     clock::SECOND,
     fixed::Fixed,

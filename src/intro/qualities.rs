@@ -1,6 +1,6 @@
 //! The qualities that have a name.
 
-use eightfold::Quality;
+use eightfold_tracer::Quality;
 
 /// The number of rungs of the ladder.
 const RUNGS: usize = Quality::LADDER.len();

@@ -1,7 +1,8 @@
 //! Draws frames of the show on all threads.
 
-use eightfold::{
-    Band, Counts, Frame, Job, Memory, Quality, Renderer, Threads, Worker, scene::Scene, show,
+use eightfold::show;
+use eightfold_tracer::{
+    Band, Counts, Frame, Job, Memory, Quality, Renderer, Threads, Worker, scene::Scene,
 };
 use eightfold_window::{
     clock::SECOND,

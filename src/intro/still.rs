@@ -3,7 +3,7 @@
 
 use core::fmt::{self, Write};
 
-use eightfold::Frame;
+use eightfold_tracer::Frame;
 use eightfold_window::{
     line::{self, Decimal, Writer},
     screen::{Headless, Screen},

@@ -7,7 +7,7 @@ use eightfold_window::{
     line::{Decimal, Hundredths, Tenths, Writer},
 };
 
-use eightfold::{
+use eightfold_tracer::{
     Frame, Probes,
     scene::{Caption, List},
 };

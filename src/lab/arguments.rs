@@ -1,6 +1,6 @@
 //! Arguments that several commands share: sizes, qualities, threads, instruction sets, times.
 
-use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality};
+use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::cpu::{self, Isa};
 use std::fmt;
 use std::path::PathBuf;

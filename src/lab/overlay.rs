@@ -2,8 +2,8 @@
 //! picture.
 
 use crate::error::worst_channel;
-use eightfold::observe::{Fill, Observer};
-use eightfold::{Counts, Quality};
+use eightfold_tracer::observe::{Fill, Observer};
+use eightfold_tracer::{Counts, Quality};
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 

@@ -4,7 +4,7 @@
 //! seeds are independent (Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995). For smooth functions the error of
 //! the mean falls faster than by chance: its slope is measured by `cargo lab truth --convergence`.
 
-use eightfold::glam::{DVec2, DVec3, dvec2};
+use eightfold_tracer::glam::{DVec2, DVec3, dvec2};
 use sobol_burley::NUM_DIMENSIONS;
 use std::f64::consts::{PI, TAU};
 

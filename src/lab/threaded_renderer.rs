@@ -1,8 +1,10 @@
 //! Where frames are drawn: the tracer's memory, and threads that share the work.
 
-use eightfold::observe::Observer;
-use eightfold::scene::Scene;
-use eightfold::{Band, Counts, Frame, Job, Level, Memory, Quality, Renderer, Threads, Worker};
+use eightfold_tracer::observe::Observer;
+use eightfold_tracer::scene::Scene;
+use eightfold_tracer::{
+    Band, Counts, Frame, Job, Level, Memory, Quality, Renderer, Threads, Worker,
+};
 use eightfold_window::pool::Pool;
 
 /// Memory for one frame at a time, and threads that start once.

@@ -6,8 +6,8 @@ use crate::flip::{Flip, Flips};
 use crate::interrupt;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{evenly_spaced, frame_time};
-use eightfold::Quality;
-use eightfold::scene::Scene;
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::Scene;
 use eightfold_window::cpu::Isa;
 
 /// Frames that follow a view's own, in which pixels may pop.

@@ -1,6 +1,6 @@
 //! A scene of the show as a record: its set, its shots and its captions.
 //!
-//! "Scene" alone is what one frame shows, [`crate::scene::Scene`]; in the code a scene of the show is an act.
+//! "Scene" alone is what one frame shows, [`eightfold_tracer::scene::Scene`]; in the code a scene of the show is an act.
 
 use super::captions::Line;
 use super::path::Key;

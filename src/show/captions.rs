@@ -1,7 +1,7 @@
 //! When captions of the show appear.
 
-use crate::maths::smooth_step;
-use crate::scene::{Caption, List, Scene};
+use eightfold_tracer::maths::smooth_step;
+use eightfold_tracer::scene::{Caption, List, Scene};
 
 /// A caption and the time for which it is shown.
 pub(super) struct Line {

@@ -5,7 +5,7 @@
 use super::model::{ORBIT_SPEED, model};
 use super::path::orbit;
 use super::random::Random;
-use crate::scene::{MAX_SPHERES, Material, Scene, Sphere};
+use eightfold_tracer::scene::{MAX_SPHERES, Material, Scene, Sphere};
 use glam::{Vec3A, vec3a};
 
 /// The side of a full field, in scene units. The floor's side is 24.

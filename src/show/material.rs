@@ -1,6 +1,6 @@
 //! The materials of the show.
 
-use crate::scene::{Material, Pattern};
+use eightfold_tracer::scene::{Material, Pattern};
 use glam::{Vec3A, vec3a};
 
 /// The base of the others: opaque and without reflection.

@@ -5,7 +5,7 @@
 use super::path::orbit;
 use super::scenes;
 use crate::grid::BEAT;
-use crate::scene::{Method, Scene};
+use eightfold_tracer::scene::{Method, Scene};
 use glam::vec3a;
 
 /// Seconds of one orbit: a full turn at 0.25 radians a second.

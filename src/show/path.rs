@@ -1,7 +1,7 @@
 //! The camera's way: a curve through the keys of a shot, in scene coordinates.
 
-use crate::maths::{cos, sin};
-use crate::scene::{Camera, Method, Scene};
+use eightfold_tracer::maths::{cos, sin};
+use eightfold_tracer::scene::{Camera, Method, Scene};
 use glam::{FloatExt, Vec3A, Vec4, vec3a, vec4};
 
 /// Where the camera is at some time of a shot, and what is drawn over the picture. Its position is relative to the point that it
@@ -106,7 +106,7 @@ pub(super) fn orbit(look_at: Vec3A, angle: f32, distance: f32, height: f32) -> C
 #[cfg(test)]
 mod tests {
     use super::{Key, catmull_rom, film, key, orbit};
-    use crate::scene::{Camera, Method, Scene};
+    use eightfold_tracer::scene::{Camera, Method, Scene};
     use proptest::array::uniform5;
     use proptest::prelude::*;
 

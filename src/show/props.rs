@@ -1,8 +1,8 @@
 //! Spheres, boxes and cylinders that stand in rows, and how they move. Coordinates are the scene's.
 
-use crate::maths::{cos, round, sin, smooth_step};
-use crate::scene::{self, Block, Material, Scene, Sphere};
 use core::f32::consts::TAU;
+use eightfold_tracer::maths::{cos, round, sin, smooth_step};
+use eightfold_tracer::scene::{self, Block, Material, Scene, Sphere};
 use glam::{Mat3A, Vec3A, vec3a};
 
 /// One object, or a grid of objects that are alike.

@@ -1,7 +1,7 @@
 //! What is set up for a scene of the show: air, floor, lamps, props.
 
 use super::props::Prop;
-use crate::scene::{Film, Light, Material, Plane, Scene, Spot, Waves};
+use eightfold_tracer::scene::{Film, Light, Material, Plane, Scene, Spot, Waves};
 use glam::Vec3A;
 
 /// What is set up for an act, or for several in a row.

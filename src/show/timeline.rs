@@ -4,9 +4,9 @@ use super::captions;
 use super::path::film;
 use super::scenes::{ACTS, LENGTH};
 use crate::grid::{BAR, BEATS_PER_BAR};
-use crate::maths::smooth_step;
-use crate::scene::Scene;
 use crate::sound::pulse;
+use eightfold_tracer::maths::smooth_step;
+use eightfold_tracer::scene::Scene;
 
 /// Seconds in which the show fades out at its end.
 const FADE_OUT: f32 = 2.0;

@@ -2,7 +2,6 @@
 
 use super::{STEPS_PER_BAR, song};
 use crate::grid;
-use crate::maths::exp2;
 
 /// A position in the song, and how loud its kick drum is there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +27,6 @@ pub fn pulse(time: f32) -> Pulse {
     Pulse {
         bar: beat / grid::BEATS_PER_BAR,
         beat: (beat % grid::BEATS_PER_BAR) as f32 + since,
-        kick: f32::from(digit) / 15.0 * exp2(-HALVINGS * since),
+        kick: f32::from(digit) / 15.0 * libm::exp2f(-HALVINGS * since),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::instruments::{Instrument, LOUDNESS, Notes};
 use super::{BLOCK, song};
-use crate::maths::{ROUND_TO_INTEGER, exp2};
+use eightfold_tracer::maths::ROUND_TO_INTEGER;
 use glam::{Vec4, vec4};
 
 /// The sum of all voices for one sample. Lanes 0 and 2 are heard on the left, 1 and 3 on the right.
@@ -92,8 +92,9 @@ impl Voice {
             Notes::Chord(up) => [0, 1, 2, 3].map(|i| tone(first + i) + up),
         };
         // MIDI's note 69 is 440 Hz.
-        let pitch =
-            notes.map(|note| exp2((f32::from(note) - 69.0) / 12.0) * (440.0 / super::RATE as f32));
+        let pitch = notes.map(|note| {
+            libm::exp2f((f32::from(note) - 69.0) / 12.0) * (440.0 / super::RATE as f32)
+        });
         let pitch = Vec4::from_array(pitch);
         self.target = pitch + pitch * DETUNES * instrument.detune;
         let mut peak = 1.0;

@@ -23,7 +23,6 @@
 //! macOS.
 
 #![deny(missing_docs)]
-#![warn(clippy::undocumented_unsafe_blocks)]
 
 pub mod arguments;
 #[cfg_attr(

@@ -2,10 +2,10 @@
 
 use crate::drawn::{Drawn, draw_by_all};
 use crate::error::{Difference, worst_channel};
-use eightfold::Quality;
-use eightfold::scene::{Camera, Light, List, Material, Method, Scene, Sphere};
 use eightfold::show::{self, grid};
 use eightfold_oracle::frame::Frame;
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Camera, Light, List, Material, Method, Scene, Sphere};
 use glam::{Vec3A, vec3a};
 
 /// Asserts that a picture is the oracle's: the mean error is at most 0.01/255, and at most 0.02 % of the pixels, or one in a

@@ -5,9 +5,10 @@ use crate::drawn::draw;
 use crate::error::{Difference, worst_channel};
 use crate::generator::near::seeds;
 use crate::generator::seeded::scene;
-use eightfold::glam::{Mat3A, Vec3A, vec3a};
-use eightfold::scene::{Block, Material, Scene, Shape};
-use eightfold::{Quality, show};
+use eightfold::show;
+use eightfold_tracer::Quality;
+use eightfold_tracer::glam::{Mat3A, Vec3A, vec3a};
+use eightfold_tracer::scene::{Block, Material, Scene, Shape};
 
 /// Samples per side of a pixel in the reference pictures.
 const FINE: usize = 8;

@@ -5,9 +5,10 @@ use crate::cpu;
 use crate::drawn::draw;
 use crate::generator::{config, rich, sketch, sphere};
 use crate::refinement::{assert_as_refined, bare};
-use eightfold::{Quality, show};
+use eightfold::show;
 use eightfold_oracle::frame::Frame;
 use eightfold_oracle::squares::Squares;
+use eightfold_tracer::Quality;
 use proptest::collection::vec;
 use proptest::prelude::*;
 

@@ -2,8 +2,8 @@
 
 use crate::cpu::{self, Isa};
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::scene::Scene;
-use eightfold::{Counts, Quality};
+use eightfold_tracer::scene::Scene;
+use eightfold_tracer::{Counts, Quality};
 
 /// A picture and the work that it took.
 pub struct Drawn {

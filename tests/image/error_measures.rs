@@ -5,8 +5,9 @@ use crate::error::Difference;
 use crate::flip::Flip;
 use crate::missed::Visible;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::scene::{List, Scene};
-use eightfold::{Quality, show};
+use eightfold::show;
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{List, Scene};
 
 const WIDTH: usize = 20;
 const HEIGHT: usize = 20;

@@ -5,9 +5,12 @@ use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::Difference;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::scene::{self, Block, Camera, Caption, List, Range, Scene, Shape, Spot, Waves};
-use eightfold::{Counts, Quality, show};
+use eightfold::show;
 use eightfold_oracle::frame::Frame;
+use eightfold_tracer::scene::{
+    self, Block, Camera, Caption, List, Range, Scene, Shape, Spot, Waves,
+};
+use eightfold_tracer::{Counts, Quality};
 use glam::{Mat3A, Vec3A, vec3a};
 
 const QUALITIES: [Quality; 3] = [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT];

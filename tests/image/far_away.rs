@@ -1,10 +1,11 @@
-//! How exact pictures of scenes far from the origin are, where numbers of 32 bits are coarse: the figures of [`eightfold::limits`].
+//! How exact pictures of scenes far from the origin are, where numbers of 32 bits are coarse: the figures of [`eightfold_tracer::limits`].
 
 use crate::drawn::draw_by_all;
 use crate::error::Difference;
-use eightfold::scene::Scene;
-use eightfold::{Quality, show};
+use eightfold::show;
 use eightfold_oracle::frame::Frame;
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::Scene;
 use glam::{Vec3A, vec3a};
 
 /// The scene moved.

@@ -3,10 +3,10 @@
 
 use crate::cpu;
 use crate::drawn::draw;
-use eightfold::Quality;
-use eightfold::glam::{Vec3A, vec3a};
-use eightfold::scene::{Camera, Film, Light, List, Material, Plane, Scene};
 use eightfold::show;
+use eightfold_tracer::Quality;
+use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::scene::{Camera, Film, Light, List, Material, Plane, Scene};
 
 /// The picture of a scene with every pixel traced, and its brightest channels.
 fn channels(scene: &Scene, width: usize, height: usize) -> Vec<u32> {

@@ -11,10 +11,11 @@ use crate::error::Difference;
 use crate::generator::placed::between_corners;
 use crate::picture::png;
 use crate::shipped::Still;
-use eightfold::scene::Scene;
-use eightfold::{Quality, show};
+use eightfold::show;
 use eightfold_lab::arguments::NamedQuality;
 use eightfold_stage::reader::read_png;
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::Scene;
 use std::fs;
 use std::path::{Path, PathBuf};
 

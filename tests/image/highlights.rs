@@ -2,8 +2,8 @@
 
 use crate::cpu;
 use crate::drawn::{draw, jagged};
-use eightfold::Quality;
-use eightfold::scene::{Block, Camera, Light, List, Material, Scene, Shape};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape};
 use glam::{Mat3A, Vec3A, vec3a};
 
 /// The sides of the pictures, in pixels.

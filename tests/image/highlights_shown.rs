@@ -9,8 +9,8 @@ use crate::generator::seeded::Random;
 use crate::missed::effects::patches;
 use crate::refinement::bare;
 use crate::wrong_pixels::wrong_pixels;
-use eightfold::Quality;
-use eightfold::scene::{Block, Camera, Light, Material, Plane, Scene, Shape, Sphere};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Block, Camera, Light, Material, Plane, Scene, Shape, Sphere};
 use glam::{EulerRot, Mat3A, Vec3A, vec3a};
 
 const WIDTH: usize = 320;

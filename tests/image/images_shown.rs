@@ -10,8 +10,8 @@ use crate::generator::alone::{image, wide_image};
 use crate::generator::near::seeds;
 use crate::generator::seeded::Random;
 use crate::refinement::bare;
-use eightfold::Quality;
-use eightfold::scene::{Block, Camera, List, Material, Plane, Scene, Shape, Sphere};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Block, Camera, List, Material, Plane, Scene, Shape, Sphere};
 use glam::{Mat3A, Vec3A, vec3a};
 use std::collections::BTreeSet;
 

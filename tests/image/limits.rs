@@ -21,7 +21,7 @@ fn sources(folder: &Path) -> String {
 fn every_test_that_the_limits_name_is_there() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let all = sources(&root.join("src")) + &sources(&root.join("tests"));
-    let page = fs::read_to_string(root.join("src/limits.rs")).unwrap();
+    let page = fs::read_to_string(root.join("src/tracer/limits.rs")).unwrap();
     // Quoted words with at least three underscores are names of tests.
     let is_test = |word: &&str| word.matches('_').count() >= 3 && !word.contains(['/', ' ', '(']);
     let named: Vec<&str> = page.split('`').skip(1).step_by(2).filter(is_test).collect();

@@ -6,9 +6,10 @@ use crate::drawn::{draw, jagged};
 use crate::error::worst_channel;
 use crate::overlay::FrameTrace;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::observe::Fill;
-use eightfold::scene::{Method, Scene};
-use eightfold::{Quality, show};
+use eightfold::show;
+use eightfold_tracer::Quality;
+use eightfold_tracer::observe::Fill;
+use eightfold_tracer::scene::{Method, Scene};
 
 /// A size that is no multiple of any square's side.
 const SIZE: (usize, usize) = (331, 217);

@@ -7,8 +7,9 @@ use crate::generator::near::{contact, seeds, slivers};
 use crate::generator::placed::{between_corners, extreme_blocks, of_the_show, placed};
 use crate::refinement::bare;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::scene::Scene;
-use eightfold::{Quality, show};
+use eightfold::show;
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::Scene;
 use proptest::prelude::*;
 use std::collections::HashSet;
 

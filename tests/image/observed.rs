@@ -4,8 +4,9 @@ use crate::cpu;
 use crate::drawn::jagged;
 use crate::overlay::{FrameTrace, draw_error, heat};
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::observe::{Fill, Observer};
-use eightfold::{Counts, Quality, show};
+use eightfold::show;
+use eightfold_tracer::observe::{Fill, Observer};
+use eightfold_tracer::{Counts, Quality};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// A size that is no multiple of any square's side.

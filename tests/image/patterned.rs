@@ -3,8 +3,8 @@
 use crate::cpu;
 use crate::drawn::{draw, draw_by_all, jagged};
 use crate::error::Difference;
-use eightfold::Quality;
-use eightfold::scene::{
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{
     Block, Camera, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere,
 };
 use glam::{Mat3A, Vec3A, vec3a};

@@ -2,8 +2,8 @@
 
 use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
-use eightfold::Quality;
-use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{DVec3, Vec3A, vec3a};
 
 const SPHERE: Sphere = Sphere {

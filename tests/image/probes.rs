@@ -4,8 +4,9 @@ use crate::cpu::{self, Isa};
 use crate::drawn::{draw, jagged};
 use crate::error::Difference;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::scene::{Method, Scene};
-use eightfold::{Probes, Quality, Renderer, show};
+use eightfold::show;
+use eightfold_tracer::scene::{Method, Scene};
+use eightfold_tracer::{Probes, Quality, Renderer};
 
 const SIZE: (usize, usize) = (200, 149);
 

@@ -3,8 +3,9 @@
 use crate::cpu;
 use crate::drawn::draw;
 use crate::error::Difference;
-use eightfold::scene::{Block, Camera, List, Scene, Shape, Sphere};
-use eightfold::{Error, Frame, MAX_HEIGHT, MAX_WIDTH, Memory, Quality, Renderer, Worker, show};
+use eightfold::show;
+use eightfold_tracer::scene::{Block, Camera, List, Scene, Shape, Sphere};
+use eightfold_tracer::{Error, Frame, MAX_HEIGHT, MAX_WIDTH, Memory, Quality, Renderer, Worker};
 use glam::{Mat3A, Vec3A};
 use std::panic::catch_unwind;
 

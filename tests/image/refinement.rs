@@ -3,9 +3,10 @@
 use crate::cpu;
 use crate::drawn::{Drawn, draw, draw_by_all, jagged};
 use crate::error::Difference;
-use eightfold::scene::{Camera, Scene};
-use eightfold::{Quality, show};
+use eightfold::show;
 use eightfold_oracle::squares::{Squares, TILE};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Camera, Scene};
 use glam::{Vec3A, vec3a};
 
 /// Asserts that a picture is that of the oracle's squares: the number of points differs by at most 0.2 %, or 24, and the pixels

@@ -7,8 +7,8 @@
 use crate::cpu;
 use crate::drawn::{draw, jagged};
 use crate::wrong_pixels::{largest_patch, wrong_pixels};
-use eightfold::Quality;
-use eightfold::scene::{Camera, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene, Sphere};
 use glam::{Vec3A, vec3a};
 
 const WIDTH: usize = 320;

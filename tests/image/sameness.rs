@@ -4,9 +4,10 @@ use crate::cpu;
 use crate::drawn::{draw, draw_by_all};
 use crate::error::worst_channel;
 use crate::threaded_renderer::{ThreadedRenderer, whole};
-use eightfold::scene::Scene;
-use eightfold::{Band, Job, Memory, Quality, Renderer, Threads, Worker, show};
+use eightfold::show;
 use eightfold_oracle::frame::Frame;
+use eightfold_tracer::scene::Scene;
+use eightfold_tracer::{Band, Job, Memory, Quality, Renderer, Threads, Worker};
 
 const QUALITIES: [Quality; 7] = [
     Quality::EXHAUSTIVE,

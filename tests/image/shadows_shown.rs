@@ -11,8 +11,8 @@ use crate::generator::near::seeds;
 use crate::generator::seeded::Random;
 use crate::refinement::bare;
 use crate::wrong_pixels::largest_patch;
-use eightfold::Quality;
-use eightfold::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{Vec3A, vec3a};
 use std::collections::BTreeSet;
 

@@ -4,11 +4,12 @@ use crate::accuracy::assert_as_traced;
 use crate::cpu::{self, Isa};
 use crate::drawn::{Drawn, draw};
 use crate::error::{Difference, worst_channel};
-use eightfold::scene::{Method, Scene};
-use eightfold::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality, show};
+use eightfold::show;
 use eightfold_lab::arguments::NamedQuality;
 use eightfold_oracle::frame::Frame;
 use eightfold_stage::{intro, reader::read_ppm};
+use eightfold_tracer::scene::{Method, Scene};
+use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
 use std::process::Command;
 
 /// A frame of the show, and how the program that ships draws it.

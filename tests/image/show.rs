@@ -2,11 +2,11 @@
 
 use crate::cpu;
 use crate::drawn::draw;
-use eightfold::Quality;
-use eightfold::glam::{Vec3A, vec3a};
-use eightfold::scene::{Camera, Caption, List, Scene};
 use eightfold::show::{self, grid};
 use eightfold::sound::pulse;
+use eightfold_tracer::Quality;
+use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::scene::{Camera, Caption, List, Scene};
 
 /// The scene of the show at a time.
 fn at(time: f32) -> Scene {

@@ -3,9 +3,10 @@
 use crate::accuracy::assert_as_traced;
 use crate::drawn::draw_by_all;
 use crate::refinement::{assert_as_refined, bare};
-use eightfold::{MAX_HEIGHT, MAX_WIDTH, Quality, show};
+use eightfold::show;
 use eightfold_oracle::frame::Frame;
 use eightfold_oracle::squares::Squares;
+use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Quality};
 
 fn hold(width: usize, height: usize) {
     let scene = show::scene(0.5);

@@ -8,7 +8,8 @@ use crate::cpu;
 use crate::error::Difference;
 use crate::generator::seeded::{Random, corrupt, quality, scene};
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::{Counts, Quality, show};
+use eightfold::show;
+use eightfold_tracer::{Counts, Quality};
 use std::env;
 use std::time::{Duration, Instant};
 

@@ -3,8 +3,8 @@
 use crate::cpu;
 use crate::drawn::draw;
 use crate::error::Difference;
-use eightfold::Quality;
-use eightfold::scene::{Camera, List, Material, Plane, Scene, Sphere, Waves};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene, Sphere, Waves};
 use glam::{Vec3A, vec3a};
 
 const WIDTH: usize = 160;

@@ -1,7 +1,7 @@
 //! Text that is written over a finished picture.
 
-use eightfold::Frame;
-use eightfold::scene::{Caption, List};
+use eightfold_tracer::Frame;
+use eightfold_tracer::scene::{Caption, List};
 
 const SIZE: (usize, usize) = (640, 360);
 

@@ -4,7 +4,7 @@ use crate::cpu;
 use crate::drawn::draw;
 use crate::error::worst_channel;
 use crate::generator::{config, sketch, sphere};
-use eightfold::Quality;
+use eightfold_tracer::Quality;
 use proptest::collection::vec;
 use proptest::prelude::*;
 

@@ -1,8 +1,8 @@
 //! A whole picture, traced by the oracle.
 
 use super::{Oracle, Traced, pixel};
-use eightfold::Quality;
-use eightfold::scene::Scene;
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::Scene;
 use std::thread::available_parallelism;
 
 /// All pixels of a picture, and a margin of one pixel around it.

@@ -1,7 +1,7 @@
 //! Ray intersections by textbook formulas.
 
 use super::{Object, Oracle, Ray};
-use eightfold::scene::{Block, Light, Plane, Shape};
+use eightfold_tracer::scene::{Block, Light, Plane, Shape};
 use glam::{DVec3, Vec3A};
 
 /// The rounding error of a few operations in f64, relative to the lengths in them.

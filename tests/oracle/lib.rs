@@ -12,8 +12,8 @@ mod shade;
 pub mod squares;
 pub mod waves;
 
-use eightfold::Quality;
-use eightfold::scene::Scene;
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::Scene;
 use glam::DVec3;
 
 /// Traces points of one picture of a scene. Points are given in pixels of the picture.

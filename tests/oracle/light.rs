@@ -2,7 +2,7 @@
 
 use super::intersect::{block, is_within};
 use super::{Oracle, Ray};
-use eightfold::scene::{Light, Sphere};
+use eightfold_tracer::scene::{Light, Sphere};
 use glam::DVec3;
 
 /// The direction and the distance of a light from a point.

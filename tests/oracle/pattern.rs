@@ -1,6 +1,6 @@
 //! Procedural textures.
 
-use eightfold::scene::Pattern;
+use eightfold_tracer::scene::Pattern;
 use glam::DVec3;
 
 /// The share that a pattern leaves of a colour at `p`, given along the object's own axes, where a pixel covers `footprint` scene

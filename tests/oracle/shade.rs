@@ -6,7 +6,7 @@ use super::light::ToLight;
 use super::pattern::reflectance;
 use super::waves;
 use super::{Object, Oracle, Ray, Traced};
-use eightfold::scene::{Light, Material};
+use eightfold_tracer::scene::{Light, Material};
 use glam::{DVec3, Vec3A};
 use std::hash::{DefaultHasher, Hash, Hasher};
 

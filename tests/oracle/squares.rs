@@ -1,8 +1,8 @@
 //! Adaptive squares, as the thesis describes them: recursive, one square at a time. Coordinates are pixels of the picture.
 
 use super::{Oracle, Traced, pixel};
-use eightfold::Quality;
-use eightfold::scene::{Film, Scene};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Film, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 

@@ -1,6 +1,6 @@
 //! Waves on water.
 
-use eightfold::scene::Waves;
+use eightfold_tracer::scene::Waves;
 use glam::{DVec2, DVec3};
 
 /// The normal of water at `p`, above it, for a ray of direction `d`, where a pixel sees `seen` scene units of the water.

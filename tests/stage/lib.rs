@@ -5,8 +5,8 @@ mod tools;
 
 pub use tools::{DISPLAY, lacks, tool};
 
-use eightfold::Quality;
 use eightfold_lab::cargo;
+use eightfold_tracer::Quality;
 use std::{
     env, fs,
     io::{BufRead, BufReader, Read},

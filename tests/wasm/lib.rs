@@ -1,6 +1,7 @@
 //! A frame of the model scene by the library as WebAssembly: it is compiled for a target without a system.
 
-use eightfold::{Frame, Level, Quality, Renderer, Worker, show};
+use eightfold::show;
+use eightfold_tracer::{Frame, Level, Quality, Renderer, Worker};
 
 /// Width of the frame in pixels.
 const WIDTH: usize = 640;

@@ -1,9 +1,10 @@
 //! What is seen in the window.
 
 use super::{end_by_escape, servers};
-use eightfold::{Quality, scene::Scene, show};
+use eightfold::show;
 use eightfold_lab::{error::Difference, threaded_renderer::ThreadedRenderer};
 use eightfold_stage::{DISPLAY, Process, Server, intro, is_portable, lacks, run, wait_for};
+use eightfold_tracer::{Quality, scene::Scene};
 use eightfold_window::cpu;
 use std::{
     process::Command,

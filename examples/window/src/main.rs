@@ -1,8 +1,8 @@
 //! A window with a scene of one's own, by all threads: `cargo run --release --manifest-path examples/window/Cargo.toml`
 
-use eightfold::glam::{Vec3A, vec3a};
-use eightfold::scene::{Light, Material, Plane, Scene, Sphere};
-use eightfold::{Band, Frame, Job, Level, Quality, Renderer, Threads, Worker};
+use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
+use eightfold_tracer::{Band, Frame, Job, Level, Quality, Renderer, Threads, Worker};
 use minifb::{Key, Window, WindowOptions};
 use std::{error::Error, f32::consts::TAU, iter::from_fn, sync::Mutex, thread, time::Instant};
 

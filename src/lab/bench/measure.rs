@@ -7,8 +7,8 @@ use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::real_time;
 use crate::views::{Seen, Subject, Viewer};
-use eightfold::Counts;
-use eightfold::scene::Scene;
+use eightfold_tracer::Counts;
+use eightfold_tracer::scene::Scene;
 use eightfold_window::cpu::Isa;
 use eightfold_window::pool::Pool;
 

@@ -5,9 +5,9 @@ use super::measure::{Plan, Shot, Way};
 use crate::arguments::Size;
 use crate::threaded_renderer::whole;
 use crate::timing::real_time;
-use eightfold::observe::{Fill, Observer, Stage};
-use eightfold::scene::Scene;
-use eightfold::{Band, Counts, Job, Memory, Quality, Renderer, Threads, Worker};
+use eightfold_tracer::observe::{Fill, Observer, Stage};
+use eightfold_tracer::scene::Scene;
+use eightfold_tracer::{Band, Counts, Job, Memory, Quality, Renderer, Threads, Worker};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::time::Instant;
 

@@ -4,8 +4,8 @@
 //! every quality. The points are those of one sampler, the same for every frame: what stands still in the picture does not flicker.
 
 use crate::sampler::{MAX_POINTS, Sampler, Sequence, disc};
-use eightfold::glam::{DVec2, Vec2, Vec3A, vec2};
-use eightfold::scene::{Camera, Light, MAX_LIGHTS, Scene, Spot};
+use eightfold_tracer::glam::{DVec2, Vec2, Vec3A, vec2};
+use eightfold_tracer::scene::{Camera, Light, MAX_LIGHTS, Scene, Spot};
 
 /// The most pictures of a frame.
 pub const MAX_SAMPLES: usize = 4096;

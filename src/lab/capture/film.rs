@@ -5,9 +5,9 @@ use crate::arguments::{NamedQuality, Size};
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::glam::{Vec2, vec2};
-use eightfold::scene::Scene;
 use eightfold::sound::RATE;
+use eightfold_tracer::glam::{Vec2, vec2};
+use eightfold_tracer::scene::Scene;
 use eightfold_window::cpu::Isa;
 use std::ops::Range;
 

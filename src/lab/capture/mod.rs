@@ -16,7 +16,7 @@ use crate::rate::Rate;
 use crate::scenes::{self, SceneName};
 use anyhow::Result;
 use clap::{ArgGroup, Args};
-use eightfold::scene::MAX_LENGTH;
+use eightfold_tracer::scene::MAX_LENGTH;
 use eightfold_window::cpu::{self, Isa};
 use exposure::{Exposure, MAX_SAMPLES};
 use film::{Film, MAX_SUPERSAMPLE, Samples};

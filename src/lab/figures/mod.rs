@@ -11,7 +11,7 @@ use crate::threaded_renderer::ThreadedRenderer;
 use crate::{output, picture};
 use anyhow::{Context, Result};
 use clap::Args;
-use eightfold::Quality;
+use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 use sheet::{Figure, sheet};
 use std::fs;

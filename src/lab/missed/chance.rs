@@ -1,8 +1,8 @@
 //! Scenes drawn by chance, in each of which small things show in one way.
 
 use crate::sampler::{Sampler, Sequence};
-use eightfold::glam::{EulerRot, Mat3A, Vec3A, vec3a};
-use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
+use eightfold_tracer::glam::{EulerRot, Mat3A, Vec3A, vec3a};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 
 /// What a scene has beside small, matt things and a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,10 +3,10 @@
 use super::MAX_ERROR;
 use crate::error::worst_channel;
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::Quality;
-use eightfold::glam::Vec3A;
-use eightfold::scene::{Light, List, Material, Scene, Waves};
 use eightfold_oracle::{Object, Oracle};
+use eightfold_tracer::Quality;
+use eightfold_tracer::glam::Vec3A;
+use eightfold_tracer::scene::{Light, List, Material, Scene, Waves};
 use eightfold_window::cpu;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;

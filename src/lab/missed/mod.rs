@@ -16,7 +16,7 @@ use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
 use effects::{Counts, EffectCounter, Kind};
-use eightfold::scene::Scene;
+use eightfold_tracer::scene::Scene;
 use std::path::Path;
 use std::thread::available_parallelism;
 

@@ -2,9 +2,9 @@
 
 use super::MAX_ERROR;
 use crate::error::worst_channel;
-use eightfold::Quality;
-use eightfold::scene::Scene;
 use eightfold_oracle::{Object, Oracle};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::Scene;
 use std::collections::BTreeMap;
 
 /// The objects of a scene that are visible in a frame.

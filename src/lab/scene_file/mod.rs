@@ -17,8 +17,8 @@ mod tree;
 pub use record::{record, text_of};
 pub use rust_text::rust;
 
-use eightfold::Flaw;
-use eightfold::scene::{Fields, MAX_LETTERS, Scene, Value as Place};
+use eightfold_tracer::Flaw;
+use eightfold_tracer::scene::{Fields, MAX_LETTERS, Scene, Value as Place};
 use motion::{Motion, Numbers};
 use places::{BYTE_ORDER_MARK, Places, line_and_column};
 use serde_json::Value;

@@ -2,7 +2,7 @@
 
 use super::motion::Motion;
 use super::tree::{self, NamedShape, TURN};
-use eightfold::scene::{Fields, Items, Material, Scene, Value as Place};
+use eightfold_tracer::scene::{Fields, Items, Material, Scene, Value as Place};
 use ron::error::SpannedError;
 use ron::extensions::Extensions;
 use serde::Deserialize;

@@ -7,7 +7,7 @@ use super::{ron_text, tree};
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use anyhow::{Result, bail};
-use eightfold::scene::{Caption, Scene};
+use eightfold_tracer::scene::{Caption, Scene};
 use serde_json::Value;
 
 /// The text of a file that shows a scene as it is at the times of so many frames a second, to the bit, and between them what lies

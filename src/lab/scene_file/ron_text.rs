@@ -2,7 +2,7 @@
 
 use super::motion::Motion;
 use super::tree::{self, TURN};
-use eightfold::scene::{Fields, Material, Scene, Value as Place};
+use eightfold_tracer::scene::{Fields, Material, Scene, Value as Place};
 use serde_json::{Value, json};
 use std::fmt::Write;
 

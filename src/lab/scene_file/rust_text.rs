@@ -4,7 +4,7 @@ use super::motion::{Between, Motion, Numbers};
 use super::tree::{self, TURN};
 use super::{SceneFile, path, ron_text};
 use anyhow::{Result, bail};
-use eightfold::scene::{Fields, Items, Material, Scene, Value as Place};
+use eightfold_tracer::scene::{Fields, Items, Material, Scene, Value as Place};
 use serde_json::Value;
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -80,12 +80,16 @@ fn imports(body: &str, printer: &Printer<'_>) -> String {
     let mut text = String::new();
     let glam = used(&["EulerRot", "Mat3A", "vec3a"]);
     if !glam.is_empty() {
-        let _ = writeln!(text, "use eightfold::glam::{{{}}};", glam.join(", "));
+        let _ = writeln!(text, "use eightfold_tracer::glam::{{{}}};", glam.join(", "));
     }
     let mut kinds = printer.kinds.borrow().clone();
     kinds.extend(used(&["List"]));
     let kinds: Vec<&str> = kinds.into_iter().collect();
-    let _ = write!(text, "use eightfold::scene::{{{}}};", kinds.join(", "));
+    let _ = write!(
+        text,
+        "use eightfold_tracer::scene::{{{}}};",
+        kinds.join(", ")
+    );
     let functions: BTreeSet<&str> = printer.motions.iter().map(function).collect();
     if !functions.is_empty() {
         let functions: Vec<&str> = functions.into_iter().collect();

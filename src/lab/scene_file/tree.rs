@@ -1,9 +1,9 @@
 //! Scenes as scene files have them: trees of values by the names of the library's fields, with the materials in a table of their own,
 //! and with a turn beside the axes of a block.
 
-use eightfold::glam::{EulerRot, Mat3A};
-use eightfold::scene::{Fields, List, Material, Scene, Shape, Value as Place};
 use eightfold::show;
+use eightfold_tracer::glam::{EulerRot, Mat3A};
+use eightfold_tracer::scene::{Fields, List, Material, Scene, Shape, Value as Place};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 

@@ -5,8 +5,8 @@ use crate::interrupt;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{percentile, thread_time};
-use eightfold::scene::{MAX_SPHERES, Scene};
-use eightfold::{MAX_HEIGHT, MAX_WIDTH};
+use eightfold_tracer::scene::{MAX_SPHERES, Scene};
+use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::cpu::Isa;
 use serde::Serialize;
 

@@ -10,8 +10,8 @@ use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{evenly_spaced, thread_time};
 use crate::views::{Subject, Viewer};
-use eightfold::scene::Scene;
-use eightfold::{Counts, Quality};
+use eightfold_tracer::scene::Scene;
+use eightfold_tracer::{Counts, Quality};
 use eightfold_window::cpu::Isa;
 
 /// The number of points drawn between two exhaustive frames: few enough that the machine's speed hardly drifts in between.

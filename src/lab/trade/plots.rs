@@ -194,7 +194,7 @@ fn is_named(row: &Outcome) -> bool {
 
 /// The plot of the error by the side of the squares, for the rules of 2008 and the default quality.
 fn squares(trade: &Trade) -> Chart {
-    let line = |quality: eightfold::Quality| {
+    let line = |quality: eightfold_tracer::Quality| {
         let same = |row: &&Outcome| {
             row.square > 1
                 && row.guarded
@@ -210,8 +210,8 @@ fn squares(trade: &Trade) -> Chart {
         rows
     };
     let (thesis, played) = (
-        line(eightfold::Quality::THESIS),
-        line(eightfold::Quality::DEFAULT),
+        line(eightfold_tracer::Quality::THESIS),
+        line(eightfold_tracer::Quality::DEFAULT),
     );
     let position = |row: &&Outcome| (row.square as f64, row.psnr_db);
     let labels = |rows: &[&Outcome], is_below| -> Vec<Label> {

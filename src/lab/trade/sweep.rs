@@ -1,7 +1,7 @@
 //! The points to measure: each dial by itself, then combinations of those that save time.
 
 use crate::arguments::NamedQuality;
-use eightfold::Quality;
+use eightfold_tracer::Quality;
 
 /// A quality to measure.
 #[derive(Clone, Debug, PartialEq)]

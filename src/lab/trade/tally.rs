@@ -3,7 +3,7 @@
 use super::sweep::Point;
 use crate::error::Difference;
 use crate::views::Seen;
-use eightfold::Counts;
+use eightfold_tracer::Counts;
 
 /// The records of a point.
 pub struct Tally {

@@ -13,7 +13,7 @@ use super::lamp::Lamp;
 use super::surface::{Bounce, Bsdf};
 use super::world::{Body, World};
 use crate::sampler::{Sampler, around};
-use eightfold::glam::{DVec2, DVec3, dvec2};
+use eightfold_tracer::glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The most flat mirrors that are followed one after another, and the most images of lamps in them: each costs a ray at every point.

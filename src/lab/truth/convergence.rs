@@ -4,7 +4,7 @@ use super::render::Picture;
 use crate::output;
 use crate::sampler::Sequence;
 use anyhow::Result;
-use eightfold::glam::DVec3;
+use eightfold_tracer::glam::DVec3;
 use rayon::ThreadPool;
 use std::path::Path;
 

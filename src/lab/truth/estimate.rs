@@ -1,7 +1,7 @@
 //! Means, variances and confidence intervals.
 
 use super::REPLICATIONS;
-use eightfold::glam::DVec3;
+use eightfold_tracer::glam::DVec3;
 
 /// The 97.5th percentile of Student's t with [`REPLICATIONS`] - 1 degrees of freedom: a mean is within that many standard errors
 /// with a probability of 95 %.

@@ -10,7 +10,7 @@ use super::world::World;
 use crate::arguments::Size;
 use crate::interrupt;
 use crate::sampler::{Sampler, Sequence, seed_of};
-use eightfold::glam::DVec3;
+use eightfold_tracer::glam::DVec3;
 use rayon::prelude::*;
 
 /// The samples of a pixel so far: the sum of each replication.

@@ -1,8 +1,8 @@
 //! Rays and the shapes that they hit, in f64. Coordinates are the scene's.
 
-use eightfold::glam::{DMat3, DVec3, Mat3};
-use eightfold::scene::{Block, Plane, Shape as BlockShape, Sphere};
 use eightfold_oracle::grooves;
+use eightfold_tracer::glam::{DMat3, DVec3, Mat3};
+use eightfold_tracer::scene::{Block, Plane, Shape as BlockShape, Sphere};
 
 /// The rounding error of a few operations in f64, relative to the lengths in them.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;

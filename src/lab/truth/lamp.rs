@@ -9,8 +9,8 @@
 
 use super::geometry::{self, Face, Ray};
 use crate::sampler::around;
-use eightfold::glam::{DVec2, DVec3};
-use eightfold::scene::{Camera, Light};
+use eightfold_tracer::glam::{DVec2, DVec3};
+use eightfold_tracer::scene::{Camera, Light};
 use std::f64::consts::{PI, TAU};
 
 /// A lamp.
@@ -30,7 +30,7 @@ pub struct Lamp {
     reference: Option<f64>,
 }
 
-/// The cone of a spotlight; see [`eightfold::scene::Spot`].
+/// The cone of a spotlight; see [`eightfold_tracer::scene::Spot`].
 #[derive(Clone, Copy, Debug)]
 struct Spot {
     aim: DVec3,

@@ -12,7 +12,7 @@ use crate::overlay::draw_error;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::{output, picture};
 use anyhow::{Context, Result};
-use eightfold::Quality;
+use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 use rayon::ThreadPool;
 use std::fs;

@@ -24,7 +24,7 @@ use crate::{interrupt, output, picture};
 use anyhow::{Context, Result};
 use clap::{ArgGroup, Args};
 use effects::Effects;
-use eightfold::scene::{Film, Scene};
+use eightfold_tracer::scene::{Film, Scene};
 use estimate::{Estimate, Intervals};
 use film::Sampling;
 use rayon::{ThreadPool, ThreadPoolBuilder};

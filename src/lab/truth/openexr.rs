@@ -3,7 +3,7 @@
 use super::estimate::Estimate;
 use crate::arguments::Size;
 use anyhow::{Context, Result};
-use eightfold::glam::DVec3;
+use eightfold_tracer::glam::DVec3;
 use exr::prelude::{AnyChannel, AnyChannels, FlatSamples, Image, WritableImage};
 use std::io::Cursor;
 

@@ -12,7 +12,7 @@ use super::photons::Photons;
 use super::surface::Bsdf;
 use super::world::World;
 use crate::sampler::Sampler;
-use eightfold::glam::DVec3;
+use eightfold_tracer::glam::DVec3;
 
 /// The number of bounces from which on paths may end by chance.
 const FIRST_ROULETTE: u32 = 4;

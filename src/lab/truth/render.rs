@@ -10,7 +10,7 @@ use crate::interrupt::{self, Stopped};
 use crate::progress;
 use crate::sampler::Sequence;
 use anyhow::Result;
-use eightfold::scene::Scene;
+use eightfold_tracer::scene::Scene;
 use rayon::ThreadPool;
 use std::fs;
 use std::path::Path;

@@ -8,7 +8,7 @@ use super::film::Film;
 use crate::arguments::Size;
 use crate::output;
 use anyhow::{Context, Result, bail};
-use eightfold::glam::DVec3;
+use eightfold_tracer::glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io::Write;

@@ -5,9 +5,9 @@
 //! it travels, which refraction leaves as it is.
 
 use crate::sampler::{around, cosine_hemisphere};
-use eightfold::glam::{DVec2, DVec3};
-use eightfold::scene::{self, Pattern};
 use eightfold_oracle::grooves;
+use eightfold_tracer::glam::{DVec2, DVec3};
+use eightfold_tracer::scene::{self, Pattern};
 use std::f64::consts::{PI, TAU};
 
 /// The material of a body; see [`scene::Material`].

@@ -3,10 +3,10 @@
 use super::geometry::{Face, Met, Ray, Shape};
 use super::lamp::Lamp;
 use super::surface::{Bsdf, Material};
-use eightfold::glam::DVec3;
-use eightfold::scene::{self, Camera, Scene, Waves};
 use eightfold_oracle::pattern::reflectance;
 use eightfold_oracle::waves;
+use eightfold_tracer::glam::DVec3;
+use eightfold_tracer::scene::{self, Camera, Scene, Waves};
 
 /// A shape and its material.
 #[derive(Clone, Copy, Debug)]

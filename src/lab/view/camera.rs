@@ -3,8 +3,8 @@
 //! Places in the picture are in pixels from its upper left corner, (0, 0); a pixel's sample is at its centre.
 
 use crate::arguments::Size;
-use eightfold::glam::{DQuat, DVec2, DVec3, dvec2};
-use eightfold::scene::Camera;
+use eightfold_tracer::glam::{DQuat, DVec2, DVec3, dvec2};
+use eightfold_tracer::scene::Camera;
 
 /// What a camera sees through each place of a picture.
 pub struct View {
@@ -101,15 +101,15 @@ const NOTCH: f64 = 1.1;
 #[cfg(test)]
 mod tests {
     use super::{Size, View, orbit, pan, zoom};
-    use eightfold::glam::{DVec3, dvec2};
-    use eightfold::scene::Scene;
+    use eightfold_tracer::glam::{DVec3, dvec2};
+    use eightfold_tracer::scene::Scene;
 
     const SIZE: Size = Size {
         width: 320,
         height: 240,
     };
 
-    fn camera() -> eightfold::scene::Camera {
+    fn camera() -> eightfold_tracer::scene::Camera {
         eightfold::show::scene(2.0).camera
     }
 
@@ -125,7 +125,7 @@ mod tests {
         assert!(view.place(view.eye - view.forward).is_none());
         // The middle of each sphere that is seen is seen where it is.
         let scene: Scene = eightfold::show::scene(2.0);
-        let quality = eightfold::Quality::EXHAUSTIVE;
+        let quality = eightfold_tracer::Quality::EXHAUSTIVE;
         let oracle = eightfold_oracle::Oracle::new(&scene, &quality, SIZE.width, SIZE.height);
         let mut found = 0;
         for (i, sphere) in scene.spheres.iter().enumerate() {
@@ -141,7 +141,8 @@ mod tests {
     #[test]
     fn a_camera_goes_round_and_keeps_its_distance() {
         let mut moved = camera();
-        let distance = |camera: &eightfold::scene::Camera| (camera.eye - camera.look_at).length();
+        let distance =
+            |camera: &eightfold_tracer::scene::Camera| (camera.eye - camera.look_at).length();
         orbit(&mut moved, 0.3, 0.2);
         assert!((distance(&moved) - distance(&camera())).abs() < 1e-4);
         assert!(moved.eye.y > camera().eye.y, "upwards");

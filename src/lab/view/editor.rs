@@ -4,8 +4,8 @@ use super::camera::View;
 use super::document::{Document, Step};
 use super::objects::Picked;
 use crate::scene_file::edit::{self, Changes};
-use eightfold::glam::{DVec2, DVec3};
-use eightfold::scene::{Camera, Scene};
+use eightfold_tracer::glam::{DVec2, DVec3};
+use eightfold_tracer::scene::{Camera, Scene};
 use serde_json::{Value, json};
 
 /// A scene file that is edited, and the object that is picked.

@@ -5,8 +5,8 @@ use crate::arguments::Size;
 use crate::error::Difference;
 use crate::overlay::{FrameTrace, draw_error};
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold::Quality;
-use eightfold::scene::Scene;
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::Scene;
 use eightfold_window::cpu::Isa;
 use std::time::{Duration, Instant};
 

@@ -2,9 +2,9 @@
 
 use super::camera::View;
 use crate::scene_file::SceneFile;
-use eightfold::glam::{DVec2, DVec3, Vec3A};
-use eightfold::scene::Scene;
 use eightfold_oracle::Object;
+use eightfold_tracer::glam::{DVec2, DVec3, Vec3A};
+use eightfold_tracer::scene::Scene;
 
 /// An object, by its list in the file and its index there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,9 +7,9 @@ use super::editor::{Drag, Editor};
 use super::objects::Picked;
 use crate::arguments::Size;
 use crate::scenes::SceneName;
-use eightfold::glam::{DVec2, dvec2};
-use eightfold::scene::{Camera, Scene};
 use eightfold_oracle::Oracle;
+use eightfold_tracer::glam::{DVec2, dvec2};
+use eightfold_tracer::scene::{Camera, Scene};
 use eightfold_window::input::{Action, Button, Press};
 
 /// A scene, and what is being done with it.
@@ -200,7 +200,7 @@ impl Workspace {
     /// The object at a place of the picture.
     fn object_at(&self, at: DVec2, shown: Shown) -> Option<Picked> {
         let scene = self.scene(shown.time);
-        let quality = eightfold::Quality::EXHAUSTIVE;
+        let quality = eightfold_tracer::Quality::EXHAUSTIVE;
         let Size { width, height } = shown.size;
         let oracle = Oracle::new(&scene, &quality, width, height);
         Picked::of(oracle.object_at(at.x.floor() as isize, at.y.floor() as isize))

@@ -1,11 +1,11 @@
 //! A low sun through two rows of marble columns.
 
-use crate::scene::{Light, Spot};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::{Motion::Bouncing, Prop, cuboid, cylinder, sphere};
 use crate::show::set::{FAR, SHOW, Set, point, sun};
+use eightfold_tracer::scene::{Light, Spot};
 use glam::vec3a;
 
 /// The scene as a record.

@@ -1,12 +1,12 @@
 //! Credits and greetings at dusk: a glass ball before the sun, on water with waves, from which eight arms of spheres go out.
 
-use crate::scene::{Light, Material, Scene};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::captions::Line;
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::{Prop, add_sphere, around, sphere};
 use crate::show::set::{FAR, SHOW, Set, point};
+use eightfold_tracer::scene::{Light, Material, Scene};
 use glam::{Vec3A, vec3a};
 
 /// The scene as a record.

@@ -2,13 +2,13 @@
 //!
 //! After Eric Haines' sphereflake of 1987, by which ray tracers have been measured since.
 
-use crate::maths::smooth_step;
-use crate::scene::{Light, Material, Scene};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::add_sphere;
 use crate::show::set::{FAR, SHOW, Set, point};
+use eightfold_tracer::maths::smooth_step;
+use eightfold_tracer::scene::{Light, Material, Scene};
 use glam::{Vec3A, vec3a};
 
 /// The scene as a record.

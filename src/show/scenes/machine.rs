@@ -1,11 +1,11 @@
 //! An orrery: planets on arms of brass, which a clockwork moves on by the beat around a sun that flashes.
 
-use crate::scene::{Light, Material, Scene, Shape, Spot};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::{Prop, add_block, add_sphere, around, cylinder, ticks};
 use crate::show::set::{FAR, SHOW, Set, point};
+use eightfold_tracer::scene::{Light, Material, Scene, Shape, Spot};
 use glam::{Mat3A, Vec3A, vec3a};
 
 /// The scene as a record.

@@ -1,11 +1,11 @@
 //! A room of mirrors, in which a light walks about: four walls make endless halls of it.
 
-use crate::scene::{Film, Light, Material, Pattern, Scene};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::{Motion::Bouncing, Prop, around, cuboid, cylinder, sphere, ticks};
 use crate::show::set::{FAR, SHOW, Set, point};
+use eightfold_tracer::scene::{Film, Light, Material, Pattern, Scene};
 use glam::{Vec3A, vec3a};
 
 /// The scene as a record.

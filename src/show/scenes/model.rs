@@ -2,12 +2,12 @@
 //!
 //! It follows the test scene of the 2008 thesis.
 
-use crate::scene::{Film, Light};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::{Motion::Bouncing, Prop, sphere};
 use crate::show::set::{Set, point};
+use eightfold_tracer::scene::{Film, Light};
 use glam::{Vec3A, vec3a};
 
 /// The scene as a record.

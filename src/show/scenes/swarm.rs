@@ -1,13 +1,13 @@
 //! The swarm: 256 spheres that undulate in a square, fly one after another into a ball, and on into a figure of eight.
 
-use crate::maths::{cos, sin, smooth_step, sqrt};
-use crate::scene::{Light, Material, Scene, Sphere};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::around;
 use crate::show::set::{FAR, SHOW, Set, point};
 use core::f32::consts::TAU;
+use eightfold_tracer::maths::{cos, sin, smooth_step, sqrt};
+use eightfold_tracer::scene::{Light, Material, Scene, Sphere};
 use glam::{Vec3A, vec3a};
 
 /// The scene as a record.

@@ -1,14 +1,14 @@
 //! The title: letters of gold rise out of dark water, one after another, where a lamp passes.
 
-use crate::font::strokes;
-use crate::maths::smooth_step;
-use crate::scene::{Light, Scene, Shape};
 use crate::show::act::{Act, Shot, shot};
 use crate::show::captions::Line;
 use crate::show::material;
 use crate::show::path::key;
 use crate::show::props::{add_block, add_sphere};
 use crate::show::set::{FAR, SHOW, Set, point};
+use eightfold_tracer::font::strokes;
+use eightfold_tracer::maths::smooth_step;
+use eightfold_tracer::scene::{Light, Scene, Shape};
 use glam::{Mat3A, Vec2, Vec3A, vec3a};
 
 /// The scene as a record.

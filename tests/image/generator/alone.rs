@@ -3,7 +3,7 @@
 
 use super::near::{Near, empty, one_of, place, power};
 use super::seeded::Random;
-use eightfold::scene::{
+use eightfold_tracer::scene::{
     Block, Camera, Light, List, MIN_LENGTH, Material, Plane, Scene, Shape, Sphere,
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};

@@ -9,7 +9,7 @@ pub mod near;
 pub mod placed;
 pub mod seeded;
 
-use eightfold::scene::{
+use eightfold_tracer::scene::{
     Block, Camera, Film, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};

@@ -3,7 +3,9 @@
 
 use super::config;
 use super::seeded::Random;
-use eightfold::scene::{Block, Camera, List, MIN_LENGTH, Material, Plane, Scene, Shape, Sphere};
+use eightfold_tracer::scene::{
+    Block, Camera, List, MIN_LENGTH, Material, Plane, Scene, Shape, Sphere,
+};
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 
 /// A scene, and the size of its picture.

@@ -2,8 +2,8 @@
 
 use super::shape;
 use crate::extremes::scaled;
-use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use eightfold::show;
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
 use proptest::prelude::*;

@@ -1,7 +1,7 @@
 //! Random scenes and qualities made from a seed, without a framework, for long runs.
 
-use eightfold::Quality;
-use eightfold::scene::{
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{
     Block, Camera, Film, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};

@@ -1,7 +1,7 @@
 //! The documented errors of the ladder of named qualities are those that are measured.
 
 use super::lab;
-use eightfold::Quality;
+use eightfold_tracer::Quality;
 
 #[test]
 fn the_default_quality_is_the_rung_of_that_name() {

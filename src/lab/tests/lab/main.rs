@@ -16,8 +16,8 @@ mod trade;
 mod truth;
 mod views;
 
-use eightfold::Quality;
 use eightfold_stage::reader::read_png;
+use eightfold_tracer::Quality;
 use std::path::Path;
 #[cfg(target_os = "linux")]
 use std::process::Child;

@@ -1,9 +1,9 @@
 //! `lab missed` counts what a quality misses.
 
 use super::{assert_one_line, lab};
-use eightfold::Quality;
 use eightfold_lab::missed::chance::{SETTINGS, Setting, scene};
 use eightfold_lab::missed::effects::{Count, Counts, EffectCounter, Kind};
+use eightfold_tracer::Quality;
 
 /// The counts of some scenes of a setting, by a quality.
 fn counts(setting: Setting, quality: Quality) -> Counts {

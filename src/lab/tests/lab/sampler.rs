@@ -1,7 +1,7 @@
 //! Points of the sampler are even, and means over them come near to integrals as fast as they are said to.
 
-use eightfold::glam::{DVec2, DVec3, dvec2};
 use eightfold_lab::sampler::{Sampler, Sequence, around, cosine_hemisphere, disc, seed_of};
+use eightfold_tracer::glam::{DVec2, DVec3, dvec2};
 
 /// Coordinates of the points that are averaged.
 const DIMENSIONS: usize = 4;

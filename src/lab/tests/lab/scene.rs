@@ -7,10 +7,10 @@ mod fields;
 mod motion;
 
 use super::{assert_one_line, lab, render};
-use eightfold::scene::Scene;
 use eightfold_lab::scene_file::{self, SceneFile};
 use eightfold_lab::scenes::SceneName;
 use eightfold_stage::reader::read_png;
+use eightfold_tracer::scene::Scene;
 use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};

@@ -8,8 +8,6 @@ mod lamps;
 mod lengths;
 mod surfaces;
 
-use eightfold::glam::{DVec3, Vec3A};
-use eightfold::scene::{Camera, List, Material, Plane, Scene};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::sampler::Sequence;
 use eightfold_lab::truth::REPLICATIONS;
@@ -17,6 +15,8 @@ use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::estimate::Estimate;
 use eightfold_lab::truth::film::Sampling;
 use eightfold_lab::truth::render::Picture;
+use eightfold_tracer::glam::{DVec3, Vec3A};
+use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene};
 use rayon::ThreadPoolBuilder;
 
 /// A white surface that scatters all light diffusely.

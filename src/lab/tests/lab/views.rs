@@ -1,11 +1,12 @@
 //! What a viewer sees of errors: views that differ, pixels that pop, FLIP over all of them together.
 
-use eightfold::{Quality, show};
+use eightfold::show;
 use eightfold_lab::arguments::Size;
 use eightfold_lab::error::worst_channel;
 use eightfold_lab::flip::{Flip, Flips};
 use eightfold_lab::threaded_renderer::ThreadedRenderer;
 use eightfold_lab::views::{Seen, Subject, Viewer, pops, views};
+use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 
 const SIZE: Size = Size {

@@ -2,7 +2,7 @@
 
 use super::{cells, number};
 use crate::{assert_one_line, lab};
-use eightfold::Quality;
+use eightfold_tracer::Quality;
 use serde_json::Value;
 use std::process::Command;
 

@@ -1,6 +1,6 @@
 //! Made of every_field.ron by `cargo lab scene --rust`.
-use eightfold::glam::{Mat3A, vec3a};
-use eightfold::scene::{
+use eightfold_tracer::glam::{Mat3A, vec3a};
+use eightfold_tracer::scene::{
     Block, Camera, Caption, Film, Light, List, Material, Method, Pattern, Plane, Scene,
     Shape, Sphere, Spot, Waves,
 };

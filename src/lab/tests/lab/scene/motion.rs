@@ -1,6 +1,8 @@
 //! Made of motion.ron by `cargo lab scene --rust`.
-use eightfold::glam::{EulerRot, Mat3A, vec3a};
-use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::glam::{EulerRot, Mat3A, vec3a};
+use eightfold_tracer::scene::{
+    Block, Camera, Light, List, Material, Plane, Scene, Sphere,
+};
 use keys::{hold, linear, smooth, spline};
 /// How long the scene plays, in seconds.
 pub const LENGTH: f32 = 8.0;

@@ -1,11 +1,11 @@
 //! Light by way of mirrors and glass: what it gives is known in closed form, or by all directions one after another.
 
 use super::{ROUNDING, WHITE, assert_near, drawn, seen};
-use eightfold::glam::{DVec3, Mat3A, Vec3A, dvec3, vec3a};
-use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::estimate::Estimate;
+use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, dvec3, vec3a};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use std::f64::consts::{PI, TAU};
 
 /// Light that comes to a surface from lamps, and no other.

@@ -1,10 +1,10 @@
 //! Light of the surroundings: what is seen is known in closed form.
 
 use super::{WHITE, assert_near, drawn, floor, seen};
-use eightfold::glam::{DVec3, Mat3A, Vec3A, vec3a};
-use eightfold::scene::{Block, Camera, List, Material, Plane, Scene, Shape, Sphere};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::truth::effects::Effects;
+use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, vec3a};
+use eightfold_tracer::scene::{Block, Camera, List, Material, Plane, Scene, Shape, Sphere};
 use std::f64::consts::TAU;
 
 /// A surface that keeps all light, in a way of its own.

@@ -1,14 +1,14 @@
 //! With all effects off, the path tracer draws the real-time model.
 
 use super::drawn;
-use eightfold::Quality;
-use eightfold::glam::DVec3;
-use eightfold::scene::{Material, Scene};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::scenes::SceneName;
 use eightfold_lab::truth::effects::{Effects, effect};
 use eightfold_lab::truth::{estimate::Estimate, undress};
 use eightfold_oracle::Oracle;
+use eightfold_tracer::Quality;
+use eightfold_tracer::glam::DVec3;
+use eightfold_tracer::scene::{Material, Scene};
 
 const SIZE: Size = Size {
     width: 40,

@@ -1,9 +1,9 @@
 //! Lamps as spheres that shine: what a surface gets of them, directly and by way of a mirror.
 
 use super::{WHITE, assert_near, floor, seen};
-use eightfold::glam::{DVec3, Mat3A, Vec3A, dvec3, vec3a};
-use eightfold::scene::{Block, Camera, Light, List, Material, Scene, Shape, Sphere, Spot};
 use eightfold_lab::truth::effects::Effects;
+use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, dvec3, vec3a};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape, Sphere, Spot};
 use std::f64::consts::{PI, TAU};
 
 const COLOUR: Vec3A = vec3a(0.9, 0.6, 0.3);

@@ -1,9 +1,6 @@
 //! Scenes of any size, and lamps within a sphere: the same by the path tracer, the oracle and the library.
 
 use super::{WHITE, assert_near, drawn, seen};
-use eightfold::Quality;
-use eightfold::glam::{DVec3, Mat3A, Vec3A, vec3a};
-use eightfold::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::error::Difference;
 use eightfold_lab::threaded_renderer::ThreadedRenderer;
@@ -11,6 +8,9 @@ use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::estimate::Estimate;
 use eightfold_oracle::Oracle;
 use eightfold_oracle::frame::Frame;
+use eightfold_tracer::Quality;
+use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, vec3a};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use eightfold_window::cpu;
 
 const SIZE: Size = Size {

@@ -1,9 +1,9 @@
 //! Surfaces give back no more light than they get.
 
-use eightfold::glam::{DVec3, Vec3A, dvec2};
-use eightfold::scene;
 use eightfold_lab::sampler::{Sampler, Sequence};
 use eightfold_lab::truth::surface::{Bsdf, Material, fresnel};
+use eightfold_tracer::glam::{DVec3, Vec3A, dvec2};
+use eightfold_tracer::scene;
 use std::f64::consts::TAU;
 
 /// The direction of the grooves of brushed surfaces.

@@ -1,4 +1,4 @@
-//! Scalar functions that `core` lacks: roots, sines, powers of two, rounding and easing.
+//! Scalar functions that `core` lacks, for scenes that move: roots, sines, rounding and easing.
 //!
 //! They give the same bits on every platform: they are correctly rounded, or computed from sums and products alone.
 
@@ -10,7 +10,7 @@ use fearless_simd::f32x4;
 /// The square root, correctly rounded.
 #[must_use]
 #[inline(always)]
-pub(crate) fn sqrt(x: f32) -> f32 {
+pub fn sqrt(x: f32) -> f32 {
     // A single instruction; `libm` calls a function with a loop.
     f32x4::splat(baseline(), x).sqrt().as_slice()[0]
 }
@@ -19,13 +19,13 @@ pub(crate) fn sqrt(x: f32) -> f32 {
 ///
 /// `libm` is accurate for larger angles, too, but needs a table with 2.8 kB of digits of pi, which cannot be compressed.
 #[must_use]
-pub(crate) fn sin(angle: f32) -> f32 {
+pub fn sin(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU)
 }
 
 /// The cosine of an angle in radians, as accurate as [`sin`].
 #[must_use]
-pub(crate) fn cos(angle: f32) -> f32 {
+pub fn cos(angle: f32) -> f32 {
     sin_turns(f64::from(angle) / TAU + 0.25)
 }
 
@@ -51,12 +51,6 @@ fn sin_turns(turns: f64) -> f32 {
     (x * sum) as f32
 }
 
-/// 2 to the power `x`.
-#[must_use]
-pub(crate) fn exp2(x: f32) -> f32 {
-    libm::exp2f(x)
-}
-
 /// The logarithm to base 2 of a positive number, to 0.0003; of infinity 128.
 #[must_use]
 pub(crate) fn log2(x: f32) -> f32 {
@@ -71,18 +65,18 @@ pub(crate) fn log2(x: f32) -> f32 {
 
 /// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds that to the nearest integer, which then is in the low bits of
 /// the sum. Subtracting it again gives the integer as a float.
-pub(crate) const ROUND_TO_INTEGER: f32 = 12_582_912.0;
+pub const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// Rounds a number between -2^22 and 2^22 to the nearest integer; a tie rounds to even.
 #[must_use]
 #[inline(always)]
-pub(crate) fn round(x: f32) -> f32 {
+pub fn round(x: f32) -> f32 {
     (x + ROUND_TO_INTEGER) - ROUND_TO_INTEGER
 }
 
 /// Hermite's smooth step: 0 for `u` up to 0, 1 from 1 on, and `u^2 (3 - 2 u)` between, with slope 0 at both ends.
 #[must_use]
-pub(crate) fn smooth_step(u: f32) -> f32 {
+pub fn smooth_step(u: f32) -> f32 {
     let u = u.clamp(0.0, 1.0);
     u * u * (3.0 - 2.0 * u)
 }

@@ -58,7 +58,7 @@ static DIGITS: [&str; 10] = [
 
 /// The strokes of an ASCII capital or digit, each with its two ends in grid units to the right of the letter's upper left and
 /// below it. Other bytes have none.
-pub(crate) fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
+pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     let points = match letter {
         b'A'..=b'Z' => CAPITALS[usize::from(letter - b'A')],
         b'0'..=b'9' => DIGITS[usize::from(letter - b'0')],

@@ -1,9 +1,9 @@
 //! The result for a ray depends neither on its lane nor on the rays in the other lanes.
 
+use super::scenes::{model, rows};
 use super::*;
 use crate::quality::Quality;
 use crate::scene::{Block, Light, Shape, Spot};
-use crate::show;
 use crate::trace::Batch;
 use crate::trace::shade::shade;
 use crate::trace::tracer::Tracer;
@@ -159,7 +159,7 @@ impl Property for Neighbours {
 
 /// A scene with a box, a cylinder, haze, a pattern, a light with a size and a spotlight.
 fn rich() -> Scene {
-    let mut scene = show::scene(1.0);
+    let mut scene = model();
     for (x, shape) in [(-1.0, Shape::Box), (1.2, Shape::Cylinder)] {
         scene.blocks.push(Block {
             centre: Vec3A::new(x, 0.7, 2.5),
@@ -184,7 +184,7 @@ fn rich() -> Scene {
 #[test]
 fn what_comes_of_a_ray_depends_on_no_neighbour() {
     on_every_instruction_set(&Neighbours {
-        scene: show::scene(1.0),
+        scene: model(),
         packets: PACKETS,
     });
 }
@@ -192,7 +192,7 @@ fn what_comes_of_a_ray_depends_on_no_neighbour() {
 #[test]
 fn what_comes_of_a_ray_depends_on_no_neighbour_where_spheres_are_in_groups() {
     on_every_instruction_set(&Neighbours {
-        scene: show::field(300, 1.0),
+        scene: rows(300),
         packets: PACKETS,
     });
 }

@@ -11,7 +11,7 @@ pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 /// frame; a pool would start them once:
 ///
 /// ```
-/// use eightfold::{Band, Job, Threads, Worker};
+/// use eightfold_tracer::{Band, Job, Threads, Worker};
 /// use std::{sync::Mutex, thread};
 ///
 /// struct Scoped(Vec<Worker>);
@@ -51,7 +51,8 @@ mod tests {
     extern crate std;
 
     use super::*;
-    use crate::{Frame, Level, Memory, Quality, Renderer, show};
+    use crate::scene::Scene;
+    use crate::{Frame, Level, Memory, Quality, Renderer};
     use std::prelude::v1::*;
 
     /// The caller's thread, which counts how often it is called.
@@ -70,7 +71,7 @@ mod tests {
         let mut renderer = Renderer::with_memory(Level::baseline(), memory);
         let mut threads = Counting(Box::<Worker>::default(), 0);
         let mut calls = |captions: bool, antialias: bool| {
-            let mut scene = show::scene(2.0);
+            let mut scene = Scene::default();
             if captions {
                 scene.captions.push(Default::default());
             }

@@ -76,14 +76,15 @@ impl Frame<'_> {
 /// stack, a `&'static mut Memory` needs no allocator.
 ///
 /// ```
-/// use eightfold::{Frame, Level, Quality, Renderer, Worker, show};
+/// use eightfold_tracer::scene::Scene;
+/// use eightfold_tracer::{Frame, Level, Quality, Renderer, Worker};
 ///
 /// let mut pixels = [0; 64 * 48];
 /// let frame = Frame { width: 64, height: 48, pixels: &mut pixels };
 /// let mut renderer = Renderer::new(Level::baseline());
-/// let counts = renderer.render(&show::scene(2.0), &Quality::DEFAULT, frame, &mut Worker::new())?;
+/// let counts = renderer.render(&Scene::default(), &Quality::DEFAULT, frame, &mut Worker::new())?;
 /// assert!(counts.points < 64 * 48, "most pixels need no ray");
-/// # Ok::<(), eightfold::Error>(())
+/// # Ok::<(), eightfold_tracer::Error>(())
 /// ```
 ///
 /// # A frame tells its own error
@@ -92,20 +93,30 @@ impl Frame<'_> {
 /// drawn. Over some frames that tells how accurate they are, on this scene:
 ///
 /// ```
-/// use eightfold::{Frame, Level, Probes, Quality, Renderer, Worker, show};
+/// # use eightfold_tracer::glam::{Vec3A, vec3a};
+/// # use eightfold_tracer::scene::{Light, List, Material, Scene, Sphere};
+/// use eightfold_tracer::{Frame, Level, Probes, Quality, Renderer, Worker};
 ///
+/// # let material = Material { colour: Vec3A::ONE, kd: 0.8, ..Material::BLACK };
+/// # let sphere = |x| Sphere { centre: vec3a(x, 0.0, 0.0), radius: 0.3, material };
+/// # let lamp = Light { position: vec3a(-2.0, 3.0, 2.0), colour: Vec3A::ONE, ..Light::DARK };
+/// let mut scene = Scene {
+///     spheres: List::of(&[-0.4, 0.0, 0.4].map(sphere)),
+///     lights: List::of(&[lamp]),
+///     ..Scene::default()
+/// };
 /// let mut pixels = [0; 160 * 120];
 /// let mut renderer = Renderer::new(Level::baseline());
 /// let mut probes = Probes::NONE;
 /// for number in 0..30 {
-///     let scene = show::scene(number as f32 / 60.0);
+///     scene.camera.eye.x = number as f32 / 60.0;
 ///     let frame = Frame { width: 160, height: 120, pixels: &mut pixels };
 ///     renderer.set_probes(Renderer::PROBES, number);
 ///     probes += renderer.render(&scene, &Quality::DEFAULT, frame, &mut Worker::new())?.probes;
 /// }
 /// println!("{:.1} dB (±{:.1})", probes.psnr(), probes.margin());
 /// assert!(probes.psnr() > 30.0 && probes.margin() < 3.0);
-/// # Ok::<(), eightfold::Error>(())
+/// # Ok::<(), eightfold_tracer::Error>(())
 /// ```
 ///
 /// # What a frame depends on

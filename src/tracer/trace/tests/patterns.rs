@@ -1,15 +1,16 @@
 //! Patterns are the same in filled squares, where the object of a pixel is known, as at traced points.
 
+use super::scenes::model;
 use super::*;
 use crate::prepare::ObjectId;
-use crate::scene::Pattern;
-use crate::show::{self, grid};
+use crate::scene::{Block, Pattern, Shape};
 use crate::trace::SeenPattern;
+use glam::{Mat3A, vec3a};
 
 /// The size of the picture in pixels.
 const SIZE: [usize; 2] = [320, 180];
 
-/// Checkers about as fine as those of the show.
+/// Checkers, fine ones far away.
 const CHECKERS: Pattern = Pattern {
     waves: Vec3A::splat(2.0),
     depth: 0.7,
@@ -17,24 +18,57 @@ const CHECKERS: Pattern = Pattern {
     ..Pattern::NONE
 };
 
+/// Marble whose veins have edges.
+const MARBLE: Pattern = Pattern {
+    waves: vec3a(1.0, 0.0, 0.0),
+    edge: 2.0,
+    balance: 0.4,
+    warp: 1.5,
+    grain: 0.8,
+    ..CHECKERS
+};
+
+/// A patterned floor with spheres and blocks that are patterned, seen from an angle in radians.
+fn patterned(angle: f32) -> Scene {
+    let mut scene = model();
+    let material = |pattern| Material {
+        pattern,
+        ..scene.spheres[0].material
+    };
+    for (x, shape, pattern) in [
+        (-2.6, Shape::Box, MARBLE),
+        (-0.9, Shape::Cylinder, CHECKERS),
+        (0.9, Shape::Box, CHECKERS),
+        (2.6, Shape::Cylinder, MARBLE),
+    ] {
+        scene.blocks.push(Block {
+            shape,
+            centre: vec3a(x, 0.8, -3.0),
+            half: vec3a(0.6, 0.8, 0.6),
+            axes: Mat3A::from_rotation_z(0.2 * x),
+            material: material(pattern),
+        });
+    }
+    scene.planes[0].material.pattern = Pattern {
+        waves: vec3a(0.4, 0.0, 0.4),
+        ..CHECKERS
+    };
+    for sphere in scene.spheres.iter_mut() {
+        sphere.material.pattern = CHECKERS;
+    }
+    scene.camera.eye = vec3a(7.5 * angle.sin(), 2.2, -7.5 * angle.cos());
+    scene
+}
+
 struct Patterns;
 
 impl Property for Patterns {
     #[inline(always)]
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut scene = Box::new(Scene::default());
-        let mut prepared = prepared(&scene);
+        let mut prepared = prepared(&Scene::default());
         let (mut seen, mut far) = (0, 0);
-        for bar in (0..show::BARS).step_by(3) {
-            show::at((bar as f32 + 0.3) * grid::BAR, &mut scene);
-            // Marble, too, is seen by pixels if it has edges, and so are spheres with a pattern.
-            for block in scene.blocks.iter_mut() {
-                let edge = &mut block.material.pattern.edge;
-                *edge = edge.max(2.0);
-            }
-            for sphere in scene.spheres.iter_mut() {
-                sphere.material.pattern = CHECKERS;
-            }
+        for turn in 0..6 {
+            let scene = patterned(turn as f32);
             prepared.set(&scene, SIZE[0], SIZE[1]);
             for y in 0..SIZE[1] {
                 for x in (0..SIZE[0]).step_by(lanes::<S>()) {

@@ -1,0 +1,86 @@
+//! Scenes with all kinds of surfaces.
+
+use super::*;
+use crate::scene::{Camera, Light, Plane};
+use glam::vec3a;
+
+const PLASTIC: Material = Material {
+    colour: vec3a(0.9, 0.15, 0.12),
+    kd: 0.7,
+    ks: 0.5,
+    exponent: 40.0,
+    kr: 0.25,
+    index: 1.5,
+    ..Material::BLACK
+};
+const MIRROR: Material = Material {
+    kd: 0.2,
+    ks: 0.8,
+    exponent: 80.0,
+    kr: 0.7,
+    ..PLASTIC
+};
+const GLASS: Material = Material {
+    kd: 0.05,
+    ks: 0.8,
+    exponent: 100.0,
+    kr: 0.1,
+    kt: 0.85,
+    tint: vec3a(0.55, 0.75, 0.93),
+    ..PLASTIC
+};
+
+/// The model scene of the repository's measurements at rest: four spheres of plastic, of glass and that mirror, over a floor, with
+/// two lamps.
+pub fn model() -> Scene {
+    let sphere = |x, y, z, material| Sphere {
+        centre: vec3a(x, y, z),
+        radius: y,
+        material,
+    };
+    let lamp = |x, y, z, brightness| Light {
+        position: vec3a(x, y, z),
+        colour: Vec3A::splat(brightness),
+        radius: 0.15,
+        ..Light::DARK
+    };
+    Scene {
+        camera: Camera {
+            eye: vec3a(1.9, 2.2, -7.3),
+            look_at: vec3a(0.0, 0.9, 0.0),
+            ..Camera::default()
+        },
+        background: vec3a(0.10, 0.12, 0.20),
+        ambient: Vec3A::splat(0.12),
+        spheres: List::of(&[
+            sphere(-2.2, 1.0, 0.5, PLASTIC),
+            sphere(0.0, 1.2, 1.8, MIRROR),
+            sphere(2.2, 1.0, 0.3, PLASTIC),
+            sphere(0.6, 0.5, -1.6, GLASS),
+        ]),
+        planes: List::of(&[Plane {
+            half_x: 12.0,
+            half_z: 12.0,
+            material: PLASTIC,
+            ..Plane::default()
+        }]),
+        lights: List::of(&[lamp(-4.0, 6.0, -4.0, 0.9), lamp(5.0, 5.0, -2.0, 0.4)]),
+        ..Scene::default()
+    }
+}
+
+/// The same with so many small spheres instead, in rows on the floor.
+pub fn rows(count: usize) -> Scene {
+    let mut scene = model();
+    scene.spheres.clear();
+    for i in 0..count {
+        let [column, row] = [i % 18, i / 18].map(|cell| 0.9 * (cell as f32 - 9.0));
+        let radius = 0.2 + 0.02 * (i % 7) as f32;
+        scene.spheres.push(Sphere {
+            centre: vec3a(column, radius, row),
+            radius,
+            material: [PLASTIC, PLASTIC, MIRROR, PLASTIC, GLASS][i % 5],
+        });
+    }
+    scene
+}
