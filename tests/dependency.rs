@@ -1,4 +1,4 @@
-//! The tracer compiles as a dependency of a crate in another workspace, and needs nothing of the intro.
+//! The tracer as it would be published: its package compiles as a dependency of a crate elsewhere, and needs nothing of the intro.
 
 use std::{
     fs,
@@ -6,58 +6,41 @@ use std::{
     process::Command,
 };
 
-/// A crate that depends on the tracer by its path.
-struct Dependent {
-    folder: tempfile::TempDir,
+/// The folder in which it is packed, unpacked and depended on. What was compiled there stays for the next run.
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join("dependency")
 }
 
-impl Dependent {
-    /// Makes the crate.
-    fn new() -> Dependent {
-        let folder = tempfile::tempdir().expect("a folder");
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let manifest = format!(
-            "[package]\nname = \"dependent\"\nedition = \"2024\"\n\n\
-             [dependencies]\neightfold-tracer.path = {:?}\n\n[workspace]\n",
-            root.join("src/tracer")
-        );
-        let files = [
-            ("Cargo.toml", manifest.as_bytes()),
-            ("src/main.rs", PROGRAM.as_bytes()),
-            // The same versions, which are downloaded already.
-            (
-                "Cargo.lock",
-                &fs::read(root.join("Cargo.lock")).expect("it is read"),
-            ),
-        ];
-        fs::create_dir(folder.path().join("src")).expect("a folder");
-        for (name, text) in files {
-            fs::write(folder.path().join(name), text).expect("it is written");
-        }
-        Dependent { folder }
-    }
+/// Runs a command, which has to succeed. Returns its standard output.
+fn run(command: &mut Command) -> String {
+    let output = command.output().expect("it starts");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command:?}: {errors}");
+    String::from_utf8(output.stdout).expect("text")
+}
 
-    /// Runs cargo in the crate, which has to succeed. Returns its standard output.
-    fn cargo(&self, arguments: &[&str]) -> String {
-        // The folder is kept, so that only the first run compiles everything.
-        let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("dependent");
-        let output = Command::new(env!("CARGO"))
-            .args(arguments)
-            .current_dir(&self.folder)
-            .env("CARGO_TARGET_DIR", target)
-            .output()
-            .expect("cargo runs");
-        let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "cargo {arguments:?}: {errors}");
-        String::from_utf8(output.stdout).expect("text")
-    }
+/// A command of cargo that compiles into [`folder`], in a directory.
+fn cargo(directory: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO"));
+    command
+        .current_dir(directory)
+        .env("CARGO_TARGET_DIR", folder().join("target"));
+    command
+}
 
-    /// The names of the crates that are compiled for it, without the dependencies of build scripts.
-    fn crates(&self) -> Vec<String> {
-        let tree = self.cargo(&["tree", "--prefix", "none", "--edges", "normal"]);
-        let name = |line: &str| line.split(' ').next().expect("a name").to_owned();
-        tree.lines().map(name).collect()
-    }
+/// Packs the tracer, and unpacks it. Returns where.
+fn package(root: &Path) -> PathBuf {
+    run(cargo(root)
+        .args(["package", "--package", "eightfold-tracer", "--offline"])
+        .args(["--allow-dirty", "--no-verify"]));
+    let name = concat!("eightfold-tracer-", env!("CARGO_PKG_VERSION"));
+    let archive = folder().join(format!("target/package/{name}.crate"));
+    run(Command::new("tar")
+        .arg("-xzf")
+        .arg(archive)
+        .arg("-C")
+        .arg(folder()));
+    folder().join(name)
 }
 
 /// Draws a frame.
@@ -74,10 +57,24 @@ fn main() -> Result<(), Error> {
 ";
 
 #[test]
-fn it_needs_vectors_and_functions_of_numbers_alone() {
-    let dependent = Dependent::new();
-    dependent.cargo(&["check", "--offline"]);
-    let crates = dependent.crates();
+fn its_package_compiles_elsewhere_and_needs_vectors_and_functions_of_numbers_alone() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let dependent = folder().join("dependent");
+    fs::create_dir_all(dependent.join("src")).expect("a folder");
+    let manifest = format!(
+        "[package]\nname = \"dependent\"\nedition = \"2024\"\n\n\
+         [dependencies]\neightfold-tracer.path = {:?}\n\n[workspace]\n",
+        package(root)
+    );
+    fs::write(dependent.join("Cargo.toml"), manifest).expect("it is written");
+    fs::write(dependent.join("src/main.rs"), PROGRAM).expect("it is written");
+    // The same versions, which are downloaded already.
+    fs::copy(root.join("Cargo.lock"), dependent.join("Cargo.lock")).expect("it is copied");
+
+    run(cargo(&dependent).args(["check", "--offline"]));
+    let tree = run(cargo(&dependent).args(["tree", "--prefix", "none", "--edges", "normal"]));
+    let name = |line: &str| line.split(' ').next().expect("a name").to_owned();
+    let crates: Vec<String> = tree.lines().map(name).collect();
     for name in &crates {
         let known = [
             "dependent",
@@ -89,4 +86,21 @@ fn it_needs_vectors_and_functions_of_numbers_alone() {
         assert!(known.contains(&name.as_str()), "{crates:?}");
     }
     assert!(crates.len() > 3, "{crates:?}");
+}
+
+#[test]
+fn its_package_has_sources_a_readme_and_licences() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let list = run(cargo(root)
+        .args(["package", "--package", "eightfold-tracer", "--list"])
+        .arg("--allow-dirty"));
+    let (sources, others): (Vec<&str>, Vec<&str>) =
+        list.lines().partition(|file| file.ends_with(".rs"));
+    assert!(sources.len() > 50, "{list}");
+    // Cargo's own: where it was packed, and the manifest as it was and as it is there.
+    let others: Vec<&str> = others
+        .into_iter()
+        .filter(|file| !file.starts_with(['.', 'C']))
+        .collect();
+    assert_eq!(others, ["LICENSE-APACHE", "LICENSE-MIT", "README.md"]);
 }

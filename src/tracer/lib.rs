@@ -140,3 +140,8 @@ pub use trace::{Counts, Probes};
 pub const MAX_WIDTH: usize = 3840;
 /// The tallest picture, in pixels.
 pub const MAX_HEIGHT: usize = 2160;
+
+/// The example of the README compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("README.md")]
+struct Readme;

@@ -85,7 +85,7 @@ mod tests {
     extern crate std;
 
     use super::*;
-    use fearless_simd::dispatch;
+    use fearless_simd::{Level, dispatch};
 
     /// Asserts the error that [`pow`] states, for a number and an exponent per lane.
     #[inline(always)]
@@ -123,12 +123,12 @@ mod tests {
 
     #[test]
     fn powers_are_as_exact_as_stated() {
-        let best = eightfold_window::cpu::best().level;
+        let best = Level::new();
         dispatch!(best, simd => hold_everywhere(simd));
         #[cfg(target_arch = "x86_64")]
         for level in [
-            best.as_avx2().map(fearless_simd::Level::Avx2),
-            best.as_sse2().map(fearless_simd::Level::Sse2),
+            best.as_avx2().map(Level::Avx2),
+            best.as_sse2().map(Level::Sse2),
         ] {
             let Some(level) = level else { continue };
             dispatch!(level, simd => hold_everywhere(simd));

@@ -24,6 +24,8 @@ use crate::prepare::{GroupSet, Prepared};
 use crate::scene::{List, Material, Scene, Sphere};
 use core::cell::RefCell;
 use core::ops::{Deref, DerefMut};
+#[cfg(target_arch = "x86_64")]
+use fearless_simd::Level;
 use glam::{DVec3, Vec3A};
 use std::boxed::Box;
 use std::vec::Vec;
@@ -37,10 +39,7 @@ trait Property {
 fn on_every_instruction_set(property: &impl Property) {
     #[cfg(target_arch = "x86_64")]
     {
-        let level = eightfold_window::cpu::instruction_sets()
-            .next()
-            .expect("every machine has one")
-            .level;
+        let level = Level::new();
         if let Some(simd) = level.as_avx512() {
             simd.vectorize(
                 #[inline(always)]
