@@ -2,10 +2,10 @@
 
 use eightfold_tracer::glam::{Vec3A, vec3a};
 use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
-use eightfold_tracer::{Error, Frame, Quality, Renderer, Worker};
+use eightfold_tracer::{Error, Frame, Quality, Renderer, ScopedThreads};
 use eightfold_window::screen::{Next, Screen};
 use eightfold_window::sound::{Player, RATE, Source};
-use eightfold_window::{clock::SECOND, cpu, fixed::Fixed, window::Window};
+use eightfold_window::{clock::SECOND, fixed::Fixed, window::Window};
 
 const LENGTH: f32 = 10.0;
 const BEAT: f32 = 0.5;
@@ -61,8 +61,8 @@ fn scene(time: f32) -> Scene {
 
 fn main() -> Result<(), Error> {
     let mut window = Window::open(c"Ten seconds", 640, 360).expect("there is an X display");
-    let mut renderer = Renderer::new(cpu::best().level);
-    let mut worker = Worker::new();
+    let mut renderer = Renderer::detect();
+    let mut threads = ScopedThreads::new();
     let mut player = Player::start(c"default", KICK.take());
     loop {
         let time = player.time() as f32 / SECOND as f32;
@@ -72,7 +72,7 @@ fn main() -> Result<(), Error> {
             height,
             pixels: window.canvas(width, height),
         };
-        renderer.render(&scene(time), &Quality::DEFAULT, frame, &mut worker)?;
+        renderer.render(&scene(time), &Quality::DEFAULT, frame, &mut threads)?;
         if window.show() != Next::GoOn || time >= LENGTH {
             return Ok(());
         }

@@ -3,7 +3,7 @@
 
 use eightfold::show;
 use eightfold_tracer::observe::{Fill, Observer};
-use eightfold_tracer::{Counts, Frame, Level, Quality, Renderer, Worker};
+use eightfold_tracer::{Counts, Frame, Quality, Renderer, ScopedThreads};
 use std::{env, error::Error, fs::File, sync::Mutex};
 
 const WIDTH: usize = 640;
@@ -45,13 +45,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         pixels: &mut pixels,
     };
     let squares = Mutex::default();
-    let mut renderer = Renderer::new(Level::baseline());
+    let mut renderer = Renderer::detect();
     let (scene, quality) = (show::scene(2.0), Quality::DEFAULT);
     renderer.render_observed(
         &scene,
         &quality,
         frame,
-        &mut Worker::new(),
+        &mut ScopedThreads::new(),
         Squares(&squares),
     )?;
 

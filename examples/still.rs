@@ -2,7 +2,7 @@
 
 use eightfold_tracer::glam::{Vec3A, vec3a};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
-use eightfold_tracer::{Frame, Level, Quality, Renderer, Worker};
+use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 use std::{env, error::Error, fs::File};
 
 const WIDTH: usize = 640;
@@ -64,8 +64,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         height: HEIGHT,
         pixels: &mut pixels,
     };
-    let mut renderer = Renderer::new(Level::baseline());
-    let counts = renderer.render(&scene(), &Quality::DEFAULT, frame, &mut Worker::new())?;
+    let mut threads = ScopedThreads::new();
+    let counts = Renderer::detect().render(&scene(), &Quality::DEFAULT, frame, &mut threads)?;
     println!("{} pixels by {} points", WIDTH * HEIGHT, counts.points);
 
     let rgb = |pixel: &u32| [16, 8, 0].map(|shift| (pixel >> shift) as u8);

@@ -3,7 +3,6 @@
 use eightfold_tracer::glam::{Vec3A, vec3a};
 use eightfold_tracer::scene::{Light, List, Material, Plane, Scene, Sphere};
 use eightfold_tracer::{Error, Frame, Quality, Renderer, Worker};
-use eightfold_window::cpu;
 use std::time::Instant;
 
 const WIDTH: usize = 640;
@@ -41,7 +40,7 @@ fn scene(z: f32) -> Scene {
 
 /// Renders frames by a quality. Returns how many it does in a second.
 fn film(quality: &Quality, frames: &mut [u32]) -> Result<f64, Error> {
-    let mut renderer = Renderer::new(cpu::best().level);
+    let mut renderer = Renderer::detect();
     let mut worker = Worker::new();
     let start = Instant::now();
     for (i, pixels) in frames.chunks_mut(WIDTH * HEIGHT).enumerate() {

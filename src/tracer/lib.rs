@@ -3,12 +3,12 @@
 //! # A first picture
 //!
 //! A [`Scene`](scene::Scene) says what there is to see, a [`Quality`] how much may be left out, a [`Frame`] where the picture
-//! goes, and a [`Renderer`] makes it:
+//! goes, and a [`Renderer`] makes it, by the best instruction set of the processor and on all of its cores:
 //!
 //! ```
 //! use eightfold_tracer::glam::{Vec3A, vec3a};
 //! use eightfold_tracer::scene::{Light, List, Material, Scene, Sphere};
-//! use eightfold_tracer::{Frame, Level, Quality, Renderer, Worker};
+//! use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 //!
 //! // The camera stands at z = 1 and looks at the origin, unless told otherwise.
 //! let scene = Scene {
@@ -32,8 +32,9 @@
 //! let (width, height) = (320, 240);
 //! let mut pixels = vec![0; width * height];
 //! let frame = Frame { width, height, pixels: &mut pixels };
-//! let mut renderer = Renderer::new(Level::baseline());
-//! let counts = renderer.render(&scene, &Quality::DEFAULT, frame, &mut Worker::new())?;
+//! let mut renderer = Renderer::detect();
+//! let mut threads = ScopedThreads::new();
+//! let counts = renderer.render(&scene, &Quality::DEFAULT, frame, &mut threads)?;
 //!
 //! // The sphere is red in the middle, and black lies around it.
 //! let [_, red, green, _] = pixels[height / 2 * width + width / 2].to_be_bytes();
@@ -80,11 +81,17 @@
 //!
 //! # Memory and threads
 //!
-//! The library cannot allocate. A renderer has [`Memory::BYTES`] bytes, in itself or lent by the caller, and each thread has
-//! a [`Worker`] of [`Worker::BYTES`] bytes, whatever the size of the picture: under 8 MB with sixteen threads. Both are small enough to be made on a thread's stack and boxed, and are all zeros at first, so that a
-//! `static` takes no room in a program's file.
+//! Rendering allocates nothing. A renderer has [`Memory::BYTES`] bytes, in itself or lent by the caller, and each thread has
+//! a [`Worker`] of [`Worker::BYTES`] bytes, whatever the size of the picture: under 8 MB with sixteen threads. Both are small enough to be
+//! made on a thread's stack and boxed, and are all zeros at first, so that a `static` takes no room in a program's file.
 //!
-//! Which threads draw is the caller's business: [`Threads`] is a trait with one method. A worker alone is the caller's thread.
+//! Which threads draw is the caller's business: [`Threads`] is a trait with one method. A worker alone is the caller's thread, and
+//! [`ScopedThreads`] are those of std.
+//!
+//! # Without std
+//!
+//! [`Renderer::detect`] and [`ScopedThreads`] are there by the feature `std`, which is on by default. With `default-features = false` the
+//! crate needs no system, and draws the same bits.
 //!
 //! # Conventions
 //!
@@ -105,6 +112,9 @@
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+
+#[cfg(feature = "std")]
+extern crate std;
 
 // Leaves: what needs no other module.
 mod flaw;
@@ -133,6 +143,8 @@ pub use glam;
 pub use governor::{AccuracyGovernor, Governor};
 pub use quality::Quality;
 pub use refine::{Band, Worker};
+#[cfg(feature = "std")]
+pub use render::ScopedThreads;
 pub use render::{Error, Frame, Job, Memory, Renderer, Threads};
 pub use trace::{Counts, Probes};
 

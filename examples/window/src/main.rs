@@ -2,24 +2,9 @@
 
 use eightfold_tracer::glam::{Vec3A, vec3a};
 use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
-use eightfold_tracer::{Band, Frame, Job, Level, Quality, Renderer, Threads, Worker};
+use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 use minifb::{Key, Window, WindowOptions};
-use std::{error::Error, f32::consts::TAU, iter::from_fn, sync::Mutex, thread, time::Instant};
-
-/// Threads that last for a frame, each with a worker.
-struct Scoped(Vec<Worker>);
-
-impl Threads for Scoped {
-    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
-        let bands = Mutex::new(bands.iter_mut());
-        let next = || bands.lock().expect("no panic before").next();
-        thread::scope(|scope| {
-            for worker in &mut self.0 {
-                scope.spawn(move || from_fn(next).for_each(|band| job(worker, band)));
-            }
-        });
-    }
-}
+use std::{error::Error, f32::consts::TAU, time::Instant};
 
 /// A ring of spheres that turns, over a floor that mirrors it.
 fn scene(time: f32) -> Scene {
@@ -60,9 +45,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut window = Window::new("Ring", 800, 450, WindowOptions::default())?;
     window.set_target_fps(60);
     let mut pixels = Vec::new();
-    let mut renderer = Renderer::new(Level::new());
-    let count = thread::available_parallelism()?.get();
-    let mut threads = Scoped((0..count).map(|_| Worker::new()).collect());
+    let mut renderer = Renderer::detect();
+    let mut threads = ScopedThreads::new();
     let start = Instant::now();
     while window.is_open() && !window.is_key_down(Key::Escape) {
         let time = start.elapsed().as_secs_f32();

@@ -3,10 +3,14 @@
 mod error;
 mod memory;
 mod schedule;
+#[cfg(feature = "std")]
+mod scoped;
 mod threads;
 
 pub use error::Error;
 pub use memory::Memory;
+#[cfg(feature = "std")]
+pub use scoped::ScopedThreads;
 pub use threads::{Job, Threads};
 
 use crate::observe::Observer;
@@ -135,11 +139,18 @@ impl Renderer {
 
     /// A renderer by an instruction set, with memory of its own: [`Memory::BYTES`] bytes.
     ///
-    /// [`Level::baseline`] is what every processor has that the program is compiled for. `fearless_simd::Level::new()`, with
-    /// that crate's feature `std`, finds the best that this one has.
+    /// [`Level::baseline`] is what every processor has that the program is compiled for. [`Renderer::detect`], with the feature `std`,
+    /// finds the best that this one has.
     #[must_use]
     pub fn new(level: Level) -> Self {
         Self::with_memory(level, Memory::new())
+    }
+
+    /// A renderer by the best instruction set that this processor has, with memory of its own.
+    #[cfg(feature = "std")]
+    #[must_use]
+    pub fn detect() -> Self {
+        Self::new(Level::new())
     }
 }
 

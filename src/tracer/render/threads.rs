@@ -7,27 +7,8 @@ pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 
 /// Threads that draw the bands of a frame, each in a [`Worker`] of its own.
 ///
-/// A worker is the simplest of them: the caller's thread alone. This one starts a thread for each of its workers, for every
-/// frame; a pool would start them once:
-///
-/// ```
-/// use eightfold_tracer::{Band, Job, Threads, Worker};
-/// use std::{sync::Mutex, thread};
-///
-/// struct Scoped(Vec<Worker>);
-///
-/// impl Threads for Scoped {
-///     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
-///         let bands = Mutex::new(bands.iter_mut());
-///         let next = || bands.lock().unwrap().next();
-///         thread::scope(|scope| {
-///             for worker in &mut self.0 {
-///                 scope.spawn(move || while let Some(band) = next() { job(worker, band) });
-///             }
-///         });
-///     }
-/// }
-/// ```
+/// A worker is the simplest of them: the caller's thread alone. [`ScopedThreads`](crate::ScopedThreads), with the feature `std`, starts one for each of its
+/// workers, for every frame; a pool would start them once.
 pub trait Threads {
     /// Applies the job to each band once, each with any of the workers, in any order and side by side, and returns when all are
     /// done. It is called once for a frame, then once if the quality is antialiased, and once if the scene has captions. Taken in the

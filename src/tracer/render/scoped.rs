@@ -1,0 +1,109 @@
+//! Threads of std's, which last for as long as bands are drawn.
+
+use super::threads::{Job, Threads};
+use crate::refine::{Band, Worker};
+use std::iter::from_fn;
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+use std::vec::Vec;
+
+/// Threads that are started for each frame, up to three times, by [`std::thread::scope`], each with a [`Worker`] that is kept: the
+/// caller's thread, and others beside it.
+///
+/// To start one takes some hundredths of a millisecond. A pool that keeps its threads needs unsafe code, which this crate does not
+/// have: [`Threads`] is the interface to one of your own.
+///
+/// ```
+/// use eightfold_tracer::scene::Scene;
+/// use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
+///
+/// let mut renderer = Renderer::detect();
+/// let mut threads = ScopedThreads::new();
+/// let mut pixels = vec![0; 320 * 180];
+/// let frame = Frame { width: 320, height: 180, pixels: &mut pixels };
+/// renderer.render(&Scene::default(), &Quality::DEFAULT, frame, &mut threads)?;
+/// # Ok::<(), eightfold_tracer::Error>(())
+/// ```
+pub struct ScopedThreads {
+    workers: Vec<Worker>,
+}
+
+impl ScopedThreads {
+    /// As many threads as the system has for this program.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::of(thread::available_parallelism().map_or(1, usize::from))
+    }
+
+    /// So many threads, the caller's included; 0 counts as 1.
+    #[must_use]
+    pub fn of(count: usize) -> Self {
+        let workers = from_fn(|| Some(Worker::new()));
+        Self {
+            workers: workers.take(count.max(1)).collect(),
+        }
+    }
+
+    /// How many threads draw, the caller's included.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.workers.len()
+    }
+}
+
+impl Default for ScopedThreads {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Threads for ScopedThreads {
+    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+        // None is started that would have nothing to do.
+        let count = self.workers.len().min(bands.len());
+        let bands = Mutex::new(bands.iter_mut());
+        let next = || bands.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let draw = |worker: &mut Worker| from_fn(next).for_each(|band| job(worker, band));
+        let Some((own, others)) = self.workers[..count].split_first_mut() else {
+            return;
+        };
+        thread::scope(|scope| {
+            for worker in others {
+                scope.spawn(|| draw(worker));
+            }
+            draw(own);
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+    use crate::{Frame, Quality, Renderer};
+    use std::vec;
+
+    #[test]
+    fn any_number_of_threads_draws_every_band() {
+        let mut renderer = Renderer::detect();
+        let mut scene = Scene {
+            background: glam::Vec3A::ONE,
+            ..Scene::default()
+        };
+        scene.captions.push(Default::default());
+        for (asked, had) in [(0, 1), (1, 1), (3, 3), (100, 100)] {
+            let mut threads = ScopedThreads::of(asked);
+            assert_eq!(threads.count(), had);
+            let mut pixels = vec![0; 200 * 100];
+            let frame = Frame {
+                width: 200,
+                height: 100,
+                pixels: &mut pixels,
+            };
+            renderer
+                .render(&scene, &Quality::DEFAULT, frame, &mut threads)
+                .expect("a frame");
+            assert!(pixels.iter().all(|&pixel| pixel == 0x00ff_ffff), "{asked}");
+        }
+    }
+}
