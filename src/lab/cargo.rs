@@ -3,7 +3,7 @@
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
 use std::env;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// A finished build of a package, as cargo reports it.
@@ -21,6 +21,20 @@ impl Build {
     /// The same with environment variables.
     pub fn release_with(package: &str, variables: &[(&str, &str)]) -> Result<Self> {
         Self::of(&["--package", package], variables)
+    }
+
+    /// Builds a package with the portable backend, in a folder of its own: so what is there else stays as it is.
+    pub fn portable(package: &str) -> Result<Self> {
+        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+        let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+        let folder = target
+            .unwrap_or_else(|| Path::new(root).join("target"))
+            .join("platforms/portable");
+        let folder = folder.to_str().context("a path that is not UTF-8")?;
+        Self::of(
+            &["--package", package, "--features", "eightfold/portable"],
+            &[("CARGO_TARGET_DIR", folder)],
+        )
     }
 
     /// Builds the examples of the library.

@@ -16,8 +16,7 @@
 //!
 //! - The small one has a window by Xlib, and the rest by libc: Linux on x86-64, where the intro has 64 kB.
 //! - The portable one has a window by `minifb`, and the rest by std: every other system and processor. On Linux on x86-64 it is
-//!   taken if `RUSTFLAGS` has `--cfg eightfold_portable`. (That is no feature of Cargo's, since a feature that anybody switches on is
-//!   on for everybody: what ships would depend on what else is built.)
+//!   taken by the feature `portable`.
 //!
 //! Files and terminals are those of Unix, or those of Windows, with either. Sound is by ALSA on Linux, and by `cpal` on Windows and
 //! macOS.
@@ -26,11 +25,11 @@
 
 pub mod arguments;
 #[cfg_attr(
-    all(target_os = "linux", target_arch = "x86_64", not(eightfold_portable)),
+    all(target_os = "linux", target_arch = "x86_64", not(feature = "portable")),
     path = "small/mod.rs"
 )]
 #[cfg_attr(
-    not(all(target_os = "linux", target_arch = "x86_64", not(eightfold_portable))),
+    not(all(target_os = "linux", target_arch = "x86_64", not(feature = "portable"))),
     path = "portable/mod.rs"
 )]
 mod backend;

@@ -10,7 +10,7 @@ use eightfold_tracer::Quality;
 use std::{
     env, fs,
     io::{BufRead, BufReader, Read},
-    path::{Path, PathBuf},
+    path::PathBuf,
     process::{Child, Command, Output, Stdio},
     sync::LazyLock,
     thread::sleep,
@@ -34,18 +34,9 @@ pub fn is_portable() -> bool {
     env::var_os("EIGHTFOLD_BACKEND").is_some()
 }
 
-/// Builds the intro with the portable backend, in a folder of its own, so that nothing else has to be compiled again.
+/// Builds the intro with the portable backend.
 fn portable_intro() -> PathBuf {
-    let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    let folder = target
-        .unwrap_or_else(|| Path::new(root).join("target"))
-        .join("platforms/portable");
-    let variables = [
-        ("RUSTFLAGS", "--cfg eightfold_portable"),
-        ("CARGO_TARGET_DIR", folder.to_str().expect("UTF-8")),
-    ];
-    let built = cargo::Build::release_with("eightfold", &variables).expect("it can be built");
+    let built = cargo::Build::portable("eightfold").expect("it can be built");
     built.program("eightfold").expect("it has the program")
 }
 

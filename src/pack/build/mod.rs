@@ -49,7 +49,7 @@ pub fn main(program: &str) {
     println!("cargo::rerun-if-changed={SOURCE}");
     println!("cargo::rerun-if-env-changed={UNPACKED}");
     // Unoptimised, nobody minds the size; nor where the window is by minifb, which alone is larger.
-    let is_portable = env::var_os("CARGO_CFG_EIGHTFOLD_PORTABLE").is_some()
+    let is_portable = env::var_os("CARGO_FEATURE_PORTABLE").is_some()
         || ["TARGET_OS", "TARGET_ARCH"].map(|part| env::var(format!("CARGO_CFG_{part}")).ok())
             != ["linux", "x86_64"].map(|name| Some(name.to_owned()));
     if is_portable || env::var("PROFILE").is_ok_and(|profile| profile != "release") {

@@ -60,15 +60,7 @@ fn lab() -> &'static Path {
         if !is_portable() {
             return env!("CARGO_BIN_EXE_lab").into();
         }
-        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-        let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-        let target = target.unwrap_or_else(|| Path::new(root).join("target"));
-        let folder = target.join("platforms/portable");
-        let variables = [
-            ("RUSTFLAGS", "--cfg eightfold_portable"),
-            ("CARGO_TARGET_DIR", folder.to_str().expect("UTF-8")),
-        ];
-        let built = Build::release_with("eightfold-lab", &variables).expect("it can be built");
+        let built = Build::portable("eightfold-lab").expect("it can be built");
         built.program("lab").expect("it has the program")
     });
     &LAB
