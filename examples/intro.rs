@@ -67,11 +67,7 @@ fn main() -> Result<(), Error> {
     loop {
         let time = player.time() as f32 / SECOND as f32;
         let (width, height) = window.size();
-        let frame = Frame {
-            width,
-            height,
-            pixels: window.canvas(width, height),
-        };
+        let frame = Frame::new(width, height, window.canvas(width, height));
         renderer.render(&scene(time), &Quality::DEFAULT, frame, &mut threads)?;
         if window.show() != Next::GoOn || time >= LENGTH {
             return Ok(());

@@ -39,11 +39,7 @@ fn outline(pixels: &mut [u32], [x, y, w, h]: Square) {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut pixels = vec![0; WIDTH * HEIGHT];
-    let frame = Frame {
-        width: WIDTH,
-        height: HEIGHT,
-        pixels: &mut pixels,
-    };
+    let frame = Frame::new(WIDTH, HEIGHT, &mut pixels);
     let squares = Mutex::default();
     let mut renderer = Renderer::detect();
     let (scene, quality) = (show::scene(2.0), Quality::DEFAULT);

@@ -59,11 +59,7 @@ fn scene() -> Scene {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut pixels = vec![0; WIDTH * HEIGHT];
-    let frame = Frame {
-        width: WIDTH,
-        height: HEIGHT,
-        pixels: &mut pixels,
-    };
+    let frame = Frame::new(WIDTH, HEIGHT, &mut pixels);
     let mut threads = ScopedThreads::new();
     let counts = Renderer::detect().render(&scene(), &Quality::DEFAULT, frame, &mut threads)?;
     println!("{} pixels by {} points", WIDTH * HEIGHT, counts.points);

@@ -44,11 +44,7 @@ fn film(quality: &Quality, frames: &mut [u32]) -> Result<f64, Error> {
     let mut worker = Worker::new();
     let start = Instant::now();
     for (i, pixels) in frames.chunks_mut(WIDTH * HEIGHT).enumerate() {
-        let frame = Frame {
-            width: WIDTH,
-            height: HEIGHT,
-            pixels,
-        };
+        let frame = Frame::new(WIDTH, HEIGHT, pixels);
         renderer.render(&scene(0.2 * i as f32), quality, frame, &mut worker)?;
     }
     Ok(FRAMES as f64 / start.elapsed().as_secs_f64())

@@ -73,11 +73,7 @@ fn nothing_is_allocated_while_frames_are_drawn_and_shown() {
             for frame in range {
                 let (width, height) = window.size();
                 let scene = show::scene(frame as f32 / 60.0);
-                let frame = Frame {
-                    width,
-                    height,
-                    pixels: window.canvas(width, height),
-                };
+                let frame = Frame::new(width, height, window.canvas(width, height));
                 renderer
                     .render(&scene, &Quality::THESIS, frame, &mut threads)
                     .expect("all is valid");

@@ -49,7 +49,7 @@ use eightfold_tracer::{Error, Frame, Level, Quality, Renderer, Worker, scene::Sc
 
 fn main() -> Result<(), Error> {
     let mut pixels = [0; 64 * 48];
-    let frame = Frame { width: 64, height: 48, pixels: &mut pixels };
+    let frame = Frame::new(64, 48, &mut pixels);
     let mut renderer = Renderer::new(Level::baseline());
     renderer.render(&Scene::default(), &Quality::DEFAULT, frame, &mut Worker::new())?;
     Ok(())

@@ -26,11 +26,7 @@ fn memory_is_made_on_two_megabytes_of_stack() {
 fn a_frame_is_drawn_on_two_megabytes_of_stack() {
     let pixels = on_small_stack(|| {
         let mut pixels = vec![0; 64 * 48];
-        let frame = Frame {
-            width: 64,
-            height: 48,
-            pixels: &mut pixels,
-        };
+        let frame = Frame::new(64, 48, &mut pixels);
         Renderer::new(Level::baseline())
             .render(
                 &show::scene(2.0),

@@ -114,11 +114,7 @@ impl Playing<'_> {
             });
             let size = fit(screen.size());
             let (width, height) = size;
-            let mut frame = Frame {
-                width,
-                height,
-                pixels: screen.canvas(width, height),
-            };
+            let mut frame = Frame::new(width, height, screen.canvas(width, height));
             let counts =
                 self.renderer
                     .draw(heard, self.tally.frames(), &NAMED[quality].1, &mut frame);

@@ -73,10 +73,7 @@ impl ShowRenderer {
         let seconds = ((time % SHOW_NANOSECONDS) as f64 / SECOND as f64) as f32;
         show::at(seconds, self.scene);
         self.renderer.set_probes(Renderer::PROBES, number as u32);
-        let frame = Frame {
-            pixels: &mut *frame.pixels,
-            ..*frame
-        };
+        let frame = Frame::new(frame.width, frame.height, &mut *frame.pixels);
         self.renderer
             .render_valid(self.scene, quality, frame, &mut self.threads)
     }

@@ -28,11 +28,7 @@ pub fn write(time: u64, options: &Options) -> i32 {
     let (width, height) = options.size;
     let mut screen = Headless::new(width, height);
     let pixels = screen.canvas(width, height);
-    let mut frame = Frame {
-        width,
-        height,
-        pixels: &mut *pixels,
-    };
+    let mut frame = Frame::new(width, height, &mut *pixels);
     ShowRenderer::new(options).draw(time, 0, quality, &mut frame);
     exit_code(write_ppm(width, height, pixels))
 }

@@ -88,9 +88,5 @@ impl ThreadedRenderer {
 /// A frame `width` pixels wide that fills `pixels`.
 pub fn whole(width: usize, pixels: &mut [u32]) -> Frame<'_> {
     assert_eq!(pixels.len() % width, 0, "the last row is not whole");
-    Frame {
-        width,
-        height: pixels.len() / width,
-        pixels,
-    }
+    Frame::new(width, pixels.len() / width, pixels)
 }

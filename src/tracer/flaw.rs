@@ -7,6 +7,7 @@ use glam::{Vec3, Vec3A};
 ///
 /// It is displayed by the name that the number has in a program: `spheres[3].material.kd is 1.5, and takes 0 to 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Flaw {
     /// The field of the scene that has it, such as "spheres", or "quality".
     pub object: &'static str,
@@ -22,6 +23,7 @@ pub struct Flaw {
 
 /// A value that is out of its range.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Found {
     /// A number.
     Number(f32),

@@ -34,6 +34,18 @@ const COMPARED: u64 = 8;
 /// a second, or within two frames if these are longer.
 ///
 /// All times are in nanoseconds.
+///
+/// ```
+/// use eightfold_tracer::{Governor, Quality};
+///
+/// let mut governor = Governor::new(60);
+/// assert_eq!(governor.quality(), &Quality::LADDER[0]);
+/// // Frames take a thirtieth of a second.
+/// for _ in 0..10 {
+///     governor.frame(33_333_333);
+/// }
+/// assert_ne!(governor.quality(), &Quality::LADDER[0]);
+/// ```
 pub struct Governor {
     /// The time that a frame may take.
     budget: u64,
@@ -69,7 +81,13 @@ impl Governor {
         }
     }
 
-    /// The rung for the next frame, as an index in [`Quality::LADDER`].
+    /// The quality for the next frame.
+    #[must_use]
+    pub fn quality(&self) -> &'static Quality {
+        &Quality::LADDER[self.rung]
+    }
+
+    /// Its rung, as an index in [`Quality::LADDER`].
     #[must_use]
     pub fn rung(&self) -> usize {
         self.rung
@@ -160,7 +178,13 @@ impl AccuracyGovernor {
         }
     }
 
-    /// The rung for the next frame, as an index in [`Quality::LADDER`].
+    /// The quality for the next frame.
+    #[must_use]
+    pub fn quality(&self) -> &'static Quality {
+        &Quality::LADDER[self.rung]
+    }
+
+    /// Its rung, as an index in [`Quality::LADDER`].
     #[must_use]
     pub fn rung(&self) -> usize {
         self.rung

@@ -31,7 +31,7 @@
 //!
 //! let (width, height) = (320, 240);
 //! let mut pixels = vec![0; width * height];
-//! let frame = Frame { width, height, pixels: &mut pixels };
+//! let frame = Frame::new(width, height, &mut pixels);
 //! let mut renderer = Renderer::detect();
 //! let mut threads = ScopedThreads::new();
 //! let counts = renderer.render(&scene, &Quality::DEFAULT, frame, &mut threads)?;
@@ -104,6 +104,15 @@
 //!
 //! Scene, size, quality, the samples' offset and the instruction set, and nothing else: the same bits by any number of threads,
 //! whatever was rendered before. Instruction sets differ by 1 of 255 at most, but for silhouettes.
+//!
+//! # What later versions change
+//!
+//! A [`Scene`](scene::Scene) and all in it, and a [`Quality`], get more fields in minor versions, whose defaults leave pictures as they
+//! are. So a program writes `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT` behind those that it means, and compiles
+//! with any of them. [`Counts`], [`Error`] and [`Frame`] may grow as well, which the compiler holds programs to.
+//!
+//! The bits of a picture are no promise between versions, nor are the numbers of [`Quality::LADDER`]; the figures of [`limits`] are.
+//! [`glam`] and [`Level`] are those of `glam` and `fearless_simd`: where these break, so does this crate, by a new major version.
 //!
 //! # When something is wrong
 //!

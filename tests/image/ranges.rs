@@ -17,11 +17,7 @@ fn refusal(
     count: usize,
 ) -> Option<Error> {
     let mut pixels = vec![1; count];
-    let frame = Frame {
-        width,
-        height,
-        pixels: &mut pixels,
-    };
+    let frame = Frame::new(width, height, &mut pixels);
     let mut renderer = Renderer::with_memory(cpu::best().level, Box::new(Memory::new()));
     let result = renderer.render(scene, quality, frame, &mut Worker::new());
     if result.is_err() {
@@ -34,11 +30,7 @@ fn refusal(
 fn panics(quality: Quality, (width, height): (usize, usize), count: usize) -> bool {
     let panic = catch_unwind(|| {
         let mut pixels = vec![0; count];
-        let frame = Frame {
-            width,
-            height,
-            pixels: &mut pixels,
-        };
+        let frame = Frame::new(width, height, &mut pixels);
         let mut renderer = Renderer::with_memory(cpu::best().level, Box::new(Memory::new()));
         renderer.render_valid(&show::scene(0.0), &quality, frame, &mut Worker::new());
     });
@@ -73,11 +65,7 @@ fn too_few_pixels_are_refused_and_more_than_enough_stay() {
     assert!(panics(Quality::THESIS, (10, 2), 19));
 
     let mut pixels = [1; 25];
-    let frame = Frame {
-        width: 10,
-        height: 2,
-        pixels: &mut pixels,
-    };
+    let frame = Frame::new(10, 2, &mut pixels);
     let mut renderer = Renderer::with_memory(cpu::best().level, Box::new(Memory::new()));
     let result = renderer.render(&scene, &Quality::THESIS, frame, &mut Worker::new());
     assert!(result.is_ok());

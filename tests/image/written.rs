@@ -14,11 +14,7 @@ fn written(letters: &[u8], numbers: [usize; 3]) -> Vec<u32> {
         brightness: 1.0,
     };
     let mut pixels = vec![0; SIZE.0 * SIZE.1];
-    let mut frame = Frame {
-        width: SIZE.0,
-        height: SIZE.1,
-        pixels: &mut pixels,
-    };
+    let mut frame = Frame::new(SIZE.0, SIZE.1, &mut pixels);
     frame.write(&[caption], numbers);
     pixels
 }

@@ -12,11 +12,7 @@ const HEIGHT: usize = 360;
 #[unsafe(no_mangle)]
 pub extern "C" fn model_scene() -> *const u32 {
     let mut pixels = vec![0; WIDTH * HEIGHT];
-    let frame = Frame {
-        width: WIDTH,
-        height: HEIGHT,
-        pixels: &mut pixels,
-    };
+    let frame = Frame::new(WIDTH, HEIGHT, &mut pixels);
     let scene = show::scene(2.0);
     Renderer::new(Level::baseline())
         .render(&scene, &Quality::EXHAUSTIVE, frame, &mut Worker::new())

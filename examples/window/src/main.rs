@@ -52,11 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let time = start.elapsed().as_secs_f32();
         let (width, height) = window.get_size();
         pixels.resize(width * height, 0);
-        let frame = Frame {
-            width,
-            height,
-            pixels: &mut pixels,
-        };
+        let frame = Frame::new(width, height, &mut pixels);
         renderer.render(&scene(time), &Quality::DEFAULT, frame, &mut threads)?;
         window.update_with_buffer(&pixels, width, height)?;
     }

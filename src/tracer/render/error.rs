@@ -6,6 +6,7 @@ use core::fmt;
 
 /// Why a frame can't be rendered. It is displayed as a sentence that says what to mend.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Error {
     /// A side of the frame is 0, or beyond [`MAX_WIDTH`] or [`MAX_HEIGHT`].
     Size {

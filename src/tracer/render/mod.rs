@@ -25,6 +25,7 @@ use core::borrow::BorrowMut;
 use fearless_simd::Level;
 
 /// Where a picture goes, and its size.
+#[non_exhaustive]
 pub struct Frame<'a> {
     /// Pixels in a row, 1 to [`MAX_WIDTH`].
     pub width: usize,
@@ -34,7 +35,17 @@ pub struct Frame<'a> {
     pub pixels: &'a mut [u32],
 }
 
-impl Frame<'_> {
+impl<'a> Frame<'a> {
+    /// A frame of so many pixels in a row, and so many rows, in these pixels. [`Renderer::render`] says whether they fit.
+    #[must_use]
+    pub const fn new(width: usize, height: usize, pixels: &'a mut [u32]) -> Self {
+        Self {
+            width,
+            height,
+            pixels,
+        }
+    }
+
     /// Draws captions over a picture that is done, each from the left side of the picture on. In their letters a `#` stands for a
     /// digit of the first of the numbers, a `$` for one of the second, a `%` for one of the third: the last such sign for
     /// the last digit, and a space where a number has no more digits.
@@ -84,7 +95,7 @@ impl Frame<'_> {
 /// use eightfold_tracer::{Frame, Level, Quality, Renderer, Worker};
 ///
 /// let mut pixels = [0; 64 * 48];
-/// let frame = Frame { width: 64, height: 48, pixels: &mut pixels };
+/// let frame = Frame::new(64, 48, &mut pixels);
 /// let mut renderer = Renderer::new(Level::baseline());
 /// let counts = renderer.render(&Scene::default(), &Quality::DEFAULT, frame, &mut Worker::new())?;
 /// assert!(counts.points < 64 * 48, "most pixels need no ray");
@@ -114,7 +125,7 @@ impl Frame<'_> {
 /// let mut probes = Probes::NONE;
 /// for number in 0..30 {
 ///     scene.camera.eye.x = number as f32 / 60.0;
-///     let frame = Frame { width: 160, height: 120, pixels: &mut pixels };
+///     let frame = Frame::new(160, 120, &mut pixels);
 ///     renderer.set_probes(Renderer::PROBES, number);
 ///     probes += renderer.render(&scene, &Quality::DEFAULT, frame, &mut Worker::new())?.probes;
 /// }

@@ -20,7 +20,7 @@ use std::vec::Vec;
 /// let mut renderer = Renderer::detect();
 /// let mut threads = ScopedThreads::new();
 /// let mut pixels = vec![0; 320 * 180];
-/// let frame = Frame { width: 320, height: 180, pixels: &mut pixels };
+/// let frame = Frame::new(320, 180, &mut pixels);
 /// renderer.render(&Scene::default(), &Quality::DEFAULT, frame, &mut threads)?;
 /// # Ok::<(), eightfold_tracer::Error>(())
 /// ```
@@ -95,11 +95,7 @@ mod tests {
             let mut threads = ScopedThreads::of(asked);
             assert_eq!(threads.count(), had);
             let mut pixels = vec![0; 200 * 100];
-            let frame = Frame {
-                width: 200,
-                height: 100,
-                pixels: &mut pixels,
-            };
+            let frame = Frame::new(200, 100, &mut pixels);
             renderer
                 .render(&scene, &Quality::DEFAULT, frame, &mut threads)
                 .expect("a frame");

@@ -61,11 +61,7 @@ mod tests {
                 ..Quality::DEFAULT
             };
             let pixels = &mut [0; 8 * 6];
-            let frame = Frame {
-                width: 8,
-                height: 6,
-                pixels,
-            };
+            let frame = Frame::new(8, 6, pixels);
             threads.1 = 0;
             renderer
                 .render(&scene, &quality, frame, &mut threads)

@@ -21,7 +21,7 @@ pub use camera::Camera;
 pub use caption::Caption;
 pub use fields::{Field, Fields, Items, Range, Value, numbers};
 pub use film::Film;
-pub use list::List;
+pub use list::{List, TooMany};
 pub use method::Method;
 pub use pattern::Pattern;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};

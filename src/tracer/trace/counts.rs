@@ -5,6 +5,7 @@ use core::f32::consts::{LOG10_2, LOG10_E};
 
 /// How much work was done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Counts {
     /// Points traced.
     pub points: u64,
