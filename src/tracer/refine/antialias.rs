@@ -23,8 +23,8 @@
 //! What is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
 //! more closely only where something can be seen.
 
-use super::band::{BLOCK, Rough, RoughRow};
 use super::middles::STRETCH;
+use super::rough::{BLOCK, EDGE, Rough, RoughRow};
 use super::{Band, MAX_BANDS, TILE_HEIGHT, TILE_WIDTH, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
@@ -34,9 +34,6 @@ use crate::quality::Quality;
 use crate::trace::{BATCH, STEP, Sample, trace};
 use core::ops::Range;
 use fearless_simd::{Level, u8x32, u32x8};
-
-/// The least difference of neighbours, in a channel and 255ths, that is an edge.
-pub(super) const EDGE: u8 = 20;
 
 /// Positions are counted in halves of a pixel.
 pub(super) const PARTS: usize = 2;

@@ -2,14 +2,15 @@
 
 use super::area::Area;
 use super::fill::Canvas;
+use super::rough::RoughRow;
 use super::tile::Tile;
 use super::worker::Worker;
 use super::{TILE_HEIGHT, TILE_WIDTH};
+use crate::MAX_HEIGHT;
 use crate::observe::{Observer, Stage};
 use crate::prepare::{Prepared, rectangle};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Counts};
-use crate::{MAX_HEIGHT, MAX_WIDTH};
 use fearless_simd::Level;
 
 /// Bands of the tallest picture.
@@ -29,19 +30,6 @@ pub struct Band<'a> {
     /// Which of its blocks are rough, row after row.
     pub(crate) rough: &'a mut [RoughRow],
 }
-
-/// A bit for each block of 8x8 pixels in a row of blocks, a word for each tile: whether it is rough, so that neighbouring pixels in
-/// it may differ by an edge. In the others no two neighbours do, nor across the border of two that are not rough.
-pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
-
-/// The rows of blocks of a band.
-pub(crate) type Rough = [RoughRow; BLOCK_ROWS];
-
-/// How many rows of blocks a band has at most.
-pub(crate) const BLOCK_ROWS: usize = TILE_HEIGHT / BLOCK;
-
-/// The side of a block in pixels.
-pub(crate) const BLOCK: usize = TILE_WIDTH / u64::BITS as usize;
 
 impl Band<'_> {
     /// How many rows it has.

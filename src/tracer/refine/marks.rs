@@ -1,9 +1,9 @@
 //! Bits for the squares and points of a tile.
 
 use super::TILE_HEIGHT;
-use super::band::BLOCK_ROWS;
 use super::bits::Bits;
 use super::pyramid::LEVELS;
+use super::rough::BLOCK_ROWS;
 
 /// Points are traced cluster by cluster: rays of neighbours meet the same objects. A cluster is as many points wide.
 pub(super) const CLUSTER_WIDTH: usize = 4;

@@ -133,6 +133,7 @@ mod patterned;
 mod points;
 pub(crate) mod probe;
 mod pyramid;
+mod rough;
 mod tile;
 mod verdict;
 mod worker;
@@ -141,7 +142,8 @@ mod worker;
 mod tests;
 
 pub use band::Band;
-pub(crate) use band::{MAX_BANDS, Rough, render};
+pub(crate) use band::{MAX_BANDS, render};
+pub(crate) use rough::Rough;
 pub use worker::Worker;
 
 /// The largest width of a tile in pixels; it has as many whole squares as fit. A row of a level's bits is then eight words, and the

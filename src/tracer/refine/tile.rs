@@ -1,11 +1,10 @@
 //! Drawing a tile: level by level its points are traced, and its squares judged, then filled or split.
 
-use super::antialias::EDGE;
 use super::area::Area;
-use super::band::{BLOCK, BLOCK_ROWS};
 use super::bits::Bits;
 use super::fill::{Canvas, Run};
 use super::marks::Marks;
+use super::rough::{BLOCK, BLOCK_ROWS, EDGE};
 use super::verdict::{Rules, Verdict, growth, judge};
 use super::worker::Worker;
 use crate::observe::{Fill, Observer, Stage};
