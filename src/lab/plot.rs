@@ -1,7 +1,7 @@
-//! Draws charts as SVG and PNG. The font comes with the program, so that the system needs none.
+//! Draws charts as SVG. The font comes with the program, so that the system needs none.
 
-use crate::{output, picture};
-use anyhow::{Result, anyhow};
+use crate::output;
+use anyhow::Result;
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use plotters::coord::types::RangedCoordf64;
@@ -13,10 +13,6 @@ use std::sync::Once;
 
 /// The width and height of a chart, in units of the SVG.
 const SIZE: (u32, u32) = (960, 600);
-/// Pixels of the PNG per unit, for high-resolution screens.
-const PIXELS: u32 = 2;
-/// Samples per pixel along each axis: the bitmap backend does not antialias.
-const SAMPLES: u32 = 2;
 /// The width of the legend beside a chart, in units.
 const LEGEND: u32 = 130;
 /// The width of a legend with a list under it.
@@ -166,79 +162,56 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 impl Chart {
-    /// Writes `name.svg` and `name.png` into a folder.
+    /// Writes `name.svg` into a folder.
     pub fn write(&self, folder: &Path, name: &str) -> Result<()> {
         register_fonts();
         let mut svg = String::new();
         let area = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-        self.draw(&area, 1).map_err(|error| anyhow!("{error}"))?;
+        self.draw(&area)?;
         drop(area);
-        output::write(&folder.join(format!("{name}.svg")), svg.as_bytes())?;
-
-        let scale = PIXELS * SAMPLES;
-        let (width, height) = (SIZE.0 * scale, SIZE.1 * scale);
-        let mut rgb = vec![0; (3 * width * height) as usize];
-        let area = BitMapBackend::with_buffer(&mut rgb, (width, height)).into_drawing_area();
-        self.draw(&area, scale)
-            .map_err(|error| anyhow!("{error}"))?;
-        drop(area);
-        let pixels = smoothed(&rgb, width as usize, SAMPLES as usize);
-        let png = picture::png((SIZE.0 * PIXELS) as usize, &pixels)?;
-        output::write(&folder.join(format!("{name}.png")), &png)
+        output::write(&folder.join(format!("{name}.svg")), svg.as_bytes())
     }
 
-    fn draw<DB: DrawingBackend>(
-        &self,
-        area: &DrawingArea<DB, Shift>,
-        scale: u32,
-    ) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
+    fn draw(&self, area: &Area<'_>) -> Result<()> {
         area.fill(&WHITE)?;
-        let area = area.margin(14 * scale, 10 * scale, 14 * scale, 20 * scale);
-        area.draw_text(&self.title, &text(20, scale, FontStyle::Bold), (0, 0))?;
-        area.draw_text(
-            &self.note,
-            &text(13, scale, FontStyle::Normal),
-            at(0, 28, scale),
-        )?;
-        let (_, rest) = area.split_vertically(50 * scale);
+        let area = area.margin(14, 10, 14, 20);
+        area.draw_text(&self.title, &text(20, 1, FontStyle::Bold), (0, 0))?;
+        area.draw_text(&self.note, &normal(13), (0, 28))?;
+        let (_, rest) = area.split_vertically(50);
         let room = if self.list.is_empty() { LEGEND } else { LIST };
-        let (chart, beside) = rest.split_horizontally(rest.dim_in_pixel().0 - room * scale);
-        self.draw_chart(&chart, scale)?;
-        self.draw_legend(&beside, scale)?;
-        area.present()
+        let (chart, beside) = rest.split_horizontally(rest.dim_in_pixel().0 - room);
+        self.draw_chart(&chart)?;
+        self.draw_legend(&beside)?;
+        Ok(area.present()?)
     }
 
-    fn draw_chart<DB: DrawingBackend>(
-        &self,
-        area: &DrawingArea<DB, Shift>,
-        scale: u32,
-    ) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
+    fn draw_chart(&self, area: &Area<'_>) -> Result<()> {
         let mut chart = ChartBuilder::on(area)
-            .x_label_area_size(46 * scale)
-            .y_label_area_size(60 * scale)
+            .x_label_area_size(46)
+            .y_label_area_size(60)
             .build_cartesian_2d(self.x.scale(), self.y.scale())?;
         chart
             .configure_mesh()
-            .disable_mesh()
-            .axis_style(INK.stroke_width(scale))
-            .set_all_tick_mark_size(5 * scale)
-            .label_style(text(14, scale, FontStyle::Normal))
-            .axis_desc_style(text(15, scale, FontStyle::Normal))
+            .bold_line_style(PALE)
+            .light_line_style(TRANSPARENT)
+            .axis_style(INK)
+            .set_all_tick_mark_size(5)
+            .label_style(normal(14))
+            .axis_desc_style(normal(15))
             .x_desc(self.x.label.as_str())
             .y_desc(self.y.label.as_str())
             .x_label_formatter(&|&x| self.x.text(x))
             .y_label_formatter(&|&y| self.y.text(y))
             .draw()?;
-        self.draw_grid(&mut chart, scale)?;
         for series in &self.series {
             let points = series.points.iter();
             let points: Vec<(f64, f64)> = points
                 .filter(|(x, y)| x.is_finite() && y.is_finite())
                 .map(|&(x, y)| (self.x.coordinate(x), self.y.coordinate(y)))
                 .collect();
-            let (colour, mark) = (series.colour, series.mark * scale);
+            let (colour, mark) = (series.colour, series.mark);
             if series.has_line {
-                let style = colour.stroke_width(2 * scale);
+                let style = colour.stroke_width(2);
                 chart.draw_series(LineSeries::new(points.iter().copied(), style))?;
             }
             let marks = points.into_iter();
@@ -246,11 +219,11 @@ impl Chart {
         }
         for label in &self.labels {
             let (horizontal, vertical, offset) = if label.is_below {
-                (HPos::Right, VPos::Top, at(-5, 3, scale))
+                (HPos::Right, VPos::Top, (-5, 3))
             } else {
-                (HPos::Left, VPos::Bottom, at(5, -3, scale))
+                (HPos::Left, VPos::Bottom, (5, -3))
             };
-            let style = text(12, scale, FontStyle::Normal).pos(Pos::new(horizontal, vertical));
+            let style = normal(12).pos(Pos::new(horizontal, vertical));
             let point = (self.x.coordinate(label.x), self.y.coordinate(label.y));
             let text = Text::new(label.text.clone(), offset, style);
             chart.draw_series([EmptyElement::at(point) + text])?;
@@ -259,50 +232,22 @@ impl Chart {
     }
 
     /// Draws the legend, and the list under it.
-    fn draw_legend<DB: DrawingBackend>(
-        &self,
-        area: &DrawingArea<DB, Shift>,
-        scale: u32,
-    ) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
+    fn draw_legend(&self, area: &Area<'_>) -> Result<()> {
         let mut y = 4;
         for series in &self.series {
-            let corners = [at(20, y, scale), at(32, y + 12, scale)];
+            let corners = [(20, y), (32, y + 12)];
             area.draw(&Rectangle::new(corners, series.colour.filled()))?;
-            let style = text(13, scale, FontStyle::Normal);
-            area.draw_text(&series.name, &style, at(38, y + 1, scale))?;
+            area.draw_text(&series.name, &normal(13), (38, y + 1))?;
             y += 20;
         }
         y += 6;
         for line in &self.list {
-            area.draw_text(line, &text(12, scale, FontStyle::Normal), at(20, y, scale))?;
+            area.draw_text(line, &normal(12), (20, y))?;
             y += 15;
         }
         Ok(())
     }
-
-    /// Draws a pale line at each tick.
-    fn draw_grid<DB: DrawingBackend>(
-        &self,
-        chart: &mut Cartesian<'_, DB>,
-        scale: u32,
-    ) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
-        let style = PALE.stroke_width(scale);
-        let (x, y) = (&self.x, &self.y);
-        let inside = |axis: &Axis, tick: f64| axis.from < tick && tick <= axis.to;
-        let columns = x.ticks.iter().map(|&tick| x.coordinate(tick));
-        let rows = y.ticks.iter().map(|&tick| y.coordinate(tick));
-        let columns = columns
-            .filter(|&tick| inside(x, tick))
-            .map(|tick| PathElement::new([(tick, y.from), (tick, y.to)], style));
-        let rows = rows
-            .filter(|&tick| inside(y, tick))
-            .map(|tick| PathElement::new([(x.from, tick), (x.to, tick)], style));
-        chart.draw_series(columns.chain(rows))?;
-        Ok(())
-    }
 }
-
-type Cartesian<'a, DB> = ChartContext<'a, DB, Cartesian2d<Scale, Scale>>;
 
 /// An axis for the chart library, with explicit ticks.
 struct Scale {
@@ -327,14 +272,16 @@ impl Ranged for Scale {
     }
 }
 
-/// A text style of a size in units.
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+fn normal(size: u32) -> TextStyle<'static> {
+    text(size, 1, FontStyle::Normal)
+}
+
+/// A text style of a size in units, each of which is `scale` pixels.
 pub fn text(size: u32, scale: u32, style: FontStyle) -> TextStyle<'static> {
     let size = f64::from(size * scale);
     FontDesc::new(FontFamily::SansSerif, size, style).color(&INK)
-}
-
-fn at(x: i32, y: i32, scale: u32) -> (i32, i32) {
-    (x * scale as i32, y * scale as i32)
 }
 
 /// Registers the font. This has to be called before any text is drawn.

@@ -1,6 +1,5 @@
 //! `lab trade`: measures what speed costs in accuracy, dial by dial.
 
-mod csv;
 mod curves;
 mod measure;
 mod outcome;
@@ -30,10 +29,10 @@ use tally::Tally;
 
 /// Turns every dial of the quality, and measures what that gains in speed and costs in accuracy
 ///
-/// Writes trade.csv, trade.json and plots, each as SVG and PNG, into a folder, and prints a Markdown table of the Pareto front: the
-/// settings than which none is faster, nearer by FLIP and with fewer pops at once, of those that compare colours, objects and
-/// lights and miss nothing. Speed is a ratio to exhaustive frames, every pixel traced, that are drawn in between, all on one
-/// thread, by its time on a processor; errors are against the same frames. Ctrl-C writes what has been measured so far.
+/// Writes trade.json and plots as SVG into a folder, and prints a Markdown table of the Pareto front: the settings than which none
+/// is faster, nearer by FLIP and with fewer pops at once, of those that compare colours, objects and lights and miss nothing.
+/// Speed is a ratio to exhaustive frames, every pixel traced, that are drawn in between, all on one thread, by its time on a
+/// processor; errors are against the same frames. Ctrl-C writes what has been measured so far.
 ///
 /// Dials in names: s side of the squares in pixels, k depth of the objects / of the lights' states compared, and m the least
 /// weight of the objects (2/0 and 0.3 if not told), c tolerance within which colours fill a square, in 255ths, where these agree / where they differ (0 if not told), e tolerance
@@ -106,7 +105,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let folder = &arguments.out;
     if !arguments.ladder {
         fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
-        output::check(&folder.join("trade.csv"))?;
+        output::check(&folder.join("trade.json"))?;
     }
     let mut points = if arguments.ladder {
         sweep::named()
@@ -243,10 +242,6 @@ fn over_time(plan: &Plan, tallies: &[Tally]) -> Vec<Curve> {
 }
 
 fn write(folder: &Path, trade: &Trade) -> Result<()> {
-    output::write(
-        &folder.join("trade.csv"),
-        csv::csv(&trade.points).as_bytes(),
-    )?;
     let mut json = serde_json::to_vec_pretty(trade)?;
     json.push(b'\n');
     output::write(&folder.join("trade.json"), &json)?;

@@ -8,8 +8,7 @@ use serde::Serialize;
 /// The results for one quality.
 ///
 /// Counts are means per frame, fractions are from 0 to 1, errors are against the exhaustive frames. In JSON `null` stands for an
-/// infinite dial, for the PSNR of equal frames, and for what was not measured before Ctrl-C. In CSV an infinite dial is `inf`,
-/// and the others are empty.
+/// infinite dial, for the PSNR of equal frames, and for what was not measured before Ctrl-C.
 #[derive(Clone, Serialize)]
 pub struct Outcome {
     pub name: String,

@@ -1,7 +1,6 @@
 //! `lab trade` writes all its files, and its figures are consistent. No test depends on measured times.
 
 use super::{assert_one_line, lab};
-use eightfold_stage::reader::read_png;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -40,7 +39,7 @@ fn json(folder: &Path) -> Value {
 /// Asserts that the folder has all files of a trade, complete, with the given plots and nothing else.
 #[track_caller]
 fn assert_whole(folder: &Path, plots: &[&str]) {
-    let mut expected = BTreeSet::from(["trade.csv".to_owned(), "trade.json".to_owned()]);
+    let mut expected = BTreeSet::from(["trade.json".to_owned()]);
     for plot in plots {
         let svg = fs::read_to_string(folder.join(format!("{plot}.svg"))).unwrap();
         assert!(
@@ -48,11 +47,7 @@ fn assert_whole(folder: &Path, plots: &[&str]) {
             "{plot}"
         );
         assert!(svg.contains("<text"), "{plot} says nothing");
-        let (width, pixels) = read_png(&fs::read(folder.join(format!("{plot}.png"))).unwrap());
-        assert_eq!((width, pixels.len()), (1920, 1920 * 1200), "{plot}");
-        let dark = pixels.iter().filter(|&&pixel| pixel & 0xff < 0x60).count();
-        assert!(dark > 1000, "{plot} has no ink: {dark} pixels");
-        expected.extend([format!("{plot}.svg"), format!("{plot}.png")]);
+        expected.insert(format!("{plot}.svg"));
     }
     let files = fs::read_dir(folder).unwrap();
     let files = files.map(|file| {
@@ -62,38 +57,6 @@ fn assert_whole(folder: &Path, plots: &[&str]) {
             .expect("a plain name")
     });
     assert_eq!(files.collect::<BTreeSet<_>>(), expected);
-
-    let csv = fs::read_to_string(folder.join("trade.csv")).unwrap();
-    let mut lines = csv.lines().map(cells);
-    let titles = lines.next().expect("titles");
-    let json = json(folder);
-    let rows = json["points"].as_array().expect("rows");
-    let keys = rows[0].as_object().expect("an object").keys();
-    let keys: BTreeSet<&str> = keys.map(String::as_str).collect();
-    assert_eq!(
-        titles.iter().map(String::as_str).collect::<BTreeSet<_>>(),
-        keys
-    );
-    let lines: Vec<Vec<String>> = lines.collect();
-    assert_eq!(lines.len(), rows.len());
-    for (line, row) in lines.iter().zip(rows) {
-        assert_eq!(line.len(), titles.len());
-        assert_eq!(line[0], row["name"]);
-    }
-}
-
-/// The cells of a line of CSV. Cells with a comma are quoted.
-fn cells(line: &str) -> Vec<String> {
-    let mut cells = vec![String::new()];
-    let mut is_quoted = false;
-    for c in line.chars() {
-        match c {
-            '"' => is_quoted = !is_quoted,
-            ',' if !is_quoted => cells.push(String::new()),
-            c => cells.last_mut().expect("one").push(c),
-        }
-    }
-    cells
 }
 
 #[test]
