@@ -11,77 +11,35 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::NamedTempFile;
 
-/// Writes `bytes` to a file, or to standard output if the name is `-`; see [`Sink`].
-pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
-    let mut sink = Sink::open(name)?;
-    sink.write(bytes)?;
-    sink.finish()
-}
-
-/// A result that is being written to a file, or to standard output if the name is `-`.
+/// Writes `bytes` to a file, or to standard output if the name is `-`.
 ///
 /// The file gets its name once it is complete and on the disk. Until then, and if anything fails, a file of that name stays as it
 /// was. Devices and pipes are written to directly.
-pub struct Sink {
-    /// The name as the user gave it.
-    name: PathBuf,
-    target: Target,
+pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
+    if name == Path::new("-") {
+        let written = standard_output().and_then(|mut output| output.write_all(bytes));
+        return written.with_context(|| cannot_write(name));
+    }
+    write_file(name, bytes).with_context(|| cannot_write(name))?;
+    note(name);
+    Ok(())
 }
 
-enum Target {
-    /// Standard output, as a file: if it is closed, the standard library would report success.
-    Output(File),
-    /// A device or a pipe.
-    Direct(File),
-    /// A part of a file, and the path that it gets when it is complete.
-    Whole(Part, PathBuf),
-}
-
-impl Sink {
-    /// Opens a result for writing.
-    pub fn open(name: &Path) -> Result<Self> {
-        let target = if name == Path::new("-") {
-            Target::Output(standard_output().with_context(|| cannot_write(name))?)
-        } else {
-            // A symbolic link stays: the file that it points to is replaced.
-            let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
-            let opened = match fs::metadata(&path) {
-                Ok(there) if !there.is_file() => open_directly(&path).map(Target::Direct),
-                there => {
-                    let permissions = there.ok().map(|there| there.permissions());
-                    start(&path, permissions, PART).map(|part| Target::Whole(part, path))
-                }
-            };
-            opened.with_context(|| cannot_write(name))?
-        };
-        let name = name.to_owned();
-        Ok(Self { name, target })
-    }
-
-    /// Writes some more.
-    pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
-        let written = match &mut self.target {
-            Target::Output(file) | Target::Direct(file) => file.write_all(bytes),
-            Target::Whole(part, _) => part.write_all(bytes),
-        };
-        written.with_context(|| cannot_write(&self.name))
-    }
-
-    /// Completes the result: the file gets its name.
-    pub fn finish(self) -> Result<()> {
-        match self.target {
-            Target::Whole(part, path) => {
-                let complete = part.persist(&path);
-                complete.with_context(|| cannot_write(&self.name))?;
-            }
-            Target::Direct(_) => {}
-            Target::Output(_) => return Ok(()),
+fn write_file(name: &Path, bytes: &[u8]) -> io::Result<()> {
+    // A symbolic link stays: the file that it points to is replaced.
+    let path = fs::canonicalize(name).unwrap_or_else(|_| name.to_owned());
+    match fs::metadata(&path) {
+        Ok(there) if !there.is_file() => open_directly(&path)?.write_all(bytes),
+        there => {
+            let permissions = there.ok().map(|there| there.permissions());
+            let mut part = start(&path, permissions, PART)?;
+            part.write_all(bytes)?;
+            part.persist(&path)
         }
-        note(&self.name);
-        Ok(())
     }
 }
 
+/// Standard output as a file: if it is closed, the standard library would report success.
 fn standard_output() -> io::Result<File> {
     Ok(io::stdout().as_fd().try_clone_to_owned()?.into())
 }

@@ -86,11 +86,6 @@ impl Film {
         )
     }
 
-    /// A number for the line that describes a frame.
-    pub fn made(&self, frame: usize) -> u64 {
-        fnv(FNV_START, &self.describe(frame))
-    }
-
     /// A number for all that the scenes of a frame have in them: several while the shutter is open.
     fn contents(&self, frame: usize) -> u64 {
         let moments = match self.samples {

@@ -1,4 +1,4 @@
-//! `lab capture`: writes frames of the show as pictures, a stream, a video or a contact sheet, and their sound.
+//! `lab capture`: writes frames of the show as pictures, a video or a contact sheet, and their sound.
 
 mod exposure;
 mod files;
@@ -6,9 +6,7 @@ mod film;
 mod frame_queue;
 mod sheet;
 mod sound;
-mod stream;
 mod video;
-mod y4m;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::interrupt;
@@ -25,14 +23,14 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
 
-/// Draws frames of the show: PNG files, a Y4M stream, a video, or a contact sheet; and makes their sound
+/// Draws frames of the show: PNG files, a video, or a contact sheet; and makes their sound
 ///
 /// A frame's bytes depend on its number and on the flags that say what is drawn, and not on the machine, the number of
 /// threads or the range it is part of. So a long capture can be done in parts, anywhere: see the end of this help.
 #[derive(Args)]
 #[command(
-    group(ArgGroup::new("pictures").args(["png", "y4m", "video", "sheet"])),
-    group(ArgGroup::new("output").required(true).multiple(true).args(["png", "y4m", "video", "sheet", "audio"])),
+    group(ArgGroup::new("pictures").args(["png", "video", "sheet"])),
+    group(ArgGroup::new("output").required(true).multiple(true).args(["png", "video", "sheet", "audio"])),
     after_long_help = PARTS
 )]
 pub struct Arguments {
@@ -40,9 +38,6 @@ pub struct Arguments {
     /// capture that are there already, whole, are kept
     #[arg(long, value_name = "FOLDER")]
     png: Option<PathBuf>,
-    /// File for a YUV4MPEG2 stream, or - for standard output: 4:4:4, BT.709, limited range. Kept where it is there, whole
-    #[arg(long, value_name = "FILE")]
-    y4m: Option<PathBuf>,
     /// File for a video, .mp4 or .mkv, which ffmpeg makes: H.264, 4:2:0, BT.709, and the soundtrack as AAC; or for a moving
     /// picture without sound, .webp. Width and height have to be even
     #[arg(long, value_name = "FILE", value_parser = video::name)]
@@ -54,7 +49,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     audio: Option<PathBuf>,
     /// Frames on the contact sheet
-    #[arg(long, value_name = "N", default_value = "24", value_parser = arguments::frames, conflicts_with_all = ["png", "y4m", "video"])]
+    #[arg(long, value_name = "N", default_value = "24", value_parser = arguments::frames, conflicts_with_all = ["png", "video"])]
     frames: usize,
     /// The first frame; the scene begins with frame 0
     #[arg(long, value_name = "FRAME", default_value = "0", value_parser = arguments::frame, allow_negative_numbers = true)]
@@ -145,12 +140,10 @@ Parts of a capture, on one machine or on many that share a folder:
     sbatch --array=0-57 --wrap 'target/release/lab capture --png frames \\
         --from $((SLURM_ARRAY_TASK_ID * 100)) --to $((SLURM_ARRAY_TASK_ID * 100 + 100))'
 
-Started again, it draws what is missing. Streams are joined by leaving out all headers but the first:
-    (head -n 1 part-00.y4m; tail -q -n +2 part-*.y4m) > whole.y4m
+Started again, it draws what is missing.
 
 What is made of frames, by ffmpeg:
-    ffmpeg -framerate 60 -i frames/frame-%06d.png -vf scale=out_color_matrix=bt709 -pix_fmt yuv420p show.mp4
-    cargo lab capture --y4m - | ffmpeg -colorspace bt709 -i - show.webm";
+    ffmpeg -framerate 60 -i frames/frame-%06d.png -vf scale=out_color_matrix=bt709 -pix_fmt yuv420p show.mp4";
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
@@ -168,8 +161,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     };
     if let Some(folder) = &arguments.png {
         files::write(&queue, frames, folder)
-    } else if let Some(name) = &arguments.y4m {
-        stream::write(&queue, frames, name)
     } else if let Some(name) = &arguments.video {
         video::write(&queue, frames, name)
     } else if let Some(name) = &arguments.sheet {
@@ -204,13 +195,8 @@ fn film(arguments: &Arguments) -> Result<Film> {
             "--audio takes --scene show or one of its scenes: nothing is played to {scene}"
         )));
     }
-    let pictures = [&arguments.y4m, &arguments.sheet].into_iter().flatten();
-    if pictures
-        .chain(&arguments.audio)
-        .filter(|name| name.as_os_str() == "-")
-        .count()
-        > 1
-    {
+    let outputs = [&arguments.sheet, &arguments.audio];
+    if outputs.map(|name| name.as_ref().is_some_and(|name| name == "-")) == [true, true] {
         return Err(BadInput::error(
             "--audio - takes standard output for itself".into(),
         ));

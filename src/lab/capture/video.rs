@@ -2,15 +2,16 @@
 
 use super::film::Film;
 use super::frame_queue::FrameQueue;
-use super::{sound, stream};
+use super::sound;
 use crate::interrupt::{self, Stopped};
 use crate::output::{self, Part};
+use crate::progress;
 use anyhow::{Context, Error, Result, anyhow, bail};
 use std::io::{self, Read, Write};
 use std::ops::Range;
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStderr, Command, Stdio};
+use std::process::{Child, ChildStderr, ChildStdin, Command, Stdio};
 use std::thread;
 
 /// The extensions of containers in which all players support H.264, and of the animated pictures that pages show.
@@ -39,17 +40,19 @@ pub fn write(queue: &FrameQueue<'_>, frames: Range<usize>, name: &Path) -> Resul
     } else {
         sound(queue.film, &frames)?
     };
-    let mut ffmpeg = if is_animated_picture {
-        start(&ANIMATED_WEBP, None, file.path())?
+    let codec: &[&str] = if is_animated_picture {
+        &ANIMATED_WEBP
     } else {
-        start(&H264, sound.as_ref().map(Part::path), file.path())?
+        &H264
     };
+    let heard = sound.as_ref().map(Part::path);
+    let mut ffmpeg = start(queue.film, codec, heard, file.path())?;
     let complaints = ffmpeg.stderr.take().expect("a pipe was asked for");
     let complaints = thread::spawn(move || last_line(complaints));
     let mut pipe = ffmpeg.stdin.take().expect("a pipe was asked for");
     // A signal ends ffmpeg, whatever it is at: so neither writing to it nor waiting for it lasts longer than that.
     let ended = thread::spawn(move || interrupt::wait(&mut ffmpeg));
-    let sent = stream::send(queue, frames, |bytes| Ok(pipe.write_all(bytes)?));
+    let sent = send(queue, frames, &mut pipe);
     drop(pipe);
     let ended = ended.join().expect("waiting does not panic");
     let complaint = complaints.join().unwrap_or_default();
@@ -65,6 +68,23 @@ pub fn write(queue: &FrameQueue<'_>, frames: Range<usize>, name: &Path) -> Resul
     }
     sent.with_context(|| format!("ffmpeg ended before {} was complete", name.display()))?;
     output::persist(file, name).with_context(|| format!("cannot write {}", name.display()))
+}
+
+/// Draws frames, and writes the bytes of their pixels.
+fn send(queue: &FrameQueue<'_>, frames: Range<usize>, pipe: &mut ChildStdin) -> Result<()> {
+    let bar = progress::bar(frames.len());
+    let frames: Vec<usize> = frames.collect();
+    let bytes = |_, pixels: &[u32]| {
+        let bytes = pixels.iter().flat_map(|pixel| pixel.to_be_bytes());
+        Ok(bytes.collect::<Vec<u8>>())
+    };
+    let done = queue.draw(&frames, bytes, |bytes| {
+        pipe.write_all(&bytes)?;
+        bar.inc(1);
+        Ok(())
+    });
+    bar.finish_and_clear();
+    done
 }
 
 /// A temporary file with the sound of a range of frames.
@@ -83,7 +103,8 @@ fn sound(film: &Film, frames: &Range<usize>) -> Result<Option<Part>> {
 /// H.264 in 4:2:0, which all players support, labelled with its colour space, which players would otherwise guess. At a rate factor
 /// of 16 no loss is visible.
 #[rustfmt::skip]
-const H264: [&str; 16] = [
+const H264: [&str; 18] = [
+    "-vf", "scale=out_color_matrix=bt709:out_range=tv",
     "-c:v", "libx264", "-crf", "16", "-pix_fmt", "yuv420p",
     "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv",
     "-movflags", "+faststart",
@@ -92,12 +113,15 @@ const H264: [&str; 16] = [
 /// An animated picture that repeats. At a quality of 70 out of 100 the loss is hardly visible in motion.
 const ANIMATED_WEBP: [&str; 6] = ["-c:v", "libwebp_anim", "-quality", "70", "-loop", "0"];
 
-/// Starts ffmpeg. It reads a Y4M stream from its standard input, and the sound from a file. At 192 kbit/s of AAC no loss is audible.
-fn start(codec: &[&str], sound: Option<&Path>, out: &Path) -> Result<Child> {
+/// Starts ffmpeg. It reads the bytes of pixels from its standard input, and the sound from a file. At 192 kbit/s of AAC no loss is
+/// audible.
+fn start(film: &Film, codec: &[&str], sound: Option<&Path>, out: &Path) -> Result<Child> {
+    let (size, rate) = (film.size.to_string(), film.rate.to_string());
     let mut ffmpeg = Command::new("ffmpeg");
     ffmpeg
         .args(["-hide_banner", "-loglevel", "error", "-nostdin", "-y"])
-        .args(["-f", "yuv4mpegpipe", "-i", "-"]);
+        .args(["-f", "rawvideo", "-pixel_format", "0rgb"])
+        .args(["-video_size", &size, "-framerate", &rate, "-i", "-"]);
     if let Some(sound) = sound {
         let inputs = ["-map", "0:v", "-map", "1:a"];
         let codec = ["-c:a", "aac", "-b:a", "192k"];
@@ -120,7 +144,7 @@ fn explain(error: io::Error) -> Error {
     if error.kind() == io::ErrorKind::NotFound {
         anyhow!(
             "--video needs ffmpeg, which is not installed: get it by `sudo apt-get install ffmpeg` or from \
-             https://ffmpeg.org/download.html, or write a stream by --y4m"
+             https://ffmpeg.org/download.html, or write files by --png"
         )
     } else {
         Error::new(error).context("cannot start ffmpeg")

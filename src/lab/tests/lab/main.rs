@@ -280,7 +280,7 @@ fn help_names_every_command_and_flag() {
         ),
         (
             "capture",
-            "--png --y4m --video --sheet --audio --frames --from --to --fps --size --scene --quality --supersample --shutter --aperture --focus --sample-lamps --samples --threads --isa",
+            "--png --video --sheet --audio --frames --from --to --fps --size --scene --quality --supersample --shutter --aperture --focus --sample-lamps --samples --threads --isa",
         ),
         ("release", "--intro --out"),
         ("size", "--functions"),

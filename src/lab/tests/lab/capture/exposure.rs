@@ -208,6 +208,6 @@ fn bad_input_is_named_in_one_line() {
         ("--samples 4 --supersample 2", "--samples --supersample"),
     ] {
         let words: Vec<&str> = words.split(' ').collect();
-        assert_one_line(&capture(&format!("--y4m - {flags}")), 2, &words);
+        assert_one_line(&capture(&format!("--sheet - {flags}")), 2, &words);
     }
 }

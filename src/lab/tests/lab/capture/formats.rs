@@ -1,4 +1,4 @@
-//! The contents of captured files: pictures, streams, videos and sheets.
+//! The contents of captured files: pictures, videos and sheets.
 
 use super::{captured, files};
 use crate::lab;
@@ -6,7 +6,6 @@ use eightfold::show;
 use eightfold_stage::{lacks, reader::read_png, run, tool};
 use std::fs;
 use std::ops::Range;
-use std::path::Path;
 
 /// The largest difference of two pictures in a channel.
 fn worst(a: &[u32], b: &[u32]) -> u8 {
@@ -72,71 +71,13 @@ fn it_is_the_show_unless_asked_otherwise() {
         return;
     }
     let captured = |more: &[&str]| {
-        let fixed = ["capture", "--y4m", "-", "--size", "48x32", "--fps", "1"];
-        let range = ["--from", "20", "--to", "21"];
+        let fixed = ["capture", "--sheet", "-", "--size", "48x32", "--fps", "1"];
+        let range = ["--from", "20", "--to", "21", "--frames", "1"];
         lab(&[&fixed[..], &range, more].concat()).stdout
     };
     let show = captured(&[]);
     assert!(!show.is_empty() && show == captured(&["--scene", "show"]));
     assert!(show != captured(&["--scene", "model"]));
-}
-
-#[test]
-fn a_streams_colours_are_those_of_bt709() {
-    let size = 49 * 31;
-    let output = captured(
-        "--y4m",
-        Path::new("-"),
-        "--size 49x31 --fps 30000/1001 --to 2",
-    );
-    let header = b"YUV4MPEG2 W49 H31 F30000:1001 Ip A1:1 C444 XCOLORRANGE=LIMITED\n";
-    let frames = output.stdout.strip_prefix(header).expect("a header");
-    let mark = frames
-        .iter()
-        .position(|&byte| byte == b'\n')
-        .expect("a line")
-        + 1;
-    assert_eq!(frames.len(), 2 * (mark + 3 * size));
-    let mut decoded = Vec::new();
-    for frame in frames.chunks(mark + 3 * size) {
-        assert!(frame.starts_with(b"FRAME X") && frame[mark - 1] == b'\n');
-        let planes = &frame[mark..];
-        for i in 0..size {
-            decoded.push(rgb([planes[i], planes[size + i], planes[2 * size + i]]));
-        }
-    }
-    let frame_1 = (1001.0_f64 / 30000.0).to_string();
-    let wanted = rendered(&["0", &frame_1], "49x31");
-    // Luma has 219 steps and chroma 224, so a channel may be wrong by 1 / (2 * 219), and by twice that due to chroma.
-    assert!(worst(&decoded, &wanted) <= 2);
-}
-
-/// Decodes luma, Cb and Cr to a pixel (BT.709-6, 3).
-fn rgb(ycc: [u8; 3]) -> u32 {
-    let [y, b, r] = ycc.map(f64::from);
-    let (y, b, r) = ((y - 16.0) / 219.0, (b - 128.0) / 224.0, (r - 128.0) / 224.0);
-    let (red, blue) = (y + 1.5748 * r, y + 1.8556 * b);
-    let green = (y - 0.2126 * red - 0.0722 * blue) / 0.7152;
-    let [r, g, b] = [red, green, blue].map(|c| (255.0 * c).round().clamp(0.0, 255.0) as u8);
-    u32::from_be_bytes([0, r, g, b])
-}
-
-#[test]
-fn ffmpeg_reads_a_stream_as_it_was_meant() {
-    if lacks(&["ffmpeg"]) {
-        return;
-    }
-    let folder = tempfile::tempdir().unwrap();
-    let path = |name: &str| folder.path().join(name);
-    captured("--y4m", &path("show.y4m"), "--fps 4 --to 3");
-    let mut ffmpeg = tool("ffmpeg");
-    let (output, _) = run(ffmpeg
-        .args(["-v", "error", "-colorspace", "bt709", "-i"])
-        .arg(path("show.y4m"))
-        .args(["-f", "rawvideo", "-pix_fmt", "rgb24", "-"]));
-    assert!(output.status.success() && output.stderr.is_empty());
-    let wanted = rendered(&["0", "0.25", "0.5"], "48x32");
-    assert!(worst(&pixels(&output.stdout), &wanted) <= 3);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::{files, flags};
 use crate::{assert_one_line, signal};
+use eightfold_stage::reader::read_png;
 use std::fs;
 use std::os::unix::{fs::PermissionsExt, process::CommandExt};
 use std::path::Path;
@@ -39,15 +40,19 @@ fn ffmpeg(programs: &Path) -> String {
 fn no_part_of_a_file_is_left() {
     let folder = tempfile::tempdir().unwrap();
     for (name, code) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
-        let stream = folder.path().join("show.y4m");
-        let capture = start(&format!("--y4m {}", stream.display()), folder.path());
-        while files(folder.path()).is_empty() {
+        let frames = folder.path().join(name);
+        let capture = start(&format!("--png {}", frames.display()), folder.path());
+        let first = frames.join("frame-000000.png");
+        while !first.exists() {
             sleep(Duration::from_millis(5));
         }
         assert!(signal(&capture.id().to_string(), name));
         let output = capture.wait_with_output().unwrap();
         assert_one_line(&output, code, &["stopped early"]);
-        assert!(files(folder.path()).is_empty(), "{name}");
+        for (name, bytes) in files(&frames) {
+            assert!(name.starts_with("frame-"), "{name}");
+            assert_eq!(read_png(&bytes).1.len(), 48 * 32, "{name}");
+        }
     }
 }
 
@@ -107,11 +112,15 @@ fn control_c_in_a_terminal_is_not_taken_for_an_error_of_ffmpeg() {
 
 #[test]
 fn a_second_signal_leaves_no_part_of_a_file() {
-    let folder = tempfile::tempdir().unwrap();
-    let stream = folder.path().join("show.y4m");
+    let [programs, folder] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    write_ffmpeg(programs.path(), "exec cat > /dev/null");
+    let video = folder.path().join("show.mp4");
     // No frame is done before the second one.
     let slow = "--size 3840x2160 --quality exhaustive --supersample 16";
-    let capture = start(&format!("--y4m {} {slow}", stream.display()), folder.path());
+    let capture = start(
+        &format!("--video {} {slow}", video.display()),
+        programs.path(),
+    );
     while files(folder.path()).is_empty() {
         sleep(Duration::from_millis(5));
     }

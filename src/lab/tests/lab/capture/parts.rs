@@ -3,7 +3,6 @@
 use super::{captured, files, flags};
 use eightfold_stage::reader::read_png;
 use std::fs;
-use std::path::Path;
 use std::process::{Command, Stdio};
 
 #[test]
@@ -33,30 +32,12 @@ fn two_halves_are_the_whole_bit_for_bit() {
     }
 }
 
-#[test]
-fn a_stream_is_its_parts_joined_without_their_headers() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = |name: &str| folder.path().join(name);
-    captured("--y4m", &path("whole.y4m"), "--to 9 --threads 1");
-    captured("--y4m", &path("part-0.y4m"), "--to 4 --threads 3");
-    captured("--y4m", &path("part-1.y4m"), "--from 4 --to 9 --threads 2");
-    // As the help shows it.
-    let joined = Command::new("sh")
-        .args(["-c", "head -n 1 part-0.y4m; tail -q -n +2 part-*.y4m"])
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
-    assert!(joined.stdout == fs::read(path("whole.y4m")).unwrap());
-    let output = captured("--y4m", Path::new("-"), "--to 9");
-    assert!(output.stdout == joined.stdout);
-}
-
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn machines_with_avx2_and_with_avx512_draw_the_same_bytes() {
     if !is_x86_feature_detected!("avx2") {
         // On other machines the instruction set has to be named.
-        let output = super::lab(&["capture", "--y4m", "-"]);
+        let output = super::lab(&["capture", "--sheet", "-"]);
         return crate::assert_one_line(&output, 2, &["--isa", "sse2"]);
     }
     let folder = tempfile::tempdir().unwrap();
@@ -127,43 +108,13 @@ fn frames_of_a_scene_file_are_kept_until_it_says_something_else_at_their_time() 
         let said = String::from_utf8(output.stderr).unwrap();
         assert!(said.contains(what), "{said}");
     };
-    let is_kept = || {
-        let output = captured("--y4m", &path("stream.y4m"), &more);
-        String::from_utf8(output.stderr).unwrap().contains("kept")
-    };
     write(1.0, 1.0);
     png("6 frames drawn, 0 kept");
-    assert!(!is_kept());
-    assert!(is_kept());
     // Frame 3 alone shows it: neither the first nor the last.
     write(0.5, 1.0);
     png("1 frames drawn, 5 kept");
-    assert!(!is_kept());
-    assert!(is_kept());
     write(0.5, 0.5);
     png("6 frames drawn, 0 kept");
-    assert!(!is_kept());
-}
-
-#[test]
-fn a_stream_that_is_there_whole_is_kept() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("show.y4m");
-    let is_kept = |more: &str| {
-        let output = captured("--y4m", &file, more);
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert_ne!(said.contains("kept"), said.starts_with("wrote "), "{said}");
-        said.contains("kept")
-    };
-    assert!(!is_kept("--to 5"));
-    let whole = fs::read(&file).unwrap();
-    assert!(is_kept("--to 5"));
-    // A stream of the same length with other contents.
-    assert!(!is_kept("--from 1 --to 6"));
-    assert!(fs::read(&file).unwrap() != whole);
-    fs::write(&file, &whole[..whole.len() - 1]).unwrap();
-    assert!(!is_kept("--to 5"));
-    assert!(fs::read(&file).unwrap() == whole);
 }
 
 #[test]
