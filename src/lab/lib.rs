@@ -5,6 +5,7 @@
 
 pub mod arguments;
 pub mod bench;
+pub mod bitmap;
 pub mod capture;
 pub mod cargo;
 pub mod error;

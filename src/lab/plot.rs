@@ -1,15 +1,15 @@
-//! Draws charts as SVG. The font comes with the program, so that the system needs none.
+//! Draws charts as SVG.
 
+use crate::bitmap::{INK, register_fonts, text};
 use crate::output;
 use anyhow::Result;
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
+use plotters::style::FontStyle;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{FontStyle, register_font};
 use std::path::Path;
-use std::sync::Once;
 
 /// The width and height of a chart, in units of the SVG.
 const SIZE: (u32, u32) = (960, 600);
@@ -18,7 +18,6 @@ const LEGEND: u32 = 130;
 /// The width of a legend with a list under it.
 const LIST: u32 = 210;
 
-const INK: RGBColor = RGBColor(34, 34, 34);
 const PALE: RGBColor = RGBColor(225, 225, 225);
 /// The colour of the reference.
 pub const DARK: RGBColor = RGBColor(90, 90, 90);
@@ -276,47 +275,4 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 fn normal(size: u32) -> TextStyle<'static> {
     text(size, 1, FontStyle::Normal)
-}
-
-/// A text style of a size in units, each of which is `scale` pixels.
-pub fn text(size: u32, scale: u32, style: FontStyle) -> TextStyle<'static> {
-    let size = f64::from(size * scale);
-    FontDesc::new(FontFamily::SansSerif, size, style).color(&INK)
-}
-
-/// Registers the font. This has to be called before any text is drawn.
-pub fn register_fonts() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
-        for (style, font) in [
-            (FontStyle::Normal, ttf_noto_sans::REGULAR),
-            (FontStyle::Bold, ttf_noto_sans::BOLD),
-        ] {
-            let registered = register_font("sans-serif", style, font);
-            assert!(registered.is_ok(), "the font is valid");
-        }
-    });
-}
-
-/// Reduces an RGB bitmap, `width` pixels wide: each `0x00RRGGBB` pixel of the result is the mean of `by` times `by` pixels.
-pub fn smoothed(rgb: &[u8], width: usize, by: usize) -> Vec<u32> {
-    let columns = width / by;
-    let rows = rgb.len() / (3 * width * by);
-    let mut pixels = Vec::with_capacity(columns * rows);
-    for y in 0..rows {
-        for x in 0..columns {
-            let mut sums = [0_usize; 3];
-            for v in 0..by {
-                let start = 3 * ((y * by + v) * width + x * by);
-                for rgb in rgb[start..start + 3 * by].chunks_exact(3) {
-                    for (sum, &channel) in sums.iter_mut().zip(rgb) {
-                        *sum += usize::from(channel);
-                    }
-                }
-            }
-            let [r, g, b] = sums.map(|sum| (sum / (by * by)) as u32);
-            pixels.push(r << 16 | g << 8 | b);
-        }
-    }
-    pixels
 }

@@ -2,9 +2,9 @@
 
 use super::frame_queue::FrameQueue;
 use crate::arguments::{BadInput, Size};
-use crate::plot::{register_fonts, smoothed, text};
+use crate::bitmap::{SAMPLES, at, bitmap, text};
 use crate::{output, picture, progress};
-use anyhow::{Result, anyhow};
+use anyhow::Result;
 use plotters::prelude::*;
 use plotters::style::FontStyle;
 use std::ops::Range;
@@ -16,8 +16,6 @@ const GAP: usize = 8;
 const CAPTION: usize = 18;
 /// The background: a dark grey, against which even black frames stand out.
 const PAPER: u32 = 0x0020_2020;
-/// The factor by which text is drawn larger and then reduced, to antialias it.
-const SAMPLES: usize = 2;
 /// The largest side of a sheet in pixels: viewers and graphics cards support no more.
 const LONGEST: usize = 16_384;
 
@@ -79,18 +77,10 @@ pub fn write(queue: &FrameQueue<'_>, range: Range<usize>, count: usize, name: &P
 
 /// The strip of pixels with a time in seconds.
 fn caption(time: f32, width: usize) -> Result<Vec<u32>> {
-    register_fonts();
-    let (columns, rows) = (width * SAMPLES, CAPTION * SAMPLES);
-    let [_, paper @ ..] = PAPER.to_be_bytes();
-    let mut rgb = paper.repeat(columns * rows);
-    let area = BitMapBackend::with_buffer(&mut rgb, (columns as u32, rows as u32));
-    let area = area.into_drawing_area();
-    let style = text(12, SAMPLES as u32, FontStyle::Normal).color(&WHITE);
-    area.draw_text(&format!("{time:.2} s"), &style, (0, 2 * SAMPLES as i32))
-        .and_then(|()| area.present())
-        .map_err(|error| anyhow!("{error}"))?;
-    drop(area);
-    Ok(smoothed(&rgb, columns, SAMPLES))
+    bitmap([width, CAPTION], PAPER, |area| {
+        let style = text(12, SAMPLES, FontStyle::Normal).color(&WHITE);
+        Ok(area.draw_text(&format!("{time:.2} s"), &style, at([0, 1]))?)
+    })
 }
 
 /// The frame in the middle of part `i` if a range is divided into `count` equal parts.

@@ -1,9 +1,8 @@
 //! Puts pictures side by side, each with a caption. Coordinates are pixels of the sheet.
 
+use crate::bitmap::{Area, SAMPLES, at, bitmap, text};
 use crate::overlay::heat;
-use crate::plot::{register_fonts, smoothed, text};
-use anyhow::{Result, anyhow};
-use plotters::coord::Shift;
+use anyhow::Result;
 use plotters::prelude::*;
 use plotters::style::FontStyle;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -18,9 +17,6 @@ const HEADING: usize = 26;
 const CAPTION: usize = 46;
 /// The width and the height of a colour bar in pixels.
 const BAR: [usize; 2] = [120, 10];
-/// The factor by which text is drawn larger and then reduced, to antialias it.
-const SAMPLES: u32 = 2;
-
 /// A picture and its caption.
 pub struct Figure {
     /// The name of its file, without the extension.
@@ -49,19 +45,14 @@ pub fn sheet(
         )
     };
 
-    let size = (sheet_width as u32 * SAMPLES, sheet_height as u32 * SAMPLES);
-    let mut rgb = vec![255; 3 * (size.0 * size.1) as usize];
-    register_fonts();
-    let area = BitMapBackend::with_buffer(&mut rgb, size).into_drawing_area();
-    write(&area, heading, 15, [GAP, GAP], false)?;
-    for (i, figure) in figures.iter().enumerate() {
-        let (x, y) = position(i);
-        caption(&area, figure, [x, x + width], y + height)?;
-    }
-    area.present().map_err(|error| anyhow!("{error}"))?;
-    drop(area);
-
-    let mut pixels = smoothed(&rgb, size.0 as usize, SAMPLES as usize);
+    let mut pixels = bitmap([sheet_width, sheet_height], 0x00ff_ffff, |area| {
+        write(area, heading, 15, [GAP, GAP], false)?;
+        for (i, figure) in figures.iter().enumerate() {
+            let (x, y) = position(i);
+            caption(area, figure, [x, x + width], y + height)?;
+        }
+        Ok(())
+    })?;
     for (i, figure) in figures.iter().enumerate() {
         let (x, y) = position(i);
         for (row, line) in figure.pixels.chunks_exact(width).enumerate() {
@@ -85,22 +76,19 @@ fn caption(
     };
     let [width, height] = BAR;
     let start = right.saturating_sub(width);
-    let scale = SAMPLES as usize;
-    for x in 0..width * scale {
-        let [_, r, g, b] = heat(x as f32 / (width * scale - 1) as f32).to_be_bytes();
-        let (x, y) = ((start * scale + x) as i32, ((bottom + 9) * scale) as i32);
-        let column = [(x, y), (x + 1, y + (height * scale) as i32)];
-        area.draw(&Rectangle::new(column, RGBColor(r, g, b).filled()))
-            .map_err(|error| anyhow!("{error}"))?;
+    let (left, top) = at([start, bottom + 9]);
+    let (width, height) = at([width, height]);
+    for x in 0..width {
+        let [_, r, g, b] = heat(x as f32 / (width - 1) as f32).to_be_bytes();
+        let column = [(left + x, top), (left + x + 1, top + height)];
+        area.draw(&Rectangle::new(column, RGBColor(r, g, b).filled()))?;
     }
     write(area, least, 13, [start, bottom + 25], false)?;
     write(area, most, 13, [right, bottom + 25], true)
 }
 
-type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
-
 /// Writes words that begin or end at a place. Titles, of 15 pixels, are bold.
-fn write(area: &Area<'_>, words: &str, size: u32, at: [usize; 2], is_end: bool) -> Result<()> {
+fn write(area: &Area<'_>, words: &str, size: u32, place: [usize; 2], is_end: bool) -> Result<()> {
     let style = if size > 13 {
         FontStyle::Bold
     } else {
@@ -108,7 +96,5 @@ fn write(area: &Area<'_>, words: &str, size: u32, at: [usize; 2], is_end: bool) 
     };
     let from = if is_end { HPos::Right } else { HPos::Left };
     let style = text(size, SAMPLES, style).pos(Pos::new(from, VPos::Top));
-    let [x, y] = at.map(|side| side as i32 * SAMPLES as i32);
-    area.draw_text(words, &style, (x, y))
-        .map_err(|error| anyhow!("{error}"))
+    Ok(area.draw_text(words, &style, at(place))?)
 }

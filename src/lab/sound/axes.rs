@@ -1,10 +1,9 @@
 //! Frames a picture of the soundtrack: seconds below, the show's scenes above, a scale at the left. Coordinates are pixels.
 
 use super::SIZE;
-use crate::plot::{register_fonts, smoothed, text};
-use anyhow::{Result, anyhow};
+use crate::bitmap::{Area, SAMPLES, at, bitmap, text};
+use anyhow::Result;
 use eightfold::show::{self, grid};
-use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::FontStyle;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -17,8 +16,6 @@ const ENDS: [usize; 2] = [28, 44];
 const SIZE_OF_TEXT: u32 = 14;
 /// The length of the line beside a number.
 const TICK: i32 = 5;
-/// The factor by which all is drawn larger and then reduced, to antialias the text.
-const SAMPLES: usize = 2;
 /// Seconds between numbers.
 const STEP: usize = 10;
 
@@ -33,18 +30,12 @@ pub fn framed(picture: &[u32], heights: &Heights) -> Result<(usize, Vec<u32>)> {
     let (width, height) = SIZE;
     let (left, top) = (SIDES[0], ENDS[0]);
     let [all_width, all_height] = [left + width + SIDES[1], top + height + ENDS[1]];
-    let size = ((all_width * SAMPLES) as u32, (all_height * SAMPLES) as u32);
-    let mut rgb = vec![255; 3 * (size.0 * size.1) as usize];
-    register_fonts();
-    {
-        let area = BitMapBackend::with_buffer(&mut rgb, size).into_drawing_area();
+    let mut pixels = bitmap([all_width, all_height], 0x00ff_ffff, |area| {
         let axes = Axes { area };
         axes.draw_seconds([left, top + height], width)?;
         axes.draw_scenes([left, top], width)?;
-        axes.draw_heights([left, top], height, heights)?;
-        axes.area.present().map_err(|error| anyhow!("{error}"))?;
-    }
-    let mut pixels = smoothed(&rgb, size.0 as usize, SAMPLES);
+        axes.draw_heights([left, top], height, heights)
+    })?;
     for (row, line) in picture.chunks_exact(width).enumerate() {
         pixels[(top + row) * all_width + left..][..width].copy_from_slice(line);
     }
@@ -52,11 +43,11 @@ pub fn framed(picture: &[u32], heights: &Heights) -> Result<(usize, Vec<u32>)> {
 }
 
 /// What the axes are drawn on.
-struct Axes<'a> {
-    area: DrawingArea<BitMapBackend<'a>, Shift>,
+struct Axes<'a, 'b> {
+    area: &'a Area<'b>,
 }
 
-impl Axes<'_> {
+impl Axes<'_, '_> {
     /// Seconds along the lower end of a picture.
     fn draw_seconds(&self, [left, bottom]: [usize; 2], width: usize) -> Result<()> {
         let below = Pos::new(HPos::Center, VPos::Top);
@@ -97,19 +88,16 @@ impl Axes<'_> {
         )
     }
 
-    fn write(&self, words: &str, at: [usize; 2], anchor: Pos) -> Result<()> {
-        let style = text(SIZE_OF_TEXT, SAMPLES as u32, FontStyle::Normal).pos(anchor);
-        let [x, y] = at.map(|side| (side * SAMPLES) as i32);
-        let drawn = self.area.draw_text(words, &style, (x, y));
-        drawn.map_err(|error| anyhow!("{error}"))
+    fn write(&self, words: &str, place: [usize; 2], anchor: Pos) -> Result<()> {
+        let style = text(SIZE_OF_TEXT, SAMPLES, FontStyle::Normal).pos(anchor);
+        Ok(self.area.draw_text(words, &style, at(place))?)
     }
 
-    fn tick(&self, at: [usize; 2], [across, down]: [i32; 2]) -> Result<()> {
-        let [x, y] = at.map(|side| (side * SAMPLES) as i32);
+    fn tick(&self, place: [usize; 2], [across, down]: [i32; 2]) -> Result<()> {
+        let (x, y) = at(place);
         let length = TICK * SAMPLES as i32;
         let line = vec![(x, y), (x + across * length, y + down * length)];
-        let drawn = self.area.draw(&PathElement::new(line, BLACK));
-        drawn.map_err(|error| anyhow!("{error}"))
+        Ok(self.area.draw(&PathElement::new(line, BLACK))?)
     }
 }
 

@@ -1,7 +1,8 @@
 //! Words over the picture, with keys or colours that they explain.
 
 use crate::arguments::Size;
-use crate::plot::{register_fonts, smoothed, text};
+use crate::bitmap::{Area, SAMPLES, at, bitmap, register_fonts, text};
+use anyhow::Result;
 use plotters::prelude::*;
 use plotters::style::FontStyle;
 
@@ -9,8 +10,6 @@ use plotters::style::FontStyle;
 const LETTERS: u32 = 14;
 const LINE: usize = 18;
 const GAP: usize = 8;
-/// The factor by which text is drawn larger and then reduced, to antialias it.
-const SAMPLES: u32 = 2;
 /// The share of the picture that is seen behind a panel, in 256ths.
 const SEEN_THROUGH: u32 = 48;
 
@@ -109,51 +108,32 @@ impl Panel {
         let widest = lines.iter().map(|(_, words)| measure(words)).max();
         self.width = (indent + widest.unwrap_or(0) + GAP).min(self.room);
         let height = lines.len() * LINE + GAP;
-        let size = [self.width, height].map(|side| side as u32 * SAMPLES);
-        let mut rgb = vec![0; 3 * (size[0] * size[1]) as usize];
-        {
-            let area = BitMapBackend::with_buffer(&mut rgb, (size[0], size[1])).into_drawing_area();
-            for (i, (mark, words)) in lines.iter().enumerate() {
-                let y = GAP / 2 + i * LINE;
-                // A picture in memory takes all that is drawn.
-                let _ = draw_line(&area, mark, words, [indent, y]);
-            }
-            let _ = area.present();
-        }
-        self.pixels = smoothed(&rgb, size[0] as usize, SAMPLES as usize);
+        let drawn = bitmap([self.width, height], 0, |area| {
+            let mut lines = lines.iter().enumerate();
+            lines.try_for_each(|(i, (mark, words))| {
+                draw_line(area, mark, words, [indent, GAP / 2 + i * LINE])
+            })
+        });
+        // A picture in memory takes all that is drawn.
+        self.pixels = drawn.unwrap_or_default();
     }
 }
 
-type Area<'a> = DrawingArea<BitMapBackend<'a>, plotters::coord::Shift>;
-
-fn draw_line(
-    area: &Area<'_>,
-    mark: &Mark,
-    words: &str,
-    [x, y]: [usize; 2],
-) -> Result<(), Box<dyn std::error::Error>> {
-    let at = |x: usize, y: usize| (x as i32 * SAMPLES as i32, y as i32 * SAMPLES as i32);
+fn draw_line(area: &Area<'_>, mark: &Mark, words: &str, [x, y]: [usize; 2]) -> Result<()> {
     let style = |weight| text(LETTERS, SAMPLES, weight).color(&WHITE);
     match mark {
         Mark::Nothing => {}
-        Mark::Key(key) => area
-            .draw_text(key, &style(FontStyle::Bold), at(GAP, y))
-            .map_err(|error| error.to_string())?,
+        Mark::Key(key) => area.draw_text(key, &style(FontStyle::Bold), at([GAP, y]))?,
         Mark::Colour(colour) => {
             let [_, r, g, b] = colour.to_be_bytes();
             // A frame, so that black is seen, too.
-            let corners = [at(GAP, y + 1), at(GAP + LINE, y + LINE - 4)];
-            area.draw(&Rectangle::new(corners, RGBColor(r, g, b).filled()))
-                .map_err(|error| error.to_string())?;
-            area.draw(&Rectangle::new(
-                corners,
-                RGBColor(160, 160, 160).stroke_width(SAMPLES),
-            ))
-            .map_err(|error| error.to_string())?;
+            let corners = [at([GAP, y + 1]), at([GAP + LINE, y + LINE - 4])];
+            area.draw(&Rectangle::new(corners, RGBColor(r, g, b).filled()))?;
+            let frame = RGBColor(160, 160, 160).stroke_width(SAMPLES as u32);
+            area.draw(&Rectangle::new(corners, frame))?;
         }
     }
-    area.draw_text(words, &style(FontStyle::Normal), at(x, y))
-        .map_err(|error| error.to_string().into())
+    Ok(area.draw_text(words, &style(FontStyle::Normal), at([x, y]))?)
 }
 
 /// A text in lines that are as wide as there is room, broken between words.
