@@ -3,10 +3,10 @@
 //! Each figure is what a command of the lab prints, and the command stands above it: what is read is what was run.
 
 use crate::arguments::{self, BadInput, Size};
-use crate::{interrupt, output, subcommand};
+use crate::subcommand::{FIGURES, FRONT, Picture, RESOLUTION, SQUARES, Step};
+use crate::{interrupt, output};
 use anyhow::{Context, Result};
 use clap::Args;
-use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
@@ -32,6 +32,8 @@ pub struct Arguments {
 
 /// The folder of the pages and the pictures, inside of the one that is reported on.
 const DOCS: &str = "docs";
+/// What goes before the name of a picture there in a link or a command.
+const DOCS_LINK: &str = "docs/";
 
 /// A file with marked parts.
 struct Page {
@@ -44,12 +46,7 @@ struct Page {
 /// What is measured by one command.
 struct Part {
     name: &'static str,
-    /// The command that is run and shown.
-    command: Vec<String>,
-    /// The flag by which it is told where to put pictures: a folder by `--out`, the one file by any other.
-    flag: &'static str,
-    /// Pictures that the command makes there, and what is said of each.
-    pictures: &'static [(&'static str, &'static str)],
+    step: Step,
     /// Whether what it prints is shown.
     is_printed: bool,
 }
@@ -82,7 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     interrupt::listen();
     let docs = arguments.folder.join(DOCS);
     for part in &parts {
-        eprintln!("{}: {}", part.name, part.shown());
+        eprintln!("{}: {}", part.name, part.step.shown(DOCS_LINK));
         let printed = part.measure(&docs)?;
         for page in pages.iter_mut().filter(|page| page.has(part)) {
             let body = part.body(&printed, page.link);
@@ -102,7 +99,7 @@ fn pages(folder: &Path) -> Result<Vec<Page>> {
     let mut files: Vec<PathBuf> = files.map(|file| file.path()).collect();
     files.retain(|path| path.extension().is_some_and(|end| end == "md"));
     files.sort();
-    let readme = [(folder.join("README.md"), "docs/")];
+    let readme = [(folder.join("README.md"), DOCS_LINK)];
     let files = files.into_iter().map(|path| (path, ""));
     let page = |(path, link): (PathBuf, _)| {
         let text = fs::read_to_string(&path);
@@ -143,13 +140,17 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     };
     let speed_sizes = all(" --size 1024x768 --size 1920x1080");
     let show_sizes = all(" --size 1280x720");
-    let part = |name, command: String, pictures, is_printed| Part {
+    let told = |name, command: String, flag, pictures, is_printed| Part {
         name,
-        command: command.split(' ').map(str::to_owned).collect(),
-        flag: "--out",
-        pictures,
+        step: Step {
+            words: command.split(' ').map(str::to_owned).collect(),
+            flag,
+            pictures,
+        },
         is_printed,
     };
+    let part =
+        |name, command, pictures, is_printed| told(name, command, "--out", pictures, is_printed);
     // Enough frames for the front to be the same one next time, in some minutes. Where few are asked for, all is to be quick.
     let plan = if arguments.frames.is_some() {
         " --quick"
@@ -162,24 +163,20 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     let still = sizes.first().map_or(" --size 416x234", String::as_str);
     let end = 252 + arguments.frames.unwrap_or(144);
     vec![
-        Part {
-            flag: "--video",
-            ..part(
-                "moving",
-                format!("capture --from 252 --to {end} --fps 12{still} --supersample 2"),
-                &MOVING,
-                false,
-            )
-        },
-        Part {
-            flag: "--sheet",
-            ..part(
-                "sheet",
-                format!("capture{tile} --supersample 2{frames}"),
-                &SHEET,
-                false,
-            )
-        },
+        told(
+            "moving",
+            format!("capture --from 252 --to {end} --fps 12{still} --supersample 2"),
+            "--video",
+            &MOVING,
+            false,
+        ),
+        told(
+            "sheet",
+            format!("capture{tile} --supersample 2{frames}"),
+            "--sheet",
+            &SHEET,
+            false,
+        ),
         part(
             "show",
             format!("bench --scene show{show_sizes} --quality default{frames}"),
@@ -195,28 +192,22 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
         part("ladder", format!("trade --ladder{size}{frames}"), &[], true),
         part("missed", format!("missed{size}{seeds}"), &[], true),
         part("trade", format!("trade{plan}{size}{frames}"), &TRADE, false),
-        part("figures", format!("figures{size}"), &FIGURES, false),
+        part("figures", format!("figures{size}"), &[FIGURES], false),
         part("size", "size --functions 10".to_owned(), &[], true),
-        Part {
-            flag: "--waveform",
-            ..part("sound", "sound".to_owned(), &WAVEFORM, true)
-        },
+        told("sound", "sound".to_owned(), "--waveform", &WAVEFORM, true),
     ]
 }
 
-const MOVING: [(&str, &str); 1] = [(
+const MOVING: [Picture; 1] = [(
     "show.webp",
     "The model scene turns, and then the points that are traced and the squares that are filled are shown on it",
 )];
-const SHEET: [(&str, &str); 1] = [(
+const SHEET: [Picture; 1] = [(
     "show.png",
     "Frames of the show, row by row: title, model scene, method, colonnade, machine, flake, mirrors, swarm, finale",
 )];
-const TRADE: [(&str, &str); 6] = [
-    (
-        "front.svg",
-        "Speed and PSNR of every setting, and the Pareto front by number",
-    ),
+const TRADE: [Picture; 6] = [
+    FRONT,
     (
         "front-flip.svg",
         "Speed and FLIP of every setting, and the Pareto front by number",
@@ -225,21 +216,11 @@ const TRADE: [(&str, &str); 6] = [
         "front-pops.svg",
         "Speed and pops of every setting, and the Pareto front by number",
     ),
-    (
-        "resolution.svg",
-        "Speed-up against exhaustive frames by the size of the picture",
-    ),
-    (
-        "squares.svg",
-        "PSNR by the side of the squares, 2 to 32 pixels",
-    ),
+    RESOLUTION,
+    SQUARES,
     ("objects.svg", "Time of a frame by the number of spheres"),
 ];
-const FIGURES: [(&str, &str); 1] = [(
-    "sheet.png",
-    "The points traced, the picture, the squares by size, rays of each point, the error",
-)];
-const WAVEFORM: [(&str, &str); 1] = [(
+const WAVEFORM: [Picture; 1] = [(
     "waveform.png",
     "The soundtrack, left above right, with a line where each bar begins",
 )];
@@ -249,48 +230,23 @@ impl Part {
         format!("<!-- lab report {} -->", self.name)
     }
 
-    /// Whether it makes one picture, whose file it is told.
-    fn is_told_a_file(&self) -> bool {
-        self.flag != "--out"
-    }
-
-    /// The command as somebody would type it in the folder.
-    fn shown(&self) -> String {
-        let command = self.command.join(" ");
-        match self.pictures {
-            [(name, _)] if self.is_told_a_file() => {
-                format!("cargo lab {command} {} {DOCS}/{name}", self.flag)
-            }
-            _ => format!("cargo lab {command}"),
-        }
-    }
-
     /// Runs the command, puts its pictures into a folder, and returns what it prints.
     fn measure(&self, docs: &Path) -> Result<String> {
-        let made = tempfile::tempdir().context("cannot make a folder for pictures")?;
-        let mut words: Vec<OsString> = self.command.iter().map(OsString::from).collect();
-        match self.pictures {
-            [] => {}
-            [(name, _)] if self.is_told_a_file() => {
-                words.extend([self.flag.into(), made.path().join(name).into()]);
-            }
-            _ => words.extend([self.flag.into(), made.path().into()]),
-        }
-        let printed = subcommand::run(&words)?;
-        for (name, _) in self.pictures {
+        let (printed, pictures) = self.step.run()?;
+        for ((name, _), bytes) in self.step.pictures.iter().zip(pictures) {
             fs::create_dir_all(docs).with_context(|| format!("cannot make {}", docs.display()))?;
-            output::write(&docs.join(name), &fs::read(made.path().join(name))?)?;
+            output::write(&docs.join(name), &bytes)?;
         }
         Ok(printed)
     }
 
     /// What to put between the marks on a page.
     fn body(&self, printed: &str, link: &str) -> String {
-        let mut body = format!("\n    {}\n", self.shown());
+        let mut body = format!("\n    {}\n", self.step.shown(DOCS_LINK));
         if self.is_printed {
             body += &format!("\n{printed}\n");
         }
-        for (name, says) in self.pictures {
+        for (name, says) in self.step.pictures {
             body += &format!("\n![{says}]({link}{name})\n");
         }
         body + "\n"

@@ -5,12 +5,12 @@ mod page;
 use crate::arguments::{self, BadInput, Size};
 use crate::interrupt;
 use crate::machine::machine;
+use crate::output;
 use crate::scenes::{self, SceneName};
-use crate::{output, subcommand};
-use anyhow::{Context, Result};
+use crate::subcommand::{FIGURES, FRONT, RESOLUTION, SQUARES, Step};
+use anyhow::Result;
 use clap::Args;
 use page::Page;
-use std::fs;
 use std::path::PathBuf;
 
 /// Measures a scene in every way, and writes what comes of it as a page for a browser
@@ -54,10 +54,7 @@ fn html_file(name: &str) -> Result<PathBuf, String> {
 struct Section {
     title: &'static str,
     says: &'static str,
-    command: String,
-    /// The flag by which the command is told where to put its files, and these, with what each shows.
-    flag: &'static str,
-    files: &'static [(&'static str, &'static str)],
+    step: Step,
 }
 
 /// Runs the command.
@@ -75,7 +72,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         machine()
     ));
     for section in sections(arguments) {
-        section.add_to(&mut page, arguments.scene)?;
+        section.add_to(&mut page)?;
     }
     output::write(&arguments.out, page.html().as_bytes())
 }
@@ -93,92 +90,70 @@ fn sections(arguments: &Arguments) -> Vec<Section> {
         height: (TILE_WIDTH * size.height / size.width).max(1),
     };
     let end = scene.length();
+    let section = |title, says, command: String, flag, pictures| {
+        let mut words: Vec<String> = command.split(' ').map(str::to_owned).collect();
+        words.splice(1..1, ["--scene".to_owned(), scene.to_string()]);
+        let step = Step {
+            words,
+            flag,
+            pictures,
+        };
+        Section { title, says, step }
+    };
     vec![
-        Section {
-            title: "The scene",
-            says: "Frames spread evenly over the scene, row by row, each with its time.",
-            command: format!("capture --size {tile} --supersample 2 --frames 9"),
-            flag: "--sheet",
-            files: &[("scene.png", "Nine frames of the scene")],
-        },
-        Section {
-            title: "One frame",
-            says: "Which points of a frame are traced, which squares are filled, how many rays each point takes, and where the \
-                   picture is off.",
-            command: format!("figures --time {time} --size {size}"),
-            flag: "--out",
-            files: &[(
-                "sheet.png",
-                "The points traced, the picture, the squares by size, rays of each point, the error",
-            )],
-        },
-        Section {
-            title: "Speed and error",
-            says: "One thread. The speed-up is over frames in which every pixel is traced; PSNR, pixels that are more than 8 of \
-                   255 off, pixels that pop, and FLIP are against the same frames, the last columns against 64 samples a pixel.",
-            command: format!("bench --size {size} --threads 1 --frames {frames} --time-to {end}"),
-            flag: "",
-            files: &[],
-        },
-        Section {
-            title: "The named qualities",
-            says: "The rungs that a player climbs to hold its frame rate, by their dials: s side of the squares in pixels, c \
-                   tolerance within which colours fill a square, d depth of rays, w least contribution of a ray; cargo lab trade \
-                   --help explains the others.",
-            command: format!("trade --ladder --size {size} --frames {frames} --time-to {end}"),
-            flag: "",
-            files: &[],
-        },
-        Section {
-            title: "What speed costs",
-            says: "Every dial is turned. In the table nothing is faster, closer by FLIP to the picture that it should be, and with fewer pixels that pop at once.",
-            command: format!("trade --quick --size {size} --frames {frames} --time-to {end}"),
-            flag: "--out",
-            files: &[
-                (
-                    "front.svg",
-                    "Speed-up and PSNR of every setting, and the Pareto front by number",
-                ),
-                (
-                    "squares.svg",
-                    "PSNR by the side of the squares, 2 to 32 pixels",
-                ),
-                ("resolution.svg", "Speed-up by the size of the picture"),
-            ],
-        },
+        section(
+            "The scene",
+            "Frames spread evenly over the scene, row by row, each with its time.",
+            format!("capture --size {tile} --supersample 2 --frames 9"),
+            "--sheet",
+            &[("scene.png", "Nine frames of the scene")],
+        ),
+        section(
+            "One frame",
+            "Which points of a frame are traced, which squares are filled, how many rays each point takes, and where the picture \
+             is off.",
+            format!("figures --time {time} --size {size}"),
+            "--out",
+            &[FIGURES],
+        ),
+        section(
+            "Speed and error",
+            "One thread. The speed-up is over frames in which every pixel is traced; PSNR, pixels that are more than 8 of 255 \
+             off, pixels that pop, and FLIP are against the same frames, the last columns against 64 samples a pixel.",
+            format!("bench --size {size} --threads 1 --frames {frames} --time-to {end}"),
+            "",
+            &[],
+        ),
+        section(
+            "The named qualities",
+            "The rungs that a player climbs to hold its frame rate, by their dials: s side of the squares in pixels, c tolerance \
+             within which colours fill a square, d depth of rays, w least contribution of a ray; cargo lab trade --help explains \
+             the others.",
+            format!("trade --ladder --size {size} --frames {frames} --time-to {end}"),
+            "",
+            &[],
+        ),
+        section(
+            "What speed costs",
+            "Every dial is turned. In the table nothing is faster, closer by FLIP to the picture that it should be, and with \
+             fewer pixels that pop at once.",
+            format!("trade --quick --size {size} --frames {frames} --time-to {end}"),
+            "--out",
+            &[FRONT, SQUARES, RESOLUTION],
+        ),
     ]
 }
 
 impl Section {
     /// Runs the command, and adds what comes of it.
-    fn add_to(&self, page: &mut Page, scene: SceneName) -> Result<()> {
-        let (name, rest) = self.command.split_once(' ').unwrap_or((&self.command, ""));
-        let scene = scene.to_string();
-        let mut words = vec![name, "--scene", &scene];
-        words.extend(rest.split(' '));
-        let folder = tempfile::tempdir().context("cannot make a folder for pictures")?;
-        let path = |name: &str| folder.path().join(name).display().to_string();
-        let mut shown = words.join(" ");
-        let out = match (self.flag, self.files) {
-            ("", _) => String::new(),
-            ("--out", _) => folder.path().display().to_string(),
-            (_, [(file, _), ..]) => {
-                shown += &format!(" {} {file}", self.flag);
-                path(file)
-            }
-            (_, []) => String::new(),
-        };
-        if !out.is_empty() {
-            words.extend([self.flag, &out]);
-        }
-        let shown = format!("cargo lab {shown}");
+    fn add_to(&self, page: &mut Page) -> Result<()> {
+        let shown = self.step.shown("");
         eprintln!("{shown}");
-        let printed = subcommand::run(&words)?;
+        let (printed, pictures) = self.step.run()?;
         page.section(self.title, self.says, &shown);
         page.table(&printed);
-        for (file, says) in self.files {
-            let bytes = fs::read(path(file)).with_context(|| format!("cannot read {file}"))?;
-            page.figure(file, &bytes, says);
+        for ((name, says), bytes) in self.step.pictures.iter().zip(pictures) {
+            page.figure(name, &bytes, says);
         }
         Ok(())
     }
