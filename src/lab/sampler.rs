@@ -80,10 +80,15 @@ pub fn seed_of(seed: u32, part: u64) -> u32 {
     (mixed(mixed(u64::from(seed)) ^ part) >> 32) as u32
 }
 
-/// The finaliser of SplitMix64 (Steele, Lea and Flood, 2014): a bijection whose every output bit depends on all input bits.
-fn mixed(bits: u64) -> u64 {
-    let bits = bits.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+/// The first number of [`split_mix`] for a state: a bijection whose every output bit depends on all input bits.
+fn mixed(mut bits: u64) -> u64 {
+    split_mix(&mut bits)
+}
+
+/// The next pseudorandom number of a state (Steele, Lea and Flood's SplitMix64, 2014).
+pub fn split_mix(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let bits = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     bits ^ (bits >> 31)
 }

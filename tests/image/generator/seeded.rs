@@ -1,22 +1,19 @@
 //! Random scenes and qualities made from a seed, without a framework, for long runs.
 
+use eightfold_lab::sampler::split_mix;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
     Block, Camera, Film, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 
-/// A generator of pseudorandom numbers with its state (Steele, Lea and Flood's SplitMix).
+/// A generator of pseudorandom numbers with its state.
 pub struct Random(pub u64);
 
 impl Random {
     /// 64 random bits.
     pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut h = self.0;
-        h = (h ^ (h >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        h = (h ^ (h >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        h ^ (h >> 31)
+        split_mix(&mut self.0)
     }
 
     /// A whole number below `end`.
