@@ -2,9 +2,12 @@
 
 use super::exposure::Exposure;
 use crate::arguments::{NamedQuality, Size};
+use crate::interrupt::{self, Stopped};
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
+use crate::wav;
+use anyhow::{Result, bail};
 use eightfold::sound::RATE;
 use eightfold_tracer::glam::{Vec2, vec2};
 use eightfold_tracer::scene::Scene;
@@ -52,8 +55,23 @@ impl Film {
         self.rate.frames(self.scene.length())
     }
 
+    /// The sound of a range of frames as a WAV file; `None` if the scene has none.
+    ///
+    /// # Errors
+    /// If the command has to end meanwhile.
+    pub fn sound(&self, frames: &Range<usize>) -> Result<Option<Vec<u8>>> {
+        let Some(samples) = self.samples(frames) else {
+            return Ok(None);
+        };
+        let record = wav::record(samples);
+        if interrupt::is_stopped() {
+            bail!(Stopped("no sound is written".to_owned()));
+        }
+        Ok(Some(wav::wav(&record)))
+    }
+
     /// The range of the soundtrack, in samples, that belongs to a range of frames; `None` if the scene has no sound.
-    pub fn samples(&self, frames: &Range<usize>) -> Option<Range<u32>> {
+    fn samples(&self, frames: &Range<usize>) -> Option<Range<u32>> {
         let start = (self.scene.start()? * RATE as f32) as u32;
         let position = |frame: usize| {
             let frames = frame as u64 * u64::from(self.rate.den);

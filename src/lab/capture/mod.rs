@@ -5,13 +5,12 @@ mod files;
 mod film;
 mod frame_queue;
 mod sheet;
-mod sound;
 mod video;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
-use crate::interrupt;
 use crate::rate::Rate;
 use crate::scenes::{self, SceneName};
+use crate::{interrupt, output};
 use anyhow::Result;
 use clap::{ArgGroup, Args};
 use eightfold_tracer::scene::MAX_LENGTH;
@@ -150,8 +149,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     interrupt::listen();
     let film = film(arguments)?;
     let frames = range(arguments, &film)?;
-    if let Some(name) = &arguments.audio {
-        sound::write(&film, &frames, name)?;
+    if let Some(name) = &arguments.audio
+        && let Some(sound) = film.sound(&frames)?
+    {
+        output::write(name, &sound)?;
     }
     let queue = FrameQueue {
         film: &film,

@@ -2,7 +2,6 @@
 
 use super::film::Film;
 use super::frame_queue::FrameQueue;
-use super::sound;
 use crate::interrupt::{self, Stopped};
 use crate::output::{self, Part};
 use crate::progress;
@@ -89,7 +88,7 @@ fn send(queue: &FrameQueue<'_>, frames: Range<usize>, pipe: &mut ChildStdin) -> 
 
 /// A temporary file with the sound of a range of frames.
 fn sound(film: &Film, frames: &Range<usize>) -> Result<Option<Part>> {
-    let Some(bytes) = sound::bytes(film, frames)? else {
+    let Some(bytes) = film.sound(frames)? else {
         return Ok(None);
     };
     let write = || {

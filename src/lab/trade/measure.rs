@@ -1,7 +1,6 @@
 //! Draws the frames of every point: to measure time and error, and what a viewer sees of it.
 
 use super::sweep::Point;
-use super::tally::Tally;
 use crate::arguments::Size;
 use crate::error::Difference;
 use crate::interrupt;
@@ -9,7 +8,7 @@ use crate::missed::Visible;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{evenly_spaced, thread_time};
-use crate::views::{Subject, Viewer};
+use crate::views::{Seen, Subject, Viewer};
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Counts, Quality};
 use eightfold_window::cpu::Isa;
@@ -200,5 +199,37 @@ impl<'a> Measurement<'a> {
             .run(&mut workers, &mut each, &|_, (tally, pixels)| {
                 job(tally, &self.exhaustive, pixels);
             });
+    }
+}
+
+/// What is recorded of a point while it is measured.
+pub struct Tally {
+    pub point: Point,
+    /// The seconds that each frame took.
+    pub times: Vec<f64>,
+    /// The seconds of the faster one of the exhaustive frames before and after each frame.
+    pub exhaustive_times: Vec<f64>,
+    /// The work for all frames together.
+    pub counts: Counts,
+    /// The error of each frame.
+    pub differences: Vec<Difference>,
+    /// The number of missed objects in all frames together.
+    pub missed: usize,
+    /// Of the views.
+    pub seen: Seen,
+}
+
+impl Tally {
+    /// Empty records.
+    pub fn new(point: Point) -> Self {
+        Self {
+            point,
+            times: Vec::new(),
+            exhaustive_times: Vec::new(),
+            counts: Counts::NONE,
+            differences: Vec::new(),
+            missed: 0,
+            seen: Seen::default(),
+        }
     }
 }

@@ -6,7 +6,6 @@ mod outcome;
 mod plots;
 mod sweep;
 mod table;
-mod tally;
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::interrupt::Stopped;
@@ -18,14 +17,13 @@ use anyhow::{Context, Result, bail};
 use clap::Args;
 use curves::{Curve, Curves};
 use eightfold_window::cpu::{self, Isa};
-use measure::{Measurement, Plan};
+use measure::{Measurement, Plan, Tally};
 use outcome::{Outcome, mark_front};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 use sweep::Point;
-use tally::Tally;
 
 /// Turns every dial of the quality, and measures what that gains in speed and costs in accuracy
 ///

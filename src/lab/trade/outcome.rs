@@ -1,6 +1,6 @@
 //! The results for a point.
 
-use super::tally::Tally;
+use super::measure::Tally;
 use crate::error::Difference;
 use crate::timing::percentile;
 use serde::Serialize;

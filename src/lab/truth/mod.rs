@@ -8,7 +8,6 @@ pub mod film;
 pub mod geometry;
 pub mod lamp;
 mod losses;
-mod openexr;
 pub mod path;
 mod photons;
 pub mod render;
@@ -24,11 +23,14 @@ use crate::{interrupt, output, picture};
 use anyhow::{Context, Result};
 use clap::{ArgGroup, Args};
 use effects::Effects;
+use eightfold_tracer::glam::DVec3;
 use eightfold_tracer::scene::{Film, Scene};
 use estimate::{Estimate, Intervals};
+use exr::prelude::{AnyChannel, AnyChannels, FlatSamples, Image, WritableImage};
 use film::Sampling;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use render::Picture;
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
 
@@ -134,7 +136,7 @@ fn draw(arguments: &Arguments, picture: &Picture<'_>, pool: &ThreadPool, out: &P
         save(name, &interval_picture(&intervals))?;
     }
     if let Some(name) = exr {
-        output::write(name, &openexr::encode(picture.size, &estimates)?)?;
+        output::write(name, &open_exr(picture.size, &estimates)?)?;
     }
     render::forget(out);
     eprintln!(
@@ -196,4 +198,27 @@ fn pool(arguments: &Arguments) -> Result<ThreadPool> {
 /// Parses a number of samples.
 fn samples(text: &str) -> Result<usize, String> {
     arguments::number(text, MAX_POINTS * REPLICATIONS)
+}
+
+/// The channels of a colour.
+const RGB: [&str; 3] = ["R", "G", "B"];
+
+/// An OpenEXR file, which tells what light a pixel has also where a picture would clip it: radiances as R, G and B, and half the width of their 95 % intervals as interval.R, interval.G and interval.B.
+fn open_exr(size: Size, estimates: &[Estimate]) -> Result<Vec<u8>> {
+    let channel = |name: String, i: usize, of: &dyn Fn(&Estimate) -> DVec3| {
+        let numbers = estimates.iter().map(|estimate| of(estimate)[i] as f32);
+        AnyChannel::new(name.as_str(), FlatSamples::F32(numbers.collect()))
+    };
+    let means = (0..3).map(|i| channel(RGB[i].to_owned(), i, &|estimate| estimate.mean));
+    let intervals =
+        (0..3).map(|i| channel(format!("interval.{}", RGB[i]), i, &Estimate::half_interval));
+    let channels: Vec<_> = means.chain(intervals).collect();
+    let image = Image::from_channels(
+        (size.width, size.height),
+        AnyChannels::sort(channels.into()),
+    );
+    let mut bytes = Cursor::new(Vec::new());
+    let written = image.write().to_buffered(&mut bytes);
+    written.context("cannot encode OpenEXR")?;
+    Ok(bytes.into_inner())
 }
