@@ -2,7 +2,7 @@
 
 mod trouble;
 
-use super::{assert_one_line, lab, render};
+use super::{assert_one_line, lab, printed, render};
 use eightfold_stage::reader::read_png;
 use serde_json::Value;
 use std::path::Path;
@@ -69,13 +69,7 @@ fn cells(table: &str) -> Vec<Vec<&str>> {
 
 #[test]
 fn stages_are_all_told_and_threads_help_no_more_than_there_are() {
-    let output = lab(
-        &"bench --stages --frames 2 --size 96x64 --quality default --scene field:9"
-            .split(' ')
-            .collect::<Vec<_>>(),
-    );
-    let text = String::from_utf8(output.stdout).expect("text");
-    assert!(output.status.success(), "{text}");
+    let text = printed("bench --stages --frames 2 --size 96x64 --quality default --scene field:9");
     // One table of every pixel traced, and one of squares.
     for stage in [
         "preparing",
@@ -321,22 +315,15 @@ fn errors_are_those_of_the_pictures_that_render_draws() {
 
 #[test]
 fn times_reach_from_the_first_to_the_last() {
-    let rays = |more: &[&str]| {
-        let fixed = [
-            "bench",
-            "--size",
-            "40x30",
-            "--quality",
-            "exhaustive",
-            "--json",
-            "-",
-        ];
-        let output = lab(&[&fixed, more].concat());
-        let rows: Vec<Value> = serde_json::from_slice(&output.stdout).expect("JSON");
+    let rays = |more: &str| {
+        let text = printed(&format!(
+            "bench --size 40x30 --quality exhaustive --json - {more}"
+        ));
+        let rows: Vec<Value> = serde_json::from_str(&text).expect("JSON");
         number(&rows[0], "rays")
     };
-    let at = |time| rays(&["--frames", "1", "--time-from", time]);
-    let all = rays(&["--frames", "3", "--time-from", "-1", "--time-to", "4"]);
+    let at = |time| rays(&format!("--frames 1 --time-from {time}"));
+    let all = rays("--frames 3 --time-from -1 --time-to 4");
     assert!((at("-1") + at("1.5") + at("4") - 3.0 * all).abs() < 1e-6);
 }
 
@@ -344,19 +331,10 @@ fn times_reach_from_the_first_to_the_last() {
 fn a_file_gets_the_json_and_standard_output_the_table() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("bench.json");
-    let output = lab(&[
-        "bench",
-        "--size",
-        "40x30",
-        "--frames",
-        "2",
-        "--threads",
-        "2",
-        "--json",
-        file.to_str().expect("a plain name"),
-    ]);
-    assert!(output.status.success());
-    let table = String::from_utf8(output.stdout).expect("text");
+    let table = printed(&format!(
+        "bench --size 40x30 --frames 2 --threads 2 --json {}",
+        file.display()
+    ));
     let rows: Vec<Value> = serde_json::from_slice(&std::fs::read(&file).unwrap()).expect("JSON");
     assert_eq!(cells(&table).len(), 1 + rows.len());
     let qualities = rows

@@ -1,6 +1,6 @@
 //! The documented errors of the ladder of named qualities are those that are measured.
 
-use super::lab;
+use super::printed;
 use eightfold_tracer::Quality;
 
 #[test]
@@ -11,7 +11,7 @@ fn the_default_quality_is_the_rung_of_that_name() {
 }
 
 /// The cells of a Markdown table, without the titles and the rule under them.
-fn cells(lines: impl Iterator<Item = &'static str>) -> Vec<Vec<String>> {
+fn cells<'a>(lines: impl Iterator<Item = &'a str>) -> Vec<Vec<String>> {
     let lines = lines.skip_while(|line| !line.starts_with("| --- "));
     lines
         .skip(1)
@@ -44,9 +44,7 @@ fn the_errors_are_as_documented() {
     let part = PAGE.lines();
     let documented = cells(part.skip_while(|line| *line != "<!-- lab report ladder -->"));
     // What is seen is that of fewer views here, which takes less time; `views.rs` tests how it is measured.
-    let output = lab(&["trade", "--ladder", "--views", "1"]);
-    assert!(output.status.success());
-    let text: &'static str = String::from_utf8(output.stdout).expect("text").leak();
+    let text = printed("trade --ladder --views 1");
     let measured = cells(text.lines());
     // The two qualities that serve for comparison come first.
     assert_eq!(documented.len(), 2 + Quality::LADDER.len());
@@ -67,10 +65,7 @@ fn the_errors_are_as_documented() {
 
 #[test]
 fn every_rung_traces_less_and_differs_more_than_the_one_above_it() {
-    let small = ["--size", "320x240", "--frames", "2", "--views", "2"];
-    let output = lab(&[&["trade", "--ladder"], &small[..]].concat());
-    assert!(output.status.success());
-    let text: &'static str = String::from_utf8(output.stdout).expect("text").leak();
+    let text = printed("trade --ladder --size 320x240 --frames 2 --views 2");
     let rungs = cells(text.lines()).split_off(2);
     for pair in rungs.windows(2) {
         let [finer, faster] = [&pair[0], &pair[1]];

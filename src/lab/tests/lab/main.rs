@@ -30,6 +30,15 @@ fn lab(arguments: &[&str]) -> Output {
         .expect("the lab starts")
 }
 
+/// What the lab prints on standard output, for the words of a line, without an error.
+#[track_caller]
+fn printed(line: &str) -> String {
+    let output = lab(&line.split_whitespace().collect::<Vec<_>>());
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{line}: {errors}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
 /// Runs `lab render` with a small frame.
 fn render(out: &Path, more: &[&str]) -> Output {
     let out = out.to_str().expect("a plain name");

@@ -1,6 +1,6 @@
 //! `lab missed` counts what a quality misses.
 
-use super::{assert_one_line, lab};
+use super::{assert_one_line, lab, printed};
 use eightfold_lab::missed::chance::{SETTINGS, Setting, scene};
 use eightfold_lab::missed::effects::{Count, Counts, EffectCounter, Kind};
 use eightfold_tracer::Quality;
@@ -69,11 +69,7 @@ fn what_is_not_guarded_is_missed_but_by_exhaustive_frames() {
 
 #[test]
 fn the_table_has_a_row_for_each_kind_and_three_columns_for_each_group_of_scenes() {
-    let output = lab(&[
-        "missed", "--scene", "field:40", "--size", "80x60", "--frames", "1",
-    ]);
-    let text = String::from_utf8(output.stdout).unwrap();
-    assert!(output.status.success(), "{text}");
+    let text = printed("missed --scene field:40 --size 80x60 --frames 1");
     let rows: Vec<&str> = text.lines().filter(|line| line.starts_with('|')).collect();
     assert_eq!(rows.len(), 2 + Kind::ALL.len(), "{text}");
     assert!(

@@ -6,7 +6,7 @@ mod fields;
 #[rustfmt::skip]
 mod motion;
 
-use super::{assert_one_line, lab, render};
+use super::{assert_one_line, lab, printed, render};
 use eightfold_lab::scene_file::{self, SceneFile};
 use eightfold_lab::scenes::SceneName;
 use eightfold_stage::reader::read_png;
@@ -90,16 +90,7 @@ fn an_exported_scene_gives_the_same_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("machine.ron");
     let file = file.to_str().expect("a plain name");
-    let output = lab(&[
-        "scene",
-        "--export",
-        "show:machine",
-        "--fps",
-        "2",
-        "--out",
-        file,
-    ]);
-    assert!(output.status.success());
+    printed(&format!("scene --export show:machine --fps 2 --out {file}"));
     let picture = |scene| {
         let output = render(Path::new("-"), &["--scene", scene, "--time", "3.5"]);
         assert!(output.status.success());
@@ -133,8 +124,7 @@ fn motions_pass_their_keys() {
 /// The Rust text that the lab makes of a scene file, which is compiled as a module of these tests: `UPDATE_GOLDEN=1` writes it.
 #[track_caller]
 fn assert_is_compiled(name: &str, file: &Path) {
-    let output = lab(&["scene", "--rust", file.to_str().expect("a plain name")]);
-    let text = String::from_utf8(output.stdout).expect("text");
+    let text = printed(&format!("scene --rust {}", file.display()));
     let made = format!("Made of {}", file.display());
     let text = text.replace(&made, &format!("Made of {name}.ron"));
     let known = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/lab/scene/{name}.rs"));

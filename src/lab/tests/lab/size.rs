@@ -1,6 +1,6 @@
 //! The tables of `lab size` add up to the size of the file.
 
-use crate::{assert_one_line, lab};
+use crate::{assert_one_line, lab, printed};
 use eightfold_stage::intro;
 
 /// The cells of the table whose first column has a given title, line by line.
@@ -23,10 +23,7 @@ fn sum(rows: &[Vec<&str>], column: usize) -> u64 {
 
 #[test]
 fn every_byte_of_the_intro_is_told_of_as_it_is_linked_and_as_it_is_packed() {
-    let output = lab(&["size", "--functions", "12"]);
-    let text = String::from_utf8(output.stdout).expect("text");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{errors}");
+    let text = printed("size --functions 12");
     let file = std::fs::metadata(intro()).expect("the intro").len();
 
     // Rows are rounded to bytes.

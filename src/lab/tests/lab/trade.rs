@@ -1,6 +1,6 @@
 //! `lab trade` writes all its files, and its figures are consistent. No test depends on measured times.
 
-use super::{assert_one_line, lab};
+use super::{assert_one_line, lab, printed};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -18,18 +18,17 @@ const PLOTS: [&str; 7] = [
 ];
 
 /// Runs `lab trade` with very small frames; it writes to a folder.
-fn trade(folder: &Path, more: &[&str]) -> String {
-    trade_at("48x36", folder, more)
+fn trade(folder: &Path) -> String {
+    trade_at("48x36", folder, "")
 }
 
 /// The same with another size.
-fn trade_at(size: &str, folder: &Path, more: &[&str]) -> String {
-    let folder = folder.to_str().expect("a plain name");
-    let small = ["trade", "--quick", "--size", size, "--frames", "2"];
-    let output = lab(&[&small[..], &["--out", folder], more].concat());
-    let error = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{error}");
-    String::from_utf8(output.stdout).expect("text")
+#[track_caller]
+fn trade_at(size: &str, folder: &Path, more: &str) -> String {
+    let folder = folder.display();
+    printed(&format!(
+        "trade --quick --size {size} --frames 2 --out {folder} {more}"
+    ))
 }
 
 fn json(folder: &Path) -> Value {
@@ -62,7 +61,7 @@ fn assert_whole(folder: &Path, plots: &[&str]) {
 #[test]
 fn all_that_is_measured_is_written_whole() {
     let folder = tempfile::tempdir().unwrap();
-    let table = trade(folder.path(), &[]);
+    let table = trade(folder.path());
     assert!(table.contains("| quality | dials |") && table.contains("48x36"));
     assert_whole(folder.path(), &PLOTS);
 
@@ -108,7 +107,7 @@ fn all_that_is_measured_is_written_whole() {
 fn no_point_of_the_front_is_beaten_by_another() {
     let folder = tempfile::tempdir().unwrap();
     // In such small pictures no quality is much faster than tracing every pixel.
-    trade_at("256x192", folder.path(), &["--views", "1"]);
+    trade_at("256x192", folder.path(), "--views 1");
     let json = json(folder.path());
     let rows = json["points"].as_array().expect("rows");
     // Those that keep the rules of the product: colours, objects and states of the lights agree, and nothing is missed.
@@ -136,27 +135,15 @@ fn no_point_of_the_front_is_beaten_by_another() {
 
 #[test]
 fn errors_are_those_that_bench_measures() {
-    let frames = [
-        "--size",
-        "64x48",
-        "--frames",
-        "3",
-        "--time-from",
-        "1",
-        "--time-to",
-        "5",
-    ];
+    let frames = "--size 64x48 --frames 3 --time-from 1 --time-to 5";
     let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().to_str().expect("a plain name");
-    let output = lab(&[&["trade", "--quick", "--out", out], &frames[..]].concat());
-    assert!(output.status.success());
+    let out = folder.path().display();
+    printed(&format!("trade --quick --out {out} {frames}"));
     let json = json(folder.path());
-    let output = lab(&[
-        &["bench", "--jagged", "--quality", "default", "--json", "-"],
-        &frames[..],
-    ]
-    .concat());
-    let bench: Vec<Value> = serde_json::from_slice(&output.stdout).expect("JSON");
+    let bench = printed(&format!(
+        "bench --jagged --quality default --json - {frames}"
+    ));
+    let bench: Vec<Value> = serde_json::from_str(&bench).expect("JSON");
     let mut points = json["points"].as_array().expect("rows").iter();
     let row = points
         .find(|row| row["name"] == "default")
@@ -224,18 +211,7 @@ fn assert_ends_early(signal: &str, code: i32) {
 
 #[test]
 fn all_rows_are_antialiased_if_that_was_asked_for() {
-    let more = [
-        "--size",
-        "48x36",
-        "--frames",
-        "2",
-        "--views",
-        "2",
-        "--antialias",
-    ];
-    let output = lab(&[&["trade", "--ladder"], &more[..]].concat());
-    assert!(output.status.success());
-    let table = String::from_utf8(output.stdout).expect("text");
+    let table = printed("trade --ladder --size 48x36 --frames 2 --views 2 --antialias");
     let rows: Vec<&str> = table.lines().filter(|line| line.contains(" a |")).collect();
     assert_eq!(rows.len(), 9, "{table}");
     // The exhaustive frames, which serve as reference, are antialiased, too.

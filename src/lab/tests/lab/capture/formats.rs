@@ -3,20 +3,10 @@
 use super::{captured, files};
 use crate::lab;
 use eightfold::show;
+use eightfold_lab::error::{Difference, worst_channel};
 use eightfold_stage::{lacks, reader::read_png, run, tool};
 use std::fs;
 use std::ops::Range;
-
-/// The largest difference of two pictures in a channel.
-fn worst(a: &[u32], b: &[u32]) -> u8 {
-    assert_eq!(a.len(), b.len());
-    let channels = |pixels: &[u32]| -> Vec<u8> {
-        let bytes = pixels.iter().flat_map(|pixel| pixel.to_be_bytes());
-        bytes.collect()
-    };
-    let pairs = channels(a).into_iter().zip(channels(b));
-    pairs.map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
-}
 
 /// The pixels of a file of red, green and blue bytes.
 fn pixels(rgb: &[u8]) -> Vec<u32> {
@@ -99,22 +89,10 @@ fn a_video_has_all_frames_and_their_colours() {
         let wanted = rendered(&["0", "0.25", "0.5"], "480x360");
         assert_eq!(decoded.len(), wanted.len(), "{name}");
         // With 4:2:0 the difference is 1.2. With the wrong matrix it is 2.2.
-        let difference = mean_difference(&decoded, &wanted);
+        let difference = Difference::between(&decoded, &wanted).mean;
         assert!(difference < 1.6, "{name}: {difference}");
     }
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
-}
-
-/// The mean difference between two pictures in all channels.
-fn mean_difference(a: &[u32], b: &[u32]) -> f64 {
-    let pairs = a.iter().zip(b);
-    let sum: u32 = pairs
-        .flat_map(|(a, b)| {
-            let (a, b) = (a.to_be_bytes(), b.to_be_bytes());
-            (1..4).map(move |i| u32::from(a[i].abs_diff(b[i])))
-        })
-        .sum();
-    f64::from(sum) / (3 * a.len()) as f64
 }
 
 #[test]
@@ -136,9 +114,8 @@ fn a_supersampled_pixel_is_the_mean_of_its_parts() {
         let parts =
             [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| twice[y * width + x]);
         let sum = |shift: u32| parts.iter().map(|part| part >> shift & 0xff).sum::<u32>();
-        let channels = [16, 8, 0].map(|shift| ((sum(shift) + 2) / 4) as u8);
-        let [r, g, b] = channels;
-        worst(&[u32::from_be_bytes([0, r, g, b])], &[mean[*i]]) > 1
+        let [r, g, b] = [16, 8, 0].map(|shift| ((sum(shift) + 2) / 4) as u8);
+        worst_channel(u32::from_be_bytes([0, r, g, b]), mean[*i]) > 1
     });
     // Rays that graze an edge may hit or miss it, depending on rounding.
     assert!(far.count() <= 2);
