@@ -22,6 +22,20 @@ pub const fn jagged(quality: Quality) -> Quality {
     }
 }
 
+/// All named qualities with squares.
+pub fn named() -> impl Iterator<Item = Quality> {
+    Quality::LADDER.iter().copied().chain([Quality::THESIS])
+}
+
+/// All named qualities with squares, and the default quality with squares whose sides are not powers of two.
+pub fn with_any_squares() -> impl Iterator<Item = Quality> {
+    let of_side = |square| Quality {
+        square,
+        ..Quality::DEFAULT
+    };
+    named().chain([3, 5, 12, 17].map(of_side))
+}
+
 /// Draws a picture by one instruction set, on a number of threads.
 pub fn draw(
     isa: Isa,

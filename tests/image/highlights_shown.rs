@@ -5,6 +5,7 @@
 
 use crate::cpu;
 use crate::drawn::{draw, jagged};
+use crate::generator::near::power;
 use crate::generator::seeded::Random;
 use crate::missed::effects::patches;
 use crate::refinement::bare;
@@ -15,11 +16,6 @@ use glam::{EulerRot, Mat3A, Vec3A, vec3a};
 
 const WIDTH: usize = 320;
 const HEIGHT: usize = 240;
-
-/// A power of ten.
-fn power(random: &mut Random, low: f32, high: f32) -> f32 {
-    10_f32.powf(random.between(low, high))
-}
 
 /// A shiny material whose highlights are of any size.
 fn shiny(random: &mut Random) -> Material {

@@ -5,13 +5,13 @@
 //! by squares of 12. The bare rules miss 274.
 
 use crate::cpu;
-use crate::drawn::{draw, jagged};
+use crate::drawn::{draw, jagged, named, with_any_squares};
 use crate::generator::alone::{image, wide_image};
 use crate::generator::near::seeds;
-use crate::generator::seeded::Random;
+use crate::generator::seeded::{Random, floor};
 use crate::refinement::bare;
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Block, Camera, List, Material, Plane, Scene, Shape, Sphere};
+use eightfold_tracer::scene::{Block, List, Material, Scene, Shape, Sphere};
 use glam::{Mat3A, Vec3A, vec3a};
 use std::collections::BTreeSet;
 
@@ -41,11 +41,7 @@ fn colour(number: usize) -> Vec3A {
 fn scene(random: &mut Random) -> Scene {
     let (mut spheres, mut blocks) = (Vec::new(), Vec::new());
     for number in 0..OBJECTS {
-        let centre = vec3a(
-            random.between(-5.0, 5.0),
-            random.between(0.7, 3.0),
-            random.between(-5.0, 5.0),
-        );
+        let centre = random.vector(vec3a(-5.0, 0.7, -5.0), vec3a(5.0, 3.0, 5.0));
         let size = 10.0_f32.powf(random.between(-2.0, -0.5));
         let material = Material {
             colour: colour(number),
@@ -72,26 +68,15 @@ fn scene(random: &mut Random) -> Scene {
             material,
         });
     }
+    let mirror = Material {
+        kr: KR,
+        ..Material::BLACK
+    };
     Scene {
-        camera: Camera {
-            eye: vec3a(random.between(-6.0, 6.0), random.between(2.0, 8.0), 11.0),
-            look_at: vec3a(0.0, -1.0, 0.0),
-            up: Vec3A::Y,
-            field_of_view: random.between(0.6, 1.0),
-        },
         ambient: Vec3A::ONE,
         spheres: List::of(&spheres),
         blocks: List::of(&blocks),
-        planes: List::of(&[Plane {
-            centre: Vec3A::ZERO,
-            half_x: 20.0,
-            half_z: 20.0,
-            material: Material {
-                kr: KR,
-                ..Material::BLACK
-            },
-        }]),
-        ..Scene::default()
+        ..floor(random, -Vec3A::Y, mirror)
     }
 }
 
@@ -124,12 +109,7 @@ fn images(pixels: &[u32]) -> BTreeSet<u32> {
 
 #[test]
 fn every_image_in_a_plane_that_2x2_pixels_show_is_shown_and_the_bare_rules_miss_some() {
-    let of_side = |square| Quality {
-        square,
-        ..Quality::DEFAULT
-    };
-    let named = Quality::LADDER.iter().copied().chain([Quality::THESIS]);
-    let qualities: Vec<Quality> = named.chain([3, 5, 12, 17].map(of_side)).collect();
+    let qualities: Vec<Quality> = with_any_squares().collect();
     let (mut shown, mut missed_cylinders, mut bare_misses) = (0, 0, 0);
     for seed in 0..SCENES {
         let scene = scene(&mut Random(seed));
@@ -175,7 +155,7 @@ fn the_image_of_a_single_thing_is_shown_wherever_it_is() {
                 continue;
             }
             images += 1;
-            for quality in Quality::LADDER.iter().copied().chain([Quality::THESIS]) {
+            for quality in named() {
                 let drawn = draw(jagged(quality));
                 let mut pairs = exhaustive.iter().zip(&drawn);
                 let is_shown = pairs.any(|(&a, &b)| is_imaged(a) && is_imaged(b));

@@ -1,7 +1,7 @@
 //! Every object that tracing every pixel shows is shown by every guarded quality.
 
 use crate::cpu::{self, Isa};
-use crate::drawn::{draw, jagged};
+use crate::drawn::{draw, jagged, with_any_squares};
 use crate::generator::config;
 use crate::generator::near::{contact, seeds, slivers};
 use crate::generator::placed::{between_corners, extreme_blocks, of_the_show, placed};
@@ -13,14 +13,8 @@ use eightfold_tracer::scene::Scene;
 use proptest::prelude::*;
 use std::collections::HashSet;
 
-/// All named qualities with squares, and the default quality with squares whose sides are not powers of two.
 fn qualities() -> impl Iterator<Item = Quality> {
-    let of_side = |square| Quality {
-        square,
-        ..Quality::DEFAULT
-    };
-    let named = Quality::LADDER.iter().copied().chain([Quality::THESIS]);
-    named.chain([3, 5, 12, 17].map(of_side)).map(jagged)
+    with_any_squares().map(jagged)
 }
 
 /// Asserts that every quality shows each colour of the exhaustive picture at one of its pixels. The background is exempt: gaps

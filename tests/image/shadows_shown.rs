@@ -5,14 +5,14 @@
 //! 125 pixels.
 
 use crate::cpu;
-use crate::drawn::{draw, jagged};
+use crate::drawn::{draw, jagged, named};
 use crate::generator::alone::{shadow, thin_shadows};
 use crate::generator::near::seeds;
-use crate::generator::seeded::Random;
+use crate::generator::seeded::{Random, floor};
 use crate::refinement::bare;
 use crate::wrong_pixels::largest_patch;
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use eightfold_tracer::scene::{Light, List, Material, Scene, Sphere};
 use glam::{Vec3A, vec3a};
 use std::collections::BTreeSet;
 
@@ -25,11 +25,7 @@ const SCENES: u64 = 60;
 /// Red spheres above a grey floor with one light. Most of their shadows are a few pixels wide.
 fn scene(random: &mut Random) -> Scene {
     let sphere = |random: &mut Random| Sphere {
-        centre: vec3a(
-            random.between(-5.0, 5.0),
-            random.between(0.5, 3.0),
-            random.between(-5.0, 5.0),
-        ),
+        centre: random.vector(vec3a(-5.0, 0.5, -5.0), vec3a(5.0, 3.0, 5.0)),
         radius: 10.0_f32.powf(random.between(-2.0, -0.3)),
         material: Material {
             colour: Vec3A::X,
@@ -37,36 +33,20 @@ fn scene(random: &mut Random) -> Scene {
         },
     };
     let spheres: Vec<Sphere> = (0..32).map(|_| sphere(random)).collect();
-    Scene {
-        camera: Camera {
-            eye: vec3a(random.between(-6.0, 6.0), random.between(2.0, 8.0), 11.0),
-            look_at: Vec3A::ZERO,
-            up: Vec3A::Y,
-            field_of_view: random.between(0.6, 1.0),
-        },
-        ambient: Vec3A::splat(0.2),
-        spheres: List::of(&spheres),
-        planes: List::of(&[Plane {
-            centre: Vec3A::ZERO,
-            half_x: 20.0,
-            half_z: 20.0,
-            material: Material {
-                colour: Vec3A::splat(0.8),
-                kd: 0.9,
-                ..Material::BLACK
-            },
-        }]),
-        lights: List::of(&[Light {
-            position: vec3a(
-                random.between(-6.0, 6.0),
-                random.between(5.0, 9.0),
-                random.between(-6.0, 6.0),
-            ),
-            colour: Vec3A::ONE,
-            ..Light::DARK
-        }]),
-        ..Scene::default()
-    }
+    let grey = Material {
+        colour: Vec3A::splat(0.8),
+        kd: 0.9,
+        ..Material::BLACK
+    };
+    let mut scene = floor(random, Vec3A::ZERO, grey);
+    scene.ambient = Vec3A::splat(0.2);
+    scene.spheres = List::of(&spheres);
+    scene.lights.push(Light {
+        position: random.vector(vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0)),
+        colour: Vec3A::ONE,
+        ..Light::DARK
+    });
+    scene
 }
 
 /// The pixel of the floor in shadow: 0.2 of 0.8.
@@ -145,7 +125,7 @@ fn every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some() {
         };
         let all = of(exhaustive.clone());
         shadows += all.len();
-        for quality in Quality::LADDER.iter().copied().chain([Quality::THESIS]) {
+        for quality in named() {
             let missed: Vec<_> = all.difference(&of(draw(quality))).copied().collect();
             assert!(missed.is_empty(), "{missed:?} of {seed} by {quality:?}");
         }
@@ -179,7 +159,7 @@ fn every_shadow_is_shown_however_thin_and_however_near_its_sphere_is_to_the_plan
                 continue;
             }
             shadows += 1;
-            for quality in Quality::LADDER.iter().copied().chain([Quality::THESIS]) {
+            for quality in named() {
                 let drawn = draw(&near.scene, jagged(quality));
                 let is_shown = shaded.iter().any(|&i| drawn[i] == DARK);
                 assert!(is_shown, "{} {quality:?} {:?}", isa.name, near.scene);

@@ -1,7 +1,7 @@
 //! Scenes of a plane that shows the shadow or the image of a single thing: thin ones, in grazing views, cut by the plane, or far
 //! from the origin. Some are known to have been missed, others random.
 
-use super::near::{Near, empty, one_of, place, power};
+use super::near::{Near, empty, one_of, place, power, tilt};
 use super::seeded::Random;
 use eightfold_tracer::scene::{
     Block, Camera, Light, List, MIN_LENGTH, Material, Plane, Scene, Shape, Sphere,
@@ -118,15 +118,7 @@ pub fn image(random: &mut Random) -> Near {
         });
     } else {
         let thin = power(random, -2.0, 0.0);
-        let turn = [
-            Quat::IDENTITY,
-            Quat::from_euler(
-                glam::EulerRot::XYZ,
-                random.between(0.0, 3.0),
-                1.0,
-                random.between(0.0, 3.0),
-            ),
-        ][random.below(2)];
+        let turn = [Quat::IDENTITY, tilt(random)][random.below(2)];
         near.scene.blocks.push(Block {
             centre,
             half: (size * vec3a(thin, 1.0, 1.0)).max(Vec3A::splat(MIN_LENGTH)),

@@ -2,11 +2,12 @@
 //! scenes far from the origin. Some are known to have been missed, others random.
 
 use super::config;
+use super::placed::material;
 use super::seeded::Random;
 use eightfold_tracer::scene::{
     Block, Camera, List, MIN_LENGTH, Material, Plane, Scene, Shape, Sphere,
 };
-use glam::{Mat3A, Quat, Vec3A, vec3a};
+use glam::{EulerRot, Mat3A, Quat, Vec3A, vec3a};
 
 /// A scene, and the size of its picture.
 pub struct Near {
@@ -21,7 +22,7 @@ pub fn seeds(count: u32) -> impl Iterator<Item = Random> {
 }
 
 /// 10 to a power between two.
-pub(super) fn power(random: &mut Random, low: f32, high: f32) -> f32 {
+pub fn power(random: &mut Random, low: f32, high: f32) -> f32 {
     10_f32.powf(random.between(low, high))
 }
 
@@ -32,11 +33,13 @@ pub(super) fn one_of<const N: usize>(random: &mut Random, numbers: [f32; N]) -> 
 
 /// A colour of its own for each number, in steps that are far from rounding.
 fn paint(number: usize) -> Material {
-    let channel = |digit: usize| (30 + 28 * (digit % 8)) as f32 / 255.0;
-    Material {
-        colour: vec3a(channel(number), channel(number / 8), channel(number / 64)),
-        ..Material::BLACK
-    }
+    material(number, 28)
+}
+
+/// A turn about no axis of the scene.
+pub(super) fn tilt(random: &mut Random) -> Quat {
+    let (first, last) = (random.between(0.0, 3.0), random.between(0.0, 3.0));
+    Quat::from_euler(EulerRot::XYZ, first, 1.0, last)
 }
 
 /// A size of a picture, wide ones and narrow ones too.
@@ -159,12 +162,7 @@ pub fn contact(random: &mut Random) -> Near {
                 let turn = [
                     Quat::IDENTITY,
                     Quat::from_rotation_y(random.between(0.0, 3.0)),
-                    Quat::from_euler(
-                        glam::EulerRot::XYZ,
-                        random.between(0.0, 3.0),
-                        1.0,
-                        random.between(0.0, 3.0),
-                    ),
+                    tilt(random),
                 ][random.below(if flat { 2 } else { 3 })];
                 let axes = Mat3A::from_quat(turn);
                 let up = axes.transpose() * Vec3A::Y;

@@ -114,7 +114,7 @@ fn colour(number: usize, step: usize) -> Vec3A {
 }
 
 /// A material with that colour.
-fn material(number: usize, step: usize) -> Material {
+pub(super) fn material(number: usize, step: usize) -> Material {
     Material {
         colour: colour(number, step),
         ..Material::default()

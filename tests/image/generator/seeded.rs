@@ -3,7 +3,7 @@
 use eightfold_lab::sampler::split_mix;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
-    Block, Camera, Film, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
+    Block, Camera, Film, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 
@@ -30,6 +30,25 @@ impl Random {
     pub fn vector(&mut self, low: Vec3A, high: Vec3A) -> Vec3A {
         let mut number = || self.between(0.0, 1.0);
         low + (high - low) * vec3a(number(), number(), number())
+    }
+}
+
+/// A floor with nothing on it, and a camera some way above it.
+pub fn floor(random: &mut Random, look_at: Vec3A, material: Material) -> Scene {
+    Scene {
+        camera: Camera {
+            eye: vec3a(random.between(-6.0, 6.0), random.between(2.0, 8.0), 11.0),
+            look_at,
+            up: Vec3A::Y,
+            field_of_view: random.between(0.6, 1.0),
+        },
+        planes: List::of(&[Plane {
+            centre: Vec3A::ZERO,
+            half_x: 20.0,
+            half_z: 20.0,
+            material,
+        }]),
+        ..Scene::default()
     }
 }
 
