@@ -68,36 +68,38 @@ fn light_sphere(ray: Ray, light: &Light) -> Option<f64> {
 pub(super) fn block(ray: Ray, it: &Block) -> Option<(f64, DVec3)> {
     let axes = glam::Mat3::from(it.axes).as_dmat3();
     let half = it.half.as_dvec3();
-    let is_cylinder = it.shape == Shape::Cylinder;
     let o = axes.transpose() * (ray.o - it.centre.as_dvec3());
     let d = axes.transpose() * ray.d;
     let slack = ray.slack + ROUNDING * half.max_element();
     let mut hits: Vec<(f64, DVec3)> = Vec::new();
     // The flat faces: their planes, if hit inside the face.
-    for i in 0..3 {
-        if is_cylinder && i != 1 {
-            continue;
-        }
+    let flat: &[usize] = match it.shape {
+        Shape::Box => &[0, 1, 2],
+        Shape::Cylinder => &[1],
+    };
+    for &i in flat {
         for side in [-1.0, 1.0] {
             let to_face = side * half[i] - o[i];
             let t = to_face / d[i];
             let p = o + t * d;
-            let is_inside = if is_cylinder {
-                p.x * p.x + p.z * p.z <= half.x * half.x
-            } else {
-                (0..3).all(|j| j == i || p[j].abs() <= half[j])
+            let is_inside = match it.shape {
+                Shape::Box => (0..3).all(|j| j == i || p[j].abs() <= half[j]),
+                Shape::Cylinder => p.x * p.x + p.z * p.z <= half.x * half.x,
             };
             if t.is_finite() && is_inside && to_face.abs() > slack {
                 hits.push((t, side * axes.col(i)));
             }
         }
     }
-    if is_cylinder {
-        let (across, along) = (o.with_y(0.0), d.with_y(0.0));
-        for t in round(across, along, half.x, slack) {
-            let p = o + t * d;
-            if p.y.abs() <= half.y {
-                hits.push((t, axes * (p.with_y(0.0) / half.x)));
+    match it.shape {
+        Shape::Box => {}
+        Shape::Cylinder => {
+            let (across, along) = (o.with_y(0.0), d.with_y(0.0));
+            for t in round(across, along, half.x, slack) {
+                let p = o + t * d;
+                if p.y.abs() <= half.y {
+                    hits.push((t, axes * (p.with_y(0.0) / half.x)));
+                }
             }
         }
     }

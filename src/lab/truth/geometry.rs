@@ -82,7 +82,7 @@ pub enum Shape {
         centre: DVec3,
         half: DVec3,
         axes: DMat3,
-        is_cylinder: bool,
+        shape: BlockShape,
     },
 }
 
@@ -150,7 +150,7 @@ impl From<&Block> for Shape {
             centre: block.centre.as_dvec3(),
             half: block.half.as_dvec3(),
             axes: Mat3::from(block.axes).as_dmat3(),
-            is_cylinder: block.shape == BlockShape::Cylinder,
+            shape: block.shape,
         }
     }
 }
@@ -172,7 +172,7 @@ impl Shape {
                 centre,
                 half,
                 axes,
-                is_cylinder,
+                shape,
             } => {
                 let own = Ray {
                     o: axes.transpose() * (ray.o - centre),
@@ -185,10 +185,9 @@ impl Shape {
                 if nearest.length_squared() > bound * bound {
                     return None;
                 }
-                let met = if is_cylinder {
-                    cylinder(own, half)
-                } else {
-                    cuboid(own, half)
+                let met = match shape {
+                    BlockShape::Box => cuboid(own, half),
+                    BlockShape::Cylinder => cylinder(own, half),
                 };
                 met.map(|met| Met {
                     normal: axes * met.normal,
@@ -208,13 +207,14 @@ impl Shape {
                 centre,
                 half,
                 axes,
-                is_cylinder,
-            } => (
-                centre,
-                half,
-                axes,
-                if is_cylinder { &[1] } else { &[0, 1, 2] },
-            ),
+                shape,
+            } => {
+                let flat: &[usize] = match shape {
+                    BlockShape::Box => &[0, 1, 2],
+                    BlockShape::Cylinder => &[1],
+                };
+                (centre, half, axes, flat)
+            }
         };
         let sides = flat.iter().flat_map(|&i| [(i, -1.0), (i, 1.0)]);
         let face = |(i, side): (usize, f64)| Face {
@@ -222,6 +222,17 @@ impl Shape {
             n: side * axes.col(i).normalize(),
         };
         sides.map(face).collect()
+    }
+
+    /// Whether it has no surface but a sphere's or flat sides: then the ways of light by one mirror have a closed form.
+    pub fn is_mirror_in_closed_form(&self) -> bool {
+        match *self {
+            Self::Sphere { .. } | Self::Plane { .. } => true,
+            Self::Block { shape, .. } => match shape {
+                BlockShape::Box => true,
+                BlockShape::Cylinder => false,
+            },
+        }
     }
 
     /// Its centre.

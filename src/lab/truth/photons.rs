@@ -7,7 +7,7 @@
 //! out. The noise is part of the intervals, the blur is not.
 
 use super::connect::{Connections, Event, Gap};
-use super::geometry::{Ray, Shape};
+use super::geometry::Ray;
 use super::lamp::Lamp;
 use super::surface::Bsdf;
 use super::world::{Body, World};
@@ -94,7 +94,7 @@ impl Photons {
         if let [(_, only)] = *targets
             && only.material.kt == 0.0
             && only.waves == Waves::CALM
-            && !matches!(only.shape, Shape::Block { is_cylinder, .. } if is_cylinder)
+            && only.shape.is_mirror_in_closed_form()
         {
             // All ways have a closed form.
             return Self::none();

@@ -140,7 +140,7 @@ impl Prepared {
                 Object::Sphere(sphere) => sphere.centre,
                 Object::Block(block) => block.centre,
                 Object::Plane(plane) => plane.centre,
-                _ => continue,
+                Object::Light(_) | Object::Background => continue,
             };
             if i == self.first_plane() && !self.scene.water.are_calm() {
                 continue;
@@ -175,18 +175,24 @@ impl Prepared {
                         add(Place::round(eye, lamp, Vec3A::ZERO, sphere.radius));
                     }
                     Object::Block(block) => {
-                        let is_round = block.shape == Shape::Cylinder;
-                        for side in 0..3 {
+                        let flat: &[usize] = match block.shape {
+                            Shape::Box => &[0, 1, 2],
+                            Shape::Cylinder => &[1],
+                        };
+                        for &side in flat {
                             let axis = block.axes.col(side);
-                            if side == 1 || !is_round {
-                                add(Place::flat(eye, lamp, axis, block.half[side]));
+                            add(Place::flat(eye, lamp, axis, block.half[side]));
+                        }
+                        match block.shape {
+                            Shape::Box => {}
+                            Shape::Cylinder => {
+                                add(Place::round(eye, lamp, block.axes.y_axis, block.half.x));
                             }
                         }
-                        if is_round {
-                            add(Place::round(eye, lamp, block.axes.y_axis, block.half.x));
-                        }
                     }
-                    _ => add(Place::flat(eye, lamp, Vec3A::Y, 0.0)),
+                    Object::Plane(_) | Object::Light(_) | Object::Background => {
+                        add(Place::flat(eye, lamp, Vec3A::Y, 0.0))
+                    }
                 }
             }
         }

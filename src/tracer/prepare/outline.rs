@@ -103,9 +103,12 @@ impl Outline {
             let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
             let is_left = (y * way).cmplt(Vec3A::ZERO);
             let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
-            if block.shape == Shape::Cylinder {
-                x.y = a.y * touched + b.y * apart * way;
-                y.y = b.y * touched - a.y * apart * way;
+            match block.shape {
+                Shape::Box => {}
+                Shape::Cylinder => {
+                    x.y = a.y * touched + b.y * apart * way;
+                    y.y = b.y * touched - a.y * apart * way;
+                }
             }
             let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
             // The root of 3 is for the length of rays, and that of 2 because the scale has a sum for the distance of an edge.

@@ -133,13 +133,15 @@ impl Surface<f32> {
         let emitted = match object {
             Object::Light(light) => light.colour,
             Object::Background => scene.background,
-            _ => material.colour * scene.ambient,
+            Object::Sphere(_) | Object::Block(_) | Object::Plane(_) => {
+                material.colour * scene.ambient
+            }
         };
         let (centre, inverse_radius) = match object {
             Object::Sphere(sphere) => (sphere.centre, 1.0 / sphere.radius),
             Object::Plane(plane) => (plane.centre, 0.0),
-            // Blocks: `trace::block` computes the point that is hit.
-            _ => (Vec3A::ZERO, 0.0),
+            // Of a block the tracer computes the point that is hit.
+            Object::Block(_) | Object::Light(_) | Object::Background => (Vec3A::ZERO, 0.0),
         };
         let highlight_start = if material.ks > MIN_HIGHLIGHT {
             root_below(MIN_HIGHLIGHT / material.ks, material.exponent)
@@ -151,7 +153,7 @@ impl Surface<f32> {
             inverse_radius,
             is_lit: match object {
                 Object::Light(_) | Object::Background => 0.0,
-                _ => 1.0,
+                Object::Sphere(_) | Object::Block(_) | Object::Plane(_) => 1.0,
             },
             emitted: emitted.to_array(),
             diffuse: (material.colour * material.kd).to_array(),

@@ -136,7 +136,8 @@ impl Tree {
                 Object::Sphere(sphere) => (sphere.centre, sphere.radius),
                 // Enlarged to cover rounding.
                 Object::Block(block) => (block.centre, block.half.length() * (1.0 + 1e-4)),
-                _ => (Vec3A::ZERO, 0.0),
+                // No solids.
+                Object::Light(_) | Object::Plane(_) | Object::Background => (Vec3A::ZERO, 0.0),
             };
             *ball = Ball {
                 centre,
@@ -315,10 +316,9 @@ impl BvhNode {
             thin2 += half2.y;
         } else {
             self.axis = block.axes.y_axis;
-            thin2 += if block.shape == Shape::Cylinder {
-                0.0
-            } else {
-                half2.z
+            thin2 += match block.shape {
+                Shape::Box => half2.z,
+                Shape::Cylinder => 0.0,
             };
         }
         self.thin2 = thin2 * (1.0 + 2.0 * MARGIN);

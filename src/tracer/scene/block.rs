@@ -26,6 +26,9 @@ fields! {
 impl Block {
     /// Whether it is as wide as it is deep, if it is a cylinder.
     fn is_round(&self) -> bool {
-        self.shape == Shape::Box || self.half.x == self.half.z
+        match self.shape {
+            Shape::Box => true,
+            Shape::Cylinder => self.half.x == self.half.z,
+        }
     }
 }

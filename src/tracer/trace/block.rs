@@ -41,24 +41,27 @@ pub(super) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S
     let zero = splat(simd, 0.0);
     let (mut near, mut far) = slab(simd, o.y, d.y, block.half.y);
     let mut is_met = M::<S>::splat(simd, true);
-    if block.shape == Shape::Cylinder {
-        let a: F<S> = d.x * d.x + d.z * d.z;
-        let b: F<S> = d.x * o.x + d.z * o.z;
-        let middle = -b / a;
-        // The squared half chord, computed from the perpendicular to the axis, which loses no digits far away.
-        let x: F<S> = o.x + d.x * middle;
-        let z: F<S> = o.z + d.z * middle;
-        let off2: F<S> = x * x + z * z;
-        let chord2 = -off2 + block.half.x * block.half.x;
-        is_met = chord2.simd_ge(zero);
-        let half = (at_least::<S>(chord2, zero) / a).sqrt();
-        near = at_least::<S>(near, middle - half);
-        far = at_most::<S>(far, middle + half);
-    } else {
-        for (o, d, half) in [(o.x, d.x, block.half.x), (o.z, d.z, block.half.z)] {
-            let (enters, leaves) = slab(simd, o, d, half);
-            near = at_least::<S>(near, enters);
-            far = at_most::<S>(far, leaves);
+    match block.shape {
+        Shape::Box => {
+            for (o, d, half) in [(o.x, d.x, block.half.x), (o.z, d.z, block.half.z)] {
+                let (enters, leaves) = slab(simd, o, d, half);
+                near = at_least::<S>(near, enters);
+                far = at_most::<S>(far, leaves);
+            }
+        }
+        Shape::Cylinder => {
+            let a: F<S> = d.x * d.x + d.z * d.z;
+            let b: F<S> = d.x * o.x + d.z * o.z;
+            let middle = -b / a;
+            // The squared half chord, computed from the perpendicular to the axis, which loses no digits far away.
+            let x: F<S> = o.x + d.x * middle;
+            let z: F<S> = o.z + d.z * middle;
+            let off2: F<S> = x * x + z * z;
+            let chord2 = -off2 + block.half.x * block.half.x;
+            is_met = chord2.simd_ge(zero);
+            let half = (at_least::<S>(chord2, zero) / a).sqrt();
+            near = at_least::<S>(near, middle - half);
+            far = at_most::<S>(far, middle + half);
         }
     }
     let t = near.simd_gt(zero).select(near, far);
@@ -102,9 +105,12 @@ impl<S: Isa> BlockHit<S> {
         // The coordinates relative to the faces, which are at -1 and 1.
         let faces = own * Vec3x::splat(simd, block.half.recip());
         let (mut x, y, mut z) = (faces.x.abs(), faces.y.abs(), faces.z.abs());
-        if block.shape == Shape::Cylinder {
-            x = (x * x + z * z).sqrt();
-            z = x;
+        match block.shape {
+            Shape::Box => {}
+            Shape::Cylinder => {
+                x = (x * x + z * z).sqrt();
+                z = x;
+            }
         }
         let farthest = at_least::<S>(at_least::<S>(x, y), z);
         let zero = splat(simd, 0.0);

@@ -211,6 +211,14 @@ pub fn shape() -> impl Strategy<Value = Shape> {
     })
 }
 
+/// A block's extent that fits its shape.
+pub fn fitting(shape: Shape, half: Vec3A) -> Vec3A {
+    match shape {
+        Shape::Box => half,
+        Shape::Cylinder => half.with_z(half.x),
+    }
+}
+
 /// A box or a cylinder near the origin.
 fn block() -> impl Strategy<Value = Block> {
     (
@@ -220,19 +228,12 @@ fn block() -> impl Strategy<Value = Block> {
         shape(),
         painted(),
     )
-        .prop_map(|(centre, half, ([x, y, z], w), shape, material)| {
-            let half = Vec3A::from(half);
-            Block {
-                centre,
-                half: if shape == Shape::Cylinder {
-                    half.with_z(half.x)
-                } else {
-                    half
-                },
-                axes: Mat3A::from_quat(Quat::from_xyzw(x, y, z, w).normalize()),
-                shape,
-                material,
-            }
+        .prop_map(|(centre, half, ([x, y, z], w), shape, material)| Block {
+            centre,
+            half: fitting(shape, Vec3A::from(half)),
+            axes: Mat3A::from_quat(Quat::from_xyzw(x, y, z, w).normalize()),
+            shape,
+            material,
         })
 }
 

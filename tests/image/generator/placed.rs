@@ -1,6 +1,6 @@
 //! Random scenes whose objects are placed by where they appear in the picture, each in its own colour.
 
-use super::shape;
+use super::{fitting, shape};
 use crate::extremes::scaled;
 use eightfold::show;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
@@ -54,7 +54,7 @@ fn placed_block() -> impl Strategy<Value = PlacedBlock> {
     (placement(), (share(), share(), share()), rotation, shape()).prop_map(
         |(placement, (x, y, z), rotation, shape)| PlacedBlock {
             placement,
-            half: vec3a(x, y, if shape == Shape::Cylinder { x } else { z }).normalize(),
+            half: fitting(shape, vec3a(x, y, z)).normalize(),
             rotation,
             shape,
         },
@@ -68,10 +68,9 @@ fn extreme_block() -> impl Strategy<Value = PlacedBlock> {
         |(mut block, pixels, distance, thin)| {
             block.placement.radius = 10.0_f32.powf(pixels);
             block.placement.distance = 10.0_f32.powf(distance);
-            block.half *= if block.shape == Shape::Cylinder {
-                vec3a(thin, 1.0, thin)
-            } else {
-                vec3a(1.0, thin, 1.0)
+            block.half *= match block.shape {
+                Shape::Box => vec3a(1.0, thin, 1.0),
+                Shape::Cylinder => vec3a(thin, 1.0, thin),
             };
             block
         },

@@ -1,5 +1,6 @@
 //! Random scenes and qualities made from a seed, without a framework, for long runs.
 
+use super::fitting;
 use eightfold_lab::sampler::split_mix;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
@@ -124,11 +125,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
         let turn = random.vector(Vec3A::splat(-3.0), Vec3A::splat(3.0));
         scene.blocks.push(Block {
             centre: scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),
-            half: if shape == Shape::Cylinder {
-                half.with_z(half.x)
-            } else {
-                half
-            },
+            half: fitting(shape, half),
             axes: Mat3A::from_quat(Quat::from_scaled_axis(turn.into())),
             shape,
             material: material(random),

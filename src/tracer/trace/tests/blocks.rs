@@ -24,7 +24,7 @@ fn block(random: &mut Random) -> (Block, f64) {
     let turn = Quat::from_xyzw(a, b, c, random.between(-1.0, 1.0) as f32);
     let block = Block {
         centre,
-        half: Vec3A::new(x, y, if shape == Shape::Cylinder { x } else { z }),
+        half: fitting(shape, Vec3A::new(x, y, z)),
         axes: Mat3A::from_quat(turn.normalize()),
         shape,
         ..Block::default()
@@ -33,15 +33,26 @@ fn block(random: &mut Random) -> (Block, f64) {
     (block, f64::from(largest))
 }
 
+/// A block's extent that fits its shape.
+fn fitting(shape: Shape, half: Vec3A) -> Vec3A {
+    match shape {
+        Shape::Box => half,
+        Shape::Cylinder => half.with_z(half.x),
+    }
+}
+
 /// The distance of a point from the nearest side; negative inside.
 fn outside(block: &Block, p: Vec3A) -> f64 {
     let axes = glam::Mat3::from(block.axes).as_dmat3();
     let own = axes.transpose() * (p.as_dvec3() - block.centre.as_dvec3());
     let half = block.half.as_dvec3();
     let mut out = own.abs() - half;
-    if block.shape == Shape::Cylinder {
-        out.x = own.x.hypot(own.z) - half.x;
-        out.z = out.x;
+    match block.shape {
+        Shape::Box => {}
+        Shape::Cylinder => {
+            out.x = own.x.hypot(own.z) - half.x;
+            out.z = out.x;
+        }
     }
     out.max_element()
 }
@@ -147,7 +158,7 @@ impl Property for FarBlocks {
             };
             let block = Block {
                 centre: Vec3A::ZERO,
-                half: if kind == 2 { half.with_z(half.x) } else { half },
+                half: fitting(shape, half),
                 axes: if kind == 0 { Mat3A::IDENTITY } else { any.axes },
                 shape,
                 ..any
