@@ -140,6 +140,7 @@ mod prepare;
 mod quality;
 mod refine;
 mod render;
+mod shapes;
 mod text;
 mod trace;
 

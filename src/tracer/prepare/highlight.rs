@@ -8,7 +8,8 @@ use super::object::{self, Object, ObjectId};
 use super::{Axes, Prepared};
 use crate::maths::sqrt;
 use crate::scene::camera::pixels;
-use crate::scene::{Block, MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Shape};
+use crate::scene::{Block, MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
+use crate::shapes::{Mirror, block};
 use core::f32::consts::PI;
 use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 
@@ -30,10 +31,6 @@ const LEAST_AREA: f32 = 4.0;
 
 /// The square of how far from a corner of a square of 8 pixels a pixel of it is at most, in pixels.
 const FARTHEST2: f32 = 0.5 * SQUARE * SQUARE;
-
-/// Newton's steps to where a curved surface mirrors a lamp. Two are enough far from it; the others are for eyes and lamps that are
-/// near.
-const NEWTON_STEPS: usize = 8;
 
 /// A highlight.
 #[derive(Clone, Copy)]
@@ -156,7 +153,7 @@ impl Prepared {
                 }
                 let [eye, lamp] = [self.eye, lamp.position].map(|point| point - centre);
                 // What of an object is nearest to the middle of a highlight beside it has most of that.
-                let mut add = |mut place: Place| {
+                let mut add = |mut place: Mirror| {
                     if let Object::Block(Block { half, axes, .. }) = object {
                         place.p = *axes * (axes.transpose() * place.p).clamp(-*half, *half);
                     }
@@ -172,26 +169,11 @@ impl Prepared {
                 };
                 match object {
                     Object::Sphere(sphere) => {
-                        add(Place::round(eye, lamp, Vec3A::ZERO, sphere.radius));
+                        add(Mirror::round(eye, lamp, Vec3A::ZERO, sphere.radius));
                     }
-                    Object::Block(block) => {
-                        let flat: &[usize] = match block.shape {
-                            Shape::Box => &[0, 1, 2],
-                            Shape::Cylinder => &[1],
-                        };
-                        for &side in flat {
-                            let axis = block.axes.col(side);
-                            add(Place::flat(eye, lamp, axis, block.half[side]));
-                        }
-                        match block.shape {
-                            Shape::Box => {}
-                            Shape::Cylinder => {
-                                add(Place::round(eye, lamp, block.axes.y_axis, block.half.x));
-                            }
-                        }
-                    }
+                    Object::Block(block) => block::mirrors(block, eye, lamp, add),
                     Object::Plane(_) | Object::Light(_) | Object::Background => {
-                        add(Place::flat(eye, lamp, Vec3A::Y, 0.0))
+                        add(Mirror::flat(eye, lamp, Vec3A::Y, 0.0))
                     }
                 }
             }
@@ -211,57 +193,7 @@ impl Highlight {
     }
 }
 
-/// A place of a surface that mirrors a lamp to the eye, from the object's centre.
-struct Place {
-    p: Vec3A,
-    /// The normal, of length 1.
-    n: Vec3A,
-    /// The curvature across an axis, along which there is none.
-    curvature: f32,
-    axis: Vec3A,
-}
-
-impl Place {
-    /// On a sphere, without an axis, or on a cylinder about one, of length 1.
-    ///
-    /// Across the axis the normal halves the angle between the directions to the eye and the lamp. Unrolled, the way from the one
-    /// to the other is straight, which tells the height.
-    fn round(eye: Vec3A, lamp: Vec3A, axis: Vec3A, radius: f32) -> Self {
-        let heights = [eye, lamp].map(|point| point.dot(axis));
-        let [eye, lamp] = [eye - axis * heights[0], lamp - axis * heights[1]];
-        let mut n = (eye.normalize() + lamp.normalize()).normalize();
-        let mut height = 0.0;
-        for _ in 0..NEWTON_STEPS {
-            let [near, far] = [eye, lamp].map(|point| point - n * radius);
-            let [a, b] = [near, far].map(|way| 1.0 / way.length());
-            height = (heights[0] * a + heights[1] * b) / (a + b);
-            let half = near * a + far * b;
-            let length = half.length();
-            // As the normal turns by an angle, what halves the directions turns back by that times this.
-            let back = 0.25 * radius * (a + b) * length;
-            n = (n + (half / length - n) / (1.0 + back)).normalize();
-        }
-        Self {
-            p: n * radius + axis * height,
-            n,
-            curvature: 1.0 / radius,
-            axis,
-        }
-    }
-
-    /// On the side towards the eye of two that are so far from the centre, with the normals `axis` and `-axis`.
-    fn flat(eye: Vec3A, lamp: Vec3A, axis: Vec3A, half: f32) -> Self {
-        let n = axis * 1.0_f32.copysign(eye.dot(axis));
-        let [above, lamp_above] = [eye, lamp].map(|point| point.dot(n) - half);
-        let way = eye.lerp(lamp, above / (above + lamp_above));
-        Self {
-            p: way + n * (half - way.dot(n)),
-            n,
-            curvature: 0.0,
-            axis,
-        }
-    }
-
+impl Mirror {
     /// The highlight there, in a picture with some axes; `eye` and `lamp` are from the object's centre, too. It is no number where
     /// the eye or the lamp does not see the place.
     fn seen(&self, axes: &Axes, eye: Vec3A, lamp: Vec3A, half_exponent: f32) -> Highlight {

@@ -5,7 +5,8 @@ use super::screen::{Axes, Rects, ScreenBounds};
 use super::{BvhNode, HIT_ERROR, ObjectId, Prepared, Rectangle, hit_error};
 use crate::lanes::*;
 use crate::maths::sqrt;
-use crate::scene::{Block, Shape};
+use crate::scene::Block;
+use crate::shapes::block::Silhouette;
 use glam::{Vec3A, Vec3Swizzles, Vec4};
 
 /// An object's outline.
@@ -82,34 +83,15 @@ impl Outline {
     /// Takes in the block that the sphere is around, `to` from the eye.
     ///
     /// Its sides are the planes through the eye and an edge that have all of it on one side: two for each of its axes, at
-    /// most. Across its axis a cylinder counts as the box around it.
+    /// most.
     pub fn set_block(&mut self, axes: &Axes, to: Vec3A, block: &Block) {
         let inward = block.axes.transpose();
         let slack = CORNER * (to.abs() + block.half).element_sum() + hit_error(block.centre, 0.0);
         self.unsure = 0.0;
-        // Along each axis, in a lane, it is a rectangle across the other two.
-        let (centre, half) = (inward * to, block.half + slack);
-        let (a, b) = (centre.yzx(), centre.zxy());
-        let (half_a, half_b) = (half.yzx(), half.zxy());
-        let is_beside = a.abs().cmpgt(half_a);
-        // The eye is between its sides.
-        let has_none = !(is_beside | b.abs().cmpgt(half_b));
-        // Along a cylinder, the points where lines touch a circle, as shares of the way to its middle and across.
-        let touched = 1.0 - half.x * half.x / (a.y * a.y + b.y * b.y);
-        let apart = sqrt(touched - touched * touched);
+        let silhouette = Silhouette::new(block.shape, inward * to, block.half + slack);
+        let has_none = silhouette.has_none;
         for (cone, way) in [(&mut self.cone, 1.0), (&mut self.ends, -1.0)] {
-            // The corner where the rectangle ends, one way round or the other.
-            let is_below = Vec3A::select(is_beside, a * way, b).cmplt(Vec3A::ZERO);
-            let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
-            let is_left = (y * way).cmplt(Vec3A::ZERO);
-            let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
-            match block.shape {
-                Shape::Box => {}
-                Shape::Cylinder => {
-                    x.y = a.y * touched + b.y * apart * way;
-                    y.y = b.y * touched - a.y * apart * way;
-                }
-            }
+            let [x, y] = silhouette.ends(way);
             let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
             // The root of 3 is for the length of rays, and that of 2 because the scale has a sum for the distance of an edge.
             self.unsure = self.unsure.max(2.5 * slack * scale.abs().max_element());

@@ -4,7 +4,8 @@
 
 use super::hit_error;
 use super::object::{self, Object, ObjectId};
-use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene, Shape};
+use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
+use crate::shapes::block;
 use glam::Vec3A;
 
 /// The number of groups that solids are divided into. Up to so many solids have a group of their own. For each part of the
@@ -134,8 +135,7 @@ impl Tree {
             let id = ObjectId::new(number);
             let (centre, radius) = match object::of(scene, id).0 {
                 Object::Sphere(sphere) => (sphere.centre, sphere.radius),
-                // Enlarged to cover rounding.
-                Object::Block(block) => (block.centre, block.half.length() * (1.0 + 1e-4)),
+                Object::Block(block) => (block.centre, block::bounding_radius(block)),
                 // No solids.
                 Object::Light(_) | Object::Plane(_) | Object::Background => (Vec3A::ZERO, 0.0),
             };
@@ -305,23 +305,13 @@ impl BvhNode {
         thin2: 0.0,
     };
 
-    /// Prepares the node for the box or cylinder in it. Long ones extend along y, if they stand, or along z, if they lie.
+    /// Prepares the node for the box or cylinder in it.
     #[inline(always)]
     fn set_block(&mut self, block: &Block) {
         self.is_block = true;
-        let half2 = block.half * block.half;
-        let mut thin2 = half2.x;
-        if half2.y < half2.z {
-            self.axis = block.axes.z_axis;
-            thin2 += half2.y;
-        } else {
-            self.axis = block.axes.y_axis;
-            thin2 += match block.shape {
-                Shape::Box => half2.z,
-                Shape::Cylinder => 0.0,
-            };
-        }
-        self.thin2 = thin2 * (1.0 + 2.0 * MARGIN);
+        let (axis, radius2) = block::bounding_cylinder(block);
+        self.axis = axis;
+        self.thin2 = radius2 * (1.0 + 2.0 * MARGIN);
     }
 
     /// The number of nodes to advance by.

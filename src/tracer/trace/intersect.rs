@@ -1,9 +1,10 @@
-//! Intersections of rays with planes and with the tree's spheres. Coordinates are the scene's.
+//! What a packet hits first: planes, the tree's spheres, and blocks by their bounding spheres. Coordinates are the scene's.
 
 use super::candidates::Candidates;
 use super::rays::Rays;
 use crate::lanes::*;
-use crate::prepare::{BvhNode, GroupSet, ObjectId, Prepared, Rectangle};
+use crate::prepare::{BvhNode, GroupSet, Object, ObjectId, Prepared, Rectangle};
+use crate::shapes::block;
 
 /// The distance that stands for no hit.
 const FARTHEST: f32 = 1e30;
@@ -80,6 +81,24 @@ pub(crate) fn nearest<S: Isa>(
         i += node.step(is_met);
     }
     hit
+}
+
+/// Intersects rays with the boxes and cylinders among their candidates, and keeps hits that are nearer.
+#[inline(always)]
+pub(super) fn resolve_blocks<S: Isa>(
+    simd: S,
+    scene: &Prepared,
+    rays: &Rays<S>,
+    candidates: &Candidates,
+    hit: &mut Hit<S>,
+) {
+    for &candidate in candidates.as_slice() {
+        if let Object::Block(block) = scene.object(candidate.object).0 {
+            let t = block::distance(simd, block, &rays.o, &rays.d);
+            let is_nearer = t.simd_lt(hit.t) & candidate.lanes(simd);
+            hit.keep_nearer(is_nearer, t, candidate.object);
+        }
+    }
 }
 
 /// The chord of a ray's line inside of a sphere.

@@ -11,7 +11,7 @@
 //! | step | module |
 //! | --- | --- |
 //! | primary rays of queued points, or secondary rays from the stack | `queue`, `stack` |
-//! | the nearest hits: planes and spheres, then boxes and cylinders among the candidates | `intersect`, `block` |
+//! | the nearest hits: planes and spheres, then boxes and cylinders among the candidates | `intersect` |
 //! | points, normals, grooves, patterns and waves there | `surface`, `point`, `texture`, `waves` |
 //! | visibility: which lamps' light arrives, and how much of it | `visibility`, `shadow`, `transmittance` |
 //! | light: what the surfaces reflect of it | `light` |
@@ -21,7 +21,6 @@
 mod accumulator;
 mod air;
 mod batch;
-mod block;
 mod candidates;
 mod casters;
 mod contribution;

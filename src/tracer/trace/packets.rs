@@ -2,7 +2,7 @@
 
 use super::batch::Batch;
 use super::tracer::Tracer;
-use super::{block, intersect, shade};
+use super::{intersect, shade};
 use crate::lanes::*;
 use crate::prepare::{GroupSet, VisibleGroups};
 
@@ -35,7 +35,7 @@ pub(super) fn trace_packets<S: Isa>(tracer: Tracer<'_, S>, seen: VisibleGroups, 
         let candidates = &mut batch.candidates;
         let mut hit = intersect::nearest(simd, scene, &rays, groups, candidates);
         if !candidates.is_empty() {
-            block::resolve_blocks(simd, scene, &rays, candidates, &mut hit);
+            intersect::resolve_blocks(simd, scene, &rays, candidates, &mut hit);
         }
         if is_primary {
             batch.results.keep_objects::<S>(next, hit.object);

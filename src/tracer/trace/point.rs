@@ -1,12 +1,12 @@
 //! The points that are shaded. Coordinates are the scene's.
 
-use super::block::{self, BlockHit};
 use super::intersect::Hit;
 use super::rays::Rays;
 use super::surface::{SurfaceLanes, object_at};
-use super::texture::TexturePoint;
 use crate::lanes::*;
 use crate::prepare::{Object, Prepared};
+use crate::shapes::TexturePoint;
+use crate::shapes::block::{self, BlockHit};
 use glam::Mat3A;
 
 /// The largest distance of a hit from its sphere, as a share of the radius, that one Newton step reduces to rounding errors.
@@ -110,13 +110,14 @@ impl<S: Isa> ShadingPoint<S> {
                     let on_block = BlockHit::near(simd, block, (*o - centre).add_scaled(*d, hit.t));
                     let error = splat(simd, block::hit_error(block));
                     // The point is moved to the ray's side of the surface.
-                    let sign = !d.dot(on_block.n).bitcast::<U<S>>() & (1 << 31);
+                    let n = on_block.texture_point.n;
+                    let sign = !d.dot(n).bitcast::<U<S>>() & (1 << 31);
                     let p = centre + on_block.out;
-                    let p = p.add_scaled(on_block.n, flipped::<S>(error, sign));
+                    let p = p.add_scaled(n, flipped::<S>(error, sign));
                     self.p = Vec3x::select(same, p, self.p);
-                    self.n = Vec3x::select(same, on_block.n, self.n);
+                    self.n = Vec3x::select(same, n, self.n);
                     self.hit_error = same.select(error, self.hit_error);
-                    TexturePoint::on_block(&on_block)
+                    on_block.texture_point
                 }
                 Object::Sphere(sphere) => {
                     let from = *o - Vec3x::splat(simd, sphere.centre);
@@ -131,7 +132,10 @@ impl<S: Isa> ShadingPoint<S> {
             if material.anisotropy > 0.0 {
                 let axes = match object {
                     Object::Block(block) => block.axes,
-                    _ => Mat3A::IDENTITY,
+                    Object::Sphere(_)
+                    | Object::Plane(_)
+                    | Object::Light(_)
+                    | Object::Background => Mat3A::IDENTITY,
                 };
                 let groove = texture_point.groove(simd, &axes);
                 self.groove = Vec3x::select(same, groove, self.groove);

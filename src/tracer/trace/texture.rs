@@ -1,20 +1,13 @@
 //! Evaluates procedural textures, see [`crate::scene::Pattern`], and the directions of grooves.
 
-use super::block::{self, BlockHit};
 use super::rays::to_picture;
 use crate::lanes::*;
 use crate::prepare::{Object, ObjectId, Prepared};
 use crate::scene::{Pattern, Sphere};
+use crate::shapes::TexturePoint;
+use crate::shapes::block::{self, BlockHit};
 use fearless_simd::f32x4;
 use glam::{Mat3A, Vec3A};
-
-/// The points of a packet at which textures are evaluated.
-pub(super) struct TexturePoint<S: Isa> {
-    /// The point relative to the object's centre, along the object's own axes, in scene units.
-    pub own: Vec3x<S>,
-    /// The normal, of length 1, with either sign.
-    pub n: Vec3x<S>,
-}
 
 impl<S: Isa> TexturePoint<S> {
     /// A point on a sphere, `out` from its centre.
@@ -32,15 +25,6 @@ impl<S: Isa> TexturePoint<S> {
         Self {
             own: out * Vec3x::splat(simd, Vec3A::new(1.0, 0.0, 1.0)),
             n: Vec3x::splat(simd, Vec3A::Y),
-        }
-    }
-
-    /// A point on a box or a cylinder.
-    #[inline(always)]
-    pub fn on_block(hit: &BlockHit<S>) -> Self {
-        Self {
-            own: hit.own,
-            n: hit.n,
         }
     }
 
@@ -109,7 +93,7 @@ impl<'a> SeenPattern<'a> {
                 let from = o - Vec3x::splat(simd, block.centre);
                 let t = block::distance(simd, block, &o, &d);
                 let hit = BlockHit::near(simd, block, from.add_scaled(d, t));
-                (TexturePoint::on_block(&hit), t)
+                (hit.texture_point, t)
             }
             Object::Plane(plane) => {
                 let from = o - Vec3x::splat(simd, plane.centre);

@@ -1,12 +1,12 @@
 //! How much of a lamp's light passes what is in its way: spotlights' cones, penumbrae and coloured shadows. Coordinates are the
 //! scene's.
 
-use super::block;
 use super::candidates::Candidates;
 use super::shadow::ShadowRays;
 use crate::lanes::*;
 use crate::prepare::{Lamp, Object, Prepared};
 use crate::scene::{Sphere, Spot};
+use crate::shapes::block;
 use glam::Vec3A;
 
 /// The share of a lamp's light, as a colour, that its cone and the candidates let pass; 0 in lanes that are not needed.

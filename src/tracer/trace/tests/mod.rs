@@ -13,9 +13,8 @@ mod shadows;
 
 extern crate std;
 
-use super::block::resolve_blocks;
 use super::candidates::Candidates;
-use super::intersect::{Hit, nearest};
+use super::intersect::{Hit, nearest, resolve_blocks};
 use super::point::ShadingPoint;
 use super::rays::{Rays, primary_directions};
 use super::surface::{SurfaceLanes, SurfaceRows};

@@ -1,0 +1,153 @@
+//! What the shapes of a block, box and cylinder, share: the coordinates along its own axes, in which each answers for itself.
+//! Other coordinates are the scene's.
+
+use super::{Mirror, TexturePoint, cuboid, cylinder};
+use crate::lanes::*;
+use crate::scene::{Block, Shape};
+use glam::{BVec3A, Mat3A, Vec3A, Vec3Swizzles};
+
+/// Added to directions along a block's axes, to avoid divisions by 0 for rays that are parallel to a side.
+const TINY: f32 = 1e-12;
+
+/// A vector's components along three axes.
+#[inline(always)]
+fn along<S: Isa>(simd: S, axes: &Mat3A, v: &Vec3x<S>) -> Vec3x<S> {
+    Vec3x {
+        x: v.dot(Vec3x::splat(simd, axes.x_axis)),
+        y: v.dot(Vec3x::splat(simd, axes.y_axis)),
+        z: v.dot(Vec3x::splat(simd, axes.z_axis)),
+    }
+}
+
+/// The distances at which rays first hit a block; infinite for rays that miss it.
+#[inline(always)]
+pub(crate) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
+    let tiny = Vec3x::splat(simd, Vec3A::splat(TINY));
+    let o = along(simd, &block.axes, &(*o - Vec3x::splat(simd, block.centre)));
+    let d = along(simd, &block.axes, d) + tiny;
+    let span = match block.shape {
+        Shape::Box => cuboid::span(simd, block.half, &o, &d),
+        Shape::Cylinder => cylinder::span(simd, block.half, &o, &d),
+    };
+    let zero = splat(simd, 0.0);
+    let t = span.near.simd_gt(zero).select(span.near, span.far);
+    let is_met = span.is_met & span.near.simd_le(span.far) & t.simd_gt(zero);
+    is_met.select(t, splat(simd, f32::INFINITY))
+}
+
+/// Points on the surface of a block, one per ray.
+pub(crate) struct BlockHit<S: Isa> {
+    /// From the centre, in scene coordinates.
+    pub out: Vec3x<S>,
+    /// Where textures are evaluated, and the normal, outward.
+    pub texture_point: TexturePoint<S>,
+}
+
+impl<S: Isa> BlockHit<S> {
+    /// Projects points that rounding has taken off the surface, `out` from the centre, to the nearest face.
+    #[inline(always)]
+    pub fn near(simd: S, block: &Block, out: Vec3x<S>) -> Self {
+        let own = along(simd, &block.axes, &out);
+        // The coordinates relative to the faces, which are at -1 and 1.
+        let faces = own * Vec3x::splat(simd, block.half.recip());
+        let Vec3x { x, y, z } = match block.shape {
+            Shape::Box => cuboid::outward(faces),
+            Shape::Cylinder => cylinder::outward(faces),
+        };
+        let farthest = at_least::<S>(at_least::<S>(x, y), z);
+        let zero = splat(simd, 0.0);
+        let face: Vec3x<S> = Vec3x {
+            x: x.simd_ge(farthest).select(own.x, zero),
+            y: y.simd_ge(farthest).select(own.y, zero),
+            z: z.simd_ge(farthest).select(own.z, zero),
+        };
+        let length = face.dot(face).sqrt();
+        let inverse = splat::<S>(simd, 1.0) / length;
+        let n = along(simd, &block.axes.transpose(), &face.scaled(inverse));
+        Self {
+            out: out.add_scaled(n, length / farthest - length),
+            texture_point: TexturePoint { own, n },
+        }
+    }
+}
+
+/// The offset from the surface at which secondary rays of a block start, in scene units: many times the rounding error of a point
+/// on it. At ten units from the origin it is 1e-4.
+pub(crate) fn hit_error(block: &Block) -> f32 {
+    1e-5 * (block.centre.abs() + block.half).element_sum()
+}
+
+/// The radius of its bounding sphere, enlarged to cover rounding.
+pub(crate) fn bounding_radius(block: &Block) -> f32 {
+    block.half.length() * (1.0 + 1e-4)
+}
+
+/// The longer of its own y and z axes, along which long blocks extend, if they stand or if they lie; and the squared radius of the
+/// cylinder around that which contains it.
+#[inline(always)]
+pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
+    let half2 = block.half * block.half;
+    if half2.y < half2.z {
+        (block.axes.z_axis, half2.x + half2.y)
+    } else {
+        let radius2 = match block.shape {
+            Shape::Box => cuboid::radius2(half2),
+            Shape::Cylinder => cylinder::radius2(half2),
+        };
+        (block.axes.y_axis, radius2)
+    }
+}
+
+/// What is seen of a block from a point. Along each of its own axes, in a lane, it is a rectangle across the other two, of which an
+/// edge at either end is a side of its outline.
+pub(crate) struct Silhouette {
+    shape: Shape,
+    half: Vec3A,
+    /// The middles of the rectangles.
+    a: Vec3A,
+    b: Vec3A,
+    is_beside: BVec3A,
+    /// Along which axes the point is between its sides: there it has none.
+    pub has_none: BVec3A,
+}
+
+impl Silhouette {
+    /// That of a block whose centre and half extents along its own axes, from the point, are given.
+    pub fn new(shape: Shape, centre: Vec3A, half: Vec3A) -> Self {
+        let (a, b) = (centre.yzx(), centre.zxy());
+        let is_beside = a.abs().cmpgt(half.yzx());
+        Self {
+            shape,
+            half,
+            a,
+            b,
+            is_beside,
+            has_none: !(is_beside | b.abs().cmpgt(half.zxy())),
+        }
+    }
+
+    /// Where the rectangles end: one way round, or the other if `way` is -1.
+    pub fn ends(&self, way: f32) -> [Vec3A; 2] {
+        let &Self { a, b, half, .. } = self;
+        let (half_a, half_b) = (half.yzx(), half.zxy());
+        let is_below = Vec3A::select(self.is_beside, a * way, b).cmplt(Vec3A::ZERO);
+        let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
+        let is_left = (y * way).cmplt(Vec3A::ZERO);
+        let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
+        match self.shape {
+            Shape::Box => {}
+            // Across its axis it counts as the box around it.
+            Shape::Cylinder => [x.y, y.y] = cylinder::touched(a.y, b.y, half.x, way),
+        }
+        [x, y]
+    }
+}
+
+/// Calls `add` with each place that may mirror a lamp to the eye, both given from the centre.
+#[inline(always)]
+pub(crate) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, mut add: impl FnMut(Mirror)) {
+    match block.shape {
+        Shape::Box => cuboid::mirrors(block, eye, lamp, &mut add),
+        Shape::Cylinder => cylinder::mirrors(block, eye, lamp, &mut add),
+    }
+}

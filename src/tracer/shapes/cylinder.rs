@@ -1,0 +1,60 @@
+//! The cylinder with flat ends, in a block's own coordinates: from its centre, along its own axes. It stands along y.
+
+use super::Mirror;
+use super::cuboid::Span;
+use crate::lanes::*;
+use crate::maths::sqrt;
+use crate::scene::Block;
+use glam::Vec3A;
+
+/// The parts of lines inside: between both ends, and in the round.
+#[inline(always)]
+pub(super) fn span<S: Isa>(simd: S, half: Vec3A, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
+    let zero = splat(simd, 0.0);
+    let a: F<S> = d.x * d.x + d.z * d.z;
+    let b: F<S> = d.x * o.x + d.z * o.z;
+    let middle = -b / a;
+    // The squared half chord, computed from the perpendicular to the axis, which loses no digits far away.
+    let x: F<S> = o.x + d.x * middle;
+    let z: F<S> = o.z + d.z * middle;
+    let off2: F<S> = x * x + z * z;
+    let chord2 = -off2 + half.x * half.x;
+    let chord = (at_least::<S>(chord2, zero) / a).sqrt();
+    Span::slab(simd, o.y, d.y, half.y).and(Span {
+        near: middle - chord,
+        far: middle + chord,
+        is_met: chord2.simd_ge(zero),
+    })
+}
+
+/// How far out points are towards the faces along each axis, if these are at -1 and 1: towards the round one along both x and z.
+#[inline(always)]
+pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
+    let round = (p.x * p.x + p.z * p.z).sqrt();
+    Vec3x {
+        x: round,
+        y: p.y.abs(),
+        z: round,
+    }
+}
+
+/// The squared radius of the cylinder around its y axis that contains it, by the squares of its half extents: its own.
+pub(super) fn radius2(half2: Vec3A) -> f32 {
+    half2.x
+}
+
+/// Where a line through the origin touches a circle about (a, b), on one side of it, or on the other if `way` is -1.
+pub(super) fn touched(a: f32, b: f32, radius: f32, way: f32) -> [f32; 2] {
+    // As shares of the way to its middle and across.
+    let along = 1.0 - radius * radius / (a * a + b * b);
+    let apart = sqrt(along - along * along);
+    [a * along + b * apart * way, b * along - a * apart * way]
+}
+
+/// Calls `add` with each place that may mirror a lamp to the eye, both given from the centre along the scene's axes.
+#[inline(always)]
+pub(super) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, add: &mut impl FnMut(Mirror)) {
+    let axis = block.axes.y_axis;
+    add(Mirror::flat(eye, lamp, axis, block.half.y));
+    add(Mirror::round(eye, lamp, axis, block.half.x));
+}

@@ -1,0 +1,27 @@
+//! The shapes that rays meet. What only one shape knows is in a file of its own; what is made of it, for all shapes alike, is in the
+//! stages: the tree and the outlines in `prepare`, the packets' way through the scene in `trace`.
+//!
+//! | shape | file |
+//! | --- | --- |
+//! | a block: a box or a cylinder with any orientation | `block`, which has what these share: the coordinates along a block's own axes, in which it asks the two below |
+//! | a box, whose word Rust reserves | `cuboid` |
+//! | a cylinder | `cylinder` |
+//!
+//! Functions of the same name answer the same question. Kernels are generic over lanes, as `lanes` says.
+
+pub(crate) mod block;
+mod cuboid;
+mod cylinder;
+mod mirror;
+
+pub(crate) use mirror::Mirror;
+
+use crate::lanes::*;
+
+/// The points of a packet at which textures are evaluated.
+pub(crate) struct TexturePoint<S: Isa> {
+    /// The point relative to the object's centre, along the object's own axes, in scene units.
+    pub own: Vec3x<S>,
+    /// The normal, of length 1, with either sign.
+    pub n: Vec3x<S>,
+}
