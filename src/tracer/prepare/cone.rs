@@ -10,9 +10,10 @@
 //! all corners is outside.
 
 use super::screen::{Axes, Rects, ScreenBounds};
-use super::{HIT_ERROR, Rectangle};
 use crate::lanes::*;
 use crate::maths::sqrt;
+use crate::shapes::plane::Rectangle;
+use crate::shapes::sphere::HIT_ERROR;
 use core::array;
 use glam::{Vec3, Vec3A, Vec4};
 

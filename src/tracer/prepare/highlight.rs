@@ -9,7 +9,7 @@ use super::{Axes, Prepared};
 use crate::maths::sqrt;
 use crate::scene::camera::pixels;
 use crate::scene::{Block, MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
-use crate::shapes::{Mirror, block};
+use crate::shapes::{Mirror, block, plane, sphere};
 use core::f32::consts::PI;
 use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 
@@ -168,12 +168,10 @@ impl Prepared {
                     *count += usize::from(highlight.is_small(visible));
                 };
                 match object {
-                    Object::Sphere(sphere) => {
-                        add(Mirror::round(eye, lamp, Vec3A::ZERO, sphere.radius));
-                    }
+                    Object::Sphere(it) => add(sphere::mirror(eye, lamp, it.radius)),
                     Object::Block(block) => block::mirrors(block, eye, lamp, add),
                     Object::Plane(_) | Object::Light(_) | Object::Background => {
-                        add(Mirror::flat(eye, lamp, Vec3A::Y, 0.0))
+                        add(plane::mirror(eye, lamp))
                     }
                 }
             }

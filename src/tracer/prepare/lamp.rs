@@ -1,11 +1,11 @@
 //! Lights, prepared for shading and for shadow rays. Coordinates are the scene's.
 
-use super::hit_error;
 use super::object::ObjectId;
 use super::surface::bounded;
 use super::tree::{BvhNode, MARGIN, MAX_NODES};
 use crate::maths::sqrt;
 use crate::scene::{Light, Spot};
+use crate::shapes::sphere::hit_error;
 use glam::{Vec3, Vec3A};
 
 /// A light of the scene with everything that shading needs of it.

@@ -31,14 +31,8 @@ pub(crate) use tree::{BvhNode, GroupSet, Tree};
 
 use crate::scene::camera::pixels;
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Method, Scene, camera::Raster};
+use crate::shapes::plane::Rectangle;
 use glam::Vec3A;
-
-/// A bound on how far rounding moves a computed point of a sphere off it, as a share of the sphere's largest coordinate.
-///
-/// In units of 2^-24 the errors are 1.7 for the point's coordinates (the root of 3), 2.5 for its distance from the centre, 1.5
-/// for the ray's length, and 2.8 for the vector from the centre, its square and the discriminant when the next ray is tested
-/// against the sphere: 8.5 in total. Hundreds of millions of rays had at most 5 (`rays_that_leave_a_sphere_do_not_hit_it_again`).
-const HIT_ERROR: f32 = 10.0 / (1 << 24) as f32;
 
 /// The most objects that rays can hit: solids, lights (shown as spheres), planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
@@ -105,14 +99,6 @@ pub(crate) struct VisibleGroups {
     pub directly: GroupSet,
     /// Those that the reflections of primary rays in the first plane can meet.
     pub mirrored: GroupSet,
-}
-
-/// A horizontal rectangle, in scene coordinates.
-#[derive(Clone, Copy)]
-pub(crate) struct Rectangle {
-    pub centre: Vec3A,
-    pub half_x: f32,
-    pub half_z: f32,
 }
 
 impl Prepared {
@@ -320,18 +306,4 @@ impl Prepared {
         *corner += *dx * self.offset.x + *dy * self.offset.y;
         self.axes.move_middle(-self.offset);
     }
-}
-
-/// A bound on how far rounding moves a point of a sphere off it, see [`HIT_ERROR`].
-fn hit_error(centre: Vec3A, radius: f32) -> f32 {
-    HIT_ERROR * (centre.abs().max_element() + radius)
-}
-
-impl Rectangle {
-    /// All zeros.
-    const ZERO: Self = Self {
-        centre: Vec3A::ZERO,
-        half_x: 0.0,
-        half_z: 0.0,
-    };
 }

@@ -2,11 +2,13 @@
 
 use super::cone::{Cone, ROUNDING, RoundCone};
 use super::screen::{Axes, Rects, ScreenBounds};
-use super::{BvhNode, HIT_ERROR, ObjectId, Prepared, Rectangle, hit_error};
+use super::{BvhNode, ObjectId, Prepared};
 use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::scene::Block;
 use crate::shapes::block::Silhouette;
+use crate::shapes::plane::Rectangle;
+use crate::shapes::sphere::{HIT_ERROR, hit_error};
 use glam::{Vec3A, Vec3Swizzles, Vec4};
 
 /// An object's outline.
@@ -164,24 +166,6 @@ impl Outline {
         // Forward it is nowhere before or behind anything.
         let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
         self.set_extent(axes, plane.centre - eye, plane.centre, extent);
-    }
-}
-
-impl Rectangle {
-    /// How far on the inner side of the four planes through the eye and an edge a direction leads.
-    ///
-    /// A ray d meets the plane at `eye + d h / q`, with q = -d.y or d.y the speed at which it comes nearer, and lies on
-    /// the inner side of an edge `reach` away along x where `reach q - h d.x >= 0`. Scaled below 1, so
-    /// that one rounding margin serves all.
-    pub(super) fn sides(&self, eye: Vec3A, d: Vec3A) -> Vec4 {
-        let from = eye - self.centre;
-        let reach = Vec4::new(self.half_x, self.half_x, self.half_z, self.half_z)
-            + from.xxzz() * Vec4::new(-1.0, 1.0, -1.0, 1.0);
-        let h = from.y.abs();
-        let scale = 1.0 / (reach.element_sum() + from.abs().element_sum());
-        let across = d.xxzz() * Vec4::new(-h, h, -h, h);
-        let q = if from.y < 0.0 { d.y } else { -d.y };
-        (reach * q + across) * scale
     }
 }
 

@@ -5,8 +5,9 @@
 //! would take more memory than everything else. What is stored of each is a rectangle around it in the picture.
 
 use super::cone::{Cone, RoundCone};
-use super::{ObjectId, Prepared, Rectangle};
+use super::{ObjectId, Prepared};
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS};
+use crate::shapes::plane::Rectangle;
 use glam::Vec3A;
 
 /// The largest number of pairs of a sphere and a lamp.

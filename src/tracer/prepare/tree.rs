@@ -2,10 +2,10 @@
 //! skips the descendants of each bounding sphere that it misses. Boxes and cylinders are leaves by their bounding spheres.
 //! Coordinates are the scene's.
 
-use super::hit_error;
 use super::object::{self, Object, ObjectId};
 use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use crate::shapes::block;
+use crate::shapes::sphere::hit_error;
 use glam::Vec3A;
 
 /// The number of groups that solids are divided into. Up to so many solids have a group of their own. For each part of the
@@ -42,7 +42,7 @@ pub(crate) struct BvhNode {
     pub r2: f32,
     /// The squared radius enlarged by [`MARGIN`], for a first test with less exact arithmetic.
     pub cull2: f32,
-    /// A bound on the distance by which rounding moves a point off the sphere, see [`super::HIT_ERROR`].
+    /// A bound on the distance by which rounding moves a point off the sphere, see [`hit_error`].
     pub hit_error: f32,
     /// The change of `r2` if the radius changes by `hit_error`.
     pub r2_error: f32,

@@ -1,6 +1,7 @@
 //! What the shapes of a block, box and cylinder, share: the coordinates along its own axes, in which each answers for itself.
 //! Other coordinates are the scene's.
 
+use super::sphere::Chord;
 use super::{Mirror, TexturePoint, cuboid, cylinder};
 use crate::lanes::*;
 use crate::scene::{Block, Shape};
@@ -8,6 +9,9 @@ use glam::{BVec3A, Mat3A, Vec3A, Vec3Swizzles};
 
 /// Added to directions along a block's axes, to avoid divisions by 0 for rays that are parallel to a side.
 const TINY: f32 = 1e-12;
+
+/// A bound on the rounding error of the squared dot product of two directions.
+const ROUNDING: f32 = 4e-6;
 
 /// A vector's components along three axes.
 #[inline(always)]
@@ -96,6 +100,27 @@ pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
         };
         (block.axes.y_axis, radius2)
     }
+}
+
+/// Which rays along `d` certainly miss a block, or hit it beyond `limit`: they pass its [`bounding_cylinder`], or end before its
+/// bounding sphere of a radius, whose chord is given.
+#[inline(always)]
+pub(crate) fn is_off<S: Isa>(
+    chord: &Chord<S>,
+    d: Vec3x<S>,
+    (axis, radius2): (Vec3A, f32),
+    radius: f32,
+    limit: F<S>,
+) -> M<S> {
+    let simd = chord.t_mid.token();
+    let axis = Vec3x::splat(simd, axis);
+    let (along, across) = (d.dot(axis), chord.l.dot(axis));
+    // The squared sine of the angle between ray and axis, reduced by the rounding error. Squared distances are compared after
+    // multiplication with it.
+    let sine2 = splat::<S>(simd, 1.0 - ROUNDING) - along * along;
+    let beyond = chord.l2 - radius2;
+    let is_off = (beyond * at_least::<S>(sine2, splat(simd, 0.0))).simd_gt(across * across);
+    is_off | chord.t_mid.simd_gt(limit + radius)
 }
 
 /// What is seen of a block from a point. Along each of its own axes, in a lane, it is a rectangle across the other two, of which an

@@ -21,7 +21,7 @@ impl Mirror {
     ///
     /// Across the axis the normal halves the angle between the directions to the eye and the lamp. Unrolled, the way from the one
     /// to the other is straight, which tells the height.
-    pub fn round(eye: Vec3A, lamp: Vec3A, axis: Vec3A, radius: f32) -> Self {
+    pub(super) fn round(eye: Vec3A, lamp: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, lamp].map(|point| point.dot(axis));
         let [eye, lamp] = [eye - axis * heights[0], lamp - axis * heights[1]];
         let mut n = (eye.normalize() + lamp.normalize()).normalize();
@@ -45,7 +45,7 @@ impl Mirror {
     }
 
     /// On the side towards the eye of two that are so far from the centre, with the normals `axis` and `-axis`.
-    pub fn flat(eye: Vec3A, lamp: Vec3A, axis: Vec3A, half: f32) -> Self {
+    pub(super) fn flat(eye: Vec3A, lamp: Vec3A, axis: Vec3A, half: f32) -> Self {
         let n = axis * 1.0_f32.copysign(eye.dot(axis));
         let [above, lamp_above] = [eye, lamp].map(|point| point.dot(n) - half);
         let way = eye.lerp(lamp, above / (above + lamp_above));

@@ -3,6 +3,8 @@
 //!
 //! | shape | file |
 //! | --- | --- |
+//! | a sphere | `sphere` |
+//! | a plane: a horizontal rectangle | `plane` |
 //! | a block: a box or a cylinder with any orientation | `block`, which has what these share: the coordinates along a block's own axes, in which it asks the two below |
 //! | a box, whose word Rust reserves | `cuboid` |
 //! | a cylinder | `cylinder` |
@@ -13,6 +15,8 @@ pub(crate) mod block;
 mod cuboid;
 mod cylinder;
 mod mirror;
+pub(crate) mod plane;
+pub(crate) mod sphere;
 
 pub(crate) use mirror::Mirror;
 

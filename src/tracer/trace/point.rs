@@ -5,8 +5,8 @@ use super::rays::Rays;
 use super::surface::{SurfaceLanes, object_at};
 use crate::lanes::*;
 use crate::prepare::{Object, Prepared};
-use crate::shapes::TexturePoint;
 use crate::shapes::block::{self, BlockHit};
+use crate::shapes::{plane, sphere};
 use glam::Mat3A;
 
 /// The largest distance of a hit from its sphere, as a share of the radius, that one Newton step reduces to rounding errors.
@@ -119,13 +119,13 @@ impl<S: Isa> ShadingPoint<S> {
                     self.hit_error = same.select(error, self.hit_error);
                     on_block.texture_point
                 }
-                Object::Sphere(sphere) => {
-                    let from = *o - Vec3x::splat(simd, sphere.centre);
-                    TexturePoint::on_sphere(simd, sphere, from.add_scaled(*d, hit.t))
+                Object::Sphere(it) => {
+                    let from = *o - Vec3x::splat(simd, it.centre);
+                    sphere::texture_point(simd, it, from.add_scaled(*d, hit.t))
                 }
-                Object::Plane(plane) => {
-                    let from = *o - Vec3x::splat(simd, plane.centre);
-                    TexturePoint::on_plane(simd, from.add_scaled(*d, hit.t))
+                Object::Plane(it) => {
+                    let from = *o - Vec3x::splat(simd, it.centre);
+                    plane::texture_point(simd, from.add_scaled(*d, hit.t))
                 }
                 Object::Light(_) | Object::Background => continue,
             };

@@ -2,9 +2,9 @@
 
 use super::candidates::Candidates;
 use super::casters::Casters;
-use super::intersect::plane_hit;
 use crate::lanes::*;
 use crate::prepare::{Lamp, Prepared, ShadowCone};
+use crate::shapes::plane;
 
 /// Rays from points towards a lamp.
 #[derive(Clone, Copy)]
@@ -115,15 +115,15 @@ impl<S: Isa> ShadowRays<S> {
     #[inline(always)]
     fn meet_planes(&self, simd: S, scene: &Prepared, lamp: &Lamp) -> M<S> {
         let mut blocked = M::<S>::splat(simd, false);
-        for plane in scene.planes() {
-            let height = splat(simd, plane.centre.y);
-            let behind = if lamp.position.y > plane.centre.y {
+        for rectangle in scene.planes() {
+            let height = splat(simd, rectangle.centre.y);
+            let behind = if lamp.position.y > rectangle.centre.y {
                 self.o.y.simd_lt(height)
             } else {
                 self.o.y.simd_gt(height)
             };
             if behind.any_true() {
-                blocked |= plane_hit(simd, plane, self.o, self.d, self.distance).0;
+                blocked |= plane::hit(simd, rectangle, self.o, self.d, self.distance).0;
             }
         }
         blocked

@@ -3,31 +3,13 @@
 use super::rays::to_picture;
 use crate::lanes::*;
 use crate::prepare::{Object, ObjectId, Prepared};
-use crate::scene::{Pattern, Sphere};
-use crate::shapes::TexturePoint;
+use crate::scene::Pattern;
 use crate::shapes::block::{self, BlockHit};
+use crate::shapes::{TexturePoint, plane, sphere};
 use fearless_simd::f32x4;
-use glam::{Mat3A, Vec3A};
+use glam::Mat3A;
 
 impl<S: Isa> TexturePoint<S> {
-    /// A point on a sphere, `out` from its centre.
-    #[inline(always)]
-    pub fn on_sphere(simd: S, sphere: &Sphere, out: Vec3x<S>) -> Self {
-        Self {
-            own: out,
-            n: out.scaled(splat(simd, 1.0 / sphere.radius)),
-        }
-    }
-
-    /// A point on a plane, `out` from its centre. Its height is set to 0.
-    #[inline(always)]
-    pub fn on_plane(simd: S, out: Vec3x<S>) -> Self {
-        Self {
-            own: out * Vec3x::splat(simd, Vec3A::new(1.0, 0.0, 1.0)),
-            n: Vec3x::splat(simd, Vec3A::Y),
-        }
-    }
-
     /// The directions, of length 1, of grooves around the y axis of an object that has these axes.
     #[inline(always)]
     pub fn groove(&self, simd: S, axes: &Mat3A) -> Vec3x<S> {
@@ -83,11 +65,10 @@ impl<'a> SeenPattern<'a> {
         let d = to_picture(simd, scene, x, y);
         let length2 = d.dot(d);
         let (point, t) = match self.object {
-            Object::Sphere(sphere) => {
-                let from = o - Vec3x::splat(simd, sphere.centre);
-                let t = sphere_distance(simd, sphere.radius, &from, &d, length2);
-                let out = from.add_scaled(d, t);
-                (TexturePoint::on_sphere(simd, sphere, out), t)
+            Object::Sphere(it) => {
+                let from = o - Vec3x::splat(simd, it.centre);
+                let t = sphere::distance(simd, it.radius, &from, &d, length2);
+                (sphere::texture_point(simd, it, from.add_scaled(d, t)), t)
             }
             Object::Block(block) => {
                 let from = o - Vec3x::splat(simd, block.centre);
@@ -95,36 +76,16 @@ impl<'a> SeenPattern<'a> {
                 let hit = BlockHit::near(simd, block, from.add_scaled(d, t));
                 (hit.texture_point, t)
             }
-            Object::Plane(plane) => {
-                let from = o - Vec3x::splat(simd, plane.centre);
-                let t = -from.y / d.y;
-                let out = from.add_scaled(d, t);
-                (TexturePoint::on_plane(simd, out), t)
+            Object::Plane(it) => {
+                let from = o - Vec3x::splat(simd, it.centre);
+                let t = plane::distance(&from, &d);
+                (plane::texture_point(simd, from.add_scaled(d, t)), t)
             }
             Object::Light(_) | Object::Background => return splat(simd, 1.0),
         };
         // So far `t` is in lengths of `d`.
         point.reflectance(simd, scene, self.pattern, &d, t * length2)
     }
-}
-
-/// The distances at which rays hit a sphere, or leave it if they start inside, in lengths of `d`, of which the squares are given.
-/// `from` is the origin relative to the centre.
-#[inline(always)]
-fn sphere_distance<S: Isa>(
-    simd: S,
-    radius: f32,
-    from: &Vec3x<S>,
-    d: &Vec3x<S>,
-    length2: F<S>,
-) -> F<S> {
-    let zero = splat(simd, 0.0);
-    let back: F<S> = from.dot(*d) / length2;
-    let across = from.add_scaled(*d, -back);
-    let half2 = -across.dot(across) + radius * radius;
-    let half = (at_least::<S>(half2, zero) / length2).sqrt();
-    let (near, far) = (-back - half, half - back);
-    near.simd_gt(zero).select(near, far)
 }
 
 /// The share that a pattern leaves of a colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long.

@@ -6,7 +6,7 @@ use super::shadow::ShadowRays;
 use crate::lanes::*;
 use crate::prepare::{Lamp, Object, Prepared};
 use crate::scene::{Sphere, Spot};
-use crate::shapes::block;
+use crate::shapes::{block, sphere};
 use glam::Vec3A;
 
 /// The share of a lamp's light, as a colour, that its cone and the candidates let pass; 0 in lanes that are not needed.
@@ -58,18 +58,11 @@ pub(super) fn transmittance<S: Isa>(
 /// distance` wide. As the sphere's edge crosses the cone from one side to the other, the covered share goes from 0 to 1.
 #[inline(always)]
 fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, rays: &ShadowRays<S>) -> F<S> {
-    let centre = sphere.centre;
-    let to_centre = Vec3x::splat(simd, centre) - rays.o;
-    let a = at_least::<S>(to_centre.dot(rays.d), splat(simd, 0.0));
-    let a = at_most::<S>(a, rays.distance);
-    let off = to_centre.add_scaled(rays.d, -a);
-    // A point that is off the sphere by no more than rounding lies on it.
-    let error = 2e-6 * (centre.abs().max_element() + sphere.radius);
+    let (a, depth) = sphere::deepest(simd, sphere, rays.o, rays.d, rays.distance);
     let b = at_most::<S>(
         a * lamp.diameter / rays.distance,
         splat(simd, lamp.max_penumbra),
     );
-    let depth = -off.dot(off).sqrt() + (sphere.radius - error);
     smooth_step(
         simd,
         depth / at_least::<S>(b, splat(simd, f32::MIN_POSITIVE)) + 0.5,
