@@ -62,6 +62,7 @@
 //! | --- | --- |
 //! | what there is to draw: a camera, primitives, lights, captions | [`scene`] |
 //! | what trades accuracy for speed, as one struct | [`Quality`] |
+//! | what only one shape knows, such as where rays meet it | `shapes` |
 //! | what every ray of a frame uses, computed once | `prepare` |
 //! | rays to colours and keys, as many side by side as the instruction set holds | `trace` |
 //! | which points to trace, and which squares to fill or to split | `refine` |
