@@ -134,9 +134,9 @@ const PARTS: &str = "\
 Parts of a capture, on one machine or on many that share a folder:
 
   GNU parallel, 100 frames at a time:
-    seq 0 100 5759 | parallel 'target/release/lab capture --png frames --from {} --to $(({} + 100))'
-  Slurm, as a job array of 58 tasks:
-    sbatch --array=0-57 --wrap 'target/release/lab capture --png frames \\
+    seq 0 100 6959 | parallel 'target/release/lab capture --png frames --from {} --to $(({} + 100))'
+  Slurm, as a job array of 70 tasks:
+    sbatch --array=0-69 --wrap 'target/release/lab capture --png frames \\
         --from $((SLURM_ARRAY_TASK_ID * 100)) --to $((SLURM_ARRAY_TASK_ID * 100 + 100))'
 
 Started again, it draws what is missing.
