@@ -49,8 +49,13 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let png = picture::png(width, &figure.pixels)?;
         output::write(&folder.join(format!("{}.png", figure.name)), &png)?;
     }
+    let edges = if arguments.quality.quality.antialias {
+        "antialiased"
+    } else {
+        "jagged"
+    };
     let heading = format!(
-        "{} at {} s, {} quality, {}",
+        "{} at {} s, {} quality, {edges} edges, {}",
         arguments.scene, arguments.time, arguments.quality, arguments.size
     );
     let (sheet_width, pixels) = sheet(&heading, &figures, width, height)?;

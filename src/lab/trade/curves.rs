@@ -28,6 +28,8 @@ pub struct Curves<'a> {
     pub isa: Isa,
     pub size: Size,
     pub time: f32,
+    /// The qualities with a curve, the exhaustive one first.
+    pub qualities: Vec<NamedQuality>,
     /// A renderer with one thread.
     pub renderer: &'a mut ThreadedRenderer,
     /// Called after each point with the estimated microseconds that it took.
@@ -61,9 +63,12 @@ pub fn objects(quick: bool) -> &'static [usize] {
     }
 }
 
-/// The qualities with a curve: the two that serve for comparison, and the ends and the middle of the ladder.
-pub fn qualities() -> Vec<NamedQuality> {
-    let all: Vec<NamedQuality> = NamedQuality::all().collect();
+/// The qualities with a curve: the two that serve for comparison, and the ends and the middle of the ladder. All are antialiased,
+/// or none is.
+pub fn qualities(antialias: bool) -> Vec<NamedQuality> {
+    let all: Vec<NamedQuality> = NamedQuality::all()
+        .map(|quality| quality.antialiased(antialias))
+        .collect();
     let (compared, ladder) = all.split_at(2);
     let default = ladder.iter().find(|rung| rung.name == "default");
     let ends = [ladder.first(), default, ladder.last()];
@@ -78,7 +83,7 @@ impl Curves<'_> {
     /// For each quality but the first, the speed-up relative to the first by the number of pixels.
     pub fn by_resolution(&mut self, sizes: &[Size]) -> Vec<Curve> {
         let scene = self.scene.at(self.time);
-        let mut curves = empty(&qualities()[1..]);
+        let mut curves = empty(&self.qualities[1..]);
         for &size in sizes {
             let times = self.times(&[&scene], size);
             let Some((exhaustive, others)) = times.split_first() else {
@@ -96,7 +101,7 @@ impl Curves<'_> {
     /// sphere.
     pub fn by_objects(&mut self, counts: &[usize]) -> Vec<Curve> {
         let one = SceneName::Field(1).at(self.time);
-        let mut curves = empty(&qualities());
+        let mut curves = empty(&self.qualities);
         for &count in counts {
             let scene = SceneName::Field(count).at(self.time);
             let times = self.times(&[&one, &scene], self.size);
@@ -116,7 +121,7 @@ impl Curves<'_> {
     /// The times, in seconds, of [`ROUNDS`] frames of each quality of each scene; nothing after Ctrl-C. Scenes and qualities take
     /// turns.
     fn times(&mut self, scenes: &[&Scene], size: Size) -> Vec<Vec<f64>> {
-        let qualities = qualities();
+        let qualities = &self.qualities;
         let mut pixels = vec![0; size.area()];
         let mut times = vec![Vec::new(); scenes.len() * qualities.len()];
         for round in 0..=ROUNDS {

@@ -85,6 +85,8 @@ pub struct Trade {
     pub times: Vec<f32>,
     /// The times of the views, in seconds.
     pub views: Vec<f32>,
+    /// Whether the edges of all frames are antialiased; otherwise those of none are.
+    pub antialias: bool,
     /// Whether everything was measured: false after Ctrl-C.
     pub complete: bool,
     pub points: Vec<Outcome>,
@@ -94,6 +96,17 @@ pub struct Trade {
     pub by_objects: Vec<Curve>,
     /// The PSNR in dB by the time in seconds, without frames that have no error.
     pub over_time: Vec<Curve>,
+}
+
+impl Trade {
+    /// What the edges of all frames are.
+    fn edges(&self) -> &'static str {
+        if self.antialias {
+            "antialiased"
+        } else {
+            "jagged"
+        }
+    }
 }
 
 /// Runs the command.
@@ -192,6 +205,7 @@ fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
             isa: plan.isa,
             size: plan.size,
             time: plan.time_from,
+            qualities: curves::qualities(arguments.antialias),
             renderer: &mut measurement.timed,
             progress: &progress,
         };
@@ -215,17 +229,18 @@ fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
             .map(|i| plan.time(i, plan.frames))
             .collect(),
         views: plan.views.iter().map(|view| view[0]).collect(),
+        antialias: arguments.antialias,
         complete: !interrupt::is_stopped(),
         points: rows,
         by_resolution,
         by_objects,
-        over_time: over_time(plan, &tallies),
+        over_time: over_time(plan, &tallies, arguments.antialias),
     }
 }
 
 /// The error of each frame, for the qualities that have a curve.
-fn over_time(plan: &Plan, tallies: &[Tally]) -> Vec<Curve> {
-    let lines = curves::qualities().into_iter().skip(1);
+fn over_time(plan: &Plan, tallies: &[Tally], antialias: bool) -> Vec<Curve> {
+    let lines = curves::qualities(antialias).into_iter().skip(1);
     lines
         .filter_map(|line| {
             let tally = tallies.iter().find(|tally| tally.point.name == line.name)?;

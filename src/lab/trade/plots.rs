@@ -64,13 +64,18 @@ pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
 /// The line under a title: what was measured, and how.
 fn note(trade: &Trade) -> String {
     format!(
-        "{} scene, {}x{}, {} frames, {}, one thread",
+        "{} scene, {}x{}, {} frames, {}",
         trade.scene,
         trade.width,
         trade.height,
         trade.times.len(),
-        trade.isa,
+        way(trade),
     )
+}
+
+/// How frames were drawn.
+fn way(trade: &Trade) -> String {
+    format!("{}, one thread, {} edges", trade.isa, trade.edges())
 }
 
 impl Measure {
@@ -250,7 +255,7 @@ fn resolution(trade: &Trade) -> Chart {
     let curves = &trade.by_resolution;
     Chart {
         title: "Speed by the size of the picture".to_owned(),
-        note: format!("{} scene, {}, one thread", trade.scene, trade.isa),
+        note: format!("{} scene, {}", trade.scene, way(trade)),
         x: Axis::log("pixels of the picture", xs(curves), tenths()),
         y: Axis::linear(
             "speed-up over exhaustive frames",
@@ -269,8 +274,10 @@ fn objects(trade: &Trade) -> Chart {
     Chart {
         title: "Time of a frame by the number of spheres".to_owned(),
         note: format!(
-            "fields of small spheres, {}x{}, {}, one thread",
-            trade.width, trade.height, trade.isa
+            "fields of small spheres, {}x{}, {}",
+            trade.width,
+            trade.height,
+            way(trade)
         ),
         x: Axis::log("spheres", xs(curves), powers),
         y: Axis::log(

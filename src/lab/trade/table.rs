@@ -24,8 +24,9 @@ fn heading(trade: &Trade) -> String {
     } else {
         "; stopped early"
     };
+    let edges = trade.edges();
     format!(
-        "{}; {} scene, {}x{}, {} frames from {} s to {} s{early}\n\n",
+        "{}; {} scene, {}x{}, {edges} edges, {} frames from {} s to {} s{early}\n\n",
         trade.machine,
         trade.scene,
         trade.width,
