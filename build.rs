@@ -1,5 +1,6 @@
 //! The intro's build: see `src/pack`, which packs it.
 
 fn main() {
+    #[cfg(feature = "intro")]
     eightfold_pack::build::main("eightfold");
 }

@@ -1,11 +1,12 @@
-//! An intro of ten seconds: a ball that jumps to a kick. Esc ends it: `cargo run --release --example intro`
+//! An intro of ten seconds: a ball that jumps to a kick. Esc ends it: `cargo run --release -p eightfold-examples --bin intro`
 
 use eightfold_tracer::glam::{Vec3A, vec3a};
 use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
-use eightfold_tracer::{Error, Frame, Quality, Renderer, ScopedThreads};
+use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 use eightfold_window::screen::{Next, Screen};
 use eightfold_window::sound::{Player, RATE, Source};
 use eightfold_window::{clock::SECOND, fixed::Fixed, window::Window};
+use std::error::Error;
 
 const LENGTH: f32 = 10.0;
 const BEAT: f32 = 0.5;
@@ -59,8 +60,8 @@ fn scene(time: f32) -> Scene {
     scene
 }
 
-fn main() -> Result<(), Error> {
-    let mut window = Window::open(c"Ten seconds", 640, 360).expect("there is an X display");
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut window = Window::open(c"Ten seconds", 640, 360)?;
     let mut renderer = Renderer::detect();
     let mut threads = ScopedThreads::new();
     let mut player = Player::start(c"default", KICK.take());

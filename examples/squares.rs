@@ -1,5 +1,5 @@
 //! The squares that were filled, drawn over the picture, as a PNG file:
-//! `cargo run --release --example squares squares.png`
+//! `cargo run --release -p eightfold-examples --bin squares squares.png`
 
 use eightfold::show;
 use eightfold_tracer::observe::{Fill, Observer};

@@ -1,4 +1,4 @@
-//! A still of a scene of one's own, as a PNG file: `cargo run --release --example still still.png`
+//! A still of a scene of one's own, as a PNG file: `cargo run --release -p eightfold-examples --bin still still.png`
 
 use eightfold_tracer::glam::{Vec3A, vec3a};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};

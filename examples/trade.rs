@@ -1,4 +1,4 @@
-//! Speed and error of each rung of the ladder, on a scene of one's own: `cargo run --release --example trade`
+//! Speed and error of each rung of the ladder, on a scene of one's own: `cargo run --release -p eightfold-examples --bin trade`
 
 use eightfold_tracer::glam::{Vec3A, vec3a};
 use eightfold_tracer::scene::{Light, List, Material, Plane, Scene, Sphere};

@@ -12,8 +12,9 @@ use std::{
 
 /// The program of an example.
 fn example(name: &str) -> Command {
-    static BUILD: LazyLock<Build> = LazyLock::new(|| Build::examples().expect("they can be built"));
-    Command::new(BUILD.example(name).expect("there is one"))
+    static BUILD: LazyLock<Build> =
+        LazyLock::new(|| Build::release("eightfold-examples").expect("they can be built"));
+    Command::new(BUILD.program(name).expect("there is one"))
 }
 
 /// The program of the example that is a crate of its own.
@@ -45,6 +46,24 @@ fn picture(name: &str) -> (Vec<u32>, String) {
 fn channels(pixel: u32) -> [u8; 3] {
     let [_, red, green, blue] = pixel.to_be_bytes();
     [red, green, blue]
+}
+
+#[test]
+fn they_need_the_library_a_window_and_png_files_alone() {
+    let (output, tree) = run(Command::new(env!("CARGO"))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .args(["tree", "--package", "eightfold-examples", "--offline"])
+        .args(["--prefix", "none", "--no-dedupe"]));
+    assert!(output.status.success(), "{}", texts(&output).1);
+    let crates: BTreeSet<&str> = tree
+        .lines()
+        .filter_map(|line| line.split(' ').next())
+        .collect();
+    assert!(crates.contains("eightfold-tracer"), "{tree}");
+    for needless in ["eightfold-lab", "eightfold-pack", "eightfold-stage"] {
+        assert!(!crates.contains(needless), "{tree}");
+    }
+    assert!(crates.len() < 25, "{} crates: {tree}", crates.len());
 }
 
 #[test]
@@ -121,6 +140,13 @@ fn intro_shows_a_picture_until_esc() {
     if !lacks(DISPLAY) {
         assert_shows(&mut example("intro"), "Ten seconds");
     }
+}
+
+#[test]
+fn intro_without_a_display_says_so_in_one_line() {
+    let (output, _) = run(example("intro").env_remove("DISPLAY"));
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(texts(&output).1, "Error: \"no X display\"\n");
 }
 
 #[test]

@@ -93,6 +93,45 @@ fn recipes_for_parts_of_a_capture_have_all_frames_of_the_show() {
     }
 }
 
+/// The cells of a table's row that is for the default quality and, if the row has them, given first cells.
+fn default_row(page: &str, first: &[String]) -> Vec<String> {
+    let text = fs::read_to_string(root().join(page)).expect("text");
+    let cells = |line: &str| -> Vec<String> {
+        let cells = line.trim_matches('|').split('|');
+        cells.map(|cell| cell.trim().to_owned()).collect()
+    };
+    let mut rows = text.lines().map(cells);
+    rows.find(|row| row.starts_with(first) && row.contains(&"default".to_owned()))
+        .expect("a row")
+}
+
+#[test]
+fn the_readme_has_the_figures_of_the_tables() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("text");
+    let readme = readme.replace('\n', " ");
+    let smooth = default_row("docs/speed.md", &["1024x768".into(), "1".into()]);
+    let jagged = default_row("docs/accuracy.md", &["default".into()]);
+    let speed = |cell: &str| format!("{:.1} times", cell.parse::<f64>().expect("a number"));
+    let psnr = smooth[11].trim_end_matches(" dB").parse::<f64>();
+    for figure in [
+        format!("{} as fast as tracing every pixel", speed(&smooth[18])),
+        format!("a PSNR of {:.0} dB", psnr.expect("a number")),
+        format!(
+            "with jagged edges, as in the plots, it is {}",
+            speed(&jagged[2])
+        ),
+        format!(
+            "traces {} of the pixels, or {} with antialiased edges",
+            jagged[3], smooth[7]
+        ),
+    ] {
+        assert!(
+            readme.contains(&figure),
+            "README.md does not say {figure:?}"
+        );
+    }
+}
+
 #[test]
 fn the_readme_is_short() {
     let text = fs::read_to_string(root().join("README.md")).expect("text");

@@ -37,11 +37,6 @@ impl Build {
         )
     }
 
-    /// Builds the examples of the library.
-    pub fn examples() -> Result<Self> {
-        Self::of(&["--package", "eightfold", "--examples"], &[])
-    }
-
     /// Builds what is asked for, for release.
     fn of(what: &[&str], variables: &[(&str, &str)]) -> Result<Self> {
         let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
@@ -68,17 +63,8 @@ impl Build {
 
     /// The path of a program.
     pub fn program(&self, name: &str) -> Result<PathBuf> {
-        self.executable("bin", name)
-    }
-
-    /// The example of a name.
-    pub fn example(&self, name: &str) -> Result<PathBuf> {
-        self.executable("example", name)
-    }
-
-    fn executable(&self, kind: &str, name: &str) -> Result<PathBuf> {
         let path = self
-            .artifact(kind, name)
+            .artifact("bin", name)
             .and_then(|artifact| artifact["executable"].as_str());
         path.map(PathBuf::from)
             .with_context(|| format!("cargo does not say where it has built {name}"))
