@@ -2,7 +2,7 @@
 //!
 //! Owen's scrambling makes every point uniform by itself, so that a mean over the points has no bias, and points with different
 //! seeds are independent (Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995). For smooth functions the error of
-//! the mean falls faster than by chance: its slope is measured by `cargo lab truth --convergence`.
+//! the mean falls faster than that of random points: its slope is measured by `cargo lab truth --convergence`.
 
 use eightfold_tracer::glam::{DVec2, DVec3, dvec2};
 use sobol_burley::NUM_DIMENSIONS;
@@ -16,7 +16,7 @@ pub const MAX_POINTS: usize = 1 << 16;
 pub enum Sequence {
     /// A Sobol sequence with Owen's scrambling.
     Sobol,
-    /// Independent points by chance, to compare with.
+    /// Independent random points, to compare with.
     Random,
 }
 

@@ -4,7 +4,7 @@ use proptest::{collection::vec, prelude::*};
 
 use crate::{Damaged, LONGEST, checksum, costs, model::Model, pack, pack_executable, unpack};
 
-/// Bytes as programs have them: some by chance, some again and again, some of instructions.
+/// Bytes as programs have them: some random, some again and again, some of instructions.
 fn bytes() -> impl Strategy<Value = Vec<u8>> {
     let call = any::<i32>().prop_map(|to| [&[0xe8][..], &to.to_le_bytes()].concat());
     let again = (any::<u8>(), 1..300_usize).prop_map(|(byte, count)| vec![byte; count]);

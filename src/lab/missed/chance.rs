@@ -1,4 +1,4 @@
-//! Scenes drawn by chance, in each of which small things show in one way.
+//! Random scenes, in each of which small things show in one way.
 
 use crate::sampler::{Sampler, Sequence};
 use eightfold_tracer::glam::{EulerRot, Mat3A, Vec3A, vec3a};

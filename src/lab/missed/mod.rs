@@ -26,7 +26,7 @@ use std::thread::available_parallelism;
 /// by more than 8/255 are what shows it, beside its own: its shadows, its images. What has 16 pixels of a kind at most is small, and a patch of 5 to 64 pixels that an object
 /// without highlights would change is a small highlight. What is small is
 /// missed if none of its pixels is right; `unguarded` is what the quality would miss without the guard. Without --scene it counts
-/// in scenes drawn by chance, in the model scene and in the show.
+/// in random scenes, in the model scene and in the show.
 #[derive(Args)]
 pub struct Arguments {
     #[arg(long, value_name = "NAME", help = scenes::takes())]
@@ -37,7 +37,7 @@ pub struct Arguments {
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest
     #[arg(long, value_name = "NAME", default_value = "default")]
     quality: NamedQuality,
-    /// Scenes to draw by chance of each of nine sorts
+    /// Random scenes of each of nine sorts
     #[arg(long, value_name = "N", default_value = "20", value_parser = arguments::frames)]
     seeds: usize,
     /// Frames of a scene, at times spread evenly over it
@@ -102,7 +102,7 @@ fn groups(arguments: &Arguments) -> Vec<Group> {
         .iter()
         .flat_map(|&setting| seeds.clone().map(move |seed| chance::scene(setting, seed)));
     let chance = Group {
-        name: "by chance".to_owned(),
+        name: "random scenes".to_owned(),
         scenes: scenes.collect(),
     };
     let others = [SceneName::Model, SceneName::Show].map(|name| frames_of(name, arguments.frames));

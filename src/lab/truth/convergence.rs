@@ -1,4 +1,4 @@
-//! How fast pictures come near to the truth: the error against the number of samples, by the sampler and by chance.
+//! How fast pictures come near to the truth: the error against the number of samples, by the sampler and by random points.
 
 use super::render::Picture;
 use crate::output;
@@ -24,7 +24,7 @@ pub fn run(truth: &Picture<'_>, scene: &str, pool: &ThreadPool) -> Result<()> {
     });
     let mut text = format!(
         "{scene}, {}: root mean square of the pixels' errors, of 255\n\n\
-         | samples a pixel | Owen-scrambled Sobol | chance |\n| ---: | ---: | ---: |\n",
+         | samples a pixel | Owen-scrambled Sobol | random |\n| ---: | ---: | ---: |\n",
         truth.size
     );
     let mut errors = Vec::new();

@@ -42,7 +42,7 @@ const INTERVAL_SHOWN: f64 = 16.0;
 
 /// Draws a scene by a path tracer: lamps with a size, light from surface to surface, glass that bends light
 ///
-/// It follows paths of light by chance, in numbers of 64 bits, and tells how far each pixel may be off. After Ctrl-C the same
+/// It follows random paths of light, in numbers of 64 bits, and tells how far each pixel may be off. After Ctrl-C the same
 /// command goes on where it was, to the same bits.
 #[derive(Args)]
 #[command(group(ArgGroup::new("what").required(true).args(["out", "effects", "convergence"])))]
@@ -88,7 +88,7 @@ pub struct Arguments {
     /// Folder for what the real-time model leaves out: pictures of each effect, sheet.png with all of them, and a table
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["with", "without"])]
     effects: Option<PathBuf>,
-    /// Prints how the error falls with the number of paths, by the sampler and by chance
+    /// Prints how the error falls with the number of paths, by the sampler and by random points
     #[arg(long, conflicts_with_all = ["with", "without"])]
     convergence: bool,
 }

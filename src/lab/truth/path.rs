@@ -1,6 +1,6 @@
 //! Paths of light, followed from the eye: an unbiased estimate of the rendering equation (Kajiya, 1986).
 //!
-//! At each point of a path the light of every lamp is looked for, and the path goes on in one direction by chance. Both find
+//! At each point of a path the light of every lamp is looked for, and the path goes on in one random direction. Both find
 //! lamps with an extent: multiple importance sampling weighs one by the other (Veach and Guibas, 1995). What lamps send by way of
 //! mirrors and glass is found in closed form (`connect`), or by `photons` where there is none.
 
@@ -14,7 +14,7 @@ use super::world::World;
 use crate::sampler::Sampler;
 use eightfold_tracer::glam::DVec3;
 
-/// The number of bounces from which on paths may end by chance.
+/// The number of bounces from which on paths may end at random.
 const FIRST_ROULETTE: u32 = 4;
 /// The largest chance to go on: paths between perfect mirrors end, too.
 const MAX_SURVIVAL: f64 = 0.95;

@@ -58,7 +58,7 @@ const EDITING: [(&str, &str); 11] = [
     ("Ctrl-D", "duplicates it"),
     ("C", "puts the camera as it is into the file"),
     ("Ctrl-Z", "undoes"),
-    ("Ctrl-Y", "does again what was undone"),
+    ("Ctrl-Y", "redoes"),
     ("Ctrl-S", "saves the file"),
 ];
 

@@ -5,7 +5,7 @@
 /// A device says every few milliseconds how far it has come, in steps and a little late or early; and its quartz is not
 /// the clock's. So the time goes on by the clock, and is pulled to what the device says, in a quarter of a second at 60
 /// frames a second. When the device has run out of samples, the time waits for it. So it does when the process has been
-/// stopped and goes on, which the clock did not wait for: what nobody has given to the device is not heard.
+/// stopped and goes on, which the clock did not wait for: samples that were never given to the device are not counted as heard.
 #[derive(Default)]
 pub struct Heard {
     /// How far the time is ahead of the clock, in nanoseconds.
