@@ -93,6 +93,14 @@ fn recipes_for_parts_of_a_capture_have_all_frames_of_the_show() {
     }
 }
 
+#[test]
+fn the_spotlight_of_the_page_is_that_of_the_example() {
+    let text = |name: &str| fs::read_to_string(root().join(name)).expect("text");
+    let (page, example) = (text("docs/lab.md"), text("examples/scenes/lights.ron"));
+    let mut spots = page.lines().filter(|line| line.contains("spot: ("));
+    assert!(example.contains(spots.next().expect("a spotlight").trim()));
+}
+
 /// The cells of a table's row that is for the default quality and, if the row has them, given first cells.
 fn default_row(page: &str, first: &[String]) -> Vec<String> {
     let text = fs::read_to_string(root().join(page)).expect("text");
