@@ -121,7 +121,7 @@ impl Show {
         self.finest - self.losses[..rung].iter().sum::<f64>()
     }
 
-    /// What the probes of a frame find: a fiftieth of the pixels has four fifths of the error, as where edges were missed.
+    /// Returns what the probes of a frame find: a fiftieth of the pixels has four fifths of the error, as where edges were missed.
     fn probes(&mut self) -> Probes {
         let mean = 3.0 * 255.0 * 255.0 / 10_f64.powf(self.psnr(self.governor.rung()) / 10.0);
         let mut probes = Probes::NONE;

@@ -1,4 +1,4 @@
-//! What is measured is what ships: the lab and the intro link the same compiled libraries. `tests/image/shipped.rs` checks that the
+//! Measurements are of what ships: the lab and the intro link the same compiled libraries. `tests/image/shipped.rs` checks that the
 //! tests' own build of them, which unwinds, draws the same bits.
 
 use eightfold_lab::cargo::Build;

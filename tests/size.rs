@@ -8,7 +8,7 @@ use eightfold_lab::cargo::Build;
 const LIMIT: usize = 65_536;
 const AIM: usize = 64_000;
 
-/// What a build has made.
+/// The result of a build.
 struct Intro {
     program: PathBuf,
     /// The same program as it was linked, see `src/pack/build/mod.rs`.

@@ -13,7 +13,7 @@ pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 /// The keys, as `--help` lists them.
 const KEYS: &str = "keys: F fullscreen, W window, H numbers, Esc end";
 
-/// What a flag sets, in the order of [`FLAGS`].
+/// The options that flags set, in the order of [`FLAGS`].
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Switch {
     Size,
@@ -36,13 +36,13 @@ pub enum Switch {
 
 /// A flag of the command line.
 pub struct Flag {
-    /// What it sets.
+    /// The option that it sets.
     pub switch: Switch,
     /// The flag itself, with its hyphens.
     pub name: &'static str,
     /// The name of its value in `--help`; empty if it takes none.
     pub value: &'static str,
-    /// What it does, the range of its value, and the default in brackets.
+    /// The effect in words, the range of its value, and the default in brackets.
     help: &'static str,
 }
 

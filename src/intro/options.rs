@@ -28,7 +28,7 @@ const MAX_PSNR: usize = 99;
 /// The largest number of seconds, about 30 years: sums of such times in nanoseconds stay far below 2^64.
 const MAX_SECONDS: u64 = 1_000_000_000;
 
-/// What the program has to do.
+/// The task of the program.
 #[derive(Clone, Copy)]
 pub enum Task {
     /// Play the show.
@@ -41,7 +41,7 @@ pub enum Task {
     Version,
 }
 
-/// What to do, and how to play or draw.
+/// The task, and how to play or draw.
 pub struct Options {
     /// The task.
     pub task: Task,
@@ -73,7 +73,7 @@ pub struct Options {
     pub is_silent: bool,
 }
 
-/// What is wrong with the command line.
+/// An error in the command line.
 #[derive(Clone, Copy)]
 pub enum Misuse {
     /// An unknown flag.

@@ -28,7 +28,7 @@ pub struct Tally {
     frames_in_second: u64,
     /// Frames in the last complete second.
     rate: u64,
-    /// What probes found, in the whole run and of late: each second counts half as much as the one after it.
+    /// The findings of probes, in the whole run and of late: each second counts half as much as the one after it.
     probes: Probes,
     recent: Probes,
     /// The width and height of the last frame in pixels.

@@ -19,7 +19,7 @@ pub fn known(number: Option<f64>, digits: usize) -> String {
     number.map_or_else(dash, |number| format!("{number:.digits$}"))
 }
 
-/// What stands for no number.
+/// The dash that stands for no number.
 pub fn dash() -> String {
     "-".to_owned()
 }

@@ -39,11 +39,11 @@ const DOCS_LINK: &str = "docs/";
 struct Page {
     path: PathBuf,
     text: String,
-    /// What goes before the name of a picture in a link from it.
+    /// The path that goes before the name of a picture in a link from it.
     link: &'static str,
 }
 
-/// What is measured by one command.
+/// The part of a page that one command measures.
 struct Part {
     name: &'static str,
     step: Step,
@@ -240,7 +240,7 @@ impl Part {
         Ok(printed)
     }
 
-    /// What to put between the marks on a page.
+    /// The text to put between the marks on a page.
     fn body(&self, printed: &str, link: &str) -> String {
         let mut body = format!("\n    {}\n", self.step.shown(DOCS_LINK));
         if self.is_printed {

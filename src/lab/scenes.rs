@@ -9,7 +9,7 @@ use std::str::FromStr;
 /// The names of the show's scenes, which begin at [`show::CUTS`].
 pub const SHOW_SCENES: [&str; show::CUTS.len()] = show::NAMES;
 
-/// What names a scene, for `--help` and for errors.
+/// The ways to name a scene, for `--help` and for errors.
 pub fn takes() -> String {
     let parts = SHOW_SCENES.map(|part| format!("show:{part}")).join(", ");
     format!(

@@ -1,4 +1,4 @@
-//! What a viewer sees of errors, at some views of a scene: FLIP, pixels that pop, and how far frames are from many samples a pixel.
+//! Errors as a viewer sees them, at some views of a scene: FLIP, pixels that pop, and how far frames are from many samples a pixel.
 
 use crate::arguments::Size;
 use crate::error::{Difference, worst_channel};
@@ -45,7 +45,7 @@ pub fn pops(references: [&[u32]; 2], frames: [&[u32]; 2]) -> usize {
         .count()
 }
 
-/// What was seen of a quality, at all views together.
+/// The errors that are seen of a quality, at all views together.
 #[derive(Clone, Default)]
 pub struct Seen {
     /// Against its reference.
@@ -71,7 +71,7 @@ impl Seen {
     }
 }
 
-/// What is looked at: a quality, and the scene of each time.
+/// The subject of views: a quality, and the scene of each time.
 pub struct Subject<'a> {
     pub quality: &'a Quality,
     pub scene: &'a dyn Fn(f32) -> Scene,

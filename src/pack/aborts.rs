@@ -37,7 +37,7 @@ const NOP: u8 = 0x90;
 /// The number of the register `rsp`. (With a prefix it is another one, which may be left as well.)
 const STACK_POINTER: u8 = 4;
 
-/// What is to be known of a program.
+/// A program's code, with what is known of its parts.
 pub struct Code<'a> {
     pub code: &'a Section,
     /// The global offset table.

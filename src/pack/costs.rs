@@ -1,4 +1,4 @@
-//! What each byte costs when it is packed.
+//! The cost of each byte when it is packed.
 
 use crate::{model::Coder, new_model, with_addresses};
 

@@ -96,7 +96,7 @@ pub fn header(entry: u64, segments: u16) -> Vec<u8> {
     bytes
 }
 
-/// What kind of file it is, if it is for x86-64.
+/// Returns the kind of a file, if it is for x86-64.
 pub fn kind(file: &[u8]) -> Result<u16, Error> {
     if !file.starts_with(b"\x7fELF\x02\x01") || number(file, 18, 2) != 62 {
         return Err("it is no program for x86-64".into());

@@ -1,6 +1,6 @@
 //! Makes a packed executable of an ordinary one.
 //!
-//! What is packed is an ELF file itself, without all that neither Linux nor the dynamic linker reads, and the stub's loader, which
+//! The packed content is an ELF file itself, without all that neither Linux nor the dynamic linker reads, and the stub's loader, which
 //! loads it like any other. The packed file has
 //!
 //! | bytes | what |
@@ -126,7 +126,7 @@ pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
     Ok(unpacked)
 }
 
-/// What Linux and the dynamic linker read of an executable: its headers and segments, without what only unwinding reads, or a
+/// Keeps what Linux and the dynamic linker read of an executable: its headers and segments, without what only unwinding reads, or a
 /// report of a panic. That is not needed where a panic ends the process.
 ///
 /// # Errors

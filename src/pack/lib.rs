@@ -149,7 +149,7 @@ fn checksum(bytes: &[u8]) -> u32 {
 /// The most bytes that can be packed: they take 16 seconds.
 pub const LONGEST: usize = 1 << 24;
 
-/// What was to be unpacked was never packed, or has changed since.
+/// An error: what was to be unpacked was never packed, or has changed since.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Damaged;
 

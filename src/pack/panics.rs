@@ -23,7 +23,7 @@ use crate::{
     elf::{Section, number},
 };
 
-/// What the diet has called in place of functions that panic.
+/// The function that the diet has called in place of those that panic.
 pub const ABORT: &str = "eightfold_abort";
 
 /// The end of the panic handler's name, which is mangled.

@@ -1,4 +1,4 @@
-//! What holds of all that is packed.
+//! Properties that hold for all that is packed.
 
 use proptest::{collection::vec, prelude::*};
 

@@ -23,7 +23,7 @@ pub(super) struct Act {
 pub(super) struct Shot {
     /// Its length in bars.
     pub bars: u8,
-    /// What the camera passes through, at equal distances in time, from the start to the end; two at least.
+    /// The keys that the camera passes through, at equal distances in time, from the start to the end; two at least.
     pub keys: &'static [Key],
 }
 

@@ -1,10 +1,10 @@
-//! What is set up for a scene of the show: air, floor, lamps, props.
+//! The set of a scene of the show: air, floor, lamps, props.
 
 use super::props::Prop;
 use eightfold_tracer::scene::{Film, Light, Material, Plane, Scene, Spot, Waves};
 use glam::Vec3A;
 
-/// What is set up for an act, or for several in a row.
+/// The set of an act, or for several in a row.
 pub(super) struct Set {
     /// See [`Scene::background`].
     pub background: Vec3A,

@@ -47,7 +47,7 @@ static SCALE: [u8; 16] = [
     0, 69, 71, 72, 74, 76, 77, 79, 81, 83, 84, 86, 88, 89, 91, 93,
 ];
 
-/// What a track plays: for each bar a pattern of sixteen digits, one for each step.
+/// The notes of a track: for each bar a pattern of sixteen digits, one for each step.
 ///
 /// A digit from 1 to 15 starts a note; what it means depends on the instrument's [`Notes`](super::instruments::Notes). With 0 no
 /// note starts.

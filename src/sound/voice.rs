@@ -8,11 +8,11 @@ use glam::{Vec4, vec4};
 /// The sum of all voices for one sample. Lanes 0 and 2 are heard on the left, 1 and 3 on the right.
 #[derive(Clone, Copy)]
 pub(super) struct Mix {
-    /// What is heard directly.
+    /// The part that is heard directly.
     pub dry: Vec4,
-    /// What is sent to the echo.
+    /// The part that is sent to the echo.
     pub echo: Vec4,
-    /// What is sent to the reverberation.
+    /// The part that is sent to the reverberation.
     pub room: Vec4,
     /// Noise from -1 to 1, the same for all voices.
     pub noise: [f32; 4],
@@ -27,7 +27,7 @@ impl Mix {
     };
 }
 
-/// What influences all voices in a block. Each number is the same in all four lanes.
+/// Settings that influence all voices in a block. Each number is the same in all four lanes.
 pub(super) struct Mood {
     /// The kick's level at the start of the block, 0 to 1.
     pub kick: Vec4,

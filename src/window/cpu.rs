@@ -7,7 +7,7 @@ pub use fearless_simd::Level;
 pub struct Isa {
     /// Its name on a command line.
     pub name: &'static str,
-    /// What kernels are chosen by.
+    /// The level by which kernels are chosen.
     pub level: Level,
 }
 
@@ -65,7 +65,7 @@ pub fn best() -> Isa {
     })
 }
 
-/// What processors of the kind x86-64 say of themselves, by the instruction CPUID.
+/// Features of processors of the kind x86-64, asked for by the instruction CPUID.
 ///
 /// `Level::new()` says the same. It asks by way of std for every feature there is, which takes 1,499 packed bytes of the intro.
 #[cfg(target_arch = "x86_64")]

@@ -1,4 +1,4 @@
-//! What somebody does at a window with the keyboard and the mouse, for programs that are worked with, as the lab's viewer is.
+//! Input at a window by the keyboard and the mouse, for programs that are worked with, as the lab's viewer is.
 //!
 //! The intro hears Esc, F, H and W alone, and does not listen to this: what hears it is not in its file.
 
@@ -13,10 +13,10 @@ pub enum Input {
     Mouse(Mouse),
 }
 
-/// What was done with the mouse, and where.
+/// An action of the mouse, and where it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mouse {
-    /// What was done.
+    /// The action.
     pub action: Action,
     /// Pixels of the window, from its left edge; beyond the window while a button is held there.
     pub x: i32,
@@ -26,7 +26,7 @@ pub struct Mouse {
     pub is_shifted: bool,
 }
 
-/// What can be done with a mouse.
+/// The actions of a mouse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
     /// A button was pressed.

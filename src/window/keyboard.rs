@@ -23,7 +23,7 @@ pub(crate) const W: c_uint = b'w' as c_uint;
 /// No key.
 pub(crate) const NONE: c_uint = 0xff_ffff;
 
-/// What is added to the number of a key that is pressed with Ctrl. No key of X11 has a number with this bit.
+/// The bit that is added to the number of a key that is pressed with Ctrl. No key of X11 has a number with this bit.
 pub(crate) const CONTROL: c_uint = 1 << 30;
 
 /// A key that the lab listens to.

@@ -41,7 +41,7 @@ struct Shared {
     sleeping: AtomicU32,
     /// Threads inside of the current run, and [`OPEN`] while more may come in.
     inside: AtomicU32,
-    /// What the current run does; not to be looked at from outside of it.
+    /// The work of the current run; not to be looked at from outside of it.
     work: UnsafeCell<MaybeUninit<Work<'static>>>,
     /// The number that the next thread to start takes.
     next: AtomicUsize,

@@ -1,4 +1,4 @@
-//! What frames are shown on.
+//! The screen that frames are shown on.
 
 use crate::backend::memory::pixels;
 
@@ -24,7 +24,7 @@ pub trait Screen {
 }
 
 impl Next {
-    /// What comes of H as well.
+    /// The next step if H was pressed as well.
     pub(crate) fn toggled(self) -> Next {
         match self {
             Next::GoOn => Next::Toggle,

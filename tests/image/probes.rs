@@ -44,7 +44,7 @@ impl Probing {
         }
     }
 
-    /// What so many probes of a frame find.
+    /// Draws a frame, and returns what so many probes find.
     fn draw(&mut self, scene: &Scene, quality: &Quality, count: u16, seed: u32) -> Probes {
         self.renderer.set_probes(count, seed);
         let level = self.isa.level;

@@ -56,7 +56,7 @@ pub enum Object {
     Block(usize),
     /// The sphere that shows a light.
     Light(usize),
-    /// What a ray hits that hits nothing else.
+    /// The background, which a ray hits that hits nothing else.
     Background,
 }
 
@@ -114,7 +114,7 @@ impl<'a> Oracle<'a> {
         traced
     }
 
-    /// What the film makes of the light at a pixel.
+    /// Returns what the film makes of the light at a pixel.
     fn exposed(&self, light: DVec3, x: isize, y: isize) -> DVec3 {
         let from_middle =
             |at: isize, size: usize| (2.0 * at as f64 + 1.0 - size as f64) / self.height as f64;

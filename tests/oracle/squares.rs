@@ -150,7 +150,7 @@ impl<'a> Squares<'a> {
         f64::from(spread * self.oracle.scene.film.tolerance) * self.growth(side)
     }
 
-    /// What a tolerance for squares of 8 is multiplied by for squares of a side.
+    /// The factor on a tolerance for squares of 8, for squares of a side.
     fn growth(&self, side: usize) -> f64 {
         let growth = 8.0 / side as f64;
         growth + self.crowding * (growth.min(1.0) - growth)

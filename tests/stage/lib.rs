@@ -1,4 +1,4 @@
-//! What tests of the programs share: the intro itself, X servers, tools to observe them, and readers of pictures.
+//! Support that tests of the programs share: the intro itself, X servers, tools to observe them, and readers of pictures.
 
 pub mod reader;
 mod tools;

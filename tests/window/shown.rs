@@ -1,4 +1,4 @@
-//! What is seen in the window.
+//! The picture in the window.
 
 use super::{end_by_escape, servers};
 use eightfold::show;

@@ -12,7 +12,7 @@ use eightfold_tracer::scene::Scene;
 use eightfold_window::cpu::Isa;
 use eightfold_window::pool::Pool;
 
-/// What to measure.
+/// The plan of a measurement.
 pub struct Plan {
     pub shots: Vec<Shot>,
     pub isa: Isa,
@@ -47,7 +47,7 @@ struct Bench {
     cases: Vec<BenchCase>,
 }
 
-/// What is drawn one right after the other.
+/// A case: frames that are drawn one right after the other.
 struct BenchCase {
     canvas: Canvas,
     /// One for each shot.
@@ -88,7 +88,7 @@ pub struct Run {
     pub seen: Seen,
 }
 
-/// What frames are filled with to see how fast that is.
+/// The colour that frames are filled with to see how fast that is.
 const COLOUR: u32 = 0x0012_3456;
 /// Rows that a thread fills in one go, as many as the intro's bands have.
 const STRIP: usize = 16;
@@ -242,7 +242,7 @@ impl Setting {
         }
     }
 
-    /// What was seen of each way.
+    /// Returns what was seen of each way.
     fn seen(&self) -> Vec<Seen> {
         self.runs.iter().map(|run| run.seen.clone()).collect()
     }

@@ -7,7 +7,7 @@ use crate::timing::{median, percentile};
 use crate::views::Seen;
 use serde::Serialize;
 
-/// What was measured of one quality in one setting.
+/// The measurements of one quality in one setting.
 ///
 /// Times are in milliseconds, counts are means of a frame, shares are of 1. An infinite PSNR, where no pixel differs, is
 /// `null` in JSON, and what was not measured to its end.

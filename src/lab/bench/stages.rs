@@ -16,7 +16,7 @@ const REPEATS: usize = 5;
 /// Numbers of threads that the frame's pieces are dealt to.
 const THREADS: [usize; 3] = [4, 16, 64];
 
-/// What a frame's time is divided into, in the order of the table.
+/// The parts that a frame's time is divided into, in the order of the table.
 const ROWS: [(&str, usize); STAGES] = [
     ("preparing the scene", PREPARING),
     (

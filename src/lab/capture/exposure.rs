@@ -105,7 +105,7 @@ fn move_lamps(scene: &mut Scene, at: &[Vec2; MAX_LIGHTS]) {
     }
 }
 
-/// What is drawn of a light, shining into a cone away from the scene that is as narrow as can be.
+/// A light that lights nothing: it is drawn, shining into a cone away from the scene that is as narrow as can be.
 fn unlit(light: &Light, target: Vec3A) -> Light {
     Light {
         spot: Some(Spot {

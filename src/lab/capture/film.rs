@@ -119,7 +119,7 @@ impl Film {
 
     /// Draws a frame as `0x00RRGGBB` pixels, row by row: the mean of its pictures as they would be shown.
     ///
-    /// What is shown is linear in the light up to the brightest that can be, so that this is what a camera would gather whose
+    /// The shown colours are linear in the light up to the brightest that can be, so that this is what a camera would gather whose
     /// film clips at every moment; a lamp brighter than white does not outshine what is beside it for the rest of the time.
     pub fn draw<'a>(&self, frame: usize, canvas: &'a mut Canvas) -> &'a [u32] {
         let scene = self.scene.at(self.time(frame));

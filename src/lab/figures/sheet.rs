@@ -23,7 +23,7 @@ pub struct Figure {
     pub name: &'static str,
     pub title: &'static str,
     pub caption: String,
-    /// What the darkest and the brightest colour stand for, where colours stand for numbers.
+    /// The values of the darkest and the brightest colour, where colours stand for numbers.
     pub scale: Option<[String; 2]>,
     pub pixels: Vec<u32>,
 }

@@ -4,7 +4,7 @@ use crate::sampler::{Sampler, Sequence};
 use eightfold_tracer::glam::{EulerRot, Mat3A, Vec3A, vec3a};
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 
-/// What a scene has beside small, matt things and a camera.
+/// The setting of a scene, beside small, matt things and a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Setting {
     /// A matt floor, and a point of light.

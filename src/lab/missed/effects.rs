@@ -1,4 +1,4 @@
-//! What each thing of a scene changes of a picture, by kind: itself, its shadows, its images.
+//! The effects of each thing of a scene on a picture, by kind: itself, its shadows, its images.
 
 use super::MAX_ERROR;
 use crate::error::worst_channel;
@@ -11,7 +11,7 @@ use eightfold_window::cpu;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
-/// What a pixel shows of a thing.
+/// The kind of effect by which a pixel shows a thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// The thing itself.
@@ -30,7 +30,7 @@ pub enum Kind {
     PlaneImage,
     /// An image in another mirror, or in waves.
     OtherImage,
-    /// What glass shows.
+    /// The thing through glass.
     Glass,
     /// A highlight, in the eye's own sight.
     Highlight,
@@ -233,7 +233,7 @@ fn without_lamps(scene: &Scene) -> Scene {
     scene
 }
 
-/// What a pixel that shows the object `host` shows of a thing that changes it, without lamps, too, if `is_seen`.
+/// Tells what a pixel that shows the object `host` shows of a thing that changes it, without lamps, too, if `is_seen`.
 fn kind(scene: &Scene, thing: Object, host: Object, is_seen: bool) -> Kind {
     let is_image = is_seen && shows_images(scene, host);
     match host {

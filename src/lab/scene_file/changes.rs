@@ -1,4 +1,4 @@
-//! What a change of a value changes in a scene file, with the motions of that value.
+//! Changes of values in a scene file, with the motions of that value.
 
 use super::edit::Changes;
 use super::motion::Numbers;
@@ -6,7 +6,7 @@ use super::{SceneFile, path};
 use serde_json::{Value, json};
 
 impl SceneFile {
-    /// What a file says at a path, motions aside; also what it says by leaving it out.
+    /// The value of a file at a path, motions aside, even if the file leaves it out.
     pub fn value(&self, path: &str) -> Option<&Value> {
         path::get(&self.tree, path)
     }
@@ -26,7 +26,7 @@ impl SceneFile {
         })
     }
 
-    /// What has to change so that a number or a vector is another one, at all times: the value, and the keys of its motions. The
+    /// Returns what has to change so that a number or a vector is another one, at all times: the value, and the keys of its motions. The
     /// function is given the index of a number in the vector, 0 for a single one, and the number.
     pub fn changed(&self, path: &str, f: impl Fn(usize, f64) -> f64) -> Changes {
         let mut changes = Changes::new();
@@ -57,7 +57,7 @@ impl SceneFile {
     }
 }
 
-/// What a function makes of each number of a vector, or of a single one. The results are those of `f32`.
+/// Applies a function to each number of a vector, or of a single one. The results are those of `f32`.
 fn each(numbers: Numbers, f: impl Fn(usize, f64) -> f64) -> Value {
     let new = |i: usize, number: f32| f(i, f64::from(number)) as f32;
     match numbers {

@@ -213,7 +213,7 @@ impl Patches {
     }
 }
 
-/// What follows an item of a list on its line.
+/// The rest of the line behind an item of a list.
 struct Tail {
     /// Behind the comma and the blanks after it, if there is one.
     comma_end: Option<usize>,
@@ -275,7 +275,7 @@ mod tests {
 )
 "#;
 
-    /// What a text says at a path.
+    /// The value of a text at a path.
     #[track_caller]
     fn value(text: &str, path: &str) -> Value {
         let file = SceneFile::parse("scene.ron", text).expect(text);

@@ -3,7 +3,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-/// What can be interpolated.
+/// A value that can be interpolated.
 pub trait Value: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f32, Output = Self> {}
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f32, Output = T>> Value for T {}

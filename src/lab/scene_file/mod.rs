@@ -29,7 +29,7 @@ use std::path::Path;
 /// The suffix of scene files.
 pub const SUFFIX: &str = ".ron";
 
-/// What is said of a pipe or a device: it may have no end, and can't be read again.
+/// The message about a pipe or a device: it may have no end, and can't be read again.
 pub const NO_FILE: &str = "it is not a regular file";
 
 /// Reads the text of a scene file.
@@ -52,12 +52,12 @@ pub struct SceneFile {
     pub name: String,
     /// How long it plays, in seconds.
     pub length: f32,
-    /// What the file says, without the motions.
+    /// The contents of the file, without the motions.
     tree: Value,
     motions: Vec<Motion>,
 }
 
-/// What is wrong with a file: where, by its path, and what.
+/// A mistake in a file: where it is, by its path, and what.
 struct Fault {
     path: String,
     what: String,

@@ -9,9 +9,9 @@ use std::ops::{Add, Mul, Sub};
 #[derive(Clone, Debug, Serialize, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Motion {
-    /// What changes, by its path in the file: `camera.eye`, `spheres[0].centre`, `materials["gold"].kr`.
+    /// The value that changes, by its path in the file: `camera.eye`, `spheres[0].centre`, `materials["gold"].kr`.
     pub of: String,
-    /// What happens between two keys.
+    /// The course of values between two keys.
     #[serde(default)]
     pub between: Between,
     /// Whether it starts again after the last key.
@@ -81,7 +81,7 @@ impl Numbers {
         }
     }
 
-    /// What a function makes of each number and its counterpart.
+    /// Applies a function to each number and its counterpart.
     fn combine(self, other: Self, f: impl Fn(f32, f32) -> f32) -> Self {
         let three = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|i| f(a[i], b[i]));
         match (self, other) {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// What some editors put in front of a text. It takes no column.
+/// The mark that some editors put in front of a text. It takes no column.
 pub const BYTE_ORDER_MARK: char = '\u{feff}';
 
 /// The values of a text in RON by their paths, such as `spheres[3].material`, `materials["gold"].kr` or `motions[0].keys[2]`.

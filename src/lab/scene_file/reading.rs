@@ -14,7 +14,7 @@ use std::fmt;
 /// The tree of a file, without the motions, and these.
 ///
 /// # Errors
-/// What is no RON, or what a scene does not have, and where.
+/// Text that is no RON, or a field that a scene does not have, and where it is.
 pub fn read(text: &str) -> Result<(Value, Vec<Motion>), SpannedError> {
     let options = ron::Options::default().with_default_extension(Extensions::IMPLICIT_SOME);
     let mut motions = Vec::new();
@@ -32,9 +32,9 @@ struct Struct<'a> {
     file: Option<&'a mut Vec<Motion>>,
 }
 
-/// What a field is read as.
+/// The ways in which a field is read.
 enum Seed<'a> {
-    /// What the library has there.
+    /// A place of the library's scene.
     Place(Place<'a>),
     /// Three numbers of a file's own.
     Turn,
@@ -56,7 +56,7 @@ impl Struct<'_> {
         seed.or((self.file.is_some() && name == "materials").then_some(Seed::Materials))
     }
 
-    /// What is wrong with a field of a name that none has.
+    /// The message about a field of a name that none has.
     fn unknown(&self, name: &str, tree: &Value) -> String {
         let names = tree.as_object().into_iter().flatten();
         let mut names: Vec<&str> = names.map(|(name, _)| name.as_str()).collect();

@@ -68,7 +68,7 @@ pub fn rust(file: &SceneFile) -> Result<String> {
     Ok(prettyplease::unparse(&syn::parse_file(&text)?))
 }
 
-/// What the function needs of the library and of the module below it.
+/// The imports that the function needs of the library and of the module below it.
 fn imports(body: &str, printer: &Printer<'_>) -> String {
     let words: BTreeSet<&str> = body
         .split(|c: char| !c.is_alphanumeric() && c != '_')

@@ -32,7 +32,7 @@ pub fn of(fields: &mut dyn Fields) -> Value {
     Value::Object(tree)
 }
 
-/// What a field has.
+/// The value of a field.
 pub fn value(place: Place<'_>) -> Value {
     match place {
         Place::Number(number) => json!(number),
@@ -59,7 +59,7 @@ pub fn value(place: Place<'_>) -> Value {
     }
 }
 
-/// What a file is without a word: no objects, and the length of the model scene.
+/// The contents of an empty file: no objects, and the length of the model scene.
 pub fn standard() -> Value {
     named(&Scene::default(), show::MODEL_LENGTH, &[])
 }

@@ -19,7 +19,7 @@ const TICK: i32 = 5;
 /// Seconds between numbers.
 const STEP: usize = 10;
 
-/// What the heights of a picture stand for: numbers at shares of the height from the top, and their unit.
+/// The values of the heights of a picture: numbers at shares of the height from the top, and their unit.
 pub struct Heights {
     pub ticks: Vec<(f32, String)>,
     pub unit: &'static str,
@@ -42,7 +42,7 @@ pub fn framed(picture: &[u32], heights: &Heights) -> Result<(usize, Vec<u32>)> {
     Ok((all_width, pixels))
 }
 
-/// What the axes are drawn on.
+/// The picture that axes are drawn on.
 struct Axes<'a, 'b> {
     area: &'a Area<'b>,
 }

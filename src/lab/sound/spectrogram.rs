@@ -55,7 +55,7 @@ fn frequency(share: f32) -> f32 {
     highest * (lowest / highest).powf(share)
 }
 
-/// What its heights stand for.
+/// The values of its heights.
 pub fn heights() -> Heights {
     let (lowest, highest) = FREQUENCIES;
     let share = |hertz: f32| (hertz / highest).ln() / (lowest / highest).ln();

@@ -44,7 +44,7 @@ pub fn draw(samples: &[[f32; 2]], width: usize, height: usize) -> Vec<u32> {
     pixels
 }
 
-/// What its heights stand for: amplitudes of each channel, 1 for full scale.
+/// The values of its heights: amplitudes of each channel, 1 for full scale.
 pub fn heights() -> Heights {
     let amplitudes = [
         ("left  1", 0.0),

@@ -16,7 +16,7 @@ use eightfold_window::cpu::Isa;
 /// The number of points drawn between two exhaustive frames: few enough that the machine's speed hardly drifts in between.
 const GROUP: usize = 4;
 
-/// What to measure for each point.
+/// The plan of the measurements for each point.
 pub struct Plan {
     pub scene: SceneName,
     pub isa: Isa,

@@ -99,7 +99,7 @@ pub struct Trade {
 }
 
 impl Trade {
-    /// What the edges of all frames are.
+    /// The edges of all frames, in a word.
     fn edges(&self) -> &'static str {
         if self.antialias {
             "antialiased"

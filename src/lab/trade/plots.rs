@@ -13,7 +13,7 @@ const LISTED: usize = 12;
 
 const PSNR: &str = "PSNR against every pixel traced, dB";
 
-/// What the points of a plot are rated by.
+/// A measure by which the points of a plot are rated.
 struct Measure {
     /// The name of the plot's files.
     file: &'static str,

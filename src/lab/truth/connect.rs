@@ -153,7 +153,7 @@ impl Gap {
     }
 }
 
-/// What light has met on its way.
+/// Something that light has met on its way.
 #[derive(Clone, Copy, Debug)]
 pub struct Event {
     /// The body's index.

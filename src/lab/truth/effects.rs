@@ -1,9 +1,9 @@
-//! What the real-time model leaves out, each to be switched off.
+//! Effects that the real-time model leaves out, each to be switched off.
 
 use crate::arguments::BadInput;
 use anyhow::Result;
 
-/// What a picture has beyond the real-time model. Where an effect is off, what the model has in its stead takes its place.
+/// The effects that a picture has beyond the real-time model. Where an effect is off, what the model has in its stead takes its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effects {
     /// Light that reaches a surface from others, and from the background; instead of the ambient light.

@@ -50,7 +50,7 @@ impl FromIterator<DVec3> for Welford {
     }
 }
 
-/// What is known of a pixel.
+/// The estimate of a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Estimate {
     /// The radiance.

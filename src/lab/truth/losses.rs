@@ -1,4 +1,4 @@
-//! What the real-time model leaves out of the truth: pictures and figures for each effect.
+//! Losses of the real-time model against the truth: pictures and figures for each effect.
 
 use super::effects::Effects;
 use super::estimate::{Estimate, Intervals};
@@ -200,7 +200,7 @@ fn enlarged(pixels: &[u32], width: usize, by: usize) -> Vec<u32> {
 }
 
 impl Loss {
-    /// What it costs: the difference, and the mean FLIP error.
+    /// The cost: the difference, and the mean FLIP error.
     fn figures(&self, width: usize) -> (Difference, f64) {
         (
             Difference::between(&self.with, &self.without),

@@ -65,7 +65,7 @@ pub struct Emission {
 impl RTreeObject for Photon {
     type Envelope = AABB<[f64; 3]>;
 
-    /// What its disc is in.
+    /// The box around its disc.
     fn envelope(&self) -> Self::Envelope {
         let lower = self.p - self.radius;
         let upper = self.p + self.radius;

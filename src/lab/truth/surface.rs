@@ -1,4 +1,4 @@
-//! What a surface does with the light that reaches a point of it: how much of it goes where.
+//! Scattering of the light that reaches a point of a surface: how much of it goes where.
 //!
 //! A surface has up to four parts, each a share of the light: diffuse, a glossy lobe, a mirror, and glass that lets light through.
 //! The shares of a surface that keeps energy add up to 1 at most. Radiance is taken over the squared refractive index of where
@@ -46,7 +46,7 @@ impl From<&scene::Material> for Material {
     }
 }
 
-/// What becomes of light at a surface that does not scatter it.
+/// The ways of light at a surface that does not scatter it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bounce {
     Mirrored,
@@ -165,7 +165,7 @@ impl Bsdf {
         self.diffuse.max_element() + self.glossy > 0.0
     }
 
-    /// What becomes of light that is mirrored or let through, by a number from 0 to 1; `None` if it goes elsewhere. The chance is
+    /// Chooses what becomes of light that is mirrored or let through, by a number from 0 to 1; `None` if it goes elsewhere. The chance is
     /// the share of the light.
     pub fn sample_bounce(&self, choice: f64) -> Option<Bounce> {
         if choice < self.reflected {

@@ -6,7 +6,7 @@ use crate::arguments::Size;
 use eightfold_tracer::glam::{DQuat, DVec2, DVec3, dvec2};
 use eightfold_tracer::scene::Camera;
 
-/// What a camera sees through each place of a picture.
+/// The view of a camera: what it sees through each place of a picture.
 pub struct View {
     pub eye: DVec3,
     /// Of length 1, perpendicular to each other.

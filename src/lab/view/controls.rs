@@ -1,4 +1,4 @@
-//! What the viewer selects with keys: time, quality and overlay.
+//! Selections of the viewer with keys: time, quality and overlay.
 
 use crate::arguments::NamedQuality;
 use eightfold_window::input::Press;
@@ -8,7 +8,7 @@ pub const MOST_RAYS: u32 = 24;
 /// The error that is shown in white, in steps of 1/255: four times what the lab's tables count as large.
 pub const MOST_ERROR: u32 = 32;
 
-/// What is drawn over the frame, or instead of it.
+/// The overlay that is drawn over the frame, or instead of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
     None,
@@ -42,7 +42,7 @@ impl Overlay {
     }
 }
 
-/// What is selected.
+/// The selection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controls {
     /// The position in the show, in frames; while it plays it lies between frames.

@@ -18,14 +18,14 @@ pub struct SceneOnDisk {
     looked: Instant,
     /// As it was when it was last looked at; `None` if it has to be read again in any case.
     stamp: Option<Stamp>,
-    /// What was there when the user was asked whether to write over it.
+    /// The contents that were there when the user was asked whether to write over it.
     asked: Option<Found>,
 }
 
 /// When a file was written, its length and its number: it is not read again as long as these are the same. `None` without a file.
 type Stamp = Option<(SystemTime, u64, u64)>;
 
-/// What there is at the path of a scene file.
+/// The contents at the path of a scene file.
 #[derive(PartialEq)]
 enum Found {
     Nothing,
@@ -136,7 +136,7 @@ impl Found {
         matches!(self, Self::File { bytes: Some(bytes), .. } if bytes == text.as_bytes())
     }
 
-    /// What to ask before a text is written over it, if it held another one when it was last seen.
+    /// The question to ask before a text is written over it, if it held another one when it was last seen.
     fn question(&self, seen: &str, text: &str) -> Option<String> {
         let Self::File { is_protected, .. } = self else {
             return None;

@@ -12,9 +12,9 @@ pub struct Document {
     /// Earlier texts, the last one last, and those that were undone.
     past: Vec<String>,
     future: Vec<String>,
-    /// What the last change was a part of, if more of that may follow.
+    /// The step that the last change was a part of, if more of that may follow.
     step: Option<Step>,
-    /// What a drag began with, until it ends or anything else changes the text.
+    /// The state that a drag began with, until it ends or anything else changes the text.
     held: Option<Held>,
     /// Is another one after each change.
     pub version: u64,
@@ -37,7 +37,7 @@ pub struct Held {
     pub scene: SceneFile,
 }
 
-/// What became of the file on the disk.
+/// News of the file on the disk.
 pub enum News {
     /// It was read again.
     Read,
@@ -128,7 +128,7 @@ impl Document {
         });
     }
 
-    /// What the drag began with; `None` if something has ended it.
+    /// The state that the drag began with; `None` if something has ended it.
     pub fn held(&self) -> Option<&Held> {
         self.held.as_ref()
     }
@@ -198,7 +198,7 @@ impl Document {
         self.copies.fault()
     }
 
-    /// What is left at the end, in words; `None` if nothing was written.
+    /// Tells what is left at the end; `None` if nothing was written.
     pub fn left_behind(&mut self) -> Option<String> {
         if self.is_saved() {
             let path = self.disk.path().display();
@@ -211,7 +211,7 @@ impl Document {
         })
     }
 
-    /// What a text says in the place of this one.
+    /// Reads a text in the place of this one.
     ///
     /// # Errors
     /// As [`SceneFile::parse`].

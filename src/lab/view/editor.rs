@@ -1,4 +1,4 @@
-//! What gestures and keys change in a scene file.
+//! Changes of a scene file by gestures and keys.
 
 use super::camera::View;
 use super::document::{Document, Step};
@@ -68,7 +68,7 @@ impl Editor {
     /// Moves the dragged object to where the pointer is, unless something else has ended the drag.
     ///
     /// # Errors
-    /// What the scene file does not take.
+    /// A value that the scene file does not take.
     pub fn drag_on(
         &mut self,
         drag: &mut Drag,
@@ -117,7 +117,7 @@ impl Editor {
     /// Makes the picked object larger, or smaller, by notches of the wheel.
     ///
     /// # Errors
-    /// What the scene file does not take.
+    /// A value that the scene file does not take.
     pub fn resize(&mut self, notches: f64) -> Result<(), String> {
         let Some(object) = self.picked else {
             return Ok(());
@@ -137,7 +137,7 @@ impl Editor {
     /// Gives the picked object the next material of the table.
     ///
     /// # Errors
-    /// What the scene file does not take, or that lights have no material.
+    /// A value that the scene file does not take, or that lights have no material.
     pub fn next_material(&mut self) -> Result<(), String> {
         let object = self.picked.ok_or(NOTHING)?;
         let scene = &self.document.scene;
@@ -153,7 +153,7 @@ impl Editor {
     /// Deletes the picked object.
     ///
     /// # Errors
-    /// What the scene file does not take.
+    /// A change that the scene file does not take.
     pub fn delete(&mut self) -> Result<(), String> {
         let object = self.picked.ok_or(NOTHING)?;
         let text = edit::remove(self.document.text(), object.list(), object.index);
@@ -165,7 +165,7 @@ impl Editor {
     /// Puts a copy of the picked object to its right, and picks that.
     ///
     /// # Errors
-    /// What the scene file does not take.
+    /// A change that the scene file does not take.
     pub fn duplicate(&mut self, scene: &Scene, view: &View) -> Result<(), String> {
         let object = self.picked.ok_or(NOTHING)?;
         let (centre, half) = object.bounds(scene).ok_or(NOTHING)?;
@@ -193,7 +193,7 @@ impl Editor {
     /// Puts the camera into the file.
     ///
     /// # Errors
-    /// What the scene file does not take, or that the camera moves.
+    /// A value that the scene file does not take, or that the camera moves.
     pub fn set_camera(&mut self, camera: &Camera) -> Result<(), String> {
         if self.document.scene.is_moved("camera") {
             return Err("the camera moves: its places are keys of a motion in the file".to_owned());

@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 pub struct FrameViewer {
     renderer: ThreadedRenderer,
     isa: Isa,
-    /// What the picture was drawn for.
+    /// The selection that the picture was drawn for.
     drawn: Option<(Controls, [u64; 2], Size)>,
     pub picture: Vec<u32>,
     /// The exhaustive frame of the same moment.
@@ -27,7 +27,7 @@ pub struct FrameViewer {
     pub figures: Figures,
 }
 
-/// What was measured of the picture.
+/// The measurements of the picture.
 #[derive(Clone, Copy, Default)]
 pub struct Figures {
     /// The time to draw it, without the overlay.

@@ -1,10 +1,10 @@
-//! What keys and the mouse do, and what the colours of overlays stand for, in words.
+//! Explanations of keys, the mouse, and the colours of overlays.
 
 use super::controls::{MOST_ERROR, MOST_RAYS, Overlay};
 use super::panel::{Mark, Row};
 use crate::overlay::{heat, square_colour};
 
-/// What keys do, whatever scene is shown.
+/// The effects of keys, whatever scene is shown.
 const KEYS: [(&str, &str); 14] = [
     ("Space", "pauses and plays on"),
     ("Left, Right", "a frame back or on, and pauses"),
@@ -31,7 +31,7 @@ const KEYS: [(&str, &str); 14] = [
     ("Esc", "the end"),
 ];
 
-/// What the mouse does, whatever scene is shown.
+/// The effects of the mouse, whatever scene is shown.
 const MOUSE: [(&str, &str); 3] = [
     (
         "Right drag",
@@ -41,7 +41,7 @@ const MOUSE: [(&str, &str); 3] = [
     ("Wheel", "nearer and farther"),
 ];
 
-/// What keys and the mouse do with a scene file.
+/// The effects of keys and the mouse on a scene file.
 const EDITING: [(&str, &str); 11] = [
     (
         "Click",
@@ -83,7 +83,7 @@ pub fn keys(is_editing: bool) -> Vec<Row> {
     .collect()
 }
 
-/// What the colours of an overlay stand for.
+/// The meaning of an overlay's colours.
 pub fn colours(overlay: Overlay) -> Vec<Row> {
     let row = |colour, words: String| Row {
         mark: Mark::Colour(colour),

@@ -20,7 +20,7 @@ pub struct Row {
     pub words: String,
 }
 
-/// What the words of a line explain.
+/// The mark that the words of a line explain.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Mark {
     #[default]

@@ -34,7 +34,7 @@ pub struct Session {
     is_end_asked: bool,
 }
 
-/// What is written over the picture.
+/// The panels of text over the picture.
 struct Panels {
     has_keys: bool,
     has_colours: bool,
@@ -46,7 +46,7 @@ struct Panels {
     picked: Panel,
 }
 
-/// What is told at first.
+/// The hint that is shown at first.
 const HINT: &str = "? shows keys and mouse";
 
 impl Session {
@@ -245,7 +245,7 @@ impl Session {
     }
 }
 
-/// What the title says of changes that are not saved.
+/// The words of the title for changes that are not saved.
 const UNSAVED: &str = ", not saved";
 
 impl Panels {

@@ -1,4 +1,4 @@
-//! What is looked at: a scene by name or one that is edited, through its own camera or one that is moved by hand; and what keys and
+//! The workspace: a scene by name or one that is edited, through its own camera or one that is moved by hand; and what keys and
 //! the mouse do with it.
 
 use super::camera::{self, View};
@@ -22,13 +22,13 @@ pub struct Workspace {
     /// How often it was moved.
     moves: u64,
     hand: Hand,
-    /// What there is to tell, until the next input.
+    /// The notice to show, until the next input.
     pub notice: Option<String>,
-    /// What is wrong with the file on the disk.
+    /// The mistake in the file on the disk.
     pub fault: Option<String>,
 }
 
-/// What the mouse is held for.
+/// The purpose for which the mouse is held.
 enum Hand {
     Free,
     /// Turning the camera; the last place of the pointer.
@@ -64,7 +64,7 @@ impl Workspace {
     /// A scene by its name. A scene file is read for editing.
     ///
     /// # Errors
-    /// What is wrong with the file.
+    /// The mistake in the file.
     pub fn open(name: SceneName) -> Result<Self, String> {
         let editor = match name {
             SceneName::File(file) => Some(Editor::new(Document::open(&file.name)?)),
@@ -114,7 +114,7 @@ impl Workspace {
         editor.is_some_and(|editor| !editor.document.is_saved())
     }
 
-    /// What is left at the end, in words; `None` if nothing was written.
+    /// Tells what is left at the end; `None` if nothing was written.
     pub fn left_behind(&mut self) -> Option<String> {
         self.editor.as_mut()?.document.left_behind()
     }

@@ -5,7 +5,7 @@
 //! archives; assembly in the intro's own object defines each anew, ahead of the archives; the linker takes the first definition,
 //! and drops all that only the second one needed. What they do instead is in `src/window/abort.rs`.
 //!
-//! What each measure saves of the packed file, found by leaving it out, of 53,456 bytes (of others where that is said):
+//! The bytes that each measure saves of the packed file, found by leaving it out, of 53,456 bytes (of others where that is said):
 //!
 //! | measure | where | bytes |
 //! | --- | --- | ---: |
@@ -39,7 +39,7 @@ const CRATES: [&str; 6] = [
     "rustc_demangle",
 ];
 
-/// What is called instead of functions of std, and those functions: parts of paths. One that std does not have is a warning.
+/// Replacements for functions of std, and those functions: parts of paths. One that std does not have is a warning.
 const INSTEAD: [(&str, &[&str]); 2] = [
     (
         ABORT,

@@ -18,9 +18,9 @@ pub const STUB: &str = "stub.o";
 const SETTINGS: &str = "settings";
 const PACKED: &str = "packed";
 
-/// What the build script says to the linker, in a file beside it.
+/// The build script's settings for the linker, in a file beside it.
 pub struct Settings {
-    /// What links.
+    /// The linker's path or name.
     pub linker: String,
     /// Where the program is left as it was linked.
     pub unpacked: String,
@@ -93,7 +93,7 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     Ok(0)
 }
 
-/// What is linked to. (Where there are many arguments, they are in a file.)
+/// Finds the output file of the link. (Where there are many arguments, they are in a file.)
 fn output(arguments: &[OsString]) -> Result<Option<PathBuf>, Error> {
     let mut words = Vec::new();
     for argument in arguments {

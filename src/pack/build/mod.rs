@@ -1,4 +1,4 @@
-//! What the intro's build script does: it prepares the diet, and has the linker called by way of this program.
+//! The intro's build script: it prepares the diet, and has the linker called by way of this program.
 //!
 //! `cargo build --release` compiles the script, which Cargo runs: it compiles the stub, and says how to link the intro. Rust calls
 //! a C compiler for that, which is told to take its linker from `OUT_DIR/linker`: there, the script's own executable has the name

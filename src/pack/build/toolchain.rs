@@ -15,7 +15,7 @@ pub const TARGET: &str = "x86_64-unknown-linux-gnu";
 pub struct Toolchain {
     pub rustc: OsString,
     pub sysroot: PathBuf,
-    /// What would link the program: a path, or a name to be looked up.
+    /// The linker of the program: a path, or a name to be looked up.
     pub linker: String,
 }
 
@@ -44,7 +44,7 @@ impl Toolchain {
     }
 }
 
-/// What links, by the user's flags for rustc, the C compiler that cargo calls, and the linker that rustc brings.
+/// Finds the linker, by the user's flags for rustc, the C compiler that cargo calls, and the linker that rustc brings.
 fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<String, Error> {
     let (mut compiler, mut chosen, mut own) = (compiler, None, own);
     for (name, value) in options(flags) {
@@ -106,7 +106,7 @@ fn options(flags: &str) -> impl Iterator<Item = (&str, &str)> {
 mod tests {
     use super::linker;
 
-    /// What links, where rustc brings a linker `own`; the flags are given with spaces between them.
+    /// Finds the linker where rustc brings a linker `own`; the flags are given with spaces between them.
     fn chosen(flags: &str) -> Option<String> {
         linker(&flags.replace(' ', "\x1f"), None, Some("own")).ok()
     }

@@ -17,7 +17,7 @@ macro_rules! sse2 {
     };
 }
 
-/// What each number of two lanes becomes.
+/// Implements operations on two lanes, number by number.
 #[cfg(target_arch = "x86_64")]
 macro_rules! operations {
     ($($(#[$doc:meta])* $name:ident: $instruction:ident,)*) => {

@@ -5,12 +5,12 @@
 
 use super::operands::operands_by_runs;
 
-/// What the model predicts a byte by, each a number; contexts are sets of them. Features 0 to 3 are the last bytes, the newest
-/// first. There is room for some more: a power of two.
+/// The number of features by which the model predicts a byte. Contexts are sets of features. Features 0 to 3 are the last bytes, the
+/// newest first. There is room for some more: a power of two.
 pub const FEATURES: usize = 32;
 /// How many of the last bytes are kept.
 const LAST: usize = 4;
-/// What the next byte is; see the kinds below.
+/// The feature that is the kind of the next byte; see the kinds below.
 pub const KIND: usize = 4;
 /// The opcode of this instruction so far, plus 0x100 times its map, plus 0x400 times what `pp` is in VEX, by whatever prefixes that
 /// is said: so an operation has one number in SSE2, AVX2 and AVX-512. Those of the three instructions before follow it in steps of
@@ -64,7 +64,7 @@ const START: u32 = 0;
 const AFTER_PREFIX: u32 = 1;
 const IS_MODRM: u32 = 2;
 const IS_SIB: u32 = 3;
-/// What follows the first byte of a VEX or EVEX prefix: at most three bytes.
+/// A byte behind the first one of a VEX or EVEX prefix: there are at most three.
 const VEX: u32 = 4;
 const DISPLACEMENT: u32 = 8;
 /// A displacement from the next instruction.
@@ -77,7 +77,7 @@ pub const MORE_KINDS: u32 = RELATIVE_JUMP + 4;
 /// A power of two above that.
 pub const KINDS: usize = 32;
 
-/// What fields of instructions are told apart by, besides their kinds.
+/// The features by which fields of instructions are told apart, besides their kinds.
 const FIELD_FEATURES: [usize; 2] = [OPCODE, OPERAND];
 /// Fields of all instructions: for each map, `pp` and opcode, each kind. (Of operands, the upper bits of SIB are left out.)
 const FIELDS: usize = 0x1000 << KINDS.ilog2();

@@ -11,7 +11,7 @@ pub const ROWS: usize = 3;
 /// A weight for each input, in 65,536ths.
 type Weights = [Lanes; ROWS];
 
-/// What the sum of two weights is to begin with: all 24 inputs together are believed three eighths of what they say.
+/// The sum of two weights at the beginning: all 24 inputs together are believed three eighths of what they say.
 const FIRST_WEIGHT: i16 = 1000;
 
 /// Sets of weights: for each kind of byte and each beginning of it; that of beginning 0, which no byte has, is for all of that kind;
@@ -34,7 +34,7 @@ const STEPS: usize = 4096;
 pub struct Mixer {
     /// The logits of what is mixed; those of pairs fill the last row.
     inputs: [[i16; 8]; ROWS],
-    /// What was predicted last.
+    /// The last prediction.
     probability: i32,
     /// The probability of each logit.
     probabilities: [i32; STEPS],

@@ -139,7 +139,7 @@ pub struct Model {
     expected: [[u32; 4]; ROWS],
     /// The slots for the next bit, one of each context, then one of each pair.
     places: [[u32; 4]; slot::ROWS],
-    /// What each of these is exclusive-or, once it has learned: 0, or [`OPPOSITE`] where a 1 was expected.
+    /// The mask that each of these is combined with by exclusive-or, once it has learned: 0, or [`OPPOSITE`] where a 1 was expected.
     opposites: [[u32; 4]; slot::ROWS],
     pub reader: Reader,
     /// Copies of the slots.

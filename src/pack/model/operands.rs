@@ -1,6 +1,7 @@
-//! What operands an opcode has.
+//! The operands of opcodes.
 
-/// What follows an opcode: 0 nothing, 1 a byte, 2 four bytes, 3 an offset of four bytes; and 4 more if a ModRM byte comes before it.
+/// The kind of bytes that follow an opcode: 0 nothing, 1 a byte, 2 four bytes, 3 an offset of four bytes; and 4 more if a ModRM
+/// byte comes before it.
 const fn operands(map: u32, opcode: u32) -> u32 {
     match (map, opcode) {
         (0, 0..0x40) => match opcode & 7 {

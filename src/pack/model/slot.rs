@@ -1,4 +1,4 @@
-//! What is known of a bit in one context.
+//! A slot: what is known of a bit in one context.
 
 use super::lanes::Lanes;
 

@@ -15,7 +15,7 @@ pub struct FileHeader {
     header_count: u16,
 }
 
-/// What a part of the program is.
+/// A part of the program, as its header describes it.
 #[repr(C)]
 struct ProgramHeader {
     kind: u32,
@@ -77,7 +77,7 @@ impl ProgramHeader {
     }
 }
 
-/// What [`load`] is.
+/// The type of [`load`].
 pub type Load = unsafe extern "C" fn(&FileHeader, usize, *mut usize) -> usize;
 
 /// Loads a program, with a page of memory to be used and the stack that the process was started with. Returns where its dynamic

@@ -1,4 +1,4 @@
-//! What starts the packed program: it unpacks the program behind it and puts that in its own place.
+//! The stub that starts the packed program: it unpacks the program behind it and puts that in its own place.
 //!
 //! It is compiled by itself, to an object that the packer links; see `src/pack/build`. What only a program that has been unpacked
 //! needs, the [loader], is packed with it.
@@ -86,7 +86,7 @@ global_asm!(
 );
 
 unsafe extern "C" {
-    /// What was packed, and its end: the packer has them in the file behind the stub.
+    /// The packed bytes, and their end: the packer has them in the file behind the stub.
     static PACKED: u8;
     static PACKED_END: u8;
     /// Where all begins that [`SUM`] is the checksum of, up to the end of what was packed.

@@ -8,7 +8,7 @@ use std::{
 
 use crate::{system, terminal};
 
-/// What follows the program's name on the command line.
+/// The words that follow the program's name on the command line.
 pub struct Arguments {
     rest: vec::IntoIter<OsString>,
 }

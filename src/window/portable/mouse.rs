@@ -4,7 +4,7 @@ use minifb::{Key, MouseButton, MouseMode};
 
 use crate::input::{self, Action, Button, Input};
 
-/// What was known of the mouse when it was last asked. A click that begins and ends between two frames is missed.
+/// The state of the mouse when it was last asked. A click that begins and ends between two frames is missed.
 #[derive(Default)]
 pub struct Mouse {
     at: (i32, i32),

@@ -22,7 +22,7 @@ impl Thread {
     }
 }
 
-/// What a thread works on.
+/// The pointer that a thread works on.
 struct Sent(*mut c_void);
 
 // SAFETY: whoever starts the thread vouches for it.
@@ -31,7 +31,7 @@ unsafe impl Send for Sent {}
 /// Starts a thread, unless the system has no more.
 ///
 /// # Safety
-/// What the thread does with the pointer has to be right for as long as it runs.
+/// The thread's use of the pointer has to be right for as long as it runs.
 pub unsafe fn spawn(
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,

@@ -8,7 +8,7 @@ use minifb::{InputCallback, Key};
 
 use crate::keyboard;
 
-/// What was typed since it was last asked for. It has two owners: the window and `minifb`.
+/// The text that was typed since it was last asked for. It has two owners: the window and `minifb`.
 #[derive(Clone, Default)]
 pub struct Typing(Rc<RefCell<State>>);
 
@@ -26,7 +26,7 @@ struct State {
     others: Vec<c_uint>,
 }
 
-/// What is typed with the keys of F, W and H where the alphabet is Russian, Greek, Hebrew or Arabic.
+/// The letters that are typed with the keys of F, W and H where the alphabet is Russian, Greek, Hebrew or Arabic.
 const PLACES: [(char, u8); 11] = [
     ('\u{430}', b'f'),
     ('\u{446}', b'w'),

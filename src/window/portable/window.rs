@@ -22,7 +22,7 @@ use crate::{
 /// A window that shows frames, with keys: F for the whole screen, W for the window, Esc to end.
 pub struct Window {
     shown: minifb::Window,
-    /// What `minifb` cannot do.
+    /// The functions that `minifb` lacks.
     desktop: Desktop,
     /// The frame to be drawn and shown next.
     frame: &'static mut [u32],
@@ -31,7 +31,7 @@ pub struct Window {
     typing: Typing,
     /// The mouse, once somebody listens.
     mouse: Option<Mouse>,
-    /// What was done with other keys and the mouse, and has not been asked for yet.
+    /// Input by other keys and the mouse that has not been asked for yet.
     inputs: Vec<Input>,
 }
 
@@ -80,14 +80,14 @@ impl Window {
     }
 }
 
-/// What the lab asks of its window.
+/// The functions for the lab's window.
 impl Window {
     /// Listens to keys and the mouse from now on. The pointer is seen on the whole screen, too.
     pub fn listen(&mut self) {
         self.mouse = Some(Mouse::default());
     }
 
-    /// What was done at the window since the last call, in order; nothing unless it [listens](Window::listen).
+    /// Takes the input at the window since the last call, in order; nothing unless it [listens](Window::listen).
     pub fn inputs(&mut self) -> Vec<Input> {
         take(&mut self.inputs)
     }

@@ -1,9 +1,9 @@
-//! What stands in for functions of std in the intro.
+//! Replacements for functions of std in the intro.
 //!
 //! The intro is linked without what std needs to explain a panic, which is larger than all the rest of it: `src/pack/build/diet.rs`
 //! redirects the functions that lead there to these. In other programs nobody calls them.
 //!
-//! What must report an error never goes through a panic, so that is only for mistakes in the code.
+//! Code that must report an error never goes through a panic, so that is only for mistakes in the code.
 
 use crate::{line, terminal};
 

@@ -4,7 +4,7 @@ use core::ffi::{CStr, c_char, c_int};
 
 use crate::system;
 
-/// What follows the program's name on the command line.
+/// The words that follow the program's name on the command line.
 pub struct Arguments {
     rest: &'static [*const c_char],
 }

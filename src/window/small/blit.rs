@@ -25,7 +25,7 @@ use crate::{
 /// Two frames in turns, and how they come to the window.
 pub struct Frames {
     context: xlib::GC,
-    /// What Xlib knows of a picture; made to fit each one.
+    /// Xlib's record of a picture; made to fit each one.
     image: *mut xlib::XImage,
     put_image: PutImage,
     /// The first is the one to be drawn and shown next.

@@ -37,7 +37,7 @@ impl Listener {
         (self.note)(&mut self.inputs, x, event);
     }
 
-    /// What was done since the last call.
+    /// Takes the input since the last call.
     pub fn take(&mut self) -> Vec<Input> {
         take(&mut self.inputs)
     }

@@ -22,7 +22,7 @@ impl Thread {
 /// Starts a thread, unless the system has no more.
 ///
 /// # Safety
-/// What the thread does with the pointer has to be right for as long as it runs.
+/// The thread's use of the pointer has to be right for as long as it runs.
 pub unsafe fn spawn(
     main: extern "C" fn(*mut c_void) -> *mut c_void,
     pointer: *mut c_void,

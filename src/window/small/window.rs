@@ -17,15 +17,15 @@ use crate::{
 /// A window that shows frames, with keys: F for the whole screen, W for the window, H for numbers over the
 /// picture, Esc to end.
 ///
-/// What happens in it is taken from Xlib, so that a key that is pressed and released between two frames counts. It stays until
+/// Its events are taken from Xlib, so that a key that is pressed and released between two frames counts. It stays until
 /// the process ends, when the display closes it, at once and for sure.
 pub struct Window {
     top: Toplevel,
-    /// What a window manager sends instead of closing it.
+    /// The message that a window manager sends instead of closing it.
     delete: xlib::Atom,
     size: (usize, usize),
     frames: Frames,
-    /// What takes note of other keys and the mouse, once somebody listens.
+    /// The listener that takes note of other keys and the mouse, once somebody listens.
     listener: Option<&'static mut Listener>,
 }
 
@@ -110,7 +110,7 @@ impl Window {
     }
 }
 
-/// What the lab asks of its window.
+/// The functions for the lab's window.
 impl Window {
     /// Listens to keys and the mouse from now on. The pointer is seen on the whole screen, too.
     pub fn listen(&mut self) {
@@ -118,7 +118,7 @@ impl Window {
         self.listener = Some(Listener::start(&self.top));
     }
 
-    /// What was done at the window since the last call, in order; nothing unless it [listens](Window::listen).
+    /// Takes the input at the window since the last call, in order; nothing unless it [listens](Window::listen).
     pub fn inputs(&mut self) -> Vec<Input> {
         let listener = self.listener.as_mut();
         listener.map(|listener| listener.take()).unwrap_or_default()

@@ -23,7 +23,7 @@ const ROOM: usize = 4096;
 /// How long a writer sleeps until there is room: 2 ms.
 const TURN: u64 = SECOND / 500;
 
-/// What the two threads share, of the one device that a program has.
+/// The queue between the two threads, for the one device that a program has.
 struct Queue {
     /// Both sides of a sample, as bits.
     samples: [AtomicU64; ROOM],

@@ -16,7 +16,7 @@ pub struct Heard {
     time: i64,
 }
 
-/// What a difference is divided by for each frame.
+/// The number by which a difference is divided for each frame.
 const PULL: i64 = 16;
 
 /// The least difference that is no step of the device's but sound that was lost: 50 ms.

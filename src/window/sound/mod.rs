@@ -48,7 +48,7 @@ const FASTEST: u64 = 1000;
 /// Nanoseconds that a device may take to be opened. One on the network or by radio takes a second or two.
 const LONGEST_OPENING: u64 = 3 * SECOND;
 
-/// What makes sound.
+/// A source of sound.
 pub trait Source: Send {
     /// Makes the next samples, some milliseconds at most: left and right, full scale 1.
     fn block(&mut self) -> &[[f32; 2]];
@@ -77,7 +77,7 @@ static OPENED: AtomicU64 = AtomicU64::new(OPENING);
 const OPENING: u64 = u64::MAX;
 const SILENT: u64 = u64::MAX - 1;
 
-/// What the thread that plays works with. It lives as long as the process.
+/// The state of the thread that plays. It lives as long as the process.
 struct Work {
     device: &'static CStr,
     source: &'static mut dyn Source,

@@ -228,7 +228,7 @@ impl Keys {
     }
 }
 
-/// What has to be put back when the show ends.
+/// The settings that have to be put back when the show ends.
 struct Saved {
     active: AtomicBool,
     /// One more than the number of the terminal that keys are read from, or 0.
@@ -261,7 +261,7 @@ pub(crate) fn signal() -> c_int {
     SIGNAL.load(Relaxed)
 }
 
-/// What is done on a signal that ends a process.
+/// Handles a signal that ends a process.
 extern "C" fn note(signal: c_int) {
     if MISTAKES >> (signal - 1) & 1 == 0 {
         SIGNAL.store(signal, Relaxed);

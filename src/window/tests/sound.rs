@@ -81,7 +81,7 @@ fn play() {
     println!("{} {allocations}", played / wall);
 }
 
-/// What a scene said.
+/// The output of a scene.
 struct Scene {
     /// The player's time as a share of the wall's.
     pace: f64,

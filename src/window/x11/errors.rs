@@ -1,4 +1,4 @@
-//! What the server refuses, and its end.
+//! Errors of the server, and its end.
 
 use core::{
     ffi::c_int,
@@ -27,7 +27,7 @@ pub fn heed(x: Xlib) {
 
 /// Takes note if somebody destroyed the window. Xlib's own function would end the process.
 ///
-/// What else the server refuses, as a focus that can't be set yet, does no harm.
+/// Ignores what else the server refuses, such as a focus that can't be set yet: it does no harm.
 unsafe extern "C" fn refused(_: *mut xlib::Display, error: *mut xlib::XErrorEvent) -> c_int {
     // SAFETY: Xlib hands over the error it got.
     let code = unsafe { (*error).error_code };

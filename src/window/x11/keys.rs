@@ -1,4 +1,4 @@
-//! What a key means, whatever alphabet is typed.
+//! The meaning of keys, whatever alphabet is typed.
 
 use core::ffi::{c_int, c_uint};
 

@@ -33,7 +33,7 @@ pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     Ok(display)
 }
 
-/// What Xlib knows of a picture for a display, without pixels yet; it belongs to nobody else.
+/// Makes Xlib's record of a picture for a display, without pixels yet; it belongs to nobody else.
 ///
 /// # Safety
 /// The display has to be open.
@@ -53,14 +53,14 @@ pub struct Toplevel {
     pub display: *mut xlib::Display,
     pub window: xlib::Window,
     pub root: xlib::Window,
-    /// What the pointer is over the whole screen: one without a picture, or 0 for the desktop's own.
+    /// The pointer over the whole screen: one without a picture, or 0 for the desktop's own.
     pub no_pointer: xlib::Cursor,
     /// Where the window was before it was placed over the screen.
     before: Option<Place>,
 }
 
 impl Toplevel {
-    /// What there is to do with a window on a display, which exists already.
+    /// Prepares the functions for a window on a display, which exists already.
     ///
     /// # Safety
     /// Display and window have to stay open.

@@ -30,7 +30,7 @@ macro_rules! opaque {
 
 opaque! { Display GraphicsContext }
 
-/// What a pixel means.
+/// The meaning of a pixel's bits.
 #[repr(C)]
 pub struct Visual {
     ext_data: *mut Visual,
@@ -46,7 +46,7 @@ pub const fn is_changeable(class: c_int) -> bool {
 
 pub type GC = *mut GraphicsContext;
 
-/// What the macros of `Xlib.h` read of a screen.
+/// The fields of a screen that the macros of `Xlib.h` read.
 #[repr(C)]
 pub struct Screen {
     ext_data: *mut Screen,

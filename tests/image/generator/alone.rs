@@ -8,7 +8,7 @@ use eightfold_tracer::scene::{
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 
-/// What has an image.
+/// The material of things that have an image.
 const IMAGED: Material = Material {
     colour: vec3a(1.0, 0.8, 0.6),
     ..Material::BLACK

@@ -26,7 +26,7 @@ fn example(name: &str) -> String {
     fs::read_to_string(examples().join(name)).expect("the example is there")
 }
 
-/// What is in a scene, to the bit.
+/// The contents of a scene, to the bit.
 fn contents(scene: &Scene) -> String {
     format!("{scene:?}")
 }

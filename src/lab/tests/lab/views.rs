@@ -1,4 +1,4 @@
-//! What a viewer sees of errors: views that differ, pixels that pop, FLIP over all of them together.
+//! Errors as a viewer sees them: views that differ, pixels that pop, FLIP over all of them together.
 
 use eightfold::show;
 use eightfold_lab::arguments::Size;
@@ -87,7 +87,7 @@ fn a_pixel_pops_that_jumps_while_its_reference_stays() {
     assert_eq!(count([dark, light], [dark, light]), 0);
 }
 
-/// What is seen of two qualities of the model scene, the first of which is the reference, where time goes on by so much of its
+/// Returns what is seen of two qualities of the model scene, the first of which is the reference, where time goes on by so much of its
 /// pace.
 fn seen_of(qualities: [&Quality; 2], pace: f32) -> [Seen; 2] {
     let scene = |time: f32| show::scene(2.0 + pace * (time - 2.0));

@@ -1,4 +1,4 @@
-//! What a scene file is beside its text stays as it is when it is saved.
+//! Properties of a scene file beside its text stay as they are when it is saved.
 
 use crate::stage::{BALL, Edit, SCENE, blue, letters, read};
 use eightfold_stage::{DISPLAY, lacks};

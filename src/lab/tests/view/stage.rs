@@ -166,7 +166,7 @@ impl View {
         wait_for(what, || is_wanted(&self.shot()).then_some(()));
     }
 
-    /// What the window shows once it has been the same for some frames.
+    /// Returns what the window shows once it has been the same for some frames.
     pub fn settled_shot(&self) -> Vec<u32> {
         wait_for("the same picture again", || {
             let shot = self.shot();
@@ -250,7 +250,7 @@ impl Edit {
             .assert_shows("the file's picture", |shot| shot == picture);
     }
 
-    /// What the file says, as `lab render` draws it.
+    /// The picture of the file, as `lab render` draws it.
     pub fn picture(&self) -> Vec<u32> {
         let name = self.file.to_str().expect("UTF-8");
         rendered(&["--scene", name, "--time", "0", "--quality", "default"])

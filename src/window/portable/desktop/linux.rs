@@ -96,7 +96,7 @@ impl X {
     }
 }
 
-/// What there is to do with a window beyond `minifb`.
+/// The functions for a window that `minifb` lacks.
 pub enum Desktop {
     /// On X, with the [masks](X::masks).
     X(Toplevel, [c_ulong; 3]),
@@ -158,7 +158,7 @@ impl Desktop {
         keys
     }
 
-    /// What `minifb` tells of a notch of the wheel away from the hand.
+    /// The number that `minifb` gives for a notch of the wheel away from the hand.
     pub fn notch(&self) -> f32 {
         match self {
             // A notch is a button that is pressed and let go, of which each counts.

@@ -1,4 +1,4 @@
-//! What `minifb` cannot do, by the system's own functions.
+//! Functions that `minifb` lacks, by the system's own functions.
 
 #[cfg(target_os = "linux")]
 mod linux;

@@ -22,7 +22,7 @@ impl Display {
     }
 }
 
-/// What there is to do with a window beyond `minifb`: nothing.
+/// The functions for a window that `minifb` lacks: none.
 pub struct Desktop;
 
 impl Desktop {
@@ -43,7 +43,7 @@ impl Desktop {
         Vec::new()
     }
 
-    /// What `minifb` tells of a notch of the wheel away from the hand.
+    /// The number that `minifb` gives for a notch of the wheel away from the hand.
     pub fn notch(&self) -> f32 {
         1.0
     }

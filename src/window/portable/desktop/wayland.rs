@@ -7,7 +7,7 @@ use raw_window_handle::{HasDisplayHandle, HasWindowHandle, RawDisplayHandle, Raw
 use crate::loading::{Table, loaded};
 
 loaded! {
-    /// What is asked of a connection.
+    /// Functions of a connection.
     Client, CLIENT_NAMES:
     fn wl_display_flush(*mut c_void) -> c_int;
     fn wl_display_get_error(*mut c_void) -> c_int;

@@ -8,7 +8,7 @@ use core::{
 
 use winapi::{shared::windef::HWND, um::winuser};
 
-/// What makes a window one with a frame, a title and its buttons.
+/// The style bits of a window with a frame, a title and its buttons.
 const FRAME: isize = winuser::WS_OVERLAPPEDWINDOW as isize;
 
 /// A display that `minifb` opens a window on.
@@ -33,7 +33,7 @@ impl Display {
     }
 }
 
-/// What there is to do with a window beyond `minifb`.
+/// The functions for a window that `minifb` lacks.
 pub struct Desktop {
     window: HWND,
     /// The window's place before it covered the screen.
@@ -61,7 +61,7 @@ impl Desktop {
         Vec::new()
     }
 
-    /// What `minifb` tells of a notch of the wheel away from the hand.
+    /// The number that `minifb` gives for a notch of the wheel away from the hand.
     pub fn notch(&self) -> f32 {
         0.1 * f32::from(winuser::WHEEL_DELTA)
     }

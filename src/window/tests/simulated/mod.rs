@@ -6,7 +6,7 @@ use std::{
     process::{Command, Output},
 };
 
-/// What the device has played: blocks of samples, and the nanosecond from which each is heard.
+/// The samples that the device has played: blocks of samples, and the nanosecond from which each is heard.
 pub type Played = Vec<(u64, Vec<[f32; 2]>)>;
 
 /// Builds ALSA's library into a folder.

@@ -119,7 +119,7 @@ mod keys {
     //! Values between keys: times in seconds, in order, each with the value that it has then. Before the first key and after the last
     //! one a value keeps still.
     use std::ops::{Add, Mul, Sub};
-    /// What can be interpolated.
+    /// A value that can be interpolated.
     pub trait Value: Copy + Add<
             Output = Self,
         > + Sub<Output = Self> + Mul<f32, Output = Self> {}
