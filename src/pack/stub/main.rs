@@ -117,7 +117,10 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
     // Linux would end a process that may not have as much before it can say so.
     // SAFETY: nobody has that memory.
     let [mapped, program] = unsafe {
-        let (program, size_of_it) = ((&raw const PROGRAM).addr(), (&raw const PROGRAM_SIZE).addr());
+        let (program, size_of_it) = (
+            (&raw const PROGRAM).addr(),
+            (&raw const PROGRAM_SIZE).addr(),
+        );
         [
             call(MMAP, [0, size, 3, 0x22, usize::MAX, 0]),
             call(MMAP, [program, size_of_it, 3, 0x32, usize::MAX, 0]),
