@@ -46,6 +46,7 @@ pub fn play(options: &Options) -> i32 {
         };
         line::complain(format_args!("{why}; playing {place}"));
     }
+    // Start the sound and the threads that trace.
     let mut playing = Playing {
         options,
         player: if options.is_silent {
@@ -56,6 +57,7 @@ pub fn play(options: &Options) -> i32 {
         renderer: ShowRenderer::new(options),
         tally: Tally::default(),
     };
+    // Play in the window, in the terminal, or without a screen.
     let code = match window {
         Ok(mut window) => {
             if options.is_fullscreen {
@@ -68,6 +70,7 @@ pub fn play(options: &Options) -> i32 {
             None => playing.on(&mut Headless::new(width, height)),
         },
     };
+    // Print the statistics.
     let Playing {
         renderer, tally, ..
     } = &playing;
@@ -87,6 +90,7 @@ impl Playing<'_> {
     /// Plays on a screen until the show ends or the viewer ends it. Returns the exit code.
     fn on(&mut self, screen: &mut dyn Screen) -> i32 {
         let options = self.options;
+        // Decide how the quality is chosen, and when the show ends.
         let by_accuracy = options.psnr.filter(|_| !options.has_fps);
         let is_default = options.is_uncapped && by_accuracy.is_none();
         let kept = options.quality.or(is_default.then_some(qualities::DEFAULT));
@@ -102,6 +106,7 @@ impl Playing<'_> {
         let mut due = 0;
         let mut has_hud = options.has_hud;
         loop {
+            // Find the time of the show, and the quality of this frame.
             let start = clock.time();
             let heard = self.player.time();
             if heard >= length {
@@ -112,6 +117,7 @@ impl Playing<'_> {
                 Some(governor) => governor.rung(),
                 None => by_rate.rung(),
             });
+            // Draw the frame, and show it.
             let size = fit(screen.size());
             let (width, height) = size;
             let mut frame = Frame::new(width, height, screen.canvas(width, height));
@@ -122,12 +128,14 @@ impl Playing<'_> {
                 self.tally.write(&mut frame, counts.points);
             }
             let next = screen.show();
+            // Tell the governor and the statistics how it went.
             let shown = clock.time();
             match &mut by_accuracy {
                 Some(governor) => governor.frame(counts.probes),
                 None => by_rate.frame(shown - start),
             }
             self.tally.count(shown, size, quality, counts.probes);
+            // Do what the viewer asked for.
             match next {
                 Next::End(code) => return code,
                 Next::Toggle => has_hud = !has_hud,

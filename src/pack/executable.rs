@@ -31,16 +31,19 @@ const SUM: usize = elf::HEADER_SIZE + Segment::SIZE + 16;
 /// # Errors
 /// If it is no executable that the stub can load.
 pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
+    // Put the loader behind the stripped program.
     let stripped = strip(program)?;
     let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
     let unpacked = [&*stripped, &loader].concat();
     if unpacked.len() > LONGEST {
         return Err(format!("{} bytes are too many", unpacked.len()).into());
     }
+    // Pack both, and make sure that they can be unpacked.
     let packed = encode(&unpacked);
     if decode(&packed, unpacked.len()).as_ref() != Ok(&unpacked) {
         return Err("what is unpacked is not what was packed".into());
     }
+    // Find the memory that the program takes.
     let loads = elf::segments(&stripped)?;
     let loads = loads.iter().filter(|segment| segment.kind == elf::LOAD);
     let start = loads
@@ -71,9 +74,11 @@ pub fn pack_executable(program: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
         ("PROGRAM", start),
         ("PROGRAM_SIZE", end - start),
     ]);
+    // Link the stub to its address, and compute what it checks.
     let linked = stub.link(entry, &names)?;
     let (first, rest) = linked.split_at(stub.first_size());
     let checked = [rest, &packed].concat();
+    // Write the header, the two segments, the stub and the packed bytes.
     let mut file = elf::header(entry, 2);
     let file_itself = Segment {
         kind: elf::LOAD,
@@ -135,6 +140,7 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     if elf::kind(program)? != elf::EXECUTABLE {
         return Err("it is not linked to fixed addresses".into());
     }
+    // Look for what only unwinding reads, and for what has to be there.
     let unwinding = elf::sections(
         program,
         &[".eh_frame", ".eh_frame_hdr", ".gcc_except_table"],
@@ -145,12 +151,14 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
             return Err("no dynamic linker starts it".into());
         }
     }
+    // Leave out the reports of panics, and blank the sections for unwinding.
     let mut program = program.to_vec();
     panics::simplify(&mut program)?;
     for section in &unwinding {
         let bytes = program.get_mut(section.clone());
         bytes.ok_or("a section is not in it")?.fill(0);
     }
+    // Copy the segments that are loaded, one behind the other.
     let mut stripped = Vec::new();
     let before = segments.clone();
     for load in segments
@@ -175,6 +183,7 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         load.offset = stripped.len() as u64;
         stripped.extend(program.get(range).ok_or("a segment is not in it")?);
     }
+    // Have the other segments point to where their bytes are now.
     let loads: Vec<_> = segments
         .iter()
         .filter(|segment| segment.kind == elf::LOAD)

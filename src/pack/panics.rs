@@ -48,6 +48,7 @@ struct Sections {
 /// # Errors
 /// If it is no ELF file.
 pub fn simplify(program: &mut [u8]) -> Result<(), Error> {
+    // Find the sections, and where panics go.
     let file = object::File::parse(&*program)?;
     let section = |name| Section::find(&file, name);
     let (Some(names), Some(records), Some(code)) = (
@@ -60,6 +61,7 @@ pub fn simplify(program: &mut [u8]) -> Result<(), Error> {
     let Some(abort) = redirected(&file, program, &code) else {
         return Ok(());
     };
+    // Find the beginnings of functions.
     let table = section(".got");
     let functions = file.symbols().filter(|symbol| {
         symbol.is_definition() && symbol.kind() == SymbolKind::Text && symbol.size() != 0
@@ -72,6 +74,7 @@ pub fn simplify(program: &mut [u8]) -> Result<(), Error> {
         code,
         data: data.into_iter().filter_map(section).collect(),
     };
+    // Simplify the ways to panics, then blank what nothing reads any more.
     aborts::simplify(
         program,
         &Code {

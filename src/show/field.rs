@@ -53,6 +53,7 @@ fn material(random: &mut Random) -> Material {
     let kind = random.fraction();
     let mut channel = || 0.12 + 0.8 * random.fraction();
     let colour = vec3a(channel(), channel(), channel());
+    // Choose plastic, a mirror or glass.
     if kind < 0.6 {
         Material {
             colour,

@@ -69,11 +69,13 @@ pub(super) const fn sun(position: [f32; 3], colour: [f32; 3]) -> Light {
 impl Set {
     /// Replaces a scene's background, haze, lights and objects by those of the set, `beat` beats after it was first shown.
     pub fn apply(&self, beat: f32, scene: &mut Scene) {
+        // Set the air and the film.
         scene.background = self.background;
         scene.sky = self.sky;
         scene.ambient = self.ambient;
         scene.haze = self.haze;
         scene.film = self.film;
+        // Set the floor, and the waves on it.
         scene.planes.clear();
         scene.planes.push(Plane {
             centre: Vec3A::ZERO,
@@ -89,6 +91,7 @@ impl Set {
                 phase: PACE * beat,
             };
         }
+        // Set the lights.
         scene.lights.clear();
         for &light in self.lights {
             let spot = light.spot.map(|spot| Spot {
@@ -97,6 +100,7 @@ impl Set {
             });
             scene.lights.push(Light { spot, ..light });
         }
+        // Set the props.
         scene.spheres.clear();
         scene.blocks.clear();
         for prop in self.props {

@@ -21,12 +21,15 @@ const BEATS: f32 = BEATS_PER_BAR as f32;
 
 /// Sets a scene to that of the show at `time` seconds, 0 to [`LENGTH`].
 pub fn at(time: f32, scene: &mut Scene) {
+    // Set up the act that is played.
     let (act, bar) = playing(&ACTS, |act| act.bars(), time / BAR);
     act.set.apply((bar + act.set_since as f32) * BEATS, scene);
+    // Flash the lights with the kick.
     let kick = act.set.hit * pulse(time).kick;
     for light in scene.lights.iter_mut() {
         light.colour *= 1.0 + FLASH * kick;
     }
+    // Set captions and camera.
     captions::apply(act.captions, bar * BEATS, scene);
     let (shot, bar_of_shot) = playing(act.shots, |shot| shot.bars.into(), bar);
     let time_of_shot = bar_of_shot / f32::from(shot.bars);
@@ -34,6 +37,7 @@ pub fn at(time: f32, scene: &mut Scene) {
     // Squares are halved on eighths, and doubled on sixteenths.
     let bars_left = act.bars() as f32 - bar;
     transition(BEATS * f32::min(2.0 * bar, 4.0 * bars_left), scene);
+    // Fade out at the end of the show.
     scene.fade = smooth_step((time - LENGTH) / FADE_OUT + 1.0);
 }
 

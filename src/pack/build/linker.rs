@@ -57,6 +57,7 @@ pub fn run(arguments: &[OsString]) -> i32 {
 }
 
 fn link(arguments: &[OsString]) -> Result<i32, Error> {
+    // Have the linker link the program.
     let own = env::current_exe()?;
     let directory = own.parent().ok_or("the linker is nowhere")?;
     let settings = Settings::read(directory)?;
@@ -71,6 +72,7 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         // It was asked for its version.
         return Ok(0);
     };
+    // Keep the program as it was linked.
     let program = fs::read(&path)?;
     fs::write(&settings.unpacked, &program)?;
     if !settings.is_packed {

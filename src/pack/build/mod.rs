@@ -66,12 +66,14 @@ pub fn main(program: &str) {
 fn prepare(program: &str) -> Result<(), Error> {
     let toolchain = Toolchain::find()?;
     let output = PathBuf::from(env::var("OUT_DIR")?);
+    // Write the redirections of the diet.
     let (assembly, missing) = diet::redirections(&toolchain)?;
     if !missing.is_empty() {
         let missing = missing.join(", ");
         println!("cargo::warning={program} may be larger than 64 kB: this std has no {missing}");
     }
     fs::write(output.join("diet.s"), assembly)?;
+    // Put this program where the compiler looks for a linker.
     let directory = output.join("linker");
     fs::create_dir_all(&directory)?;
     let own = env::current_exe()?;
@@ -80,6 +82,7 @@ fn prepare(program: &str) -> Result<(), Error> {
         fs::remove_file(&linker)?;
     }
     fs::hard_link(&own, &linker).or_else(|_| fs::copy(&own, &linker).map(|_| ()))?;
+    // Write the settings that it reads when it is called, and the stub.
     let beside = |end| {
         let path = output.join(format!("{program}.{end}"));
         path.into_os_string()

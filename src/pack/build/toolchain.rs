@@ -46,6 +46,7 @@ impl Toolchain {
 
 /// Finds the linker, by the user's flags for rustc, the C compiler that cargo calls, and the linker that rustc brings.
 fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<String, Error> {
+    // Read the flags; later ones count more.
     let (mut compiler, mut chosen, mut own) = (compiler, None, own);
     for (name, value) in options(flags) {
         match name {
@@ -66,6 +67,7 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
             _ => {}
         }
     }
+    // Refuse a linker that is called without a C compiler.
     let compiler = compiler.unwrap_or("cc".into());
     let name = Path::new(&compiler)
         .file_stem()
@@ -74,6 +76,7 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
     if name.ends_with("ld") || name.ends_with("ld.lld") || name == "mold" {
         return Err(format!("{compiler} links it without a C compiler").into());
     }
+    // Name the linker that the C compiler would call.
     Ok(match (chosen, own) {
         (Some(path), _) if path.contains('/') => path.into(),
         (Some(name), _) => format!("ld.{name}"),

@@ -163,6 +163,7 @@ impl Reader {
     /// Reads the next byte.
     #[inline(never)]
     pub fn read(&mut self, byte: u32) {
+        // Take the byte, and go on by one place.
         let features = &mut self.features;
         features.copy_within(0..LAST - 1, 1);
         features[0] = byte;
@@ -176,6 +177,7 @@ impl Reader {
         self.place += 1;
         features[PLACE] = self.place & 3;
         features[PAGE] = self.place >> 8;
+        // Find the kind of the byte that follows.
         let mut next = match kind {
             START | AFTER_PREFIX => self.read_opcode(byte),
             IS_MODRM => self.read_modrm(byte),
@@ -194,11 +196,13 @@ impl Reader {
             self.end_instruction();
         }
         self.features[KIND] = next;
+        // Find how far the next target of a jump is.
         let mut distance = 0;
         while distance < FAR && self.targets[(self.place + distance) as usize % TARGETS] == 0 {
             distance += 1;
         }
         self.features[TARGET] = distance;
+        // Find where the last bytes were before, and what followed in the same fields.
         self.find_match(byte);
         for (i, &feature) in FIELD_FEATURES.iter().enumerate() {
             let field = &mut self.fields[i][self.next[i] as usize % FIELDS];
@@ -215,6 +219,7 @@ impl Reader {
         if features[FIRST] == 0 {
             features[FIRST] = byte & 0xf8;
         }
+        // Note escapes and prefixes, behind which an opcode follows.
         if features[OPCODE] & 0x300 == 0 {
             let escape = match byte {
                 0x0f => AFTER_PREFIX,
@@ -241,6 +246,7 @@ impl Reader {
                 return AFTER_PREFIX;
             }
         }
+        // Look up the operands of the opcode.
         features[OPCODE] += byte;
         let opcode = features[OPCODE] & 0x3ff;
         let operands = operands_by_runs(opcode, byte);

@@ -151,11 +151,13 @@ impl Loaded {
     unsafe fn link(&self, memory: usize, stack: *mut usize) -> Option<usize> {
         // SAFETY: the path is in the program, the caller vouches for the rest.
         unsafe {
+            // Read the headers of the dynamic linker.
             let file = call(OPEN, [self.interpreter, 0]);
             // An error is met below: nothing can be read then, and no header found.
             call(READ, [file, memory, PAGE]);
             let header = &*(memory as *const FileHeader);
             let loads = header.headers().iter().filter(|header| header.kind == LOAD);
+            // Reserve memory for all of its segments.
             let size = loads
                 .clone()
                 .map(|header| header.address + header.size)
@@ -167,6 +169,7 @@ impl Loaded {
             if is_error(base) {
                 return None;
             }
+            // Map each segment to its place.
             for header in loads {
                 let lead = header.lead();
                 let start = base + header.address - lead;
@@ -194,6 +197,7 @@ impl Loaded {
                     }
                 }
             }
+            // Tell the dynamic linker where it is.
             call(CLOSE, [file]);
             self.tell(stack, base);
             Some(base + header.entry)

@@ -43,10 +43,12 @@ impl Mouse {
             };
             input::push(inputs, Input::Mouse(mouse));
         };
+        // Note moves.
         if self.at != at {
             self.at = at;
             push(Action::Move);
         }
+        // Note buttons that were pressed or released.
         for (held, (number, button)) in self.held.iter_mut().zip(BUTTONS) {
             let is_down = window.get_mouse_down(number);
             if is_down != *held {
@@ -58,6 +60,7 @@ impl Mouse {
                 });
             }
         }
+        // Add up parts of notches of the wheel.
         let (_, turned) = window.get_scroll_wheel().unwrap_or_default();
         self.turned += turned / notch;
         let notches = self.turned.trunc();

@@ -121,10 +121,12 @@ impl Screen for Window {
         if let Some(code) = self.desktop.end() {
             return Next::End(code);
         }
+        // Show the frame.
         let (width, height) = self.drawn;
         let frame = &mut self.frame[..width * height];
         self.desktop.colour(frame);
         let is_shown = self.shown.update_with_buffer(frame, width, height);
+        // Take the keys that were pressed.
         let typed = self.typing.take();
         if !self.shown.is_active() {
             self.typing.release();
@@ -137,12 +139,14 @@ impl Screen for Window {
         if let Some(code) = self.desktop.end() {
             return Next::End(code);
         }
+        // End with the window.
         if !self.shown.is_open() {
             return Next::End(0);
         }
         if is_shown.is_err() {
             return Next::End(1);
         }
+        // Do what the keys ask for.
         self.note(&keys);
         let (mut fullscreen, mut next) = (None, Next::GoOn);
         for key in keys {

@@ -130,11 +130,13 @@ impl Frames {
         let (top, columns, height) = (rows.start as c_int, width as c_uint, rows.len() as c_uint);
         // SAFETY: the image is this one's own, and says of the pixels what is so.
         unsafe {
+            // Describe the rows to Xlib.
             let image = &mut *self.image;
             image.width = width as c_int;
             image.height = rows.len() as c_int;
             image.bytes_per_line = (width * size_of::<u32>()) as c_int;
             image.data = pixels.as_mut_ptr().cast();
+            // Send them through the socket, or have the server read the shared memory.
             match self.put_image {
                 PutImage::ThroughSocket => {
                     let put = x.XPutImage;

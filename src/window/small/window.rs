@@ -38,11 +38,13 @@ impl Window {
     /// # Errors
     /// If there is no display to open it on: why not.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
+        // Open the display.
         let x = Xlib::load().ok_or_else(why_not_loaded)?;
         let display = x11::open(x)?;
         // SAFETY: the display is open.
         let (top, frames) = unsafe {
             let screen = &*(x.XDefaultScreenOfDisplay)(display);
+            // Make a window of the least size, with memory for its frames.
             let image = x11::picture(x, display);
             let window = (x.XCreateSimpleWindow)(display, screen.root, 0, 0, 1, 1, 0, 0, 0);
             let top = Toplevel::new(x, display, window);
@@ -59,6 +61,7 @@ impl Window {
             frames,
             listener: None,
         };
+        // Name it, and ask for its events.
         window.set_title(title);
         window.top.set_class();
         let Toplevel {
@@ -72,6 +75,7 @@ impl Window {
             (x.XSelectInput)(display, id, events);
             (x.XSetWMProtocols)(display, id, &mut window.delete, 1);
         }
+        // Show it in its size.
         window.place(width, height);
         // SAFETY: the display is open.
         unsafe { (x.XSync)(display, xlib::False) };
@@ -135,11 +139,13 @@ impl Screen for Window {
     }
 
     fn show(&mut self) -> Next {
+        // Show the frame.
         self.frames.show(&self.top, self.size);
         let (mut fullscreen, mut next) = (None, Next::GoOn);
         let Toplevel { x, display, .. } = self.top;
         // SAFETY: zero is a value of every field of an event, and which of its parts is there is told by its type.
         unsafe {
+            // Read all events that have come.
             let mut event: xlib::XEvent = zeroed();
             while (x.XPending)(display) > 0 {
                 (x.XNextEvent)(display, &mut event);

@@ -173,6 +173,7 @@ fn wait_for_device() -> u64 {
 extern "C" fn play(work: *mut c_void) -> *mut c_void {
     // SAFETY: `Player::start` passes it, never frees it, and nobody else looks at it.
     let Work { device, source } = unsafe { &mut *work.cast::<Work>() };
+    // Open the device, unless that came too late.
     let opened = Device::open(device, RATE, LATENCY);
     let clock = Clock::start();
     let begin = |opened| {
@@ -193,6 +194,7 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
     let mut written = 0;
     let mut due = 0;
     loop {
+        // Write a block.
         let block = source.block();
         if !device.write(block) {
             WRITTEN.store(i64::MAX, Relaxed);
@@ -202,12 +204,14 @@ extern "C" fn play(work: *mut c_void) -> *mut c_void {
         let count = block.len() as u64;
         written += count;
         WRITTEN.store(nanoseconds(written as i64), Relaxed);
+        // Find how far what is heard is ahead of the clock.
         let now = clock.time();
         if let Some(delay) = device.delay() {
             let heard = nanoseconds(written as i64 - delay);
             let most = now / FASTEST;
             AHEAD.store((heard - now as i64).min(most as i64), Relaxed);
         }
+        // Wait while the device has enough.
         due = u64::max(due + count * PACE, now);
         if due > now + SLACK {
             clock.sleep_until(due - SLACK / 2);
