@@ -1,4 +1,4 @@
-//! What is wrong with a scene or a quality: which number, what it is, and what it may be.
+//! A flaw of a scene or a quality: which number, what it is, and what it may be.
 
 use core::fmt;
 use glam::{Vec3, Vec3A};
@@ -15,9 +15,9 @@ pub struct Flaw {
     pub index: Option<usize>,
     /// The field inside of the object, such as "material.kd"; empty where the object itself is the number.
     pub field: &'static str,
-    /// What is there now.
+    /// The value that is there now.
     pub found: Found,
-    /// What may be there.
+    /// The values that may be there.
     pub takes: &'static str,
 }
 
@@ -76,7 +76,7 @@ impl fmt::Display for Flaw {
 
 impl core::error::Error for Flaw {}
 
-/// What is checked: a scene, one of its fields, or an item of one that is a list.
+/// The thing that is checked: a scene, one of its fields, or an item of one that is a list.
 #[derive(Clone, Copy)]
 pub(crate) struct Checked {
     pub object: &'static str,
@@ -99,7 +99,7 @@ impl Checked {
         }
     }
 
-    /// What stands alone.
+    /// A thing that stands alone.
     pub fn one(object: &'static str) -> Self {
         Self {
             object,

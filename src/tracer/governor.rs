@@ -157,7 +157,7 @@ pub struct AccuracyGovernor {
     target: f32,
     /// The current rung, an index in the ladder.
     rung: usize,
-    /// What was found on it.
+    /// The findings of probes on it.
     probes: Probes,
     /// The dB on the next faster rung when it was left, until it is known what that gained.
     before: Option<f32>,

@@ -117,7 +117,7 @@
 //!
 //! # When something is wrong
 //!
-//! What can't be rendered is an [`Error`], which is displayed as a sentence that says what to mend. [`Renderer::render_valid`]
+//! Whatever can't be rendered is an [`Error`], which is displayed as a sentence that says what to mend. [`Renderer::render_valid`]
 //! is for scenes that are known to be valid: it leaves them unchecked, and panics where a size or a quality is out of its range.
 #![no_std]
 #![forbid(unsafe_code)]

@@ -26,7 +26,7 @@ pub trait Observer: Copy + Sync {
     fn stage(self, _stage: Stage) {}
 }
 
-/// What a thread is at work on.
+/// A stage of the work of a thread.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// Which points a level needs, and which of them are known.

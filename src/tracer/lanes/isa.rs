@@ -1,4 +1,4 @@
-//! What the instruction sets do in different ways.
+//! Operations that instruction sets do in different ways.
 
 use super::*;
 use fearless_simd::Level;

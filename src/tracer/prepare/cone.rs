@@ -30,16 +30,16 @@ pub(crate) struct Cone {
     pub(super) is_flat: bool,
 }
 
-/// What rounding may add to a side's inequality, whose terms are below twice [`Axes::reach`].
+/// The most that rounding may add to a side's inequality, whose terms are below twice [`Axes::reach`].
 pub(super) const ROUNDING: f32 = 1e-5;
 
 /// The least length that is divided by, where there is a direction across.
 const SHORTEST: f32 = 1e-20;
 
-/// What a sphere is taken to be larger by: the cosine of a cone is wider by more than its rounding, however flat.
+/// The factor by which a sphere is taken to be larger: the cosine of a cone is wider by more than its rounding, however flat.
 const WIDE: f32 = 1.0 + 1e-6;
 
-/// What is added to the sine of a cone before it is bounded: more than rounding turns the tangent planes.
+/// The number that is added to the sine of a cone before it is bounded: more than rounding turns the tangent planes.
 const WIDER: f32 = 1e-4;
 
 /// The cone around a sphere, whatever rays it is to hold.

@@ -24,7 +24,7 @@ pub(crate) struct Film {
 /// The light or the colours of four points: blue, green, red, and one number of no meaning.
 pub(crate) type Four = [f32x4<Baseline>; 4];
 
-/// What is added to a pixel's colour before the fraction of an output step is cut off, in 256ths of a step: a word for each channel
+/// Thresholds that are added to a pixel's colour before the fraction of an output step is cut off, in 256ths of a step: a word for each channel
 /// of the pixel (x, y), all alike, at `[y % 4][x % 4]`, and again four further on.
 pub(crate) type Dither = [[u64; 8]; 4];
 
@@ -64,7 +64,7 @@ impl Film {
         }
     }
 
-    /// What is added to the pixel (x, y), see [`Dither`], but in 128ths of a step.
+    /// The threshold that is added to the pixel (x, y), see [`Dither`], but in 128ths of a step.
     #[inline(always)]
     pub fn threshold(&self, x: usize, y: usize) -> u64 {
         // The words are even.
@@ -80,7 +80,7 @@ impl Film {
         })
     }
 
-    /// What light is divided by at four points, of which x and y are given.
+    /// The number by which light is divided at four points, of which x and y are given.
     #[inline(always)]
     fn dimming(&self, [x, y]: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
         let x = (x - self.middle.x) * self.unit;

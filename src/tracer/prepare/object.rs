@@ -9,7 +9,7 @@ pub(crate) enum Object<'a> {
     Plane(&'a Plane),
     /// The sphere that shows a light.
     Light(&'a Light),
-    /// What a ray hits that hits nothing else.
+    /// The background, which a ray hits that hits nothing else.
     Background,
 }
 

@@ -1,4 +1,4 @@
-//! What an object covers of the picture, and what it hides, so that no square is filled over something unseen.
+//! Outlines: what objects cover of the picture, and what they hide, so that no square is filled over something unseen.
 
 use super::cone::{Cone, ROUNDING, RoundCone};
 use super::screen::{Axes, Rects, ScreenBounds};
@@ -169,7 +169,7 @@ impl Outline {
     }
 }
 
-/// What has an outline, as a part of the picture is held against it.
+/// An outline, as a part of the picture is held against it.
 pub(crate) struct SeenOutline<'a> {
     bounds: ScreenBounds,
     cone: Cone,
@@ -177,7 +177,7 @@ pub(crate) struct SeenOutline<'a> {
     ends: Option<&'a Cone>,
     /// Of which share of its sine a round cone holds for sure what has it.
     sure: f32,
-    /// What rounding may add to a side's inequality.
+    /// The most that rounding may add to a side's inequality.
     rounding: f32,
     /// How far inside of all sides points are for sure.
     margin: f32,
@@ -208,7 +208,7 @@ impl SeenOutline<'_> {
 }
 
 impl Prepared {
-    /// What has the outline of a number.
+    /// The outline of a number.
     #[inline(never)]
     pub fn outline(&self, number: usize) -> SeenOutline<'_> {
         let mut seen = SeenOutline {

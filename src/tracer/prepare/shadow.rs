@@ -106,7 +106,7 @@ impl Prepared {
         (cone.seen_by(rays), cone.unsure(error))
     }
 
-    /// What casts a shadow, given by the number of its outline: the object's number, the plane's, and where the lamp is.
+    /// The caster of a shadow, given by the number of its outline: the object's number, the plane's, and where the lamp is.
     pub(super) fn caster(&self, number: usize) -> (usize, usize, Vec3A) {
         let (caster, plane) = self.shadow(number);
         let lamp = self.lamps[usize::from(caster.lamp)].position;

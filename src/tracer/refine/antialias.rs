@@ -20,7 +20,7 @@
 //! filled by colours between its corners' no pixel differs from the next by an edge, so that only the other blocks are looked at, and
 //! the pixels on their borders.
 //!
-//! What is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
+//! A thing that is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
 //! more closely only where something can be seen.
 
 use super::middles::STRETCH;

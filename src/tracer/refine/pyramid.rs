@@ -1,4 +1,4 @@
-//! What is known of a tile's points: a grid of them for each level.
+//! Pyramid of a tile's points: a grid of them for each level.
 
 use super::{TILE_HEIGHT, TILE_WIDTH};
 use crate::lanes::MAX_LANES;
@@ -15,7 +15,7 @@ pub(super) const LEVELS: usize = 6;
 pub(super) struct Pyramid {
     /// [`Sample`]s as words, as the vector code loads them.
     samples: [u64; POINTS],
-    /// What was hit and lit there.
+    /// The keys of what was hit and lit there.
     keys: [u32; POINTS],
     /// Of points that show a pattern, the light on it and apart from it.
     layers: [Layers; POINTS],

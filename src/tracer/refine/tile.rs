@@ -26,7 +26,7 @@ pub(super) struct Tile<'a, O: Observer> {
     pub area: Area,
     /// How much of it the largest squares leave open, from 0, some, to 1, nearly all.
     pub crowding: f32,
-    /// What its squares cover of the picture.
+    /// The part of the picture that its squares cover.
     pub rect: Rect,
     /// The groups that the tile can show.
     pub seen: VisibleGroups,
@@ -79,7 +79,7 @@ impl<O: Observer> Tile<'_, O> {
         ((split - CROWDED.start) / (CROWDED.end - CROWDED.start)).clamp(0.0, 1.0)
     }
 
-    /// What tolerances for squares of 8 are multiplied by for those of a level.
+    /// The factor on tolerances for squares of 8, for those of a level.
     pub fn growth(&self, level: usize) -> f32 {
         growth(self.area.side(level), self.crowding)
     }

@@ -37,7 +37,7 @@ impl Limit {
     }
 }
 
-/// What a tolerance for squares of 8 is multiplied by for squares of a side: an error in one of 4 covers a quarter of the pixels,
+/// The factor on a tolerance for squares of 8, for squares of a side: an error in one of 4 covers a quarter of the pixels,
 /// so it may be twice as large. Where tiles are crowded, smaller squares are filled all over, and errors in them add up: the more
 /// crowded a tile is, from 0 to 1, the less its tolerances grow.
 pub(super) fn growth(side: usize, crowding: f32) -> f32 {
@@ -64,7 +64,7 @@ impl Rules {
     }
 }
 
-/// What holds for the squares of a row, a bit each.
+/// The verdict on the squares of a row, a bit each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Verdict {
     /// The keys of the corners agree.

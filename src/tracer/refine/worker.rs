@@ -6,7 +6,7 @@ use super::middles::{Middles, NO_MIDDLES};
 use super::pyramid::Pyramid;
 use crate::trace::{BATCH, Batch, Counts, WideKernel};
 
-/// What one thread works in, of fixed size, and reused from tile to tile: at most 460,000 bytes, see [`Worker::BYTES`].
+/// The memory that one thread works in, of fixed size, and reused from tile to tile: at most 460,000 bytes, see [`Worker::BYTES`].
 ///
 /// Alone, it renders on the caller's thread: see [`Threads`](crate::Threads).
 pub struct Worker {
@@ -45,7 +45,7 @@ impl Worker {
         self.batch.wide = kernel;
     }
 
-    /// What was counted since this was last asked.
+    /// Takes the counts since this was last asked.
     pub(crate) fn take_counts(&mut self) -> Counts {
         core::mem::take(&mut self.batch.counts)
     }

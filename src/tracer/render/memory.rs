@@ -1,4 +1,4 @@
-//! What the threads share while they render a frame, and the steps of one.
+//! Memory that the threads share while they render a frame, and the steps of one.
 
 use super::Frame;
 use super::schedule::Schedule;
@@ -14,7 +14,7 @@ use crate::text;
 use crate::trace::{Counts, WideKernel};
 use fearless_simd::Level;
 
-/// What the threads share while they render a frame, of fixed size: at most 850,000 bytes, see [`Memory::BYTES`].
+/// The memory that the threads share while they render a frame, of fixed size: at most 850,000 bytes, see [`Memory::BYTES`].
 ///
 /// So `Box::new(Memory::new())` works on the stack of a thread, which it passes over on its way; it may live in a `static` as
 /// well, which takes no room in a program's file.

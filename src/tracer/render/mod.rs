@@ -136,7 +136,7 @@ impl<'a> Frame<'a> {
 ///
 /// # What a frame depends on
 ///
-/// What it renders depends on the scene, the quality, the size, the offset and the instruction set alone: the same bits by any
+/// Its frames depend on the scene, the quality, the size, the offset and the instruction set alone: the same bits by any
 /// number of threads, whatever it has rendered before.
 pub struct Renderer<M = Memory> {
     level: Level,

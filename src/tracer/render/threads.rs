@@ -2,7 +2,7 @@
 
 use crate::refine::{Band, Worker};
 
-/// What has to be done to each band of a frame, in a thread's working memory.
+/// The work on each band of a frame, in a thread's working memory.
 pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 
 /// Threads that draw the bands of a frame, each in a [`Worker`] of its own.

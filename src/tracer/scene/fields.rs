@@ -58,11 +58,11 @@ pub struct Field<'a> {
     pub is_needed: bool,
     /// The numbers that it takes, whatever other fields say.
     pub range: Range,
-    /// What it has.
+    /// The value that it has.
     pub value: Value<'a>,
 }
 
-/// What a field has.
+/// The value of a field.
 pub enum Value<'a> {
     /// A number.
     Number(&'a mut f32),
@@ -157,7 +157,7 @@ impl<T: Fields + Default> Items for Option<T> {
     }
 }
 
-/// What is a field's type.
+/// The type of a field.
 pub(super) trait Part: Sized {
     /// All zeros.
     const ZERO: Self;
@@ -220,7 +220,7 @@ pub(super) fn is_unit(v: Vec3A) -> bool {
     (v.length() - 1.0).abs() < 1e-4
 }
 
-/// What has no numbers to check.
+/// Types that have no numbers to check.
 macro_rules! unchecked {
     ($($type:ty, $zero:expr, $kind:ident;)*) => {
         $(impl Part for $type {
@@ -290,7 +290,7 @@ macro_rules! fields {
         }
 
         impl $name {
-            /// What it is where nothing is said.
+            /// The value where nothing is said.
             #[allow(dead_code, reason = "objects have no use for it")]
             pub(super) const STANDARD: Self = Self {
                 $($field: fields!(@default $($default)?),)*

@@ -4,7 +4,7 @@ use super::validate::SHARE;
 use crate::quality::Quality;
 
 fields! {
-    /// What becomes of the light that reaches the picture, before it is cut to 0 to 1.
+    /// The treatment of the light that reaches the picture, before it is cut to 0 to 1.
     pub struct Film in "" {
         /// Where highlights begin to roll off, 0 to 1: a channel `c` above this shoulder `s` becomes `s + x (1 - s) / (1 - s + x)`,
         /// where x is `c - s`, so that it goes on smoothly and never reaches 1. What one ray brings is cut at 2 before. With 1

@@ -1,4 +1,4 @@
-//! What explains the rendering method: an overlay, and a picture that has not been refined to its end.
+//! Explanation of the rendering method: an overlay, and a picture that has not been refined to its end.
 
 use super::fields::Range;
 use super::validate::SHARE;

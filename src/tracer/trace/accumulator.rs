@@ -18,7 +18,7 @@ const KEY: usize = 3;
 /// The sums grow while rays are traced. Samples are made of them at the end, see [`Accumulator::finish`].
 pub(crate) struct Accumulator {
     sums: [Sum; BATCH],
-    /// What a packet of secondary rays adds to the sums.
+    /// The terms that a packet of secondary rays adds to the sums.
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
     /// The part of the colour that a pattern darkens, blue, green and red in output steps, and the share that the pattern leaves.

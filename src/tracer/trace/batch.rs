@@ -1,4 +1,4 @@
-//! What a thread needs to trace some points together.
+//! A batch: what a thread needs to trace some points together.
 
 use super::WideKernel;
 use super::accumulator::Accumulator;
@@ -13,15 +13,15 @@ use super::surface::SurfaceRows;
 pub(crate) struct Batch {
     /// The points to trace.
     pub points: Queue,
-    /// What came of them.
+    /// The results of the points.
     pub results: Accumulator,
     /// The work since this was last reset.
     pub counts: Counts,
     /// The secondary rays that wait to be traced.
     pub(super) stack: RayStack,
-    /// What may be on the way of the packet at work to a lamp.
+    /// Solids that may be on the way of the packet at work to a lamp.
     pub(super) casters: Casters,
-    /// What the packet at work may meet beyond spheres and planes, or on its way to a lamp, by an exact test.
+    /// Objects that the packet at work may meet beyond spheres and planes, or on its way to a lamp, by an exact test.
     pub(super) candidates: Candidates,
     /// The surfaces of the packet at work.
     pub(super) surfaces: SurfaceRows,

@@ -1,4 +1,4 @@
-//! What the hits of a packet contribute to their points.
+//! Contributions of a packet's hits to their points.
 
 use super::sample::FIXED_POINT;
 use crate::lanes::*;

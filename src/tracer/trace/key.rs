@@ -57,7 +57,7 @@ impl<S: Isa> Keys<S> {
         self.states = (self.states << STATE_BITS) | state;
     }
 
-    /// What the nodes add to the keys: 0 where nothing is compared.
+    /// The terms that the nodes add to the keys: 0 where nothing is compared.
     #[inline(always)]
     pub fn terms(&self, simd: S, quality: &Quality, objects: U<S>) -> U<S> {
         let zero = U::<S>::splat(simd, 0);

@@ -13,7 +13,7 @@ pub(crate) const BATCH: usize = 1024;
 pub(crate) struct Queue {
     /// Where the points are: `y << 16 | x`, in [`Queue::unit`]s.
     positions: [u32; BATCH],
-    /// What positions are counted in, as a share of a pixel; 0 before it is set.
+    /// The unit of positions, as a share of a pixel; 0 before it is set.
     unit: f32,
     len: usize,
 }

@@ -1,4 +1,4 @@
-//! What is kept of a traced point.
+//! Samples: what is kept of a traced point.
 
 use crate::lanes::*;
 use crate::prepare::ObjectId;

@@ -35,7 +35,7 @@ impl SurfaceRows {
     }
 }
 
-/// What shading needs of an object, per lane.
+/// The numbers of surfaces that shading needs, per lane.
 pub(super) struct SurfaceLanes<'a, S: Isa> {
     simd: S,
     /// Of lanes that hit the background, any object's.

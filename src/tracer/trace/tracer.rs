@@ -1,4 +1,4 @@
-//! What every step of tracing takes.
+//! The tracer, which every step of tracing takes.
 
 use crate::lanes::*;
 use crate::prepare::Prepared;

@@ -1,4 +1,4 @@
-//! What the guard looks for: outlines hold all that they are around, and little else.
+//! Tests of what the guard looks for: outlines hold all that they are around, and little else.
 
 use super::*;
 use crate::lanes::*;

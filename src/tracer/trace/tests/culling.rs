@@ -9,7 +9,7 @@ use crate::trace::shadow::ShadowRays;
 const SCENES: usize = 60;
 const PACKETS: usize = 100;
 
-/// What is nearer to a sphere's surface than this may be on either side of it by rounding.
+/// The distance from a sphere's surface below which a point may be on either side of it by rounding.
 const UNSURE: f64 = 1e-3;
 
 /// A sphere, centre and radius.
