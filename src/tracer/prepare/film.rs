@@ -24,8 +24,8 @@ pub(crate) struct Film {
 /// The light or the colours of four points: blue, green, red, and one number of no meaning.
 pub(crate) type Four = [f32x4<Baseline>; 4];
 
-/// Thresholds that are added to a pixel's colour before the fraction of an output step is cut off, in 256ths of a step: a word for each channel
-/// of the pixel (x, y), all alike, at `[y % 4][x % 4]`, and again four further on.
+/// Thresholds that are added to a pixel's colour before the fraction of an output step is cut off, in 256ths of a step: a word for each
+/// channel of the pixel (x, y), all alike, at `[y % 4][x % 4]`, and again four further on.
 pub(crate) type Dither = [[u64; 8]; 4];
 
 /// Half an output step everywhere.
