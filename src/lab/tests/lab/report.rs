@@ -138,57 +138,6 @@ fn the_marked_parts_are_rewritten_and_a_second_time_changes_timings_only() {
     assert_eq!(first_sheet, sheet());
 }
 
-/// A figure of a table: of the column with a title, in the first row with these cells one after the other.
-fn figure(page: &str, title: &str, of: &[&str]) -> f64 {
-    let cells = |line: &str| -> Vec<String> {
-        let cells = line.trim_matches('|').split('|');
-        cells.map(|cell| cell.trim().to_owned()).collect()
-    };
-    let mut titles = Vec::new();
-    for line in page.lines() {
-        let row = cells(line);
-        if row.iter().any(|cell| cell == title) {
-            titles = row;
-        } else if row.windows(of.len()).any(|cells| cells == of) {
-            let column = titles.iter().position(|cell| cell == title);
-            let cell = &row[column.expect("a column with the title")];
-            let number = cell.split(' ').next().and_then(|text| text.parse().ok());
-            return number.unwrap_or_else(|| panic!("no number: {cell}"));
-        }
-    }
-    panic!("no {title} of {of:?}");
-}
-
-#[test]
-fn the_readme_tells_the_figures_of_the_tables() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let read = |name: &str| fs::read_to_string(root.join(name)).unwrap();
-    let (speed, accuracy) = (read("docs/speed.md"), read("docs/accuracy.md"));
-    let (_, speed) = speed
-        .split_once("<!-- lab report speed -->")
-        .expect("a part");
-    let (_, ladder) = accuracy
-        .split_once("<!-- lab report ladder -->")
-        .expect("a part");
-    let default = ["1024x768", "1", "avx2", "default"];
-    let readme = read("README.md");
-    let words: Vec<&str> = readme.split_whitespace().collect();
-    let told = words.join(" ");
-    for sentence in [
-        format!(
-            "draws the model scene {:.1} times as fast as tracing every pixel, at {:.0} dB",
-            figure(speed, "speed-up", &default),
-            figure(speed, "PSNR", &default),
-        ),
-        format!(
-            "with jagged ones it is {:.1} times",
-            figure(ladder, "speed-up", &["default"])
-        ),
-    ] {
-        assert!(told.contains(&sentence), "README.md: {sentence}");
-    }
-}
-
 #[test]
 fn the_moving_picture_has_all_its_frames_and_begins_again() {
     if lacks(&["ffmpeg"]) {
