@@ -332,15 +332,16 @@ pub(super) fn mixed(pixel: u32, sum: u64, [left, right, above, below]: [usize; 4
     let thirds = 3 * ((left | right) + (above | below));
     let own = thirds - (left + right + above + below);
     // Divided by 3 or 6 output steps: exact below 2^20.
+    const STEPS: u64 = 3 * STEP as u64;
     let (half, inverse) = if thirds == 3 {
-        (3 * STEP as usize / 2, (1 << 40) / (3 * STEP as usize) + 1)
+        (STEPS / 2, (1 << 40) / STEPS + 1)
     } else {
-        (6 * STEP as usize / 2, (1 << 40) / (6 * STEP as usize) + 1)
+        (STEPS, (1 << 40) / (2 * STEPS) + 1)
     };
     let channel = |number: usize| {
-        let pixel = (pixel >> (8 * number) & 0xff) as usize * STEP as usize;
-        let sum = (sum >> (FIELD * number)) as usize % (1 << FIELD);
-        ((((pixel * own + sum + half) * inverse) >> 40) << (8 * number)) as u32
+        let pixel = u64::from(pixel >> (8 * number) & 0xff) * STEP as u64;
+        let sum = sum >> (FIELD * number) & ((1 << FIELD) - 1);
+        ((((pixel * own as u64 + sum + half) * inverse) >> 40) << (8 * number)) as u32
     };
     channel(0) | channel(1) | channel(2)
 }
