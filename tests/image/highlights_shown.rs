@@ -1,7 +1,7 @@
-//! Every highlight that five pixels show is shown, on spheres, planes and cylinders in the eye's own sight.
+//! Highlights that five pixels show are shown, on spheres, planes and cylinders in the eye's own sight.
 //!
-//! Of 4,400 patches of 1,500 scenes the default quality missed none on spheres and planes, and two on cylinders, a pixel wide;
-//! without the guard 345.
+//! Of 9,296 patches of 3,000 scenes the default quality missed one on a sphere, of five pixels, and two on cylinders;
+//! without the guard 600.
 
 use crate::cpu;
 use crate::drawn::{draw, jagged};

@@ -2,7 +2,7 @@
 //!
 //! The functions of this file make proptest's strategies, which shrink a failing scene; [`placed`] makes strategies for scenes
 //! whose objects are placed by where they are in the picture, [`seeded`] makes scenes from a number, for long runs, and [`near`]
-//! and [`alone`] those in which things are easily missed. All are seeded, so that a run repeats.
+//! and [`alone`] those in which things are easily missed. All are seeded (see `.cargo/config.toml`), so that a run repeats.
 
 pub mod alone;
 pub mod near;
@@ -15,14 +15,12 @@ use eightfold_tracer::scene::{
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
-/// A configuration with a fixed seed and the given number of cases, or with `PROPTEST_CASES` of them if that is set.
+/// A configuration with the given number of cases, or with `PROPTEST_CASES` of them if that is set.
 pub fn config(cases: u32) -> ProptestConfig {
     let asked = std::env::var("PROPTEST_CASES").ok();
     ProptestConfig {
         cases: asked.and_then(|n| n.parse().ok()).unwrap_or(cases),
-        rng_seed: RngSeed::Fixed(2008),
         failure_persistence: None,
         max_shrink_iters: 200,
         ..ProptestConfig::default()
