@@ -3,8 +3,8 @@
 //! The choice depends on nothing but how long the frames took, or on what their probes found. The governors have no clock of their
 //! own, so the same times, or probes, always lead to the same qualities.
 
+use crate::counts::Probes;
 use crate::quality::Quality;
-use crate::trace::Probes;
 
 /// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;

@@ -64,6 +64,7 @@
 //! | what trades accuracy for speed, as one struct | [`Quality`] |
 //! | what only one shape knows, such as where rays meet it | `shapes` |
 //! | what every ray of a frame uses, computed once | `prepare` |
+//! | how a frame is drawn, settled once | `plan` |
 //! | rays to colours and keys, as many side by side as the instruction set holds | `trace` |
 //! | which points to trace, and which squares to fill or to split | `refine` |
 //! | captions over a finished picture | `text` |
@@ -126,17 +127,20 @@
 #[cfg(feature = "std")]
 extern crate std;
 
-// Leaves: what needs no other module.
+// Leaves: what needs hardly another module.
+mod counts;
 mod flaw;
 pub mod font;
 mod lanes;
 pub mod maths;
+mod picture;
 
 // What is drawn.
 pub mod scene;
 
 // How it is drawn.
 pub mod observe;
+mod plan;
 mod prepare;
 mod quality;
 mod refine;
@@ -148,16 +152,17 @@ mod trace;
 mod governor;
 pub mod limits;
 
+pub use counts::{Counts, Probes};
 pub use fearless_simd::Level;
 pub use flaw::{Flaw, Found};
 pub use glam;
 pub use governor::{AccuracyGovernor, Governor};
+pub use picture::Band;
 pub use quality::Quality;
-pub use refine::{Band, Worker};
+pub use refine::Worker;
 #[cfg(feature = "std")]
 pub use render::ScopedThreads;
 pub use render::{Error, Frame, Job, Memory, Renderer, Threads};
-pub use trace::{Counts, Probes};
 
 /// The widest picture, in pixels.
 pub const MAX_WIDTH: usize = 3840;

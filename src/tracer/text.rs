@@ -6,7 +6,7 @@
 
 use crate::font::strokes;
 use crate::maths::{round, sqrt};
-use crate::refine::Band;
+use crate::picture::Band;
 use crate::scene::Caption;
 use crate::scene::camera::pixels;
 use glam::{Vec2, vec2};

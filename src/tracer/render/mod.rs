@@ -13,13 +13,14 @@ pub use memory::Memory;
 pub use scoped::ScopedThreads;
 pub use threads::{Job, Threads};
 
+use crate::counts::Counts;
 use crate::observe::Observer;
+use crate::picture::Band;
+use crate::plan::{FramePlan, Probing};
 use crate::quality::Quality;
-use crate::refine::Band;
-use crate::refine::probe::Probing;
 use crate::scene::{Caption, Scene};
 use crate::text;
-use crate::trace::{Counts, trace_wide};
+use crate::trace::{Kernel, trace_narrow, trace_wide};
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::borrow::BorrowMut;
 use fearless_simd::Level;
@@ -139,7 +140,8 @@ impl<'a> Frame<'a> {
 /// Its frames depend on the scene, the quality, the size, the offset and the instruction set alone: the same bits by any
 /// number of threads, whatever it has rendered before.
 pub struct Renderer<M = Memory> {
-    level: Level,
+    isa: Level,
+    kernel: Kernel,
     memory: M,
 }
 
@@ -168,28 +170,34 @@ impl Renderer {
 impl<M: BorrowMut<Memory>> Renderer<M> {
     /// A renderer by an instruction set, in memory that lies elsewhere.
     #[must_use]
-    pub fn with_memory(level: Level, mut memory: M) -> Self {
-        memory.borrow_mut().widen(Some(trace_wide));
-        Self { level, memory }
+    pub fn with_memory(level: Level, memory: M) -> Self {
+        Self {
+            isa: level,
+            kernel: trace_wide,
+            memory,
+        }
     }
 
     /// The same, which takes AVX2 where there is AVX-512: a program that makes no other renderer leaves that kernel, of 16 kB, out of
     /// its file.
     #[must_use]
-    pub fn narrow(level: Level, mut memory: M) -> Self {
-        memory.borrow_mut().widen(None);
-        Self { level, memory }
+    pub fn narrow(level: Level, memory: M) -> Self {
+        Self {
+            isa: level,
+            kernel: trace_narrow,
+            memory,
+        }
     }
 
     /// Has the next frames rendered by another instruction set.
     pub fn set_level(&mut self, level: Level) {
-        self.level = level;
+        self.isa = level;
     }
 
     /// Has the next frames take their samples `x` pixels to the right of the pixels' centres and `y` below them, within
     /// -0.5 to 0.5. The mean of frames that cover a pixel evenly is a supersampled one.
     pub fn set_offset(&mut self, x: f32, y: f32) {
-        self.memory.borrow_mut().set_offset(x, y);
+        self.memory.borrow_mut().offset = glam::vec2(x, y);
     }
 
     /// Has so many pixels of each of the next frames probed, or none with 0, as at first: [`Counts::probes`] then says how far they
@@ -236,8 +244,9 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         observer: O,
     ) -> Result<Counts, Error> {
         validate(scene, quality, &frame)?;
+        let plan = self.plan(scene, quality, &frame);
         let memory = self.memory.borrow_mut();
-        Ok(memory.render_observed(self.level, scene, quality, frame, threads, observer))
+        Ok(memory.render_observed(&plan, scene, frame.pixels, threads, observer))
     }
 
     /// Renders one frame of what is known to be valid, as the intro's scenes are.
@@ -254,8 +263,18 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         frame: Frame<'_>,
         threads: &mut dyn Threads,
     ) -> Counts {
+        let plan = self.plan(scene, quality, &frame);
         let memory = self.memory.borrow_mut();
-        memory.render(self.level, scene, quality, frame, threads)
+        memory.render(&plan, scene, frame.pixels, threads)
+    }
+
+    /// The plan of a frame.
+    fn plan(&mut self, scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> FramePlan {
+        let is_valid = frame.validate().is_ok() && quality.is_drawable();
+        assert!(is_valid, "size or quality out of range");
+        let probing = self.memory.borrow_mut().probing;
+        let size = [frame.width, frame.height];
+        FramePlan::new(self.isa, self.kernel, scene, quality, size, probing)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Who draws the bands of a frame.
 
-use crate::refine::{Band, Worker};
+use crate::picture::Band;
+use crate::refine::Worker;
 
 /// The work on each band of a frame, in a thread's working memory.
 pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);

@@ -4,19 +4,19 @@
 use super::candidates::Candidates;
 use super::shadow::ShadowRays;
 use crate::lanes::*;
-use crate::prepare::{Lamp, Object, Prepared};
+use crate::prepare::{Lamp, Object, World};
 use crate::scene::{Sphere, Spot};
 use crate::shapes::{block, sphere};
 use glam::Vec3A;
 
-/// The share of a lamp's light, as a colour, that its cone and the candidates let pass; 0 in lanes that are not needed.
+/// The share of a lamp's light, as a colour, that its cone and the solids in the way let pass; 0 in lanes that are not needed.
 #[inline(always)]
 pub(super) fn transmittance<S: Isa>(
     simd: S,
-    scene: &Prepared,
+    world: World<'_>,
     lamp: &Lamp,
     rays: &ShadowRays<S>,
-    candidates: &Candidates,
+    solids: &Candidates,
 ) -> Vec3x<S> {
     let zero = splat(simd, 0.0);
     let Spot { aim, dark, bright } = lamp.cone;
@@ -28,8 +28,8 @@ pub(super) fn transmittance<S: Isa>(
         y: in_cone,
         z: in_cone,
     };
-    for &candidate in candidates.as_slice() {
-        let (object, material) = scene.object(candidate.object);
+    for &candidate in solids.as_slice() {
+        let (object, material) = world.object(candidate.object);
         let covered = match object {
             Object::Block(block) => {
                 let t = block::distance(simd, block, &rays.o, &rays.d);

@@ -78,11 +78,11 @@ impl Property for Blocks {
             let o = (aim + random.direction() * (2.0 * half.length())).as_vec3a();
             let d = unit(aim - o.as_dvec3());
             let rays = packet(simd, o, &[d]);
-            let hit = super::hits(simd, &scene, &rays);
+            let hit = super::hits(simd, scene.world(), &rays);
             if hit.object.as_slice()[0] != 0 {
                 continue;
             }
-            let point = shading_point(simd, &scene, &rays, &hit);
+            let point = shading_point(simd, scene.world(), &rays, &hit);
             hits += 1;
             let what = std::format!("{isa}: {block:?} from {o} along {d}");
             let (p, n) = (lane(point.p, 0), lane(point.n, 0));
@@ -108,7 +108,7 @@ impl Property for Blocks {
                         let side = if is_leaving { 1.0 } else { -1.0 };
                         *way = if any.dot(n) * side < 0.0 { -any } else { any };
                     }
-                    let next = super::hits(simd, &scene, &packet(simd, from, &ways));
+                    let next = super::hits(simd, scene.world(), &packet(simd, from, &ways));
                     for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                         let is_hit = next.object.as_slice()[i] == 0;
                         if is_leaving {
@@ -173,8 +173,8 @@ impl Property for FarBlocks {
             let o = random.vector(-8.0, 8.0).as_vec3a();
             let d = unit(aim - o.as_dvec3());
             let rays = packet(simd, o, &[d]);
-            let hit = hits(simd, &scene, &rays);
-            let point = shading_point(simd, &scene, &rays, &hit);
+            let hit = hits(simd, scene.world(), &rays);
+            let point = shading_point(simd, scene.world(), &rays, &hit);
             let (p, n) = (lane(point.p, 0), lane(point.n, 0));
             if hit.object.as_slice()[0] != 0 || point.inside.to_bitmask() & 1 == 1 {
                 continue;
@@ -185,7 +185,7 @@ impl Property for FarBlocks {
                     let any = random.direction().as_vec3a();
                     *way = if any.dot(n) < 0.0 { -any } else { any };
                 }
-                let next = hits(simd, &scene, &packet(simd, p, &ways));
+                let next = hits(simd, scene.world(), &packet(simd, p, &ways));
                 for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                     let is_hit = next.object.as_slice()[i] == 0;
                     assert!(
@@ -218,7 +218,7 @@ fn a_cylinder_seen_along_its_axis_is_its_end() {
         ..Scene::default()
     };
     let scene = prepared(&scene);
-    struct End<'a>(&'a Prepared);
+    struct End<'a>(World<'a>);
     impl Property for End<'_> {
         #[inline(always)]
         fn hold<S: Isa>(&self, simd: S, isa: &str) {
@@ -229,5 +229,5 @@ fn a_cylinder_seen_along_its_axis_is_its_end() {
             }
         }
     }
-    on_every_instruction_set(&End(&scene));
+    on_every_instruction_set(&End(scene.world()));
 }
