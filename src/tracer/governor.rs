@@ -145,7 +145,7 @@ const WORSE: [f32; 2] = [1.4, 3.0];
 const CHANCE: f32 = 0.5;
 
 /// Steps along the [`Quality::LADDER`] to hold an accuracy, by what probes find (see
-/// [`Renderer::set_probes`](crate::Renderer::set_probes)): to a finer rung when frames are certainly less accurate, and to a faster one
+/// [`Frame::with_probes`](crate::Frame::with_probes)): to a finer rung when frames are certainly less accurate, and to a faster one
 /// once that would certainly be accurate enough. How accurate frames would be there is estimated from what the step to the finer one
 /// gained.
 ///

@@ -79,7 +79,7 @@
 //! [`Quality::EXHAUSTIVE`] traces every pixel. The [`Quality::LADDER`] has seven rungs, from one that can hardly be told from
 //! it to one that is for slow machines; [`Quality::DEFAULT`] is in the middle. A [`Governor`] walks the ladder so that frames
 //! come in time: it is told how long each frame took, and has no clock itself. A frame can tell how accurate it is
-//! ([`Renderer::set_probes`]), and an [`AccuracyGovernor`] holds that instead.
+//! ([`Frame::with_probes`]), and an [`AccuracyGovernor`] holds that instead.
 //!
 //! # Memory and threads
 //!
@@ -157,12 +157,12 @@ pub use fearless_simd::Level;
 pub use flaw::{Flaw, Found};
 pub use glam;
 pub use governor::{AccuracyGovernor, Governor};
-pub use picture::Band;
+pub use picture::{Band, Frame, Probing};
 pub use quality::Quality;
 pub use refine::Worker;
 #[cfg(feature = "std")]
 pub use render::ScopedThreads;
-pub use render::{Error, Frame, Job, Memory, Renderer, Threads};
+pub use render::{Error, Job, Memory, Renderer, Threads};
 
 /// The widest picture, in pixels.
 pub const MAX_WIDTH: usize = 3840;

@@ -1,7 +1,76 @@
-//! The picture in parts: where it goes, the bands of it that threads draw, and which blocks of these may have edges.
+//! The picture: where it goes, and its parts, the bands of it that threads draw, and which blocks of these may have edges.
 
 use crate::counts::Counts;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
+use glam::{Vec2, vec2};
+
+/// Where a picture goes, its size, and which points of it are looked at.
+#[non_exhaustive]
+pub struct Frame<'a> {
+    /// Pixels in a row, 1 to [`MAX_WIDTH`].
+    pub width: usize,
+    /// Rows, 1 to [`MAX_HEIGHT`].
+    pub height: usize,
+    /// `0x00RRGGBB`, row after row from the top, at least `width * height` of them. Those beyond stay as they are.
+    pub pixels: &'a mut [u32],
+    /// See [`Frame::with_offset`].
+    pub offset: Vec2,
+    /// See [`Frame::with_probes`].
+    pub probing: Probing,
+}
+
+/// Which pixels of a frame are probed, see [`Frame::with_probes`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Probing {
+    /// How many, unless they fall on what an overlay hides.
+    pub count: u16,
+    /// Which ones.
+    pub seed: u32,
+}
+
+impl<'a> Frame<'a> {
+    /// A frame of so many pixels in a row, and so many rows, in these pixels.
+    /// [`Renderer::render`](crate::Renderer::render) says whether they fit.
+    #[must_use]
+    pub const fn new(width: usize, height: usize, pixels: &'a mut [u32]) -> Self {
+        Self {
+            width,
+            height,
+            pixels,
+            offset: Vec2::ZERO,
+            probing: Probing { count: 0, seed: 0 },
+        }
+    }
+
+    /// The same frame with its samples `x` pixels to the right of the pixels' centres and `y` below them, within -0.5 to 0.5. The
+    /// mean of frames that cover a pixel evenly is a supersampled one.
+    #[must_use]
+    pub const fn with_offset(self, x: f32, y: f32) -> Self {
+        Self {
+            offset: vec2(x, y),
+            ..self
+        }
+    }
+
+    /// The same frame with so many of its pixels probed: [`Counts::probes`] then says how far they are off what they are if every
+    /// pixel is traced. The picture stays as it is.
+    ///
+    /// The seed says which pixels. Of all seeds each pixel is as likely as any other, and seeds that follow each other spread their
+    /// probes evenly, so that the number of the frame is a good one. Neither an overlay that explains the method nor what is
+    /// coarse on purpose is probed (see [`Method`](crate::scene::Method)): such a frame has no probes. What lies over the picture, such as
+    /// captions, is drawn later.
+    ///
+    /// The estimate of the mean squared error has no bias. How certain it is, [`Probes::margin`](crate::Probes::margin) tells: few
+    /// pixels make most of the error, so that one frame's is as good as none; at 60 frames a second those of a second are
+    /// within one or two dB, and those of a minute within some tenths.
+    #[must_use]
+    pub const fn with_probes(self, count: u16, seed: u32) -> Self {
+        Self {
+            probing: Probing { count, seed },
+            ..self
+        }
+    }
+}
 
 /// The largest width of a tile in pixels; it has as many whole squares as fit. A row of a level's bits is then eight words, and the
 /// samples of its points stay in a core's own cache.

@@ -1,12 +1,13 @@
 //! What the phases of a frame share: how it is drawn, what it shows, and who listens.
 
-use crate::picture::TILE_HEIGHT;
+use crate::picture::{Frame, Probing, TILE_HEIGHT};
 use crate::prepare::{VisibleGroups, World};
 use crate::quality::Quality;
 use crate::scene::camera::pixels;
 use crate::scene::{Method, Scene};
 use crate::trace::{Batch, Kernel, Tracer};
 use fearless_simd::Level;
+use glam::Vec2;
 
 /// How a frame is drawn: all that is settled before its first band.
 pub(crate) struct FramePlan {
@@ -22,22 +23,10 @@ pub(crate) struct FramePlan {
     pub finished: usize,
     /// The side in pixels up to which squares are filled with one colour, see [`Method::coarse`]: below 2, none are.
     pub coarse: usize,
+    /// How far samples are off the centres of their pixels, in pixels.
+    pub offset: Vec2,
     /// Which pixels are probed.
     pub probing: Probing,
-}
-
-/// Which pixels of a frame are probed.
-#[derive(Clone, Copy)]
-pub(crate) struct Probing {
-    /// How many, unless they fall on what an overlay hides.
-    pub count: u16,
-    /// Which ones.
-    pub seed: u32,
-}
-
-impl Probing {
-    /// No probes.
-    pub const NONE: Self = Self { count: 0, seed: 0 };
 }
 
 impl FramePlan {
@@ -47,9 +36,9 @@ impl FramePlan {
         kernel: Kernel,
         scene: &Scene,
         quality: &Quality,
-        size: [usize; 2],
-        probing: Probing,
+        frame: &Frame<'_>,
     ) -> Self {
+        let size = [frame.width, frame.height];
         let method = &scene.method;
         let finished = if *method == Method::PLAIN {
             size[0]
@@ -81,7 +70,8 @@ impl FramePlan {
             size,
             finished,
             coarse,
-            probing,
+            offset: frame.offset,
+            probing: frame.probing,
         }
     }
 

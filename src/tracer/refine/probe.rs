@@ -6,8 +6,8 @@
 use super::Worker;
 use super::antialias::{is_edge, mixed, spread};
 use crate::counts::Counts;
-use crate::picture::Band;
-use crate::plan::{Context, Probing};
+use crate::picture::{Band, Probing};
+use crate::plan::Context;
 use crate::prepare::{Film, GroupSet, VisibleGroups};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Batch};

@@ -5,14 +5,13 @@ use super::threads::Threads;
 use crate::counts::Counts;
 use crate::observe::Observer;
 use crate::picture::{Band, MAX_BANDS, Picture, Rough};
-use crate::plan::{Context, FramePlan, Probing};
+use crate::plan::{Context, FramePlan};
 use crate::prepare::Prepared;
 use crate::refine::antialias::Seams;
 use crate::refine::probe::probe;
 use crate::refine::{Worker, draw};
 use crate::scene::Scene;
 use crate::text;
-use glam::Vec2;
 
 /// The memory that the threads share while they render a frame, of fixed size: at most 850,000 bytes, see [`Memory::BYTES`].
 ///
@@ -25,9 +24,6 @@ pub struct Memory {
     /// Of drawing bands, and of smoothing their edges.
     drawing: Schedule,
     smoothing: Schedule,
-    /// Of the next frames.
-    pub(super) offset: Vec2,
-    pub(super) probing: Probing,
 }
 
 impl Memory {
@@ -45,8 +41,6 @@ impl Memory {
                 rough: [[[0; _]; _]; _],
                 drawing: Schedule::new(),
                 smoothing: Schedule::new(),
-                offset: Vec2::ZERO,
-                probing: Probing::NONE,
             }
         }
     }
@@ -74,7 +68,7 @@ impl Memory {
         let [width, height] = plan.size;
         let context = &Context {
             plan,
-            world: self.prepared.prepare(scene, plan.size, self.offset),
+            world: self.prepared.prepare(scene, plan.size, plan.offset),
             observer,
         };
         let picture = &mut Picture {

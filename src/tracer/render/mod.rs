@@ -15,8 +15,8 @@ pub use threads::{Job, Threads};
 
 use crate::counts::Counts;
 use crate::observe::Observer;
-use crate::picture::Band;
-use crate::plan::{FramePlan, Probing};
+use crate::picture::{Band, Frame};
+use crate::plan::FramePlan;
 use crate::quality::Quality;
 use crate::scene::{Caption, Scene};
 use crate::text;
@@ -25,28 +25,7 @@ use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::borrow::BorrowMut;
 use fearless_simd::Level;
 
-/// Where a picture goes, and its size.
-#[non_exhaustive]
-pub struct Frame<'a> {
-    /// Pixels in a row, 1 to [`MAX_WIDTH`].
-    pub width: usize,
-    /// Rows, 1 to [`MAX_HEIGHT`].
-    pub height: usize,
-    /// `0x00RRGGBB`, row after row from the top, at least `width * height` of them. Those beyond stay as they are.
-    pub pixels: &'a mut [u32],
-}
-
-impl<'a> Frame<'a> {
-    /// A frame of so many pixels in a row, and so many rows, in these pixels. [`Renderer::render`] says whether they fit.
-    #[must_use]
-    pub const fn new(width: usize, height: usize, pixels: &'a mut [u32]) -> Self {
-        Self {
-            width,
-            height,
-            pixels,
-        }
-    }
-
+impl Frame<'_> {
     /// Draws captions over a picture that is done, each from the left side of the picture on. In their letters a `#` stands for a
     /// digit of the first of the numbers, a `$` for one of the second, a `%` for one of the third: the last such sign for
     /// the last digit, and a space where a number has no more digits.
@@ -74,6 +53,7 @@ impl<'a> Frame<'a> {
             width,
             height,
             ref pixels,
+            ..
         } = *self;
         if !(1..=MAX_WIDTH).contains(&width) || !(1..=MAX_HEIGHT).contains(&height) {
             return Err(Error::Size { width, height });
@@ -105,7 +85,7 @@ impl<'a> Frame<'a> {
 ///
 /// # A frame tells its own error
 ///
-/// [`Renderer::set_probes`] has some pixels of each frame traced as [`Quality::reference`] would have them, and compared with what was
+/// [`Frame::with_probes`] has some pixels of a frame traced as [`Quality::reference`] would have them, and compared with what was
 /// drawn. Over some frames that tells how accurate they are, on this scene:
 ///
 /// ```
@@ -126,8 +106,7 @@ impl<'a> Frame<'a> {
 /// let mut probes = Probes::NONE;
 /// for number in 0..30 {
 ///     scene.camera.eye.x = number as f32 / 60.0;
-///     let frame = Frame::new(160, 120, &mut pixels);
-///     renderer.set_probes(Renderer::PROBES, number);
+///     let frame = Frame::new(160, 120, &mut pixels).with_probes(Renderer::PROBES, number);
 ///     probes += renderer.render(&scene, &Quality::DEFAULT, frame, &mut Worker::new())?.probes;
 /// }
 /// println!("{:.1} dB (±{:.1})", probes.psnr(), probes.margin());
@@ -137,7 +116,7 @@ impl<'a> Frame<'a> {
 ///
 /// # What a frame depends on
 ///
-/// Its frames depend on the scene, the quality, the size, the offset and the instruction set alone: the same bits by any
+/// Its pictures depend on the scene, the quality, the size, the offset and the instruction set alone: the same bits by any
 /// number of threads, whatever it has rendered before.
 pub struct Renderer<M = Memory> {
     isa: Level,
@@ -192,26 +171,6 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     /// Has the next frames rendered by another instruction set.
     pub fn set_level(&mut self, level: Level) {
         self.isa = level;
-    }
-
-    /// Has the next frames take their samples `x` pixels to the right of the pixels' centres and `y` below them, within
-    /// -0.5 to 0.5. The mean of frames that cover a pixel evenly is a supersampled one.
-    pub fn set_offset(&mut self, x: f32, y: f32) {
-        self.memory.borrow_mut().offset = glam::vec2(x, y);
-    }
-
-    /// Has so many pixels of each of the next frames probed, or none with 0, as at first: [`Counts::probes`] then says how far they
-    /// are off what they are if every pixel is traced. The pictures stay as they are.
-    ///
-    /// The seed says which pixels. Of all seeds each pixel is as likely as any other, and seeds that follow each other spread their
-    /// probes evenly, so that the number of the frame is a good one. Neither an overlay that explains the method nor what is
-    /// coarse on purpose is probed (see [`Method`](crate::scene::Method)): such a frame has no probes. Captions are drawn later.
-    ///
-    /// The estimate of the mean squared error has no bias. How certain it is, [`Probes::margin`](crate::Probes::margin) tells: few
-    /// pixels make most of the error, so that one frame's is as good as none; at 60 frames a second those of a second are
-    /// within one or two dB, and those of a minute within some tenths.
-    pub fn set_probes(&mut self, count: u16, seed: u32) {
-        self.memory.borrow_mut().probing = Probing { count, seed };
     }
 
     /// Renders one frame, and says how much work it was.
@@ -269,12 +228,10 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     }
 
     /// The plan of a frame.
-    fn plan(&mut self, scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> FramePlan {
+    fn plan(&self, scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> FramePlan {
         let is_valid = frame.validate().is_ok() && quality.is_drawable();
         assert!(is_valid, "size or quality out of range");
-        let probing = self.memory.borrow_mut().probing;
-        let size = [frame.width, frame.height];
-        FramePlan::new(self.isa, self.kernel, scene, quality, size, probing)
+        FramePlan::new(self.isa, self.kernel, scene, quality, frame)
     }
 }
 
