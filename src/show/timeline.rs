@@ -24,10 +24,13 @@ pub fn at(time: f32, scene: &mut Scene) {
     // Set up the act that is played.
     let (act, bar) = playing(&ACTS, |act| act.bars(), time / BAR);
     act.set.apply((bar + act.set_since as f32) * BEATS, scene);
-    // Flash the lights with the kick.
+    // Flash lights and copper bars with the kick.
     let kick = act.set.hit * pulse(time).kick;
     for light in scene.lights.iter_mut() {
         light.colour *= 1.0 + FLASH * kick;
+    }
+    for bar in scene.copper_bars.iter_mut() {
+        bar.brightness *= kick;
     }
     // Set captions and camera.
     captions::apply(act.captions, bar * BEATS, scene);

@@ -60,14 +60,14 @@
 //!
 //! | stage | module |
 //! | --- | --- |
-//! | what there is to draw: a camera, primitives, lights, captions | [`scene`] |
+//! | what there is to draw: a camera, primitives, lights, captions, copper bars | [`scene`] |
 //! | what trades accuracy for speed, as one struct | [`Quality`] |
 //! | what only one shape knows, such as where rays meet it | `shapes` |
 //! | what every ray of a frame uses, computed once | `prepare` |
 //! | how a frame is drawn, settled once | `plan` |
 //! | rays to colours and keys, as many side by side as the instruction set holds | `trace` |
 //! | which points to trace, and which squares to fill or to split | `refine` |
-//! | captions over a finished picture | `text` |
+//! | captions and copper bars over a finished picture | `overlay` |
 //! | a frame: bands of the picture, by one thread or several | [`Renderer`] |
 //!
 //! Beside it: [`Governor`], which chooses a quality by how long frames take; [`observe`], which tells how a frame came about;
@@ -140,13 +140,13 @@ pub mod scene;
 
 // How it is drawn.
 pub mod observe;
+mod overlay;
 mod plan;
 mod prepare;
 mod quality;
 mod refine;
 mod render;
 mod shapes;
-mod text;
 mod trace;
 
 mod governor;

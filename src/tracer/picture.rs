@@ -115,6 +115,12 @@ impl Band<'_> {
         self.pixels.len() / self.width
     }
 
+    /// Its rows with their numbers, from its own top.
+    pub(crate) fn rows(&mut self) -> impl Iterator<Item = (usize, &mut [u32])> {
+        let rows = self.pixels.chunks_exact_mut(self.width.max(1));
+        rows.enumerate()
+    }
+
     /// No rows.
     pub(crate) const fn none() -> Self {
         Self {

@@ -67,8 +67,9 @@ fn every_scene_of_the_show_is_as_the_oracle_sees_it() {
         let time = (bar as f32 + 0.3) * grid::BAR;
         let mut scene = Scene::default();
         show::at(time, &mut scene);
-        // The oracle draws no captions, and every pixel of a transition.
+        // The oracle draws no captions and bars, and every pixel of a transition.
         scene.captions.clear();
+        scene.copper_bars.clear();
         scene.method = Method::default();
         scene.validate().unwrap();
         // In a smaller picture the share of silhouettes, which rounding may change, would be too large.

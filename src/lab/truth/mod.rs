@@ -168,9 +168,10 @@ fn shown(arguments: &Arguments) -> Result<Scene> {
     Ok(scene)
 }
 
-/// Takes away what is no transport of light: captions, the film's tone curve, vignette and dither, the glow around lamps.
+/// Takes away what is no transport of light: captions, copper bars, the film's tone curve, vignette and dither, the glow around lamps.
 pub fn undress(scene: &mut Scene) {
     scene.captions.clear();
+    scene.copper_bars.clear();
     scene.film = Film::PLAIN;
     for light in scene.lights.iter_mut() {
         light.glow = 0.0;

@@ -4,6 +4,7 @@ use super::schedule::Schedule;
 use super::threads::Threads;
 use crate::counts::Counts;
 use crate::observe::Observer;
+use crate::overlay::Overlay;
 use crate::picture::{Band, MAX_BANDS, Picture, Rough};
 use crate::plan::{Context, FramePlan};
 use crate::prepare::Prepared;
@@ -11,7 +12,6 @@ use crate::refine::antialias::Seams;
 use crate::refine::probe::probe;
 use crate::refine::{Worker, draw};
 use crate::scene::Scene;
-use crate::text;
 
 /// The memory that the threads share while they render a frame, of fixed size: at most 850,000 bytes, see [`Memory::BYTES`].
 ///
@@ -99,11 +99,15 @@ impl Memory {
             counts += self.smoothing.run(picture, &job, threads);
         }
         // Draw what lies over them.
-        if !scene.captions.is_empty() {
-            let numbers = [counts.points as usize, width * height];
-            let job = |_: &mut Worker, band: &mut Band<'_>| {
-                text::draw(&scene.captions, 0.5, &numbers, height, band);
-            };
+        let overlay = Overlay {
+            copper_bars: &scene.copper_bars,
+            captions: &scene.captions,
+            numbers: &[counts.points as usize, width * height],
+            middle: 0.5,
+            height,
+        };
+        if !overlay.is_empty() {
+            let job = |_: &mut Worker, band: &mut Band<'_>| overlay.draw(band);
             Schedule::new().run(picture, &job, threads);
         }
         counts

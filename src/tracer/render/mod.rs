@@ -15,33 +15,16 @@ pub use threads::{Job, Threads};
 
 use crate::counts::Counts;
 use crate::observe::Observer;
-use crate::picture::{Band, Frame};
+use crate::picture::Frame;
 use crate::plan::FramePlan;
 use crate::quality::Quality;
-use crate::scene::{Caption, Scene};
-use crate::text;
+use crate::scene::Scene;
 use crate::trace::{Kernel, trace_narrow, trace_wide};
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::borrow::BorrowMut;
 use fearless_simd::Level;
 
 impl Frame<'_> {
-    /// Draws captions over a picture that is done, each from the left side of the picture on. In their letters a `#` stands for a
-    /// digit of the first of the numbers, a `$` for one of the second, a `%` for one of the third: the last such sign for
-    /// the last digit, and a space where a number has no more digits.
-    ///
-    /// # Panics
-    /// If the frame has fewer pixels than its size says.
-    pub fn write(&mut self, captions: &[Caption], numbers: [usize; 3]) {
-        let (width, height) = (self.width, self.height);
-        let mut band = Band {
-            width,
-            pixels: &mut self.pixels[..width * height],
-            ..Band::none()
-        };
-        text::draw(captions, 0.0, &numbers, height, &mut band);
-    }
-
     /// How many pixels the picture has.
     fn count(&self) -> usize {
         self.width * self.height

@@ -1,4 +1,4 @@
-//! The scene description: a camera, spheres, planes, boxes and cylinders with their materials, lights and captions.
+//! The scene description: a camera, spheres, planes, boxes and cylinders with their materials, lights, captions and copper bars.
 //!
 //! Coordinates are right-handed with y up. Lengths are in scene units, angles in radians, colours in linear RGB with 1 as the
 //! brightest that is shown. [`Scene::validate`] checks that every number is in the range that its documentation gives.
@@ -8,21 +8,21 @@ pub(crate) mod fields;
 
 mod block;
 pub(crate) mod camera;
-mod caption;
 mod film;
 mod list;
 mod method;
+mod overlay;
 mod pattern;
 mod validate;
 mod waves;
 
 pub use block::Block;
 pub use camera::Camera;
-pub use caption::Caption;
 pub use fields::{Field, Fields, Items, Range, Value, numbers};
 pub use film::Film;
 pub use list::{List, TooMany};
 pub use method::Method;
+pub use overlay::{Caption, CopperBar};
 pub use pattern::Pattern;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
@@ -44,6 +44,8 @@ pub const MAX_LIGHTS: usize = 4;
 
 /// The most captions in a scene. The show has up to 3 at a time.
 pub const MAX_CAPTIONS: usize = 10;
+/// The most copper bars in a scene. The show has 2 at a time.
+pub const MAX_COPPER_BARS: usize = 16;
 /// The most letters in a caption. The longest in the show has 32.
 pub const MAX_LETTERS: usize = 32;
 
@@ -90,6 +92,8 @@ fields! {
         lights: List<Light, MAX_LIGHTS> = Part::ZERO;
         /// Text over the picture.
         captions: List<Caption, MAX_CAPTIONS> = Part::ZERO;
+        /// Bars over the picture, behind its text.
+        copper_bars: List<CopperBar, MAX_COPPER_BARS> = Part::ZERO;
     }
 }
 

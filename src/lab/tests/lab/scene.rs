@@ -298,7 +298,10 @@ fn fields_that_are_missing_twice_or_unknown_are_told() {
         );
     }
     let error = SceneFile::parse("my.ron", "(motion: [])").expect_err("it is wrong");
-    assert!(error.contains("`captions`, `motions`"), "{error}");
+    assert!(
+        error.contains("`captions`, `copper_bars`, `motions`"),
+        "{error}"
+    );
 }
 
 #[test]

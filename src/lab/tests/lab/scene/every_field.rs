@@ -1,8 +1,8 @@
 //! Made of every_field.ron by `cargo lab scene --rust`.
 use eightfold_tracer::glam::{Mat3A, vec3a};
 use eightfold_tracer::scene::{
-    Block, Camera, Caption, Film, Light, List, Material, Method, Pattern, Plane, Scene,
-    Shape, Sphere, Spot, Waves,
+    Block, Camera, Caption, CopperBar, Film, Light, List, Material, Method, Pattern, Plane,
+    Scene, Shape, Sphere, Spot, Waves,
 };
 /// How long the scene plays, in seconds.
 pub const LENGTH: f32 = 9.0;
@@ -159,6 +159,16 @@ pub fn scene(_time: f32) -> Scene {
                     middle: 0.33249122,
                     size: 0.8269184,
                     brightness: 0.5213456,
+                },
+            ],
+        ),
+        copper_bars: List::of(
+            &[
+                CopperBar {
+                    middle: 0.21577281,
+                    height: 0.7102001,
+                    colour: vec3a(0.4046272, 0.8990544, 0.5934816),
+                    brightness: 0.28790882,
                 },
             ],
         ),
