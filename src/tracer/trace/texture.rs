@@ -106,7 +106,7 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
         own.z * along_z,
     ] {
         // A triangle wave of period 1 between -1 and 1, with a maximum at 0.
-        let wave = (v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)).abs() * -4.0 + 1.0;
+        let wave = off_integer::<S>(v).abs() * -4.0 + 1.0;
         height = at_most::<S>(wave.abs(), height);
         sign ^= wave.bitcast::<U<S>>();
     }
@@ -119,9 +119,6 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     let height = at_least::<S>(height, -one);
     (height - 1.0) * (0.5 * pattern.depth) + 1.0
 }
-
-/// 1.5 * 2^23: adding it leaves the nearest integer in the low bits, for numbers to 2^22.
-const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// The noise that shifts the pattern, in periods. It is two-dimensional, constant along one oblique direction.
 #[inline(always)]

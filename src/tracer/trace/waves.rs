@@ -7,9 +7,6 @@ use crate::lanes::*;
 use crate::prepare::{PerLane, World};
 use crate::scene::Waves;
 
-/// 1.5 * 2^23: adding it leaves the nearest integer in the low bits, for numbers to 2^22.
-const ROUND_TO_INTEGER: f32 = 12_582_912.0;
-
 /// The cosine and the sine of [`Waves::TURN`].
 const TURN: [f32; 2] = [-0.737_393_7, 0.675_463_2];
 
@@ -74,7 +71,7 @@ fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, seen: F<S>) -> [F<S>
             break;
         }
         let u = (x * along_x + z * along_z) * per_unit - phase;
-        let u = u - (u + ROUND_TO_INTEGER - ROUND_TO_INTEGER);
+        let u = off_integer::<S>(u);
         let rise = u * (u.abs() * -2.0 + 1.0) * share * (8.0 * waves.slope);
         slope_x += rise * along_x;
         slope_z += rise * along_z;
