@@ -88,6 +88,12 @@ pub(crate) fn off_integer<S: Simd>(v: F<S>) -> F<S> {
     v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)
 }
 
+/// Hermite's smooth step from 0 to 1: `v^2 (3 - 2 v)`, with slope 0 at both ends.
+#[inline(always)]
+pub(crate) fn smooth_step<S: Simd>(v: F<S>) -> F<S> {
+    v * v * (v * -2.0 + 3.0)
+}
+
 /// The lanes' numbers, from 0.
 #[inline(always)]
 pub(crate) fn numbers<S: Simd>(simd: S) -> U<S> {

@@ -163,7 +163,7 @@ const STEPS: [u32; 4] = [0, ACROSS, ALONG, ACROSS.wrapping_add(ALONG)];
 fn cell<S: Isa>(u: F<S>) -> (U<S>, F<S>) {
     let cell = u - 0.5 + ROUND_TO_INTEGER;
     let way: F<S> = u - (cell - ROUND_TO_INTEGER);
-    (cell.bitcast(), way * way * (way * -2.0 + 3.0))
+    (cell.bitcast(), smooth_step::<S>(way))
 }
 
 /// A hash as a number from -1 to 1.

@@ -22,7 +22,7 @@ pub(super) fn transmittance<S: Isa>(
     let Spot { aim, dark, bright } = lamp.cone;
     let inward = (-rays.d.dot(Vec3x::splat(simd, aim)) - dark) / (bright - dark);
     let is_asked = rays.distance.simd_gt(zero);
-    let in_cone = is_asked.select(smooth_step(simd, inward), zero);
+    let in_cone = is_asked.select(soft_edge(simd, inward), zero);
     let mut passing = Vec3x {
         x: in_cone,
         y: in_cone,
@@ -63,15 +63,14 @@ fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, rays: &ShadowRay
         a * lamp.diameter / rays.distance,
         splat(simd, lamp.max_penumbra),
     );
-    smooth_step(
+    soft_edge(
         simd,
         depth / at_least::<S>(b, splat(simd, f32::MIN_POSITIVE)) + 0.5,
     )
 }
 
-/// Hermite's smooth step: 0 up to 0, 1 from 1 on.
+/// A smooth step that is 0 up to 0, and 1 from 1 on.
 #[inline(always)]
-fn smooth_step<S: Isa>(simd: S, v: F<S>) -> F<S> {
-    let v = clamp::<S>(v, splat(simd, 0.0), splat(simd, 1.0));
-    v * v * (v * -2.0 + 3.0)
+fn soft_edge<S: Isa>(simd: S, v: F<S>) -> F<S> {
+    smooth_step::<S>(clamp::<S>(v, splat(simd, 0.0), splat(simd, 1.0)))
 }
