@@ -28,7 +28,7 @@ pub(super) struct CoverageGuard {
 }
 
 /// The most that rounding moves the ends of a range, in pixels.
-const MARGIN: f32 = 0.02;
+const COLUMN_MARGIN: f32 = 0.02;
 
 /// All corners of a square.
 const ALL: u64 = 0b1111;
@@ -162,7 +162,7 @@ impl<'a> Grid<'a> {
             .axes
             .rects(simd, [left, y + top * self.side], size);
         let [from, to] = outline.narrow(rects);
-        let [first, last] = [(from, -MARGIN), (to, MARGIN)].map(|(u, margin)| {
+        let [first, last] = [(from, -COLUMN_MARGIN), (to, COLUMN_MARGIN)].map(|(u, margin)| {
             let column = self.world.axes.column::<Baseline>(u) - (pixels(left) - margin);
             let square = column / pixels(self.side);
             let square = square.max(splat(simd, 0.0));

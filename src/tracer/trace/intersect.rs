@@ -8,7 +8,7 @@ use crate::shapes::sphere::Chord;
 use crate::shapes::{block, plane};
 
 /// The distance that stands for no hit.
-const FARTHEST: f32 = 1e30;
+const NO_HIT: f32 = 1e30;
 
 /// The nearest hit of each ray.
 #[derive(Clone, Copy)]
@@ -39,7 +39,7 @@ pub(crate) fn nearest<S: Isa>(
 ) -> Hit<S> {
     blocks.clear();
     let mut hit = Hit {
-        t: splat(simd, FARTHEST),
+        t: splat(simd, NO_HIT),
         object: U::<S>::splat(simd, ObjectId::new(world.background()).lane()),
     };
     for (i, rectangle) in world.planes().iter().enumerate() {
