@@ -7,9 +7,15 @@ use glam::Vec3A;
 fields! {
     /// A line of text, centred in the picture's width.
     pub struct Caption in "" {
-        /// ASCII capitals and digits. Each `#` stands for a digit of the number of points that were traced for the frame, before edges
-        /// got their samples, and each `$` for one of the number of its pixels, the last one of a caption for the last digit. Any other
-        /// byte is a space.
+        /// ASCII capitals and digits; any other byte is a space, but for the signs of digits, each of one number:
+        ///
+        /// | sign | in a scene | by [`Frame::write`](crate::Frame::write) |
+        /// | --- | --- | --- |
+        /// | `#` | the points that were traced for the frame | the first number |
+        /// | `$` | the pixels of the frame | the second number |
+        /// | `%` | a space | the third number |
+        ///
+        /// The last sign of a kind is the last digit of its number; a space stands where a number has no more digits.
         letters: List<u8, MAX_LETTERS> = List::over(0);
         /// The middle of the line, as a share of the picture's height from the top, 0 to 1.
         middle: f32 = 0.9, in SHARE;
