@@ -25,7 +25,7 @@ pub fn model(time: f32, scene: &mut Scene) {
 
 /// The model scene at `time` seconds, see [`model`].
 #[must_use]
-pub fn scene(time: f32) -> Scene {
+pub fn model_scene(time: f32) -> Scene {
     let mut scene = Scene::default();
     model(time, &mut scene);
     scene

@@ -259,7 +259,7 @@ fn a_caption_tells_the_points_and_the_pixels_of_its_own_frame() {
             };
             let scene = Scene {
                 captions: List::of(&[caption]),
-                ..show::scene(2.0)
+                ..show::model_scene(2.0)
             };
             draw(cpu::best(), 2, &scene, &quality, width, height)
         };

@@ -13,7 +13,7 @@ const HEIGHT: usize = 360;
 pub extern "C" fn model_scene() -> *const u32 {
     let mut pixels = vec![0; WIDTH * HEIGHT];
     let frame = Frame::new(WIDTH, HEIGHT, &mut pixels);
-    let scene = show::scene(2.0);
+    let scene = show::model_scene(2.0);
     Renderer::new(Level::baseline())
         .render(&scene, &Quality::EXHAUSTIVE, frame, &mut Worker::new())
         .expect("the scene, the quality and the size are valid");

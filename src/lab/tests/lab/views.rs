@@ -17,7 +17,7 @@ const SIZE: Size = Size {
 /// A frame of the model scene.
 fn model(time: f32, quality: &Quality) -> Vec<u32> {
     let mut pixels = vec![0; SIZE.area()];
-    let scene = show::scene(time);
+    let scene = show::model_scene(time);
     ThreadedRenderer::new(1).draw(cpu::best().level, &scene, quality, SIZE.width, &mut pixels);
     pixels
 }
@@ -90,7 +90,7 @@ fn a_pixel_pops_that_jumps_while_its_reference_stays() {
 /// Returns what is seen of two qualities of the model scene, the first of which is the reference, where time goes on by so much of its
 /// pace.
 fn seen_of(qualities: [&Quality; 2], pace: f32) -> [Seen; 2] {
-    let scene = |time: f32| show::scene(2.0 + pace * (time - 2.0));
+    let scene = |time: f32| show::model_scene(2.0 + pace * (time - 2.0));
     let mut seen = [Seen::default(), Seen::default()];
     let mut subjects: Vec<Subject<'_>> = qualities
         .into_iter()
