@@ -271,10 +271,5 @@ fn shadow_by(lamps: &[Light]) -> Kind {
 
 /// The material of an object; lamps and the background have a black one.
 fn material(scene: &Scene, object: Object) -> Material {
-    match object {
-        Object::Sphere(i) => scene.spheres[i].material,
-        Object::Block(i) => scene.blocks[i].material,
-        Object::Plane(i) => scene.planes[i].material,
-        Object::Light(_) | Object::Background => Material::BLACK,
-    }
+    object.material(scene).copied().unwrap_or(Material::BLACK)
 }

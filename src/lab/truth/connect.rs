@@ -8,11 +8,11 @@
 //! noise; photons, which blur it, have none. So light through balls is theirs wherever a path has been scattered before.
 
 use super::effects::Effects;
-use super::geometry::{Face, Ray, Shape};
 use super::lamp::Lamp;
 use super::surface::{Bounce, Bsdf};
 use super::world::{Body, World};
 use crate::sampler::{Sampler, around};
+use eightfold_oracle::geometry::{Face, Ray, Shape};
 use eightfold_tracer::glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -5,7 +5,6 @@ mod convergence;
 pub mod effects;
 pub mod estimate;
 pub mod film;
-pub mod geometry;
 pub mod lamp;
 mod losses;
 pub mod path;

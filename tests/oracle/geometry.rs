@@ -1,8 +1,8 @@
-//! Rays and the shapes that they hit, in f64. Coordinates are the scene's.
+//! Rays and the shapes that they meet, in f64, by textbook formulas. Coordinates are the scene's.
 
-use eightfold_oracle::grooves;
-use eightfold_tracer::glam::{DMat3, DVec3, Mat3};
-use eightfold_tracer::scene::{Block, Plane, Shape as BlockShape, Sphere};
+use super::grooves;
+use eightfold_tracer::scene::{Block, Camera, Plane, Shape as BlockShape, Sphere};
+use glam::{DMat3, DVec3, Mat3};
 
 /// The rounding error of a few operations in f64, relative to the lengths in them.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -44,6 +44,44 @@ impl Ray {
     /// A ray in another direction from the same point.
     pub fn turned(&self, d: DVec3) -> Self {
         Self { d, ..*self }
+    }
+}
+
+/// The rays through the pixels of a picture.
+#[derive(Clone, Copy, Debug)]
+pub struct PicturePlane {
+    eye: DVec3,
+    /// The ray through pixel (x, y) has the direction `corner + x dx + y dy`.
+    corner: DVec3,
+    dx: DVec3,
+    dy: DVec3,
+    /// The side of a pixel at distance 1, in scene units.
+    pub pixel: f64,
+}
+
+impl PicturePlane {
+    /// That of a camera, for a picture of a size in pixels.
+    pub fn new(camera: &Camera, width: usize, height: usize) -> Self {
+        let eye = camera.eye.as_dvec3();
+        let forward = (camera.look_at.as_dvec3() - eye).normalize();
+        let right = forward.cross(camera.up.as_dvec3()).normalize();
+        let up = right.cross(forward);
+        let pixel = 2.0 * (0.5 * f64::from(camera.field_of_view)).tan() / height as f64;
+        let (dx, dy) = (right * pixel, up * -pixel);
+        let middle = |side: usize| 0.5 * side as f64 - 0.5;
+        Self {
+            eye,
+            corner: forward - dx * middle(width) - dy * middle(height),
+            dx,
+            dy,
+            pixel: dx.length(),
+        }
+    }
+
+    /// The ray through a point of the picture, in pixels. A pixel's coordinates are those of its centre.
+    pub fn ray(&self, x: f64, y: f64) -> Ray {
+        let d = self.corner + x * self.dx + y * self.dy;
+        Ray::new(self.eye, d.normalize())
     }
 }
 
