@@ -4,6 +4,7 @@
 //! Images", 2020. It models a viewer who alternates between the pictures: colours are filtered by what the eye can resolve
 //! at a given distance, and differences in edges and points weigh more.
 
+use crate::picture::rgb;
 use nv_flip::{FlipImageRgb8, flip};
 
 /// Pixels per degree of the visual field: FLIP's default, for a screen of 3840 pixels on 0.7 m at a distance of 0.7 m.
@@ -88,9 +89,6 @@ impl Flips {
 }
 
 fn image(width: usize, pixels: &[u32]) -> FlipImageRgb8 {
-    let bytes: Vec<u8> = pixels
-        .iter()
-        .flat_map(|pixel| pixel.to_be_bytes().into_iter().skip(1))
-        .collect();
-    FlipImageRgb8::with_data(width as u32, (pixels.len() / width) as u32, &bytes)
+    let height = pixels.len() / width;
+    FlipImageRgb8::with_data(width as u32, height as u32, &rgb(pixels))
 }
