@@ -5,6 +5,7 @@ use eightfold_window::cpu::{self, Isa};
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
+use std::thread::available_parallelism;
 
 /// The largest number of threads: more than a frame has bands for them.
 const MAX_THREADS: usize = 256;
@@ -133,6 +134,11 @@ pub fn instruction_set(name: &str) -> Result<Isa, String> {
         let names: Vec<&str> = cpu::instruction_sets().map(|set| set.name).collect();
         format!("this machine has {}", names.join(", "))
     })
+}
+
+/// The number of processors.
+pub fn processors() -> usize {
+    available_parallelism().map_or(1, usize::from)
 }
 
 /// Parses a number of threads.

@@ -23,9 +23,28 @@ pub struct Figure {
     pub name: &'static str,
     pub title: &'static str,
     pub caption: String,
-    /// The values of the darkest and the brightest colour, where colours stand for numbers.
-    pub scale: Option<[String; 2]>,
+    /// What the brightest colour stands for, where the darkest stands for 0.
+    pub most: Option<String>,
     pub pixels: Vec<u32>,
+}
+
+impl Figure {
+    /// A picture whose colours stand for no numbers.
+    pub fn new(name: &'static str, title: &'static str, caption: String, pixels: Vec<u32>) -> Self {
+        Self {
+            name,
+            title,
+            caption,
+            most: None,
+            pixels,
+        }
+    }
+
+    /// The same with colours that stand for numbers from 0 to `most`.
+    pub fn up_to(mut self, most: impl ToString) -> Self {
+        self.most = Some(most.to_string());
+        self
+    }
 }
 
 /// Draws all figures, each `width` by `height`, on a white sheet with a line above them. Returns the sheet's width and its pixels.
@@ -71,7 +90,7 @@ fn caption(
 ) -> Result<()> {
     write(area, figure.title, 15, [left, bottom + 5], false)?;
     write(area, &figure.caption, 13, [left, bottom + 25], false)?;
-    let Some([least, most]) = &figure.scale else {
+    let Some(most) = &figure.most else {
         return Ok(());
     };
     let [width, height] = BAR;
@@ -83,7 +102,7 @@ fn caption(
         let column = [(left + x, top), (left + x + 1, top + height)];
         area.draw(&Rectangle::new(column, RGBColor(r, g, b).filled()))?;
     }
-    write(area, least, 13, [start, bottom + 25], false)?;
+    write(area, "0", 13, [start, bottom + 25], false)?;
     write(area, most, 13, [right, bottom + 25], true)
 }
 

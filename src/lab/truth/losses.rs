@@ -4,6 +4,7 @@ use super::effects::Effects;
 use super::estimate::{Estimate, Intervals};
 use super::render::{self, Picture};
 use super::{INTERVAL_SHOWN, interval_picture, pixels};
+use crate::arguments::processors;
 use crate::error::Difference;
 use crate::figures::sheet::{Figure, sheet};
 use crate::flip::Flip;
@@ -17,7 +18,6 @@ use eightfold_window::cpu;
 use rayon::ThreadPool;
 use std::fs;
 use std::path::Path;
-use std::thread::available_parallelism;
 
 /// The least width of a picture on the sheet, in pixels: captions are as wide. Smaller pictures are enlarged.
 const LEAST_WIDTH: usize = 400;
@@ -128,7 +128,7 @@ fn losses(
 /// The picture by the library.
 fn real_time(picture: &Picture<'_>, quality: &Quality) -> Vec<u32> {
     let mut pixels = vec![0; picture.size.area()];
-    let threads = available_parallelism().map_or(1, usize::from);
+    let threads = processors();
     ThreadedRenderer::new(threads).draw(
         cpu::best().level,
         picture.scene,
@@ -143,50 +143,36 @@ fn real_time(picture: &Picture<'_>, quality: &Quality) -> Vec<u32> {
 fn figures(width: usize, estimates: &[Estimate], losses: &[Loss]) -> Vec<Figure> {
     let intervals = Intervals::of(estimates);
     let model = &losses[0];
-    let figure = |name, title, caption: String, pixels: Vec<u32>| Figure {
-        name,
-        title,
-        caption,
-        scale: None,
-        pixels,
-    };
-    let scaled = |most: String, figure| Figure {
-        scale: Some(["0".to_owned(), most]),
-        ..figure
-    };
     let mut all = vec![
-        figure(
+        Figure::new(
             "truth",
             "The truth: the rendering equation",
             format!("noise {:.1} dB", intervals.psnr),
             pixels(estimates),
         ),
-        figure(
+        Figure::new(
             model.name,
             "The real-time model",
             "every pixel traced".to_owned(),
             model.without.clone(),
         ),
-        scaled(
-            INTERVAL_SHOWN.to_string(),
-            figure(
-                "interval",
-                "How far the truth may be off, 95 %",
-                format!(
-                    "+-{:.1} in the median, +-{:.0} at worst",
-                    intervals.median, intervals.worst
-                ),
-                interval_picture(&intervals),
+        Figure::new(
+            "interval",
+            "How far the truth may be off, 95 %",
+            format!(
+                "+-{:.1} in the median, +-{:.0} at worst",
+                intervals.median, intervals.worst
             ),
-        ),
+            interval_picture(&intervals),
+        )
+        .up_to(INTERVAL_SHOWN),
     ];
     all.extend(losses.iter().map(|loss| {
         let mut pixels = loss.without.clone();
         draw_error(&mut pixels, &loss.with, ERROR_SHOWN);
         let (difference, flip) = loss.figures(width);
         let caption = format!("PSNR {}, FLIP {flip:.4}", decibels(difference.psnr));
-        let figure = figure(loss.name, loss.title, caption, pixels);
-        scaled(ERROR_SHOWN.to_string(), figure)
+        Figure::new(loss.name, loss.title, caption, pixels).up_to(ERROR_SHOWN)
     }));
     all
 }

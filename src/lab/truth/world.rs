@@ -1,12 +1,12 @@
 //! A scene in f64, as the path tracer sees it.
 
 use super::lamp::Lamp;
-use super::surface::{Bsdf, Material};
+use super::surface::Bsdf;
 use eightfold_oracle::geometry::{Face, Met, PicturePlane, Ray, Shape};
 use eightfold_oracle::pattern::reflectance;
 use eightfold_oracle::waves;
 use eightfold_tracer::glam::DVec3;
-use eightfold_tracer::scene::{self, Scene, Waves};
+use eightfold_tracer::scene::{Material, Scene, Waves};
 
 /// A shape and its material.
 #[derive(Clone, Copy, Debug)]
@@ -112,7 +112,7 @@ impl World {
                 if !(is_tinted && is_solid) {
                     return DVec3::ZERO;
                 }
-                share *= body.material.tint;
+                share *= body.material.tint.as_dvec3();
             }
         }
         share
@@ -156,15 +156,15 @@ impl World {
     pub fn paint(&self, body: &Body, ray: Ray, met: &Met) -> DVec3 {
         let footprint = met.t * self.plane.pixel / ray.d.dot(met.normal).abs();
         let own = body.shape.own_coordinates(ray.at(met.t));
-        body.material.colour * reflectance(&body.material.pattern, own, footprint)
+        body.material.colour.as_dvec3() * reflectance(&body.material.pattern, own, footprint)
     }
 }
 
 /// All bodies of a scene.
 fn bodies(scene: &Scene) -> Vec<Body> {
-    let body = |shape: Shape, material: &scene::Material| Body {
+    let body = |shape: Shape, material: &Material| Body {
         shape,
-        material: material.into(),
+        material: *material,
         waves: Waves::CALM,
     };
     let spheres = scene.spheres.iter().map(|it| body(it.into(), &it.material));
