@@ -9,7 +9,6 @@ use anyhow::{Context, Result};
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::thread::available_parallelism;
 
 /// Measures what README.md and docs/*.md tell of speed, errors, size and sound, and rewrites their marked parts and pictures
 ///
@@ -116,7 +115,7 @@ impl Page {
 }
 
 fn parts(arguments: &Arguments) -> Vec<Part> {
-    let mut threads = vec![1, available_parallelism().map_or(1, usize::from)];
+    let mut threads = vec![1, arguments::processors()];
     threads.dedup();
     let threads: String = threads
         .iter()
@@ -206,16 +205,8 @@ const SHEET: [Picture; 1] = [(
     "show.png",
     "Frames of the show, row by row: title, model scene, method, colonnade, machine, flake, mirrors, swarm, finale",
 )];
-const TRADE: [Picture; 6] = [
+const TRADE: [Picture; 4] = [
     FRONT,
-    (
-        "front-flip.svg",
-        "Speed and FLIP of every setting, and the Pareto front by number",
-    ),
-    (
-        "front-pops.svg",
-        "Speed and pops of every setting, and the Pareto front by number",
-    ),
     RESOLUTION,
     SQUARES,
     ("objects.svg", "Time of a frame by the number of spheres"),

@@ -7,9 +7,8 @@ mod table;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::interrupt::{self, Stopped};
-use crate::machine::machine;
 use crate::scenes::{self, SceneName};
-use crate::timing::evenly_spaced;
+use crate::timing::{evenly_spaced, machine};
 use crate::views::views;
 use crate::{output, progress};
 use anyhow::{Result, bail};
@@ -18,7 +17,6 @@ use eightfold_window::cpu::{self, Isa};
 use measure::{Plan, Shot, Way};
 use row::Row;
 use std::path::{Path, PathBuf};
-use std::thread::available_parallelism;
 
 /// Measures how fast frames are drawn, and what that costs in accuracy
 ///
@@ -105,7 +103,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         scene => (&*format!("{scene} scene,"), table::of_scene(&rows)),
     };
     let (from, to) = times(arguments);
-    let drawn = rows.iter().map(|row| row.frames).max().unwrap_or(0);
+    let drawn = rows
+        .iter()
+        .map(|row| row.accuracy.frames)
+        .max()
+        .unwrap_or(0);
     let frames = if drawn < arguments.frames {
         format!("the first {drawn} of {}", arguments.frames)
     } else {
@@ -140,7 +142,7 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
     arguments::check_span(arguments.time_from, arguments.time_to)?;
     let mut threads = arguments.threads.clone();
     if threads.is_empty() {
-        threads.push(available_parallelism().map_or(1, usize::from));
+        threads.push(arguments::processors());
     }
     let others = arguments.quality.iter().copied();
     let unguarded = arguments.unguarded.then_some(NamedQuality::UNGUARDED);

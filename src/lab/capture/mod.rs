@@ -20,7 +20,6 @@ use film::{Film, MAX_SUPERSAMPLE, Samples};
 use frame_queue::FrameQueue;
 use std::ops::Range;
 use std::path::PathBuf;
-use std::thread::available_parallelism;
 
 /// Draws frames of the show: PNG files, a video, or a contact sheet; and makes their sound
 ///
@@ -77,9 +76,9 @@ pub struct Arguments {
     supersample: usize,
     #[command(flatten)]
     exposure: ExposureFlags,
-    /// Frames drawn at a time [default: as many as there are processors]
-    #[arg(long, value_name = "N", value_parser = arguments::threads)]
-    threads: Option<usize>,
+    /// Frames drawn at a time
+    #[arg(long, value_name = "N", default_value_t = arguments::processors(), value_parser = arguments::threads)]
+    threads: usize,
     /// Instruction set; avx2 and avx512 draw the same bits, sse2 others [default: the best of this machine, but not sse2]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
@@ -156,9 +155,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let queue = FrameQueue {
         film: &film,
-        threads: arguments
-            .threads
-            .unwrap_or_else(|| available_parallelism().map_or(1, usize::from)),
+        threads: arguments.threads,
     };
     if let Some(folder) = &arguments.png {
         files::write(&queue, frames, folder)

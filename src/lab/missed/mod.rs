@@ -18,7 +18,6 @@ use clap::Args;
 use effects::{Counts, EffectCounter, Kind};
 use eightfold_tracer::scene::Scene;
 use std::path::Path;
-use std::thread::available_parallelism;
 
 /// Counts the small objects, shadows and images that a quality misses
 ///
@@ -43,9 +42,9 @@ pub struct Arguments {
     /// Frames of a scene, at times spread evenly over it
     #[arg(long, value_name = "N", default_value = "2", value_parser = arguments::frames)]
     frames: usize,
-    /// Threads that share the work [default: as many as there are processors]
-    #[arg(long, value_name = "N", value_parser = arguments::threads)]
-    threads: Option<usize>,
+    /// Threads that share the work
+    #[arg(long, value_name = "N", default_value_t = arguments::processors(), value_parser = arguments::threads)]
+    threads: usize,
 }
 
 /// A pixel is changed, or wrong, if a channel differs by more than this, in steps of 1/255.
@@ -64,11 +63,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     for scene in groups.iter().flat_map(|group| &group.scenes) {
         scene.validate()?;
     }
-    let threads = arguments
-        .threads
-        .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
     let Size { width, height } = arguments.size;
-    let mut counter = EffectCounter::new(threads, width, height);
+    let mut counter = EffectCounter::new(arguments.threads, width, height);
     let bar = progress::bar(groups.iter().map(|group| group.scenes.len()).sum());
     let mut columns = Vec::new();
     for group in &groups {

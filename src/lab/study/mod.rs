@@ -4,10 +4,10 @@ mod page;
 
 use crate::arguments::{self, BadInput, Size};
 use crate::interrupt;
-use crate::machine::machine;
 use crate::output;
 use crate::scenes::{self, SceneName};
 use crate::subcommand::{FIGURES, FRONT, RESOLUTION, SQUARES, Step};
+use crate::timing::machine;
 use anyhow::Result;
 use clap::Args;
 use page::Page;
@@ -126,9 +126,7 @@ fn sections(arguments: &Arguments) -> Vec<Section> {
         ),
         section(
             "The named qualities",
-            "The rungs that a player climbs to hold its frame rate, by their dials: s side of the squares in pixels, c tolerance \
-             within which colours fill a square, d depth of rays, w least contribution of a ray; cargo lab trade --help explains \
-             the others.",
+            "The rungs that a player climbs to hold its frame rate, and their dials, which cargo lab trade --help explains.",
             format!("trade --ladder --size {size} --frames {frames} --time-to {end}"),
             "",
             &[],

@@ -9,20 +9,19 @@ mod table;
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::interrupt::Stopped;
-use crate::machine::machine;
 use crate::scenes::{self, SceneName};
+use crate::timing::machine;
 use crate::views::views;
 use crate::{interrupt, output, progress};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use curves::{Curve, Curves};
 use eightfold_window::cpu::{self, Isa};
-use measure::{Measurement, Plan, Tally};
+use measure::{Measurement, Plan};
 use outcome::{Outcome, mark_front};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::thread::available_parallelism;
 use sweep::Point;
 
 /// Turns every dial of the quality, and measures what that gains in speed and costs in accuracy
@@ -32,10 +31,10 @@ use sweep::Point;
 /// Speed is a ratio to exhaustive frames, every pixel traced, that are drawn in between, all on one thread, by its time on a
 /// processor; errors are against the same frames. Ctrl-C writes what has been measured so far.
 ///
-/// Dials in names: s side of the squares in pixels, k depth of the objects / of the lights' states compared, and m the least
-/// weight of the objects (2/0 and 0.3 if not told), c tolerance within which colours fill a square, in 255ths, where these agree / where they differ (0 if not told), e tolerance
-/// of a side whose middle is averaged (c if not told), h least highlight that is a state (none if not told), u not guarded
-/// against missed objects, d depth of rays, w least contribution of a ray, a antialiased.
+/// The dials of a quality are named where they are not as usual: `square` is the side of the squares in pixels, `tolerance` that
+/// within which colours fill a square, in 255ths, and `differing` that where objects or lights differ, `side` the tolerance for the
+/// middle of a side, `compared` the depths of the objects and of the lights' states that are compared, and the least weight of these,
+/// `highlight` the least highlight that is a state, `depth` that of rays, `contribution` the least of a ray.
 #[derive(Args)]
 pub struct Arguments {
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
@@ -94,8 +93,6 @@ pub struct Trade {
     pub by_resolution: Vec<Curve>,
     /// The time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one sphere.
     pub by_objects: Vec<Curve>,
-    /// The PSNR in dB by the time in seconds, without frames that have no error.
-    pub over_time: Vec<Curve>,
 }
 
 impl Trade {
@@ -186,7 +183,7 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
 }
 
 fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
-    let threads = available_parallelism().map_or(1, usize::from);
+    let threads = arguments::processors();
     let sizes = curves::sizes(plan.size, arguments.quick);
     let counts = curves::objects(arguments.quick);
     let mut steps = plan.steps(points.len());
@@ -234,24 +231,7 @@ fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
         points: rows,
         by_resolution,
         by_objects,
-        over_time: over_time(plan, &tallies, arguments.antialias),
     }
-}
-
-/// The error of each frame, for the qualities that have a curve.
-fn over_time(plan: &Plan, tallies: &[Tally], antialias: bool) -> Vec<Curve> {
-    let lines = curves::qualities(antialias).into_iter().skip(1);
-    lines
-        .filter_map(|line| {
-            let tally = tallies.iter().find(|tally| tally.point.name == line.name)?;
-            let frames = tally.differences.iter().enumerate();
-            let points = frames.map(|(i, d)| (f64::from(plan.time(i, plan.frames)), d.psnr));
-            Some(Curve {
-                name: line.name,
-                points: points.filter(|(_, psnr)| psnr.is_finite()).collect(),
-            })
-        })
-        .collect()
 }
 
 fn write(folder: &Path, trade: &Trade) -> Result<()> {

@@ -8,7 +8,7 @@ use eightfold_tracer::Quality;
 pub struct Point {
     /// Its name, or its dials if it has none.
     pub name: String,
-    /// Its dials in short notation, see [`dials`].
+    /// Its dials in words, see [`dials`].
     pub dials: String,
     /// The dials that vary in the series that it belongs to.
     pub sweep: &'static str,
@@ -212,7 +212,7 @@ impl Point {
     pub fn antialias(&mut self, antialias: bool) {
         self.quality.antialias = antialias;
         if antialias {
-            self.dials += " a";
+            self.dials += ", antialiased";
         }
     }
 
@@ -226,12 +226,9 @@ fn has_keys(quality: &Quality) -> bool {
     quality.square > 1 && quality.tolerance_agreeing != quality.tolerance_differing
 }
 
-/// A quality's dials in short notation: `s` is the square, `k` the depths of objects and states in keys, `m` the
-/// least weight of objects in keys, `c` the tolerances for
-/// agreeing and differing keys, `e` the tolerance for midpoints of sides, `h` the highlight, `u` unguarded, `d` the depth and `w`
-/// the least contribution. What has its usual value is left out, as the help of `lab trade` explains.
+/// A quality's dials in words. What has its usual value is left out, as the help of `lab trade` explains.
 fn dials(quality: &Quality) -> String {
-    let mut text = format!("s{}", quality.square);
+    let mut words = vec![format!("square {}", quality.square)];
     let number = |tolerance: f32| {
         if tolerance.is_finite() {
             tolerance.to_string()
@@ -241,31 +238,29 @@ fn dials(quality: &Quality) -> String {
     };
     let keys = |quality: &Quality| (quality.key_depth, quality.state_depth, quality.key_weight);
     if has_keys(quality) && keys(quality) != keys(&Quality::DEFAULT) {
-        text += &format!(" k{}/{}", quality.key_depth, quality.state_depth);
-        if quality.key_weight != 0.0 {
-            text += &format!(" m{}", quality.key_weight);
-        }
+        let (objects, states, weight) = keys(quality);
+        words.push(format!("compared {objects}/{states}/{weight}"));
     }
     if quality.square > 1 {
-        text += &format!(" c{}", number(quality.tolerance_agreeing));
+        words.push(format!("tolerance {}", number(quality.tolerance_agreeing)));
         if quality.tolerance_differing != 0.0 {
-            text += &format!("/{}", number(quality.tolerance_differing));
+            words.push(format!("differing {}", number(quality.tolerance_differing)));
         }
         if quality.tolerance_side != quality.tolerance_agreeing {
-            text += &format!(" e{}", number(quality.tolerance_side));
+            words.push(format!("side {}", number(quality.tolerance_side)));
         }
     }
     if has_keys(quality) && quality.highlight.is_finite() {
-        text += &format!(" h{:.3}", quality.highlight);
+        words.push(format!("highlight {:.3}", quality.highlight));
     }
     if !quality.guarded {
-        text += " u";
+        words.push("unguarded".to_owned());
     }
     if quality.depth != Quality::EXHAUSTIVE.depth {
-        text += &format!(" d{}", quality.depth);
+        words.push(format!("depth {}", quality.depth));
     }
     if quality.least_contribution != Quality::EXHAUSTIVE.least_contribution {
-        text += &format!(" w{}", quality.least_contribution);
+        words.push(format!("contribution {}", quality.least_contribution));
     }
-    text
+    words.join(", ")
 }

@@ -2,7 +2,7 @@
 
 mod trouble;
 
-use super::{assert_one_line, lab, printed, render};
+use super::{cells, lab, printed, render};
 use eightfold_stage::reader::read_png;
 use serde_json::Value;
 use std::path::Path;
@@ -55,16 +55,6 @@ fn bench(more: &str) -> (String, Vec<Value>) {
 fn number(row: &Value, key: &str) -> f64 {
     let number = row[key].as_f64();
     number.unwrap_or_else(|| panic!("no number {key} in {row}"))
-}
-
-/// The cells of a table, without the rule under the titles.
-fn cells(table: &str) -> Vec<Vec<&str>> {
-    let lines = table.lines().filter(|line| line.starts_with('|'));
-    let mut lines: Vec<Vec<&str>> = lines
-        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
-        .collect();
-    lines.remove(1);
-    lines
 }
 
 #[test]
@@ -276,10 +266,6 @@ fn a_scene_of_the_show_is_its_part_of_the_show() {
             assert_eq!(a[key], b[key], "{key}");
         }
     }
-    // Other scenes have no frames.
-    let past = ["--scene", "show:machine", "--time-from", "12"];
-    let output = lab(&[&["bench"], &past[..]].concat());
-    assert_one_line(&output, 2, &["--time-from", "show:machine", "0 to 12"]);
 }
 
 #[test]

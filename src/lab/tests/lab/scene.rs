@@ -77,15 +77,6 @@ fn a_scene_that_is_exported_is_the_same_at_its_frames() {
 }
 
 #[test]
-fn what_is_to_be_written_is_asked_for_once() {
-    let first = examples().join("first.ron");
-    let first = first.to_str().expect("a plain name");
-    let both = lab(&["scene", "--export", "model", "--rust", first]);
-    assert_one_line(&both, 2, &["--export", "--rust", "cannot"]);
-    assert_one_line(&lab(&["scene", "--out", "-"]), 2, &["--export", "--rust"]);
-}
-
-#[test]
 fn an_exported_scene_gives_the_same_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("machine.ron");
@@ -348,15 +339,4 @@ fn bad_input_is_named_in_one_line() {
     assert_one_line(&lab(&["bench", "--scene", none]), 2, &["cannot read", none]);
     fs::write(&file, b"Scene() // \xe9").expect("it can be written");
     assert_one_line(&lab(&["bench", "--scene", name]), 2, &[name, "not UTF-8"]);
-    assert_one_line(&lab(&["scene"]), 2, &["--export", "--rust"]);
-    assert_one_line(
-        &lab(&["scene", "--rust", "model"]),
-        2,
-        &["--rust", "FILE.ron"],
-    );
-    assert_one_line(
-        &lab(&["scene", "--export", "show:end"]),
-        2,
-        &["show:machine", "FILE.ron"],
-    );
 }

@@ -24,18 +24,6 @@ fn truth(out: &Path, more: &[&str]) -> Output {
 }
 
 #[test]
-fn what_to_do_is_asked_for_and_an_order_of_convergence_takes_two_numbers_of_samples() {
-    for more in [&[][..], &["--scene", "model"]] {
-        let output = lab(&[&["truth"], more].concat());
-        assert_one_line(&output, 2, &["--out", "--effects", "--convergence"]);
-    }
-    let both = lab(&["truth", "--out", "-", "--convergence"]);
-    assert_one_line(&both, 2, &["--out", "--convergence"]);
-    let few = lab(&["truth", "--convergence", "--samples", "8"]);
-    assert_one_line(&few, 2, &["--samples 8", "--convergence"]);
-}
-
-#[test]
 fn it_writes_a_picture_its_radiance_and_its_intervals() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name);
@@ -230,10 +218,7 @@ fn after_ctrl_c_the_same_command_goes_on() {
         // Interrupted a little later each time, until it comes to its end before that.
         let pause = std::time::Duration::from_millis(100 + 100 * runs);
         std::thread::sleep(pause);
-        let kill = Command::new("kill")
-            .args(["-INT", &run.id().to_string()])
-            .status();
-        assert!(kill.expect("kill is there").success());
+        assert!(crate::signal(&run.id().to_string(), "INT"));
         let output = run.wait_with_output().expect("it ends");
         if output.status.success() {
             break;
@@ -258,31 +243,6 @@ fn assert_one_line_with(output: &Output, code: i32, words: &[&str]) {
     assert_eq!(output.status.code(), Some(code), "{said}");
     let last = said.lines().last().expect("a line");
     assert!(words.iter().all(|word| last.contains(word)), "{said}");
-}
-
-#[test]
-fn bad_input_is_named_in_one_line() {
-    for (flag, value, takes) in [
-        ("--size", "640", "WIDTHxHEIGHT"),
-        ("--samples", "0", "from 1 to 524288"),
-        ("--without", "light", "indirect, caustics, soft-shadows"),
-        ("--seed", "-1", "--seed"),
-        ("--scene", "field:0", "field:N"),
-    ] {
-        let output = lab(&["truth", flag, value, "--out", "-"]);
-        assert_one_line(&output, 2, &[flag, takes]);
-    }
-    assert_one_line(&lab(&["truth"]), 2, &["--out"]);
-    assert_one_line(&truth(Path::new("picture.jpg"), &[]), 2, &["--out", ".png"]);
-    let both = ["--with", "caustics", "--without", "caustics"];
-    assert_one_line(&truth(Path::new("-"), &both), 2, &["--with", "--without"]);
-    let folder = tempfile::tempdir().expect("a folder");
-    let no_folder = folder.path().join("missing/truth.png");
-    assert_one_line(
-        &truth(&no_folder, &[]),
-        1,
-        &["cannot write", "missing/truth.png"],
-    );
 }
 
 #[test]
