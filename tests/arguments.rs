@@ -109,6 +109,7 @@ fn help_and_version_are_printed() {
     ] {
         assert!(help.contains(option), "{option}: {help}");
     }
+    assert_eq!(run(headless().arg("-h")).1, help);
     let (output, version) = run(headless().arg("--version"));
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(
