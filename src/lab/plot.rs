@@ -83,7 +83,8 @@ impl Axis {
         let room = (0.05 * (high - low)).max(0.5);
         Self {
             label,
-            range: low - room..high + room,
+            // What is never below 0 begins there.
+            range: (low - room).max(low.min(0.0))..high + room,
             ticks: Vec::new(),
         }
     }
@@ -146,7 +147,7 @@ impl Chart {
     fn draw(&self, area: &Area<'_>) -> Result<()> {
         area.fill(&WHITE)?;
         let area = area.margin(14, 10, 14, 20);
-        area.draw_text(&self.title, &text(20, 1, FontStyle::Bold), (0, 0))?;
+        area.draw_text(&self.title, &text(20, FontStyle::Bold), (0, 0))?;
         area.draw_text(&self.note, &normal(13), (0, 28))?;
         let (_, rest) = area.split_vertically(50);
         let room = if self.list.is_empty() { LEGEND } else { LIST };
@@ -225,5 +226,5 @@ impl Chart {
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 fn normal(size: u32) -> TextStyle<'static> {
-    text(size, 1, FontStyle::Normal)
+    text(size, FontStyle::Normal)
 }

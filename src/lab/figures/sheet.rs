@@ -1,6 +1,6 @@
 //! Puts pictures side by side, each with a caption. Coordinates are pixels of the sheet.
 
-use crate::bitmap::{Area, SAMPLES, at, bitmap, text};
+use crate::bitmap::{Area, at, bitmap, colour, text};
 use crate::overlay::heat;
 use anyhow::Result;
 use plotters::prelude::*;
@@ -98,9 +98,9 @@ fn caption(
     let (left, top) = at([start, bottom + 9]);
     let (width, height) = at([width, height]);
     for x in 0..width {
-        let [_, r, g, b] = heat(x as f32 / (width - 1) as f32).to_be_bytes();
-        let column = [(left + x, top), (left + x + 1, top + height)];
-        area.draw(&Rectangle::new(column, RGBColor(r, g, b).filled()))?;
+        let colour = colour(heat(x as f32 / (width - 1) as f32));
+        let column = [(left + x, top), (left + x, top + height)];
+        area.draw(&Rectangle::new(column, colour.filled()))?;
     }
     write(area, "0", 13, [start, bottom + 25], false)?;
     write(area, most, 13, [right, bottom + 25], true)
@@ -114,6 +114,6 @@ fn write(area: &Area<'_>, words: &str, size: u32, place: [usize; 2], is_end: boo
         FontStyle::Normal
     };
     let from = if is_end { HPos::Right } else { HPos::Left };
-    let style = text(size, SAMPLES, style).pos(Pos::new(from, VPos::Top));
+    let style = text(size, style).pos(Pos::new(from, VPos::Top));
     Ok(area.draw_text(words, &style, at(place))?)
 }

@@ -48,7 +48,6 @@ fn every_bar_has_a_row_and_files_are_whole() {
 
     for picture in [waveform, spectrogram] {
         let (width, pixels) = read_png(&std::fs::read(&picture).unwrap());
-        // 1920x480 and the axes around it.
         assert_eq!((width, pixels.len()), (2016, 2016 * 552));
         let mut colours = pixels;
         colours.sort_unstable();
