@@ -3,8 +3,6 @@
 #[rustfmt::skip]
 mod every_field;
 mod fields;
-#[rustfmt::skip]
-mod motion;
 
 use super::{assert_one_line, lab, printed, render};
 use eightfold_lab::scene_file::{self, SceneFile};
@@ -127,21 +125,6 @@ fn assert_is_compiled(name: &str, file: &Path) {
         text == known,
         "tests/lab/scene/{name}.rs has to be made anew"
     );
-}
-
-#[test]
-fn rust_made_of_a_file_is_the_same_scene() {
-    assert_is_compiled("motion", &examples().join("motion.ron"));
-    let file = SceneFile::parse("motion.ron", &example("motion.ron")).expect("a scene");
-    assert_eq!(motion::LENGTH, file.length);
-    for step in 0..200 {
-        let time = step as f32 * 0.05;
-        assert_eq!(
-            contents(&motion::scene(time)),
-            contents(&file.at(time)),
-            "at {time} s"
-        );
-    }
 }
 
 #[test]

@@ -1,15 +1,16 @@
 //! Made of every_field.ron by `cargo lab scene --rust`.
-use eightfold_tracer::glam::{Mat3A, vec3a};
-use eightfold_tracer::scene::{
-    Block, Camera, Caption, CopperBar, Film, Light, List, Material, Method, Pattern, Plane,
-    Scene, Shape, Sphere, Spot, Waves,
-};
+#[allow(unused, reason = "not every scene needs all of it")]
+use eightfold_tracer::{glam::*, scene::*};
+use keys::*;
 /// How long the scene plays, in seconds.
 pub const LENGTH: f32 = 9.0;
 /// The scene at a time in seconds.
-pub fn scene(_time: f32) -> Scene {
+pub fn scene(time: f32) -> Scene {
     let material_material_001 = Material {
-        colour: vec3a(7.23208, 4.176352, 1.1206241),
+        colour: hold(
+            &[(0.0, vec3a(2.0, 5.0, 9.0)), (1.0, vec3a(9.0, 8.0, 2.0))],
+            time.rem_euclid(1.0),
+        ),
         kd: 0.60648966,
         ks: 0.3009168,
         exponent: 8.158096,
@@ -73,9 +74,16 @@ pub fn scene(_time: f32) -> Scene {
     };
     Scene {
         camera: Camera {
-            eye: vec3a(4.253665, -1.8577919, -7.969248),
+            eye: spline(
+                &[
+                    (0.0, vec3a(4.0, -2.0, -8.0)),
+                    (3.0, vec3a(5.0, 2.0, 6.0)),
+                    (6.0, vec3a(2.0, 4.0, 7.0)),
+                ],
+                time,
+            ),
             look_at: vec3a(1.9192972, -4.1921597, 5.6963844),
-            up: vec3a(5.0528407, 2.1498992, 6.846958),
+            up: vec3a(5.0528407, linear(&[(0.0, 1.0), (4.0, 2.0)], time), 6.846958),
             field_of_view: 1.1389152,
         },
         background: vec3a(8.569552, 5.5138245, 2.458096),
@@ -99,7 +107,14 @@ pub fn scene(_time: f32) -> Scene {
         spheres: List::of(
             &[
                 Sphere {
-                    centre: vec3a(-3.0900154, 6.7985287, 0.68707275),
+                    centre: smooth(
+                        &[
+                            (0.0, vec3a(0.0, 0.0, 1.0)),
+                            (0.5, vec3a(0.0, 2.0, 0.0)),
+                            (1.0, vec3a(0.0, 0.0, 1.0)),
+                        ],
+                        time.rem_euclid(1.0),
+                    ),
                     radius: 2.287808,
                     material: material_material_001,
                 },
@@ -126,11 +141,17 @@ pub fn scene(_time: f32) -> Scene {
                     shape: Shape::Cylinder,
                     centre: vec3a(-5.554464, 4.3340797, -1.7773762),
                     half: vec3a(1.0555841, 5.999856, 1.0555841),
-                    axes: Mat3A::from_cols(
-                        vec3a(0.6712122, 0.72380745, -0.15992814),
-                        vec3a(-0.56535417, 0.639409, 0.5210862),
-                        vec3a(0.47942555, -0.2593434, 0.83838665),
-                    ),
+                    axes: {
+                        let turn = linear(
+                            &[(0.0, vec3a(0.0, 0.5, 0.0)), (8.0, vec3a(0.0, 13.0, 0.0))],
+                            time,
+                        );
+                        Mat3A::from_cols(
+                            vec3a(0.6712122, 0.72380745, -0.15992814),
+                            vec3a(-0.56535417, 0.639409, 0.5210862),
+                            vec3a(0.47942555, -0.2593434, 0.83838665),
+                        ) * Mat3A::from_euler(EulerRot::YXZ, turn.y, turn.x, turn.z)
+                    },
                     material: material_material_003,
                 },
             ],
@@ -172,5 +193,64 @@ pub fn scene(_time: f32) -> Scene {
                 },
             ],
         ),
+    }
+}
+#[allow(unused, reason = "not every scene needs all of it")]
+mod keys {
+    //! Values between keys: times in seconds, in order, each with the value that it has then. Before the first key and after the last
+    //! one a value keeps still.
+    use std::ops::{Add, Mul, Sub};
+    /// A value that can be interpolated.
+    pub trait Value: Copy + Add<
+            Output = Self,
+        > + Sub<Output = Self> + Mul<f32, Output = Self> {}
+    impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f32, Output = T>> Value
+    for T {}
+    /// At a constant speed from key to key.
+    pub fn linear<T: Value>(keys: &[(f32, T)], time: f32) -> T {
+        let (i, share) = position(keys, time);
+        blend(keys, i, share)
+    }
+    /// Leaving each key slowly, and coming slowly to the next, by Hermite's smooth step.
+    pub fn smooth<T: Value>(keys: &[(f32, T)], time: f32) -> T {
+        let (i, share) = position(keys, time);
+        blend(keys, i, share * share * (3.0 - 2.0 * share))
+    }
+    /// As the last key says, up to the next.
+    pub fn hold<T: Value>(keys: &[(f32, T)], time: f32) -> T {
+        keys[position(keys, time).0].1
+    }
+    /// Through the keys without a corner, by a Catmull-Rom spline: it passes a key at the mean speed between its neighbours.
+    pub fn spline<T: Value>(keys: &[(f32, T)], time: f32) -> T {
+        let (i, s) = position(keys, time);
+        let start = keys[i];
+        if s <= 0.0 {
+            return start.1;
+        }
+        let end = keys[i + 1];
+        let slope = |a: (f32, T), b: (f32, T)| {
+            (b.1 - a.1) * ((end.0 - start.0) / (b.0 - a.0))
+        };
+        let leaving = slope(keys[i.saturating_sub(1)], end);
+        let coming = slope(start, keys[(i + 2).min(keys.len() - 1)]);
+        let (s2, s3) = (s * s, s * s * s);
+        start.1 * (2.0 * s3 - 3.0 * s2 + 1.0) + end.1 * (3.0 * s2 - 2.0 * s3)
+            + leaving * (s3 - 2.0 * s2 + s) + coming * (s3 - s2)
+    }
+    /// The index of the last key up to a time, and how far the time is from this key to the next, 0 to 1. Before the first key and after
+    /// the last one that is 0.
+    fn position<T>(keys: &[(f32, T)], time: f32) -> (usize, f32) {
+        let next = keys.partition_point(|(at, _)| *at <= time);
+        let i = next.saturating_sub(1);
+        if next == 0 || next == keys.len() {
+            return (i, 0.0);
+        }
+        let (from, to) = (keys[i].0, keys[next].0);
+        (i, (time - from) / (to - from))
+    }
+    /// The value a share of the way from a key to the next. At the key it is the key's own to the bit, -0 included.
+    fn blend<T: Value>(keys: &[(f32, T)], i: usize, share: f32) -> T {
+        let start = keys[i].1;
+        if share > 0.0 { start + (keys[i + 1].1 - start) * share } else { start }
     }
 }
