@@ -2,8 +2,7 @@
 
 use crate::error::Difference;
 use crate::markdown::{Column, dash, decibels, known, percent};
-use crate::views::Seen;
-use eightfold_tracer::Counts;
+use crate::measure::Run;
 use serde::Serialize;
 
 /// Work and errors of the frames of a quality.
@@ -29,18 +28,22 @@ pub struct Accuracy {
     /// Pixels that jump from a frame to the next while the exhaustive frames' stay, see [`crate::views`]; `null` if no view has a
     /// second frame.
     pub pops: Option<f64>,
-    /// The mean of FLIP at 67 pixels per degree, and its 99th percentile, of the views against the exhaustive ones.
+    /// The mean of FLIP at 67 pixels per degree, of the views against the exhaustive ones.
     pub flip_mean: Option<f64>,
-    pub flip_p99: Option<f64>,
     /// The PSNR and the mean of FLIP against exhaustive frames with 64 samples a pixel.
     pub psnr_to_64_db: Option<f64>,
     pub flip_to_64: Option<f64>,
 }
 
 impl Accuracy {
-    /// That of frames of `area` pixels by their work, their differences from the exhaustive ones, and what was seen of their
-    /// views.
-    pub fn of(area: usize, counts: &Counts, differences: &[Difference], seen: &Seen) -> Self {
+    /// That of frames of `area` pixels.
+    pub fn of(area: usize, run: &Run) -> Self {
+        let Run {
+            counts,
+            differences,
+            seen,
+            ..
+        } = run;
         let frames = differences.len();
         let per_frame = |count: u64| count as f64 / frames as f64;
         let psnr = differences.iter().map(|difference| difference.psnr);
@@ -56,7 +59,6 @@ impl Accuracy {
             pixels_over_8: per_frame(over_8 as u64),
             pops: seen.pops(),
             flip_mean: seen.flips.mean(),
-            flip_p99: seen.flips.p99(),
             psnr_to_64_db: seen.psnr_to_64_db(),
             flip_to_64: seen.flips_to_64.mean(),
         }

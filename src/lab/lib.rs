@@ -14,6 +14,7 @@ pub mod figures;
 pub mod flip;
 pub mod interrupt;
 pub mod markdown;
+pub mod measure;
 pub mod missed;
 pub mod output;
 pub mod overlay;

@@ -111,14 +111,8 @@ impl<'a> Viewer<'a> {
         }
     }
 
-    /// Looks at a view of all subjects, the first of which is the reference. Tells how many are done now and then. After Ctrl-C,
-    /// the rest is left out.
-    pub fn look(
-        &mut self,
-        view: &[f32],
-        subjects: &mut [Subject<'_>],
-        mut step: impl FnMut(usize),
-    ) {
+    /// Looks at a view of all subjects, the first of which is the reference. After Ctrl-C, the rest is left out.
+    pub fn look(&mut self, view: &[f32], subjects: &mut [Subject<'_>]) {
         if interrupt::is_stopped() {
             return;
         }
@@ -142,7 +136,6 @@ impl<'a> Viewer<'a> {
                 }
                 self.compare(group, frame);
             }
-            step(group.len());
         }
     }
 

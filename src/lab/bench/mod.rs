@@ -1,12 +1,12 @@
 //! `lab bench`: how fast frames are drawn, and how far they are from what tracing every pixel draws.
 
-mod measure;
 mod row;
 mod stages;
 mod table;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::interrupt::{self, Stopped};
+use crate::measure::{Plan, Shot, Way};
 use crate::scenes::{self, SceneName};
 use crate::timing::{evenly_spaced, machine};
 use crate::views::views;
@@ -14,7 +14,6 @@ use crate::{output, progress};
 use anyhow::{Result, bail};
 use clap::Args;
 use eightfold_window::cpu::{self, Isa};
-use measure::{Plan, Shot, Way};
 use row::Row;
 use std::path::{Path, PathBuf};
 
@@ -64,8 +63,7 @@ pub struct Arguments {
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
-    /// Tells where the time of a frame goes instead, stage by stage, on one thread, and how many times as fast more threads can
-    /// be by the times of the pieces of work
+    /// Tells where the time of a frame goes instead, stage by stage, on one thread
     #[arg(long, conflicts_with_all = ["threads", "json", "views"])]
     stages: bool,
     /// File to write the figures to as JSON, or - for standard output; the table then goes to standard error
@@ -155,7 +153,8 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
             &[false]
         };
         shadows.iter().map(move |&hard_shadows| Way {
-            quality: quality.antialiased(!arguments.jagged),
+            name: format!("{quality}{}", if hard_shadows { ", hard" } else { "" }),
+            quality: quality.antialiased(!arguments.jagged).quality,
             hard_shadows,
         })
     });
@@ -174,6 +173,9 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
         sizes: distinct(arguments.size.iter().copied()),
         threads: distinct(threads),
         ways: distinct(ways),
+        is_on_processor: false,
+        has_samples: true,
+        has_missed: false,
     })
 }
 

@@ -1,10 +1,8 @@
 //! The figures of a run.
 
-use super::measure::{Plan, Setting, Shot};
 use crate::accuracy::Accuracy;
-use crate::interrupt;
+use crate::measure::{Plan, Setting, Shot};
 use crate::timing::{median, percentile};
-use crate::views::Seen;
 use serde::Serialize;
 
 /// The measurements of one quality in one setting.
@@ -41,26 +39,23 @@ impl Row {
         let shot = &plan.shots[setting.shot];
         let floor = median(&setting.floor);
         let exhaustive = median(&setting.runs[0].times);
-        let rows = setting.runs.iter().map(|run| {
+        let runs = setting.runs.iter().zip(&plan.ways);
+        let rows = runs.map(|(run, way)| {
             let ms = median(&run.times);
             let (worst_second, worst_ms) = worst_second(shot, &run.times);
-            // Of views that an interrupt cut short nothing is told.
-            let cut_short = interrupt::is_stopped().then(Seen::default);
-            let seen = cut_short.as_ref().unwrap_or(&run.seen);
-            let area = setting.size.area();
             Self {
                 scene: shot.scene.to_string(),
                 width: setting.size.width,
                 height: setting.size.height,
                 threads: setting.threads,
                 isa: plan.isa.name,
-                quality: run.way.name(),
+                quality: way.name.clone(),
                 fps_median: 1e3 / ms,
                 fps_worst_second: 1e3 / worst_ms,
                 worst_second,
                 ms_median: ms,
                 ms_p99: percentile(&run.times, 99),
-                accuracy: Accuracy::of(area, &run.counts, &run.differences, seen),
+                accuracy: Accuracy::of(setting.size.area(), run),
                 speedup_vs_exhaustive: exhaustive / ms,
                 floor_ratio: ms / floor,
             }

@@ -1,9 +1,8 @@
 //! The results for a point.
 
-use super::measure::Tally;
 use super::sweep::Point;
 use crate::accuracy::Accuracy;
-use crate::timing::percentile;
+use crate::measure::Run;
 use eightfold_tracer::Quality;
 use serde::Serialize;
 
@@ -18,8 +17,7 @@ pub struct Outcome {
     pub quality: Quality,
     /// Whether keys are compared.
     pub keys: bool,
-    /// The first quartile of the exhaustive frames' times over that of this quality's. Other programs lengthen the times of the
-    /// slower frames, so the first quartile is more stable than the median.
+    /// The first quartile of the exhaustive frames' times over that of this quality's.
     pub speedup: f64,
     #[serde(flatten)]
     pub accuracy: Accuracy,
@@ -54,23 +52,17 @@ impl AsRef<Accuracy> for Outcome {
 }
 
 impl Outcome {
-    /// The results for a point with at least one timed frame of `area` pixels.
-    pub fn of(tally: &Tally, area: usize) -> Self {
-        let Point {
-            name,
-            dials,
-            sweep,
-            quality,
-        } = tally.point.clone();
+    /// The results for a point with at least one frame of `area` pixels, beside exhaustive frames.
+    pub fn of(point: Point, area: usize, run: &Run, exhaustive: &Run) -> Self {
         Self {
-            name,
-            dials,
-            sweep,
-            quality,
-            keys: tally.point.has_keys(),
-            speedup: percentile(&tally.exhaustive_times, 25) / percentile(&tally.times, 25),
-            accuracy: Accuracy::of(area, &tally.counts, &tally.differences, &tally.seen),
-            missed_objects: tally.missed as f64 / tally.differences.len() as f64,
+            keys: point.has_keys(),
+            name: point.name,
+            dials: point.dials,
+            sweep: point.sweep,
+            quality: point.quality,
+            speedup: exhaustive.quartile() / run.quartile(),
+            accuracy: Accuracy::of(area, run),
+            missed_objects: run.missed as f64 / run.differences.len() as f64,
             on_front: false,
         }
     }

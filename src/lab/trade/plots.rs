@@ -237,7 +237,7 @@ fn tenths() -> Vec<f64> {
 fn lines(curves: &[Curve]) -> Vec<Series> {
     let lines = curves.iter();
     lines
-        .map(|curve| line(curve.name, colour(curve.name), curve.points.clone()))
+        .map(|curve| line(&curve.name, colour(&curve.name), curve.points.clone()))
         .collect()
 }
 

@@ -83,69 +83,43 @@ pub fn points(quick: bool) -> Vec<Point> {
 fn single_dials() -> Vec<(&'static str, Quality)> {
     let (played, thesis) = (Quality::DEFAULT, Quality::THESIS);
     let mut dials = Vec::new();
+    let mut turn = |sweep, mut quality, change: &dyn Fn(&mut Quality)| {
+        change(&mut quality);
+        dials.push((sweep, quality));
+    };
     for square in SQUARES {
-        dials.push(("square", Quality { square, ..played }));
-        dials.push(("square, thesis", Quality { square, ..thesis }));
+        turn("square", played, &|it| it.square = square);
+        turn("square, thesis", thesis, &|it| it.square = square);
     }
     for quality in [played, thesis] {
-        let guarded = false;
-        dials.push(("guard", Quality { guarded, ..quality }));
+        turn("guard", quality, &|it| it.guarded = false);
     }
-    for (key_depth, state_depth) in COMPARED {
-        let quality = Quality {
-            key_depth,
-            state_depth,
-            ..thesis
-        };
-        dials.push(("key", quality));
+    for depths in COMPARED {
+        turn("key", thesis, &|it| (it.key_depth, it.state_depth) = depths);
     }
     for highlight in HIGHLIGHTS {
-        dials.push((
-            "highlight",
-            Quality {
-                highlight,
-                ..thesis
-            },
-        ));
+        turn("highlight", thesis, &|it| it.highlight = highlight);
     }
-    for (tolerance_agreeing, tolerance_differing) in KEYED {
-        let quality = Quality {
-            tolerance_agreeing,
-            tolerance_differing,
-            ..thesis
-        };
-        dials.push(("tolerance, thesis", quality));
+    for tolerances in KEYED {
+        turn("tolerance, thesis", thesis, &|it| {
+            (it.tolerance_agreeing, it.tolerance_differing) = tolerances;
+        });
     }
     for tolerance in TOLERANCES {
         let quality = within(8, tolerance, &played);
-        dials.push(("tolerance", quality));
-        let tolerance_differing = tolerance;
-        dials.push((
-            "colours alone",
-            Quality {
-                tolerance_differing,
-                ..quality
-            },
-        ));
+        turn("tolerance", quality, &|_| {});
+        turn("colours alone", quality, &|it| {
+            it.tolerance_differing = tolerance
+        });
     }
-    for tolerance_side in [0.0, 3.0, 5.0, 10.0, 16.0] {
-        dials.push((
-            "side",
-            Quality {
-                tolerance_side,
-                ..played
-            },
-        ));
+    for tolerance in [0.0, 3.0, 5.0, 10.0, 16.0] {
+        turn("side", played, &|it| it.tolerance_side = tolerance);
     }
     for depth in 0..=Quality::MAX_DEPTH {
-        dials.push(("depth", Quality { depth, ..played }));
+        turn("depth", played, &|it| it.depth = depth);
     }
-    for least_contribution in CONTRIBUTIONS {
-        let quality = Quality {
-            least_contribution,
-            ..played
-        };
-        dials.push(("contribution", quality));
+    for least in CONTRIBUTIONS {
+        turn("contribution", played, &|it| it.least_contribution = least);
     }
     dials
 }
