@@ -255,16 +255,12 @@ fn samples(text: &str) -> Result<usize, String> {
 
 /// Parses a share.
 fn share(text: &str) -> Result<f32, String> {
-    let number = text.parse().ok();
-    number
-        .filter(|share| (0.0..=1.0).contains(share))
-        .ok_or_else(|| "takes a share from 0 to 1, such as 0.5".to_owned())
+    let is_share = |share: &f32| (0.0..=1.0).contains(share);
+    arguments::parsed(text, is_share, "a share from 0 to 1, such as 0.5")
 }
 
 /// Parses a length above 0.
 fn length(text: &str) -> Result<f32, String> {
-    let number = text.parse().ok();
-    number
-        .filter(|&length: &f32| length > 0.0 && length <= MAX_LENGTH)
-        .ok_or_else(|| "takes a length in scene units, above 0".to_owned())
+    let is_length = |&length: &f32| length > 0.0 && length <= MAX_LENGTH;
+    arguments::parsed(text, is_length, "a length in scene units, above 0")
 }

@@ -62,15 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     output::write(&folder.join("sheet.png"), &png)
 }
 
-/// A frame, exhaustive and by the quality, each with its trace.
-struct Frames {
-    exhaustive: Vec<u32>,
-    /// The trace of the exhaustive frame.
-    all: FrameTrace,
-    picture: Vec<u32>,
-    trace: FrameTrace,
-}
-
+/// The figures of the frame that is asked for.
 fn draw(arguments: &Arguments) -> Vec<Figure> {
     let Size { width, height } = arguments.size;
     let mut renderer = ThreadedRenderer::new(arguments::processors());
@@ -90,25 +82,9 @@ fn draw(arguments: &Arguments) -> Vec<Figure> {
     };
     let (exhaustive, all) = draw(&arguments.quality.quality.reference());
     let (picture, trace) = draw(&arguments.quality.quality);
-    let frames = Frames {
-        exhaustive,
-        all,
-        picture,
-        trace,
-    };
-    figures(width, &frames)
-}
-
-fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
-    let Frames {
-        exhaustive,
-        all,
-        picture,
-        trace,
-    } = frames;
-    let over = |draw: &dyn Fn(&mut [u32])| {
+    let over = |mark: &dyn Fn(&mut [u32])| {
         let mut pixels = picture.clone();
-        draw(&mut pixels);
+        mark(&mut pixels);
         pixels
     };
     let area = picture.len() as f64;
@@ -116,8 +92,8 @@ fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
     let rays = |trace: &FrameTrace| trace.rays().map(u64::from).sum::<u64>() as f64;
     let most = all.rays().max().unwrap_or(1);
     let squares = trace.squares().count();
-    let difference = Difference::between(exhaustive, picture);
-    let flip = Flip::between(width, exhaustive, picture);
+    let difference = Difference::between(&exhaustive, &picture);
+    let flip = Flip::between(width, &exhaustive, &picture);
     let errors = flip.errors.iter();
     vec![
         Figure::new(
@@ -141,14 +117,14 @@ fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
         Figure::new(
             "rays",
             "Rays of each point traced",
-            format!("{:.1} % of all rays", 100.0 * rays(trace) / rays(all)),
+            format!("{:.1} % of all rays", 100.0 * rays(&trace) / rays(&all)),
             over(&|pixels| trace.draw_heat(pixels, most)),
         )
         .up_to(most),
         Figure::new(
             "rays-exhaustive",
             "Rays of each pixel, every pixel traced",
-            format!("{:.1} rays a pixel", rays(all) / area),
+            format!("{:.1} rays a pixel", rays(&all) / area),
             over(&|pixels| all.draw_heat(pixels, most)),
         )
         .up_to(most),

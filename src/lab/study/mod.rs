@@ -91,13 +91,9 @@ fn sections(arguments: &Arguments) -> Vec<Section> {
     };
     let end = scene.length();
     let section = |title, says, command: String, flag, pictures| {
-        let mut words: Vec<String> = command.split(' ').map(str::to_owned).collect();
-        words.splice(1..1, ["--scene".to_owned(), scene.to_string()]);
-        let step = Step {
-            words,
-            flag,
-            pictures,
-        };
+        let mut step = Step::new(&command, flag, pictures);
+        let shown = ["--scene".to_owned(), scene.to_string()];
+        step.words.splice(1..1, shown);
         Section { title, says, step }
     };
     vec![

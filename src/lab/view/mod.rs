@@ -96,8 +96,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 
 /// Parses a time in the show.
 fn from_start(text: &str) -> Result<f32, String> {
-    let seconds = arguments::seconds(text).ok();
-    seconds
-        .filter(|&seconds| seconds >= 0.0)
-        .ok_or_else(|| "takes seconds from 0 on, such as 2.5".to_owned())
+    let is_time = |&time: &f32| time.is_finite() && time >= 0.0;
+    arguments::parsed(text, is_time, "seconds from 0 on, such as 2.5")
 }

@@ -16,6 +16,21 @@ use std::fs;
 use std::path::Path;
 use std::process::Output;
 
+/// The size of the pictures.
+const SIZE: Size = Size {
+    width: 24,
+    height: 18,
+};
+
+fn sampling(count: usize) -> Sampling {
+    Sampling {
+        count,
+        sequence: Sequence::Sobol,
+        seed: 9,
+        is_antialiased: true,
+    }
+}
+
 /// `lab truth` of a small picture of the model scene.
 fn truth(out: &Path, more: &[&str]) -> Output {
     let out = out.to_str().expect("a plain name");
@@ -85,30 +100,21 @@ fn a_film_that_was_saved_goes_on_to_the_same_bits() {
     let folder = tempfile::tempdir().expect("a folder");
     let name = folder.path().join("film");
     let scene = SceneName::Model.without_overlay(1.0);
-    let size = Size {
-        width: 20,
-        height: 15,
-    };
-    let world = World::new(&scene, size.width, size.height, false);
-    let sampling = Sampling {
-        count: 4,
-        sequence: Sequence::Sobol,
-        seed: 9,
-        is_antialiased: true,
-    };
+    let world = World::new(&scene, SIZE.width, SIZE.height, false);
+    let sampling = sampling(4);
     let expose = |film: &mut Film, count| {
         film.expose(&world, Effects::TRUTH, &sampling, count, &|| {});
     };
-    let mut whole = Film::new(size);
+    let mut whole = Film::new(SIZE);
     (1..=4).for_each(|count| expose(&mut whole, count));
-    let mut part = Film::new(size);
+    let mut part = Film::new(SIZE);
     expose(&mut part, 1);
     // It was interrupted when some rows had a second sample.
     let mut ahead = part.clone();
     expose(&mut ahead, 2);
     part.rows[3..9].clone_from_slice(&ahead.rows[3..9]);
     state::save(&name, "it", &part).expect("it is saved");
-    let load = |made, count| state::load(&name, made, size, count).expect("it is whole");
+    let load = |made, count| state::load(&name, made, SIZE, count).expect("it is whole");
     let mut loaded = load("it", 4).expect("it is there");
     assert!(loaded == part);
     (2..=4).for_each(|count| expose(&mut loaded, count));
@@ -122,11 +128,7 @@ fn a_damaged_film_is_refused_in_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("truth.png");
     let name = state::beside(&out);
-    let size = Size {
-        width: 24,
-        height: 18,
-    };
-    state::save(&name, "it", &Film::new(size)).expect("it is saved");
+    state::save(&name, "it", &Film::new(SIZE)).expect("it is saved");
     let whole = fs::read(&name).expect("a file");
     // Foreign bytes in its middle or its first line, and a lost end.
     let changed = |from: usize, to: usize| {
@@ -165,17 +167,9 @@ fn a_film_of_another_scene_does_not_go_on() {
     let [calm, rough] = [&calm, &rough].map(|scene| {
         let picture = Picture {
             scene,
-            size: Size {
-                width: 24,
-                height: 18,
-            },
+            size: SIZE,
             effects: Effects::TRUTH,
-            sampling: Sampling {
-                count: 1,
-                sequence: Sequence::Sobol,
-                seed: 9,
-                is_antialiased: true,
-            },
+            sampling: sampling(1),
         };
         let kept = picture
             .draw_resumably(&pool, &out, true)
