@@ -83,45 +83,34 @@ fn losses(
     draw: &impl Fn(&str, Effects) -> Result<Vec<Estimate>>,
 ) -> Result<Vec<Loss>> {
     let exhaustive = real_time(truth, &Quality::EXHAUSTIVE);
-    let mut losses = vec![Loss {
-        name: "real-time",
-        title: "All of it: the real-time model",
-        with: whole.to_vec(),
-        without: exhaustive.clone(),
-    }];
+    let loss = |name, title, with: &[u32], without| Loss {
+        name,
+        title,
+        with: with.to_vec(),
+        without,
+    };
+    let all = "All of it: the real-time model";
+    let mut losses = vec![loss("real-time", all, whole, exhaustive.clone())];
     for (name, title) in LEFT_OUT {
         let effect = Effects::NAMES.iter().position(|known| *known == name);
         let effects = Effects::TRUTH.with(effect.context("an effect's name")?, false);
-        losses.push(Loss {
-            name,
-            title,
-            with: whole.to_vec(),
-            without: pixels(&draw(name, effects)?),
-        });
+        losses.push(loss(name, title, whole, pixels(&draw(name, effects)?)));
     }
     let falloff = Effects {
         falloff: true,
         ..Effects::TRUTH
     };
-    losses.push(Loss {
-        name: "falloff",
-        title: "Falloff of lamps, added to the truth",
-        with: whole.to_vec(),
-        without: pixels(&draw("falloff", falloff)?),
-    });
-    losses.push(Loss {
-        name: "edges",
-        title: "Antialiasing: one sample a pixel instead",
-        with: pixels(&draw("edges", Effects::NONE)?),
-        without: exhaustive,
-    });
-    losses.push(Loss {
-        name: "squares",
-        title: "Every pixel traced: adaptive squares instead",
-        // Both with smooth edges.
-        with: real_time(truth, &Quality::DEFAULT.reference()),
-        without: real_time(truth, &Quality::DEFAULT),
-    });
+    let falloff = pixels(&draw("falloff", falloff)?);
+    let title = "Falloff of lamps, added to the truth";
+    losses.push(loss("falloff", title, whole, falloff));
+    let smooth = pixels(&draw("edges", Effects::NONE)?);
+    let title = "Antialiasing: one sample a pixel instead";
+    losses.push(loss("edges", title, &smooth, exhaustive));
+    // Both with smooth edges.
+    let [traced, filled] = [Quality::DEFAULT.reference(), Quality::DEFAULT];
+    let [traced, filled] = [traced, filled].map(|quality| real_time(truth, &quality));
+    let title = "Every pixel traced: adaptive squares instead";
+    losses.push(loss("squares", title, &traced, filled));
     Ok(losses)
 }
 

@@ -123,30 +123,6 @@ fn no_point_of_the_front_is_beaten_by_another() {
     assert!(rows.iter().filter(|row| row["on_front"] == true).count() > 2);
 }
 
-#[test]
-fn errors_are_those_that_bench_measures() {
-    let json = json(TRADE.1.path());
-    let bench = printed(&format!(
-        "bench --jagged --quality default --json - {FRAMES}"
-    ));
-    let bench: Vec<Value> = serde_json::from_str(&bench).expect("JSON");
-    let mut points = json["points"].as_array().expect("rows").iter();
-    let row = points
-        .find(|row| row["name"] == "default")
-        .expect("the default");
-    for key in [
-        "traced_fraction",
-        "psnr_db",
-        "psnr_worst_db",
-        "pixels_over_8",
-        "pops",
-        "flip_mean",
-    ] {
-        let pair = [row, &bench[1]].map(|row| row[key].as_f64().expect("a number"));
-        assert!((pair[0] - pair[1]).abs() < 1e-9, "{key}: {pair:?}");
-    }
-}
-
 #[cfg(unix)]
 #[test]
 fn what_is_done_before_a_signal_is_written_whole() {

@@ -1,21 +1,14 @@
 //! A signal that asks for the end leaves no part of a file and no other program behind.
 
-use super::{files, flags};
+use super::{files, flags, write_ffmpeg};
 use crate::{assert_one_line, signal};
 use eightfold_stage::reader::read_png;
 use std::fs;
-use std::os::unix::{fs::PermissionsExt, process::CommandExt};
+use std::os::unix::process::CommandExt;
 use std::path::Path;
 use std::process::{Child, Command};
 use std::thread::sleep;
 use std::time::Duration;
-
-/// Writes a program that stands for ffmpeg into a folder.
-fn write_ffmpeg(folder: &Path, script: &str) {
-    let ffmpeg = folder.join("ffmpeg");
-    fs::write(&ffmpeg, format!("#!/bin/sh\n{script}\n")).unwrap();
-    fs::set_permissions(&ffmpeg, fs::Permissions::from_mode(0o755)).unwrap();
-}
 
 /// Starts a capture of far too many frames as a group of processes, with the programs of a folder before others.
 fn start(arguments: &str, programs: &Path) -> Child {

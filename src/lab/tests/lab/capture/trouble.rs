@@ -1,11 +1,10 @@
 //! Bad input, full disks and closed pipes lead to one line of explanation and no broken files.
 
-use super::{capture, files, flags};
+use super::{capture, files, flags, write_ffmpeg};
 use crate::assert_one_line;
 use eightfold_stage::lacks;
 use std::fs;
 use std::io::Read;
-use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 /// Captures with a limit on the size of files, in KiB. The signal for exceeding it is ignored.
@@ -145,9 +144,7 @@ fn without_ffmpeg_it_says_how_to_get_it() {
 #[test]
 fn a_video_that_ffmpeg_cannot_make_is_named_in_one_line() {
     let folder = tempfile::tempdir().unwrap();
-    let ffmpeg = folder.path().join("ffmpeg");
-    fs::write(&ffmpeg, "#!/bin/sh\necho 'no such encoder' >&2\nexit 3\n").unwrap();
-    make_executable(&ffmpeg);
+    write_ffmpeg(folder.path(), "echo 'no such encoder' >&2; exit 3");
     let video = folder.path().join("show.mp4");
     let output = Command::new(env!("CARGO_BIN_EXE_lab"))
         .args(flags(&format!("--video {} --to 99", video.display())))
@@ -156,9 +153,4 @@ fn a_video_that_ffmpeg_cannot_make_is_named_in_one_line() {
         .unwrap();
     assert_one_line(&output, 1, &["show.mp4", "no such encoder"]);
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
-}
-
-fn make_executable(file: &Path) {
-    use std::os::unix::fs::PermissionsExt;
-    fs::set_permissions(file, fs::Permissions::from_mode(0o755)).unwrap();
 }
