@@ -41,7 +41,7 @@ pub fn at(time: f32, scene: &mut Scene) {
     let bars_left = act.bars() as f32 - bar;
     transition(BEATS * f32::min(2.0 * bar, 4.0 * bars_left), scene);
     // Fade out at the end of the show.
-    scene.fade = smooth_step((time - LENGTH) / FADE_OUT + 1.0);
+    scene.exposure = 1.0 - smooth_step((time - LENGTH) / FADE_OUT + 1.0);
 }
 
 /// Has a scene begin and end with squares of 32 pixels. `halvings` is how often they have been halved since the scene began, or

@@ -117,7 +117,7 @@ impl<'a> Oracle<'a> {
     pub fn trace(&self, x: isize, y: isize) -> Traced {
         let ray = self.primary_ray(x, y);
         let mut traced = Traced::default();
-        let weight = 1.0 - self.scene.fade;
+        let weight = self.scene.exposure;
         let light = f64::from(weight) * self.follow(ray, weight, 1, &mut traced);
         traced.colour = self.exposed(light, x, y);
         traced

@@ -72,7 +72,7 @@ impl World {
             sky: scene.sky.as_dvec3(),
             haze: scene.haze.into(),
             ambient: scene.ambient.as_dvec3(),
-            brightness: 1.0 - f64::from(scene.fade),
+            brightness: scene.exposure.into(),
             plane,
             blur: BLUR * plane.pixel * f64::from(sight),
         }

@@ -104,7 +104,7 @@ pub(crate) struct Prepared {
     has_patterns: bool,
     /// Whether any object is a block, or has a pattern or grooves.
     has_details: bool,
-    /// The weight of primary rays: below 1 where the picture is faded.
+    /// The weight of primary rays: the exposure.
     pub weight: f32,
 }
 
@@ -222,7 +222,7 @@ impl Prepared {
         self.axes.set(&self.raster, width, height);
         self.move_samples(offset);
         self.solids = scene.solids();
-        self.weight = 1.0 - scene.fade;
+        self.weight = scene.exposure;
         self.lamp_count = scene.lights.len();
         self.plane_count = scene.planes.len();
         self.tree.set(scene);

@@ -49,7 +49,7 @@ pub const MAX_COPPER_BARS: usize = 16;
 /// The most letters in a caption. The longest in the show has 32.
 pub const MAX_LETTERS: usize = 32;
 
-const FADE: Range = Range::new(-10.0, 1.0, "-10 to 1");
+const EXPOSURE: Range = Range::new(0.0, 11.0, "0 to 11");
 const EXPONENT: Range = Range::new(1.0, 1000.0, "1 to 1000");
 const INDEX: Range = Range::new(0.1, 10.0, "0.1 to 10");
 /// Those of an extent, or 0.
@@ -72,8 +72,8 @@ fields! {
         /// The density of the haze, in 1 / scene units, 0 to 1000; 0 is clear air. Over a distance t a surface's light fades to the
         /// share `1 / (1 + (haze t)^2)`, and the background makes up for the rest.
         haze: f32 = 0.0, in THOUSAND;
-        /// How far the picture is faded to black, -10 to 1: 0 leaves it as it is, 1 is black, negative values brighten it.
-        fade: f32 = 0.0, in FADE;
+        /// The factor on all light of the picture, 0 to 11: 0 is black, 1 leaves it as it is, more brightens it.
+        exposure: f32 = 1.0, in EXPOSURE;
         /// How light becomes the picture's colours.
         film: Film = Film::PLAIN;
         /// Ambient light, which reaches every surface equally.

@@ -273,7 +273,7 @@ pub struct Rich {
     floor: Material,
     sky: Vec3A,
     haze: f32,
-    fade: f32,
+    exposure: f32,
     film: Film,
     water: Waves,
 }
@@ -290,7 +290,7 @@ impl Rich {
             lights: List::of(&self.lights),
             sky: self.sky - scene.background,
             haze: self.haze,
-            fade: self.fade,
+            exposure: self.exposure,
             film: self.film,
             water: self.water,
             ..scene
@@ -328,18 +328,18 @@ pub fn rich() -> impl Strategy<Value = Rich> {
         vec(block(), 0..8),
         vec(any_light(), 0..=3),
         (painted(), colour()),
-        (prop_oneof![Just(0.0_f32), 0.01_f32..0.1], -0.2_f32..0.9),
+        (prop_oneof![Just(0.0_f32), 0.01_f32..0.1], 0.1_f32..1.2),
         (film(), water()),
     )
         .prop_map(
-            |(sketch, blocks, lights, (floor, sky), (haze, fade), (film, water))| Rich {
+            |(sketch, blocks, lights, (floor, sky), (haze, exposure), (film, water))| Rich {
                 sketch,
                 blocks,
                 lights,
                 floor,
                 sky,
                 haze,
-                fade,
+                exposure,
                 film,
                 water,
             },

@@ -148,7 +148,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
     }
     scene.sky = random.vector(Vec3A::ZERO, Vec3A::splat(0.5));
     scene.haze = random.between(0.0, 0.2) / scale;
-    scene.fade = random.between(-0.5, 1.0);
+    scene.exposure = random.between(0.0, 1.5);
     scene.film = Film {
         shoulder: random.between(0.0, 1.0),
         vignette: random.between(0.0, 1.0),
@@ -193,7 +193,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         lights,
         sky,
         haze,
-        fade,
+        exposure,
         film,
         water,
         ..
@@ -210,7 +210,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         &mut camera.field_of_view,
         &mut sky[a % 3],
         haze,
-        fade,
+        exposure,
         &mut film.shoulder,
         &mut film.vignette,
         &mut film.dither,

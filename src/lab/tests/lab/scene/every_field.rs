@@ -89,7 +89,7 @@ pub fn scene(time: f32) -> Scene {
         background: vec3a(8.569552, 5.5138245, 2.458096),
         sky: vec3a(7.53225, 4.629308, 1.7263664),
         haze: 6.2351847,
-        fade: -6.5025983,
+        exposure: 3.179456,
         film: Film {
             shoulder: 0.8123728,
             vignette: 0.5068,
