@@ -127,12 +127,14 @@
 #[cfg(feature = "std")]
 extern crate std;
 
-// Leaves: what needs hardly another module.
-mod counts;
+// Leaves: what needs no other module.
 mod flaw;
 pub mod font;
 mod lanes;
 pub mod maths;
+
+// Where it is drawn, and what it took.
+mod counts;
 mod picture;
 
 // What is drawn.
