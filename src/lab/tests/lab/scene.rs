@@ -116,6 +116,10 @@ fn assert_is_compiled(name: &str, file: &Path) {
     let text = printed(&format!("scene --rust {}", file.display()));
     let made = format!("Made of {}", file.display());
     let text = text.replace(&made, &format!("Made of {name}.ron"));
+    // The functions that interpolate are those of the lab.
+    let (scene, keys) = text.split_once("mod keys {").expect("functions");
+    assert!(keys.contains("pub fn spline<"), "{keys}");
+    let text = format!("{scene}#[path = \"../../../scene_file/keys.rs\"]\nmod keys;\n");
     let known = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/lab/scene/{name}.rs"));
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
         fs::write(&known, &text).expect("it can be written");
