@@ -8,6 +8,7 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3A;
 use eightfold_tracer::scene::{Light, List, Material, Scene, Waves};
 use eightfold_window::cpu;
+use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
@@ -109,8 +110,9 @@ impl EffectCounter {
         });
         let unlit = self.draw(&without_lamps(scene), Quality::EXHAUSTIVE);
         let oracle = Oracle::new(scene, &Quality::EXHAUSTIVE, self.width, self.height);
-        let at = |i: usize| oracle.object_at((i % self.width) as isize, (i / self.width) as isize);
-        let hosts: Vec<Object> = (0..whole.len()).map(at).collect();
+        let width = self.width;
+        let at = |i: usize| oracle.object_at((i % width) as isize, (i / width) as isize);
+        let hosts: Vec<Object> = (0..whole.len()).into_par_iter().map(at).collect();
         for thing in things(scene) {
             let rest = without(scene, thing);
             let without = self.draw(&rest, Quality::EXHAUSTIVE);

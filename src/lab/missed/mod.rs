@@ -17,6 +17,7 @@ use effects::{Counts, EffectCounter, Kind};
 use eightfold_oracle::{Object, Oracle};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -153,14 +154,12 @@ impl Visible {
     /// Finds out what the centre of each pixel of a frame shows. The background does not count as an object.
     pub fn new(scene: &Scene, width: usize, height: usize) -> Self {
         let oracle = Oracle::new(scene, &Quality::EXHAUSTIVE, width, height);
+        let at = |i: usize| oracle.object_at((i % width) as isize, (i / width) as isize);
+        let objects: Vec<Object> = (0..width * height).into_par_iter().map(at).collect();
         let mut pixels: BTreeMap<Object, Vec<u32>> = BTreeMap::new();
-        for y in 0..height {
-            for x in 0..width {
-                let object = oracle.object_at(x as isize, y as isize);
-                if object != Object::Background {
-                    let pixel = (y * width + x) as u32;
-                    pixels.entry(object).or_default().push(pixel);
-                }
+        for (i, object) in objects.into_iter().enumerate() {
+            if object != Object::Background {
+                pixels.entry(object).or_default().push(i as u32);
             }
         }
         Self { pixels }
