@@ -157,9 +157,10 @@ impl View {
         self.pause();
     }
 
-    /// Waits for some frames.
+    /// Waits for some frames: for many where the pointer is asked for once a frame instead of being heard.
     fn pause(&self) {
-        std::thread::sleep(std::time::Duration::from_millis(120));
+        let milliseconds = if is_portable() { 120 } else { 40 };
+        std::thread::sleep(std::time::Duration::from_millis(milliseconds));
     }
 
     /// Waits until the window shows the given picture.
