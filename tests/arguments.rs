@@ -12,7 +12,6 @@ fn bad_arguments_are_named_in_one_line() {
         (&["--bogus"], "--bogus"),
         (&["bogus"], "bogus"),
         (&[""], "--help"),
-        (&["-h"], "-h"),
         (&["--sizes", "10x10"], "--sizes"),
         (&["--silen"], "--silen"),
         (&["--silent  play no sound"], "--silent  play no sound"),
