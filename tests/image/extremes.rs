@@ -149,10 +149,14 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, Range, &mut f32)> {
     all
 }
 
-/// The model scene with a box, a cylinder and a large spotlight.
+/// The model scene with a block of each shape and a large spotlight.
 fn rich() -> Scene {
     let mut scene = show::model_scene(1.0);
-    for (shape, x) in [(Shape::Box, -3.5), (Shape::Cylinder, 3.8)] {
+    for (shape, x) in [
+        (Shape::Box, -3.5),
+        (Shape::Cylinder, 3.8),
+        (Shape::Capsule, 5.0),
+    ] {
         scene.blocks.push(Block {
             centre: vec3a(x, 0.8, -1.0),
             half: vec3a(0.4, 0.8, 0.4),

@@ -198,9 +198,12 @@ fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
         });
         scene
     };
-    let scenes: [&dyn Fn(f32) -> Scene; 3] = [&sphere, &|r| block(r, Shape::Box), &|r| {
-        block(r, Shape::Cylinder)
-    }];
+    let scenes: [&dyn Fn(f32) -> Scene; 4] = [
+        &sphere,
+        &|r| block(r, Shape::Box),
+        &|r| block(r, Shape::Cylinder),
+        &|r| block(r, Shape::Capsule),
+    ];
     for scene in scenes {
         for isa in cpu::instruction_sets() {
             let picture = |r| draw(isa, 1, &scene(r), &Quality::EXHAUSTIVE, 96, 72).pixels;

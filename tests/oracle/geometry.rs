@@ -115,7 +115,7 @@ pub enum Shape {
         half_x: f64,
         half_z: f64,
     },
-    /// A box, or a cylinder about its own y axis.
+    /// A box, or a cylinder or a capsule about its own y axis.
     Block {
         centre: DVec3,
         half: DVec3,
@@ -226,6 +226,7 @@ impl Shape {
                 let met = match shape {
                     BlockShape::Box => cuboid(own, half),
                     BlockShape::Cylinder => cylinder(own, half),
+                    BlockShape::Capsule => capsule(own, half),
                 };
                 met.map(|met| Met {
                     normal: axes * met.normal,
@@ -250,6 +251,7 @@ impl Shape {
                 let flat: &[usize] = match shape {
                     BlockShape::Box => &[0, 1, 2],
                     BlockShape::Cylinder => &[1],
+                    BlockShape::Capsule => &[],
                 };
                 (centre, half, axes, flat)
             }
@@ -268,7 +270,7 @@ impl Shape {
             Self::Sphere { .. } | Self::Plane { .. } => true,
             Self::Block { shape, .. } => match shape {
                 BlockShape::Box => true,
-                BlockShape::Cylinder => false,
+                BlockShape::Cylinder | BlockShape::Capsule => false,
             },
         }
     }
@@ -410,6 +412,35 @@ fn cylinder(ray: Ray, half: DVec3) -> Option<Met> {
         let p = ray.at(t);
         if p.y.abs() <= half.y {
             add(t, p.with_y(0.0) / half.x);
+        }
+    }
+    nearest
+}
+
+/// Where a ray meets a capsule about the y axis through the origin: its side, or the outer half of a sphere at either end.
+fn capsule(ray: Ray, half: DVec3) -> Option<Met> {
+    let end = half.y - half.x;
+    let mut nearest: Option<Met> = None;
+    let mut add = |t: f64, normal: DVec3| {
+        if t > ray.slack && nearest.is_none_or(|met| t < met.t) {
+            nearest = Some(Met { t, normal });
+        }
+    };
+    let (o, d) = (ray.o.with_y(0.0), ray.d.with_y(0.0));
+    for t in crossings(o, d, half.x, ray.slack).into_iter().flatten() {
+        let p = ray.at(t);
+        if p.y.abs() < end {
+            add(t, p.with_y(0.0) / half.x);
+        }
+    }
+    for side in [-1.0, 1.0] {
+        let centre = side * end * DVec3::Y;
+        let o = ray.o - centre;
+        for t in crossings(o, ray.d, half.x, ray.slack).into_iter().flatten() {
+            let out = ray.at(t) - centre;
+            if side * out.y >= 0.0 {
+                add(t, out / half.x);
+            }
         }
     }
     nearest

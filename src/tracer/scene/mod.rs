@@ -1,4 +1,5 @@
-//! The scene description: a camera, spheres, planes, boxes and cylinders with their materials, lights, captions and copper bars.
+//! The scene description: a camera, spheres, planes, boxes, cylinders and capsules with their materials, lights, captions and copper
+//! bars.
 //!
 //! Coordinates are right-handed with y up. Lengths are in scene units, angles in radians, colours in linear RGB with 1 as the
 //! brightest that is shown. [`Scene::validate`] checks that every number is in the range that its documentation gives.
@@ -35,9 +36,9 @@ use validate::{COLOUR, COSINE, EXTENT, LENGTH, POINT, SHARE, SHARES, THOUSAND, U
 pub const MAX_SPHERES: usize = 320;
 /// The most planes in a scene.
 pub const MAX_PLANES: usize = 8;
-/// The most boxes and cylinders in a scene.
+/// The most blocks in a scene: boxes, cylinders and capsules.
 pub const MAX_BLOCKS: usize = 64;
-/// The most solids in a scene: spheres, boxes and cylinders.
+/// The most solids in a scene: spheres and blocks.
 pub(crate) const MAX_SOLIDS: usize = MAX_SPHERES + MAX_BLOCKS;
 /// The most lights in a scene.
 pub const MAX_LIGHTS: usize = 4;
@@ -86,7 +87,7 @@ fields! {
         planes: List<Plane, MAX_PLANES> = Part::ZERO;
         /// The waves on the first plane.
         water: Waves = Waves::CALM;
-        /// Boxes and cylinders.
+        /// Boxes, cylinders and capsules.
         blocks: List<Block, MAX_BLOCKS> = Part::ZERO;
         /// Lights.
         lights: List<Light, MAX_LIGHTS> = Part::ZERO;
@@ -107,7 +108,7 @@ impl Scene {
         zenith.to_array().into_iter().all(|c| COLOUR.holds(c))
     }
 
-    /// The number of spheres, boxes and cylinders.
+    /// The number of spheres and blocks.
     pub(crate) fn solids(&self) -> usize {
         self.spheres.len() + self.blocks.len()
     }
@@ -193,6 +194,8 @@ pub enum Shape {
     Box,
     /// A cylinder about the block's own y axis.
     Cylinder,
+    /// A cylinder about the block's own y axis, with a half sphere at each end.
+    Capsule,
 }
 
 fields! {

@@ -198,15 +198,9 @@ fn painted() -> impl Strategy<Value = Material> {
     })
 }
 
-/// A box or a cylinder.
+/// A box, a cylinder or a capsule.
 pub fn shape() -> impl Strategy<Value = Shape> {
-    any::<bool>().prop_map(|is_round| {
-        if is_round {
-            Shape::Cylinder
-        } else {
-            Shape::Box
-        }
-    })
+    proptest::sample::select(&[Shape::Box, Shape::Cylinder, Shape::Capsule][..])
 }
 
 /// A block's extent that fits its shape.
@@ -214,10 +208,11 @@ pub fn fitting(shape: Shape, half: Vec3A) -> Vec3A {
     match shape {
         Shape::Box => half,
         Shape::Cylinder => half.with_z(half.x),
+        Shape::Capsule => Vec3A::new(half.x, half.y.max(half.x), half.x),
     }
 }
 
-/// A box or a cylinder near the origin.
+/// A block near the origin.
 fn block() -> impl Strategy<Value = Block> {
     (
         point(4.0, 3.0),

@@ -113,15 +113,11 @@ pub fn scene(random: &mut Random) -> Scene {
     scene
 }
 
-/// Adds boxes, cylinders, patterns, haze and lights of all kinds to a scene of a given scale.
+/// Adds blocks, patterns, haze and lights of all kinds to a scene of a given scale.
 fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
     for _ in 0..random.below(9) {
         let half = scale * random.vector(Vec3A::splat(0.05), Vec3A::splat(1.5));
-        let shape = if random.below(2) == 0 {
-            Shape::Cylinder
-        } else {
-            Shape::Box
-        };
+        let shape = [Shape::Cylinder, Shape::Box, Shape::Capsule][random.below(3)];
         let turn = random.vector(Vec3A::splat(-3.0), Vec3A::splat(3.0));
         scene.blocks.push(Block {
             centre: scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),

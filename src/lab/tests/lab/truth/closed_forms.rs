@@ -40,7 +40,11 @@ fn nothing_is_seen_in_a_white_furnace() {
             sphere(0.0, keeping(0.0, 0.1, 0.9)),
             sphere(1.2, keeping(0.0, 1.0, 0.0)),
         ]),
-        blocks: List::of(&[block(1.4, Shape::Box), block(-1.4, Shape::Cylinder)]),
+        blocks: List::of(&[
+            block(1.4, Shape::Box),
+            block(-1.4, Shape::Cylinder),
+            block(-2.6, Shape::Capsule),
+        ]),
         planes: List::of(&[plane(
             vec3a(0.0, -0.5, 0.0),
             2.0,

@@ -66,6 +66,7 @@ fn scene(factor: f32) -> Scene {
         blocks: List::of(&[
             block(at(1.6, 0.6, -0.6), Shape::Box),
             block(at(0.2, 0.6, -1.2), Shape::Cylinder),
+            block(at(-1.6, 0.9, -1.4), Shape::Capsule),
         ]),
         lights: List::of(&[lamp(at(-3.0, 4.0, 2.0)), lamp(at(2.0, 5.0, 3.0))]),
         ..Scene::default()
