@@ -79,15 +79,17 @@ fn add(beat: f32, scene: &mut Scene) {
     add_copper_bars(beat, scene);
 }
 
-/// Adds copper bars along the upper and the lower border. They flash with the kicks of the bar before the last.
+/// Adds copper bars along the upper and the lower border in the bar before the last, whose kicks they flash with.
 fn add_copper_bars(beat: f32, scene: &mut Scene) {
-    let is_shown = (16.0..20.0).contains(&beat);
-    for middle in [0.02, 0.98] {
+    if !(16.0..20.0).contains(&beat) {
+        return;
+    }
+    for middle in [1.0 / 64.0, 63.0 / 64.0] {
         scene.copper_bars.push(CopperBar {
             middle,
-            height: 0.024,
+            height: 1.0 / 32.0,
             colour: GOLD,
-            brightness: f32::from(is_shown),
+            brightness: 1.0,
         });
     }
 }
