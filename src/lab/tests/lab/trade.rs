@@ -185,7 +185,7 @@ fn all_rows_are_antialiased_if_that_was_asked_for() {
 fn an_empty_table_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().expect("a plain name");
-    let few = "trade --scene show --quick --frames 1 --size 32x24 --out".split(' ');
+    let few = "trade --scene show --quick --frames 1 --size 16x12 --out".split(' ');
     let output = lab(&few.chain([out]).collect::<Vec<_>>());
     assert_one_line(&output, 1, &["no setting", "--size"]);
 }
