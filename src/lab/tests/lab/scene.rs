@@ -7,8 +7,8 @@ mod fields;
 mod motion;
 
 use super::{assert_one_line, lab, printed, render};
-use eightfold_lab::scene_file::{self, SceneFile};
 use eightfold_lab::scenes::SceneName;
+use eightfold_scene_file::SceneFile;
 use eightfold_stage::reader::read_png;
 use eightfold_tracer::scene::Scene;
 use std::fs;
@@ -57,7 +57,7 @@ fn a_scene_that_is_exported_is_the_same_at_its_frames() {
     for name in names {
         let name: SceneName = name.parse().expect("a scene");
         let fps = "10".parse().expect("a rate");
-        let text = scene_file::record(name, fps).expect("it can be told");
+        let text = eightfold_lab::scene::record(name, fps).expect("it can be told");
         let file = SceneFile::parse("exported.ron", &text).expect("a scene");
         assert_eq!(file.length, name.length());
         for frame in 0..fps.frames(name.length()) {

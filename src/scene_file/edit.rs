@@ -257,7 +257,7 @@ fn indent(text: &str, at: usize) -> &str {
 #[cfg(test)]
 mod tests {
     use super::{duplicate, remove, set};
-    use crate::scene_file::SceneFile;
+    use crate::SceneFile;
     use serde_json::{Value, json};
 
     const TEXT: &str = r#"Scene(
