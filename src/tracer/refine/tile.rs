@@ -7,7 +7,7 @@ use super::marks::Marks;
 use super::rough::{BLOCK, BLOCK_ROWS, EDGE};
 use super::verdict::{Rules, Verdict, growth, judge};
 use super::worker::Worker;
-use crate::observe::{Fill, Observer, Stage};
+use crate::observe::{Fill, Observer, Split, Stage};
 use crate::prepare::{Prepared, Rect, VisibleGroups};
 use crate::quality::Quality;
 use crate::scene::camera::pixels;
@@ -128,6 +128,8 @@ impl<O: Observer> Tile<'_, O> {
             marks.open[level][y] = Bits::NONE;
         }
         let squares = marks.squares[level][y] & !marks.open[level][y];
+        let open = marks.squares[level][y] & marks.open[level][y];
+        self.tell_split(level, y, open, Split::Uncovered);
         if squares.is_empty() {
             self.worker.marks.filled[level][y] = Bits::NONE;
             self.set_smooth(side, y, Bits::NONE);
@@ -157,6 +159,9 @@ impl<O: Observer> Tile<'_, O> {
                 self.tell(level, x, y, fill);
             });
         }
+        let split = squares & !(verdict.filled | patterned);
+        self.tell_split(level, y, split & verdict.agreeing, Split::Colours);
+        self.tell_split(level, y, split & !verdict.agreeing, Split::Keys);
         self.worker.marks.filled[level][y] = verdict.filled | patterned;
         self.set_smooth(side, y, verdict.filled);
     }
@@ -230,6 +235,15 @@ impl<O: Observer> Tile<'_, O> {
         }
         if O::LISTENS && part == 0 {
             split.for_each(|x| self.tell(level, x, y, Fill::Points));
+        }
+    }
+
+    /// Tells the observer of squares of a row that are split.
+    fn tell_split(&self, level: usize, y: usize, squares: Bits, why: Split) {
+        if O::LISTENS {
+            let side = self.area.side(level);
+            let [left, top] = [self.area.left, self.area.top + y * side];
+            squares.for_each(|x| self.observer.split(left + x * side, top, side, why));
         }
     }
 
