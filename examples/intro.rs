@@ -40,7 +40,7 @@ fn scene(time: f32) -> Scene {
     let mut scene = Scene::default();
     scene.camera.eye = vec3a(4.0 - 0.8 * time, 2.0, -6.0);
     scene.background = vec3a(0.1, 0.12, 0.2);
-    scene.fade = (time - LENGTH + 1.0).clamp(0.0, 1.0);
+    scene.exposure = (LENGTH - time).clamp(0.0, 1.0);
     scene.spheres.push(Sphere {
         centre: vec3a(0.0, 0.7 + 3.0 * beat * (1.0 - beat), 0.0),
         radius: 0.7,

@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let frame = Frame::new(WIDTH, HEIGHT, &mut pixels);
     let squares = Mutex::default();
     let mut renderer = Renderer::detect();
-    let (scene, quality) = (show::scene(2.0), Quality::DEFAULT);
+    let (scene, quality) = (show::model_scene(2.0), Quality::DEFAULT);
     renderer.render_observed(
         &scene,
         &quality,

@@ -72,7 +72,7 @@ fn nothing_is_allocated_while_frames_are_drawn_and_shown() {
         let mut frames = |range: std::ops::Range<u32>| {
             for frame in range {
                 let (width, height) = window.size();
-                let scene = show::scene(frame as f32 / 60.0);
+                let scene = show::model_scene(frame as f32 / 60.0);
                 let frame = Frame::new(width, height, window.canvas(width, height));
                 renderer
                     .render(&scene, &Quality::THESIS, frame, &mut threads)

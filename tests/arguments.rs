@@ -12,7 +12,6 @@ fn bad_arguments_are_named_in_one_line() {
         (&["--bogus"], "--bogus"),
         (&["bogus"], "bogus"),
         (&[""], "--help"),
-        (&["-h"], "-h"),
         (&["--sizes", "10x10"], "--sizes"),
         (&["--silen"], "--silen"),
         (&["--silent  play no sound"], "--silent  play no sound"),
@@ -109,6 +108,7 @@ fn help_and_version_are_printed() {
     ] {
         assert!(help.contains(option), "{option}: {help}");
     }
+    assert_eq!(run(headless().arg("-h")).1, help);
     let (output, version) = run(headless().arg("--version"));
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(

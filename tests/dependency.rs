@@ -1,6 +1,7 @@
-//! The tracer as it would be published: its package compiles as a dependency of a crate elsewhere, and needs nothing of the intro.
+//! What depends on the tracer: a crate elsewhere, which needs nothing of the intro for it, and the intro and the lab, which have the same one.
 
 use std::{
+    collections::BTreeSet,
     fs,
     path::{Path, PathBuf},
     process::Command,
@@ -103,4 +104,21 @@ fn its_package_has_sources_a_readme_and_licences() {
         .filter(|file| !file.starts_with(['.', 'C']))
         .collect();
     assert_eq!(others, ["LICENSE-APACHE", "LICENSE-MIT", "README.md"]);
+}
+
+/// The libraries that a package's programs are linked with, each with its version and its features.
+fn libraries(package: &str) -> BTreeSet<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let tree = run(cargo(root)
+        .args(["tree", "--package", package, "--edges", "normal"])
+        .args(["--prefix", "none", "--no-dedupe", "--format", "{p} {f}"]));
+    tree.lines().map(String::from).collect()
+}
+
+#[test]
+fn the_lab_measures_the_libraries_that_the_intro_is_linked_with() {
+    // One profile builds both, so libraries of the same features are the same file.
+    let (intro, lab) = (libraries("eightfold"), libraries("eightfold-lab"));
+    assert!(intro.len() >= 6, "{intro:?}");
+    assert!(intro.is_subset(&lab), "{:?}", intro.difference(&lab));
 }

@@ -168,7 +168,7 @@ proptest! {
         show.run(60 * 60);
         let rung = show.governor.rung();
         let psnr = show.psnr(rung);
-        prop_assert!(rung == 0 || psnr > target - 1.0, "{psnr} of {target}");
+        prop_assert!(rung == 0 || psnr > target - 2.0, "{psnr} of {target}");
         prop_assert!(rung + 1 == RUNGS || psnr - losses[rung] < target + 1.5, "{psnr} of {target}, {losses:?}");
         show.changes.clear();
         show.run(60 * 60);
@@ -214,6 +214,23 @@ proptest! {
         });
         prop_assert!(turns.count() <= 14, "{:?}", show.changes);
     }
+}
+
+/// Of any shows at any moment, as often as the doc of [`AccuracyGovernor`] says.
+#[test]
+fn a_constant_accuracy_is_held_to_one_decibel_but_for_two_shows_in_a_thousand() {
+    let mut random = 2008;
+    let mut worse = 0;
+    for _ in 0..1_000 {
+        let target = 35.0 + 15.0 * chance(&mut random);
+        let finest = target - 5.0 + 20.0 * chance(&mut random);
+        let losses = [(); RUNGS - 1].map(|()| 1.0 + 2.0 * chance(&mut random));
+        let mut show = Show::new(target, finest, losses, random);
+        show.run(60 * 60);
+        let rung = show.governor.rung();
+        worse += u32::from(rung > 0 && show.psnr(rung) < target - 1.0);
+    }
+    assert!(worse <= 2, "{worse} of 1,000");
 }
 
 #[test]

@@ -29,7 +29,7 @@ fn a_frame_is_drawn_on_two_megabytes_of_stack() {
         let frame = Frame::new(64, 48, &mut pixels);
         Renderer::new(Level::baseline())
             .render(
-                &show::scene(2.0),
+                &show::model_scene(2.0),
                 &Quality::DEFAULT,
                 frame,
                 &mut Worker::new(),

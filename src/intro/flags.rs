@@ -167,8 +167,9 @@ const _: () = {
 };
 
 impl Flag {
-    /// The flag of a given name.
+    /// The flag of a given name; `-h` stands for `--help`.
     pub fn find(name: &[u8]) -> Option<&'static Flag> {
+        let name = if name == b"-h" { b"--help" } else { name };
         FLAGS.iter().find(|flag| flag.name.as_bytes() == name)
     }
 

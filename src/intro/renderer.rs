@@ -72,8 +72,8 @@ impl ShowRenderer {
         // An f64 represents every nanosecond of the show exactly, so the time is rounded only once.
         let seconds = ((time % SHOW_NANOSECONDS) as f64 / SECOND as f64) as f32;
         show::at(seconds, self.scene);
-        self.renderer.set_probes(Renderer::PROBES, number as u32);
-        let frame = Frame::new(frame.width, frame.height, &mut *frame.pixels);
+        let frame = Frame::new(frame.width, frame.height, &mut *frame.pixels)
+            .with_probes(Renderer::PROBES, number as u32);
         self.renderer
             .render_valid(self.scene, quality, frame, &mut self.threads)
     }

@@ -5,6 +5,7 @@ use eightfold_window::cpu::{self, Isa};
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
+use std::thread::available_parallelism;
 
 /// The largest number of threads: more than a frame has bands for them.
 const MAX_THREADS: usize = 256;
@@ -135,6 +136,11 @@ pub fn instruction_set(name: &str) -> Result<Isa, String> {
     })
 }
 
+/// The number of processors.
+pub fn processors() -> usize {
+    available_parallelism().map_or(1, usize::from)
+}
+
 /// Parses a number of threads.
 pub fn threads(text: &str) -> Result<usize, String> {
     number(text, MAX_THREADS)
@@ -147,18 +153,32 @@ pub fn frames(text: &str) -> Result<usize, String> {
 
 /// Parses the number of a frame, counted from 0.
 pub fn frame(text: &str) -> Result<usize, String> {
-    let number = text.parse().ok();
-    number
-        .filter(|&n| n <= MAX_FRAMES)
-        .ok_or_else(|| format!("takes the number of a frame, 0 to {MAX_FRAMES}"))
+    let takes = format!("the number of a frame, 0 to {MAX_FRAMES}");
+    parsed(text, |&number| number <= MAX_FRAMES, &takes)
 }
 
 /// Parses a number from 1 to `most`.
 pub fn number(text: &str, most: usize) -> Result<usize, String> {
-    let number = text.parse().ok();
-    number
-        .filter(|n| (1..=most).contains(n))
-        .ok_or_else(|| format!("takes a number from 1 to {most}"))
+    let takes = format!("a number from 1 to {most}");
+    parsed(text, |number| (1..=most).contains(number), &takes)
+}
+
+/// Parses a time in seconds.
+pub fn seconds(text: &str) -> Result<f32, String> {
+    parsed(text, |time: &f32| time.is_finite(), "seconds, such as 2.5")
+}
+
+/// Parses a value that is valid.
+///
+/// # Errors
+/// A line with what the flag takes.
+pub fn parsed<T: FromStr>(
+    text: &str,
+    is_valid: impl Fn(&T) -> bool,
+    takes: &str,
+) -> Result<T, String> {
+    let value = text.parse().ok().filter(is_valid);
+    value.ok_or_else(|| format!("takes {takes}"))
 }
 
 /// Parses the name of a PNG file. Another extension than `.png` is an error, since nothing else is written.
@@ -181,12 +201,4 @@ pub fn check_span(from: f32, to: Option<f32>) -> anyhow::Result<()> {
         ))),
         _ => Ok(()),
     }
-}
-
-/// Parses a time in seconds.
-pub fn seconds(text: &str) -> Result<f32, String> {
-    let number = text.parse().ok();
-    number
-        .filter(|t: &f32| t.is_finite())
-        .ok_or_else(|| "takes seconds, such as 2.5".to_owned())
 }

@@ -70,18 +70,6 @@ impl Build {
             .with_context(|| format!("cargo does not say where it has built {name}"))
     }
 
-    /// The path of a compiled library.
-    pub fn library(&self, name: &str) -> Result<PathBuf> {
-        let files = self
-            .artifact("lib", name)
-            .and_then(|artifact| artifact["filenames"].as_array());
-        let mut files = files.into_iter().flatten().filter_map(Value::as_str);
-        files
-            .find(|file| file.ends_with(".rlib"))
-            .map(PathBuf::from)
-            .with_context(|| format!("cargo does not say where it has built lib{name}"))
-    }
-
     /// The output folder of the build script in the package of a program.
     pub fn script_folder(&self, program: &str) -> Result<PathBuf> {
         let package = self

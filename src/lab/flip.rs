@@ -4,6 +4,7 @@
 //! Images", 2020. It models a viewer who alternates between the pictures: colours are filtered by what the eye can resolve
 //! at a given distance, and differences in edges and points weigh more.
 
+use crate::picture::rgb;
 use nv_flip::{FlipImageRgb8, flip};
 
 /// Pixels per degree of the visual field: FLIP's default, for a screen of 3840 pixels on 0.7 m at a distance of 0.7 m.
@@ -52,45 +53,22 @@ impl Flip {
 pub struct Flips {
     sum: f64,
     pixels: usize,
-    /// The number of pixels by their errors' thousandths; nothing without any pictures.
-    counts: Vec<usize>,
 }
-
-/// The largest number of thousandths.
-const THOUSANDTHS: usize = 1000;
 
 impl Flips {
     /// Adds the pixels of another picture.
     pub fn add(&mut self, flip: &Flip) {
-        self.counts.resize(THOUSANDTHS + 1, 0);
-        for &error in &flip.errors {
-            self.sum += f64::from(error);
-            self.counts[((error * THOUSANDTHS as f32) as usize).min(THOUSANDTHS)] += 1;
-        }
+        self.sum += flip.mean() * flip.errors.len() as f64;
         self.pixels += flip.errors.len();
     }
 
-    /// The mean over all pixels.
+    /// The mean over all pixels; `None` without any pictures.
     pub fn mean(&self) -> Option<f64> {
         (self.pixels > 0).then(|| self.sum / self.pixels as f64)
-    }
-
-    /// The 99th percentile over all pixels, rounded down to a thousandth.
-    pub fn p99(&self) -> Option<f64> {
-        let rank = (self.pixels * 99).div_ceil(100);
-        let mut below = 0;
-        let bin = self.counts.iter().position(|count| {
-            below += count;
-            below >= rank
-        })?;
-        Some(bin as f64 / THOUSANDTHS as f64)
     }
 }
 
 fn image(width: usize, pixels: &[u32]) -> FlipImageRgb8 {
-    let bytes: Vec<u8> = pixels
-        .iter()
-        .flat_map(|pixel| pixel.to_be_bytes().into_iter().skip(1))
-        .collect();
-    FlipImageRgb8::with_data(width as u32, (pixels.len() / width) as u32, &bytes)
+    let height = pixels.len() / width;
+    FlipImageRgb8::with_data(width as u32, height as u32, &rgb(pixels))
 }

@@ -3,6 +3,7 @@
 //! This library has a module for each command of `cargo lab`, and the measures and file formats that these and the tests share.
 //! The program itself only parses the command line.
 
+pub mod accuracy;
 pub mod arguments;
 pub mod bench;
 pub mod bitmap;
@@ -12,8 +13,8 @@ pub mod error;
 pub mod figures;
 pub mod flip;
 pub mod interrupt;
-pub mod machine;
 pub mod markdown;
+pub mod measure;
 pub mod missed;
 pub mod output;
 pub mod overlay;

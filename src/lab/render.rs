@@ -8,7 +8,6 @@ use anyhow::Result;
 use clap::Args;
 use eightfold_window::cpu::{self, Isa};
 use std::path::PathBuf;
-use std::thread::available_parallelism;
 
 /// Draws one frame into a PNG file
 #[derive(Args)]
@@ -27,9 +26,9 @@ pub struct Arguments {
     /// Leaves edges jagged, whatever the quality says
     #[arg(long)]
     jagged: bool,
-    /// Threads that share the work [default: as many as there are processors]
-    #[arg(long, value_name = "N", value_parser = arguments::threads)]
-    threads: Option<usize>,
+    /// Threads that share the work
+    #[arg(long, value_name = "N", default_value_t = arguments::processors(), value_parser = arguments::threads)]
+    threads: usize,
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
@@ -40,16 +39,13 @@ pub struct Arguments {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let threads = arguments
-        .threads
-        .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
     let size = arguments.size;
     let scene = arguments.scene.at(arguments.time);
     scene.validate()?;
     let mut pixels = vec![0; size.area()];
     let mut quality = arguments.quality.quality;
     quality.antialias &= !arguments.jagged;
-    ThreadedRenderer::new(threads).draw(
+    ThreadedRenderer::new(arguments.threads).draw(
         arguments.isa.unwrap_or_else(cpu::best).level,
         &scene,
         &quality,

@@ -9,7 +9,6 @@ use anyhow::{Context, Result};
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::thread::available_parallelism;
 
 /// Measures what README.md and docs/*.md tell of speed, errors, size and sound, and rewrites their marked parts and pictures
 ///
@@ -116,7 +115,7 @@ impl Page {
 }
 
 fn parts(arguments: &Arguments) -> Vec<Part> {
-    let mut threads = vec![1, available_parallelism().map_or(1, usize::from)];
+    let mut threads = vec![1, arguments::processors()];
     threads.dedup();
     let threads: String = threads
         .iter()
@@ -140,17 +139,11 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     };
     let speed_sizes = all(" --size 1024x768 --size 1920x1080");
     let show_sizes = all(" --size 1280x720");
-    let told = |name, command: String, flag, pictures, is_printed| Part {
+    let part = |name, command: String, flag, pictures, is_printed| Part {
         name,
-        step: Step {
-            words: command.split(' ').map(str::to_owned).collect(),
-            flag,
-            pictures,
-        },
+        step: Step::new(&command, flag, pictures),
         is_printed,
     };
-    let part =
-        |name, command, pictures, is_printed| told(name, command, "--out", pictures, is_printed);
     // Enough frames for the front to be the same one next time, in some minutes. Where few are asked for, all is to be quick.
     let plan = if arguments.frames.is_some() {
         " --quick"
@@ -162,39 +155,29 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     // Twelve seconds about the cut from the model scene to the method's.
     let still = sizes.first().map_or(" --size 416x234", String::as_str);
     let end = 252 + arguments.frames.unwrap_or(144);
+    let moving = format!("capture --from 252 --to {end} --fps 12{still} --supersample 2");
+    let sheet = format!("capture{tile} --supersample 2{frames}");
+    let show = format!("bench --scene show{show_sizes} --quality default{frames}");
+    let speed = format!("bench{threads}{speed_sizes}{frames}");
+    let ladder = format!("trade --ladder{size}{frames}");
+    let trade = format!("trade{plan}{size}{frames}");
     vec![
-        told(
-            "moving",
-            format!("capture --from 252 --to {end} --fps 12{still} --supersample 2"),
-            "--video",
-            &MOVING,
+        part("moving", moving, "--video", &MOVING, false),
+        part("sheet", sheet, "--sheet", &SHEET, false),
+        part("show", show, "", &[], true),
+        part("speed", speed, "", &[], true),
+        part("ladder", ladder, "", &[], true),
+        part("missed", format!("missed{size}{seeds}"), "", &[], true),
+        part("trade", trade, "--out", &TRADE, false),
+        part(
+            "figures",
+            format!("figures{size}"),
+            "--out",
+            &[FIGURES],
             false,
         ),
-        told(
-            "sheet",
-            format!("capture{tile} --supersample 2{frames}"),
-            "--sheet",
-            &SHEET,
-            false,
-        ),
-        part(
-            "show",
-            format!("bench --scene show{show_sizes} --quality default{frames}"),
-            &[],
-            true,
-        ),
-        part(
-            "speed",
-            format!("bench{threads}{speed_sizes}{frames}"),
-            &[],
-            true,
-        ),
-        part("ladder", format!("trade --ladder{size}{frames}"), &[], true),
-        part("missed", format!("missed{size}{seeds}"), &[], true),
-        part("trade", format!("trade{plan}{size}{frames}"), &TRADE, false),
-        part("figures", format!("figures{size}"), &[FIGURES], false),
-        part("size", "size --functions 10".to_owned(), &[], true),
-        told("sound", "sound".to_owned(), "--waveform", &WAVEFORM, true),
+        part("size", "size --functions 10".to_owned(), "", &[], true),
+        part("sound", "sound".to_owned(), "--waveform", &WAVEFORM, true),
     ]
 }
 
@@ -206,16 +189,8 @@ const SHEET: [Picture; 1] = [(
     "show.png",
     "Frames of the show, row by row: title, model scene, method, colonnade, machine, flake, mirrors, swarm, finale",
 )];
-const TRADE: [Picture; 6] = [
+const TRADE: [Picture; 4] = [
     FRONT,
-    (
-        "front-flip.svg",
-        "Speed and FLIP of every setting, and the Pareto front by number",
-    ),
-    (
-        "front-pops.svg",
-        "Speed and pops of every setting, and the Pareto front by number",
-    ),
     RESOLUTION,
     SQUARES,
     ("objects.svg", "Time of a frame by the number of spheres"),

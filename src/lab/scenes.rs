@@ -36,7 +36,7 @@ impl SceneName {
     /// The scene `time` seconds after its start.
     pub fn at(self, time: f32) -> Scene {
         match self {
-            Self::Model => show::scene(time),
+            Self::Model => show::model_scene(time),
             Self::Field(count) => show::field(count, time),
             Self::File(file) => file.at(time),
             Self::Show | Self::ShowScene(_) => {

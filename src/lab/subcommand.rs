@@ -40,6 +40,15 @@ pub const SQUARES: Picture = (
 );
 
 impl Step {
+    /// The step of a command line, with the flag for its pictures.
+    pub fn new(command: &str, flag: &'static str, pictures: &'static [Picture]) -> Self {
+        Self {
+            words: command.split(' ').map(str::to_owned).collect(),
+            flag,
+            pictures,
+        }
+    }
+
     /// The name of the one picture, if its file is told.
     fn told(&self) -> Option<&'static str> {
         match self.pictures {

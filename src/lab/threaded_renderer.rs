@@ -3,7 +3,7 @@
 use eightfold_tracer::observe::Observer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{
-    Band, Counts, Frame, Job, Level, Memory, Quality, Renderer, Threads, Worker,
+    Band, Counts, Frame, Job, Level, Memory, Probing, Quality, Renderer, Threads, Worker,
 };
 use eightfold_window::pool::Pool;
 
@@ -11,6 +11,9 @@ use eightfold_window::pool::Pool;
 pub struct ThreadedRenderer {
     renderer: Renderer<Box<Memory>>,
     pub threads: PoolThreads,
+    /// Of the next frames.
+    offset: [f32; 2],
+    probing: Probing,
 }
 
 /// A pool of threads, each with its working memory.
@@ -38,6 +41,8 @@ impl ThreadedRenderer {
         Self {
             renderer: Renderer::with_memory(Level::baseline(), Box::new(Memory::new())),
             threads: PoolThreads { pool, workers },
+            offset: [0.0; 2],
+            probing: Probing::default(),
         }
     }
 
@@ -51,7 +56,7 @@ impl ThreadedRenderer {
         width: usize,
         pixels: &mut [u32],
     ) -> Counts {
-        let frame = whole(width, pixels);
+        let frame = self.whole(width, pixels);
         self.renderer.set_level(level);
         self.renderer
             .render_valid(scene, quality, frame, &mut self.threads)
@@ -67,7 +72,7 @@ impl ThreadedRenderer {
         pixels: &mut [u32],
         observer: impl Observer,
     ) -> Counts {
-        let frame = whole(width, pixels);
+        let frame = self.whole(width, pixels);
         self.renderer.set_level(level);
         self.renderer
             .render_observed(scene, quality, frame, &mut self.threads, observer)
@@ -76,12 +81,20 @@ impl ThreadedRenderer {
 
     /// Has some pixels of the next frames probed.
     pub fn set_probes(&mut self, count: u16, seed: u32) {
-        self.renderer.set_probes(count, seed);
+        self.probing = Probing { count, seed };
     }
 
     /// Moves the samples of the next frames by so many pixels.
     pub fn set_offset(&mut self, x: f32, y: f32) {
-        self.renderer.set_offset(x, y);
+        self.offset = [x, y];
+    }
+
+    /// A frame `width` pixels wide that fills `pixels`.
+    fn whole<'a>(&self, width: usize, pixels: &'a mut [u32]) -> Frame<'a> {
+        let ([x, y], Probing { count, seed }) = (self.offset, self.probing);
+        whole(width, pixels)
+            .with_offset(x, y)
+            .with_probes(count, seed)
     }
 }
 

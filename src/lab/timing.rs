@@ -1,6 +1,8 @@
-//! Clocks, the times of frames, and statistics of measured times, for all commands that measure.
+//! The machine, clocks, the times of frames, and statistics of measured times, for all commands that measure.
 
+use crate::arguments::processors;
 use cpu_time::ThreadTime;
+use std::fs;
 use std::time::Instant;
 
 /// The frame rate, in frames per second, of frames in a row: that of most screens.
@@ -52,4 +54,20 @@ fn sorted(times: &[f64]) -> Vec<f64> {
     let mut times = times.to_vec();
     times.sort_by(f64::total_cmp);
     times
+}
+
+/// The processor's name, if the system tells it, and the number of processors.
+pub fn machine() -> String {
+    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let models = info.lines().filter_map(|line| line.split_once(':'));
+    let model = models
+        .filter(|(name, _)| name.trim() == "model name")
+        .map(|(_, model)| model.trim())
+        .next()
+        .unwrap_or("unknown processor");
+    let count = processors();
+    format!(
+        "{model}, {count} processor{}",
+        if count == 1 { "" } else { "s" }
+    )
 }

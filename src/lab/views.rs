@@ -4,6 +4,7 @@ use crate::arguments::Size;
 use crate::error::{Difference, worst_channel};
 use crate::flip::{Flip, Flips};
 use crate::interrupt;
+use crate::picture::Mean;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{evenly_spaced, frame_time};
 use eightfold_tracer::Quality;
@@ -110,14 +111,8 @@ impl<'a> Viewer<'a> {
         }
     }
 
-    /// Looks at a view of all subjects, the first of which is the reference. Tells how many are done now and then. After Ctrl-C,
-    /// the rest is left out.
-    pub fn look(
-        &mut self,
-        view: &[f32],
-        subjects: &mut [Subject<'_>],
-        mut step: impl FnMut(usize),
-    ) {
+    /// Looks at a view of all subjects, the first of which is the reference. After Ctrl-C, the rest is left out.
+    pub fn look(&mut self, view: &[f32], subjects: &mut [Subject<'_>]) {
         if interrupt::is_stopped() {
             return;
         }
@@ -141,7 +136,6 @@ impl<'a> Viewer<'a> {
                 }
                 self.compare(group, frame);
             }
-            step(group.len());
         }
     }
 
@@ -150,24 +144,17 @@ impl<'a> Viewer<'a> {
         let Some(samples) = &mut self.samples else {
             return;
         };
-        let channels = [16, 8, 0];
-        let mut sums = vec![[0; 3]; samples.len()];
+        let mut mean = Mean::default();
         for i in 0..GRID * GRID {
             let place = |i: usize| (i as f32 + 0.5) / GRID as f32 - 0.5;
             self.renderer.set_offset(place(i % GRID), place(i / GRID));
             let (level, width) = (self.isa.level, self.size.width);
             self.renderer
                 .draw(level, scene, &Quality::EXHAUSTIVE, width, samples);
-            for (sum, pixel) in sums.iter_mut().zip(&*samples) {
-                *sum = [0, 1, 2].map(|i| sum[i] + (pixel >> channels[i] & 0xff));
-            }
+            mean.add(samples);
         }
         self.renderer.set_offset(0.0, 0.0);
-        let count = (GRID * GRID) as u32;
-        for (pixel, sum) in samples.iter_mut().zip(sums) {
-            let mean = [0, 1, 2].map(|i| ((sum[i] + count / 2) / count) << channels[i]);
-            *pixel = mean[0] | mean[1] | mean[2];
-        }
+        mean.write(samples);
     }
 
     /// Compares the last frames of a group, on all threads.

@@ -6,6 +6,7 @@ mod changes;
 pub mod edit;
 mod keys;
 mod motion;
+mod patches;
 mod path;
 mod places;
 mod reading;

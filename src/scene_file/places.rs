@@ -1,6 +1,9 @@
 //! Where in the text of a scene file each of its values stands.
 
+use ron::value::RawValue;
+use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use std::collections::BTreeMap;
+use std::fmt;
 use std::ops::Range;
 
 /// The mark that some editors put in front of a text. It takes no column.
@@ -13,14 +16,38 @@ pub struct Places(BTreeMap<String, Range<usize>>);
 impl Places {
     /// The places of all values of a text that has been read without an error.
     pub fn of(text: &str) -> Self {
-        let mut reader = Reader {
-            text,
-            at: 0,
-            places: Self::default(),
-        };
-        reader.skip(|c| c == BYTE_ORDER_MARK);
-        reader.value("");
-        reader.places
+        let mut places = Self::default();
+        if let Ok(whole) = ron::from_str(text.trim_start_matches(BYTE_ORDER_MARK)) {
+            places.add(text, String::new(), whole);
+        }
+        places
+    }
+
+    /// Adds a value of a text at a path, and the values in it.
+    fn add(&mut self, text: &str, path: String, value: &RawValue) {
+        let written = value.trim().get_ron();
+        let start = written.as_ptr().addr() - text.as_ptr().addr();
+        match ron::from_str(written) {
+            Ok(Parts::Named(parts)) => {
+                let is_table = written.starts_with('{');
+                for (name, part) in parts {
+                    let path = match path.as_str() {
+                        _ if is_table => format!("{path}[{name:?}]"),
+                        "" => name,
+                        _ => format!("{path}.{name}"),
+                    };
+                    self.add(text, path, part);
+                }
+            }
+            Ok(Parts::Items(parts)) => {
+                for (i, part) in parts.into_iter().enumerate() {
+                    self.add(text, format!("{path}[{i}]"), part);
+                }
+            }
+            // It has no parts.
+            Err(_) => {}
+        }
+        self.0.insert(path, start..start + written.len());
     }
 
     /// Where a value stands, if it does.
@@ -54,151 +81,44 @@ pub fn line_and_column(text: &str, at: usize) -> (usize, usize) {
     (before.matches('\n').count() + 1, line.chars().count() + 1)
 }
 
-/// The length of a comment in `/*` and `*/` at the beginning of a text, which may have others in it.
-fn comment(text: &str) -> usize {
-    let (mut at, mut depth) = (0, 0);
-    while at < text.len() {
-        if text[at..].starts_with("/*") {
-            (at, depth) = (at + 2, depth + 1);
-        } else if text[at..].starts_with("*/") {
-            (at, depth) = (at + 2, depth - 1);
-            if depth == 0 {
-                return at;
-            }
-        } else {
-            at = text.ceil_char_boundary(at + 1);
-        }
-    }
-    text.len()
+/// The parts of a value as they are written: the fields of a struct or the entries of a table, or the items of a list or a tuple.
+enum Parts<'a> {
+    Named(Vec<(String, &'a RawValue)>),
+    Items(Vec<&'a RawValue>),
 }
 
-/// The length of a text in quotes with nothing escaped, as in `r#"..."#`, at the beginning of a text; `None` if there is none.
-fn raw_string(text: &str) -> Option<usize> {
-    let rest = text.strip_prefix('r')?;
-    let hashes = rest.len() - rest.trim_start_matches('#').len();
-    let inside = rest[hashes..].strip_prefix('"')?;
-    let end = format!("\"{}", &rest[..hashes]);
-    let length = inside.find(&end).map_or(inside.len(), |at| at + end.len());
-    Some(1 + hashes + 1 + length)
-}
+impl<'de> Deserialize<'de> for Parts<'de> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct Reader;
 
-struct Reader<'a> {
-    text: &'a str,
-    at: usize,
-    places: Places,
-}
+        impl<'de> Visitor<'de> for Reader {
+            type Value = Parts<'de>;
 
-impl Reader<'_> {
-    fn rest(&self) -> &str {
-        &self.text[self.at..]
-    }
-
-    fn next(&self) -> Option<char> {
-        self.rest().chars().next()
-    }
-
-    fn skip(&mut self, is_skipped: impl Fn(char) -> bool) {
-        let rest = self.rest();
-        self.at += rest.find(|c| !is_skipped(c)).unwrap_or(rest.len());
-    }
-
-    /// Skips white space and comments.
-    fn skip_blank(&mut self) {
-        loop {
-            self.skip(char::is_whitespace);
-            if self.rest().starts_with("//") {
-                self.skip(|c| c != '\n');
-            } else if self.rest().starts_with("/*") {
-                let rest = self.rest();
-                self.at += comment(rest);
-            } else {
-                return;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a value with parts")
             }
-        }
-    }
 
-    /// Reads one value, and the values in it.
-    fn value(&mut self, path: &str) {
-        self.skip_blank();
-        let start = self.at;
-        match self.next() {
-            Some('"') => self.string(),
-            Some('(' | '[' | '{') => self.items(path),
-            Some('r') if raw_string(self.rest()).is_some() => {
-                self.at += raw_string(self.rest()).unwrap_or_default();
-            }
-            _ => {
-                self.skip(|c| !c.is_whitespace() && !"()[]{},:/\"".contains(c));
-                let end = self.at;
-                self.skip_blank();
-                // The name of a struct or of a variant stands before its fields.
-                if self.next() == Some('(') {
-                    self.items(path);
-                } else {
-                    self.at = end;
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Parts<'de>, A::Error> {
+                let mut parts = Vec::new();
+                while let Some(part) = map.next_entry()? {
+                    parts.push(part);
                 }
+                Ok(Parts::Named(parts))
             }
-        }
-        self.places.0.insert(path.to_owned(), start..self.at);
-    }
 
-    fn string(&mut self) {
-        self.at += 1;
-        let mut is_escaped = false;
-        while let Some(c) = self.next() {
-            self.at += c.len_utf8();
-            match c {
-                _ if is_escaped => is_escaped = false,
-                '\\' => is_escaped = true,
-                '"' => return,
-                _ => {}
-            }
-        }
-    }
-
-    /// Reads what is in brackets: items, fields with names, or keys with values.
-    fn items(&mut self, path: &str) {
-        self.at += 1;
-        for number in 0.. {
-            self.skip_blank();
-            if self.next().is_none_or(|c| ")]}".contains(c)) {
-                self.at = self.text.len().min(self.at + 1);
-                return;
-            }
-            let start = self.at;
-            let name = self.name();
-            self.skip_blank();
-            let path = if self.next() == Some(':') {
-                self.at += 1;
-                match name.strip_prefix('"') {
-                    Some(_) => format!("{path}[{name}]"),
-                    None if path.is_empty() => name,
-                    None => format!("{path}.{name}"),
+            fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Parts<'de>, A::Error> {
+                let mut parts = Vec::new();
+                while let Some(part) = items.next_element()? {
+                    parts.push(part);
                 }
-            } else {
-                self.at = start;
-                format!("{path}[{number}]")
-            };
-            self.value(&path);
-            self.skip_blank();
-            if self.next() == Some(',') {
-                self.at += 1;
+                Ok(Parts::Items(parts))
             }
-            // A text that is no RON must not hold it forever.
-            if self.at == start {
-                self.at += self.next().map_or(0, char::len_utf8);
-            }
-        }
-    }
 
-    /// A name or a quoted key, if one comes next.
-    fn name(&mut self) -> String {
-        let start = self.at;
-        if self.next() == Some('"') {
-            self.string();
-        } else {
-            self.skip(|c| c.is_alphanumeric() || c == '_');
+            fn visit_some<D: Deserializer<'de>>(self, from: D) -> Result<Parts<'de>, D::Error> {
+                from.deserialize_any(self)
+            }
         }
-        self.text[start..self.at].to_owned()
+
+        from.deserialize_any(Reader)
     }
 }

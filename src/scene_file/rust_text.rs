@@ -6,7 +6,6 @@ use super::{SceneFile, path, ron_text};
 use anyhow::{Result, bail};
 use eightfold_tracer::scene::{Fields, Items, Material, Scene, Value as Place};
 use serde_json::Value;
-use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -24,7 +23,6 @@ pub fn rust(file: &SceneFile) -> Result<String> {
     }
     let printer = Printer {
         motions: &file.motions,
-        kinds: RefCell::default(),
     };
     let mut tree = file.tree.clone();
     ron_text::prune(&mut tree);
@@ -45,58 +43,29 @@ pub fn rust(file: &SceneFile) -> Result<String> {
         let _ = writeln!(body, "let {} = {material};", variable(name));
     }
     body += &printer.record("", &mut Scene::default(), &tree);
-    let time = if file.motions.is_empty() {
-        "_time"
+    let (time, keys) = if file.motions.is_empty() {
+        ("_time", "")
     } else {
-        "time"
+        ("time", "use keys::*;")
     };
     let mut text = format!(
-        "//! Made of {} by `cargo lab scene --rust`.\n\n{}\n\n/// How long the scene plays, in seconds.\n\
-         pub const LENGTH: f32 = {:?};\n\n/// The scene at a time in seconds.\n\
+        "//! Made of {} by `cargo lab scene --rust`.\n\n{UNUSED}\nuse eightfold_tracer::{{glam::*, scene::*}};\n{keys}\n\n\
+         /// How long the scene plays, in seconds.\npub const LENGTH: f32 = {:?};\n\n/// The scene at a time in seconds.\n\
          pub fn scene({time}: f32) -> Scene {{\n{body}}}\n",
-        file.name,
-        imports(&body, &printer),
-        file.length,
+        file.name, file.length,
     );
     if !file.motions.is_empty() {
         let _ = write!(
             text,
-            "\n#[allow(dead_code, reason = \"not every scene needs all of it\")]\nmod keys {{\n{}}}\n",
+            "\n{UNUSED}\nmod keys {{\n{}}}\n",
             include_str!("keys.rs")
         );
     }
     Ok(prettyplease::unparse(&syn::parse_file(&text)?))
 }
 
-/// The imports that the function needs of the library and of the module below it.
-fn imports(body: &str, printer: &Printer<'_>) -> String {
-    let words: BTreeSet<&str> = body
-        .split(|c: char| !c.is_alphanumeric() && c != '_')
-        .collect();
-    let used = |names: &[&str]| -> Vec<&str> {
-        let words = words.iter().copied();
-        words.filter(|word| names.contains(word)).collect()
-    };
-    let mut text = String::new();
-    let glam = used(&["EulerRot", "Mat3A", "vec3a"]);
-    if !glam.is_empty() {
-        let _ = writeln!(text, "use eightfold_tracer::glam::{{{}}};", glam.join(", "));
-    }
-    let mut kinds = printer.kinds.borrow().clone();
-    kinds.extend(used(&["List"]));
-    let kinds: Vec<&str> = kinds.into_iter().collect();
-    let _ = write!(
-        text,
-        "use eightfold_tracer::scene::{{{}}};",
-        kinds.join(", ")
-    );
-    let functions: BTreeSet<&str> = printer.motions.iter().map(function).collect();
-    if !functions.is_empty() {
-        let functions: Vec<&str> = functions.into_iter().collect();
-        let _ = write!(text, "\nuse keys::{{{}}};", functions.join(", "));
-    }
-    text
-}
+/// What stands before imports and before the functions that interpolate.
+const UNUSED: &str = "#[allow(unused, reason = \"not every scene needs all of it\")]";
 
 /// The function that interpolates a motion.
 fn function(motion: &Motion) -> &'static str {
@@ -124,15 +93,12 @@ fn field(path: &str) -> &str {
 /// Prints values as Rust expressions.
 struct Printer<'a> {
     motions: &'a [Motion],
-    /// The names of the library's types that are printed.
-    kinds: RefCell<BTreeSet<&'static str>>,
 }
 
 impl Printer<'_> {
     /// A struct with its fields, and where the others come from.
     fn record(&self, path: &str, fields: &mut dyn Fields, value: &Value) -> String {
         let kind = fields.name();
-        self.kinds.borrow_mut().insert(kind);
         let mut said = Vec::new();
         let mut others = String::new();
         fields.visit(&mut |field| {
@@ -167,10 +133,7 @@ impl Printer<'_> {
             Place::Number(_) | Place::Vector(_) | Place::Axes(_) => self.numbers(path, value),
             Place::Flag(_) => value.to_string(),
             Place::Letters(_) => format!("List::of(b\"{}\")", word.as_bytes().escape_ascii()),
-            Place::Shape(_) => {
-                self.kinds.borrow_mut().insert("Shape");
-                format!("Shape::{word}")
-            }
+            Place::Shape(_) => format!("Shape::{word}"),
             Place::Material(_) => variable(word),
             Place::Struct(fields) => self.record(path, fields, value),
             Place::Optional(items) => format!("Some({})", self.item(path, items, value)),

@@ -17,6 +17,7 @@ pub const TURN: &str = "turn";
 pub enum NamedShape {
     Box,
     Cylinder,
+    Capsule,
 }
 
 /// A struct with all its fields.

@@ -98,13 +98,6 @@ pub(super) static BRASS: Material = Material {
     ..GOLD
 };
 
-/// Brass that is not brushed, for joints: its highlights are wide, to be as bright as what is joined.
-pub(super) static JOINT: Material = Material {
-    exponent: 4.0,
-    anisotropy: 0.0,
-    ..BRASS
-};
-
 /// Silver.
 pub(super) static SILVER: Material = Material {
     colour: vec3a(0.85, 0.88, 0.95),

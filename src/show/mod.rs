@@ -27,6 +27,6 @@ mod timeline;
 #[doc(no_inline)]
 pub use crate::grid;
 pub use field::field;
-pub use model::{MODEL_LENGTH, model, scene};
+pub use model::{MODEL_LENGTH, model, model_scene};
 pub use scenes::{BARS, CUTS, LENGTH, NAMES, cut};
 pub use timeline::at;

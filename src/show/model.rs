@@ -18,14 +18,14 @@ pub(super) const ORBIT_SPEED: f32 = 0.25;
 pub fn model(time: f32, scene: &mut Scene) {
     scenes::model::SET.apply(time / BEAT, scene);
     scene.camera = orbit(vec3a(0.0, 0.9, 0.0), ORBIT_SPEED * time, 7.5, 1.3);
-    scene.fade = 0.0;
+    scene.exposure = 1.0;
     scene.method = Method::default();
     scene.captions.clear();
 }
 
 /// The model scene at `time` seconds, see [`model`].
 #[must_use]
-pub fn scene(time: f32) -> Scene {
+pub fn model_scene(time: f32) -> Scene {
     let mut scene = Scene::default();
     model(time, &mut scene);
     scene

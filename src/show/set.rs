@@ -103,6 +103,7 @@ impl Set {
         // Set the props.
         scene.spheres.clear();
         scene.blocks.clear();
+        scene.copper_bars.clear();
         for prop in self.props {
             prop.add_all(beat, scene);
         }

@@ -24,10 +24,13 @@ pub fn at(time: f32, scene: &mut Scene) {
     // Set up the act that is played.
     let (act, bar) = playing(&ACTS, |act| act.bars(), time / BAR);
     act.set.apply((bar + act.set_since as f32) * BEATS, scene);
-    // Flash the lights with the kick.
+    // Flash lights and copper bars with the kick.
     let kick = act.set.hit * pulse(time).kick;
     for light in scene.lights.iter_mut() {
         light.colour *= 1.0 + FLASH * kick;
+    }
+    for bar in scene.copper_bars.iter_mut() {
+        bar.brightness *= kick;
     }
     // Set captions and camera.
     captions::apply(act.captions, bar * BEATS, scene);
@@ -38,7 +41,7 @@ pub fn at(time: f32, scene: &mut Scene) {
     let bars_left = act.bars() as f32 - bar;
     transition(BEATS * f32::min(2.0 * bar, 4.0 * bars_left), scene);
     // Fade out at the end of the show.
-    scene.fade = smooth_step((time - LENGTH) / FADE_OUT + 1.0);
+    scene.exposure = 1.0 - smooth_step((time - LENGTH) / FADE_OUT + 1.0);
 }
 
 /// Has a scene begin and end with squares of 32 pixels. `halvings` is how often they have been halved since the scene began, or

@@ -3,8 +3,8 @@
 //! The choice depends on nothing but how long the frames took, or on what their probes found. The governors have no clock of their
 //! own, so the same times, or probes, always lead to the same qualities.
 
+use crate::counts::Probes;
 use crate::quality::Quality;
-use crate::trace::Probes;
 
 /// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
@@ -145,13 +145,13 @@ const WORSE: [f32; 2] = [1.4, 3.0];
 const CHANCE: f32 = 0.5;
 
 /// Steps along the [`Quality::LADDER`] to hold an accuracy, by what probes find (see
-/// [`Renderer::set_probes`](crate::Renderer::set_probes)): to a finer rung when frames are certainly less accurate, and to a faster one
+/// [`Frame::with_probes`](crate::Frame::with_probes)): to a finer rung when frames are certainly less accurate, and to a faster one
 /// once that would certainly be accurate enough. How accurate frames would be there is estimated from what the step to the finer one
 /// gained.
 ///
 /// Few pixels make most of the error, so a second of frames is known to some dB: it takes its steps when the difference is larger than
-/// that, within a second or two if it is 6 dB. Where the accuracy is constant it stays on one rung, at most 1 dB
-/// less accurate than asked for, unless it is the finest, and up to 4 dB more.
+/// that, within a second or two if it is 6 dB. Where the accuracy is constant it stays on one rung, unless that is the finest
+/// at most 1 dB less accurate than asked for, or 2 dB in two cases of a thousand, and up to 4 dB more.
 pub struct AccuracyGovernor {
     /// The accuracy to hold, in dB.
     target: f32,

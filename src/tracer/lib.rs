@@ -60,13 +60,14 @@
 //!
 //! | stage | module |
 //! | --- | --- |
-//! | what there is to draw: a camera, primitives, lights, captions | [`scene`] |
+//! | what there is to draw: a camera, primitives, lights, captions, copper bars | [`scene`] |
 //! | what trades accuracy for speed, as one struct | [`Quality`] |
 //! | what only one shape knows, such as where rays meet it | `shapes` |
 //! | what every ray of a frame uses, computed once | `prepare` |
+//! | how a frame is drawn, settled once | `plan` |
 //! | rays to colours and keys, as many side by side as the instruction set holds | `trace` |
 //! | which points to trace, and which squares to fill or to split | `refine` |
-//! | captions over a finished picture | `text` |
+//! | captions and copper bars over a finished picture | `overlay` |
 //! | a frame: bands of the picture, by one thread or several | [`Renderer`] |
 //!
 //! Beside it: [`Governor`], which chooses a quality by how long frames take; [`observe`], which tells how a frame came about;
@@ -78,7 +79,7 @@
 //! [`Quality::EXHAUSTIVE`] traces every pixel. The [`Quality::LADDER`] has seven rungs, from one that can hardly be told from
 //! it to one that is for slow machines; [`Quality::DEFAULT`] is in the middle. A [`Governor`] walks the ladder so that frames
 //! come in time: it is told how long each frame took, and has no clock itself. A frame can tell how accurate it is
-//! ([`Renderer::set_probes`]), and an [`AccuracyGovernor`] holds that instead.
+//! ([`Frame::with_probes`]), and an [`AccuracyGovernor`] holds that instead.
 //!
 //! # Memory and threads
 //!
@@ -132,32 +133,38 @@ pub mod font;
 mod lanes;
 pub mod maths;
 
+// Where it is drawn, and what it took.
+mod counts;
+mod picture;
+
 // What is drawn.
 pub mod scene;
 
 // How it is drawn.
 pub mod observe;
+mod overlay;
+mod plan;
 mod prepare;
 mod quality;
 mod refine;
 mod render;
 mod shapes;
-mod text;
 mod trace;
 
 mod governor;
 pub mod limits;
 
+pub use counts::{Counts, Probes};
 pub use fearless_simd::Level;
 pub use flaw::{Flaw, Found};
 pub use glam;
 pub use governor::{AccuracyGovernor, Governor};
+pub use picture::{Band, Frame, Probing};
 pub use quality::Quality;
-pub use refine::{Band, Worker};
+pub use refine::Worker;
 #[cfg(feature = "std")]
 pub use render::ScopedThreads;
-pub use render::{Error, Frame, Job, Memory, Renderer, Threads};
-pub use trace::{Counts, Probes};
+pub use render::{Error, Job, Memory, Renderer, Threads};
 
 /// The widest picture, in pixels.
 pub const MAX_WIDTH: usize = 3840;

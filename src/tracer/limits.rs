@@ -25,14 +25,14 @@
 //! | ... centres up to 1e4 from the origin | 0 of 500,000 and more | `rays_that_leave_a_sphere_far_from_the_origin_do_not_hit_it_again` |
 //! | rays that leave a plane and hit it again, along it too | 0 of 500,000 and more | `rays_that_leave_a_plane_do_not_hit_it_again` |
 //! | rays into a sphere that miss its far side, except chords shorter than 0.003 radii (at the origin) | 0 | those for spheres |
-//! | rays that leave a box or a cylinder and hit it again, or that leak out of one; sides 1e-4 to 1e4 | 0 of 100,000 and more | `rays_that_leave_a_block_do_not_hit_it_again_and_those_inside_do_not_leak` |
-//! | ... from up to 1e8 away; for aligned boxes, rotated boxes and cylinders each | 0 of 80,000 and more | `rays_that_leave_a_block_do_not_hit_it_again_however_far_they_came` |
+//! | rays that leave a box, a cylinder or a capsule and hit it again, or that leak out of one; sides 1e-4 to 1e4 | 0 of 100,000 and more | `rays_that_leave_a_block_do_not_hit_it_again_and_those_inside_do_not_leak` |
+//! | ... from up to 1e8 away; for aligned boxes, rotated boxes, cylinders and capsules each | 0 of 80,000 and more | `rays_that_leave_a_block_do_not_hit_it_again_however_far_they_came` |
 //! | points of a sphere in their own shadow | 0, n.l above 0.003 | `a_sphere_throws_no_shadow_on_its_side_towards_the_lamp` |
 //! | lights outside of a sphere that light its inside, and those wholly within that do not, of any size, with blocks or without | 0 | `a_sphere_is_lit_from_within_by_lamps_within_alone` |
 //! | length of a reflected or refracted direction, squared; radii 1e-4 to 1e6, indices 0.1 to 10 | 1 to within 5e-7 | `rays_that_leave_a_sphere_of_any_size_are_of_length_one` |
 //! | ... 256 roundings about the critical angle | the same, and no light is lost | `rays_at_the_critical_angle_are_of_length_one_and_lose_nothing` |
 //! | bits of a ray's result that depend on its lane or on the rays beside it | 0 | `what_comes_of_a_ray_depends_on_no_neighbour` |
-//! | ... among boxes, cylinders, patterns, haze and lights of all kinds, also with invalid numbers | 0 | `what_comes_of_a_ray_depends_on_no_neighbour_where_there_is_more_than_spheres`, `what_comes_of_a_ray_depends_on_no_neighbour_whatever_numbers_make_no_sense` |
+//! | ... among boxes, cylinders, capsules, patterns, haze and lights of all kinds, also with invalid numbers | 0 | `what_comes_of_a_ray_depends_on_no_neighbour_where_there_is_more_than_spheres`, `what_comes_of_a_ray_depends_on_no_neighbour_whatever_numbers_make_no_sense` |
 //! | PSNR of a scene scaled by 1e-4 to 1e4 against the original | 50 dB | `a_scene_of_any_scale_gives_the_same_picture` |
 //! | ... by 1e-8 and 1e8 against the oracle at its own size, which sees them alike | 45 dB | `a_scene_of_any_size_gives_one_picture_by_paths_by_the_oracle_and_by_the_library` |
 //!
@@ -86,9 +86,9 @@
 //! | shadows of spheres on planes by point lights that are visible in a pixel at least, and that a named quality does not show | 0 | `every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some`, `every_shadow_is_shown_however_thin_and_however_near_its_sphere_is_to_the_plane_or_the_lamp` |
 //! | pixels of such shadows that the default quality draws lit, and the largest patch of them | 0.4 %, 20 | `few_pixels_of_shadows_are_missed_and_their_patches_are_small` |
 //! | pixels of random scenes with an error above 8/255 by the default quality, and the largest patch of them at 320x240 | 5 %, 512 | `wrong_pixels_are_few_and_their_patches_small` |
-//! | highlights that five pixels show in the eye's own sight, and that `finest`, `default` and `thesis` do not show: on spheres and planes; on cylinders | 0; 0.5 % | `every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some` |
+//! | highlights that five pixels show in the eye's own sight, and that `finest`, `default` and `thesis` do not show: on spheres and planes; on cylinders and capsules | 0; 0.5 % | `every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some` |
 //! | PSNR of any field of up to 320 spheres by the default quality, 1024x768 | 42 dB | `crowded_pictures_have_42_db` |
-//! | images in the first plane that 2x2 pixels show, but of cylinders, and that a named quality does not show | 0 | `every_image_in_a_plane_that_2x2_pixels_show_is_shown_and_the_bare_rules_miss_some`, `the_image_of_a_single_thing_is_shown_wherever_it_is` |
+//! | images in the first plane that 2x2 pixels show, but of cylinders and capsules, and that a named quality does not show | 0 | `every_image_in_a_plane_that_2x2_pixels_show_is_shown_and_the_bare_rules_miss_some`, `the_image_of_a_single_thing_is_shown_wherever_it_is` |
 //! | wrong pixels of small reflections in the first plane, most of them narrower than a square, and the largest patch of them | 1 %, 8 | `reflections_between_corners_are_missed_by_no_more_than_is_stated` |
 //! | pixels that change by more than 16/255 from a frame to the next while those of exhaustive frames stay within 4 | counted by `lab bench` | `a_pixel_pops_that_jumps_while_its_reference_stays` |
 //! | the guard's share of the default quality's time in the model scene | 10 % | none, since it takes a clock: `lab bench --unguarded` measures it |
@@ -111,7 +111,7 @@
 //! - Shadows between the corners of squares, except those of spheres on planes by point lights.
 //! - Images in the first plane beside others that cover a part of them: a corner that is in the outlines of both counts as showing
 //!   both.
-//! - Highlights in mirrors, on waves, and those that are seen from within a sphere or a cylinder. Of a highlight a part of which is
+//! - Highlights in mirrors, on waves, and those that are seen from within a sphere, a cylinder or a capsule. Of a highlight a part of which is
 //!   hidden or in shadow: that part which does not hold its middle.
 //! - Reflections between the corners of squares but in the first plane without waves, and refractions: the guard does not look
 //!   for them.

@@ -2,6 +2,8 @@
 //!
 //! They give the same bits on every platform: they are correctly rounded, or computed from sums and products alone.
 
+pub use crate::lanes::ROUND_TO_INTEGER;
+
 use crate::lanes::*;
 use core::f32::consts::LOG2_E;
 use core::f64::consts::TAU;
@@ -62,10 +64,6 @@ pub(crate) fn log2(x: f32) -> f32 {
     let s2 = s * s;
     exponent as f32 + 2.0 * LOG2_E * s * (1.0 + s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0)))
 }
-
-/// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds that to the nearest integer, which then is in the low bits of
-/// the sum. Subtracting it again gives the integer as a float.
-pub const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// Rounds a number between -2^22 and 2^22 to the nearest integer; a tie rounds to even.
 #[must_use]

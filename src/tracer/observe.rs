@@ -2,7 +2,7 @@
 //!
 //! The refiner is generic over the observer. For the intro's observer, `()`, the compiler removes all calls.
 
-use crate::trace::Counts;
+use crate::counts::Counts;
 
 /// Is told about the points and squares of a frame, by all threads concurrently and in no particular order.
 ///

@@ -46,7 +46,7 @@ fn the_model_scene_is_as_the_oracle_sees_it() {
         (19.0, 320, 240),
     ] {
         let what = format!("{width}x{height} at {time} s");
-        hold(&show::scene(time), width, height, &what);
+        hold(&show::model_scene(time), width, height, &what);
     }
 }
 
@@ -67,8 +67,9 @@ fn every_scene_of_the_show_is_as_the_oracle_sees_it() {
         let time = (bar as f32 + 0.3) * grid::BAR;
         let mut scene = Scene::default();
         show::at(time, &mut scene);
-        // The oracle draws no captions, and every pixel of a transition.
+        // The oracle draws no captions and bars, and every pixel of a transition.
         scene.captions.clear();
+        scene.copper_bars.clear();
         scene.method = Method::default();
         scene.validate().unwrap();
         // In a smaller picture the share of silhouettes, which rounding may change, would be too large.
@@ -83,7 +84,7 @@ fn every_scene_of_the_show_is_as_the_oracle_sees_it() {
 fn as_many_rays_are_followed_as_by_the_oracle() {
     let near = |count: u64, expected: u64| count.abs_diff(expected) <= expected / 5000;
     for time in [0.0, 2.5] {
-        let scene = show::scene(time);
+        let scene = show::model_scene(time);
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 240);
         let (rays, shadow_rays) = (frame.total(|p| p.rays), frame.total(|p| p.shadow_rays));
         for (isa, Drawn { counts, .. }) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 240) {
@@ -102,7 +103,7 @@ fn as_many_rays_are_followed_as_by_the_oracle() {
 #[test]
 fn silhouettes_are_the_lesser_part_of_a_picture() {
     // Otherwise it would mean little that large errors lie on silhouettes alone.
-    let frame = Frame::new(&show::scene(0.0), &Quality::EXHAUSTIVE, 1024, 768);
+    let frame = Frame::new(&show::model_scene(0.0), &Quality::EXHAUSTIVE, 1024, 768);
     let on = frame.silhouettes().iter().filter(|&&on| on).count();
     assert!(on < 1024 * 768 / 8, "{on} pixels");
 }
@@ -190,7 +191,7 @@ fn no_ray_is_lost_where_some_end_and_others_go_on_in_two() {
 #[test]
 fn a_lamp_lights_the_sphere_around_it_from_within_alone() {
     let mut scene = shells(1);
-    scene.planes = List::of(&show::scene(0.0).planes);
+    scene.planes = List::of(&show::model_scene(0.0).planes);
     for (lamp, eye) in [
         (vec3a(0.5, 0.7, 0.1), vec3a(0.1, 0.2, 0.3)),
         (vec3a(0.5, 0.7, 0.1), vec3a(1.0, 3.0, 7.0)),

@@ -46,7 +46,10 @@ fn with(antialias: bool, quality: Quality) -> Quality {
 
 #[test]
 fn mixed_edges_are_nearer_to_many_samples_everywhere() {
-    for (name, scene) in [("model", show::scene(2.0)), ("field", show::field(64, 2.0))] {
+    for (name, scene) in [
+        ("model", show::model_scene(2.0)),
+        ("field", show::field(64, 2.0)),
+    ] {
         let reference = reference(&scene);
         let psnr = |quality: &Quality| {
             Difference::between(&reference, &picture(&scene, quality, 2, 1)).psnr
@@ -67,7 +70,7 @@ fn mixed_edges_are_nearer_to_many_samples_everywhere() {
 fn what_differs_from_no_neighbour_keeps_its_bits() {
     let (width, height) = SIZE;
     for quality in [Quality::EXHAUSTIVE, Quality::DEFAULT] {
-        let scene = show::scene(2.0);
+        let scene = show::model_scene(2.0);
         let [plain, smooth] =
             [false, true].map(|antialias| picture(&scene, &with(antialias, quality), 2, 1));
         let is_edge = |i: usize| {
@@ -132,7 +135,7 @@ fn the_point_between_two_pixels_is_traced_wherever_they_differ() {
 
 #[test]
 fn edges_have_the_same_bits_on_any_number_of_threads() {
-    for scene in [show::scene(3.0), show::field(100, 3.0)] {
+    for scene in [show::model_scene(3.0), show::field(100, 3.0)] {
         let odd = Quality {
             square: 17,
             ..Quality::DEFAULT

@@ -54,7 +54,7 @@ proptest! {
         width in 1_usize..200,
         height in 1_usize..200,
     ) {
-        let scene = show::scene(time);
+        let scene = show::model_scene(time);
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
         let thesis = bare(Quality::THESIS);
         let squares = Squares::new(&scene, &thesis, width, height);

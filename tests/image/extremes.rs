@@ -50,7 +50,7 @@ pub fn scaled(scene: &Scene, factor: f32) -> Scene {
 
 #[test]
 fn a_scene_of_any_scale_gives_the_same_picture() {
-    for scene in [show::scene(2.0), show::field(60, 2.0), rich()] {
+    for scene in [show::model_scene(2.0), show::field(60, 2.0), rich()] {
         for quality in [Quality::EXHAUSTIVE, Quality::DEFAULT] {
             for isa in cpu::instruction_sets() {
                 let picture = |scene: &Scene| draw(isa, 2, scene, &quality, 320, 240).pixels;
@@ -68,7 +68,7 @@ fn a_scene_of_any_scale_gives_the_same_picture() {
 
 #[test]
 fn a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees() {
-    let mut scene = show::scene(0.0);
+    let mut scene = show::model_scene(0.0);
     let glass = scene.spheres[3].material;
     for material in [glass, scene.spheres[0].material] {
         // In the mirror's position, so that light comes from all directions.
@@ -105,7 +105,7 @@ fn a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees() {
 fn any_time_gives_a_picture() {
     for quality in QUALITIES {
         for isa in cpu::instruction_sets() {
-            let normal = work(&draw(isa, 1, &show::scene(0.0), &quality, 160, 120).counts);
+            let normal = work(&draw(isa, 1, &show::model_scene(0.0), &quality, 160, 120).counts);
             for time in [
                 -0.0,
                 -1e-30,
@@ -118,7 +118,7 @@ fn any_time_gives_a_picture() {
                 f32::INFINITY,
                 f32::NEG_INFINITY,
             ] {
-                let drawn = draw(isa, 1, &show::scene(time), &quality, 160, 120);
+                let drawn = draw(isa, 1, &show::model_scene(time), &quality, 160, 120);
                 let rays = work(&drawn.counts);
                 assert!(
                     2 * rays <= 5 * normal,
@@ -132,7 +132,7 @@ fn any_time_gives_a_picture() {
 #[test]
 fn a_million_seconds_on_the_picture_is_the_one_of_that_time() {
     let time = 1e6;
-    let scene = show::scene(time);
+    let scene = show::model_scene(time);
     assert_eq!(scene.validate(), Ok(()));
     let angle = f64::from(time) * 0.25;
     let eye = scene.camera.eye.as_dvec3();
@@ -149,10 +149,14 @@ fn numbers(scene: &mut Scene) -> Vec<(&'static str, Range, &mut f32)> {
     all
 }
 
-/// The model scene with a box, a cylinder and a large spotlight.
+/// The model scene with a block of each shape and a large spotlight.
 fn rich() -> Scene {
-    let mut scene = show::scene(1.0);
-    for (shape, x) in [(Shape::Box, -3.5), (Shape::Cylinder, 3.8)] {
+    let mut scene = show::model_scene(1.0);
+    for (shape, x) in [
+        (Shape::Box, -3.5),
+        (Shape::Cylinder, 3.8),
+        (Shape::Capsule, 5.0),
+    ] {
         scene.blocks.push(Block {
             centre: vec3a(x, 0.8, -1.0),
             half: vec3a(0.4, 0.8, 0.4),
@@ -178,7 +182,7 @@ fn rich() -> Scene {
 
 #[test]
 fn nan_and_infinity_are_refused_and_still_give_a_picture_for_bounded_work() {
-    for scene in [show::scene(1.0), rich()] {
+    for scene in [show::model_scene(1.0), rich()] {
         assert_numbers_are_checked(scene);
     }
 }
@@ -271,7 +275,7 @@ fn many_spheres_with_invalid_coordinates_give_a_picture() {
 #[test]
 fn a_scene_is_refused_by_its_first_number_out_of_range() {
     let refused = |change: fn(&mut Scene)| {
-        let mut scene = show::scene(0.0);
+        let mut scene = show::model_scene(0.0);
         change(&mut scene);
         scene.validate().unwrap_err().to_string()
     };

@@ -37,7 +37,7 @@ fn the_further_from_the_origin_the_coarser_a_picture_is_as_stated() {
     ] {
         let by = distance / 3.0 * vec3a(2.0, 1.0, -2.0);
         for time in [0.0, 2.5] {
-            let scene = moved(show::scene(time), by);
+            let scene = moved(show::model_scene(time), by);
             let expected = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 240).picture();
             for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 240) {
                 let psnr = Difference::between(&expected, &drawn.pixels).psnr;

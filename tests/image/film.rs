@@ -68,7 +68,7 @@ fn a_vignette_leaves_the_middle_and_darkens_all_sides_alike() {
 
 #[test]
 fn a_films_tolerance_is_a_share_of_the_qualitys() {
-    let mut scene = show::scene(1.0);
+    let mut scene = show::model_scene(1.0);
     let quality = Quality::DEFAULT;
     let seen = |scene: &Scene, quality: &Quality| draw(cpu::best(), 1, scene, quality, 160, 120);
     let whole = seen(&scene, &quality);

@@ -88,12 +88,24 @@ fn contrast(a: &[u32], b: &[u32]) -> Vec<u32> {
 
 #[test]
 fn golden_model_scene() {
-    hold("model", &show::scene(2.0), &Quality::EXHAUSTIVE, 640, 360);
+    hold(
+        "model",
+        &show::model_scene(2.0),
+        &Quality::EXHAUSTIVE,
+        640,
+        360,
+    );
 }
 
 #[test]
 fn golden_squares() {
-    hold("squares", &show::scene(1.0), &Quality::THESIS, 320, 240);
+    hold(
+        "squares",
+        &show::model_scene(1.0),
+        &Quality::THESIS,
+        320,
+        240,
+    );
 }
 
 #[test]

@@ -18,7 +18,7 @@ const WHITE: u32 = 0x00ff_ffff;
 
 /// The overlay of the model scene alone, on black.
 fn overlay(points: f32, squares: f32) -> Scene {
-    let mut scene = show::scene(1.0);
+    let mut scene = show::model_scene(1.0);
     scene.method = Method {
         points,
         squares,
@@ -86,7 +86,7 @@ fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads
     let plain = draw(
         cpu::best(),
         2,
-        &show::scene(1.0),
+        &show::model_scene(1.0),
         &jagged(Quality::DEFAULT),
         width,
         height,
@@ -127,7 +127,7 @@ fn a_coarse_picture_has_squares_of_one_colour_by_the_same_bits_on_any_number_of_
     let (width, height) = SIZE;
     for quality in [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT] {
         for side in [2, 4, 8, 16, 32] {
-            let mut scene = show::scene(1.0);
+            let mut scene = show::model_scene(1.0);
             scene.method.coarse = side as f32;
             let by = |threads| draw(cpu::best(), threads, &scene, &quality, width, height);
             let drawn = by(1);
@@ -157,7 +157,7 @@ fn a_coarse_picture_has_squares_of_one_colour_by_the_same_bits_on_any_number_of_
 #[test]
 fn squares_of_a_single_pixel_leave_the_picture_as_it_is() {
     let (width, height) = SIZE;
-    let mut scene = show::scene(1.0);
+    let mut scene = show::model_scene(1.0);
     // With an overlay nothing is antialiased.
     let quality = jagged(Quality::DEFAULT);
     let plain = draw(cpu::best(), 2, &scene, &quality, width, height);
@@ -179,7 +179,7 @@ fn behind_the_front_is_the_finished_picture_and_ahead_of_it_the_overlay() {
     let by = |method: Method, threads| {
         let scene = Scene {
             method,
-            ..show::scene(1.0)
+            ..show::model_scene(1.0)
         };
         draw(
             cpu::best(),

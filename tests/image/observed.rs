@@ -54,7 +54,7 @@ fn an_observer_does_not_change_the_frame() {
 fn the_reported_points_cast_all_rays() {
     // The size is a multiple of the squares' side, so that no square reaches beyond the picture.
     let (width, height) = (328, 216);
-    let scene = show::scene(2.5);
+    let scene = show::model_scene(2.5);
     let mut renderer = ThreadedRenderer::new(2);
     let mut pixels = vec![0; width * height];
     let trace = FrameTrace::new(width, height);
@@ -102,7 +102,7 @@ impl Observer for &Counter {
 #[test]
 fn squares_cover_each_pixel_once() {
     let (width, height) = SIZE;
-    let scene = show::scene(1.0);
+    let scene = show::model_scene(1.0);
     let mut renderer = ThreadedRenderer::new(2);
     for quality in qualities().filter(|quality| quality.square > 1) {
         let trace = FrameTrace::new(width, height);

@@ -167,7 +167,7 @@ fn probes_leave_the_picture_and_its_counts_as_they_are_on_any_number_of_threads(
 
 #[test]
 fn overlays_and_what_is_coarse_on_purpose_are_not_probed() {
-    let mut scene = show::scene(2.0);
+    let mut scene = show::model_scene(2.0);
     let mut probing = Probing::new(cpu::best(), 2);
     let mut count = |method| {
         scene.method = method;

@@ -32,7 +32,7 @@ fn panics(quality: Quality, (width, height): (usize, usize), count: usize) -> bo
         let mut pixels = vec![0; count];
         let frame = Frame::new(width, height, &mut pixels);
         let mut renderer = Renderer::with_memory(cpu::best().level, Box::new(Memory::new()));
-        renderer.render_valid(&show::scene(0.0), &quality, frame, &mut Worker::new());
+        renderer.render_valid(&show::model_scene(0.0), &quality, frame, &mut Worker::new());
     });
     panic.is_err()
 }
@@ -48,7 +48,7 @@ fn sizes_out_of_range_are_refused() {
         (usize::MAX, usize::MAX),
     ] {
         let size = (width, height);
-        let error = refusal(&show::scene(0.0), &Quality::THESIS, size, 16);
+        let error = refusal(&show::model_scene(0.0), &Quality::THESIS, size, 16);
         assert_eq!(error, Some(Error::Size { width, height }));
         let text = format!("a frame has 1x1 to 3840x2160 pixels, and not {width}x{height}");
         assert_eq!(error.unwrap().to_string(), text);
@@ -58,7 +58,7 @@ fn sizes_out_of_range_are_refused() {
 
 #[test]
 fn too_few_pixels_are_refused_and_more_than_enough_stay() {
-    let scene = show::scene(0.0);
+    let scene = show::model_scene(0.0);
     let error = refusal(&scene, &Quality::THESIS, (10, 2), 19).unwrap();
     let text = "a frame of this size takes 20 pixels, and there are 19";
     assert_eq!(error.to_string(), text);
@@ -81,7 +81,7 @@ fn qualities_out_of_range_are_refused() {
     let depths = [Quality::MAX_DEPTH + 1, u32::MAX];
     let depths = depths.map(|depth| Quality { depth, ..thesis });
     for quality in squares.iter().chain(&depths) {
-        let error = refusal(&show::scene(0.0), quality, (64, 48), 64 * 48);
+        let error = refusal(&show::model_scene(0.0), quality, (64, 48), 64 * 48);
         assert!(matches!(error, Some(Error::Flaw(_))), "{quality:?}");
         assert!(panics(*quality, (64, 48), 64 * 48), "{quality:?}");
     }
@@ -108,7 +108,7 @@ fn qualities_out_of_range_are_refused() {
 
 #[test]
 fn a_scene_out_of_range_is_refused_by_the_name_of_its_number() {
-    let mut scene = show::scene(0.0);
+    let mut scene = show::model_scene(0.0);
     scene.spheres[2].material.kd = -0.5;
     let error = refusal(&scene, &Quality::DEFAULT, (64, 48), 64 * 48).unwrap();
     let text = "spheres[2].material.kd is -0.5, and takes 0 to 1";
@@ -129,7 +129,7 @@ fn a_scene_out_of_range_is_refused_by_the_name_of_its_number() {
 
 #[test]
 fn comparing_deeper_than_rays_go_compares_all() {
-    let scene = show::scene(0.0);
+    let scene = show::model_scene(0.0);
     let compare = |depth| {
         let quality = Quality {
             key_depth: depth,
@@ -161,7 +161,7 @@ fn an_empty_scene_is_its_background() {
 
 /// A camera at the distance `r` from the origin, with lights for objects of that size.
 fn of_length(r: f32) -> Scene {
-    let mut scene = show::scene(0.0);
+    let mut scene = show::model_scene(0.0);
     scene.spheres = List::default();
     scene.planes = List::default();
     scene.camera = Camera::default();
@@ -176,7 +176,7 @@ fn of_length(r: f32) -> Scene {
 
 #[test]
 fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
-    let material = show::scene(0.0).spheres[0].material;
+    let material = show::model_scene(0.0).spheres[0].material;
     // Over the whole range of lengths.
     let sphere = |r: f32| {
         let mut scene = of_length(r);
@@ -198,9 +198,12 @@ fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
         });
         scene
     };
-    let scenes: [&dyn Fn(f32) -> Scene; 3] = [&sphere, &|r| block(r, Shape::Box), &|r| {
-        block(r, Shape::Cylinder)
-    }];
+    let scenes: [&dyn Fn(f32) -> Scene; 4] = [
+        &sphere,
+        &|r| block(r, Shape::Box),
+        &|r| block(r, Shape::Cylinder),
+        &|r| block(r, Shape::Capsule),
+    ];
     for scene in scenes {
         for isa in cpu::instruction_sets() {
             let picture = |r| draw(isa, 1, &scene(r), &Quality::EXHAUSTIVE, 96, 72).pixels;

@@ -35,7 +35,7 @@ pub fn bare(quality: Quality) -> Quality {
 /// Scenes with few and many edges, and with so many that nearly every square has one.
 fn scenes() -> [(&'static str, Scene); 3] {
     [
-        ("model", show::scene(0.0)),
+        ("model", show::model_scene(0.0)),
         ("some spheres", show::field(40, 2.0)),
         ("many spheres", show::field(320, 5.0)),
     ]
@@ -43,7 +43,7 @@ fn scenes() -> [(&'static str, Scene); 3] {
 
 #[test]
 fn the_rules_of_2008_trace_an_eighth_of_the_points_at_44_db() {
-    let scene = show::scene(0.0);
+    let scene = show::model_scene(0.0);
     for (isa, exhaustive) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 1024, 768) {
         let thesis = draw(isa, 2, &scene, &Quality::THESIS, 1024, 768);
         let psnr = Difference::between(&exhaustive.pixels, &thesis.pixels).psnr;
@@ -56,7 +56,7 @@ fn the_rules_of_2008_trace_an_eighth_of_the_points_at_44_db() {
 #[test]
 fn what_the_intro_plays_is_within_45_db_in_every_frame() {
     for second in 0..=10 {
-        let scene = show::scene(second as f32);
+        let scene = show::model_scene(second as f32);
         for quality in [Quality::DEFAULT, jagged(Quality::DEFAULT)] {
             let [exhaustive, played] = [quality.reference(), quality]
                 .map(|quality| draw(cpu::best(), 2, &scene, &quality, 1024, 768).pixels);
@@ -80,7 +80,7 @@ fn squares_are_filled_and_split_by_the_rules() {
 
 #[test]
 fn what_corners_compare_follows_the_quality() {
-    let scene = show::scene(4.0);
+    let scene = show::model_scene(4.0);
     for (key_depth, state_depth, tolerance_agreeing, tolerance_differing) in [
         (0, 0, f32::INFINITY, 0.0),
         (1, 1, f32::INFINITY, 5.0),
@@ -109,7 +109,7 @@ fn what_corners_compare_follows_the_quality() {
 
 #[test]
 fn squares_of_every_side_follow_the_rules() {
-    let scene = show::scene(1.0);
+    let scene = show::model_scene(1.0);
     for square in 1..=Quality::MAX_SQUARE {
         for rules in [Quality::THESIS, Quality::DEFAULT] {
             let quality = Quality {

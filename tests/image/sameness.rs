@@ -36,7 +36,7 @@ fn of_the_show(time: f32) -> Scene {
 
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
-    for scene in [show::scene(3.0), show::field(100, 3.0)] {
+    for scene in [show::model_scene(3.0), show::field(100, 3.0)] {
         for quality in QUALITIES {
             for isa in cpu::instruction_sets() {
                 let one = draw(isa, 1, &scene, &quality, 301, 203);
@@ -56,7 +56,7 @@ fn any_number_of_threads_gives_the_same_bits() {
 
 #[test]
 fn any_order_of_bands_gives_the_same_bits() {
-    let scene = show::scene(3.0);
+    let scene = show::model_scene(3.0);
     let level = cpu::best().level;
     for quality in QUALITIES {
         let forward = draw(cpu::best(), 1, &scene, &quality, 301, 203);
@@ -92,7 +92,7 @@ fn a_frame_does_not_depend_on_earlier_frames() {
         // Scenes of spheres alone, and with boxes, cylinders and patterns: an object number may belong to a sphere in one frame
         // and to a box in another.
         let many = [
-            show::scene(6.0),
+            show::model_scene(6.0),
             show::field(320, 0.0),
             of_the_show(50.0),
             of_the_show(65.0),
@@ -119,8 +119,8 @@ fn a_frame_does_not_depend_on_earlier_frames() {
 #[test]
 fn instruction_sets_differ_by_one_step_at_most_but_on_silhouettes() {
     for (scene, width, height) in [
-        (show::scene(0.0), 1024, 768),
-        (show::scene(11.0), 640, 480),
+        (show::model_scene(0.0), 1024, 768),
+        (show::model_scene(11.0), 640, 480),
         (show::field(64, 4.0), 400, 300),
     ] {
         let silhouettes = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height).silhouettes();

@@ -78,8 +78,8 @@ impl Still {
     }
 }
 
-/// Times in milliseconds, at least two in each scene but the method's, without captions and coarse squares, which the oracle does
-/// not draw.
+/// Times in milliseconds, at least two in each scene but the method's, without captions, copper bars and coarse squares, which the
+/// oracle does not draw.
 const TIMES: [u32; 18] = [
     2_300, 5_500, 13_300, 18_700, 21_500, 41_300, 45_200, 54_700, 57_400, 62_500, 69_900, 78_300,
     83_600, 90_700, 94_300, 102_800, 108_500, 112_000,
@@ -95,8 +95,14 @@ fn what_ships_is_as_the_oracle_sees_it_in_every_scene() {
         let still = Still::exhaustive(time, width, height);
         let mut scene = still.scene();
         let captions = scene.captions.iter().map(|caption| caption.brightness);
-        assert_eq!(captions.sum::<f32>(), 0.0, "no caption at {time} ms");
+        let bars = scene.copper_bars.iter().map(|bar| bar.brightness);
+        assert_eq!(
+            captions.chain(bars).sum::<f32>(),
+            0.0,
+            "no overlay at {time} ms"
+        );
         scene.captions.clear();
+        scene.copper_bars.clear();
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
         let mut exhaustive = Vec::new();
         for isa in cpu::shipped() {

@@ -59,6 +59,21 @@ fn a_kick_is_a_flash_in_its_own_frame() {
 }
 
 #[test]
+fn copper_bars_flash_with_the_kicks_of_one_bar_alone() {
+    let first = (show::cut("swarm") + 4) as f32 * grid::BAR;
+    assert_eq!(pulse(first).kick, 1.0);
+    for sixteenth in 0..show::BARS * 16 {
+        let time = sixteenth as f32 * grid::BEAT / 4.0;
+        let is_shown = (first..first + grid::BAR).contains(&time);
+        let expected = if is_shown { pulse(time).kick } else { 0.0 };
+        for bar in at(time).copper_bars.iter() {
+            assert_eq!(bar.brightness, expected, "{time} s");
+        }
+        assert!(!is_shown || at(time).copper_bars.len() == 2);
+    }
+}
+
+#[test]
 fn a_scene_does_not_depend_on_the_one_that_it_replaces() {
     for cut in show::CUTS {
         let time = (cut as f32 + 0.7) * grid::BAR;
@@ -72,6 +87,7 @@ fn a_scene_does_not_depend_on_the_one_that_it_replaces() {
             format!("{:?}", scene.blocks.to_vec()),
             format!("{:?}", at(time).blocks.to_vec())
         );
+        assert_eq!(scene.copper_bars, at(time).copper_bars);
         assert_eq!(scene.lights.to_vec(), at(time).lights.to_vec());
     }
 }
@@ -243,7 +259,7 @@ fn a_caption_tells_the_points_and_the_pixels_of_its_own_frame() {
             };
             let scene = Scene {
                 captions: List::of(&[caption]),
-                ..show::scene(2.0)
+                ..show::model_scene(2.0)
             };
             draw(cpu::best(), 2, &scene, &quality, width, height)
         };

@@ -9,7 +9,7 @@ use eightfold_oracle::squares::Squares;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Quality};
 
 fn hold(width: usize, height: usize) {
-    let scene = show::scene(0.5);
+    let scene = show::model_scene(0.5);
     let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
     let thesis = bare(Quality::THESIS);
     let squares = Squares::new(&scene, &thesis, width, height);
@@ -57,7 +57,7 @@ fn the_widest_and_the_tallest_are_right_to_the_last_row_and_column() {
 
 #[test]
 fn squares_of_every_size_draw_the_widest_and_the_tallest() {
-    let scene = show::scene(0.5);
+    let scene = show::model_scene(0.5);
     for square in [1, 2, 3, 4, 5, 8, 12, 16, 17, 32] {
         let quality = Quality {
             square,

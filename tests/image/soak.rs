@@ -40,7 +40,7 @@ fn hold(renderers: &mut Renderers, seed: u64, case: u64) -> Option<Difference> {
     let mut random = Random(seed ^ case.wrapping_mul(0xd134_2543_de82_ef95));
     let time = random.between(-100.0, 100.0) * 10_f32.powi(random.below(5) as i32);
     let mut scene = match random.below(8) {
-        0 => show::scene(time),
+        0 => show::model_scene(time),
         1 => show::field(random.below(321), time),
         _ => scene(&mut random),
     };

@@ -1,7 +1,10 @@
-//! Text that is written over a finished picture.
+//! Text that is written over a finished picture, and copper bars.
 
-use eightfold_tracer::Frame;
-use eightfold_tracer::scene::{Caption, List};
+use crate::cpu;
+use crate::drawn::draw;
+use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::scene::{Caption, CopperBar, List, Scene};
+use eightfold_tracer::{Frame, Quality};
 
 const SIZE: (usize, usize) = (640, 360);
 
@@ -39,4 +42,34 @@ fn lines_begin_at_the_left() {
             .any(|&pixel| pixel != 0)
     };
     assert!(!(0..7).any(lit) && (7..24).any(lit) && !(24..SIZE.0).any(lit));
+}
+
+#[test]
+fn a_copper_bar_is_a_rod_across_the_picture_that_covers_its_share_of_it() {
+    for brightness in [0.0, 0.5, 1.0] {
+        let bar = CopperBar {
+            middle: 0.25,
+            height: 0.1,
+            colour: vec3a(1.0, 0.5, 0.0),
+            brightness,
+        };
+        let scene = Scene {
+            background: Vec3A::ONE,
+            copper_bars: List::of(&[bar]),
+            ..Scene::default()
+        };
+        let drawn = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, SIZE.0, SIZE.1);
+        for (y, row) in drawn.pixels.chunks(SIZE.0).enumerate() {
+            assert!(row.iter().all(|pixel| *pixel == row[0]), "row {y}");
+            // It is 36 rows high, and row 90 is the first below its middle.
+            let out = (y as f32 + 0.5 - 90.0) / 18.0;
+            let covered = if out.abs() < 1.0 { brightness } else { 0.0 };
+            let light = 1.0 - out * out;
+            let [_, red, green, blue] = row[0].to_be_bytes();
+            for (channel, colour) in [(red, 1.0), (green, 0.5), (blue, 0.0)] {
+                let expected = 255.0 * (1.0 - covered + covered * light * colour);
+                assert!((f32::from(channel) - expected).abs() < 2.0, "row {y}");
+            }
+        }
+    }
 }

@@ -1,11 +1,12 @@
 //! A second ray tracer, with which the tests compare the library's pictures and the lab finds out what a pixel shows.
 //!
 //! It traces one ray at a time, recursively and in f64, by textbook formulas. It shares no code with the library, so where both
-//! agree they are right, unless both misunderstood the same rule.
+//! agree they are right, unless both misunderstood the same rule. The lab's path tracer meets the same shapes: it takes their geometry
+//! from here.
 
 pub mod frame;
+pub mod geometry;
 pub mod grooves;
-mod intersect;
 mod light;
 pub mod pattern;
 mod shade;
@@ -13,7 +14,8 @@ pub mod squares;
 pub mod waves;
 
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::Scene;
+use eightfold_tracer::scene::{Material, Scene};
+use geometry::{Met, PicturePlane, Ray, Shape};
 use glam::DVec3;
 
 /// Traces points of one picture of a scene. Points are given in pixels of the picture.
@@ -22,12 +24,14 @@ pub struct Oracle<'a> {
     quality: &'a Quality,
     width: usize,
     height: usize,
-    /// The ray through pixel (x, y) has the direction `corner + x dx + y dy`.
-    corner: DVec3,
-    dx: DVec3,
-    dy: DVec3,
-    /// The side of a pixel at distance 1, in scene units.
-    pixel: f64,
+    plane: PicturePlane,
+    bodies: Vec<Body>,
+}
+
+/// An object that rays meet.
+struct Body {
+    object: Object,
+    shape: Shape,
 }
 
 /// The result of tracing a point.
@@ -60,55 +64,60 @@ pub enum Object {
     Background,
 }
 
-#[derive(Clone, Copy)]
-struct Ray {
-    /// The origin.
-    o: DVec3,
-    /// The direction, of length 1.
-    d: DVec3,
-    /// How far off the origin may be by rounding, in scene units: on surfaces as near as that it starts.
-    slack: f64,
+impl Object {
+    /// The material of an object of a scene; lamps and the background have none.
+    pub fn material(self, scene: &Scene) -> Option<&Material> {
+        match self {
+            Self::Sphere(i) => Some(&scene.spheres[i].material),
+            Self::Plane(i) => Some(&scene.planes[i].material),
+            Self::Block(i) => Some(&scene.blocks[i].material),
+            Self::Light(_) | Self::Background => None,
+        }
+    }
 }
 
 impl<'a> Oracle<'a> {
     /// An oracle for a picture of a given size in pixels. Of the quality it uses the depths, the highlight and the least
     /// contribution.
     pub fn new(scene: &'a Scene, quality: &'a Quality, width: usize, height: usize) -> Self {
-        let camera = &scene.camera;
-        let eye = camera.eye.as_dvec3();
-        let forward = (camera.look_at.as_dvec3() - eye).normalize();
-        let right = forward.cross(camera.up.as_dvec3()).normalize();
-        let up = right.cross(forward);
-        let pixel = 2.0 * (0.5 * f64::from(camera.field_of_view)).tan() / height as f64;
-        let (dx, dy) = (right * pixel, up * -pixel);
         Self {
             scene,
             quality,
             width,
             height,
-            corner: forward - dx * (0.5 * width as f64 - 0.5) - dy * (0.5 * height as f64 - 0.5),
-            dx,
-            dy,
-            pixel,
+            plane: PicturePlane::new(&scene.camera, width, height),
+            bodies: bodies(scene),
         }
     }
 
     /// The object that the centre of pixel (x, y) shows, which may lie outside the picture.
     pub fn object_at(&self, x: isize, y: isize) -> Object {
-        self.nearest(self.primary_ray(x, y)).0
+        let nearest = self.nearest(self.primary_ray(x, y));
+        nearest.map_or(Object::Background, |(body, _)| body.object)
     }
 
     /// The ray through the centre of a pixel.
     fn primary_ray(&self, x: isize, y: isize) -> Ray {
-        let d = self.corner + self.dx * x as f64 + self.dy * y as f64;
-        Ray::from_scene(self.scene.camera.eye.as_dvec3(), d.normalize())
+        self.plane.ray(x as f64, y as f64)
+    }
+
+    /// The nearest object along a ray, and where the ray meets it.
+    fn nearest(&self, ray: Ray) -> Option<(&Body, Met)> {
+        let mut nearest: Option<(&Body, Met)> = None;
+        for body in &self.bodies {
+            let limit = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
+            if let Some(met) = body.shape.meet(ray, limit) {
+                nearest = Some((body, met));
+            }
+        }
+        nearest
     }
 
     /// Traces the point at the centre of pixel (x, y), which may lie outside the picture.
     pub fn trace(&self, x: isize, y: isize) -> Traced {
         let ray = self.primary_ray(x, y);
         let mut traced = Traced::default();
-        let weight = 1.0 - self.scene.fade;
+        let weight = self.scene.exposure;
         let light = f64::from(weight) * self.follow(ray, weight, 1, &mut traced);
         traced.colour = self.exposed(light, x, y);
         traced
@@ -131,6 +140,28 @@ impl<'a> Oracle<'a> {
         };
         (light / (1.0 + vignette)).map(roll_off)
     }
+}
+
+/// All objects of a scene, those spheres too that show lights.
+fn bodies(scene: &Scene) -> Vec<Body> {
+    let spheres = scene.spheres.iter().map(Shape::from).enumerate();
+    let planes = scene.planes.iter().map(Shape::from).enumerate();
+    let blocks = scene.blocks.iter().map(Shape::from).enumerate();
+    let lights = scene.lights.iter().enumerate();
+    let drawn = lights.filter(|(_, light)| light.radius > 0.0 && !light.parallel);
+    let shown = drawn.map(|(i, light)| {
+        let shape = Shape::Sphere {
+            centre: light.position.as_dvec3(),
+            radius: light.radius.into(),
+        };
+        (Object::Light(i), shape)
+    });
+    let all = spheres
+        .map(|(i, shape)| (Object::Sphere(i), shape))
+        .chain(planes.map(|(i, shape)| (Object::Plane(i), shape)))
+        .chain(blocks.map(|(i, shape)| (Object::Block(i), shape)))
+        .chain(shown);
+    all.map(|(object, shape)| Body { object, shape }).collect()
 }
 
 /// In which order the pixels of a square of 4x4 are rounded up as a colour gets brighter, by the film's dither: the last one first.

@@ -1,7 +1,7 @@
 //! The light that reaches a point.
 
-use super::intersect::{block, is_within};
-use super::{Oracle, Ray};
+use super::geometry::Ray;
+use super::{Object, Oracle};
 use eightfold_tracer::scene::{Light, Sphere};
 use glam::DVec3;
 
@@ -39,20 +39,22 @@ impl Oracle<'_> {
             let cosine = -l.dot(spot.aim.as_dvec3());
             smooth((cosine - dark) / (bright - dark))
         });
-        if self.blocked_by_planes(ray, distance) {
-            return DVec3::ZERO;
+        let bodies = self.bodies.iter();
+        let in_its_way = bodies.filter(|body| body.shape.meet(ray, distance).is_some());
+        let mut share = DVec3::splat(cone);
+        for object in in_its_way.map(|body| body.object) {
+            match object {
+                Object::Block(i) if light.size > 0.0 => {
+                    share *= self.scene.blocks[i].material.tint.as_dvec3();
+                }
+                // Its edges are soft.
+                Object::Sphere(_) if light.size > 0.0 => {}
+                Object::Light(_) => {}
+                _ => return DVec3::ZERO,
+            }
         }
         if light.size == 0.0 {
-            let mut blocks = self.scene.blocks.iter();
-            let is_dark = self.blocked_by_spheres(ray, distance)
-                || blocks.any(|s| is_within(block(ray, s).map(|hit| hit.0), distance));
-            return DVec3::splat(if is_dark { 0.0 } else { cone });
-        }
-        let mut share = DVec3::splat(cone);
-        for s in self.scene.blocks.iter() {
-            if is_within(block(ray, s).map(|hit| hit.0), distance) {
-                share *= s.material.tint.as_dvec3();
-            }
+            return share;
         }
         for s in self.scene.spheres.iter() {
             let passing = penumbra(s, ray.o, to_light, light);

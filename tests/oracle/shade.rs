@@ -1,13 +1,13 @@
 //! Shading by Phong's model, and secondary rays.
 
+use super::geometry::Ray;
 use super::grooves;
-use super::intersect::block;
 use super::light::ToLight;
 use super::pattern::reflectance;
 use super::waves;
-use super::{Object, Oracle, Ray, Traced};
+use super::{Object, Oracle, Traced};
 use eightfold_tracer::scene::{Light, Material};
-use glam::{DVec3, Vec3A};
+use glam::DVec3;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// The state of a light at a hit: shadowed or behind the surface, lit, or lit with a highlight.
@@ -23,42 +23,26 @@ impl Oracle<'_> {
     /// ray tree: 1 for a primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of the node p.
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
-        let (object, t) = self.nearest(ray);
+        let nearest = self.nearest(ray);
+        let object = nearest.map_or(Object::Background, |(body, _)| body.object);
+        let t = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
         let glow = self.glow(ray, t);
         // What a single ray brings to the eye, without those that follow it.
         let cut = |light: DVec3| light.min(DVec3::splat(2.0 / f64::from(weight)));
-        let p = ray.o + t * ray.d;
-        // The material, the outward normal, and the hit from the centre along the object's own axes.
-        let (material, normal, own): (&Material, _, _) = match object {
-            Object::Background => {
-                self.note(object, &[], weight, path, traced);
-                return cut(self.behind(ray.d) + glow);
-            }
-            Object::Light(i) => {
-                self.note(object, &[], weight, path, traced);
-                return cut(self.scene.lights[i].colour.as_dvec3() + glow);
-            }
-            Object::Sphere(i) => {
-                let sphere = &self.scene.spheres[i];
-                let out = p - sphere.centre.as_dvec3();
-                (&sphere.material, out / f64::from(sphere.radius), out)
-            }
-            Object::Plane(i) => {
-                let plane = &self.scene.planes[i];
-                let out = p - plane.centre.as_dvec3();
-                (&plane.material, DVec3::Y, out.with_y(0.0))
-            }
-            Object::Block(i) => {
-                let it = &self.scene.blocks[i];
-                let normal = block(ray, it).map_or(DVec3::Y, |hit| hit.1.normalize());
-                let out =
-                    glam::Mat3::from(it.axes).as_dmat3().transpose() * (p - it.centre.as_dvec3());
-                (&it.material, normal, out)
-            }
+        let Some(((body, met), material)) = nearest.zip(object.material(self.scene)) else {
+            self.note(object, &[], weight, path, traced);
+            let light = match object {
+                Object::Light(i) => self.scene.lights[i].colour.as_dvec3(),
+                _ => self.behind(ray.d),
+            };
+            return cut(light + glow);
         };
+        let p = ray.at(t);
+        let normal = met.normal.normalize();
+        let own = body.shape.own_coordinates(p);
         let inside = ray.d.dot(normal) > 0.0;
-        let footprint = t * self.pixel / ray.d.dot(normal).abs();
-        let groove = self.groove(object, p, normal);
+        let footprint = t * self.plane.pixel / ray.d.dot(normal).abs();
+        let groove = body.shape.groove(p, normal);
         let normal = match object {
             Object::Plane(0) => waves::normal(&self.scene.water, p, ray.d, footprint),
             _ => normal,
@@ -92,20 +76,6 @@ impl Oracle<'_> {
             traced,
         );
         own + transmittance * secondary
-    }
-
-    /// The direction of the grooves at a point of an object.
-    fn groove(&self, object: Object, p: DVec3, normal: DVec3) -> DVec3 {
-        let (axis, centre) = match object {
-            Object::Sphere(i) => (Vec3A::Y, self.scene.spheres[i].centre),
-            Object::Plane(i) => (Vec3A::Y, self.scene.planes[i].centre),
-            Object::Block(i) => (
-                self.scene.blocks[i].axes.y_axis,
-                self.scene.blocks[i].centre,
-            ),
-            Object::Light(_) | Object::Background => return DVec3::ZERO,
-        };
-        grooves::direction(axis.as_dvec3(), p - centre.as_dvec3(), normal)
     }
 
     /// The light of the air around lamps up to a distance: the sum over short steps would be the same.
@@ -166,14 +136,14 @@ impl Oracle<'_> {
                 kr += kt;
             } else if weight >= self.quality.least_contribution {
                 let d = eta * ray.d + (eta * cosine - k.sqrt()) * n;
-                let seen = self.follow(ray.onward(t, d), weight, 2 * path + 1, traced);
+                let seen = self.follow(ray.moved(t).turned(d), weight, 2 * path + 1, traced);
                 colour += f64::from(kt) * seen;
             }
         }
         let weight = weight * kr;
         if weight >= self.quality.least_contribution {
             let d = ray.d + 2.0 * cosine * n;
-            let seen = self.follow(ray.onward(t, d), weight, 2 * path, traced);
+            let seen = self.follow(ray.moved(t).turned(d), weight, 2 * path, traced);
             colour += f64::from(kr) * seen;
         }
         colour
@@ -195,7 +165,7 @@ impl Oracle<'_> {
         traced: &mut Traced,
     ) -> (State, DVec3) {
         let light = &self.scene.lights[light];
-        let to_light = ToLight::new(light, ray.o + t * ray.d);
+        let to_light = ToLight::new(light, ray.at(t));
         let l = to_light.l;
         let nl = n.dot(l);
         if nl <= 0.0 {
@@ -204,7 +174,7 @@ impl Oracle<'_> {
         traced.shadow_rays += 1;
         // Inside a sphere, lights beyond its far side are blocked by the sphere itself.
         let is_beyond = within.is_some_and(|radius| 2.0 * nl * radius < to_light.distance);
-        let share = self.reaching(light, &to_light, ray.onward(t, l));
+        let share = self.reaching(light, &to_light, ray.moved(t).turned(l));
         if is_beyond || share == DVec3::ZERO {
             return (State::Dark, DVec3::ZERO);
         }

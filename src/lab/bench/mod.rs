@@ -1,24 +1,21 @@
 //! `lab bench`: how fast frames are drawn, and how far they are from what tracing every pixel draws.
 
-mod measure;
 mod row;
 mod stages;
 mod table;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::interrupt::{self, Stopped};
-use crate::machine::machine;
+use crate::measure::{Plan, Shot, Way};
 use crate::scenes::{self, SceneName};
-use crate::timing::evenly_spaced;
+use crate::timing::{evenly_spaced, machine};
 use crate::views::views;
 use crate::{output, progress};
 use anyhow::{Result, bail};
 use clap::Args;
 use eightfold_window::cpu::{self, Isa};
-use measure::{Plan, Shot, Way};
 use row::Row;
 use std::path::{Path, PathBuf};
-use std::thread::available_parallelism;
 
 /// Measures how fast frames are drawn, and what that costs in accuracy
 ///
@@ -66,8 +63,7 @@ pub struct Arguments {
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
-    /// Tells where the time of a frame goes instead, stage by stage, on one thread, and how many times as fast more threads can
-    /// be by the times of the pieces of work
+    /// Tells where the time of a frame goes instead, stage by stage, on one thread
     #[arg(long, conflicts_with_all = ["threads", "json", "views"])]
     stages: bool,
     /// File to write the figures to as JSON, or - for standard output; the table then goes to standard error
@@ -105,7 +101,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         scene => (&*format!("{scene} scene,"), table::of_scene(&rows)),
     };
     let (from, to) = times(arguments);
-    let drawn = rows.iter().map(|row| row.frames).max().unwrap_or(0);
+    let drawn = rows
+        .iter()
+        .map(|row| row.accuracy.frames)
+        .max()
+        .unwrap_or(0);
     let frames = if drawn < arguments.frames {
         format!("the first {drawn} of {}", arguments.frames)
     } else {
@@ -140,7 +140,7 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
     arguments::check_span(arguments.time_from, arguments.time_to)?;
     let mut threads = arguments.threads.clone();
     if threads.is_empty() {
-        threads.push(available_parallelism().map_or(1, usize::from));
+        threads.push(arguments::processors());
     }
     let others = arguments.quality.iter().copied();
     let unguarded = arguments.unguarded.then_some(NamedQuality::UNGUARDED);
@@ -153,7 +153,8 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
             &[false]
         };
         shadows.iter().map(move |&hard_shadows| Way {
-            quality: quality.antialiased(!arguments.jagged),
+            name: format!("{quality}{}", if hard_shadows { ", hard" } else { "" }),
+            quality: quality.antialiased(!arguments.jagged).quality,
             hard_shadows,
         })
     });
@@ -172,6 +173,9 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
         sizes: distinct(arguments.size.iter().copied()),
         threads: distinct(threads),
         ways: distinct(ways),
+        is_on_processor: false,
+        has_samples: true,
+        has_missed: false,
     })
 }
 

@@ -1,8 +1,8 @@
-//! Where a frame's time goes, stage by stage, and how many threads can share it.
+//! Where a frame's time goes, stage by stage, on one thread.
 
 use super::FRAME;
-use super::measure::{Plan, Shot, Way};
 use crate::arguments::Size;
+use crate::measure::{Plan, Shot, Way};
 use crate::threaded_renderer::whole;
 use crate::timing::real_time;
 use eightfold_tracer::observe::{Fill, Observer, Stage};
@@ -13,49 +13,31 @@ use std::time::Instant;
 
 /// Times that each frame is drawn; what took least counts, as others at work on the machine only ever add to it.
 const REPEATS: usize = 5;
-/// Numbers of threads that the frame's pieces are dealt to.
-const THREADS: [usize; 3] = [4, 16, 64];
 
-/// The parts that a frame's time is divided into, in the order of the table.
+/// The parts that a frame's time is divided into, in the order of the table: the tracer's stages by their numbers, and two more.
 const ROWS: [(&str, usize); STAGES] = [
     ("preparing the scene", PREPARING),
     (
         "tracing: primary rays and their light",
-        stage(Stage::Primary),
+        Stage::Primary as usize,
     ),
     (
         "tracing: secondary rays and their light",
-        stage(Stage::Tracing),
+        Stage::Tracing as usize,
     ),
-    ("taking in what was traced", stage(Stage::Results)),
-    ("finding points", stage(Stage::Points)),
-    ("guard", stage(Stage::Guard)),
-    ("verdict", stage(Stage::Verdict)),
-    ("filling", stage(Stage::Fill)),
-    ("splitting", stage(Stage::Split)),
-    ("antialiasing: finding edges, mixing", stage(Stage::Edges)),
-    ("antialiasing: tracing", stage(Stage::Middles)),
+    ("taking in what was traced", Stage::Results as usize),
+    ("finding points", Stage::Points as usize),
+    ("guard", Stage::Guard as usize),
+    ("verdict", Stage::Verdict as usize),
+    ("filling", Stage::Fill as usize),
+    ("splitting", Stage::Split as usize),
+    ("antialiasing: finding edges, mixing", Stage::Edges as usize),
+    ("antialiasing: tracing", Stage::Middles as usize),
     ("other: tiles, captions", OTHER),
 ];
 const STAGES: usize = 12;
 const OTHER: usize = 10;
 const PREPARING: usize = 11;
-
-/// The number of a stage.
-const fn stage(stage: Stage) -> usize {
-    match stage {
-        Stage::Points => 0,
-        Stage::Primary => 1,
-        Stage::Tracing => 2,
-        Stage::Results => 3,
-        Stage::Guard => 4,
-        Stage::Verdict => 5,
-        Stage::Fill => 6,
-        Stage::Split => 7,
-        Stage::Edges => 8,
-        Stage::Middles => 9,
-    }
-}
 
 /// Takes the time of each stage of one thread.
 struct Clock {
@@ -112,8 +94,8 @@ impl Clock {
             let calls = self.calls[i].load(Relaxed) as f64;
             *time = (self.sums[i].load(Relaxed) as f64 - calls * cost).max(0.0) * 1e-6;
         }
-        let primary = times[stage(Stage::Primary)];
-        let all = &mut times[stage(Stage::Tracing)];
+        let primary = times[Stage::Primary as usize];
+        let all = &mut times[Stage::Tracing as usize];
         *all = (*all - primary).max(0.0);
         times
     }
@@ -128,35 +110,7 @@ impl Observer for &Clock {
     fn square(self, _: usize, _: usize, _: usize, _: usize, _: Fill) {}
 
     fn stage(self, at: Stage) {
-        self.begin(stage(at));
-    }
-}
-
-/// The pieces of work of a frame: milliseconds until the first begins, and those of each piece, in the order in which they are
-/// taken.
-struct Pieces {
-    before: f64,
-    /// Those of a phase begin when all of the phase before have ended.
-    phases: Vec<Vec<f64>>,
-}
-
-impl Pieces {
-    fn total(&self) -> f64 {
-        self.before + self.phases.iter().flatten().sum::<f64>()
-    }
-
-    /// How many times as fast the frame is where so many threads take the pieces in their order, and nothing else holds them
-    /// up.
-    fn speed_up(&self, threads: usize) -> f64 {
-        let longest = |times: &Vec<f64>| {
-            let mut ends = vec![0.0_f64; threads];
-            for time in times {
-                let next = ends.iter_mut().min_by(|a, b| a.total_cmp(b));
-                *next.expect("there is a thread") += time;
-            }
-            ends.into_iter().fold(0.0, f64::max)
-        };
-        self.total() / (self.before + self.phases.iter().map(longest).sum::<f64>())
+        self.begin(at as usize);
     }
 }
 
@@ -180,23 +134,19 @@ pub fn tables(plan: &Plan, mut step: impl FnMut()) -> String {
 }
 
 fn table(plan: &Plan, shot: &Shot, size: Size, way: &Way, stand: &mut Stand, cost: f64) -> String {
-    let (width, quality) = (size.width, &way.quality.quality);
+    let (width, quality) = (size.width, &way.quality);
     let mut picture = vec![0; size.area()];
     let frames = shot.times.len() as f64;
-    let (mut total, mut stages, mut speed_ups) = (0.0, [0.0; STAGES], [0.0; THREADS.len()]);
+    let (mut total, mut stages) = (0.0, [0.0; STAGES]);
     for &time in &shot.times {
         let scene = way.scene(shot.scene, time);
         let before = way.scene(shot.scene, (time - FRAME).max(0.0));
-        let mut pieces: Option<Pieces> = None;
-        let mut least = [f64::INFINITY; STAGES];
+        let (mut whole, mut least) = (f64::INFINITY, [f64::INFINITY; STAGES]);
         for _ in 0..REPEATS {
-            // Which pieces are taken first depends on the frame before.
+            // Which bands are taken first depends on the frame before.
             stand.draw(&before, quality, width, &mut picture, ());
-            let drawn = stand.draw(&scene, quality, width, &mut picture, ());
-            pieces = Some(match pieces {
-                Some(pieces) => pieces.least(drawn),
-                None => drawn,
-            });
+            let draw = || stand.draw(&scene, quality, width, &mut picture, ());
+            whole = whole.min(1e3 * real_time(draw).1);
             let clock = Clock::new();
             stand.draw(&scene, quality, width, &mut picture, &clock);
             clock.begin(OTHER);
@@ -204,47 +154,21 @@ fn table(plan: &Plan, shot: &Shot, size: Size, way: &Way, stand: &mut Stand, cos
                 *least = least.min(time);
             }
         }
-        let pieces = pieces.expect("a frame is drawn");
-        total += pieces.total() / frames;
+        total += whole / frames;
         for (sum, time) in stages.iter_mut().zip(least) {
             *sum += time / frames;
-        }
-        for (sum, threads) in speed_ups.iter_mut().zip(THREADS) {
-            *sum += pieces.speed_up(threads) / frames;
         }
     }
     let sum: f64 = stages.iter().sum();
     let mut text = format!(
         "{} scene, {}x{}, {}, {}, 1 thread: {total:.3} ms a frame\n\n| stage | ms | share |\n| --- | ---: | ---: |\n",
-        shot.scene,
-        size.width,
-        size.height,
-        way.name(),
-        plan.isa.name
+        shot.scene, size.width, size.height, way.name, plan.isa.name
     );
     for (name, stage) in ROWS {
         let ms = stages[stage];
         text += &format!("| {name} | {ms:.3} | {:.1} % |\n", 100.0 * ms / sum);
     }
-    let speed_ups = speed_ups.map(|speed_up| format!("{speed_up:.1}"));
-    text += &format!(
-        "\nAt most {} times as fast by {} threads\n\n",
-        speed_ups.join(", "),
-        THREADS.map(|threads| threads.to_string()).join(", ")
-    );
-    text
-}
-
-impl Pieces {
-    /// The lesser of each two times.
-    fn least(mut self, other: Self) -> Self {
-        self.before = self.before.min(other.before);
-        let times = self.phases.iter_mut().flatten();
-        for (time, other) in times.zip(other.phases.into_iter().flatten()) {
-            *time = time.min(other);
-        }
-        self
-    }
+    text + "\n"
 }
 
 /// Where frames are drawn, by the caller's thread.
@@ -262,45 +186,31 @@ impl Stand {
         width: usize,
         pixels: &mut [u32],
         observer: O,
-    ) -> Pieces {
-        let mut thread = TimedThread {
+    ) {
+        let mut thread = OneThread {
             worker: &mut self.worker,
             observer,
-            start: Instant::now(),
-            pieces: Pieces {
-                before: 0.0,
-                phases: Vec::new(),
-            },
         };
         let frame = whole(width, pixels);
         let counts = self
             .renderer
             .render_observed(scene, quality, frame, &mut thread, observer);
         counts.expect("a valid scene");
-        thread.pieces
     }
 }
 
-/// A thread that takes the time of each band.
-struct TimedThread<'a, O> {
+/// The caller's thread, whose work between bands is told.
+struct OneThread<'a, O> {
     worker: &'a mut Worker,
     observer: O,
-    /// When the frame began.
-    start: Instant,
-    pieces: Pieces,
 }
 
-impl<O: StageObserver> Threads for TimedThread<'_, O> {
+impl<O: StageObserver> Threads for OneThread<'_, O> {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
-        if self.pieces.phases.is_empty() {
-            self.pieces.before = 1e3 * self.start.elapsed().as_secs_f64();
-        }
-        let times = bands.iter_mut().map(|band| {
+        for band in bands {
             self.observer.other();
-            let ((), seconds) = real_time(|| job(self.worker, band));
-            1e3 * seconds
-        });
-        self.pieces.phases.push(times.collect());
+            job(self.worker, band);
+        }
         self.observer.other();
     }
 }

@@ -1,90 +1,58 @@
 //! Rows as a table in Markdown.
 
 use super::row::Row;
-use crate::markdown::{dash, decibels, known, percent};
+use crate::accuracy::{error_columns, sample_columns, traced_column};
+use crate::markdown::{Column, percent, table};
 
-/// A column's title, and what a row says in it.
-type Column = (&'static str, fn(&Row) -> String);
-
-const SCENE: Column = ("scene", |row| row.scene.clone());
-const SIZE: Column = ("size", |row| format!("{}x{}", row.width, row.height));
-const THREADS: Column = ("threads", |row| row.threads.to_string());
-const ISA: Column = ("isa", |row| row.isa.to_owned());
-const QUALITY: Column = ("quality", |row| row.quality.clone());
-const FPS: Column = ("fps median", |row| format!("{:.1}", row.fps_median));
-const WORST_SECOND: Column = ("worst second", |row| format!("{:.1}", row.fps_worst_second));
-const MS: Column = ("ms median", |row| format!("{:.3}", row.ms_median));
-const MS_P99: Column = ("ms p99", |row| format!("{:.3}", row.ms_p99));
-const TRACED: Column = ("traced", |row| percent(row.traced_fraction));
-const RAYS: Column = ("rays", |row| format!("{:.0}", row.rays));
-const SHADOW_RAYS: Column = ("shadow rays", |row| format!("{:.0}", row.shadow_rays));
-const LANES: Column = ("lanes used", |row| percent(row.lane_occupancy));
-const PSNR: Column = ("PSNR", |row| decibels(row.psnr_db));
-const PSNR_WORST: Column = ("PSNR worst", |row| decibels(row.psnr_worst_db));
-const OVER_8: Column = ("over 8/255", |row| format!("{:.1}", row.pixels_over_8));
-const POPS: Column = ("pops", |row| known(row.pops, 1));
-const FLIP: Column = ("FLIP", |row| known(row.flip_mean, 4));
-const PSNR_TO_64: Column = ("PSNR to 64", |row| {
-    row.psnr_to_64_db.map_or_else(dash, decibels)
-});
-const FLIP_TO_64: Column = ("FLIP to 64", |row| known(row.flip_to_64, 4));
-const SPEED_UP: Column = ("speed-up", |row| {
-    format!("{:.2}", row.speedup_vs_exhaustive)
-});
-const FLOOR: Column = ("floor", |row| format!("{:.1}", row.floor_ratio));
-
-/// Of a scene.
-const COLUMNS: [Column; 20] = [
-    SIZE,
-    THREADS,
-    ISA,
-    QUALITY,
-    FPS,
-    MS,
-    MS_P99,
-    TRACED,
-    RAYS,
-    SHADOW_RAYS,
-    LANES,
-    PSNR,
-    PSNR_WORST,
-    OVER_8,
-    POPS,
-    FLIP,
-    PSNR_TO_64,
-    FLIP_TO_64,
-    SPEED_UP,
-    FLOOR,
-];
-
-/// Of the show's scenes.
-const SHOW_COLUMNS: [Column; 16] = [
-    SIZE,
-    THREADS,
-    SCENE,
-    QUALITY,
-    FPS,
-    WORST_SECOND,
-    MS,
-    MS_P99,
-    TRACED,
-    PSNR,
-    PSNR_WORST,
-    OVER_8,
-    POPS,
-    FLIP,
-    PSNR_TO_64,
-    FLIP_TO_64,
-];
+const SIZE: Column<Row> = ("size", |row| format!("{}x{}", row.width, row.height));
+const THREADS: Column<Row> = ("threads", |row| row.threads.to_string());
+const QUALITY: Column<Row> = ("quality", |row| row.quality.clone());
+const FPS: Column<Row> = ("fps median", |row| format!("{:.1}", row.fps_median));
+const MS: Column<Row> = ("ms median", |row| format!("{:.3}", row.ms_median));
+const MS_P99: Column<Row> = ("ms p99", |row| format!("{:.3}", row.ms_p99));
 
 /// A line for each row.
 pub fn of_scene(rows: &[Row]) -> String {
-    markdown(&COLUMNS, rows)
+    let mut columns: Vec<Column<Row>> = vec![
+        SIZE,
+        THREADS,
+        ("isa", |row| row.isa.to_owned()),
+        QUALITY,
+        FPS,
+        MS,
+        MS_P99,
+        traced_column(),
+        ("rays", |row| format!("{:.0}", row.accuracy.rays)),
+        ("shadow rays", |row| {
+            format!("{:.0}", row.accuracy.shadow_rays)
+        }),
+        ("lanes used", |row| percent(row.accuracy.lane_occupancy)),
+    ];
+    columns.extend(error_columns());
+    columns.extend(sample_columns());
+    columns.push(("speed-up", |row| {
+        format!("{:.2}", row.speedup_vs_exhaustive)
+    }));
+    columns.push(("floor", |row| format!("{:.1}", row.floor_ratio)));
+    table(&columns, rows)
 }
 
 /// A line for each row, and the worst second of the show for each size and number of threads.
 pub fn of_show(rows: &[Row]) -> String {
-    let mut text = markdown(&SHOW_COLUMNS, rows) + "\n";
+    let mut columns: Vec<Column<Row>> = vec![
+        SIZE,
+        THREADS,
+        ("scene", |row| row.scene.clone()),
+        QUALITY,
+        FPS,
+        ("worst second", |row| format!("{:.1}", row.fps_worst_second)),
+        MS,
+        MS_P99,
+        traced_column(),
+    ];
+    columns.extend(error_columns());
+    columns.extend(sample_columns());
+    let mut text = table(&columns, rows) + "\n";
     let setting = |row: &Row| (row.threads, row.width, row.height);
     for rows in rows.chunk_by(|a, b| setting(a) == setting(b)) {
         let (threads, width, height) = setting(&rows[0]);
@@ -107,29 +75,4 @@ fn worst_second(rows: &[Row], quality: &str) -> String {
         let (fps, second) = (row.fps_worst_second, row.worst_second);
         format!("{quality} {fps:.1} fps from {second} s ({})", row.scene)
     })
-}
-
-/// A line for each row, in columns that line up as plain text too.
-fn markdown(columns: &[Column], rows: &[Row]) -> String {
-    let columns = columns.iter().map(|&(title, cell)| {
-        let cells: Vec<String> = rows.iter().map(cell).collect();
-        let longest = cells.iter().map(String::len).max().unwrap_or(0);
-        let width = longest.max(title.len());
-        (title, cells, width)
-    });
-    let columns: Vec<_> = columns.collect();
-    let titles = columns.iter();
-    let titles = titles.map(|(title, _, width)| format!("{title:>width$}"));
-    let rules = columns.iter();
-    let rules = rules.map(|(_, _, width)| format!("{}:", "-".repeat(width - 1)));
-    let mut text = line(titles) + &line(rules);
-    for i in 0..rows.len() {
-        let cells = columns.iter();
-        text += &line(cells.map(|(_, cells, width)| format!("{:>width$}", cells[i])));
-    }
-    text
-}
-
-fn line(cells: impl Iterator<Item = String>) -> String {
-    format!("| {} |\n", cells.collect::<Vec<_>>().join(" | "))
 }

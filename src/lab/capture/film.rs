@@ -3,6 +3,7 @@
 use super::exposure::Exposure;
 use crate::arguments::{NamedQuality, Size};
 use crate::interrupt::{self, Stopped};
+use crate::picture::Mean;
 use crate::rate::Rate;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
@@ -40,8 +41,6 @@ pub const MAX_SUPERSAMPLE: usize = 16;
 pub struct Canvas {
     renderer: ThreadedRenderer,
     pixels: Vec<u32>,
-    /// The sums of red, green and blue over the samples of each pixel.
-    sums: Vec<[u32; 3]>,
 }
 
 impl Film {
@@ -123,25 +122,21 @@ impl Film {
     /// film clips at every moment; a lamp brighter than white does not outshine what is beside it for the rest of the time.
     pub fn draw<'a>(&self, frame: usize, canvas: &'a mut Canvas) -> &'a [u32] {
         let scene = self.scene.at(self.time(frame));
-        let Canvas {
-            renderer,
-            pixels,
-            sums,
-        } = canvas;
+        let Canvas { renderer, pixels } = canvas;
         pixels.resize(self.size.area(), 0);
-        sums.clear();
         let count = self.pictures();
+        let mut mean = Mean::default();
         for index in 0..count {
             let (scene, offset) = self.picture(frame, index, &scene);
             renderer.set_offset(offset.x, offset.y);
             let (quality, width) = (&self.quality.quality, self.size.width);
             renderer.draw(self.isa.level, &scene, quality, width, pixels);
             if count > 1 {
-                add(sums, pixels);
+                mean.add(pixels);
             }
         }
         if count > 1 {
-            mean(sums, count as u32, pixels);
+            mean.write(pixels);
         }
         pixels
     }
@@ -183,7 +178,6 @@ impl Canvas {
         Self {
             renderer: ThreadedRenderer::new(1),
             pixels: Vec::new(),
-            sums: Vec::new(),
         }
     }
 }
@@ -196,22 +190,3 @@ fn fnv(hash: u64, text: &str) -> u64 {
 
 /// The hash of nothing.
 const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
-
-/// Adds a picture to the sums.
-fn add(sums: &mut Vec<[u32; 3]>, pixels: &[u32]) {
-    sums.resize(pixels.len(), [0; 3]);
-    for (sum, pixel) in sums.iter_mut().zip(pixels) {
-        let [_, rgb @ ..] = pixel.to_be_bytes();
-        for (sum, channel) in sum.iter_mut().zip(rgb) {
-            *sum += u32::from(channel);
-        }
-    }
-}
-
-/// Divides the sums by the number of pictures, with rounding.
-fn mean(sums: &[[u32; 3]], count: u32, pixels: &mut [u32]) {
-    for (pixel, sum) in pixels.iter_mut().zip(sums) {
-        let [r, g, b] = sum.map(|sum| ((sum + count / 2) / count) as u8);
-        *pixel = u32::from_be_bytes([0, r, g, b]);
-    }
-}

@@ -20,7 +20,6 @@ use film::{Film, MAX_SUPERSAMPLE, Samples};
 use frame_queue::FrameQueue;
 use std::ops::Range;
 use std::path::PathBuf;
-use std::thread::available_parallelism;
 
 /// Draws frames of the show: PNG files, a video, or a contact sheet; and makes their sound
 ///
@@ -77,9 +76,9 @@ pub struct Arguments {
     supersample: usize,
     #[command(flatten)]
     exposure: ExposureFlags,
-    /// Frames drawn at a time [default: as many as there are processors]
-    #[arg(long, value_name = "N", value_parser = arguments::threads)]
-    threads: Option<usize>,
+    /// Frames drawn at a time
+    #[arg(long, value_name = "N", default_value_t = arguments::processors(), value_parser = arguments::threads)]
+    threads: usize,
     /// Instruction set; avx2 and avx512 draw the same bits, sse2 others [default: the best of this machine, but not sse2]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
@@ -156,9 +155,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let queue = FrameQueue {
         film: &film,
-        threads: arguments
-            .threads
-            .unwrap_or_else(|| available_parallelism().map_or(1, usize::from)),
+        threads: arguments.threads,
     };
     if let Some(folder) = &arguments.png {
         files::write(&queue, frames, folder)
@@ -258,16 +255,12 @@ fn samples(text: &str) -> Result<usize, String> {
 
 /// Parses a share.
 fn share(text: &str) -> Result<f32, String> {
-    let number = text.parse().ok();
-    number
-        .filter(|share| (0.0..=1.0).contains(share))
-        .ok_or_else(|| "takes a share from 0 to 1, such as 0.5".to_owned())
+    let is_share = |share: &f32| (0.0..=1.0).contains(share);
+    arguments::parsed(text, is_share, "a share from 0 to 1, such as 0.5")
 }
 
 /// Parses a length above 0.
 fn length(text: &str) -> Result<f32, String> {
-    let number = text.parse().ok();
-    number
-        .filter(|&length: &f32| length > 0.0 && length <= MAX_LENGTH)
-        .ok_or_else(|| "takes a length in scene units, above 0".to_owned())
+    let is_length = |&length: &f32| length > 0.0 && length <= MAX_LENGTH;
+    arguments::parsed(text, is_length, "a length in scene units, above 0")
 }

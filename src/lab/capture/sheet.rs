@@ -2,7 +2,7 @@
 
 use super::frame_queue::FrameQueue;
 use crate::arguments::{BadInput, Size};
-use crate::bitmap::{SAMPLES, at, bitmap, text};
+use crate::bitmap::{at, bitmap, text};
 use crate::{output, picture, progress};
 use anyhow::Result;
 use plotters::prelude::*;
@@ -78,7 +78,7 @@ pub fn write(queue: &FrameQueue<'_>, range: Range<usize>, count: usize, name: &P
 /// The strip of pixels with a time in seconds.
 fn caption(time: f32, width: usize) -> Result<Vec<u32>> {
     bitmap([width, CAPTION], PAPER, |area| {
-        let style = text(12, SAMPLES, FontStyle::Normal).color(&WHITE);
+        let style = text(12, FontStyle::Normal).color(&WHITE);
         Ok(area.draw_text(&format!("{time:.2} s"), &style, at([0, 1]))?)
     })
 }

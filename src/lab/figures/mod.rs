@@ -16,7 +16,6 @@ use eightfold_window::cpu;
 use sheet::{Figure, sheet};
 use std::fs;
 use std::path::PathBuf;
-use std::thread::available_parallelism;
 
 /// Draws how a frame comes about: its points, squares, rays and errors
 ///
@@ -63,18 +62,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     output::write(&folder.join("sheet.png"), &png)
 }
 
-/// A frame, exhaustive and by the quality, each with its trace.
-struct Frames {
-    exhaustive: Vec<u32>,
-    /// The trace of the exhaustive frame.
-    all: FrameTrace,
-    picture: Vec<u32>,
-    trace: FrameTrace,
-}
-
+/// The figures of the frame that is asked for.
 fn draw(arguments: &Arguments) -> Vec<Figure> {
     let Size { width, height } = arguments.size;
-    let mut renderer = ThreadedRenderer::new(available_parallelism().map_or(1, usize::from));
+    let mut renderer = ThreadedRenderer::new(arguments::processors());
     let scene = arguments.scene.without_overlay(arguments.time);
     let mut draw = |quality: &Quality| {
         let trace = FrameTrace::new(width, height);
@@ -91,25 +82,9 @@ fn draw(arguments: &Arguments) -> Vec<Figure> {
     };
     let (exhaustive, all) = draw(&arguments.quality.quality.reference());
     let (picture, trace) = draw(&arguments.quality.quality);
-    let frames = Frames {
-        exhaustive,
-        all,
-        picture,
-        trace,
-    };
-    figures(width, &frames)
-}
-
-fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
-    let Frames {
-        exhaustive,
-        all,
-        picture,
-        trace,
-    } = frames;
-    let over = |draw: &dyn Fn(&mut [u32])| {
+    let over = |mark: &dyn Fn(&mut [u32])| {
         let mut pixels = picture.clone();
-        draw(&mut pixels);
+        mark(&mut pixels);
         pixels
     };
     let area = picture.len() as f64;
@@ -117,72 +92,53 @@ fn figures(width: usize, frames: &Frames) -> Vec<Figure> {
     let rays = |trace: &FrameTrace| trace.rays().map(u64::from).sum::<u64>() as f64;
     let most = all.rays().max().unwrap_or(1);
     let squares = trace.squares().count();
-    let difference = Difference::between(exhaustive, picture);
-    let flip = Flip::between(width, exhaustive, picture);
-    let figure = |name, title, caption, pixels| Figure {
-        name,
-        title,
-        caption,
-        scale: None,
-        pixels,
-    };
-    let scaled = |most, figure| Figure {
-        scale: Some(["0".to_owned(), most]),
-        ..figure
-    };
+    let difference = Difference::between(&exhaustive, &picture);
+    let flip = Flip::between(width, &exhaustive, &picture);
+    let errors = flip.errors.iter();
     vec![
-        figure(
+        Figure::new(
             "points",
             "The points traced",
             format!("{:.1} % of all pixels, white", 100.0 * traced),
             over(&|pixels| trace.draw_points(pixels)),
         ),
-        figure(
+        Figure::new(
             "picture",
             "The picture",
             format!("{} to every pixel traced", psnr(&difference)),
             picture.clone(),
         ),
-        figure(
+        Figure::new(
             "squares",
             "The squares by size",
             format!("{squares} squares, the brighter the smaller"),
             over(&|pixels| trace.draw_squares(pixels)),
         ),
-        scaled(
-            most.to_string(),
-            figure(
-                "rays",
-                "Rays of each point traced",
-                format!("{:.1} % of all rays", 100.0 * rays(trace) / rays(all)),
-                over(&|pixels| trace.draw_heat(pixels, most)),
+        Figure::new(
+            "rays",
+            "Rays of each point traced",
+            format!("{:.1} % of all rays", 100.0 * rays(&trace) / rays(&all)),
+            over(&|pixels| trace.draw_heat(pixels, most)),
+        )
+        .up_to(most),
+        Figure::new(
+            "rays-exhaustive",
+            "Rays of each pixel, every pixel traced",
+            format!("{:.1} rays a pixel", rays(&all) / area),
+            over(&|pixels| all.draw_heat(pixels, most)),
+        )
+        .up_to(most),
+        Figure::new(
+            "error",
+            "The error that is seen, by FLIP",
+            format!(
+                "mean {:.4}, 99 % of pixels within {:.3}",
+                flip.mean(),
+                flip.p99()
             ),
-        ),
-        scaled(
-            most.to_string(),
-            figure(
-                "rays-exhaustive",
-                "Rays of each pixel, every pixel traced",
-                format!("{:.1} rays a pixel", rays(all) / area),
-                over(&|pixels| all.draw_heat(pixels, most)),
-            ),
-        ),
-        scaled(
-            FLIP_SHOWN.to_string(),
-            figure(
-                "error",
-                "The error that is seen, by FLIP",
-                format!(
-                    "mean {:.4}, 99 % of pixels within {:.3}",
-                    flip.mean(),
-                    flip.p99()
-                ),
-                flip.errors
-                    .iter()
-                    .map(|&error| heat(error / FLIP_SHOWN))
-                    .collect(),
-            ),
-        ),
+            errors.map(|error| heat(error / FLIP_SHOWN)).collect(),
+        )
+        .up_to(FLIP_SHOWN),
     ]
 }
 

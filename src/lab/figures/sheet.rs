@@ -1,6 +1,6 @@
 //! Puts pictures side by side, each with a caption. Coordinates are pixels of the sheet.
 
-use crate::bitmap::{Area, SAMPLES, at, bitmap, text};
+use crate::bitmap::{Area, at, bitmap, colour, text};
 use crate::overlay::heat;
 use anyhow::Result;
 use plotters::prelude::*;
@@ -23,9 +23,28 @@ pub struct Figure {
     pub name: &'static str,
     pub title: &'static str,
     pub caption: String,
-    /// The values of the darkest and the brightest colour, where colours stand for numbers.
-    pub scale: Option<[String; 2]>,
+    /// What the brightest colour stands for, where the darkest stands for 0.
+    pub most: Option<String>,
     pub pixels: Vec<u32>,
+}
+
+impl Figure {
+    /// A picture whose colours stand for no numbers.
+    pub fn new(name: &'static str, title: &'static str, caption: String, pixels: Vec<u32>) -> Self {
+        Self {
+            name,
+            title,
+            caption,
+            most: None,
+            pixels,
+        }
+    }
+
+    /// The same with colours that stand for numbers from 0 to `most`.
+    pub fn up_to(mut self, most: impl ToString) -> Self {
+        self.most = Some(most.to_string());
+        self
+    }
 }
 
 /// Draws all figures, each `width` by `height`, on a white sheet with a line above them. Returns the sheet's width and its pixels.
@@ -71,7 +90,7 @@ fn caption(
 ) -> Result<()> {
     write(area, figure.title, 15, [left, bottom + 5], false)?;
     write(area, &figure.caption, 13, [left, bottom + 25], false)?;
-    let Some([least, most]) = &figure.scale else {
+    let Some(most) = &figure.most else {
         return Ok(());
     };
     let [width, height] = BAR;
@@ -79,11 +98,11 @@ fn caption(
     let (left, top) = at([start, bottom + 9]);
     let (width, height) = at([width, height]);
     for x in 0..width {
-        let [_, r, g, b] = heat(x as f32 / (width - 1) as f32).to_be_bytes();
-        let column = [(left + x, top), (left + x + 1, top + height)];
-        area.draw(&Rectangle::new(column, RGBColor(r, g, b).filled()))?;
+        let colour = colour(heat(x as f32 / (width - 1) as f32));
+        let column = [(left + x, top), (left + x, top + height)];
+        area.draw(&Rectangle::new(column, colour.filled()))?;
     }
-    write(area, least, 13, [start, bottom + 25], false)?;
+    write(area, "0", 13, [start, bottom + 25], false)?;
     write(area, most, 13, [right, bottom + 25], true)
 }
 
@@ -95,6 +114,6 @@ fn write(area: &Area<'_>, words: &str, size: u32, place: [usize; 2], is_end: boo
         FontStyle::Normal
     };
     let from = if is_end { HPos::Right } else { HPos::Left };
-    let style = text(size, SAMPLES, style).pos(Pos::new(from, VPos::Top));
+    let style = text(size, style).pos(Pos::new(from, VPos::Top));
     Ok(area.draw_text(words, &style, at(place))?)
 }

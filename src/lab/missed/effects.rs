@@ -8,6 +8,7 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3A;
 use eightfold_tracer::scene::{Light, List, Material, Scene, Waves};
 use eightfold_window::cpu;
+use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
@@ -109,8 +110,9 @@ impl EffectCounter {
         });
         let unlit = self.draw(&without_lamps(scene), Quality::EXHAUSTIVE);
         let oracle = Oracle::new(scene, &Quality::EXHAUSTIVE, self.width, self.height);
-        let at = |i: usize| oracle.object_at((i % self.width) as isize, (i / self.width) as isize);
-        let hosts: Vec<Object> = (0..whole.len()).map(at).collect();
+        let width = self.width;
+        let at = |i: usize| oracle.object_at((i % width) as isize, (i / width) as isize);
+        let hosts: Vec<Object> = (0..whole.len()).into_par_iter().map(at).collect();
         for thing in things(scene) {
             let rest = without(scene, thing);
             let without = self.draw(&rest, Quality::EXHAUSTIVE);
@@ -271,10 +273,5 @@ fn shadow_by(lamps: &[Light]) -> Kind {
 
 /// The material of an object; lamps and the background have a black one.
 fn material(scene: &Scene, object: Object) -> Material {
-    match object {
-        Object::Sphere(i) => scene.spheres[i].material,
-        Object::Block(i) => scene.blocks[i].material,
-        Object::Plane(i) => scene.planes[i].material,
-        Object::Light(_) | Object::Background => Material::BLACK,
-    }
+    object.material(scene).copied().unwrap_or(Material::BLACK)
 }

@@ -4,11 +4,9 @@
 
 pub mod chance;
 pub mod effects;
-mod visible;
-
-pub use visible::Visible;
 
 use crate::arguments::{self, NamedQuality, Size};
+use crate::error::worst_channel;
 use crate::interrupt::{self, Stopped};
 use crate::scenes::{self, SceneName};
 use crate::timing::evenly_spaced;
@@ -16,9 +14,12 @@ use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
 use effects::{Counts, EffectCounter, Kind};
+use eightfold_oracle::{Object, Oracle};
+use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::path::Path;
-use std::thread::available_parallelism;
 
 /// Counts the small objects, shadows and images that a quality misses
 ///
@@ -43,9 +44,9 @@ pub struct Arguments {
     /// Frames of a scene, at times spread evenly over it
     #[arg(long, value_name = "N", default_value = "2", value_parser = arguments::frames)]
     frames: usize,
-    /// Threads that share the work [default: as many as there are processors]
-    #[arg(long, value_name = "N", value_parser = arguments::threads)]
-    threads: Option<usize>,
+    /// Threads that share the work
+    #[arg(long, value_name = "N", default_value_t = arguments::processors(), value_parser = arguments::threads)]
+    threads: usize,
 }
 
 /// A pixel is changed, or wrong, if a channel differs by more than this, in steps of 1/255.
@@ -64,11 +65,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     for scene in groups.iter().flat_map(|group| &group.scenes) {
         scene.validate()?;
     }
-    let threads = arguments
-        .threads
-        .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
     let Size { width, height } = arguments.size;
-    let mut counter = EffectCounter::new(threads, width, height);
+    let mut counter = EffectCounter::new(arguments.threads, width, height);
     let bar = progress::bar(groups.iter().map(|group| group.scenes.len()).sum());
     let mut columns = Vec::new();
     for group in &groups {
@@ -144,4 +142,37 @@ pub fn table(columns: &[(&str, Counts)]) -> String {
         }
     }
     text + "\n"
+}
+
+/// The objects of a scene that are visible in a frame.
+pub struct Visible {
+    /// For each visible object, the pixels that show it.
+    pixels: BTreeMap<Object, Vec<u32>>,
+}
+
+impl Visible {
+    /// Finds out what the centre of each pixel of a frame shows. The background does not count as an object.
+    pub fn new(scene: &Scene, width: usize, height: usize) -> Self {
+        let oracle = Oracle::new(scene, &Quality::EXHAUSTIVE, width, height);
+        let at = |i: usize| oracle.object_at((i % width) as isize, (i / width) as isize);
+        let objects: Vec<Object> = (0..width * height).into_par_iter().map(at).collect();
+        let mut pixels: BTreeMap<Object, Vec<u32>> = BTreeMap::new();
+        for (i, object) in objects.into_iter().enumerate() {
+            if object != Object::Background {
+                pixels.entry(object).or_default().push(i as u32);
+            }
+        }
+        Self { pixels }
+    }
+
+    /// The number of objects that a picture misses: more than three quarters of the pixels that show them are wrong. An object in
+    /// wrong light or with wrong reflections is not missed.
+    pub fn missed(&self, exhaustive: &[u32], picture: &[u32]) -> usize {
+        let is_wrong =
+            |&&i: &&u32| worst_channel(exhaustive[i as usize], picture[i as usize]) > MAX_ERROR;
+        let objects = self.pixels.values();
+        objects
+            .filter(|pixels| 4 * pixels.iter().filter(is_wrong).count() > 3 * pixels.len())
+            .count()
+    }
 }

@@ -21,15 +21,10 @@ struct Levels {
 
 impl Levels {
     fn of(samples: &[[f32; 2]]) -> Result<Self> {
-        let mut meter = EbuR128::new(2, RATE, Mode::I | Mode::TRUE_PEAK)?;
+        let mut meter = EbuR128::new(2, RATE, Mode::I | Mode::SAMPLE_PEAK | Mode::TRUE_PEAK)?;
         meter.add_frames_f32(samples.as_flattened())?;
         let channels = [0, 1];
         let decibels = |peaks: [f64; 2]| 20.0 * peaks[0].max(peaks[1]).log10();
-        let peak = |channel: usize| {
-            samples.iter().fold(0.0, |peak, sample| {
-                f64::max(peak, sample[channel].abs().into())
-            })
-        };
         let mean = |channel| {
             samples
                 .iter()
@@ -39,7 +34,7 @@ impl Levels {
         };
         let means = channels.map(|channel: usize| mean(channel).abs());
         Ok(Self {
-            peak: decibels(channels.map(peak)),
+            peak: decibels([meter.sample_peak(0)?, meter.sample_peak(1)?]),
             true_peak: decibels([meter.true_peak(0)?, meter.true_peak(1)?]),
             loudness: meter.loudness_global()?,
             mean: means[0].max(means[1]),

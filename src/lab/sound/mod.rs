@@ -1,14 +1,11 @@
 //! `lab sound`: measures the soundtrack and draws its waveform and its spectrogram.
 
-mod axes;
 mod levels;
-mod spectrogram;
-mod waveform;
+mod pictures;
 
 use crate::timing::thread_time;
-use crate::{arguments, output, picture, wav};
+use crate::{arguments, output, wav};
 use anyhow::Result;
-use axes::Heights;
 use clap::Args;
 use eightfold::sound::{RATE, SONG_LENGTH};
 use std::path::{Path, PathBuf};
@@ -28,9 +25,6 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     spectrogram: Option<PathBuf>,
 }
-
-/// The size of the pictures in pixels, without their axes: about 40 columns per bar.
-const SIZE: (usize, usize) = (1920, 480);
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
@@ -52,26 +46,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if let Some(file) = &arguments.wav {
         output::write(file, &wav::wav(&samples))?;
     }
-    let (width, height) = SIZE;
     if let Some(file) = &arguments.waveform {
-        write(
-            file,
-            &waveform::draw(&samples, width, height),
-            &waveform::heights(),
-        )?;
+        output::write(file, &pictures::waveform(&samples)?)?;
     }
     if let Some(file) = &arguments.spectrogram {
-        write(
-            file,
-            &spectrogram::draw(&samples, width, height),
-            &spectrogram::heights(),
-        )?;
+        output::write(file, &pictures::spectrogram(&samples)?)?;
     }
     Ok(())
-}
-
-/// Writes a picture with its axes.
-fn write(file: &Path, drawn: &[u32], heights: &Heights) -> Result<()> {
-    let (width, pixels) = axes::framed(drawn, heights)?;
-    output::write(file, &picture::png(width, &pixels)?)
 }

@@ -4,10 +4,10 @@ mod page;
 
 use crate::arguments::{self, BadInput, Size};
 use crate::interrupt;
-use crate::machine::machine;
 use crate::output;
 use crate::scenes::{self, SceneName};
 use crate::subcommand::{FIGURES, FRONT, RESOLUTION, SQUARES, Step};
+use crate::timing::machine;
 use anyhow::Result;
 use clap::Args;
 use page::Page;
@@ -91,13 +91,9 @@ fn sections(arguments: &Arguments) -> Vec<Section> {
     };
     let end = scene.length();
     let section = |title, says, command: String, flag, pictures| {
-        let mut words: Vec<String> = command.split(' ').map(str::to_owned).collect();
-        words.splice(1..1, ["--scene".to_owned(), scene.to_string()]);
-        let step = Step {
-            words,
-            flag,
-            pictures,
-        };
+        let mut step = Step::new(&command, flag, pictures);
+        let shown = ["--scene".to_owned(), scene.to_string()];
+        step.words.splice(1..1, shown);
         Section { title, says, step }
     };
     vec![
@@ -126,9 +122,7 @@ fn sections(arguments: &Arguments) -> Vec<Section> {
         ),
         section(
             "The named qualities",
-            "The rungs that a player climbs to hold its frame rate, by their dials: s side of the squares in pixels, c tolerance \
-             within which colours fill a square, d depth of rays, w least contribution of a ray; cargo lab trade --help explains \
-             the others.",
+            "The rungs that a player climbs to hold its frame rate, and their dials, which cargo lab trade --help explains.",
             format!("trade --ladder --size {size} --frames {frames} --time-to {end}"),
             "",
             &[],

@@ -1,11 +1,9 @@
 //! Measures how speed depends on the size of the picture and on the number of objects.
 
 use crate::arguments::{NamedQuality, Size};
-use crate::interrupt;
+use crate::measure::{Plan, Setting, Shot, Way};
 use crate::scenes::SceneName;
-use crate::threaded_renderer::ThreadedRenderer;
-use crate::timing::{percentile, thread_time};
-use eightfold_tracer::scene::{MAX_SPHERES, Scene};
+use eightfold_tracer::scene::MAX_SPHERES;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::cpu::Isa;
 use serde::Serialize;
@@ -17,27 +15,13 @@ const ROUNDS: usize = 7;
 #[derive(Clone, Serialize)]
 pub struct Curve {
     /// The quality's name.
-    pub name: &'static str,
+    pub name: String,
     /// The points, sorted by x.
     pub points: Vec<(f64, f64)>,
 }
 
-/// Measures the curves.
-pub struct Curves<'a> {
-    pub scene: SceneName,
-    pub isa: Isa,
-    pub size: Size,
-    pub time: f32,
-    /// The qualities with a curve, the exhaustive one first.
-    pub qualities: Vec<NamedQuality>,
-    /// A renderer with one thread.
-    pub renderer: &'a mut ThreadedRenderer,
-    /// Called after each point with the estimated microseconds that it took.
-    pub progress: &'a dyn Fn(u64),
-}
-
 /// The sizes of a curve: those with a quarter, half, one and two times the sides, and the largest of the same aspect ratio.
-pub fn sizes(size: Size, quick: bool) -> Vec<Size> {
+fn sizes(size: Size, quick: bool) -> Vec<Size> {
     let Size { width, height } = size;
     let scaled = |by: f64| Size {
         width: ((width as f64 * by) as usize).max(1),
@@ -55,7 +39,7 @@ pub fn sizes(size: Size, quick: bool) -> Vec<Size> {
 }
 
 /// The numbers of small spheres of a curve.
-pub fn objects(quick: bool) -> &'static [usize] {
+fn objects(quick: bool) -> &'static [usize] {
     if quick {
         &[1, 8, 64, MAX_SPHERES]
     } else {
@@ -65,101 +49,83 @@ pub fn objects(quick: bool) -> &'static [usize] {
 
 /// The qualities with a curve: the two that serve for comparison, and the ends and the middle of the ladder. All are antialiased,
 /// or none is.
-pub fn qualities(antialias: bool) -> Vec<NamedQuality> {
-    let all: Vec<NamedQuality> = NamedQuality::all()
-        .map(|quality| quality.antialiased(antialias))
-        .collect();
-    let (compared, ladder) = all.split_at(2);
-    let default = ladder.iter().find(|rung| rung.name == "default");
-    let ends = [ladder.first(), default, ladder.last()];
-    compared
-        .iter()
-        .chain(ends.into_iter().flatten())
-        .copied()
+fn ways(antialias: bool) -> Vec<Way> {
+    let has_curve = ["exhaustive", "thesis", "finest", "default", "fastest"];
+    NamedQuality::all()
+        .filter(|quality| has_curve.contains(&quality.name))
+        .map(|quality| Way {
+            name: quality.name.to_owned(),
+            quality: quality.antialiased(antialias).quality,
+            hard_shadows: false,
+        })
         .collect()
 }
 
-impl Curves<'_> {
-    /// For each quality but the first, the speed-up relative to the first by the number of pixels.
-    pub fn by_resolution(&mut self, sizes: &[Size]) -> Vec<Curve> {
-        let scene = self.scene.at(self.time);
-        let mut curves = empty(&self.qualities[1..]);
-        for &size in sizes {
-            let times = self.times(&[&scene], size);
-            let Some((exhaustive, others)) = times.split_first() else {
-                break;
-            };
-            for (curve, times) in curves.iter_mut().zip(others) {
-                let speed = percentile(exhaustive, 25) / percentile(times, 25);
-                curve.points.push((size.area() as f64, speed));
-            }
-        }
-        curves
-    }
-
-    /// For each quality, the time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one
-    /// sphere.
-    pub fn by_objects(&mut self, counts: &[usize]) -> Vec<Curve> {
-        let one = SceneName::Field(1).at(self.time);
-        let mut curves = empty(&self.qualities);
-        for &count in counts {
-            let scene = SceneName::Field(count).at(self.time);
-            let times = self.times(&[&one, &scene], self.size);
-            let Some((unit, rest)) = times.split_first() else {
-                break;
-            };
-            // The times of the other qualities for one sphere are skipped.
-            let rest = &rest[curves.len() - 1..];
-            for (curve, times) in curves.iter_mut().zip(rest) {
-                let time = percentile(times, 25) / percentile(unit, 25);
-                curve.points.push((count as f64, time));
-            }
-        }
-        curves
-    }
-
-    /// The times, in seconds, of [`ROUNDS`] frames of each quality of each scene; nothing after Ctrl-C. Scenes and qualities take
-    /// turns.
-    fn times(&mut self, scenes: &[&Scene], size: Size) -> Vec<Vec<f64>> {
-        let qualities = &self.qualities;
-        let mut pixels = vec![0; size.area()];
-        let mut times = vec![Vec::new(); scenes.len() * qualities.len()];
-        for round in 0..=ROUNDS {
-            if interrupt::is_stopped() {
-                return Vec::new();
-            }
-            let pairs = scenes.iter().flat_map(|scene| {
-                let qualities = qualities.iter();
-                qualities.map(move |quality| (scene, &quality.quality))
-            });
-            for ((scene, quality), times) in pairs.zip(&mut times) {
-                let level = self.isa.level;
-                let draw = || {
-                    self.renderer
-                        .draw(level, scene, quality, size.width, &mut pixels)
-                };
-                let (_, time) = thread_time(draw);
-                // The first round warms up memory and threads.
-                if round > 0 {
-                    times.push(time);
-                }
-            }
-        }
-        (self.progress)(cost(size, scenes.len()));
-        times
+/// The plan of frames of some scenes at one time, in some sizes.
+fn plan(scenes: &[SceneName], time: f32, sizes: Vec<Size>, isa: Isa, antialias: bool) -> Plan {
+    let shots = scenes.iter().map(|&scene| Shot {
+        scene,
+        times: vec![time; ROUNDS],
+        views: Vec::new(),
+    });
+    Plan {
+        shots: shots.collect(),
+        isa,
+        sizes,
+        threads: vec![1],
+        ways: ways(antialias),
+        is_on_processor: true,
+        has_samples: false,
+        has_missed: false,
     }
 }
 
-/// The estimated microseconds that a point of a curve takes; half of them are for exhaustive frames.
-pub fn cost(size: Size, scenes: usize) -> u64 {
-    (0.02 * (size.area() * scenes * (1 + ROUNDS)) as f64) as u64
+/// The plan of [`by_resolution`].
+pub fn resolution_plan(of: &Plan, quick: bool, antialias: bool) -> Plan {
+    let shot = &of.shots[0];
+    let sizes = sizes(of.sizes[0], quick);
+    plan(&[shot.scene], shot.times[0], sizes, of.isa, antialias)
 }
 
-/// A curve without points for each quality.
-fn empty(qualities: &[NamedQuality]) -> Vec<Curve> {
-    let curves = qualities.iter().map(|quality| Curve {
-        name: quality.name,
-        points: Vec::new(),
+/// The plan of [`by_objects`]. A single sphere comes first.
+pub fn objects_plan(of: &Plan, quick: bool, antialias: bool) -> Plan {
+    let fields: Vec<SceneName> = objects(quick)
+        .iter()
+        .map(|&n| SceneName::Field(n))
+        .collect();
+    let time = of.shots[0].times[0];
+    plan(&fields, time, of.sizes.clone(), of.isa, antialias)
+}
+
+/// For each quality but the first, the speed-up relative to the first by the number of pixels.
+pub fn by_resolution(plan: &Plan, settings: &[Setting]) -> Vec<Curve> {
+    let of = |way: usize| {
+        let point = |setting: &Setting| {
+            let [exhaustive, own] = [0, way].map(|way| setting.runs[way].quartile());
+            (setting.size.area() as f64, exhaustive / own)
+        };
+        settings.iter().map(point).collect()
+    };
+    let curves = (1..plan.ways.len()).map(|way| Curve {
+        name: plan.ways[way].name.clone(),
+        points: of(way),
+    });
+    curves.collect()
+}
+
+/// For each quality, the time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one sphere.
+pub fn by_objects(plan: &Plan, settings: &[Setting]) -> Vec<Curve> {
+    let unit = settings[0].runs[0].quartile();
+    let of = |way: usize| {
+        let point = |setting: &Setting| match plan.shots[setting.shot].scene {
+            SceneName::Field(count) => Some((count as f64, setting.runs[way].quartile() / unit)),
+            _ => None,
+        };
+        settings.iter().filter_map(point).collect()
+    };
+    let curves = (0..plan.ways.len()).map(|way| Curve {
+        name: plan.ways[way].name.clone(),
+        points: of(way),
     });
     curves.collect()
 }

@@ -1,28 +1,26 @@
 //! `lab trade`: measures what speed costs in accuracy, dial by dial.
 
 mod curves;
-mod measure;
 mod outcome;
 mod plots;
 mod sweep;
 mod table;
 
-use crate::arguments::{self, NamedQuality, Size};
+use crate::arguments::{self, Size};
 use crate::interrupt::Stopped;
-use crate::machine::machine;
+use crate::measure::{Plan, Shot, Way};
 use crate::scenes::{self, SceneName};
+use crate::timing::{evenly_spaced, machine};
 use crate::views::views;
 use crate::{interrupt, output, progress};
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use curves::{Curve, Curves};
+use curves::Curve;
 use eightfold_window::cpu::{self, Isa};
-use measure::{Measurement, Plan, Tally};
 use outcome::{Outcome, mark_front};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::thread::available_parallelism;
 use sweep::Point;
 
 /// Turns every dial of the quality, and measures what that gains in speed and costs in accuracy
@@ -32,10 +30,10 @@ use sweep::Point;
 /// Speed is a ratio to exhaustive frames, every pixel traced, that are drawn in between, all on one thread, by its time on a
 /// processor; errors are against the same frames. Ctrl-C writes what has been measured so far.
 ///
-/// Dials in names: s side of the squares in pixels, k depth of the objects / of the lights' states compared, and m the least
-/// weight of the objects (2/0 and 0.3 if not told), c tolerance within which colours fill a square, in 255ths, where these agree / where they differ (0 if not told), e tolerance
-/// of a side whose middle is averaged (c if not told), h least highlight that is a state (none if not told), u not guarded
-/// against missed objects, d depth of rays, w least contribution of a ray, a antialiased.
+/// The dials of a quality are named where they are not as usual: `square` is the side of the squares in pixels, `tolerance` that
+/// within which colours fill a square, in 255ths, and `differing` that where objects or lights differ, `side` the tolerance for the
+/// middle of a side, `compared` the depths of the objects and of the lights' states that are compared, and the least weight of these,
+/// `highlight` the least highlight that is a state, `depth` that of rays, `contribution` the least of a ray.
 #[derive(Args)]
 pub struct Arguments {
     #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
@@ -94,8 +92,6 @@ pub struct Trade {
     pub by_resolution: Vec<Curve>,
     /// The time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one sphere.
     pub by_objects: Vec<Curve>,
-    /// The PSNR in dB by the time in seconds, without frames that have no error.
-    pub over_time: Vec<Curve>,
 }
 
 impl Trade {
@@ -112,12 +108,6 @@ impl Trade {
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     interrupt::listen();
-    let plan = plan(arguments)?;
-    let folder = &arguments.out;
-    if !arguments.ladder {
-        fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
-        output::check(&folder.join("trade.json"))?;
-    }
     let mut points = if arguments.ladder {
         sweep::named()
     } else {
@@ -125,6 +115,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     };
     for point in &mut points {
         point.antialias(arguments.antialias);
+    }
+    let plan = plan(arguments, &points)?;
+    let folder = &arguments.out;
+    if !arguments.ladder {
+        fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+        output::check(&folder.join("trade.json"))?;
     }
     let trade = measure(arguments, &plan, points);
     if trade.complete && trade.points.iter().all(Outcome::is_exact) {
@@ -156,7 +152,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-fn plan(arguments: &Arguments) -> Result<Plan> {
+/// The plan of the frames of all points.
+fn plan(arguments: &Arguments, points: &[Point]) -> Result<Plan> {
     arguments::check_span(arguments.time_from, arguments.time_to)?;
     let (width, height, frames) = if arguments.quick {
         (512, 384, 9)
@@ -168,90 +165,71 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
         arguments.time_from,
         arguments.time_to.unwrap_or(scene.length()),
     );
+    let frames = arguments.frames.unwrap_or(frames);
+    let times = (0..frames).map(|i| evenly_spaced(from, to, i, frames));
     // The next scene of the show has no part in this one.
     let end = scene.start().map(|_| scene.length());
+    let ways = points.iter().map(|point| Way {
+        name: point.name.clone(),
+        quality: point.quality,
+        hard_shadows: false,
+    });
     Ok(Plan {
-        scene,
+        shots: vec![Shot {
+            scene,
+            times: times.collect(),
+            views: views(from, to, arguments.views, end),
+        }],
         isa: arguments.isa.unwrap_or_else(cpu::best),
-        reference: NamedQuality::EXHAUSTIVE
-            .antialiased(arguments.antialias)
-            .quality,
-        size: arguments.size.unwrap_or(Size { width, height }),
-        frames: arguments.frames.unwrap_or(frames),
-        time_from: from,
-        time_to: to,
-        views: views(from, to, arguments.views, end),
+        sizes: vec![arguments.size.unwrap_or(Size { width, height })],
+        threads: vec![1],
+        ways: ways.collect(),
+        is_on_processor: true,
         has_samples: arguments.ladder,
+        has_missed: true,
     })
 }
 
 fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
-    let threads = available_parallelism().map_or(1, usize::from);
-    let sizes = curves::sizes(plan.size, arguments.quick);
-    let counts = curves::objects(arguments.quick);
-    let mut steps = plan.steps(points.len());
+    let Arguments {
+        quick, antialias, ..
+    } = *arguments;
+    let resolution = curves::resolution_plan(plan, quick, antialias);
+    let objects = curves::objects_plan(plan, quick, antialias);
+    let mut steps = plan.steps();
     if !arguments.ladder {
-        steps += sizes.iter().map(|&size| curves::cost(size, 1)).sum::<u64>();
-        steps += counts.len() as u64 * curves::cost(plan.size, 2);
+        steps += resolution.steps() + objects.steps();
     }
-    let bar = progress::bar(steps as usize);
-    let progress = |done| bar.inc(done);
-    let mut measurement = Measurement::new(plan, threads, &progress);
-    let tallies = measurement.measure(points);
+    let bar = progress::bar(steps);
+    let settings = plan.measure(|| bar.inc(1));
+    let has_curves = || !arguments.ladder && !interrupt::is_stopped();
     let (mut by_resolution, mut by_objects) = (Vec::new(), Vec::new());
-    if !arguments.ladder {
-        let mut curves = Curves {
-            scene: plan.scene,
-            isa: plan.isa,
-            size: plan.size,
-            time: plan.time_from,
-            qualities: curves::qualities(arguments.antialias),
-            renderer: &mut measurement.timed,
-            progress: &progress,
-        };
-        by_resolution = curves.by_resolution(&sizes);
-        by_objects = curves.by_objects(counts);
+    if has_curves() {
+        by_resolution = curves::by_resolution(&resolution, &resolution.measure(|| bar.inc(1)));
+    }
+    if has_curves() {
+        by_objects = curves::by_objects(&objects, &objects.measure(|| bar.inc(1)));
     }
     bar.finish_and_clear();
-    let area = plan.size.area();
-    let mut rows: Vec<Outcome> = tallies
-        .iter()
-        .map(|tally| Outcome::of(tally, area))
-        .collect();
+    let (size, shot, runs) = (plan.sizes[0], &plan.shots[0], &settings[0].runs);
+    let rows = points.into_iter().zip(runs);
+    let rows = rows.map(|(point, run)| Outcome::of(point, size.area(), run, &runs[0]));
+    let mut rows: Vec<Outcome> = rows.collect();
     mark_front(&mut rows);
     Trade {
         machine: machine(),
         isa: plan.isa.name,
-        scene: plan.scene.to_string(),
-        width: plan.size.width,
-        height: plan.size.height,
-        times: (0..plan.frames)
-            .map(|i| plan.time(i, plan.frames))
-            .collect(),
-        views: plan.views.iter().map(|view| view[0]).collect(),
-        antialias: arguments.antialias,
+        scene: shot.scene.to_string(),
+        width: size.width,
+        height: size.height,
+        times: shot.times.clone(),
+        views: shot.views.iter().map(|view| view[0]).collect(),
+        antialias,
         complete: !interrupt::is_stopped(),
         points: rows,
         by_resolution,
         by_objects,
-        over_time: over_time(plan, &tallies, arguments.antialias),
     }
-}
-
-/// The error of each frame, for the qualities that have a curve.
-fn over_time(plan: &Plan, tallies: &[Tally], antialias: bool) -> Vec<Curve> {
-    let lines = curves::qualities(antialias).into_iter().skip(1);
-    lines
-        .filter_map(|line| {
-            let tally = tallies.iter().find(|tally| tally.point.name == line.name)?;
-            let frames = tally.differences.iter().enumerate();
-            let points = frames.map(|(i, d)| (f64::from(plan.time(i, plan.frames)), d.psnr));
-            Some(Curve {
-                name: line.name,
-                points: points.filter(|(_, psnr)| psnr.is_finite()).collect(),
-            })
-        })
-        .collect()
 }
 
 fn write(folder: &Path, trade: &Trade) -> Result<()> {

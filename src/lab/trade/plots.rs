@@ -2,9 +2,10 @@
 
 use super::Trade;
 use super::curves::Curve;
-use super::outcome::{Outcome, front_by};
+use super::outcome::{Outcome, front_by_psnr};
 use crate::plot::{Axis, COLOURS, Chart, DARK, GREY, Label, Series};
 use anyhow::Result;
+use eightfold_tracer::Quality;
 use plotters::style::RGBColor;
 use std::path::Path;
 
@@ -12,45 +13,11 @@ use std::path::Path;
 const LISTED: usize = 12;
 
 const PSNR: &str = "PSNR against every pixel traced, dB";
-
-/// A measure by which the points of a plot are rated.
-struct Measure {
-    /// The name of the plot's files.
-    file: &'static str,
-    axis: &'static str,
-    of: fn(&Outcome) -> Option<f64>,
-    /// Whether less of it is better; its axis is then logarithmic, without those that have none.
-    is_error: bool,
-}
-
-const MEASURES: [Measure; 3] = [
-    Measure {
-        file: "front",
-        axis: PSNR,
-        of: |row| Some(row.psnr_db),
-        is_error: false,
-    },
-    Measure {
-        file: "front-flip",
-        axis: "FLIP against every pixel traced, mean",
-        of: |row| row.flip_mean,
-        is_error: true,
-    },
-    Measure {
-        file: "front-pops",
-        axis: "pixels that pop, of a frame",
-        of: |row| row.pops,
-        is_error: true,
-    },
-];
+const SPEED_UP: &str = "speed-up over exhaustive frames";
 
 /// Writes all plots for which there are results.
 pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
-    for measure in &MEASURES {
-        if trade.points.iter().any(|row| measure.has(row)) {
-            cloud(trade, measure).write(folder, measure.file)?;
-        }
-    }
+    front(trade).write(folder, "front")?;
     squares(trade).write(folder, "squares")?;
     if ys(&trade.by_resolution).next().is_some() {
         resolution(trade).write(folder, "resolution")?;
@@ -58,7 +25,7 @@ pub fn write(folder: &Path, trade: &Trade) -> Result<()> {
     if ys(&trade.by_objects).next().is_some() {
         objects(trade).write(folder, "objects")?;
     }
-    over_time(trade).write(folder, "over-time")
+    Ok(())
 }
 
 /// The line under a title: what was measured, and how.
@@ -78,161 +45,123 @@ fn way(trade: &Trade) -> String {
     format!("{}, one thread, {} edges", trade.isa, trade.edges())
 }
 
-impl Measure {
-    /// Where a point is in the plot.
-    fn position(&self, row: &Outcome) -> (f64, f64) {
-        (row.speedup, (self.of)(row).unwrap_or(f64::NAN))
-    }
+/// Where a point is in the plot of the front.
+fn position(row: &Outcome) -> (f64, f64) {
+    (row.speedup, row.accuracy.psnr_db)
+}
 
-    /// Whether a point is in the plot: none without any error is.
-    fn has(&self, row: &Outcome) -> bool {
-        let is_there = |value: f64| value.is_finite() && (value > 0.0 || !self.is_error);
-        !row.is_exact() && (self.of)(row).is_some_and(is_there)
-    }
-
-    fn axis(&self, values: impl Iterator<Item = f64>) -> Axis {
-        if self.is_error {
-            Axis::log(self.axis, values, tenths())
-        } else {
-            Axis::linear(self.axis, values, 8)
-        }
-    }
-
-    /// Whether a point is so near to a label that their texts would cover each other.
-    fn is_close(&self, label: &Label, row: &Outcome) -> bool {
-        let (x, y) = self.position(row);
-        let apart = if self.is_error {
-            4.0 * (label.y / y).ln().abs()
-        } else {
-            (label.y - y).abs()
-        };
-        (label.x / x).ln().abs() < 0.05 && apart < 1.0
-    }
-
-    fn label(&self, row: &Outcome, text: String, is_below: bool) -> Label {
-        let (x, y) = self.position(row);
-        Label {
-            x,
-            y,
-            text,
-            is_below,
-        }
+fn label(row: &Outcome, text: String, is_below: bool) -> Label {
+    let (x, y) = position(row);
+    Label {
+        x,
+        y,
+        text,
+        is_below,
     }
 }
 
-/// The plot of all points by a measure, with its front numbered.
-fn cloud(trade: &Trade, measure: &Measure) -> Chart {
-    let sign = if measure.is_error { 1.0 } else { -1.0 };
-    let mut front = front_by(&trade.points, |row| sign * measure.position(row).1);
-    front.retain(|row| measure.has(row));
+/// Whether a point is so near to a label that their texts would cover each other.
+fn is_close(label: &Label, row: &Outcome) -> bool {
+    let (x, y) = position(row);
+    (label.x / x).ln().abs() < 0.05 && (label.y - y).abs() < 1.0
+}
+
+/// The plot of all points, with the Pareto front of time against PSNR numbered.
+fn front(trade: &Trade) -> Chart {
+    let front = front_by_psnr(&trade.points);
     // If the front has many points, every n-th is listed, and all named qualities.
     let every = front.len().div_ceil(LISTED).max(1);
-    let is_listed = |&(i, row): &(usize, &&Outcome)| i.is_multiple_of(every) || is_named(row);
+    let is_listed = |&(i, row): &(usize, &&Outcome)| i.is_multiple_of(every) || row.is_named();
     let listed = front.iter().enumerate().filter(is_listed);
     let listed: Vec<&Outcome> = listed.map(|(_, row)| *row).collect();
-    let is_on_front = |row: &Outcome| front.iter().any(|on| std::ptr::eq(*on, row));
-    let off_front = |row: &&Outcome| is_named(row) && measure.has(row) && !is_on_front(row);
     let mut labels: Vec<Label> = Vec::new();
     for (number, row) in (1..).zip(&listed) {
         // If two points are close, the number of the second one goes below it.
         let is_below = labels
             .last()
-            .is_some_and(|last| measure.is_close(last, row) && !last.is_below);
-        labels.push(measure.label(row, number.to_string(), is_below));
+            .is_some_and(|last| is_close(last, row) && !last.is_below);
+        labels.push(label(row, number.to_string(), is_below));
     }
+    let is_on_front = |row: &Outcome| front.iter().any(|on| std::ptr::eq(*on, row));
+    let off_front = |row: &&Outcome| row.is_named() && !row.is_exact() && !is_on_front(row);
     let named = trade.points.iter().filter(off_front);
-    labels.extend(named.map(|row| measure.label(row, row.name.clone(), true)));
-    let by = |is: &dyn Fn(&Outcome) -> bool| {
-        let rows = trade.points.iter();
-        let rows = rows.filter(|row| measure.has(row) && is(row));
-        rows.map(|row| measure.position(row)).collect::<Vec<_>>()
+    labels.extend(named.map(|row| label(row, row.name.clone(), true)));
+    let points = |is: &dyn Fn(&Outcome) -> bool| {
+        let rows = trade.points.iter().filter(|row| !row.is_exact() && is(row));
+        rows.map(position).collect::<Vec<_>>()
     };
-    let all = || by(&|_| true).into_iter();
+    let all = points(&|_| true);
+    let dots = |name, colour, is: &dyn Fn(&Outcome) -> bool| Series {
+        has_line: false,
+        mark: 3,
+        ..line(name, colour, points(is))
+    };
     Chart {
         title: "What speed costs: every setting, and the Pareto front".to_owned(),
         note: note(trade)
             + "; the front is of settings that compare colours, objects and lights of corners",
-        x: Axis::log(
-            "speed-up over exhaustive frames",
-            all().map(|(speedup, _)| speedup),
-            tenths(),
-        ),
-        y: measure.axis(all().map(|(_, value)| value)),
+        x: Axis::log(SPEED_UP, all.iter().map(|at| at.0), tenths()),
+        y: Axis::linear(PSNR, all.iter().map(|at| at.1)),
         series: vec![
-            series(
-                "colours, objects, lights",
-                GREY,
-                by(&|row| row.keys),
-                false,
-                3,
-            ),
-            series("colours alone", COLOURS[5], by(&|row| !row.keys), false, 3),
-            series("named", DARK, by(&is_named), false, 3),
-            series(
+            dots("colours, objects, lights", GREY, &|row| row.keys),
+            dots("colours alone", COLOURS[5], &|row| !row.keys),
+            dots("named", DARK, &Outcome::is_named),
+            line(
                 "Pareto front",
                 COLOURS[1],
-                front.iter().map(|row| measure.position(row)).collect(),
-                true,
-                4,
+                front.iter().map(|row| position(row)).collect(),
             ),
         ],
         labels,
         list: (1..)
             .zip(&listed)
-            .map(|(number, row)| entry(number, row))
+            .map(|(number, row)| format!("{number}  {}", row.name))
             .collect(),
     }
 }
 
-/// A line of the list beside the plot.
-fn entry(number: usize, row: &Outcome) -> String {
-    if is_named(row) {
-        format!("{number}  {}: {}", row.name, row.dials)
-    } else {
-        format!("{number}  {}", row.dials)
-    }
-}
-
-fn is_named(row: &Outcome) -> bool {
-    row.name != row.dials
-}
-
 /// The plot of the error by the side of the squares, for the rules of 2008 and the default quality.
 fn squares(trade: &Trade) -> Chart {
-    let line = |quality: eightfold_tracer::Quality| {
+    let of = |quality: Quality| {
         let same = |row: &&Outcome| {
-            row.square > 1
-                && row.guarded
-                && row.tolerance_agreeing == quality.tolerance_agreeing
-                && row.tolerance_differing == quality.tolerance_differing
-                && row.tolerance_side == quality.tolerance_side
-                && (row.key_depth, row.state_depth) == (quality.key_depth, quality.state_depth)
-                && (row.depth, row.highlight) == (quality.depth, quality.highlight)
-                && row.least_contribution == quality.least_contribution
+            let Quality {
+                square, antialias, ..
+            } = row.quality;
+            let turned = Quality {
+                square,
+                antialias,
+                ..quality
+            };
+            square > 1 && row.quality == turned
         };
         let mut rows: Vec<&Outcome> = trade.points.iter().filter(same).collect();
-        rows.sort_by_key(|row| row.square);
+        rows.sort_by_key(|row| row.quality.square);
         rows
     };
-    let (thesis, played) = (
-        line(eightfold_tracer::Quality::THESIS),
-        line(eightfold_tracer::Quality::DEFAULT),
-    );
-    let position = |row: &&Outcome| (row.square as f64, row.psnr_db);
-    let labels = |rows: &[&Outcome], is_below| -> Vec<Label> {
-        let label = |row: &&Outcome| Label {
-            x: row.square as f64,
-            y: row.psnr_db,
-            text: format!("{:.1}x", row.speedup),
-            is_below,
-        };
-        rows.iter().map(label).collect()
-    };
-    let all = || thesis.iter().chain(&played);
-    let line = |name, rows: &[&Outcome]| {
-        let colour = colour(name);
-        series(name, colour, rows.iter().map(position).collect(), true, 4)
-    };
+    let lines = [
+        ("thesis", of(Quality::THESIS)),
+        ("default", of(Quality::DEFAULT)),
+    ];
+    let position = |row: &Outcome| (row.quality.square as f64, row.accuracy.psnr_db);
+    let all: Vec<(f64, f64)> = lines
+        .iter()
+        .flat_map(|(_, rows)| rows.iter().map(|row| position(row)))
+        .collect();
+    let labels = lines.iter().flat_map(|(name, rows)| {
+        rows.iter().map(move |row| {
+            let (x, y) = position(row);
+            Label {
+                x,
+                y,
+                text: format!("{:.1}x", row.speedup),
+                is_below: *name == "thesis",
+            }
+        })
+    });
+    let series = lines.iter().map(|(name, rows)| {
+        let points = rows.iter().map(|row| position(row));
+        line(name, colour(name), points.collect())
+    });
     Chart {
         title: "Error and speed by the side of the squares".to_owned(),
         note: format!(
@@ -241,12 +170,12 @@ fn squares(trade: &Trade) -> Chart {
         ),
         x: Axis::log(
             "side of the largest square, pixels",
-            all().map(|row| row.square as f64),
+            all.iter().map(|at| at.0),
             vec![2.0, 4.0, 8.0, 16.0, 32.0],
         ),
-        y: Axis::linear(PSNR, all().map(|row| row.psnr_db), 8),
-        series: vec![line("thesis", &thesis), line("default", &played)],
-        labels: [labels(&thesis, true), labels(&played, false)].concat(),
+        y: Axis::linear(PSNR, all.iter().map(|at| at.1)),
+        series: series.collect(),
+        labels: labels.collect(),
         list: Vec::new(),
     }
 }
@@ -257,12 +186,8 @@ fn resolution(trade: &Trade) -> Chart {
         title: "Speed by the size of the picture".to_owned(),
         note: format!("{} scene, {}", trade.scene, way(trade)),
         x: Axis::log("pixels of the picture", xs(curves), tenths()),
-        y: Axis::linear(
-            "speed-up over exhaustive frames",
-            ys(curves).chain([0.0]),
-            8,
-        ),
-        series: lines(curves, 4),
+        y: Axis::linear(SPEED_UP, ys(curves).chain([0.0])),
+        series: lines(curves),
         labels: Vec::new(),
         list: Vec::new(),
     }
@@ -285,38 +210,20 @@ fn objects(trade: &Trade) -> Chart {
             ys(curves),
             tenths(),
         ),
-        series: lines(curves, 4),
-        labels: Vec::new(),
-        list: Vec::new(),
-    }
-}
-
-fn over_time(trade: &Trade) -> Chart {
-    let curves = &trade.over_time;
-    let last = xs(curves).fold(1e-3, f64::max);
-    Chart {
-        title: "The error of each frame".to_owned(),
-        note: note(trade),
-        x: Axis::linear("seconds", xs(curves), 10).up_to(last),
-        y: Axis::linear(PSNR, ys(curves), 8),
-        series: lines(curves, 0),
+        series: lines(curves),
         labels: Vec::new(),
         list: Vec::new(),
     }
 }
 
 fn xs(curves: &[Curve]) -> impl Iterator<Item = f64> {
-    curves
-        .iter()
-        .flat_map(|curve| &curve.points)
-        .map(|(x, _)| *x)
+    let points = curves.iter().flat_map(|curve| &curve.points);
+    points.map(|(x, _)| *x)
 }
 
 fn ys(curves: &[Curve]) -> impl Iterator<Item = f64> {
-    curves
-        .iter()
-        .flat_map(|curve| &curve.points)
-        .map(|(_, y)| *y)
+    let points = curves.iter().flat_map(|curve| &curve.points);
+    points.map(|(_, y)| *y)
 }
 
 /// Ticks at 1, 2 and 5 times every power of ten in question.
@@ -327,18 +234,10 @@ fn tenths() -> Vec<f64> {
         .collect()
 }
 
-fn lines(curves: &[Curve], mark: u32) -> Vec<Series> {
+fn lines(curves: &[Curve]) -> Vec<Series> {
     let lines = curves.iter();
     lines
-        .map(|curve| {
-            series(
-                curve.name,
-                colour(curve.name),
-                curve.points.clone(),
-                true,
-                mark,
-            )
-        })
+        .map(|curve| line(&curve.name, colour(&curve.name), curve.points.clone()))
         .collect()
 }
 
@@ -353,18 +252,13 @@ fn colour(name: &str) -> RGBColor {
     }
 }
 
-fn series(
-    name: &str,
-    colour: RGBColor,
-    points: Vec<(f64, f64)>,
-    has_line: bool,
-    mark: u32,
-) -> Series {
+/// A line through marked points.
+fn line(name: &str, colour: RGBColor, points: Vec<(f64, f64)>) -> Series {
     Series {
         name: name.to_owned(),
         colour,
         points,
-        has_line,
-        mark,
+        has_line: true,
+        mark: 4,
     }
 }

@@ -8,7 +8,7 @@ use eightfold_tracer::Quality;
 pub struct Point {
     /// Its name, or its dials if it has none.
     pub name: String,
-    /// Its dials in short notation, see [`dials`].
+    /// Its dials in words, see [`dials`].
     pub dials: String,
     /// The dials that vary in the series that it belongs to.
     pub sweep: &'static str,
@@ -83,69 +83,43 @@ pub fn points(quick: bool) -> Vec<Point> {
 fn single_dials() -> Vec<(&'static str, Quality)> {
     let (played, thesis) = (Quality::DEFAULT, Quality::THESIS);
     let mut dials = Vec::new();
+    let mut turn = |sweep, mut quality, change: &dyn Fn(&mut Quality)| {
+        change(&mut quality);
+        dials.push((sweep, quality));
+    };
     for square in SQUARES {
-        dials.push(("square", Quality { square, ..played }));
-        dials.push(("square, thesis", Quality { square, ..thesis }));
+        turn("square", played, &|it| it.square = square);
+        turn("square, thesis", thesis, &|it| it.square = square);
     }
     for quality in [played, thesis] {
-        let guarded = false;
-        dials.push(("guard", Quality { guarded, ..quality }));
+        turn("guard", quality, &|it| it.guarded = false);
     }
-    for (key_depth, state_depth) in COMPARED {
-        let quality = Quality {
-            key_depth,
-            state_depth,
-            ..thesis
-        };
-        dials.push(("key", quality));
+    for depths in COMPARED {
+        turn("key", thesis, &|it| (it.key_depth, it.state_depth) = depths);
     }
     for highlight in HIGHLIGHTS {
-        dials.push((
-            "highlight",
-            Quality {
-                highlight,
-                ..thesis
-            },
-        ));
+        turn("highlight", thesis, &|it| it.highlight = highlight);
     }
-    for (tolerance_agreeing, tolerance_differing) in KEYED {
-        let quality = Quality {
-            tolerance_agreeing,
-            tolerance_differing,
-            ..thesis
-        };
-        dials.push(("tolerance, thesis", quality));
+    for tolerances in KEYED {
+        turn("tolerance, thesis", thesis, &|it| {
+            (it.tolerance_agreeing, it.tolerance_differing) = tolerances;
+        });
     }
     for tolerance in TOLERANCES {
         let quality = within(8, tolerance, &played);
-        dials.push(("tolerance", quality));
-        let tolerance_differing = tolerance;
-        dials.push((
-            "colours alone",
-            Quality {
-                tolerance_differing,
-                ..quality
-            },
-        ));
+        turn("tolerance", quality, &|_| {});
+        turn("colours alone", quality, &|it| {
+            it.tolerance_differing = tolerance
+        });
     }
-    for tolerance_side in [0.0, 3.0, 5.0, 10.0, 16.0] {
-        dials.push((
-            "side",
-            Quality {
-                tolerance_side,
-                ..played
-            },
-        ));
+    for tolerance in [0.0, 3.0, 5.0, 10.0, 16.0] {
+        turn("side", played, &|it| it.tolerance_side = tolerance);
     }
     for depth in 0..=Quality::MAX_DEPTH {
-        dials.push(("depth", Quality { depth, ..played }));
+        turn("depth", played, &|it| it.depth = depth);
     }
-    for least_contribution in CONTRIBUTIONS {
-        let quality = Quality {
-            least_contribution,
-            ..played
-        };
-        dials.push(("contribution", quality));
+    for least in CONTRIBUTIONS {
+        turn("contribution", played, &|it| it.least_contribution = least);
     }
     dials
 }
@@ -212,7 +186,7 @@ impl Point {
     pub fn antialias(&mut self, antialias: bool) {
         self.quality.antialias = antialias;
         if antialias {
-            self.dials += " a";
+            self.dials += ", antialiased";
         }
     }
 
@@ -226,12 +200,9 @@ fn has_keys(quality: &Quality) -> bool {
     quality.square > 1 && quality.tolerance_agreeing != quality.tolerance_differing
 }
 
-/// A quality's dials in short notation: `s` is the square, `k` the depths of objects and states in keys, `m` the
-/// least weight of objects in keys, `c` the tolerances for
-/// agreeing and differing keys, `e` the tolerance for midpoints of sides, `h` the highlight, `u` unguarded, `d` the depth and `w`
-/// the least contribution. What has its usual value is left out, as the help of `lab trade` explains.
+/// A quality's dials in words. What has its usual value is left out, as the help of `lab trade` explains.
 fn dials(quality: &Quality) -> String {
-    let mut text = format!("s{}", quality.square);
+    let mut words = vec![format!("square {}", quality.square)];
     let number = |tolerance: f32| {
         if tolerance.is_finite() {
             tolerance.to_string()
@@ -241,31 +212,29 @@ fn dials(quality: &Quality) -> String {
     };
     let keys = |quality: &Quality| (quality.key_depth, quality.state_depth, quality.key_weight);
     if has_keys(quality) && keys(quality) != keys(&Quality::DEFAULT) {
-        text += &format!(" k{}/{}", quality.key_depth, quality.state_depth);
-        if quality.key_weight != 0.0 {
-            text += &format!(" m{}", quality.key_weight);
-        }
+        let (objects, states, weight) = keys(quality);
+        words.push(format!("compared {objects}/{states}/{weight}"));
     }
     if quality.square > 1 {
-        text += &format!(" c{}", number(quality.tolerance_agreeing));
+        words.push(format!("tolerance {}", number(quality.tolerance_agreeing)));
         if quality.tolerance_differing != 0.0 {
-            text += &format!("/{}", number(quality.tolerance_differing));
+            words.push(format!("differing {}", number(quality.tolerance_differing)));
         }
         if quality.tolerance_side != quality.tolerance_agreeing {
-            text += &format!(" e{}", number(quality.tolerance_side));
+            words.push(format!("side {}", number(quality.tolerance_side)));
         }
     }
     if has_keys(quality) && quality.highlight.is_finite() {
-        text += &format!(" h{:.3}", quality.highlight);
+        words.push(format!("highlight {:.3}", quality.highlight));
     }
     if !quality.guarded {
-        text += " u";
+        words.push("unguarded".to_owned());
     }
     if quality.depth != Quality::EXHAUSTIVE.depth {
-        text += &format!(" d{}", quality.depth);
+        words.push(format!("depth {}", quality.depth));
     }
     if quality.least_contribution != Quality::EXHAUSTIVE.least_contribution {
-        text += &format!(" w{}", quality.least_contribution);
+        words.push(format!("contribution {}", quality.least_contribution));
     }
-    text
+    words.join(", ")
 }

@@ -2,20 +2,22 @@
 
 use super::Trade;
 use super::outcome::{Outcome, from_the_slowest};
-use crate::markdown::{dash, decibels, known, percent};
+use crate::accuracy::{error_columns, sample_columns, traced_column};
+use crate::markdown::{Column, table};
 
 /// The table of the Pareto front, from the slowest point to the fastest, without those that have no error.
 pub fn front_table(trade: &Trade) -> String {
     let on_front = trade.points.iter();
     let on_front = on_front.filter(|row| row.on_front && !row.is_exact());
-    let rows = from_the_slowest(on_front);
-    heading(trade) + &table(&rows)
+    heading(trade) + &table(&columns(), from_the_slowest(on_front))
 }
 
-/// The table of the named qualities, in their order.
+/// The table of the named qualities, in their order, with their dials and their distance to 64 samples a pixel.
 pub fn ladder(trade: &Trade) -> String {
-    let rows: Vec<&Outcome> = trade.points.iter().collect();
-    heading(trade) + &table(&rows)
+    let mut columns = columns();
+    columns.insert(1, ("dials", |row| row.dials.clone()));
+    columns.extend(sample_columns());
+    heading(trade) + &table(&columns, &trade.points)
 }
 
 fn heading(trade: &Trade) -> String {
@@ -37,32 +39,14 @@ fn heading(trade: &Trade) -> String {
     )
 }
 
-fn table(rows: &[&Outcome]) -> String {
-    let mut text = "| quality | dials | speed-up | traced | PSNR | worst | largest | over 8/255 | missed | pops | FLIP | p99 | PSNR to 64 | FLIP to 64 |\n\
-                    | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n"
-        .to_owned();
-    for row in rows {
-        text += &format!("| {} |\n", cells(row).join(" | "));
-    }
-    text
-}
-
-/// The cells of a row. A dash stands for an infinite PSNR and for what was not measured.
-fn cells(row: &Outcome) -> [String; 14] {
-    [
-        row.name.clone(),
-        row.dials.clone(),
-        format!("{:.2}", row.speedup),
-        percent(row.traced_fraction),
-        decibels(row.psnr_db),
-        decibels(row.psnr_worst_db),
-        row.largest_error.to_string(),
-        format!("{:.0}", row.pixels_over_8),
-        format!("{:.2}", row.missed_objects),
-        known(row.pops, 1),
-        known(row.flip_mean, 4),
-        known(row.flip_p99, 3),
-        row.psnr_to_64_db.map_or_else(dash, decibels),
-        known(row.flip_to_64, 4),
-    ]
+/// The columns of both tables.
+fn columns() -> Vec<Column<Outcome>> {
+    let mut columns: Vec<Column<Outcome>> = vec![
+        ("quality", |row| row.name.clone()),
+        ("speed-up", |row| format!("{:.2}", row.speedup)),
+        traced_column(),
+    ];
+    columns.extend(error_columns());
+    columns.push(("missed", |row| format!("{:.2}", row.missed_objects)));
+    columns
 }

@@ -7,8 +7,8 @@
 //! of the light, also by way of mirrors and glass. With falloff the radiance is the same from everywhere: that which gives the
 //! irradiance pi c at the point that the camera looks at.
 
-use super::geometry::{self, Face, Ray};
 use crate::sampler::around;
+use eightfold_oracle::geometry::{self, Face, Ray};
 use eightfold_tracer::glam::{DVec2, DVec3};
 use eightfold_tracer::scene::{Camera, Light};
 use std::f64::consts::{PI, TAU};

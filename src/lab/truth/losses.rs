@@ -4,6 +4,7 @@ use super::effects::Effects;
 use super::estimate::{Estimate, Intervals};
 use super::render::{self, Picture};
 use super::{INTERVAL_SHOWN, interval_picture, pixels};
+use crate::arguments::processors;
 use crate::error::Difference;
 use crate::figures::sheet::{Figure, sheet};
 use crate::flip::Flip;
@@ -17,7 +18,6 @@ use eightfold_window::cpu;
 use rayon::ThreadPool;
 use std::fs;
 use std::path::Path;
-use std::thread::available_parallelism;
 
 /// The least width of a picture on the sheet, in pixels: captions are as wide. Smaller pictures are enlarged.
 const LEAST_WIDTH: usize = 400;
@@ -83,52 +83,41 @@ fn losses(
     draw: &impl Fn(&str, Effects) -> Result<Vec<Estimate>>,
 ) -> Result<Vec<Loss>> {
     let exhaustive = real_time(truth, &Quality::EXHAUSTIVE);
-    let mut losses = vec![Loss {
-        name: "real-time",
-        title: "All of it: the real-time model",
-        with: whole.to_vec(),
-        without: exhaustive.clone(),
-    }];
+    let loss = |name, title, with: &[u32], without| Loss {
+        name,
+        title,
+        with: with.to_vec(),
+        without,
+    };
+    let all = "All of it: the real-time model";
+    let mut losses = vec![loss("real-time", all, whole, exhaustive.clone())];
     for (name, title) in LEFT_OUT {
         let effect = Effects::NAMES.iter().position(|known| *known == name);
         let effects = Effects::TRUTH.with(effect.context("an effect's name")?, false);
-        losses.push(Loss {
-            name,
-            title,
-            with: whole.to_vec(),
-            without: pixels(&draw(name, effects)?),
-        });
+        losses.push(loss(name, title, whole, pixels(&draw(name, effects)?)));
     }
     let falloff = Effects {
         falloff: true,
         ..Effects::TRUTH
     };
-    losses.push(Loss {
-        name: "falloff",
-        title: "Falloff of lamps, added to the truth",
-        with: whole.to_vec(),
-        without: pixels(&draw("falloff", falloff)?),
-    });
-    losses.push(Loss {
-        name: "edges",
-        title: "Antialiasing: one sample a pixel instead",
-        with: pixels(&draw("edges", Effects::NONE)?),
-        without: exhaustive,
-    });
-    losses.push(Loss {
-        name: "squares",
-        title: "Every pixel traced: adaptive squares instead",
-        // Both with smooth edges.
-        with: real_time(truth, &Quality::DEFAULT.reference()),
-        without: real_time(truth, &Quality::DEFAULT),
-    });
+    let falloff = pixels(&draw("falloff", falloff)?);
+    let title = "Falloff of lamps, added to the truth";
+    losses.push(loss("falloff", title, whole, falloff));
+    let smooth = pixels(&draw("edges", Effects::NONE)?);
+    let title = "Antialiasing: one sample a pixel instead";
+    losses.push(loss("edges", title, &smooth, exhaustive));
+    // Both with smooth edges.
+    let [traced, filled] = [Quality::DEFAULT.reference(), Quality::DEFAULT];
+    let [traced, filled] = [traced, filled].map(|quality| real_time(truth, &quality));
+    let title = "Every pixel traced: adaptive squares instead";
+    losses.push(loss("squares", title, &traced, filled));
     Ok(losses)
 }
 
 /// The picture by the library.
 fn real_time(picture: &Picture<'_>, quality: &Quality) -> Vec<u32> {
     let mut pixels = vec![0; picture.size.area()];
-    let threads = available_parallelism().map_or(1, usize::from);
+    let threads = processors();
     ThreadedRenderer::new(threads).draw(
         cpu::best().level,
         picture.scene,
@@ -143,50 +132,36 @@ fn real_time(picture: &Picture<'_>, quality: &Quality) -> Vec<u32> {
 fn figures(width: usize, estimates: &[Estimate], losses: &[Loss]) -> Vec<Figure> {
     let intervals = Intervals::of(estimates);
     let model = &losses[0];
-    let figure = |name, title, caption: String, pixels: Vec<u32>| Figure {
-        name,
-        title,
-        caption,
-        scale: None,
-        pixels,
-    };
-    let scaled = |most: String, figure| Figure {
-        scale: Some(["0".to_owned(), most]),
-        ..figure
-    };
     let mut all = vec![
-        figure(
+        Figure::new(
             "truth",
             "The truth: the rendering equation",
             format!("noise {:.1} dB", intervals.psnr),
             pixels(estimates),
         ),
-        figure(
+        Figure::new(
             model.name,
             "The real-time model",
             "every pixel traced".to_owned(),
             model.without.clone(),
         ),
-        scaled(
-            INTERVAL_SHOWN.to_string(),
-            figure(
-                "interval",
-                "How far the truth may be off, 95 %",
-                format!(
-                    "+-{:.1} in the median, +-{:.0} at worst",
-                    intervals.median, intervals.worst
-                ),
-                interval_picture(&intervals),
+        Figure::new(
+            "interval",
+            "How far the truth may be off, 95 %",
+            format!(
+                "+-{:.1} in the median, +-{:.0} at worst",
+                intervals.median, intervals.worst
             ),
-        ),
+            interval_picture(&intervals),
+        )
+        .up_to(INTERVAL_SHOWN),
     ];
     all.extend(losses.iter().map(|loss| {
         let mut pixels = loss.without.clone();
         draw_error(&mut pixels, &loss.with, ERROR_SHOWN);
         let (difference, flip) = loss.figures(width);
         let caption = format!("PSNR {}, FLIP {flip:.4}", decibels(difference.psnr));
-        let figure = figure(loss.name, loss.title, caption, pixels);
-        scaled(ERROR_SHOWN.to_string(), figure)
+        Figure::new(loss.name, loss.title, caption, pixels).up_to(ERROR_SHOWN)
     }));
     all
 }

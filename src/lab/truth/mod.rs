@@ -5,11 +5,11 @@ mod convergence;
 pub mod effects;
 pub mod estimate;
 pub mod film;
-pub mod geometry;
 pub mod lamp;
 mod losses;
 pub mod path;
 mod photons;
+mod plan;
 pub mod render;
 pub mod state;
 pub mod surface;
@@ -32,7 +32,6 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use render::Picture;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
-use std::thread::available_parallelism;
 
 /// The number of independent sequences that sample a pixel: as few as tell the error by their differences.
 pub const REPLICATIONS: usize = 8;
@@ -73,9 +72,9 @@ pub struct Arguments {
     /// several times
     #[arg(long, value_name = "EFFECT", value_parser = effects::effect)]
     without: Vec<usize>,
-    /// Threads that share the work [default: as many as there are processors]
-    #[arg(long, value_name = "N", value_parser = arguments::threads)]
-    threads: Option<usize>,
+    /// Threads that share the work
+    #[arg(long, value_name = "N", default_value_t = arguments::processors(), value_parser = arguments::threads)]
+    threads: usize,
     /// File to write as PNG, or - for standard output
     #[arg(long, value_name = "FILE", value_parser = arguments::png_file)]
     out: Option<PathBuf>,
@@ -168,9 +167,10 @@ fn shown(arguments: &Arguments) -> Result<Scene> {
     Ok(scene)
 }
 
-/// Takes away what is no transport of light: captions, the film's tone curve, vignette and dither, the glow around lamps.
+/// Takes away what is no transport of light: captions, copper bars, the film's tone curve, vignette and dither, the glow around lamps.
 pub fn undress(scene: &mut Scene) {
     scene.captions.clear();
+    scene.copper_bars.clear();
     scene.film = Film::PLAIN;
     for light in scene.lights.iter_mut() {
         light.glow = 0.0;
@@ -188,10 +188,9 @@ fn sampling(arguments: &Arguments) -> Sampling {
 
 /// The threads that draw.
 fn pool(arguments: &Arguments) -> Result<ThreadPool> {
-    let threads = arguments
-        .threads
-        .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(arguments.threads)
+        .build();
     pool.context("cannot start threads")
 }
 

@@ -6,12 +6,12 @@
 
 use super::connect::Connections;
 use super::effects::Effects;
-use super::geometry::Ray;
 use super::lamp::Lamp;
 use super::photons::Photons;
 use super::surface::Bsdf;
 use super::world::World;
 use crate::sampler::Sampler;
+use eightfold_oracle::geometry::Ray;
 use eightfold_tracer::glam::DVec3;
 
 /// The number of bounces from which on paths may end at random.

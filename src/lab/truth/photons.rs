@@ -7,11 +7,11 @@
 //! out. The noise is part of the intervals, the blur is not.
 
 use super::connect::{Connections, Event, Gap};
-use super::geometry::Ray;
 use super::lamp::Lamp;
 use super::surface::Bsdf;
 use super::world::{Body, World};
 use crate::sampler::{Sampler, Sequence, around, seed_of};
+use eightfold_oracle::geometry::Ray;
 use eightfold_tracer::glam::DVec3;
 use eightfold_tracer::scene::Waves;
 use rstar::primitives::GeomWithData;

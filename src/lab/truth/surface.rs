@@ -7,44 +7,8 @@
 use crate::sampler::{around, cosine_hemisphere};
 use eightfold_oracle::grooves;
 use eightfold_tracer::glam::{DVec2, DVec3};
-use eightfold_tracer::scene::{self, Pattern};
+use eightfold_tracer::scene::Material;
 use std::f64::consts::{PI, TAU};
-
-/// The material of a body; see [`scene::Material`].
-#[derive(Clone, Copy, Debug)]
-pub struct Material {
-    pub colour: DVec3,
-    pub kd: f64,
-    pub ks: f64,
-    pub exponent: f64,
-    pub metallic: f64,
-    pub anisotropy: f64,
-    pub kr: f64,
-    pub fresnel: f64,
-    pub kt: f64,
-    pub index: f64,
-    pub tint: DVec3,
-    pub pattern: Pattern,
-}
-
-impl From<&scene::Material> for Material {
-    fn from(material: &scene::Material) -> Self {
-        Self {
-            colour: material.colour.as_dvec3(),
-            kd: material.kd.into(),
-            ks: material.ks.into(),
-            exponent: material.exponent.into(),
-            metallic: material.metallic.into(),
-            anisotropy: material.anisotropy.into(),
-            kr: material.kr.into(),
-            fresnel: material.fresnel.into(),
-            kt: material.kt.into(),
-            index: material.index.into(),
-            tint: material.tint.as_dvec3(),
-            pattern: material.pattern,
-        }
-    }
-}
 
 /// The ways of light at a surface that does not scatter it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,17 +68,22 @@ impl Bsdf {
         is_inside: bool,
         keeps_energy: bool,
     ) -> Self {
+        let [kd, ks, exponent, anisotropy] = [
+            material.kd,
+            material.ks,
+            material.exponent,
+            material.anisotropy,
+        ]
+        .map(f64::from);
+        let [kr, kt, fresnel, index] =
+            [material.kr, material.kt, material.fresnel, material.index].map(f64::from);
         let cosine = -d.dot(n);
-        let ratio = if is_inside {
-            material.index
-        } else {
-            1.0 / material.index
-        };
+        let ratio = if is_inside { index } else { 1.0 / index };
         let k = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
         // Schlick's approximation: what is mirrored more, is let through less.
-        let gain = material.fresnel * (1.0 - cosine).powi(5);
-        let kr = material.kr + gain * (1.0 - material.kr);
-        let kt = material.kt * (1.0 - gain);
+        let gain = fresnel * (1.0 - cosine).powi(5);
+        let kr = kr + gain * (1.0 - kr);
+        let kt = kt * (1.0 - gain);
         let is_through = kt > 0.0 && k >= 0.0;
         let refracted =
             is_through.then(|| (ratio * d + (ratio * cosine - k.sqrt()) * n).normalize());
@@ -123,21 +92,21 @@ impl Bsdf {
             None => (kr + kt, 0.0),
             Some(_) if keeps_energy => {
                 let share = kr + kt;
-                let reflected = share * fresnel(cosine, k.sqrt(), ratio);
+                let reflected = share * fresnel_reflectance(cosine, k.sqrt(), ratio);
                 (reflected, share - reflected)
             }
             Some(_) => (kr, kt),
         };
-        let diffuse = material.kd * colour;
+        let diffuse = kd * colour;
         // The peak of the lobe is the real-time model's, for light along the normal.
-        let glossy = if material.anisotropy > 0.0 {
+        let glossy = if anisotropy > 0.0 {
             // What the lobe across grooves scatters at most: the integral of the lobe, along the grooves, times a half circle's of
             // the cosine, across them. This bound by Kershaw's inequality for the gamma function is too large by 1 % at most.
-            material.ks * (8.0 / (PI * (material.exponent + 0.75))).sqrt()
+            ks * (8.0 / (PI * (exponent + 0.75))).sqrt()
         } else {
-            material.ks * 2.0 / (material.exponent + if keeps_energy { 2.0 } else { 1.0 })
+            ks * 2.0 / (exponent + if keeps_energy { 2.0 } else { 1.0 })
         };
-        let highlight = DVec3::ONE.lerp(material.colour, material.metallic);
+        let highlight = DVec3::ONE.lerp(material.colour.as_dvec3(), material.metallic.into());
         let all = diffuse.max_element() + glossy + reflected + transmitted;
         let scale = if keeps_energy {
             1.0 / all.max(1.0)
@@ -150,10 +119,10 @@ impl Bsdf {
             refracted,
             diffuse: scale * diffuse,
             glossy: scale * glossy,
-            peak: scale * material.ks / PI * highlight,
+            peak: scale * ks / PI * highlight,
             groove,
-            anisotropy: material.anisotropy,
-            exponent: material.exponent,
+            anisotropy,
+            exponent,
             is_plain_lobe: !keeps_energy,
             reflected: scale * reflected,
             transmitted: scale * transmitted,
@@ -255,7 +224,7 @@ impl Bsdf {
 
 /// The share of unpolarised light that glass reflects, by Fresnel's equations. The cosines are those of the angles on the side of
 /// the light and behind the surface; `ratio` is the refractive index here over that behind.
-pub fn fresnel(cosine: f64, behind: f64, ratio: f64) -> f64 {
+pub fn fresnel_reflectance(cosine: f64, behind: f64, ratio: f64) -> f64 {
     let parallel = (cosine - ratio * behind) / (cosine + ratio * behind);
     let perpendicular = (ratio * cosine - behind) / (ratio * cosine + behind);
     0.5 * (parallel * parallel + perpendicular * perpendicular)

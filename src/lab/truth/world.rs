@@ -1,12 +1,12 @@
 //! A scene in f64, as the path tracer sees it.
 
-use super::geometry::{Face, Met, Ray, Shape};
 use super::lamp::Lamp;
-use super::surface::{Bsdf, Material};
+use super::surface::Bsdf;
+use eightfold_oracle::geometry::{Face, Met, PicturePlane, Ray, Shape};
 use eightfold_oracle::pattern::reflectance;
 use eightfold_oracle::waves;
 use eightfold_tracer::glam::DVec3;
-use eightfold_tracer::scene::{self, Camera, Scene, Waves};
+use eightfold_tracer::scene::{Material, Scene, Waves};
 
 /// A shape and its material.
 #[derive(Clone, Copy, Debug)]
@@ -47,13 +47,7 @@ pub struct World {
     pub ambient: DVec3,
     /// The factor on all light, by fading.
     pub brightness: f64,
-    eye: DVec3,
-    /// The ray through pixel (x, y) has the direction `corner + x dx + y dy`.
-    corner: DVec3,
-    dx: DVec3,
-    dy: DVec3,
-    /// The side of a pixel at distance 1, in scene units.
-    pixel: f64,
+    plane: PicturePlane,
     /// The radius over which caustics are blurred, in scene units.
     pub blur: f64,
 }
@@ -69,7 +63,7 @@ impl World {
         let lamps: Vec<Lamp> = lamps
             .map(|light| Lamp::new(light, &scene.camera, has_falloff))
             .collect();
-        let (corner, dx, dy) = picture_plane(&scene.camera, width, height);
+        let plane = PicturePlane::new(&scene.camera, width, height);
         let sight = scene.camera.look_at.distance(scene.camera.eye);
         Self {
             bodies,
@@ -78,20 +72,15 @@ impl World {
             sky: scene.sky.as_dvec3(),
             haze: scene.haze.into(),
             ambient: scene.ambient.as_dvec3(),
-            brightness: 1.0 - f64::from(scene.fade),
-            eye: scene.camera.eye.as_dvec3(),
-            corner,
-            dx,
-            dy,
-            pixel: dx.length(),
-            blur: BLUR * dx.length() * f64::from(sight),
+            brightness: scene.exposure.into(),
+            plane,
+            blur: BLUR * plane.pixel * f64::from(sight),
         }
     }
 
     /// The ray through a point of the picture, in pixels. A pixel's coordinates are those of its centre.
     pub fn primary_ray(&self, x: f64, y: f64) -> Ray {
-        let d = self.corner + x * self.dx + y * self.dy;
-        Ray::new(self.eye, d.normalize())
+        self.plane.ray(x, y)
     }
 
     /// The body that a ray meets first.
@@ -106,7 +95,7 @@ impl World {
         // Waves tilt the normal. They are seen as coarse as a pixel at the distance of this part of the path would see them.
         nearest.map(|(body, mut met)| {
             if body.waves != Waves::CALM {
-                let seen = met.t * self.pixel / ray.d.y.abs();
+                let seen = met.t * self.plane.pixel / ray.d.y.abs();
                 met.normal = waves::normal(&body.waves, ray.at(met.t), ray.d, seen);
             }
             (body, met)
@@ -123,7 +112,7 @@ impl World {
                 if !(is_tinted && is_solid) {
                     return DVec3::ZERO;
                 }
-                share *= body.material.tint;
+                share *= body.material.tint.as_dvec3();
             }
         }
         share
@@ -165,17 +154,17 @@ impl World {
 
     /// The colour of a body, painted with its pattern, where a ray meets it. The edges of a pattern are at least a pixel wide.
     pub fn paint(&self, body: &Body, ray: Ray, met: &Met) -> DVec3 {
-        let footprint = met.t * self.pixel / ray.d.dot(met.normal).abs();
+        let footprint = met.t * self.plane.pixel / ray.d.dot(met.normal).abs();
         let own = body.shape.own_coordinates(ray.at(met.t));
-        body.material.colour * reflectance(&body.material.pattern, own, footprint)
+        body.material.colour.as_dvec3() * reflectance(&body.material.pattern, own, footprint)
     }
 }
 
 /// All bodies of a scene.
 fn bodies(scene: &Scene) -> Vec<Body> {
-    let body = |shape: Shape, material: &scene::Material| Body {
+    let body = |shape: Shape, material: &Material| Body {
         shape,
-        material: material.into(),
+        material: *material,
         waves: Waves::CALM,
     };
     let spheres = scene.spheres.iter().map(|it| body(it.into(), &it.material));
@@ -185,15 +174,4 @@ fn bodies(scene: &Scene) -> Vec<Body> {
     });
     let blocks = scene.blocks.iter().map(|it| body(it.into(), &it.material));
     spheres.chain(planes).chain(blocks).collect()
-}
-
-/// The direction through the centre of the upper left pixel, and the steps to the right and down.
-fn picture_plane(camera: &Camera, width: usize, height: usize) -> (DVec3, DVec3, DVec3) {
-    let forward = (camera.look_at.as_dvec3() - camera.eye.as_dvec3()).normalize();
-    let right = forward.cross(camera.up.as_dvec3()).normalize();
-    let up = right.cross(forward);
-    let pixel = 2.0 * (0.5 * f64::from(camera.field_of_view)).tan() / height as f64;
-    let (dx, dy) = (right * pixel, up * -pixel);
-    let middle = |side: usize| 0.5 * side as f64 - 0.5;
-    (forward - dx * middle(width) - dy * middle(height), dx, dy)
 }

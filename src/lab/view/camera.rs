@@ -110,7 +110,7 @@ mod tests {
     };
 
     fn camera() -> eightfold_tracer::scene::Camera {
-        eightfold::show::scene(2.0).camera
+        eightfold::show::model_scene(2.0).camera
     }
 
     #[test]
@@ -124,7 +124,7 @@ mod tests {
         }
         assert!(view.place(view.eye - view.forward).is_none());
         // The middle of each sphere that is seen is seen where it is.
-        let scene: Scene = eightfold::show::scene(2.0);
+        let scene: Scene = eightfold::show::model_scene(2.0);
         let quality = eightfold_tracer::Quality::EXHAUSTIVE;
         let oracle = eightfold_oracle::Oracle::new(&scene, &quality, SIZE.width, SIZE.height);
         let mut found = 0;

@@ -28,7 +28,6 @@ use eightfold_window::cpu::{self, Isa};
 use eightfold_window::window::Window;
 use frame_viewer::FrameViewer;
 use session::Session;
-use std::thread::available_parallelism;
 use workspace::Workspace;
 
 /// Plays the show in a window, with time and quality under control, and shows what frames are made of
@@ -62,9 +61,9 @@ pub struct Arguments {
         allow_negative_numbers = true
     )]
     fps: Rate,
-    /// Threads that share the work [default: as many as there are processors]
-    #[arg(long, value_name = "N", value_parser = arguments::threads)]
-    threads: Option<usize>,
+    /// Threads that share the work
+    #[arg(long, value_name = "N", default_value_t = arguments::processors(), value_parser = arguments::threads)]
+    threads: usize,
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
@@ -76,9 +75,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let window = Window::open(c"Eightfold", width, height)
         .map_err(|why| anyhow!("view needs a window: {why}"))?;
     eprintln!("view: the key ? lists the keys");
-    let threads = arguments
-        .threads
-        .unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
     let rate = arguments.fps.hertz();
     let isa = arguments.isa.unwrap_or_else(cpu::best);
     let workspace = Workspace::open(arguments.scene).map_err(|why| anyhow!(why))?;
@@ -94,14 +90,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         quality: arguments.quality,
         overlay: Overlay::None,
     };
-    let viewer = FrameViewer::new(threads, isa);
+    let viewer = FrameViewer::new(arguments.threads, isa);
     Session::new(window, viewer, controls, workspace, rate).play()
 }
 
 /// Parses a time in the show.
 fn from_start(text: &str) -> Result<f32, String> {
-    let seconds = arguments::seconds(text).ok();
-    seconds
-        .filter(|&seconds| seconds >= 0.0)
-        .ok_or_else(|| "takes seconds from 0 on, such as 2.5".to_owned())
+    let is_time = |&time: &f32| time.is_finite() && time >= 0.0;
+    arguments::parsed(text, is_time, "seconds from 0 on, such as 2.5")
 }

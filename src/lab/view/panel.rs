@@ -1,7 +1,7 @@
 //! Words over the picture, with keys or colours that they explain.
 
 use crate::arguments::Size;
-use crate::bitmap::{Area, SAMPLES, at, bitmap, register_fonts, text};
+use crate::bitmap::{Area, at, bitmap, colour, register_fonts, text};
 use anyhow::Result;
 use plotters::prelude::*;
 use plotters::style::FontStyle;
@@ -79,7 +79,7 @@ impl Panel {
     fn draw(&mut self) {
         register_fonts();
         let measure = |words: &str| {
-            let style = text(LETTERS, 1, FontStyle::Normal);
+            let style = text(LETTERS, FontStyle::Normal);
             let size = style.font.box_size(words);
             size.map_or(0, |(width, _)| width as usize)
         };
@@ -120,17 +120,15 @@ impl Panel {
 }
 
 fn draw_line(area: &Area<'_>, mark: &Mark, words: &str, [x, y]: [usize; 2]) -> Result<()> {
-    let style = |weight| text(LETTERS, SAMPLES, weight).color(&WHITE);
+    let style = |weight| text(LETTERS, weight).color(&WHITE);
     match mark {
         Mark::Nothing => {}
         Mark::Key(key) => area.draw_text(key, &style(FontStyle::Bold), at([GAP, y]))?,
-        Mark::Colour(colour) => {
-            let [_, r, g, b] = colour.to_be_bytes();
+        Mark::Colour(pixel) => {
             // A frame, so that black is seen, too.
             let corners = [at([GAP, y + 1]), at([GAP + LINE, y + LINE - 4])];
-            area.draw(&Rectangle::new(corners, RGBColor(r, g, b).filled()))?;
-            let frame = RGBColor(160, 160, 160).stroke_width(SAMPLES as u32);
-            area.draw(&Rectangle::new(corners, frame))?;
+            area.draw(&Rectangle::new(corners, colour(*pixel).filled()))?;
+            area.draw(&Rectangle::new(corners, RGBColor(160, 160, 160)))?;
         }
     }
     Ok(area.draw_text(words, &style(FontStyle::Normal), at([x, y]))?)

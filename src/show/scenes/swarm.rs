@@ -7,7 +7,7 @@ use crate::show::props::around;
 use crate::show::set::{FAR, SHOW, Set, point};
 use core::f32::consts::TAU;
 use eightfold_tracer::maths::{cos, sin, smooth_step, sqrt};
-use eightfold_tracer::scene::{Light, Material, Scene, Sphere};
+use eightfold_tracer::scene::{CopperBar, Light, Material, Scene, Sphere};
 use glam::{Vec3A, vec3a};
 
 /// The scene as a record.
@@ -71,10 +71,24 @@ const TO_BLUE: Vec3A = vec3a(-0.78, 0.17, 0.80);
 /// The colour of the waves' crests: darker than [`material::GOLD`], since the diffuse coefficient of plastic is larger.
 const GOLD: Vec3A = vec3a(0.85, 0.62, 0.30);
 
-/// Adds the spheres as they are `beat` beats after the act's first bar.
+/// Adds spheres and copper bars as they are `beat` beats after the act's first bar.
 fn add(beat: f32, scene: &mut Scene) {
     for i in 0..COUNT {
         scene.spheres.push(sphere(i, beat));
+    }
+    add_copper_bars(beat, scene);
+}
+
+/// Adds copper bars along the upper and the lower border. They flash with the kicks of the bar before the last.
+fn add_copper_bars(beat: f32, scene: &mut Scene) {
+    let is_shown = (16.0..20.0).contains(&beat);
+    for middle in [0.02, 0.98] {
+        scene.copper_bars.push(CopperBar {
+            middle,
+            height: 0.024,
+            colour: GOLD,
+            brightness: f32::from(is_shown),
+        });
     }
 }
 

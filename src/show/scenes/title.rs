@@ -4,7 +4,7 @@ use crate::show::act::{Act, Shot, shot};
 use crate::show::captions::Line;
 use crate::show::material;
 use crate::show::path::key;
-use crate::show::props::{add_block, add_sphere};
+use crate::show::props::add_block;
 use crate::show::set::{FAR, SHOW, Set, point};
 use eightfold_tracer::font::strokes;
 use eightfold_tracer::maths::smooth_step;
@@ -70,10 +70,11 @@ const ADVANCE: f32 = 3.0;
 const WIDTH: f32 = ADVANCE * WORD.len() as f32 - 1.0;
 /// The size of a grid unit, in scene units.
 const STEP: f32 = 0.5;
-/// Half the width of a stroke, in scene units.
+/// Half the width of a letter's first stroke, in scene units.
 const RADIUS: f32 = 0.15;
-/// The radius of the spheres at the ends of strokes. It is larger, since surfaces that touch would shade each other by rounding.
-const JOINT: f32 = 1.03 * RADIUS;
+/// A stroke's width, as a share of that of the one before. So the end of a bar is hidden in the stem that it meets: were both as wide,
+/// rounding would decide which of two surfaces in one place is seen.
+const NARROWER: f32 = 0.99;
 
 /// The beats from one letter to the next.
 const BEATS: f32 = 1.5;
@@ -96,25 +97,21 @@ fn add(beat: f32, scene: &mut Scene) {
             let up = 4.0 - on_grid.y - below;
             vec3a(0.5 * WIDTH - right, up, 0.0) * STEP + Vec3A::Y * RADIUS
         };
-        let mut pen = Vec2::NAN;
+        let mut radius = RADIUS;
         for (from, to) in strokes(letter) {
-            if from != pen {
-                add_sphere(place(from), JOINT, &material::JOINT, scene);
-            }
-            add_stroke(place(from), place(to), scene);
-            add_sphere(place(to), JOINT, &material::JOINT, scene);
-            pen = to;
+            add_stroke(place(from), place(to), radius, scene);
+            radius *= NARROWER;
         }
     }
 }
 
-/// Adds a cylinder between two points.
-fn add_stroke(from: Vec3A, to: Vec3A, scene: &mut Scene) {
+/// Adds a capsule about the line between two points.
+fn add_stroke(from: Vec3A, to: Vec3A, radius: f32, scene: &mut Scene) {
     let way = to - from;
     let length = way.length();
     let y = way * (1.0 / length);
-    let half = vec3a(RADIUS, 0.5 * length, RADIUS);
+    let half = vec3a(radius, 0.5 * length + radius, radius);
     let axes = Mat3A::from_cols(y.cross(Vec3A::Z), y, Vec3A::Z);
     let middle = (from + to) * 0.5;
-    add_block(Shape::Cylinder, middle, half, axes, &material::BRASS, scene);
+    add_block(Shape::Capsule, middle, half, axes, &material::BRASS, scene);
 }

@@ -33,22 +33,22 @@ cfg_select! {
     all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2", target_feature = "fxsr") => {
         pub(crate) type Baseline = fearless_simd::Sse2;
 
-        fn baseline_of(level: Level) -> Option<Baseline> {
-            level.as_sse2()
+        fn baseline_of(isa: Level) -> Option<Baseline> {
+            isa.as_sse2()
         }
     }
     all(target_arch = "aarch64", target_feature = "neon") => {
         pub(crate) type Baseline = fearless_simd::Neon;
 
-        fn baseline_of(level: Level) -> Option<Baseline> {
-            level.as_neon()
+        fn baseline_of(isa: Level) -> Option<Baseline> {
+            isa.as_neon()
         }
     }
     all(target_arch = "wasm32", target_feature = "simd128") => {
         pub(crate) type Baseline = fearless_simd::WasmSimd128;
 
-        fn baseline_of(level: Level) -> Option<Baseline> {
-            level.as_wasm_simd128()
+        fn baseline_of(isa: Level) -> Option<Baseline> {
+            isa.as_wasm_simd128()
         }
     }
     _ => {
@@ -71,14 +71,14 @@ cfg_select! {
     target_arch = "x86_64" => {
         /// AVX2, where the level has it.
         #[inline(always)]
-        pub(crate) fn avx2(level: Level) -> Option<fearless_simd::Avx2> {
-            level.as_avx2()
+        pub(crate) fn avx2(isa: Level) -> Option<fearless_simd::Avx2> {
+            isa.as_avx2()
         }
 
         /// AVX-512, where the level has it.
         #[inline(always)]
-        pub(crate) fn avx512(level: Level) -> Option<fearless_simd::Avx512> {
-            level.as_avx512()
+        pub(crate) fn avx512(isa: Level) -> Option<fearless_simd::Avx512> {
+            isa.as_avx512()
         }
     }
     _ => {

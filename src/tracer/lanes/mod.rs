@@ -78,6 +78,22 @@ pub(crate) fn clamp<S: Isa>(v: F<S>, least: F<S>, most: F<S>) -> F<S> {
     at_most::<S>(at_least::<S>(v, least), most)
 }
 
+/// 1.5 * 2^23. Adding it to a number between -2^22 and 2^22 rounds that to the nearest integer, which then is in the low bits of
+/// the sum. Subtracting it again gives the integer as a float.
+pub const ROUND_TO_INTEGER: f32 = 12_582_912.0;
+
+/// The numbers less the nearest integers, for numbers between -2^22 and 2^22.
+#[inline(always)]
+pub(crate) fn off_integer<S: Simd>(v: F<S>) -> F<S> {
+    v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)
+}
+
+/// Hermite's smooth step from 0 to 1: `v^2 (3 - 2 v)`, with slope 0 at both ends.
+#[inline(always)]
+pub(crate) fn smooth_step<S: Simd>(v: F<S>) -> F<S> {
+    v * v * (v * -2.0 + 3.0)
+}
+
 /// The lanes' numbers, from 0.
 #[inline(always)]
 pub(crate) fn numbers<S: Simd>(simd: S) -> U<S> {

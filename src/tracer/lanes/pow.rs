@@ -46,7 +46,6 @@ const SQRT_HALF_BITS: i32 = 0x3f35_04f3;
 #[inline(always)]
 fn exp2<S: Simd>(simd: S, y: F<S>) -> F<S> {
     let y = y.max(splat(simd, -126.0)).min(splat(simd, 127.0));
-    // Adding 1.5 * 2^23 leaves the nearest integer in the low bits.
     let shifted = y + ROUND_TO_INTEGER;
     let f = y - (shifted - ROUND_TO_INTEGER);
     let p = polynomial(
@@ -66,9 +65,6 @@ fn exp2<S: Simd>(simd: S, y: F<S>) -> F<S> {
     let bits: I<S> = p.bitcast();
     (bits + (whole << 23)).bitcast()
 }
-
-/// 1.5 * 2^23.
-const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// A polynomial by Horner's rule, the coefficient of the highest power first.
 #[inline(always)]

@@ -47,17 +47,18 @@ const WIDER: f32 = 1e-4;
 pub(super) struct RoundCone {
     /// Where the sphere's centre is, from the tip. (Not aligned, to be small: there is one for each lamp and sphere.)
     to: Vec3,
-    /// The cosine and the sine of the angle at the tip, over the length of `to`. The cosine is no number if the tip is inside.
-    cosine: f32,
-    sine: f32,
+    /// The cosine of the angle at the tip, divided by the length of `to`; no number if the tip is inside.
+    cosine_by_length: f32,
+    /// The sine of that angle, divided by the same.
+    sine_by_length: f32,
 }
 
 impl RoundCone {
     /// All zeros.
     pub const ZERO: Self = Self {
         to: Vec3::ZERO,
-        cosine: 0.0,
-        sine: 0.0,
+        cosine_by_length: 0.0,
+        sine_by_length: 0.0,
     };
 
     /// The cone around a sphere whose centre is at `to`; all rays are inside where there is none.
@@ -68,8 +69,8 @@ impl RoundCone {
         Self {
             to: to.into(),
             // `to` is as long as the distance, which the sine has once more.
-            cosine: sqrt(cosine2 / distance2),
-            sine: radius / distance2,
+            cosine_by_length: sqrt(cosine2 / distance2),
+            sine_by_length: radius / distance2,
         }
     }
 
@@ -81,7 +82,10 @@ impl RoundCone {
     #[inline(never)]
     pub fn unsure(&self, hit_error: f32) -> f32 {
         let distance2 = self.to.length_squared();
-        let (radius, cosine2) = (self.sine * distance2, self.cosine * self.cosine * distance2);
+        let (radius, cosine2) = (
+            self.sine_by_length * distance2,
+            self.cosine_by_length * self.cosine_by_length * distance2,
+        );
         let error = 3.0 * (hit_error + HIT_ERROR * sqrt(distance2));
         error / (radius * cosine2)
     }
@@ -90,7 +94,9 @@ impl RoundCone {
     #[inline(never)]
     pub fn seen_by(&self, rays: &[Vec3A; 3]) -> Cone {
         let to = Vec3A::from(self.to);
-        let terms = rays.map(|ray| (to.cross(ray) * self.cosine).extend(to.dot(ray) * self.sine));
+        let terms = rays.map(|ray| {
+            (to.cross(ray) * self.cosine_by_length).extend(to.dot(ray) * self.sine_by_length)
+        });
         Cone {
             terms,
             is_flat: false,
@@ -107,7 +113,7 @@ impl RoundCone {
     pub fn bounds(&self, [right, down, forward]: &[Vec3A; 3], pixel: f32) -> ScreenBounds {
         let to = Vec3A::from(self.to);
         let distance = to.length();
-        let (axis, sine) = (to / distance, self.sine * distance + WIDER);
+        let (axis, sine) = (to / distance, self.sine_by_length * distance + WIDER);
         let ahead = axis.dot(*forward);
         if ahead < -sine * forward.length() {
             return ScreenBounds::NONE;

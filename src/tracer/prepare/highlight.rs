@@ -8,7 +8,7 @@ use super::object::{self, Object, ObjectId};
 use super::{Axes, Prepared};
 use crate::maths::sqrt;
 use crate::scene::camera::pixels;
-use crate::scene::{Block, MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
+use crate::scene::{Block, MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene};
 use crate::shapes::{Mirror, block, plane, sphere};
 use core::f32::consts::PI;
 use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
@@ -129,17 +129,17 @@ impl Prepared {
 
     /// Prepares the highlights, after objects and lamps. Those that are seen from within a sphere or a cylinder are left out, and
     /// those on waves.
-    pub(super) fn set_highlights(&mut self) {
+    pub(super) fn set_highlights(&mut self, scene: &Scene) {
         self.highlights.count = 0;
         for i in 0..self.background() {
-            let (object, material) = object::of(&self.scene, ObjectId::new(i));
+            let (object, material) = object::of(scene, ObjectId::new(i));
             let centre = match object {
                 Object::Sphere(sphere) => sphere.centre,
                 Object::Block(block) => block.centre,
                 Object::Plane(plane) => plane.centre,
                 Object::Light(_) | Object::Background => continue,
             };
-            if i == self.first_plane() && !self.scene.water.are_calm() {
+            if i == self.first_plane() && !scene.water.are_calm() {
                 continue;
             }
             // Those of several lamps may add up.

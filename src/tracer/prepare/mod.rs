@@ -29,10 +29,10 @@ pub(crate) use surface::{PerLane, SURFACE_NUMBERS, Surface, SurfaceNumbers, Surf
 use tree::MAX_GROUPS;
 pub(crate) use tree::{BvhNode, GroupSet, Tree};
 
-use crate::scene::camera::pixels;
-use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Method, Scene, camera::Raster};
+use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Scene, camera::Raster};
 use crate::shapes::plane::Rectangle;
-use glam::Vec3A;
+use core::ops::Deref;
+use glam::{Vec2, Vec3A};
 
 /// The most objects that rays can hit: solids, lights (shown as spheres), planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
@@ -43,19 +43,37 @@ const MAX_IMAGES: usize = 2 * MAX_OBJECTS;
 /// The most outlines: those, and one for the shadow of each sphere on each plane by each light.
 pub(crate) const MAX_OUTLINES: usize = MAX_IMAGES + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
-/// The scene of one frame, prepared for the kernels.
+/// What a frame shows: the scene, and what is computed of it once.
 ///
 /// Objects are numbered: spheres come first, then boxes and cylinders, lights, planes, and the background.
+#[derive(Clone, Copy)]
+pub(crate) struct World<'a> {
+    pub scene: &'a Scene,
+    pub prepared: &'a Prepared,
+}
+
+impl Deref for World<'_> {
+    type Target = Prepared;
+
+    #[inline(always)]
+    fn deref(&self) -> &Prepared {
+        self.prepared
+    }
+}
+
+impl<'a> World<'a> {
+    /// An object and its material.
+    pub fn object(self, id: ObjectId) -> (Object<'a>, &'a Material) {
+        object::of(self.scene, id)
+    }
+}
+
+/// What is computed of the scene of one frame for the kernels.
 pub(crate) struct Prepared {
-    /// A copy of the scene.
-    pub scene: Scene,
     pub air: Air,
     pub film: Film,
     pub eye: Vec3A,
     pub raster: Raster,
-    /// The width and the height of the picture in pixels.
-    pub width: usize,
-    pub height: usize,
     pub tree: Tree,
     /// For each group of the tree, a rectangle around it in the picture, and one around its image in the first plane.
     bounds: [[ScreenBounds; MAX_GROUPS]; 2],
@@ -86,10 +104,8 @@ pub(crate) struct Prepared {
     has_patterns: bool,
     /// Whether any object is a block, or has a pattern or grooves.
     has_details: bool,
-    /// The weight of primary rays: below 1 where the picture is faded.
+    /// The weight of primary rays: the exposure.
     pub weight: f32,
-    /// The offset of the samples from the centres of their pixels, in pixels.
-    pub offset: glam::Vec2,
 }
 
 /// The groups of the tree that rays through a part of the picture can meet.
@@ -105,13 +121,10 @@ impl Prepared {
     /// All zeros: memory before a frame is prepared.
     pub const fn new() -> Self {
         Self {
-            scene: Scene::ZEROED,
             air: Air::ZERO,
             film: Film::ZERO,
             eye: Vec3A::ZERO,
             raster: Raster::ZERO,
-            width: 0,
-            height: 0,
             tree: Tree::ZERO,
             bounds: [[ScreenBounds::ZERO; MAX_GROUPS]; 2],
             used_groups: 0,
@@ -132,7 +145,6 @@ impl Prepared {
             has_patterns: false,
             has_details: false,
             weight: 0.0,
-            offset: glam::Vec2::ZERO,
         }
     }
 
@@ -154,11 +166,6 @@ impl Prepared {
         &self.surfaces[id.index()]
     }
 
-    /// An object and its material.
-    pub fn object(&self, id: ObjectId) -> (Object<'_>, &Material) {
-        object::of(&self.scene, id)
-    }
-
     /// Whether any object is a block, or has a pattern or grooves.
     #[inline(always)]
     pub fn has_details(&self) -> bool {
@@ -173,19 +180,8 @@ impl Prepared {
 
     /// Whether the pattern of an object has edges.
     #[inline(always)]
-    pub fn has_pattern(&self, id: ObjectId) -> bool {
+    pub fn has_edges(&self, id: ObjectId) -> bool {
         self.has_edges[id.index()]
-    }
-
-    /// How many columns of pixels, from the left, are finished: without an overlay.
-    #[inline(never)]
-    pub fn finished_columns(&self) -> usize {
-        let method = &self.scene.method;
-        if *method == Method::PLAIN {
-            self.width
-        } else {
-            ((method.front * pixels(self.width)) as usize).min(self.width)
-        }
     }
 
     /// The object number of the first plane.
@@ -211,19 +207,22 @@ impl Prepared {
         groups
     }
 
-    /// Prepares a scene for a picture of `width` by `height` pixels.
-    pub fn set(&mut self, scene: &Scene, width: usize, height: usize) {
-        self.scene = *scene;
+    /// Prepares a scene for a picture of so many pixels along x and y, whose samples are off the centres of their pixels by so
+    /// many pixels.
+    pub fn prepare<'a>(
+        &'a mut self,
+        scene: &'a Scene,
+        [width, height]: [usize; 2],
+        offset: Vec2,
+    ) -> World<'a> {
         self.air = Air::of(scene);
         self.film = Film::of(&scene.film, width, height);
         self.eye = scene.camera.eye;
         self.raster = scene.camera.raster(width, height);
         self.axes.set(&self.raster, width, height);
-        self.move_samples();
-        self.width = width;
-        self.height = height;
+        self.move_samples(offset);
         self.solids = scene.solids();
-        self.weight = 1.0 - scene.fade;
+        self.weight = scene.exposure;
         self.lamp_count = scene.lights.len();
         self.plane_count = scene.planes.len();
         self.tree.set(scene);
@@ -246,21 +245,25 @@ impl Prepared {
                 half_z: plane.half_z,
             };
         }
-        self.set_outlines();
-        self.set_highlights();
+        self.set_outlines(scene);
+        self.set_highlights(scene);
+        World {
+            scene,
+            prepared: self,
+        }
     }
 
     /// Prepares the outlines, after the objects.
-    fn set_outlines(&mut self) {
+    fn set_outlines(&mut self, scene: &Scene) {
         self.bounds = [[ScreenBounds::NONE; MAX_GROUPS]; 2];
         self.used_groups = 0;
         let (first_plane, background) = (self.first_plane(), self.background());
         // Glass reflects all light at some angles.
         let is_mirror = |m: &Material| m.kr + m.fresnel + m.kt > 0.0;
-        let first = self.scene.planes.first();
+        let first = scene.planes.first();
         let mirrors = usize::from(first.is_some_and(|plane| is_mirror(&plane.material)));
         // Images in waves may be anywhere.
-        let is_calm = self.scene.water.are_calm();
+        let is_calm = scene.water.are_calm();
         let mirrors = mirrors * usize::from(is_calm);
         self.first_shadow = background + 1 + mirrors * first_plane;
         let (mut eye, mut axes) = (self.eye, self.axes.clone());
@@ -275,7 +278,7 @@ impl Prepared {
                 let bounds = outline.set_sphere(&axes, to, node);
                 self.used_groups |= node.groups;
                 groups[node.groups.trailing_zeros() as usize].join(bounds);
-                if let Object::Block(block) = object::of(&self.scene, node.object).0 {
+                if let Object::Block(block) = object::of(scene, node.object).0 {
                     outline.set_block(&axes, to, block);
                 }
                 self.screen[number] = if outline.is_finite() {
@@ -300,10 +303,10 @@ impl Prepared {
         self.set_shadows();
     }
 
-    /// Shifts the samples by their offset.
-    fn move_samples(&mut self) {
+    /// Shifts the samples by an offset in pixels.
+    fn move_samples(&mut self, offset: Vec2) {
         let Raster { corner, dx, dy } = &mut self.raster;
-        *corner += *dx * self.offset.x + *dy * self.offset.y;
-        self.axes.move_middle(-self.offset);
+        *corner += *dx * offset.x + *dy * offset.y;
+        self.axes.move_middle(-offset);
     }
 }

@@ -41,7 +41,7 @@ pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) ->
 pub(crate) struct ScreenBounds(Vec4);
 
 /// Pixels around a bound, far more than its rounding.
-const MARGIN: f32 = 0.5;
+const PIXELS_AROUND: f32 = 0.5;
 
 impl Axes {
     pub const NONE: Self = Self {
@@ -135,7 +135,7 @@ impl ScreenBounds {
         let ends = |c: f32, d: f32| Vec4::new(c, d, -c, -d);
         let ahead = Vec4::new(u.w, v.w, u.w, v.w) + ends(u.z, v.z);
         let across = Vec4::new(u.x, v.x, u.x, v.x) + ends(u.y, v.y);
-        let slope = across / ahead - MARGIN * pixel;
+        let slope = across / ahead - PIXELS_AROUND * pixel;
         // A tangent that points backwards leaves the picture on its side; an eye within has none, nor what is no number.
         let is_slope = ahead.cmpgt(Vec4::ZERO) & slope.cmpeq(slope);
         Self(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))

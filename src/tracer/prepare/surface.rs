@@ -11,38 +11,69 @@ const MIN_HIGHLIGHT: f32 = 1e-4;
 /// More than any value of r.v.
 const NO_HIGHLIGHT: f32 = 2.0;
 
-/// An object's surface, with each parameter either one number or a [`PerLane`] of them. Lengths are in scene units.
-pub(crate) struct Surface<T> {
-    /// The centre of a sphere or a plane.
-    pub centre: [T; 3],
-    /// 1 / radius for a sphere, otherwise 0: then the normal is upright, or a block's.
-    pub inverse_radius: T,
-    /// 1 for surfaces on which lights shine, 0 for the lights' own spheres and the background.
-    pub is_lit: T,
-    /// The radiance that does not depend on lights: reflected ambient light, or the light's or the background's own colour.
-    pub emitted: [T; 3],
-    /// The colour times the diffuse coefficient.
-    pub diffuse: [T; 3],
-    /// The share of a lamp's light that highlights keep, per channel.
-    pub highlight: [T; 3],
-    /// The specular coefficient.
-    pub ks: T,
-    /// The exponent of the highlight.
-    pub exponent: T,
-    /// The smallest r.v with a visible highlight.
-    pub highlight_start: T,
-    /// The weight of the reflected ray.
-    pub kr: T,
-    /// See [`Material::fresnel`].
-    pub fresnel: T,
-    /// The weight of the transmitted ray.
-    pub kt: T,
-    /// The refractive index.
-    pub index: T,
+/// Declares the numbers of a surface, each once: a field with one name, or with three for the components of a vector.
+macro_rules! surface {
+    ($($(#[$doc:meta])* $field:ident [$($number:ident)*],)*) => {
+        /// An object's surface, with each parameter either one number or a [`PerLane`] of them. Lengths are in scene units.
+        pub(crate) struct Surface<T> {
+            $($(#[$doc])* pub $field: surface!(@type T $($number)*),)*
+        }
+
+        /// How many numbers a surface has.
+        pub(crate) const SURFACE_NUMBERS: usize = [$($(stringify!($number)),*),*].len();
+
+        impl<T> Surface<T> {
+            /// Gives a surface's numbers their names.
+            #[inline(always)]
+            pub fn from_numbers([$($($number),*),*]: [T; SURFACE_NUMBERS]) -> Self {
+                Self {
+                    $($field: surface!(@value $($number)*),)*
+                }
+            }
+
+            /// The numbers, in the same order.
+            fn into_numbers(self) -> [T; SURFACE_NUMBERS] {
+                let Self {
+                    $($field: surface!(@value $($number)*),)*
+                } = self;
+                [$($($number),*),*]
+            }
+        }
+    };
+    (@type $type:ident $number:ident) => { $type };
+    (@type $type:ident $x:ident $y:ident $z:ident) => { [$type; 3] };
+    (@value $number:ident) => { $number };
+    (@value $x:ident $y:ident $z:ident) => { [$x, $y, $z] };
 }
 
-/// How many numbers a surface has.
-pub(crate) const SURFACE_NUMBERS: usize = 21;
+surface! {
+    /// The centre of a sphere or a plane.
+    centre [centre_x centre_y centre_z],
+    /// 1 / radius for a sphere, otherwise 0: then the normal is upright, or a block's.
+    inverse_radius [inverse_radius],
+    /// 1 for surfaces on which lights shine, 0 for the lights' own spheres and the background.
+    is_lit [is_lit],
+    /// The radiance that does not depend on lights: reflected ambient light, or the light's or the background's own colour.
+    emitted [emitted_red emitted_green emitted_blue],
+    /// The colour times the diffuse coefficient.
+    diffuse [diffuse_red diffuse_green diffuse_blue],
+    /// The share of a lamp's light that highlights keep, per channel.
+    highlight [highlight_red highlight_green highlight_blue],
+    /// The specular coefficient.
+    ks [ks],
+    /// The exponent of the highlight.
+    exponent [exponent],
+    /// The smallest r.v with a visible highlight.
+    highlight_start [highlight_start],
+    /// The weight of the reflected ray.
+    kr [kr],
+    /// See [`Material::fresnel`].
+    fresnel [fresnel],
+    /// The weight of the transmitted ray.
+    kt [kt],
+    /// The refractive index.
+    index [index],
+}
 
 /// A surface's numbers, in the order of [`Surface::from_numbers`].
 pub(crate) type SurfaceNumbers = [f32; SURFACE_NUMBERS];
@@ -52,61 +83,6 @@ pub(crate) type PerLane = [f32; MAX_LANES];
 
 /// The numbers of the surfaces that the lanes of a packet hit, each for all lanes.
 pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
-
-impl<T> Surface<T> {
-    /// Gives a surface's numbers their names.
-    #[inline(always)]
-    #[rustfmt::skip]
-    pub fn from_numbers(numbers: [T; SURFACE_NUMBERS]) -> Self {
-        let [
-            centre_x, centre_y, centre_z, inverse_radius, is_lit,
-            emitted_red, emitted_green, emitted_blue, diffuse_red, diffuse_green, diffuse_blue,
-            highlight_red, highlight_green, highlight_blue,
-            ks, exponent, highlight_start, kr, fresnel, kt, index,
-        ] = numbers;
-        Self {
-            centre: [centre_x, centre_y, centre_z],
-            inverse_radius,
-            is_lit,
-            emitted: [emitted_red, emitted_green, emitted_blue],
-            diffuse: [diffuse_red, diffuse_green, diffuse_blue],
-            highlight: [highlight_red, highlight_green, highlight_blue],
-            ks,
-            exponent,
-            highlight_start,
-            kr,
-            fresnel,
-            kt,
-            index,
-        }
-    }
-
-    /// The numbers, in the same order.
-    #[rustfmt::skip]
-    fn into_numbers(self) -> [T; SURFACE_NUMBERS] {
-        let Self {
-            centre: [centre_x, centre_y, centre_z],
-            inverse_radius,
-            is_lit,
-            emitted: [emitted_red, emitted_green, emitted_blue],
-            diffuse: [diffuse_red, diffuse_green, diffuse_blue],
-            highlight: [highlight_red, highlight_green, highlight_blue],
-            ks,
-            exponent,
-            highlight_start,
-            kr,
-            fresnel,
-            kt,
-            index,
-        } = self;
-        [
-            centre_x, centre_y, centre_z, inverse_radius, is_lit,
-            emitted_red, emitted_green, emitted_blue, diffuse_red, diffuse_green, diffuse_blue,
-            highlight_red, highlight_green, highlight_blue,
-            ks, exponent, highlight_start, kr, fresnel, kt, index,
-        ]
-    }
-}
 
 /// More than any parameter of a valid scene, and so small that products of a few such numbers do not overflow.
 const LARGEST: f32 = 2e9;
@@ -185,13 +161,7 @@ fn root_below(x: f32, h: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{MIN_HIGHLIGHT, SURFACE_NUMBERS, Surface, root_below};
-
-    #[test]
-    fn numbers_keep_their_names() {
-        let numbers: [usize; SURFACE_NUMBERS] = core::array::from_fn(|i| i);
-        assert_eq!(Surface::from_numbers(numbers).into_numbers(), numbers);
-    }
+    use super::{MIN_HIGHLIGHT, root_below};
 
     #[test]
     fn roots_are_below_by_a_fifth_at_most() {

@@ -23,20 +23,20 @@
 //! A thing that is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
 //! more closely only where something can be seen.
 
+use super::Worker;
 use super::middles::STRETCH;
-use super::rough::{BLOCK, EDGE, Rough, RoughRow};
-use super::{Band, MAX_BANDS, TILE_HEIGHT, TILE_WIDTH, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
 use crate::observe::{Observer, Stage};
-use crate::prepare::{Prepared, rectangle};
-use crate::quality::Quality;
-use crate::trace::{BATCH, STEP, Sample, trace};
+use crate::picture::{BLOCK, Band, MAX_BANDS, Picture, RoughRow, TILE_HEIGHT, TILE_WIDTH};
+use crate::plan::Context;
+use crate::prepare::rectangle;
+use crate::trace::{BATCH, PARTS, STEP, Sample};
 use core::ops::Range;
-use fearless_simd::{Level, u8x32, u32x8};
+use fearless_simd::{u8x32, u32x8};
 
-/// Positions are counted in halves of a pixel.
-pub(super) const PARTS: usize = 2;
+/// The least difference of neighbours, in a channel and 255ths, that is an edge.
+pub(super) const EDGE: u8 = 20;
 
 /// Bits of a channel in a sum of points: enough for the four beside a pixel.
 const FIELD: usize = 21;
@@ -61,16 +61,14 @@ impl Seams {
         Self([[0; _]; MAX_BANDS])
     }
 
-    /// Takes in a frame that is drawn, of bands of so many rows, and `width` pixels wide, of whose columns so many are finished, one
-    /// at least.
-    pub fn set(
-        &mut self,
-        rows: usize,
-        width: usize,
-        finished: usize,
-        pixels: &[u32],
-        rough: &[Rough; MAX_BANDS],
-    ) {
+    /// Takes in a picture that is drawn, of whose columns so many are finished, one at least.
+    pub fn set(&mut self, picture: &Picture<'_>, finished: usize) {
+        let &Picture {
+            width,
+            ref pixels,
+            rows,
+            ref rough,
+        } = picture;
         // The last band has none below it.
         let ends = (rows * width..pixels.len()).step_by(rows * width);
         for (number, end) in ends.enumerate() {
@@ -85,24 +83,21 @@ impl Seams {
         }
     }
 
-    /// Smooths the edges of a band of the frame. The observer hears of the stages.
+    /// The second phase of a frame: smooths the edges of a band.
     pub fn smooth<O: Observer>(
         &self,
-        isa: Level,
-        scene: &Prepared,
-        quality: &Quality,
-        observer: O,
+        context: &Context<'_, O>,
         worker: &mut Worker,
         band: &mut Band<'_>,
     ) {
-        observer.stage(Stage::Edges);
-        let number = band.top / Band::rows(quality);
-        let is_last = band.top + band.height() == scene.height;
+        context.observer.stage(Stage::Edges);
+        let number = band.top / context.plan.band_rows();
+        let is_last = band.top + band.height() == context.plan.size[1];
         let borders = Borders {
             above: number.checked_sub(1).map(|above| &self.0[above]),
             below: (!is_last).then_some(&self.0[number]),
         };
-        mix(isa, scene, quality, observer, borders, worker, band);
+        mix(context, borders, worker, band);
     }
 }
 
@@ -215,16 +210,18 @@ pub(super) fn is_edge(a: u32, b: u32) -> bool {
 
 /// Traces the points between a band's pixels that differ, and mixes them.
 fn mix<O: Observer>(
-    isa: Level,
-    scene: &Prepared,
-    quality: &Quality,
-    observer: O,
+    context: &Context<'_, O>,
     borders: Borders<'_>,
     worker: &mut Worker,
     band: &mut Band<'_>,
 ) {
-    worker.batch.begin(PARTS);
-    let finished = scene.finished_columns();
+    worker.batch.begin();
+    let &Context {
+        plan,
+        world,
+        observer,
+    } = context;
+    let finished = plan.finished;
     let mut marks: Marks = [0; _];
     // For each row, whether the last pixel of the stretch before differs from the first of this one.
     let mut before = [0; TILE_HEIGHT];
@@ -241,10 +238,10 @@ fn mix<O: Observer>(
         // Points lie up to half a pixel outside.
         let (left, above) = (start.saturating_sub(1), top.saturating_sub(1));
         let rect = rectangle(left, above, start + STRETCH, top + height);
-        let seen = scene.visible_groups(scene.axes.rect(rect));
+        let seen = world.visible_groups(world.axes.rect(rect));
         let traced = |worker: &mut Worker| {
             observer.stage(Stage::Middles);
-            trace(isa, scene, quality, seen, &mut worker.batch);
+            context.trace(seen, &mut worker.batch);
             observer.stage(Stage::Edges);
             add_middles([start, top], height, worker);
         };
@@ -304,7 +301,7 @@ fn add_middles([left, top]: [usize; 2], height: usize, worker: &mut Worker) {
     let middles = &mut middles[..height];
     for i in 0..batch.points.len() {
         let (x, y) = batch.points.position(i);
-        let sample = spread(batch.results.sample(i).0);
+        let sample = spread(batch.results.sample(i));
         for [x, y] in [
             [x / PARTS, y / PARTS],
             [x.div_ceil(PARTS), y.div_ceil(PARTS)],

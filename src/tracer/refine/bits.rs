@@ -1,6 +1,6 @@
 //! A bit for each square, or for each point, of a row of a tile.
 
-use super::TILE_WIDTH;
+use crate::picture::TILE_WIDTH;
 use core::ops::{BitAnd, BitOr, BitOrAssign, Not};
 
 /// Words of a row: one bit for each pixel that a tile is wide.

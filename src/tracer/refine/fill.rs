@@ -51,11 +51,11 @@ impl Canvas<'_> {
         });
     }
 
-    /// Fills squares of `1 << LEVEL` pixels a side, or larger ones by parts of that size.
+    /// Fills squares of `1 << LOG` pixels a side, or larger ones by parts of that size.
     #[inline(always)]
-    fn fill_by<S: Simd, const LEVEL: u32>(&mut self, simd: S, run: &Run<'_>) {
+    fn fill_by<S: Simd, const LOG: u32>(&mut self, simd: S, run: &Run<'_>) {
         let log = run.side.ilog2();
-        let parts = if LEVEL < 3 { 1 } else { 1 << (log - LEVEL) };
+        let parts = if LOG < 3 { 1 } else { 1 << (log - LOG) };
         let mut aside = [0; MAX_PIXELS];
         run.filled.for_each(
             #[inline(always)]
@@ -69,18 +69,18 @@ impl Canvas<'_> {
                 for part in 0..parts * parts {
                     let [i, j] = [part % parts, part / parts];
                     let corners = part_corners(corners, [i, j], parts);
-                    let (x, y) = (x + (i << LEVEL), y + (j << LEVEL));
+                    let (x, y) = (x + (i << LOG), y + (j << LOG));
                     if x < self.width && y < self.height {
-                        self.fill_part::<S, LEVEL>(simd, x, y, corners, run.dither, &mut aside);
+                        self.fill_part::<S, LOG>(simd, x, y, corners, run.dither, &mut aside);
                     }
                 }
             },
         );
     }
 
-    /// Fills a square of `1 << LEVEL` pixels, as far as it is in the picture.
+    /// Fills a square of `1 << LOG` pixels, as far as it is in the picture.
     #[inline(always)]
-    fn fill_part<S: Simd, const LEVEL: u32>(
+    fn fill_part<S: Simd, const LOG: u32>(
         &mut self,
         simd: S,
         x: usize,
@@ -89,7 +89,7 @@ impl Canvas<'_> {
         dither: &Dither,
         aside: &mut [u32; MAX_PIXELS],
     ) {
-        let side = 1 << LEVEL;
+        let side = 1 << LOG;
         let start = y * self.width + x;
         let is_whole = x + side <= self.width && y + side <= self.height;
         let (pixels, width) = if is_whole {
@@ -98,12 +98,12 @@ impl Canvas<'_> {
             (&mut aside[..], side)
         };
         // Larger ones begin at multiples of four pixels.
-        let (column, first_row) = if LEVEL == 1 { (x % 4, y) } else { (0, 0) };
+        let (column, first_row) = if LOG == 1 { (x % 4, y) } else { (0, 0) };
         let thresholds = [0, 1, 2, 3].map(|row| {
             let row = &dither[(first_row + row) % 4];
             u64x4::from_slice(simd, &row[column..][..4]).bitcast()
         });
-        fill_square::<S, LEVEL>(simd, corners, &thresholds, pixels, width);
+        fill_square::<S, LOG>(simd, corners, &thresholds, pixels, width);
         if !is_whole {
             let rows = self.pixels[start..].chunks_mut(self.width);
             let width = side.min(self.width - x);
@@ -136,14 +136,14 @@ fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], parts: usize) -> [u64; 4]
 /// Pixels of the largest square that is filled at once.
 const MAX_PIXELS: usize = 64;
 
-/// Interpolates the corners' colours along both sides of a square of `1 << LEVEL` pixels, at the start of rows of so many, and
+/// Interpolates the corners' colours along both sides of a square of `1 << LOG` pixels, at the start of rows of so many, and
 /// rounds them by thresholds that repeat every four pixels along each side.
 ///
 /// All is added up without a carry out of 16 bits, so that differences of any size work. A step is off by half a 256th of an
 /// output step at most, so that the last pixel of a square of 8 is off by 7 of them,
 /// for which the thresholds leave room: they are 8 to 248.
 #[inline(always)]
-fn fill_square<S: Simd, const LEVEL: u32>(
+fn fill_square<S: Simd, const LOG: u32>(
     simd: S,
     corners: [u64; 4],
     thresholds: &[Four<S>; 4],
@@ -152,21 +152,21 @@ fn fill_square<S: Simd, const LEVEL: u32>(
 ) {
     let [a, b, c, d] = corners;
     let (a, b, c, d) = (four(simd, a), four(simd, b), four(simd, c), four(simd, d));
-    let (across, across_below) = (step::<S, LEVEL>(b, a), step::<S, LEVEL>(d, c));
+    let (across, across_below) = (step::<S, LOG>(b, a), step::<S, LOG>(d, c));
     let (upper, lower) = (a + a, c + c);
     let number = u16x16::simd_from(simd, [0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3]);
     let (mut first, lower) = (upper + across * number, lower + across_below * number);
-    let first_down = step::<S, LEVEL>(lower >> 1, first >> 1);
+    let first_down = step::<S, LOG>(lower >> 1, first >> 1);
     let (mut second, lower) = (first + across * 4, lower + across_below * 4);
-    let second_down = step::<S, LEVEL>(lower >> 1, second >> 1);
-    let side = 1 << LEVEL;
+    let second_down = step::<S, LOG>(lower >> 1, second >> 1);
+    let side = 1 << LOG;
     let pixels = &mut pixels[..(side - 1) * width + side];
     for y in 0..side {
         let threshold = thresholds[y % 4];
         let bytes: u8x32<S> = ((first + threshold) >> 8).relaxed_narrow((second + threshold) >> 8);
         let eight: u32x8<S> = bytes.bitcast();
         let row = &mut pixels[y * width..y * width + side];
-        if LEVEL == 3 {
+        if LOG == 3 {
             eight.store_slice(row);
         } else {
             let eight: [u32; 8] = eight.into();
@@ -183,14 +183,14 @@ fn four<S: Simd>(simd: S, sample: u64) -> Four<S> {
     u64x4::splat(simd, sample & Sample::COLOUR).bitcast()
 }
 
-/// The way from one number of 128ths to another in `2^LEVEL` steps, in 256ths, rounded.
+/// The way from one number of 128ths to another in `2^LOG` steps, in 256ths, rounded.
 #[inline(always)]
-fn step<S: Simd, const LEVEL: u32>(to: Four<S>, from: Four<S>) -> Four<S> {
+fn step<S: Simd, const LOG: u32>(to: Four<S>, from: Four<S>) -> Four<S> {
     let way: i16x16<S> = (to - from).bitcast();
     // Of two steps each is the way; else half is added to a quarter of the range of words at most.
-    if LEVEL == 1 {
+    if LOG == 1 {
         way.bitcast()
     } else {
-        (((way >> (LEVEL - 2)) + 1) >> 1).bitcast()
+        (((way >> (LOG - 2)) + 1) >> 1).bitcast()
     }
 }

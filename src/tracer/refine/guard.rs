@@ -8,13 +8,13 @@
 //! Which object a corner shows is known from tracing it. Whether it shows a shadow or an image on a plane is not, so there the
 //! outline tells: a corner that shows the plane and lies in the outline shows what has it, or what is in front of that.
 
-use super::TILE_HEIGHT;
 use super::area::Area;
 use super::bits::Bits;
 use super::pyramid::Pyramid;
 use crate::lanes::*;
+use crate::picture::TILE_HEIGHT;
 use crate::prepare::{
-    Highlight, MAX_HIGHLIGHTS, MAX_OUTLINES, ObjectId, Prepared, Rect, SeenOutline, rectangle,
+    Highlight, MAX_HIGHLIGHTS, MAX_OUTLINES, ObjectId, Rect, SeenOutline, World, rectangle,
 };
 use crate::scene::camera::pixels;
 use crate::trace::Sample;
@@ -28,7 +28,7 @@ pub(super) struct CoverageGuard {
 }
 
 /// The most that rounding moves the ends of a range, in pixels.
-const MARGIN: f32 = 0.02;
+const COLUMN_MARGIN: f32 = 0.02;
 
 /// All corners of a square.
 const ALL: u64 = 0b1111;
@@ -46,39 +46,36 @@ impl CoverageGuard {
     }
 
     /// Lists the outlines and the highlights that a tile, a rectangle of the picture, may show.
-    pub fn begin(&mut self, scene: &Prepared, area: &Area, rect: Rect) {
+    pub fn begin(&mut self, world: World<'_>, area: &Area, rect: Rect) {
         let pixels = rectangle(area.left, area.top, area.right, area.bottom);
         self.highlights = [0; _];
-        for (number, highlight) in scene.highlights().iter().enumerate() {
+        for (number, highlight) in world.highlights().iter().enumerate() {
             self.highlights[number / 64] |= u64::from(highlight.meets(pixels)) << (number % 64);
         }
         self.count = 0;
-        for (number, bounds) in scene.screen[..scene.outlined].iter().enumerate() {
+        for (number, bounds) in world.screen[..world.outlined].iter().enumerate() {
             // No branch, since it could not be predicted.
             self.outlines[self.count] = number as u16;
             self.count += usize::from(bounds.meets(rect));
         }
     }
 
-    /// Leaves only those of a level's squares in `open` that may show something which their corners do not, and keeps the
+    /// Leaves only those of a grid's squares in `open` that may show something which their corners do not, and keeps the
     /// outlines of all such things for the level below: what a square is cleared of, its parts are, too.
     pub fn look_at(
         &mut self,
-        scene: &Prepared,
-        area: &Area,
-        pyramid: &Pyramid,
-        level: usize,
+        grid: &Grid<'_>,
         squares: &[Bits; TILE_HEIGHT],
         open: &mut [Bits; TILE_HEIGHT],
     ) {
-        let rows = area.rows(level);
-        let grid = Grid::new(scene, area, pyramid, level);
+        let &Grid { world, level, .. } = grid;
+        let rows = grid.area.rows(level);
         let mut uncovered = [Bits::NONE; TILE_HEIGHT];
         let mut kept = 0;
         for i in 0..self.count {
             let number = self.outlines[i];
-            let outline = &scene.outline(number.into());
-            let object = scene.outlined_object(number.into());
+            let outline = &world.outline(number.into());
+            let object = world.outlined_object(number.into());
             let is_on_plane = object.index() != usize::from(number);
             let mut is_kept = false;
             for top in (0..rows).step_by(ROWS) {
@@ -116,7 +113,7 @@ impl CoverageGuard {
             let mut rest = word;
             while rest != 0 {
                 let number = 64 * i + rest.trailing_zeros() as usize;
-                grid.look_for(&scene.highlights()[number], squares, &mut uncovered);
+                grid.look_for(&world.highlights()[number], squares, &mut uncovered);
                 rest &= rest - 1;
             }
         }
@@ -125,8 +122,8 @@ impl CoverageGuard {
 }
 
 /// The squares of a level.
-struct Grid<'a> {
-    scene: &'a Prepared,
+pub(super) struct Grid<'a> {
+    world: World<'a>,
     area: &'a Area,
     pyramid: &'a Pyramid,
     level: usize,
@@ -137,10 +134,10 @@ struct Grid<'a> {
 }
 
 impl<'a> Grid<'a> {
-    fn new(scene: &'a Prepared, area: &'a Area, pyramid: &'a Pyramid, level: usize) -> Self {
+    pub fn new(world: World<'a>, area: &'a Area, pyramid: &'a Pyramid, level: usize) -> Self {
         let side = area.side(level);
         Self {
-            scene,
+            world,
             area,
             pyramid,
             level,
@@ -161,12 +158,12 @@ impl<'a> Grid<'a> {
         let Area { left, top: y, .. } = *self.area;
         let size = [self.columns * self.side, self.side];
         let rects = self
-            .scene
+            .world
             .axes
             .rects(simd, [left, y + top * self.side], size);
         let [from, to] = outline.narrow(rects);
-        let [first, last] = [(from, -MARGIN), (to, MARGIN)].map(|(u, margin)| {
-            let column = self.scene.axes.column::<Baseline>(u) - (pixels(left) - margin);
+        let [first, last] = [(from, -COLUMN_MARGIN), (to, COLUMN_MARGIN)].map(|(u, margin)| {
+            let column = self.world.axes.column::<Baseline>(u) - (pixels(left) - margin);
             let square = column / pixels(self.side);
             let square = square.max(splat(simd, 0.0));
             square
@@ -237,8 +234,8 @@ impl<'a> Grid<'a> {
             return false;
         }
         let front = ObjectId::new(front - 1);
-        self.scene.occludes(front, object)
-            || self.scene.may_part(front, object) && self.inside(x, y, outline) == ALL
+        self.world.occludes(front, object)
+            || self.world.may_part(front, object) && self.inside(x, y, outline) == ALL
     }
 
     /// A bit for each corner of the square (x, y) that is inside of an outline.
@@ -249,7 +246,7 @@ impl<'a> Grid<'a> {
         let simd = baseline();
         let x = F::<Baseline>::simd_from(simd, [left, right, left, right]);
         let y = F::<Baseline>::simd_from(simd, [top, top, bottom, bottom]);
-        let points = self.scene.axes.points::<Baseline>(x, y);
+        let points = self.world.axes.points::<Baseline>(x, y);
         outline.contains::<Baseline>(points).to_bitmask()
     }
 }

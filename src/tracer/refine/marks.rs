@@ -1,9 +1,8 @@
 //! Bits for the squares and points of a tile.
 
-use super::TILE_HEIGHT;
 use super::bits::Bits;
 use super::pyramid::LEVELS;
-use super::rough::BLOCK_ROWS;
+use crate::picture::{BLOCK_ROWS, TILE_HEIGHT};
 
 /// Points are traced cluster by cluster: rays of neighbours meet the same objects. A cluster is as many points wide.
 pub(super) const CLUSTER_WIDTH: usize = 4;

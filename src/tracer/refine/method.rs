@@ -3,9 +3,10 @@
 //! Points on the upper row of a band have a mark where this band traced them, which the band above may have done as well.
 //! Where every pixel is traced there is nothing to show.
 
-use super::TILE_WIDTH;
 use super::tile::Tile;
 use crate::observe::Observer;
+use crate::picture::TILE_WIDTH;
+use crate::plan::Context;
 
 /// A pixel on the upper or the left side of a filled square: the other sides are its neighbours'.
 const SIDE: u8 = 1;
@@ -18,11 +19,12 @@ const FRONT: usize = 3;
 impl<O: Observer> Tile<'_, O> {
     /// Draws the points and sides of a tile that is done, as bright as the scene wants them.
     pub(super) fn show_method(&mut self) {
-        let start = self.scene.finished_columns().max(self.area.left);
+        let Context { plan, world, .. } = self.context;
+        let start = plan.finished.max(self.area.left);
         if start >= self.area.right {
             return;
         }
-        let method = &self.scene.scene.method;
+        let method = &world.scene.method;
         let both = method.squares.max(method.points);
         let blends = [0.0, method.squares, method.points, both].map(|mark| {
             // What is left of the picture, in 256ths, and the white that is added to it; no more than full brightness together,
@@ -51,7 +53,7 @@ impl<O: Observer> Tile<'_, O> {
     /// The marks of a row of pixels.
     fn marks(&self, y: usize) -> [u8; TILE_WIDTH] {
         let mut row = [0; TILE_WIDTH];
-        for level in 0..=self.quality.top_level() {
+        for level in 0..=self.context.plan.quality.top_level() {
             let side = self.area.side(level);
             let is_upper = y.is_multiple_of(side);
             if level > 0 {

@@ -1,6 +1,6 @@
 //! The points between pixels that antialiasing traces, summed up by the pixels beside them.
 
-use super::TILE_HEIGHT;
+use crate::picture::TILE_HEIGHT;
 
 /// Pixels of a stretch of a band along x, whose rays meet the same groups: as many as a word has marks.
 pub(super) const STRETCH: usize = u64::BITS as usize;

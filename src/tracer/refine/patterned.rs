@@ -23,10 +23,11 @@ impl<O: Observer> Tile<'_, O> {
         let pyramid = &self.worker.pyramid;
         let indices = Pyramid::corner_indices(level, x, y);
         let corners = indices.map(|index| pyramid.layers(index));
+        let quality = &self.context.plan.quality;
         let tolerance = if agree {
-            self.quality.tolerance_agreeing
+            quality.tolerance_agreeing
         } else {
-            self.quality.tolerance_differing
+            quality.tolerance_differing
         };
         if span(&corners) > tolerance * self.growth(level) {
             return false;
@@ -61,7 +62,8 @@ impl<O: Observer> Tile<'_, O> {
         object: Option<ObjectId>,
     ) {
         let simd = baseline();
-        let film = &self.scene.film;
+        let world = self.context.world;
+        let film = &world.film;
         let side = self.area.side(level);
         let (left, top) = (self.area.left + x * side, y * side);
         let (right, bottom) = (
@@ -71,7 +73,7 @@ impl<O: Observer> Tile<'_, O> {
         let part = 1.0 / side as f32;
         let (mut first, mut step) = (a, (b - a) * part);
         let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
-        let pattern = object.map(|object| SeenPattern::new(self.scene, object));
+        let pattern = object.map(|object| SeenPattern::new(world, object));
         let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
         for y in top..bottom {
             let row = y * self.canvas.width;

@@ -1,15 +1,17 @@
 //! Which points a level needs, and where their samples come from: the level above, the mean of two points, or tracing.
 
-use super::TILE_WIDTH;
 use super::bits::{Bits, WORDS};
 use super::marks::{CLUSTER_HEIGHT, CLUSTER_WIDTH};
 use super::pyramid::Pyramid;
 use super::tile::Tile;
 use super::verdict::Limit;
 use super::worker::Worker;
+use crate::counts::Counts;
 use crate::observe::{Observer, Stage};
+use crate::picture::TILE_WIDTH;
+use crate::plan::Context;
 use crate::quality::Quality;
-use crate::trace::{BATCH, Counts, trace};
+use crate::trace::BATCH;
 use core::array;
 
 /// The bits of a row of a cluster.
@@ -18,11 +20,12 @@ const CLUSTER_MASK: u64 = (1 << CLUSTER_WIDTH) - 1;
 impl<O: Observer> Tile<'_, O> {
     /// Finds the points of a level: the corners of all its squares, or the squares themselves where they are pixels.
     pub(super) fn find_points(&mut self, level: usize, is_first: bool) {
-        self.observer.stage(Stage::Points);
+        let quality = &self.context.plan.quality;
+        self.context.observer.stage(Stage::Points);
         let squares = self.area.rows(level);
         let rows = squares + usize::from(level > 0);
         let parts = self.area.parts(level);
-        let limit = Limit::new(self.quality.tolerance_side * self.growth(level + 1));
+        let limit = Limit::new(quality.tolerance_side * self.growth(level + 1));
         let known_columns = Bits::multiples(parts);
         for y in 0..rows {
             let marks = &self.worker.marks;
@@ -35,7 +38,7 @@ impl<O: Observer> Tile<'_, O> {
                 };
                 self.take_over(level, y, points & known);
                 points = points & !known;
-                if parts == 2 && self.quality.tolerance_side > 0.0 {
+                if parts == 2 && quality.tolerance_side > 0.0 {
                     let open = &self.worker.marks.open[level];
                     let middles = points & !corners(open, level, y, squares);
                     points = points & !self.average(level, y, middles, limit);
@@ -91,14 +94,14 @@ impl<O: Observer> Tile<'_, O> {
             let i = cluster.trailing_zeros() as usize;
             let (x, y) = (i % CLUSTER_WIDTH, i / CLUSTER_WIDTH);
             targets[batch.points.len() % BATCH] = (start + y * stride + x) as u32;
-            batch.points.push(left + x * side, top + y * side);
+            batch.points.push_pixel(left + x * side, top + y * side);
             cluster &= cluster - 1;
         }
     }
 
     /// Copies points from the level above. Their indices there are these divided by the number of parts along a square's side.
     fn take_over(&mut self, level: usize, y: usize, points: Bits) {
-        let has_patterns = self.scene.has_patterns();
+        let has_patterns = self.context.world.has_patterns();
         let parts = Divisor::new(self.area.parts(level));
         let row = Pyramid::index(level + 1, 0, parts.divide(y));
         points.for_each(|x| {
@@ -151,48 +154,52 @@ impl<O: Observer> Tile<'_, O> {
     /// Traces the points in the batch, and stores their samples in a level.
     fn trace(&mut self, level: usize) {
         self.trace_batch();
-        self.observer.stage(Stage::Results);
+        let Context {
+            world, observer, ..
+        } = self.context;
+        observer.stage(Stage::Results);
         let Worker {
             batch,
             pyramid,
             targets,
             ..
         } = &mut *self.worker;
-        let has_patterns = self.scene.has_patterns();
+        let has_patterns = self.context.world.has_patterns();
         for (i, &target) in targets[..batch.points.len()].iter().enumerate() {
             let target = target as usize;
-            let (mut sample, key) = batch.results.sample(i);
+            let mut sample = batch.results.sample(i);
             if level == 0 {
-                let (x, y) = batch.points.position(i);
-                self.canvas.pixels[target] = sample.pixel(self.scene.film.threshold(x, y));
+                let (x, y) = batch.points.pixel(i);
+                self.canvas.pixels[target] = sample.pixel(world.film.threshold(x, y));
                 continue;
             }
-            let has_pattern = |id| self.scene.has_pattern(id);
-            if has_patterns && sample.object().is_some_and(has_pattern) {
+            let has_edges = |id| world.has_edges(id);
+            if has_patterns && sample.object().is_some_and(has_edges) {
                 sample = sample.patterned();
                 pyramid.put_layers(target, batch.results.layers(i));
             }
-            pyramid.put(target, sample, key);
+            pyramid.put(target, sample, batch.results.key(i));
         }
         self.end_batch();
-        self.observer.stage(Stage::Points);
+        self.context.observer.stage(Stage::Points);
     }
 
     /// Has the batch traced.
     pub(super) fn trace_batch(&mut self) {
+        let context = self.context;
         let batch = &mut self.worker.batch;
         if O::TIMES {
-            self.observer.stage(Stage::Primary);
+            context.observer.stage(Stage::Primary);
             let counts = batch.counts;
             let quality = Quality {
                 depth: 0,
-                ..*self.quality
+                ..context.plan.quality
             };
-            trace(self.isa, self.scene, &quality, self.seen, batch);
+            context.trace_by(&quality, self.seen, batch);
             batch.counts = counts;
         }
-        self.observer.stage(Stage::Tracing);
-        trace(self.isa, self.scene, self.quality, self.seen, batch);
+        context.observer.stage(Stage::Tracing);
+        context.trace(self.seen, batch);
     }
 
     /// Empties a batch whose results have been stored.
@@ -207,18 +214,18 @@ impl<O: Observer> Tile<'_, O> {
     /// as they were.
     fn tell_points(&mut self) {
         let batch = &mut self.worker.batch;
-        let mut positions = [(0, 0); BATCH];
+        let mut pixels = [(0, 0); BATCH];
         let count = batch.points.len();
-        for (i, position) in positions[..count].iter_mut().enumerate() {
-            *position = batch.points.position(i);
+        for (i, pixel) in pixels[..count].iter_mut().enumerate() {
+            *pixel = batch.points.pixel(i);
         }
         let counts = batch.counts;
-        for &(x, y) in &positions[..count] {
+        for &(x, y) in &pixels[..count] {
             batch.points.clear();
             batch.counts = Counts::NONE;
-            batch.points.push(x, y);
-            trace(self.isa, self.scene, self.quality, self.seen, batch);
-            self.observer.point(x, y, batch.counts);
+            batch.points.push_pixel(x, y);
+            self.context.trace(self.seen, batch);
+            self.context.observer.point(x, y, batch.counts);
         }
         batch.counts = counts;
     }

@@ -3,21 +3,14 @@
 //! An antialiased pixel takes its four neighbours as well, and the points between it and those that it differs from, with the same
 //! arithmetic as [`antialias`](super::antialias): so the probes of an exhaustive frame find no error at all.
 
-use super::antialias::{PARTS, is_edge, mixed, spread};
-use super::{Band, Worker};
-use crate::prepare::{GroupSet, Prepared, VisibleGroups};
+use super::Worker;
+use super::antialias::{is_edge, mixed, spread};
+use crate::counts::Counts;
+use crate::picture::{Band, Probing};
+use crate::plan::Context;
+use crate::prepare::{Film, GroupSet, VisibleGroups};
 use crate::quality::Quality;
-use crate::trace::{BATCH, Batch, Counts, trace};
-use fearless_simd::Level;
-
-/// Which pixels of a frame are probed.
-#[derive(Clone, Copy)]
-pub(crate) struct Probing {
-    /// How many, unless they fall on what an overlay hides.
-    pub count: u16,
-    /// Which ones.
-    pub seed: u32,
-}
+use crate::trace::{BATCH, Batch};
 
 /// Fractions of 2^32: the golden ratio, by which columns follow each other, and the two steps of R2, the sequence that fills a square
 /// as evenly as any is known to (Roberts 2018), by which seeds move all.
@@ -34,9 +27,6 @@ const SIDES: [[usize; 2]; 4] = [[BACK, 0], [1, 0], [0, BACK], [0, 1]];
 const POINTS: usize = 1 + 2 * SIDES.len();
 
 impl Probing {
-    /// No probes.
-    pub const NONE: Self = Self { count: 0, seed: 0 };
-
     /// The pixels of a picture of so many columns and rows that are probed, from the top: a lattice with one probe in each of as many
     /// layers, which a seed moves as a whole. Over all seeds each pixel is as likely as any other.
     fn places(self, [columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
@@ -53,17 +43,11 @@ impl Probing {
 }
 
 /// Compares a finished band with what it would be if every pixel were traced. The work is not counted.
-pub(crate) fn probe(
-    isa: Level,
-    scene: &Prepared,
-    quality: &Quality,
-    probing: Probing,
-    worker: &mut Worker,
-    band: &mut Band<'_>,
-) {
-    let size = [scene.finished_columns(), scene.height];
+pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut Band<'_>) {
+    let Context { plan, world, .. } = context;
+    let size = [plan.finished, plan.size[1]];
     // A picture that stays coarse is one on purpose.
-    if probing.count == 0 || size[0] == 0 || scene.scene.method.coarse >= 2.0 {
+    if plan.probing.count == 0 || size[0] == 0 || plan.coarse >= 2 {
         return;
     }
     // Probes are far from each other, so that hardly a group can be left out.
@@ -71,14 +55,21 @@ pub(crate) fn probe(
         directly: GroupSet::MAX,
         mirrored: GroupSet::MAX,
     };
-    let sides = if quality.antialias { &SIDES[..] } else { &[] };
+    let sides = if plan.quality.antialias {
+        &SIDES[..]
+    } else {
+        &[]
+    };
     // Where a pixel of the picture is in the band: beyond its end where it is in none of its rows, those above it wrapped around.
     let (top, width) = (band.top, band.width);
     let index = |[x, y]: [usize; 2]| y.wrapping_sub(top).wrapping_mul(width).wrapping_add(x);
     let count = band.pixels.len();
-    let mut places = probing.places(size).filter(|&place| index(place) < count);
+    let mut places = plan
+        .probing
+        .places(size)
+        .filter(|&place| index(place) < count);
     let batch = &mut worker.batch;
-    batch.begin(PARTS);
+    batch.begin();
     loop {
         for place in places.by_ref().take(BATCH / POINTS) {
             push(batch, size, place, sides);
@@ -87,12 +78,12 @@ pub(crate) fn probe(
             break;
         }
         // Antialiasing, which its reference shares with a quality, is no matter of tracing.
-        trace(isa, scene, &Quality::EXHAUSTIVE, all, batch);
+        context.trace_by(&Quality::EXHAUSTIVE, all, batch);
         let mut first = 0;
         while first < batch.points.len() {
-            let (x, y) = batch.points.position(first);
-            if let Some(&drawn) = band.pixels.get(index([x / PARTS, y / PARTS])) {
-                let traced = pixel(scene, batch, first, sides.len());
+            let (x, y) = batch.points.pixel(first);
+            if let Some(&drawn) = band.pixels.get(index([x, y])) {
+                let traced = pixel(&world.film, batch, first, sides.len());
                 band.counts.probes.compare(drawn, traced);
             }
             first += 1 + 2 * sides.len();
@@ -106,7 +97,7 @@ pub(crate) fn probe(
 #[inline(always)]
 fn push(batch: &mut Batch, size: [usize; 2], place: [usize; 2], sides: &[[usize; 2]]) {
     let [x, y] = place;
-    batch.points.push(PARTS * x, PARTS * y);
+    batch.points.push_pixel(x, y);
     for way in sides {
         // Beyond the picture's edge the pixel is its own neighbour, from which it does not differ.
         let beside = [0, 1].map(|i| {
@@ -114,26 +105,25 @@ fn push(batch: &mut Batch, size: [usize; 2], place: [usize; 2], sides: &[[usize;
             if beside < size[i] { beside } else { place[i] }
         });
         batch.points.push(x + beside[0], y + beside[1]);
-        batch.points.push(PARTS * beside[0], PARTS * beside[1]);
+        batch.points.push_pixel(beside[0], beside[1]);
     }
 }
 
 /// A pixel by its own point alone.
 #[inline(never)]
-fn own(scene: &Prepared, batch: &Batch, point: usize) -> u32 {
-    let (x, y) = batch.points.position(point);
-    let threshold = scene.film.threshold(x / PARTS, y / PARTS);
-    batch.results.sample(point).0.pixel(threshold)
+fn own(film: &Film, batch: &Batch, point: usize) -> u32 {
+    let (x, y) = batch.points.pixel(point);
+    batch.results.sample(point).pixel(film.threshold(x, y))
 }
 
 /// A pixel as an exhaustive frame has it, from its points in a traced batch, the first of which is given.
-fn pixel(scene: &Prepared, batch: &Batch, first: usize, sides: usize) -> u32 {
-    let pixel = own(scene, batch, first);
+fn pixel(film: &Film, batch: &Batch, first: usize, sides: usize) -> u32 {
+    let pixel = own(film, batch, first);
     let (mut sum, mut count, mut is_mixed) = (0, [0; SIDES.len()], false);
     for (side, count) in count.iter_mut().enumerate().take(sides) {
         let middle = first + 1 + 2 * side;
-        if is_edge(pixel, own(scene, batch, middle + 1)) {
-            sum += spread(batch.results.sample(middle).0);
+        if is_edge(pixel, own(film, batch, middle + 1)) {
+            sum += spread(batch.results.sample(middle));
             *count = 1;
             is_mixed = true;
         }

@@ -1,7 +1,7 @@
 //! Pyramid of a tile's points: a grid of them for each level.
 
-use super::{TILE_HEIGHT, TILE_WIDTH};
 use crate::lanes::MAX_LANES;
+use crate::picture::{TILE_HEIGHT, TILE_WIDTH};
 use crate::trace::{Layers, Sample};
 
 /// Levels of the pyramid. Level 0 has single pixels, and level `n` squares of at least `1 << n` pixels a side: where the largest

@@ -1,28 +1,25 @@
 //! Drawing a tile: level by level its points are traced, and its squares judged, then filled or split.
 
+use super::antialias::EDGE;
 use super::area::Area;
 use super::bits::Bits;
 use super::fill::{Canvas, Run};
+use super::guard::Grid;
 use super::marks::Marks;
-use super::rough::{BLOCK, BLOCK_ROWS, EDGE};
 use super::verdict::{Rules, Verdict, growth, judge};
 use super::worker::Worker;
 use crate::observe::{Fill, Observer, Split, Stage};
-use crate::prepare::{Prepared, Rect, VisibleGroups};
-use crate::quality::Quality;
+use crate::picture::{BLOCK, BLOCK_ROWS};
+use crate::plan::Context;
+use crate::prepare::{Rect, VisibleGroups};
 use crate::scene::camera::pixels;
 use crate::trace::Sample;
 use core::array;
 use core::ops::Range;
-use fearless_simd::Level;
 
 /// A tile that is being drawn.
 pub(super) struct Tile<'a, O: Observer> {
-    /// The instruction set.
-    pub isa: Level,
-    pub scene: &'a Prepared,
-    pub quality: &'a Quality,
-    pub observer: O,
+    pub context: &'a Context<'a, O>,
     pub area: Area,
     /// How much of it the largest squares leave open, from 0, some, to 1, nearly all.
     pub crowding: f32,
@@ -42,12 +39,17 @@ const CROWDED: Range<f32> = 0.7..0.9;
 impl<O: Observer> Tile<'_, O> {
     /// Draws the tile, from the largest squares down to pixels.
     pub fn draw(&mut self) {
-        let top = self.quality.top_level();
+        let Context {
+            plan,
+            world,
+            observer,
+        } = self.context;
+        let top = plan.quality.top_level();
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
-        let open = if self.quality.guarded {
-            self.observer.stage(Stage::Guard);
-            self.worker.guard.begin(self.scene, &self.area, self.rect);
+        let open = if plan.quality.guarded {
+            observer.stage(Stage::Guard);
+            self.worker.guard.begin(*world, &self.area, self.rect);
             Bits::first(columns)
         } else {
             Bits::NONE
@@ -90,11 +92,12 @@ impl<O: Observer> Tile<'_, O> {
     /// Between corners within a tolerance each pixel differs from the next by an eighth of it at most, and by 2 more for rounding
     /// and dither.
     pub fn rough(&self) -> Option<[u64; BLOCK_ROWS]> {
-        let quality = self.quality;
+        let plan = self.context.plan;
+        let quality = &plan.quality;
         let tolerance = quality.tolerance_agreeing.max(quality.tolerance_differing);
         let is_known = quality.square == BLOCK
             && tolerance / BLOCK as f32 + 2.0 < f32::from(EDGE)
-            && self.scene.scene.method.coarse < 1.0;
+            && plan.coarse == 0;
         let Marks {
             squares, smooth, ..
         } = &self.worker.marks;
@@ -104,8 +107,13 @@ impl<O: Observer> Tile<'_, O> {
 
     /// Has the guard look at a level's squares.
     fn look_for_uncovered(&mut self, level: usize) {
-        if self.quality.guarded {
-            self.observer.stage(Stage::Guard);
+        let Context {
+            plan,
+            world,
+            observer,
+        } = self.context;
+        if plan.quality.guarded {
+            observer.stage(Stage::Guard);
             let Worker {
                 guard,
                 marks,
@@ -113,17 +121,18 @@ impl<O: Observer> Tile<'_, O> {
                 ..
             } = &mut *self.worker;
             let open = &mut marks.open[level];
-            let squares = &marks.squares[level];
-            guard.look_at(self.scene, &self.area, pyramid, level, squares, open);
+            let grid = Grid::new(*world, &self.area, pyramid, level);
+            guard.look_at(&grid, &marks.squares[level], open);
         }
     }
 
     /// Judges a row of squares, and fills those that pass.
     fn fill_row(&mut self, level: usize, y: usize) {
-        self.observer.stage(Stage::Verdict);
+        let Context { plan, observer, .. } = self.context;
+        observer.stage(Stage::Verdict);
         let side = self.area.side(level);
         let marks = &mut self.worker.marks;
-        let is_coarse = self.scene.scene.method.coarse >= pixels(side);
+        let is_coarse = plan.coarse >= side;
         if is_coarse {
             marks.open[level][y] = Bits::NONE;
         }
@@ -137,9 +146,9 @@ impl<O: Observer> Tile<'_, O> {
         }
         let pyramid = &self.worker.pyramid;
         let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
-        let rules = Rules::new(self.quality, self.growth(level));
-        let mut verdict = judge(self.isa, rules, &squares, above, below);
-        self.observer.stage(Stage::Fill);
+        let rules = Rules::new(&plan.quality, self.growth(level));
+        let mut verdict = judge(plan.isa, rules, &squares, above, below);
+        observer.stage(Stage::Fill);
         if is_coarse {
             verdict = Verdict::coarse(squares);
         }
@@ -185,9 +194,9 @@ impl<O: Observer> Tile<'_, O> {
             below: pyramid.row(level, y + 1).samples,
             filled: verdict.filled,
             flat: verdict.flat,
-            dither: &self.scene.film.dither,
+            dither: &self.context.world.film.dither,
         };
-        self.canvas.fill(self.isa, &run);
+        self.canvas.fill(self.context.plan.isa, &run);
     }
 
     /// Fills those squares of a row whose corners all show one object with a pattern, if their light allows it, and returns
@@ -212,13 +221,13 @@ impl<O: Observer> Tile<'_, O> {
     /// Sets the pixel (x, y), in pixels of the canvas, to a sample's colour.
     #[inline(always)]
     pub fn put(&mut self, x: usize, y: usize, sample: Sample) {
-        let threshold = self.scene.film.threshold(x, self.area.top + y);
+        let threshold = self.context.world.film.threshold(x, self.area.top + y);
         self.canvas.put(x, y, sample.pixel(threshold));
     }
 
     /// Splits a row's squares that were not filled: marks those of their parts that are in the picture.
     fn split_row(&mut self, level: usize, y: usize) {
-        self.observer.stage(Stage::Split);
+        self.context.observer.stage(Stage::Split);
         let part = level - 1;
         let parts = self.area.parts(part);
         let (columns, rows) = (self.area.columns(part), self.area.rows(part));
@@ -243,7 +252,7 @@ impl<O: Observer> Tile<'_, O> {
         if O::LISTENS {
             let side = self.area.side(level);
             let [left, top] = [self.area.left, self.area.top + y * side];
-            squares.for_each(|x| self.observer.split(left + x * side, top, side, why));
+            squares.for_each(|x| self.context.observer.split(left + x * side, top, side, why));
         }
     }
 
@@ -251,6 +260,6 @@ impl<O: Observer> Tile<'_, O> {
     fn tell(&self, level: usize, x: usize, y: usize, fill: Fill) {
         let side = self.area.side(level);
         let (x, y) = (self.area.left + x * side, self.area.top + y * side);
-        self.observer.square(x, y, side, side, fill);
+        self.context.observer.square(x, y, side, side, fill);
     }
 }

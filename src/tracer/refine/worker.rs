@@ -4,7 +4,8 @@ use super::guard::CoverageGuard;
 use super::marks::Marks;
 use super::middles::{Middles, NO_MIDDLES};
 use super::pyramid::Pyramid;
-use crate::trace::{BATCH, Batch, Counts, WideKernel};
+use crate::counts::Counts;
+use crate::trace::{BATCH, Batch};
 
 /// The memory that one thread works in, of fixed size, and reused from tile to tile: at most 460,000 bytes, see [`Worker::BYTES`].
 ///
@@ -38,11 +39,6 @@ impl Worker {
                 middles: NO_MIDDLES,
             }
         }
-    }
-
-    /// Has the next points traced by a kernel for wide packets, if there is one.
-    pub(crate) fn widen(&mut self, kernel: Option<WideKernel>) {
-        self.batch.wide = kernel;
     }
 
     /// Takes the counts since this was last asked.

@@ -1,18 +1,17 @@
-//! Memory that the threads share while they render a frame, and the steps of one.
+//! Memory that the threads share while they render a frame, and the phases of one.
 
-use super::Frame;
 use super::schedule::Schedule;
 use super::threads::Threads;
+use crate::counts::Counts;
 use crate::observe::Observer;
+use crate::overlay::Overlay;
+use crate::picture::{Band, MAX_BANDS, Picture, Rough};
+use crate::plan::{Context, FramePlan};
 use crate::prepare::Prepared;
-use crate::quality::Quality;
 use crate::refine::antialias::Seams;
-use crate::refine::probe::{Probing, probe};
-use crate::refine::{self, Band, MAX_BANDS, Rough, Worker};
+use crate::refine::probe::probe;
+use crate::refine::{Worker, draw};
 use crate::scene::Scene;
-use crate::text;
-use crate::trace::{Counts, WideKernel};
-use fearless_simd::Level;
 
 /// The memory that the threads share while they render a frame, of fixed size: at most 850,000 bytes, see [`Memory::BYTES`].
 ///
@@ -25,8 +24,6 @@ pub struct Memory {
     /// Of drawing bands, and of smoothing their edges.
     drawing: Schedule,
     smoothing: Schedule,
-    pub(super) probing: Probing,
-    wide: Option<WideKernel>,
 }
 
 impl Memory {
@@ -44,103 +41,76 @@ impl Memory {
                 rough: [[[0; _]; _]; _],
                 drawing: Schedule::new(),
                 smoothing: Schedule::new(),
-                probing: Probing::NONE,
-                wide: None,
             }
         }
-    }
-
-    /// Has the next frames drawn with a kernel for wide packets, if there is one.
-    pub(super) fn widen(&mut self, kernel: Option<WideKernel>) {
-        self.wide = kernel;
-    }
-
-    pub(super) fn set_offset(&mut self, x: f32, y: f32) {
-        self.prepared.offset = glam::vec2(x, y);
     }
 
     /// Renders a frame that nobody observes. Compiled in this library, once.
     pub(super) fn render(
         &mut self,
-        level: Level,
+        plan: &FramePlan,
         scene: &Scene,
-        quality: &Quality,
-        frame: Frame<'_>,
+        pixels: &mut [u32],
         threads: &mut dyn Threads,
     ) -> Counts {
-        self.render_observed(level, scene, quality, frame, threads, ())
+        self.render_observed(plan, scene, pixels, threads, ())
     }
 
     /// Renders a frame with an observer.
     pub(super) fn render_observed<O: Observer>(
         &mut self,
-        level: Level,
+        plan: &FramePlan,
         scene: &Scene,
-        quality: &Quality,
-        frame: Frame<'_>,
-        threads: &mut dyn Threads,
-        observer: O,
-    ) -> Counts {
-        let is_valid = frame.validate().is_ok() && quality.is_drawable();
-        assert!(is_valid, "size or quality out of range");
-        let (width, height) = (frame.width, frame.height);
-        let quality = &scene.film.tightened(&scene.method.coarsened(quality));
-        let pixels = &mut frame.pixels[..width * height];
-        self.prepared.set(scene, width, height);
-        let prepared = &self.prepared;
-        let has_edges = quality.antialias && prepared.finished_columns() > 0;
-        let (probing, wide) = (self.probing, self.wide);
-        let job = |worker: &mut Worker, band: &mut Band<'_>| {
-            worker.widen(wide);
-            refine::render(level, prepared, quality, observer, worker, band);
-            band.counts = worker.take_counts();
-            if !has_edges {
-                probe(level, prepared, quality, probing, worker, band);
-            }
-        };
-        let rows = Band::rows(quality);
-        let counts = self
-            .drawing
-            .run(rows, width, pixels, &job, threads, &mut self.rough);
-        let counts = if has_edges {
-            counts + self.smooth(level, quality, width, pixels, threads, observer)
-        } else {
-            counts
-        };
-        if !scene.captions.is_empty() {
-            let numbers = [counts.points as usize, pixels.len()];
-            let job = |_: &mut Worker, band: &mut Band<'_>| {
-                text::draw(&scene.captions, 0.5, &numbers, height, band);
-            };
-            Schedule::new().run(rows, width, pixels, &job, threads, &mut self.rough);
-        }
-        counts
-    }
-
-    /// Smooths the edges of a frame that is drawn, one of whose columns is finished at least.
-    fn smooth<O: Observer>(
-        &mut self,
-        level: Level,
-        quality: &Quality,
-        width: usize,
         pixels: &mut [u32],
         threads: &mut dyn Threads,
         observer: O,
     ) -> Counts {
-        let finished = self.prepared.finished_columns();
-        self.seams
-            .set(Band::rows(quality), width, finished, pixels, &self.rough);
-        let (prepared, seams, probing) = (&self.prepared, &self.seams, self.probing);
-        let wide = self.wide;
-        let job = |worker: &mut Worker, band: &mut Band<'_>| {
-            worker.widen(wide);
-            seams.smooth(level, prepared, quality, observer, worker, band);
-            band.counts = worker.take_counts();
-            probe(level, prepared, quality, probing, worker, band);
+        let [width, height] = plan.size;
+        let context = &Context {
+            plan,
+            world: self.prepared.prepare(scene, plan.size, plan.offset),
+            observer,
         };
-        let rows = Band::rows(quality);
-        self.smoothing
-            .run(rows, width, pixels, &job, threads, &mut self.rough)
+        let picture = &mut Picture {
+            width,
+            pixels: &mut pixels[..width * height],
+            rows: plan.band_rows(),
+            rough: &mut self.rough,
+        };
+        let has_edges = plan.quality.antialias;
+        // Draw the bands.
+        let job = |worker: &mut Worker, band: &mut Band<'_>| {
+            draw(context, worker, band);
+            band.counts = worker.take_counts();
+            if !has_edges {
+                probe(context, worker, band);
+            }
+        };
+        let mut counts = self.drawing.run(picture, &job, threads);
+        // Smooth their edges, once all are drawn.
+        if has_edges {
+            self.seams.set(picture, plan.finished);
+            let seams = &self.seams;
+            let job = |worker: &mut Worker, band: &mut Band<'_>| {
+                seams.smooth(context, worker, band);
+                band.counts = worker.take_counts();
+                probe(context, worker, band);
+            };
+            counts += self.smoothing.run(picture, &job, threads);
+        }
+        // Draw what lies over them.
+        let overlay = Overlay {
+            copper_bars: &scene.copper_bars,
+            captions: &scene.captions,
+            numbers: &[counts.points as usize, width * height],
+            middle: 0.5,
+            height,
+        };
+        if !overlay.is_empty() {
+            let job = |_: &mut Worker, band: &mut Band<'_>| overlay.draw(band);
+            Schedule::new().run(picture, &job, threads);
+        }
+        counts
     }
 }
 

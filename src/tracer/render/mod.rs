@@ -13,55 +13,18 @@ pub use memory::Memory;
 pub use scoped::ScopedThreads;
 pub use threads::{Job, Threads};
 
+use crate::counts::Counts;
 use crate::observe::Observer;
+use crate::picture::Frame;
+use crate::plan::FramePlan;
 use crate::quality::Quality;
-use crate::refine::Band;
-use crate::refine::probe::Probing;
-use crate::scene::{Caption, Scene};
-use crate::text;
-use crate::trace::{Counts, trace_wide};
+use crate::scene::Scene;
+use crate::trace::{Kernel, trace_narrow, trace_wide};
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::borrow::BorrowMut;
 use fearless_simd::Level;
 
-/// Where a picture goes, and its size.
-#[non_exhaustive]
-pub struct Frame<'a> {
-    /// Pixels in a row, 1 to [`MAX_WIDTH`].
-    pub width: usize,
-    /// Rows, 1 to [`MAX_HEIGHT`].
-    pub height: usize,
-    /// `0x00RRGGBB`, row after row from the top, at least `width * height` of them. Those beyond stay as they are.
-    pub pixels: &'a mut [u32],
-}
-
-impl<'a> Frame<'a> {
-    /// A frame of so many pixels in a row, and so many rows, in these pixels. [`Renderer::render`] says whether they fit.
-    #[must_use]
-    pub const fn new(width: usize, height: usize, pixels: &'a mut [u32]) -> Self {
-        Self {
-            width,
-            height,
-            pixels,
-        }
-    }
-
-    /// Draws captions over a picture that is done, each from the left side of the picture on. In their letters a `#` stands for a
-    /// digit of the first of the numbers, a `$` for one of the second, a `%` for one of the third: the last such sign for
-    /// the last digit, and a space where a number has no more digits.
-    ///
-    /// # Panics
-    /// If the frame has fewer pixels than its size says.
-    pub fn write(&mut self, captions: &[Caption], numbers: [usize; 3]) {
-        let (width, height) = (self.width, self.height);
-        let mut band = Band {
-            width,
-            pixels: &mut self.pixels[..width * height],
-            ..Band::none()
-        };
-        text::draw(captions, 0.0, &numbers, height, &mut band);
-    }
-
+impl Frame<'_> {
     /// How many pixels the picture has.
     fn count(&self) -> usize {
         self.width * self.height
@@ -73,6 +36,7 @@ impl<'a> Frame<'a> {
             width,
             height,
             ref pixels,
+            ..
         } = *self;
         if !(1..=MAX_WIDTH).contains(&width) || !(1..=MAX_HEIGHT).contains(&height) {
             return Err(Error::Size { width, height });
@@ -104,7 +68,7 @@ impl<'a> Frame<'a> {
 ///
 /// # A frame tells its own error
 ///
-/// [`Renderer::set_probes`] has some pixels of each frame traced as [`Quality::reference`] would have them, and compared with what was
+/// [`Frame::with_probes`] has some pixels of a frame traced as [`Quality::reference`] would have them, and compared with what was
 /// drawn. Over some frames that tells how accurate they are, on this scene:
 ///
 /// ```
@@ -125,8 +89,7 @@ impl<'a> Frame<'a> {
 /// let mut probes = Probes::NONE;
 /// for number in 0..30 {
 ///     scene.camera.eye.x = number as f32 / 60.0;
-///     let frame = Frame::new(160, 120, &mut pixels);
-///     renderer.set_probes(Renderer::PROBES, number);
+///     let frame = Frame::new(160, 120, &mut pixels).with_probes(Renderer::PROBES, number);
 ///     probes += renderer.render(&scene, &Quality::DEFAULT, frame, &mut Worker::new())?.probes;
 /// }
 /// println!("{:.1} dB (±{:.1})", probes.psnr(), probes.margin());
@@ -136,10 +99,11 @@ impl<'a> Frame<'a> {
 ///
 /// # What a frame depends on
 ///
-/// Its frames depend on the scene, the quality, the size, the offset and the instruction set alone: the same bits by any
+/// Its pictures depend on the scene, the quality, the size, the offset and the instruction set alone: the same bits by any
 /// number of threads, whatever it has rendered before.
 pub struct Renderer<M = Memory> {
-    level: Level,
+    isa: Level,
+    kernel: Kernel,
     memory: M,
 }
 
@@ -168,42 +132,28 @@ impl Renderer {
 impl<M: BorrowMut<Memory>> Renderer<M> {
     /// A renderer by an instruction set, in memory that lies elsewhere.
     #[must_use]
-    pub fn with_memory(level: Level, mut memory: M) -> Self {
-        memory.borrow_mut().widen(Some(trace_wide));
-        Self { level, memory }
+    pub fn with_memory(level: Level, memory: M) -> Self {
+        Self {
+            isa: level,
+            kernel: trace_wide,
+            memory,
+        }
     }
 
     /// The same, which takes AVX2 where there is AVX-512: a program that makes no other renderer leaves that kernel, of 16 kB, out of
     /// its file.
     #[must_use]
-    pub fn narrow(level: Level, mut memory: M) -> Self {
-        memory.borrow_mut().widen(None);
-        Self { level, memory }
+    pub fn narrow(level: Level, memory: M) -> Self {
+        Self {
+            isa: level,
+            kernel: trace_narrow,
+            memory,
+        }
     }
 
     /// Has the next frames rendered by another instruction set.
     pub fn set_level(&mut self, level: Level) {
-        self.level = level;
-    }
-
-    /// Has the next frames take their samples `x` pixels to the right of the pixels' centres and `y` below them, within
-    /// -0.5 to 0.5. The mean of frames that cover a pixel evenly is a supersampled one.
-    pub fn set_offset(&mut self, x: f32, y: f32) {
-        self.memory.borrow_mut().set_offset(x, y);
-    }
-
-    /// Has so many pixels of each of the next frames probed, or none with 0, as at first: [`Counts::probes`] then says how far they
-    /// are off what they are if every pixel is traced. The pictures stay as they are.
-    ///
-    /// The seed says which pixels. Of all seeds each pixel is as likely as any other, and seeds that follow each other spread their
-    /// probes evenly, so that the number of the frame is a good one. Neither an overlay that explains the method nor what is
-    /// coarse on purpose is probed (see [`Method`](crate::scene::Method)): such a frame has no probes. Captions are drawn later.
-    ///
-    /// The estimate of the mean squared error has no bias. How certain it is, [`Probes::margin`](crate::Probes::margin) tells: few
-    /// pixels make most of the error, so that one frame's is as good as none; at 60 frames a second those of a second are
-    /// within one or two dB, and those of a minute within some tenths.
-    pub fn set_probes(&mut self, count: u16, seed: u32) {
-        self.memory.borrow_mut().probing = Probing { count, seed };
+        self.isa = level;
     }
 
     /// Renders one frame, and says how much work it was.
@@ -236,8 +186,9 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         observer: O,
     ) -> Result<Counts, Error> {
         validate(scene, quality, &frame)?;
+        let plan = self.plan(scene, quality, &frame);
         let memory = self.memory.borrow_mut();
-        Ok(memory.render_observed(self.level, scene, quality, frame, threads, observer))
+        Ok(memory.render_observed(&plan, scene, frame.pixels, threads, observer))
     }
 
     /// Renders one frame of what is known to be valid, as the intro's scenes are.
@@ -254,8 +205,16 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         frame: Frame<'_>,
         threads: &mut dyn Threads,
     ) -> Counts {
+        let plan = self.plan(scene, quality, &frame);
         let memory = self.memory.borrow_mut();
-        memory.render(self.level, scene, quality, frame, threads)
+        memory.render(&plan, scene, frame.pixels, threads)
+    }
+
+    /// The plan of a frame.
+    fn plan(&self, scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> FramePlan {
+        let is_valid = frame.validate().is_ok() && quality.is_drawable();
+        assert!(is_valid, "size or quality out of range");
+        FramePlan::new(self.isa, self.kernel, scene, quality, frame)
     }
 }
 

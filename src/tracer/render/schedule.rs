@@ -1,8 +1,8 @@
 //! The order in which threads take the bands of a frame.
 
 use super::threads::{Job, Threads};
-use crate::refine::{Band, MAX_BANDS, Rough};
-use crate::trace::Counts;
+use crate::counts::Counts;
+use crate::picture::{Band, MAX_BANDS, Picture};
 
 /// Has those bands drawn first that took the most rays in the frame before, which looked much the same. So what threads take last is
 /// short, and none has to wait long for another one.
@@ -19,27 +19,19 @@ impl Schedule {
         }
     }
 
-    /// Cuts a picture into bands of so many rows, and has the job done on each, with what is known of its roughness.
+    /// Has a job done on each band of a picture.
     pub fn run(
         &mut self,
-        rows: usize,
-        width: usize,
-        pixels: &mut [u32],
+        picture: &mut Picture<'_>,
         job: Job<'_>,
         threads: &mut dyn Threads,
-        rough: &mut [Rough; MAX_BANDS],
     ) -> Counts {
         let mut bands = [const { Band::none() }; MAX_BANDS];
-        let parts = pixels.chunks_mut(rows * width);
+        let rows = picture.rows;
+        let parts = picture.bands();
         let count = parts.len();
-        for (number, (pixels, rough)) in parts.zip(rough).enumerate() {
-            bands[self.rank(number, count)] = Band {
-                top: number * rows,
-                width,
-                pixels,
-                rough,
-                ..Band::none()
-            };
+        for (number, band) in parts.enumerate() {
+            bands[self.rank(number, count)] = band;
         }
         let bands = &mut bands[..count];
         threads.run(bands, job);
@@ -90,8 +82,13 @@ mod tests {
         let mut schedule = Schedule::new();
         for tops in [[32, 24, 16, 8, 0], [16, 32, 24, 0, 8]] {
             let (mut pixels, mut threads) = ([0; 38 * 2], Tops(Vec::new()));
-            let rough = &mut [[[0; _]; _]; MAX_BANDS];
-            let counts = schedule.run(8, 2, &mut pixels, &job, &mut threads, rough);
+            let mut picture = Picture {
+                width: 2,
+                pixels: &mut pixels,
+                rows: 8,
+                rough: &mut [[[0; _]; _]; _],
+            };
+            let counts = schedule.run(&mut picture, &job, &mut threads);
             assert_eq!(threads.0, tops);
             assert_eq!(counts.rays, 19);
             assert_eq!(pixels, [1; 38 * 2], "each band is drawn once");

@@ -1,7 +1,8 @@
 //! Threads of std's, which last for as long as bands are drawn.
 
 use super::threads::{Job, Threads};
-use crate::refine::{Band, Worker};
+use crate::picture::Band;
+use crate::refine::Worker;
 use std::iter::from_fn;
 use std::sync::{Mutex, PoisonError};
 use std::thread;

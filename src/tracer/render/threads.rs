@@ -1,6 +1,7 @@
 //! Who draws the bands of a frame.
 
-use crate::refine::{Band, Worker};
+use crate::picture::Band;
+use crate::refine::Worker;
 
 /// The work on each band of a frame, in a thread's working memory.
 pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
@@ -11,7 +12,7 @@ pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 /// workers, for every frame; a pool would start them once.
 pub trait Threads {
     /// Applies the job to each band once, each with any of the workers, in any order and side by side, and returns when all are
-    /// done. It is called once for a frame, then once if the quality is antialiased, and once if the scene has captions. Taken in the
+    /// done. It is called once for a frame, then once if the quality is antialiased, and once if the scene has captions or copper bars. Taken in the
     /// order given, as pools do, those that are expected to take longest come first.
     ///
     /// A band that is left out keeps the pixels that were there.

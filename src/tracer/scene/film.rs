@@ -1,7 +1,6 @@
 //! How light becomes the picture's colours.
 
 use super::validate::SHARE;
-use crate::quality::Quality;
 
 fields! {
     /// The treatment of the light that reaches the picture, before it is cut to 0 to 1.
@@ -18,7 +17,7 @@ fields! {
         /// pixels are rounded alike. The threshold of a pixel depends on its place alone; pixels on edges, which are antialiased, keep
         /// that of the picture before.
         dither: f32 = 0.0, in SHARE;
-        /// The share of a [`Quality`]'s tolerances within which squares are filled, 0 to 1. In the dark the eye sees steps that it
+        /// The share of a [`Quality`](crate::Quality)'s tolerances within which squares are filled, 0 to 1. In the dark the eye sees steps that it
         /// does not see in a bright picture; less than 1 is for scenes with dim edges that matter.
         tolerance: f32 = 1.0, in SHARE;
     }
@@ -27,14 +26,4 @@ fields! {
 impl Film {
     /// Light as it is, cut at 1.
     pub const PLAIN: Self = Self::STANDARD;
-
-    /// A quality with its tolerances for this film.
-    pub(crate) fn tightened(&self, quality: &Quality) -> Quality {
-        Quality {
-            tolerance_agreeing: quality.tolerance_agreeing * self.tolerance,
-            tolerance_differing: quality.tolerance_differing * self.tolerance,
-            tolerance_side: quality.tolerance_side * self.tolerance,
-            ..*quality
-        }
-    }
 }

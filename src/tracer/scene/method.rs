@@ -2,7 +2,6 @@
 
 use super::fields::Range;
 use super::validate::SHARE;
-use crate::quality::Quality;
 
 fields! {
     /// How brightly a frame shows the points that were traced, the squares that were filled, and the picture itself, 0 to 1 each;
@@ -15,7 +14,8 @@ fields! {
         /// Brightness of the picture itself; 1 leaves it as it is.
         picture: f32 = 1.0, in SHARE;
         /// The side in pixels up to which squares are filled with one colour, whatever their corners show: 0 to
-        /// [`Quality::MAX_SQUARE`]; below 2 there are none.
+        /// [`Quality::MAX_SQUARE`](crate::Quality::MAX_SQUARE); below 2 there are none. The largest squares are as large as these, and a
+        /// coarse picture is not antialiased.
         coarse: f32 = 0.0, in SIDE;
         /// How far a front has come over the picture from the left, as a share of its width, 0 to 1. Behind it the picture is finished:
         /// at full brightness and antialiased, without marks. The front itself is a bright line.
@@ -23,22 +23,10 @@ fields! {
     }
 }
 
-/// The sides of squares, up to [`Quality::MAX_SQUARE`].
+/// The sides of squares, up to [`Quality::MAX_SQUARE`](crate::Quality::MAX_SQUARE).
 const SIDE: Range = Range::new(0.0, 32.0, "0 to 32");
 
 impl Method {
     /// The picture without an overlay.
     pub const PLAIN: Self = Self::STANDARD;
-
-    /// A quality whose largest squares are as large as the coarse ones. A coarse picture is not antialiased: its squares have edges.
-    pub(crate) fn coarsened(&self, quality: &Quality) -> Quality {
-        let mut quality = *quality;
-        if self.coarse >= 2.0 {
-            quality.antialias = false;
-            quality.square = quality
-                .square
-                .max(1 << (self.coarse as usize).min(Quality::MAX_SQUARE).ilog2());
-        }
-        quality
-    }
 }

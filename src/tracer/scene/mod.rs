@@ -1,4 +1,5 @@
-//! The scene description: a camera, spheres, planes, boxes and cylinders with their materials, lights and captions.
+//! The scene description: a camera, spheres, planes, boxes, cylinders and capsules with their materials, lights, captions and copper
+//! bars.
 //!
 //! Coordinates are right-handed with y up. Lengths are in scene units, angles in radians, colours in linear RGB with 1 as the
 //! brightest that is shown. [`Scene::validate`] checks that every number is in the range that its documentation gives.
@@ -8,21 +9,21 @@ pub(crate) mod fields;
 
 mod block;
 pub(crate) mod camera;
-mod caption;
 mod film;
 mod list;
 mod method;
+mod overlay;
 mod pattern;
 mod validate;
 mod waves;
 
 pub use block::Block;
 pub use camera::Camera;
-pub use caption::Caption;
 pub use fields::{Field, Fields, Items, Range, Value, numbers};
 pub use film::Film;
 pub use list::{List, TooMany};
 pub use method::Method;
+pub use overlay::{Caption, CopperBar};
 pub use pattern::Pattern;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
@@ -35,19 +36,21 @@ use validate::{COLOUR, COSINE, EXTENT, LENGTH, POINT, SHARE, SHARES, THOUSAND, U
 pub const MAX_SPHERES: usize = 320;
 /// The most planes in a scene.
 pub const MAX_PLANES: usize = 8;
-/// The most boxes and cylinders in a scene.
+/// The most blocks in a scene: boxes, cylinders and capsules.
 pub const MAX_BLOCKS: usize = 64;
-/// The most solids in a scene: spheres, boxes and cylinders.
+/// The most solids in a scene: spheres and blocks.
 pub(crate) const MAX_SOLIDS: usize = MAX_SPHERES + MAX_BLOCKS;
 /// The most lights in a scene.
 pub const MAX_LIGHTS: usize = 4;
 
 /// The most captions in a scene. The show has up to 3 at a time.
 pub const MAX_CAPTIONS: usize = 10;
+/// The most copper bars in a scene. The show has 2 at a time.
+pub const MAX_COPPER_BARS: usize = 16;
 /// The most letters in a caption. The longest in the show has 32.
 pub const MAX_LETTERS: usize = 32;
 
-const FADE: Range = Range::new(-10.0, 1.0, "-10 to 1");
+const EXPOSURE: Range = Range::new(0.0, 11.0, "0 to 11");
 const EXPONENT: Range = Range::new(1.0, 1000.0, "1 to 1000");
 const INDEX: Range = Range::new(0.1, 10.0, "0.1 to 10");
 /// Those of an extent, or 0.
@@ -70,8 +73,8 @@ fields! {
         /// The density of the haze, in 1 / scene units, 0 to 1000; 0 is clear air. Over a distance t a surface's light fades to the
         /// share `1 / (1 + (haze t)^2)`, and the background makes up for the rest.
         haze: f32 = 0.0, in THOUSAND;
-        /// How far the picture is faded to black, -10 to 1: 0 leaves it as it is, 1 is black, negative values brighten it.
-        fade: f32 = 0.0, in FADE;
+        /// The factor on all light of the picture, 0 to 11: 0 is black, 1 leaves it as it is, more brightens it.
+        exposure: f32 = 1.0, in EXPOSURE;
         /// How light becomes the picture's colours.
         film: Film = Film::PLAIN;
         /// Ambient light, which reaches every surface equally.
@@ -84,12 +87,14 @@ fields! {
         planes: List<Plane, MAX_PLANES> = Part::ZERO;
         /// The waves on the first plane.
         water: Waves = Waves::CALM;
-        /// Boxes and cylinders.
+        /// Boxes, cylinders and capsules.
         blocks: List<Block, MAX_BLOCKS> = Part::ZERO;
         /// Lights.
         lights: List<Light, MAX_LIGHTS> = Part::ZERO;
         /// Text over the picture.
         captions: List<Caption, MAX_CAPTIONS> = Part::ZERO;
+        /// Bars over the picture, behind its text.
+        copper_bars: List<CopperBar, MAX_COPPER_BARS> = Part::ZERO;
     }
 }
 
@@ -103,7 +108,7 @@ impl Scene {
         zenith.to_array().into_iter().all(|c| COLOUR.holds(c))
     }
 
-    /// The number of spheres, boxes and cylinders.
+    /// The number of spheres and blocks.
     pub(crate) fn solids(&self) -> usize {
         self.spheres.len() + self.blocks.len()
     }
@@ -189,6 +194,8 @@ pub enum Shape {
     Box,
     /// A cylinder about the block's own y axis.
     Cylinder,
+    /// A cylinder about the block's own y axis, with a half sphere at each end.
+    Capsule,
 }
 
 fields! {

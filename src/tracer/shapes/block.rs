@@ -1,8 +1,8 @@
-//! What the shapes of a block, box and cylinder, share: the coordinates along its own axes, in which each answers for itself.
+//! What the shapes of a block, box, cylinder and capsule, share: the coordinates along its own axes, in which each answers for itself.
 //! Other coordinates are the scene's.
 
 use super::sphere::Chord;
-use super::{Mirror, TexturePoint, cuboid, cylinder};
+use super::{Mirror, TexturePoint, capsule, cuboid, cylinder};
 use crate::lanes::*;
 use crate::scene::{Block, Shape};
 use glam::{BVec3A, Mat3A, Vec3A, Vec3Swizzles};
@@ -32,11 +32,32 @@ pub(crate) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S
     let span = match block.shape {
         Shape::Box => cuboid::span(simd, block.half, &o, &d),
         Shape::Cylinder => cylinder::span(simd, block.half, &o, &d),
+        Shape::Capsule => capsule::span(simd, block.half, &o, &d),
     };
     let zero = splat(simd, 0.0);
     let t = span.near.simd_gt(zero).select(span.near, span.far);
     let is_met = span.is_met & span.near.simd_le(span.far) & t.simd_gt(zero);
     is_met.select(t, splat(simd, f32::INFINITY))
+}
+
+/// The parts of points, in a block's own coordinates, along the axes towards the faces they are on, and how far out they are towards
+/// these, if faces are at 1. `outward` tells how far out points are along each axis, if faces are at -1 and 1.
+#[inline(always)]
+fn outermost<S: Isa>(
+    simd: S,
+    half: Vec3A,
+    own: &Vec3x<S>,
+    outward: impl FnOnce(Vec3x<S>) -> Vec3x<S>,
+) -> (Vec3x<S>, F<S>) {
+    let Vec3x { x, y, z } = outward(*own * Vec3x::splat(simd, half.recip()));
+    let farthest = at_least::<S>(at_least::<S>(x, y), z);
+    let zero = splat(simd, 0.0);
+    let face = Vec3x {
+        x: x.simd_ge(farthest).select(own.x, zero),
+        y: y.simd_ge(farthest).select(own.y, zero),
+        z: z.simd_ge(farthest).select(own.z, zero),
+    };
+    (face, farthest)
 }
 
 /// Points on the surface of a block, one per ray.
@@ -52,18 +73,10 @@ impl<S: Isa> BlockHit<S> {
     #[inline(always)]
     pub fn near(simd: S, block: &Block, out: Vec3x<S>) -> Self {
         let own = along(simd, &block.axes, &out);
-        // The coordinates relative to the faces, which are at -1 and 1.
-        let faces = own * Vec3x::splat(simd, block.half.recip());
-        let Vec3x { x, y, z } = match block.shape {
-            Shape::Box => cuboid::outward(faces),
-            Shape::Cylinder => cylinder::outward(faces),
-        };
-        let farthest = at_least::<S>(at_least::<S>(x, y), z);
-        let zero = splat(simd, 0.0);
-        let face: Vec3x<S> = Vec3x {
-            x: x.simd_ge(farthest).select(own.x, zero),
-            y: y.simd_ge(farthest).select(own.y, zero),
-            z: z.simd_ge(farthest).select(own.z, zero),
+        let (face, farthest) = match block.shape {
+            Shape::Box => outermost(simd, block.half, &own, cuboid::outward),
+            Shape::Cylinder => outermost(simd, block.half, &own, cylinder::outward),
+            Shape::Capsule => capsule::outward(simd, block.half, &own),
         };
         let length = face.dot(face).sqrt();
         let inverse = splat::<S>(simd, 1.0) / length;
@@ -96,7 +109,7 @@ pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
     } else {
         let radius2 = match block.shape {
             Shape::Box => cuboid::radius2(half2),
-            Shape::Cylinder => cylinder::radius2(half2),
+            Shape::Cylinder | Shape::Capsule => cylinder::radius2(half2),
         };
         (block.axes.y_axis, radius2)
     }
@@ -161,8 +174,10 @@ impl Silhouette {
         let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
         match self.shape {
             Shape::Box => {}
-            // Across its axis it counts as the box around it.
-            Shape::Cylinder => [x.y, y.y] = cylinder::touched(a.y, b.y, half.x, way),
+            // Across its axis it counts as the box around it, and a capsule as the cylinder.
+            Shape::Cylinder | Shape::Capsule => {
+                [x.y, y.y] = cylinder::touched(a.y, b.y, half.x, way)
+            }
         }
         [x, y]
     }
@@ -174,5 +189,6 @@ pub(crate) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, mut add: impl FnMu
     match block.shape {
         Shape::Box => cuboid::mirrors(block, eye, lamp, &mut add),
         Shape::Cylinder => cylinder::mirrors(block, eye, lamp, &mut add),
+        Shape::Capsule => capsule::mirrors(block, eye, lamp, &mut add),
     }
 }

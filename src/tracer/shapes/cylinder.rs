@@ -10,6 +10,12 @@ use glam::Vec3A;
 /// The parts of lines inside: between both ends, and in the round.
 #[inline(always)]
 pub(super) fn span<S: Isa>(simd: S, half: Vec3A, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
+    Span::slab(simd, o.y, d.y, half.y).and(endless(simd, half.x, o, d))
+}
+
+/// The parts of lines inside, if it has no ends.
+#[inline(always)]
+pub(super) fn endless<S: Isa>(simd: S, radius: f32, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     let zero = splat(simd, 0.0);
     let a: F<S> = d.x * d.x + d.z * d.z;
     let b: F<S> = d.x * o.x + d.z * o.z;
@@ -18,13 +24,13 @@ pub(super) fn span<S: Isa>(simd: S, half: Vec3A, o: &Vec3x<S>, d: &Vec3x<S>) -> 
     let x: F<S> = o.x + d.x * middle;
     let z: F<S> = o.z + d.z * middle;
     let off2: F<S> = x * x + z * z;
-    let chord2 = -off2 + half.x * half.x;
+    let chord2 = -off2 + radius * radius;
     let chord = (at_least::<S>(chord2, zero) / a).sqrt();
-    Span::slab(simd, o.y, d.y, half.y).and(Span {
+    Span {
         near: middle - chord,
         far: middle + chord,
         is_met: chord2.simd_ge(zero),
-    })
+    }
 }
 
 /// How far out points are towards the faces along each axis, if these are at -1 and 1: towards the round one along both x and z.

@@ -21,6 +21,7 @@ impl Mirror {
     ///
     /// Across the axis the normal halves the angle between the directions to the eye and the lamp. Unrolled, the way from the one
     /// to the other is straight, which tells the height.
+    #[inline(never)]
     pub(super) fn round(eye: Vec3A, lamp: Vec3A, axis: Vec3A, radius: f32) -> Self {
         let heights = [eye, lamp].map(|point| point.dot(axis));
         let [eye, lamp] = [eye - axis * heights[0], lamp - axis * heights[1]];

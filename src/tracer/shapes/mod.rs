@@ -5,13 +5,15 @@
 //! | --- | --- |
 //! | a sphere | `sphere` |
 //! | a plane: a horizontal rectangle | `plane` |
-//! | a block: a box or a cylinder with any orientation | `block`, which has what these share: the coordinates along a block's own axes, in which it asks the two below |
+//! | a block: a box, a cylinder or a capsule with any orientation | `block`, which has what these share: the coordinates along a block's own axes, in which it asks the three below |
 //! | a box, whose word Rust reserves | `cuboid` |
 //! | a cylinder | `cylinder` |
+//! | a capsule: a cylinder with a half sphere at each end | `capsule` |
 //!
 //! Functions of the same name answer the same question. Kernels are generic over lanes, as `lanes` says.
 
 pub(crate) mod block;
+mod capsule;
 mod cuboid;
 mod cylinder;
 mod mirror;

@@ -39,12 +39,17 @@ impl Accumulator {
         }
     }
 
-    /// The sample and the key of traced point number `i`.
+    /// The sample of traced point number `i`.
     #[inline(always)]
-    pub fn sample(&self, i: usize) -> (Sample, u32) {
+    pub fn sample(&self, i: usize) -> Sample {
         let i = i % BATCH;
-        let sample = Sample(self.samples[i]).showing(self.objects[i]);
-        (sample, self.sums[i][KEY] as u32)
+        Sample(self.samples[i]).showing(self.objects[i])
+    }
+
+    /// The key of traced point number `i`.
+    #[inline(always)]
+    pub fn key(&self, i: usize) -> u32 {
+        self.sums[i % BATCH][KEY] as u32
     }
 
     /// The layers of traced point number `i`, if it shows an object with a pattern.

@@ -4,7 +4,7 @@
 use super::rays::Rays;
 use super::surface::SurfaceLanes;
 use crate::lanes::*;
-use crate::prepare::{Air, Prepared};
+use crate::prepare::{Air, World};
 use glam::Vec3A;
 
 /// The density of haze added everywhere, in 1 / scene units. It is dense enough to hide everything at the distance that stands
@@ -24,15 +24,15 @@ impl<S: Isa> AirLanes<S> {
     #[inline(always)]
     pub fn along(
         simd: S,
-        scene: &Prepared,
+        world: World<'_>,
         d: &Vec3x<S>,
         t: F<S>,
         surface: &SurfaceLanes<'_, S>,
     ) -> Option<Self> {
         let Air {
             horizon, sky, haze, ..
-        } = scene.air;
-        if scene.air.is_clear {
+        } = world.air;
+        if world.air.is_clear {
             return None;
         }
         let rise = at_least::<S>(d.y, splat(simd, 0.0));
@@ -63,10 +63,10 @@ const FARTHEST: f32 = 1e15;
 /// that passes the lamp at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))`, where
 /// `q = h^2 + a^2`: of an endless ray, `a^2 / q`.
 #[inline(always)]
-pub(super) fn glow<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>, t: F<S>) -> Vec3x<S> {
+pub(super) fn glow<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>, t: F<S>) -> Vec3x<S> {
     let t = at_most::<S>(t, splat(simd, FARTHEST));
     let mut light = Vec3x::splat(simd, Vec3A::ZERO);
-    for lamp in scene.lamps() {
+    for lamp in world.lamps() {
         if lamp.glow2 > 0.0 {
             let to_lamp = Vec3x::splat(simd, lamp.position) - rays.o;
             let x = -to_lamp.dot(rays.d);

@@ -1,13 +1,13 @@
 //! A batch: what a thread needs to trace some points together.
 
-use super::WideKernel;
 use super::accumulator::Accumulator;
+use super::blockers::Blockers;
 use super::candidates::Candidates;
-use super::casters::Casters;
-use super::counts::Counts;
 use super::queue::Queue;
 use super::stack::RayStack;
 use super::surface::SurfaceRows;
+use crate::counts::Counts;
+use crate::prepare::Film;
 
 /// Points to trace and what came of them. It is filled, traced, read and cleared again and again.
 pub(crate) struct Batch {
@@ -19,14 +19,12 @@ pub(crate) struct Batch {
     pub counts: Counts,
     /// The secondary rays that wait to be traced.
     pub(super) stack: RayStack,
-    /// Solids that may be on the way of the packet at work to a lamp.
-    pub(super) casters: Casters,
-    /// Objects that the packet at work may meet beyond spheres and planes, or on its way to a lamp, by an exact test.
-    pub(super) candidates: Candidates,
+    /// Boxes and cylinders that the packet at work may meet, by an exact test.
+    pub(super) blocks: Candidates,
+    /// What may be on the way of the packet at work to a lamp.
+    pub(super) blockers: Blockers,
     /// The surfaces of the packet at work.
     pub(super) surfaces: SurfaceRows,
-    /// The kernel for wide packets, if there is one.
-    pub wide: Option<WideKernel>,
 }
 
 impl Batch {
@@ -37,17 +35,21 @@ impl Batch {
             results: Accumulator::new(),
             counts: Counts::NONE,
             stack: RayStack::new(),
-            candidates: Candidates::NONE,
-            casters: Casters::NONE,
+            blocks: Candidates::NONE,
+            blockers: Blockers::NONE,
             surfaces: SurfaceRows::NONE,
-            wide: None,
         }
     }
 
-    /// Begins a part of a picture: forgets the surfaces of other frames. Points are counted in so many parts of a pixel.
+    /// Begins a part of a picture: forgets the surfaces of other frames.
     #[inline(never)]
-    pub fn begin(&mut self, parts: usize) {
+    pub fn begin(&mut self) {
         self.surfaces.clear();
-        self.points.count_in_parts(parts);
+    }
+
+    /// Turns the sums of the points into samples. This takes a thousandth of the time, so one instruction set is enough.
+    #[inline(never)]
+    pub(super) fn finish(&mut self, film: &Film) {
+        self.results.finish(film, &self.points);
     }
 }

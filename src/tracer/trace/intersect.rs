@@ -3,12 +3,12 @@
 use super::candidates::Candidates;
 use super::rays::Rays;
 use crate::lanes::*;
-use crate::prepare::{GroupSet, Object, ObjectId, Prepared};
+use crate::prepare::{GroupSet, Object, ObjectId, World};
 use crate::shapes::sphere::Chord;
 use crate::shapes::{block, plane};
 
 /// The distance that stands for no hit.
-const FARTHEST: f32 = 1e30;
+const NO_HIT: f32 = 1e30;
 
 /// The nearest hit of each ray.
 #[derive(Clone, Copy)]
@@ -28,26 +28,26 @@ impl<S: Isa> Hit<S> {
     }
 }
 
-/// The nearest hits among all planes and the spheres of some groups. Boxes and cylinders that may be hit become candidates.
+/// The nearest hits among all planes and the spheres of some groups. Boxes and cylinders that may be hit are listed.
 #[inline(always)]
 pub(crate) fn nearest<S: Isa>(
     simd: S,
-    scene: &Prepared,
+    world: World<'_>,
     rays: &Rays<S>,
     groups: GroupSet,
-    candidates: &mut Candidates,
+    blocks: &mut Candidates,
 ) -> Hit<S> {
-    candidates.clear();
+    blocks.clear();
     let mut hit = Hit {
-        t: splat(simd, FARTHEST),
-        object: U::<S>::splat(simd, ObjectId::new(scene.background()).lane()),
+        t: splat(simd, NO_HIT),
+        object: U::<S>::splat(simd, ObjectId::new(world.background()).lane()),
     };
-    for (i, rectangle) in scene.planes().iter().enumerate() {
+    for (i, rectangle) in world.planes().iter().enumerate() {
         let (m, t) = plane::hit(simd, rectangle, rays.o, rays.d, hit.t);
-        hit.keep_nearer(m, t, ObjectId::new(scene.first_plane() + i));
+        hit.keep_nearer(m, t, ObjectId::new(world.first_plane() + i));
     }
-    let nodes = scene.tree.nodes();
-    let mut i = scene.tree.start(groups);
+    let nodes = world.tree.nodes();
+    let mut i = world.tree.start(groups);
     while let Some(node) = nodes.get(i) {
         let mut is_met = node.groups & groups != 0;
         if is_met {
@@ -60,7 +60,7 @@ pub(crate) fn nearest<S: Isa>(
                     let cylinder = (node.axis, node.thin2);
                     let near = near & !block::is_off(&chord, rays.d, cylinder, node.radius, hit.t);
                     if near.any_true() {
-                        candidates.push::<S>(node.object, near);
+                        blocks.push::<S>(node.object, near);
                     }
                 } else {
                     let (m, t) = chord.entry(near, node.r2, node.hit_error, node.r2_error, hit.t);
@@ -73,17 +73,17 @@ pub(crate) fn nearest<S: Isa>(
     hit
 }
 
-/// Intersects rays with the boxes and cylinders among their candidates, and keeps hits that are nearer.
+/// Intersects rays with the boxes and cylinders that they may hit, and keeps hits that are nearer.
 #[inline(always)]
 pub(super) fn resolve_blocks<S: Isa>(
     simd: S,
-    scene: &Prepared,
+    world: World<'_>,
     rays: &Rays<S>,
-    candidates: &Candidates,
+    blocks: &Candidates,
     hit: &mut Hit<S>,
 ) {
-    for &candidate in candidates.as_slice() {
-        if let Object::Block(block) = scene.object(candidate.object).0 {
+    for &candidate in blocks.as_slice() {
+        if let Object::Block(block) = world.object(candidate.object).0 {
             let t = block::distance(simd, block, &rays.o, &rays.d);
             let is_nearer = t.simd_lt(hit.t) & candidate.lanes(simd);
             hit.keep_nearer(is_nearer, t, candidate.object);

@@ -1,13 +1,12 @@
 //! Direct light by Phong's model: what surfaces reflect of the light that arrives.
 
-use super::candidates::Candidates;
-use super::casters::Casters;
-use super::counts::Counts;
+use super::Tracer;
+use super::blockers::Blockers;
 use super::key::Keys;
 use super::point::ShadingPoint;
 use super::surface::SurfaceLanes;
-use super::tracer::Tracer;
 use super::visibility::{ArrivingLight, Visibility};
+use crate::counts::Counts;
 use crate::lanes::*;
 use glam::Vec3A;
 
@@ -26,12 +25,13 @@ pub(super) fn gather<S: Isa>(
     surface: &SurfaceLanes<'_, S>,
     point: &ShadingPoint<S>,
     keys: &mut Keys<S>,
-    casters: &mut Casters,
-    candidates: &mut Candidates,
+    blockers: &mut Blockers,
     counts: &mut Counts,
 ) -> Reflected<S> {
-    let Tracer { simd, scene, .. } = tracer;
-    let visibility = Visibility::new(simd, scene, surface, point);
+    let Tracer {
+        isa: simd, world, ..
+    } = tracer;
+    let visibility = Visibility::new(simd, world, surface, point);
     let mut phong = Phong {
         tracer,
         surface,
@@ -40,8 +40,8 @@ pub(super) fn gather<S: Isa>(
         specular: Vec3x::splat(simd, Vec3A::ZERO),
     };
     let none = M::<S>::splat(simd, false);
-    for lamp in scene.lamps() {
-        match visibility.light_of(lamp, casters, candidates, counts) {
+    for lamp in world.lamps() {
+        match visibility.light_of(lamp, blockers, counts) {
             Some(light) => {
                 let highlight = phong.add(&light);
                 keys.push(light.lit, highlight);
@@ -69,7 +69,9 @@ impl<S: Isa> Phong<'_, S> {
     /// Adds a lamp's light. Returns the points where its highlight is strong enough to count in the key.
     #[inline(always)]
     fn add(&mut self, light: &ArrivingLight<S>) -> M<S> {
-        let Tracer { simd, quality, .. } = self.tracer;
+        let Tracer {
+            isa: simd, quality, ..
+        } = self.tracer;
         let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
         let &ArrivingLight { l, nl, lit, colour } = light;
         self.diffuse = self.diffuse.add_scaled(colour, lit.select(nl, zero));
@@ -94,7 +96,7 @@ impl<S: Isa> Phong<'_, S> {
             anisotropy,
             ..
         } = self.point;
-        let simd = self.tracer.simd;
+        let simd = self.tracer.isa;
         let rv = r.dot(*l);
         if !anisotropy.simd_gt(splat(simd, 0.0)).any_true() {
             return rv;

@@ -21,10 +21,9 @@
 mod accumulator;
 mod air;
 mod batch;
+mod blockers;
 mod candidates;
-mod casters;
 mod contribution;
-mod counts;
 mod intersect;
 mod key;
 mod layers;
@@ -41,80 +40,64 @@ mod surface;
 #[cfg(test)]
 mod tests;
 mod texture;
-mod tracer;
 mod transmittance;
 mod visibility;
 mod waves;
 
 pub(crate) use batch::Batch;
-pub use counts::{Counts, Probes};
 pub(crate) use layers::Layers;
-pub(crate) use queue::BATCH;
+pub(crate) use queue::{BATCH, PARTS};
 pub(crate) use sample::{STEP, Sample};
 pub(crate) use texture::SeenPattern;
 
 use crate::lanes::*;
-use crate::prepare::{Prepared, VisibleGroups};
+use crate::prepare::{VisibleGroups, World};
 use crate::quality::Quality;
 use fearless_simd::Level;
-use tracer::Tracer;
 
-/// Traces a batch's points with all their rays by an instruction set; the primary rays and their reflections meet none
-/// but the groups `seen`.
-pub(crate) fn trace(
-    level: Level,
-    scene: &Prepared,
-    quality: &Quality,
-    seen: VisibleGroups,
-    batch: &mut Batch,
-) {
-    let is_traced = batch
-        .wide
-        .is_some_and(|wide| wide(level, scene, quality, seen, batch));
-    if !is_traced {
-        if let Some(simd) = avx2(level) {
-            trace_by(simd, scene, quality, seen, batch);
-        } else {
-            trace_by(baseline(), scene, quality, seen, batch);
-        }
-    }
-    // This takes a thousandth of the time, so one instruction set is enough.
-    batch.results.finish(&scene.film, &batch.points);
+/// How points are traced.
+#[derive(Clone, Copy)]
+pub(crate) struct Tracer<'a, I> {
+    /// The instruction set: a level of those that the processor has, or the one that a kernel is compiled for.
+    pub isa: I,
+    pub world: World<'a>,
+    pub quality: &'a Quality,
 }
 
-/// A kernel for wider packets than AVX2 has; says whether the level has such. Only a program that refers to one has it in its file.
-pub(crate) type WideKernel = fn(Level, &Prepared, &Quality, VisibleGroups, &mut Batch) -> bool;
+/// Traces a batch's points with all their rays; the primary rays and their reflections meet none but the groups `seen`.
+pub(crate) type Kernel = fn(&Tracer<'_, Level>, VisibleGroups, &mut Batch);
 
-/// Traces a batch's points by AVX-512, if the level has that.
-pub(crate) fn trace_wide(
-    level: Level,
-    scene: &Prepared,
-    quality: &Quality,
-    seen: VisibleGroups,
-    batch: &mut Batch,
-) -> bool {
-    let Some(simd) = avx512(level) else {
-        return false;
-    };
-    trace_by(simd, scene, quality, seen, batch);
-    true
+/// The kernel for AVX-512 where the level has that, and for AVX2 and less. Only a program that refers to it has it in its file.
+pub(crate) fn trace_wide(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch: &mut Batch) {
+    match avx512(tracer.isa) {
+        Some(isa) => trace_by(isa, tracer, seen, batch),
+        None => trace_narrow(tracer, seen, batch),
+    }
+}
+
+/// The kernel for AVX2 and less.
+pub(crate) fn trace_narrow(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch: &mut Batch) {
+    match avx2(tracer.isa) {
+        Some(isa) => trace_by(isa, tracer, seen, batch),
+        None => trace_by(baseline(), tracer, seen, batch),
+    }
 }
 
 #[inline(always)]
 fn trace_by<S: Isa>(
-    simd: S,
-    scene: &Prepared,
-    quality: &Quality,
+    isa: S,
+    &Tracer { world, quality, .. }: &Tracer<'_, Level>,
     seen: VisibleGroups,
     batch: &mut Batch,
 ) {
     let tracer = Tracer {
-        simd,
-        scene,
+        isa,
+        world,
         quality,
     };
-    simd.vectorize(
+    isa.vectorize(
         #[inline(always)]
         || packets::trace_packets(tracer, seen, batch),
     );
+    batch.finish(&world.film);
 }

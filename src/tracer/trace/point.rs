@@ -4,7 +4,7 @@ use super::intersect::Hit;
 use super::rays::Rays;
 use super::surface::{SurfaceLanes, object_at};
 use crate::lanes::*;
-use crate::prepare::{Object, Prepared};
+use crate::prepare::{Object, World};
 use crate::shapes::block::{self, BlockHit};
 use crate::shapes::{plane, sphere};
 use glam::Mat3A;
@@ -40,18 +40,18 @@ impl<S: Isa> ShadingPoint<S> {
     #[inline(always)]
     pub fn new(
         simd: S,
-        scene: &Prepared,
+        world: World<'_>,
         rays: &Rays<S>,
         hit: &Hit<S>,
         surface: &SurfaceLanes<'_, S>,
         solid: M<S>,
     ) -> Self {
         let mut point = Self::on_sphere_or_plane(simd, rays, hit.t, surface, solid);
-        if scene.has_details() {
-            point.add_detail(simd, scene, rays, hit);
+        if world.has_details() {
+            point.add_detail(simd, world, rays, hit);
         }
-        if !scene.scene.water.are_calm() {
-            point.ripple(simd, scene, rays, hit);
+        if !world.scene.water.are_calm() {
+            point.ripple(simd, world, rays, hit);
         }
         point.face(simd, rays);
         point
@@ -98,12 +98,12 @@ impl<S: Isa> ShadingPoint<S> {
 
     /// Computes the points on boxes and cylinders, and the textures, one object at a time.
     #[inline(always)]
-    fn add_detail(&mut self, simd: S, scene: &Prepared, rays: &Rays<S>, hit: &Hit<S>) {
+    fn add_detail(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
         let Rays { o, d, .. } = rays;
         let mut rest = self.solid.to_bitmask();
         while rest != 0 {
             let (id, same) = object_at(simd, hit.object, &mut rest);
-            let (object, material) = scene.object(id);
+            let (object, material) = world.object(id);
             let texture_point = match object {
                 Object::Block(block) => {
                     let centre = Vec3x::splat(simd, block.centre);
@@ -143,7 +143,7 @@ impl<S: Isa> ShadingPoint<S> {
             }
             let pattern = &material.pattern;
             if pattern.depth > 0.0 {
-                let left = texture_point.reflectance(simd, scene, pattern, d, hit.t);
+                let left = texture_point.reflectance(simd, world, pattern, d, hit.t);
                 self.reflectance = same.select(left, self.reflectance);
             }
         }

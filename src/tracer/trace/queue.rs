@@ -1,20 +1,24 @@
-//! The queue of the points that are traced together. Coordinates are pixels of the picture, or parts of them.
+//! The queue of the points that are traced together.
 
 use super::rays::{Rays, primary_directions};
 use crate::lanes::*;
-use crate::prepare::Prepared;
+use crate::prepare::World;
 use core::ops::Range;
 use fearless_simd::{f32x4, i32x4, u32x4};
 
 /// The most points that are traced together: their sums take 16 kB, which stay in the nearest cache.
 pub(crate) const BATCH: usize = 1024;
 
+/// Positions are counted in so many parts of a pixel along each axis: those of the widest picture fit 16 bits.
+pub(crate) const PARTS: usize = 2;
+
+/// One of these, in pixels.
+const PART: f32 = 1.0 / PARTS as f32;
+
 /// Points to trace, in the order in which they were added.
 pub(crate) struct Queue {
-    /// Where the points are: `y << 16 | x`, in [`Queue::unit`]s.
+    /// Where the points are in the picture: `y << 16 | x`, in [`PARTS`] of a pixel.
     positions: [u32; BATCH],
-    /// The unit of positions, as a share of a pixel; 0 before it is set.
-    unit: f32,
     len: usize,
 }
 
@@ -23,7 +27,6 @@ impl Queue {
     pub const fn new() -> Self {
         Self {
             positions: [0; BATCH],
-            unit: 0.0,
             len: 0,
         }
     }
@@ -34,12 +37,13 @@ impl Queue {
         self.len
     }
 
-    /// From now on positions are counted in so many parts of a pixel: in halves, those of the widest picture fit 16 bits.
-    pub(super) fn count_in_parts(&mut self, parts: usize) {
-        self.unit = 1.0 / parts as f32;
+    /// Adds the point of the pixel (x, y); the queue must not be full.
+    #[inline(always)]
+    pub fn push_pixel(&mut self, x: usize, y: usize) {
+        self.push(PARTS * x, PARTS * y);
     }
 
-    /// Adds the point at (x, y), in pixels or parts of them; the queue must not be full.
+    /// Adds the point at (x, y), in [`PARTS`] of a pixel; the queue must not be full.
     #[inline(always)]
     pub fn push(&mut self, x: usize, y: usize) {
         self.positions[self.len % BATCH] = (y << 16 | x) as u32;
@@ -52,7 +56,14 @@ impl Queue {
         self.len = 0;
     }
 
-    /// The position of point number `i`, x and y.
+    /// The pixel of point number `i`, x and y.
+    #[inline(always)]
+    pub fn pixel(&self, i: usize) -> (usize, usize) {
+        let (x, y) = self.position(i);
+        (x / PARTS, y / PARTS)
+    }
+
+    /// The position of point number `i`, x and y, in [`PARTS`] of a pixel.
     #[inline(always)]
     pub fn position(&self, i: usize) -> (usize, usize) {
         let position = self.positions[i % BATCH] as usize;
@@ -65,21 +76,21 @@ impl Queue {
         let start = start % BATCH / 4 * 4;
         let positions = u32x4::from_slice(simd, &self.positions[start..start + 4]);
         [positions & 0xffff, positions >> 16]
-            .map(|c| c.bitcast::<i32x4<S>>().to_float::<f32x4<S>>() * self.unit)
+            .map(|c| c.bitcast::<i32x4<S>>().to_float::<f32x4<S>>() * PART)
     }
 
     /// The primary rays of a packet of points from number `start`, a multiple of the number of lanes. Lanes beyond the last point
     /// have rays of an earlier batch, whose results nobody reads.
     #[inline(always)]
-    pub(super) fn primary_rays<S: Isa>(&self, simd: S, scene: &Prepared, start: usize) -> Rays<S> {
+    pub(super) fn primary_rays<S: Isa>(&self, simd: S, world: World<'_>, start: usize) -> Rays<S> {
         let positions = U::<S>::from_slice(simd, &self.positions[packet::<S>(start)]);
         let x: I<S> = (positions & 0xffff).bitcast();
         let y: I<S> = (positions >> 16).bitcast();
         let (x, y): (F<S>, F<S>) = (x.to_float(), y.to_float());
         Rays {
-            o: Vec3x::splat(simd, scene.eye),
-            d: primary_directions(simd, scene, x * self.unit, y * self.unit),
-            weight: splat(simd, scene.weight),
+            o: Vec3x::splat(simd, world.eye),
+            d: primary_directions(simd, world, x * PART, y * PART),
+            weight: splat(simd, world.weight),
             slot_path: Rays::slot_paths(simd, start),
         }
     }

@@ -1,7 +1,7 @@
 //! Packets of rays. Coordinates are the scene's, unless they are those of pixels.
 
 use crate::lanes::*;
-use crate::prepare::Prepared;
+use crate::prepare::World;
 use crate::quality::Quality;
 
 /// A packet of rays, one per lane, in scene coordinates.
@@ -68,15 +68,15 @@ impl<S: Isa> Rays<S> {
 
 /// The directions in which the eye sees points of the picture, of length 1.
 #[inline(always)]
-pub(super) fn primary_directions<S: Isa>(simd: S, scene: &Prepared, x: F<S>, y: F<S>) -> Vec3x<S> {
-    let d = to_picture(simd, scene, x, y);
+pub(super) fn primary_directions<S: Isa>(simd: S, world: World<'_>, x: F<S>, y: F<S>) -> Vec3x<S> {
+    let d = to_picture(simd, world, x, y);
     d.scaled(splat(simd, 1.0) / d.dot(d).sqrt())
 }
 
 /// The ways from the eye to points of the picture, which is at distance 1.
 #[inline(always)]
-pub(super) fn to_picture<S: Isa>(simd: S, scene: &Prepared, x: F<S>, y: F<S>) -> Vec3x<S> {
-    let raster = &scene.raster;
+pub(super) fn to_picture<S: Isa>(simd: S, world: World<'_>, x: F<S>, y: F<S>) -> Vec3x<S> {
+    let raster = &world.raster;
     Vec3x::splat(simd, raster.corner)
         .add_scaled(Vec3x::splat(simd, raster.dx), x)
         .add_scaled(Vec3x::splat(simd, raster.dy), y)

@@ -1,5 +1,6 @@
 //! Shading: the contribution of a hit to its point, and the secondary rays.
 
+use super::Tracer;
 use super::air::{self, AirLanes};
 use super::batch::Batch;
 use super::contribution::Contribution;
@@ -10,7 +11,6 @@ use super::point::ShadingPoint;
 use super::rays::Rays;
 use super::stack::RayStack;
 use super::surface::SurfaceLanes;
-use super::tracer::Tracer;
 use crate::lanes::*;
 
 /// Shades the hits, puts the secondary rays on the stack and returns what the hits add to their points.
@@ -23,21 +23,20 @@ pub(super) fn shade<S: Isa>(
     batch: &mut Batch,
 ) -> Contribution<S> {
     let Tracer {
-        simd,
-        scene,
+        isa: simd,
+        world,
         quality,
     } = tracer;
     let Batch {
         surfaces,
         stack,
         counts,
-        candidates,
-        casters,
+        blockers,
         ..
     } = batch;
-    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, surfaces);
+    let surface = SurfaceLanes::look_up(simd, world, hit.object, active, surfaces);
     let solid = active & surface.is_lit();
-    let air = AirLanes::along(simd, scene, &rays.d, hit.t, &surface);
+    let air = AirLanes::along(simd, world, &rays.d, hit.t, &surface);
     // What the light that leaves the surface is multiplied by on its way to the eye.
     let weight = match &air {
         Some(air) => rays.weight * air.transmittance,
@@ -48,22 +47,20 @@ pub(super) fn shade<S: Isa>(
     let mut reflectance = splat(simd, 1.0);
     let mut keys = Keys::new(simd, quality, active, rays);
     if solid.any_true() {
-        let point = &ShadingPoint::new(simd, scene, rays, hit, &surface, solid);
-        let reflected = light::gather(
-            tracer, &surface, point, &mut keys, casters, candidates, counts,
-        );
+        let point = &ShadingPoint::new(simd, world, rays, hit, &surface, solid);
+        let reflected = light::gather(tracer, &surface, point, &mut keys, blockers, counts);
         untextured = reflected.untextured;
         reflectance = point.reflectance;
         colour = reflected.specular.add_scaled(untextured, reflectance);
         let parents = Rays { weight, ..*rays };
-        let marks = rays.mirror_marks(simd, hit.object, scene.first_plane());
+        let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
         scatter(tracer, &parents, &surface, point, marks, stack);
     }
     if let Some(air) = &air {
         colour = air.veil(colour);
     }
-    if scene.air.glows {
-        colour = colour + air::glow(simd, scene, rays, hit.t);
+    if world.air.glows {
+        colour = colour + air::glow(simd, world, rays, hit.t);
     }
     Contribution {
         colour: colour.scaled(active.select(rays.weight, splat(simd, 0.0))),
@@ -84,7 +81,9 @@ fn scatter<S: Isa>(
     marks: U<S>,
     stack: &mut RayStack,
 ) {
-    let Tracer { simd, quality, .. } = tracer;
+    let Tracer {
+        isa: simd, quality, ..
+    } = tracer;
     let zero = splat(simd, 0.0);
     let one = splat(simd, 1.0);
     let least = splat(simd, quality.least_contribution);

@@ -1,9 +1,8 @@
 //! Shadow rays: which of them something blocks. Coordinates are the scene's.
 
-use super::candidates::Candidates;
-use super::casters::Casters;
+use super::blockers::Blockers;
 use crate::lanes::*;
-use crate::prepare::{Lamp, Prepared, ShadowCone};
+use crate::prepare::{Lamp, ShadowCone, World};
 use crate::shapes::plane;
 
 /// Rays from points towards a lamp.
@@ -17,52 +16,54 @@ pub(super) struct ShadowRays<S: Isa> {
     pub distance: F<S>,
 }
 
-impl<S: Isa> ShadowRays<S> {
-    /// Which rays are blocked. If the lamp is not [plain](Lamp::is_plain), only planes block, and solids that may be in the way
-    /// become candidates.
+impl Blockers {
+    /// Finds what is between points and a lamp. Returns the rays that are blocked; if the lamp is not [plain](Lamp::is_plain), only
+    /// planes block, and solids that may hide some of it are listed.
     ///
     /// A bound's shadow cone contains those of all solids below it, so skipping it loses nothing. Below a lowest bound that is met,
     /// all solids are tested, without a branch that could be predicted wrongly.
     #[inline(always)]
-    pub fn blocked(
-        &self,
+    pub fn find<S: Isa>(
+        &mut self,
         simd: S,
-        scene: &Prepared,
+        world: World<'_>,
         lamp: &Lamp,
-        casters: &mut Casters,
-        candidates: &mut Candidates,
+        rays: &ShadowRays<S>,
     ) -> M<S> {
+        let Self { casters, solids } = self;
         let mut blocked = M::<S>::splat(simd, false);
-        let cones = &lamp.shadow_cones[..scene.tree.solid_nodes().len()];
+        let cones = &lamp.shadow_cones[..world.tree.solid_nodes().len()];
         casters.clear();
         let mut i = 0;
         while let Some(bound) = cones.get(i) {
-            if !self.start_inside(simd, bound).any_true() {
+            if !rays.start_inside(simd, bound).any_true() {
                 i += usize::from(bound.skip);
                 continue;
             }
             i += 1;
             for cone in &cones[i..i + usize::from(bound.solids)] {
                 if lamp.is_plain() {
-                    blocked |= self.meet_sphere(simd, cone);
+                    blocked |= rays.meet_sphere(simd, cone);
                 } else {
-                    casters.push_if(i, self.start_inside(simd, cone).any_true());
+                    casters.push_if(i, rays.start_inside(simd, cone).any_true());
                 }
                 i += 1;
             }
         }
-        candidates.clear();
+        solids.clear();
         for &index in casters.as_slice() {
             let cone = &cones[usize::from(index)];
-            let shaded = self.start_inside(simd, cone);
-            let near = shaded & !self.are_off(simd, cone, lamp.diameter);
+            let shaded = rays.start_inside(simd, cone);
+            let near = shaded & !rays.are_off(simd, cone, lamp.diameter);
             if near.any_true() {
-                candidates.push::<S>(cone.object, near);
+                solids.push::<S>(cone.object, near);
             }
         }
-        blocked | self.meet_planes(simd, scene, lamp)
+        blocked | rays.meet_planes(simd, world, lamp)
     }
+}
 
+impl<S: Isa> ShadowRays<S> {
     /// Which rays start inside of a shadow cone.
     #[inline(always)]
     fn start_inside(&self, simd: S, cone: &ShadowCone) -> M<S> {
@@ -113,9 +114,9 @@ impl<S: Isa> ShadowRays<S> {
 
     /// Which rays a plane blocks.
     #[inline(always)]
-    fn meet_planes(&self, simd: S, scene: &Prepared, lamp: &Lamp) -> M<S> {
+    fn meet_planes(&self, simd: S, world: World<'_>, lamp: &Lamp) -> M<S> {
         let mut blocked = M::<S>::splat(simd, false);
-        for rectangle in scene.planes() {
+        for rectangle in world.planes() {
             let height = splat(simd, rectangle.centre.y);
             let behind = if lamp.position.y > rectangle.centre.y {
                 self.o.y.simd_lt(height)

@@ -2,7 +2,7 @@
 
 use crate::lanes::*;
 use crate::prepare::{
-    ObjectId, PerLane, Prepared, SURFACE_NUMBERS, Surface, SurfaceNumbers, SurfaceTable,
+    ObjectId, PerLane, SURFACE_NUMBERS, Surface, SurfaceNumbers, SurfaceTable, World,
 };
 
 /// Surfaces that are kept in all lanes: more than a picture's tile shows of most scenes. Packets of primary and of secondary rays
@@ -50,17 +50,17 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
     #[inline(always)]
     pub fn look_up(
         simd: S,
-        scene: &'a Prepared,
+        world: World<'a>,
         objects: U<S>,
         active: M<S>,
         memory: &'a mut SurfaceRows,
     ) -> Self {
-        let background = ObjectId::new(scene.background());
+        let background = ObjectId::new(world.background());
         let is_background = objects.simd_eq(U::<S>::splat(simd, background.lane()));
         let surfaces = |table| Self {
             simd,
             table,
-            background: scene.surface(background),
+            background: world.prepared.surface(background),
             is_background,
         };
         let mut rest = (active & !is_background).to_bitmask();
@@ -69,7 +69,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         } else {
             object_at(simd, objects, &mut rest).0
         };
-        let first = scene.surface(id);
+        let first = world.surface(id);
         if rest == 0 {
             let table = &mut memory.kept[id.index() % KEPT];
             let kept = &mut memory.objects[id.index() % KEPT];
@@ -84,7 +84,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         while rest != 0 {
             let (id, same) = object_at(simd, objects, &mut rest);
             let mask: U<S> = same.to_vector().bitcast();
-            let new = scene.surface(id);
+            let new = world.surface(id);
             for ((row, &first), &new) in mixed.iter_mut().zip(first).zip(new) {
                 // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
                 let old: F<S> = if is_first {

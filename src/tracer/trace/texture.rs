@@ -2,7 +2,7 @@
 
 use super::rays::to_picture;
 use crate::lanes::*;
-use crate::prepare::{Object, ObjectId, Prepared};
+use crate::prepare::{Object, ObjectId, World};
 use crate::scene::Pattern;
 use crate::shapes::block::{self, BlockHit};
 use crate::shapes::{TexturePoint, plane, sphere};
@@ -27,30 +27,30 @@ impl<S: Isa> TexturePoint<S> {
     pub fn reflectance(
         &self,
         simd: S,
-        scene: &Prepared,
+        world: World<'_>,
         pattern: &Pattern,
         d: &Vec3x<S>,
         t: F<S>,
     ) -> F<S> {
         // At distance 1, and seen perpendicularly, a pixel is `axes.pixel` wide.
-        let pixels = d.dot(self.n).abs() / (t * scene.axes.pixel);
+        let pixels = d.dot(self.n).abs() / (t * world.axes.pixel);
         reflectance(simd, pattern, &self.own, pixels)
     }
 }
 
 /// The pattern of an object, as pixels see it that show the object.
 pub(crate) struct SeenPattern<'a> {
-    scene: &'a Prepared,
+    world: World<'a>,
     object: Object<'a>,
     pattern: &'a Pattern,
 }
 
 impl<'a> SeenPattern<'a> {
     /// That of an object of the scene.
-    pub fn new(scene: &'a Prepared, id: ObjectId) -> Self {
-        let (object, material) = scene.object(id);
+    pub fn new(world: World<'a>, id: ObjectId) -> Self {
+        let (object, material) = world.object(id);
         Self {
-            scene,
+            world,
             object,
             pattern: &material.pattern,
         }
@@ -60,9 +60,9 @@ impl<'a> SeenPattern<'a> {
     /// that do not show the object it is of no meaning.
     #[inline(always)]
     pub fn at(&self, [x, y]: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
-        let (simd, scene) = (baseline(), self.scene);
-        let o = Vec3x::splat(simd, scene.eye);
-        let d = to_picture(simd, scene, x, y);
+        let (simd, world) = (baseline(), self.world);
+        let o = Vec3x::splat(simd, world.eye);
+        let d = to_picture(simd, world, x, y);
         let length2 = d.dot(d);
         let (point, t) = match self.object {
             Object::Sphere(it) => {
@@ -84,7 +84,7 @@ impl<'a> SeenPattern<'a> {
             Object::Light(_) | Object::Background => return splat(simd, 1.0),
         };
         // So far `t` is in lengths of `d`.
-        point.reflectance(simd, scene, self.pattern, &d, t * length2)
+        point.reflectance(simd, world, self.pattern, &d, t * length2)
     }
 }
 
@@ -106,7 +106,7 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
         own.z * along_z,
     ] {
         // A triangle wave of period 1 between -1 and 1, with a maximum at 0.
-        let wave = (v - (v + ROUND_TO_INTEGER - ROUND_TO_INTEGER)).abs() * -4.0 + 1.0;
+        let wave = off_integer::<S>(v).abs() * -4.0 + 1.0;
         height = at_most::<S>(wave.abs(), height);
         sign ^= wave.bitcast::<U<S>>();
     }
@@ -119,9 +119,6 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     let height = at_least::<S>(height, -one);
     (height - 1.0) * (0.5 * pattern.depth) + 1.0
 }
-
-/// 1.5 * 2^23: adding it leaves the nearest integer in the low bits, for numbers to 2^22.
-const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// The noise that shifts the pattern, in periods. It is two-dimensional, constant along one oblique direction.
 #[inline(always)]
@@ -166,7 +163,7 @@ const STEPS: [u32; 4] = [0, ACROSS, ALONG, ACROSS.wrapping_add(ALONG)];
 fn cell<S: Isa>(u: F<S>) -> (U<S>, F<S>) {
     let cell = u - 0.5 + ROUND_TO_INTEGER;
     let way: F<S> = u - (cell - ROUND_TO_INTEGER);
-    (cell.bitcast(), way * way * (way * -2.0 + 3.0))
+    (cell.bitcast(), smooth_step::<S>(way))
 }
 
 /// A hash as a number from -1 to 1.

@@ -4,32 +4,32 @@
 use super::candidates::Candidates;
 use super::shadow::ShadowRays;
 use crate::lanes::*;
-use crate::prepare::{Lamp, Object, Prepared};
+use crate::prepare::{Lamp, Object, World};
 use crate::scene::{Sphere, Spot};
 use crate::shapes::{block, sphere};
 use glam::Vec3A;
 
-/// The share of a lamp's light, as a colour, that its cone and the candidates let pass; 0 in lanes that are not needed.
+/// The share of a lamp's light, as a colour, that its cone and the solids in the way let pass; 0 in lanes that are not needed.
 #[inline(always)]
 pub(super) fn transmittance<S: Isa>(
     simd: S,
-    scene: &Prepared,
+    world: World<'_>,
     lamp: &Lamp,
     rays: &ShadowRays<S>,
-    candidates: &Candidates,
+    solids: &Candidates,
 ) -> Vec3x<S> {
     let zero = splat(simd, 0.0);
     let Spot { aim, dark, bright } = lamp.cone;
     let inward = (-rays.d.dot(Vec3x::splat(simd, aim)) - dark) / (bright - dark);
     let is_asked = rays.distance.simd_gt(zero);
-    let in_cone = is_asked.select(smooth_step(simd, inward), zero);
+    let in_cone = is_asked.select(soft_edge(simd, inward), zero);
     let mut passing = Vec3x {
         x: in_cone,
         y: in_cone,
         z: in_cone,
     };
-    for &candidate in candidates.as_slice() {
-        let (object, material) = scene.object(candidate.object);
+    for &candidate in solids.as_slice() {
+        let (object, material) = world.object(candidate.object);
         let covered = match object {
             Object::Block(block) => {
                 let t = block::distance(simd, block, &rays.o, &rays.d);
@@ -63,15 +63,14 @@ fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, rays: &ShadowRay
         a * lamp.diameter / rays.distance,
         splat(simd, lamp.max_penumbra),
     );
-    smooth_step(
+    soft_edge(
         simd,
         depth / at_least::<S>(b, splat(simd, f32::MIN_POSITIVE)) + 0.5,
     )
 }
 
-/// Hermite's smooth step: 0 up to 0, 1 from 1 on.
+/// A smooth step that is 0 up to 0, and 1 from 1 on.
 #[inline(always)]
-fn smooth_step<S: Isa>(simd: S, v: F<S>) -> F<S> {
-    let v = clamp::<S>(v, splat(simd, 0.0), splat(simd, 1.0));
-    v * v * (v * -2.0 + 3.0)
+fn soft_edge<S: Isa>(simd: S, v: F<S>) -> F<S> {
+    smooth_step::<S>(clamp::<S>(v, splat(simd, 0.0), splat(simd, 1.0)))
 }

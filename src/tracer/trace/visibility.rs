@@ -1,14 +1,13 @@
 //! Visibility: which points of a packet a lamp's light reaches, and how much of it. Coordinates are the scene's.
 
-use super::candidates::Candidates;
-use super::casters::Casters;
-use super::counts::Counts;
+use super::blockers::Blockers;
 use super::point::ShadingPoint;
 use super::shadow::ShadowRays;
 use super::surface::SurfaceLanes;
 use super::transmittance::transmittance;
+use crate::counts::Counts;
 use crate::lanes::*;
-use crate::prepare::{Lamp, Prepared};
+use crate::prepare::{Lamp, World};
 
 /// The light of one lamp that arrives at the points of a packet.
 pub(super) struct ArrivingLight<S: Isa> {
@@ -25,7 +24,7 @@ pub(super) struct ArrivingLight<S: Isa> {
 /// The points of a packet, as lamps see them.
 pub(super) struct Visibility<'a, S: Isa> {
     simd: S,
-    scene: &'a Prepared,
+    world: World<'a>,
     point: &'a ShadingPoint<S>,
     /// The cosine of the angle between normal and lamp has to be more than this times the lamp's distance.
     ///
@@ -39,14 +38,14 @@ impl<'a, S: Isa> Visibility<'a, S> {
     #[inline(always)]
     pub fn new(
         simd: S,
-        scene: &'a Prepared,
+        world: World<'a>,
         surface: &SurfaceLanes<'_, S>,
         point: &'a ShadingPoint<S>,
     ) -> Self {
         let least = surface.inverse_radius() * 0.5;
         Self {
             simd,
-            scene,
+            world,
             point,
             least: point.inside.select(least, splat(simd, 0.0)),
         }
@@ -57,12 +56,11 @@ impl<'a, S: Isa> Visibility<'a, S> {
     pub fn light_of(
         &self,
         lamp: &Lamp,
-        casters: &mut Casters,
-        candidates: &mut Candidates,
+        blockers: &mut Blockers,
         counts: &mut Counts,
     ) -> Option<ArrivingLight<S>> {
         let &Self {
-            simd, scene, point, ..
+            simd, world, point, ..
         } = self;
         let to_light = Vec3x::splat(simd, lamp.position) - point.p;
         let distance = to_light.dot(to_light).sqrt();
@@ -82,14 +80,14 @@ impl<'a, S: Isa> Visibility<'a, S> {
             d: l,
             distance,
         };
-        let mut lit = facing & !rays.blocked(simd, scene, lamp, casters, candidates);
+        let mut lit = facing & !blockers.find(simd, world, lamp, &rays);
         let mut colour = Vec3x::splat(simd, lamp.colour);
-        if !lamp.is_plain() && (lamp.is_cone || !candidates.is_empty()) {
+        if !lamp.is_plain() && (lamp.is_cone || !blockers.solids.is_empty()) {
             let rays = ShadowRays {
                 distance: lit.select(distance, splat(simd, 0.0)),
                 ..rays
             };
-            let passing = transmittance(simd, scene, lamp, &rays, candidates);
+            let passing = transmittance(simd, world, lamp, &rays, &blockers.solids);
             lit &= passing.max_element().simd_gt(splat(simd, 0.0));
             colour = colour * passing;
         }

@@ -4,11 +4,8 @@ use super::intersect::Hit;
 use super::point::ShadingPoint;
 use super::rays::Rays;
 use crate::lanes::*;
-use crate::prepare::{PerLane, Prepared};
+use crate::prepare::{PerLane, World};
 use crate::scene::Waves;
-
-/// 1.5 * 2^23: adding it leaves the nearest integer in the low bits, for numbers to 2^22.
-const ROUND_TO_INTEGER: f32 = 12_582_912.0;
 
 /// The cosine and the sine of [`Waves::TURN`].
 const TURN: [f32; 2] = [-0.737_393_7, 0.675_463_2];
@@ -16,8 +13,8 @@ const TURN: [f32; 2] = [-0.737_393_7, 0.675_463_2];
 impl<S: Isa> ShadingPoint<S> {
     /// Tilts the normals of points on water. They still are those above it.
     #[inline(always)]
-    pub fn ripple(&mut self, simd: S, scene: &Prepared, rays: &Rays<S>, hit: &Hit<S>) {
-        let plane = U::<S>::splat(simd, scene.first_plane() as u32);
+    pub fn ripple(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
+        let plane = U::<S>::splat(simd, world.first_plane() as u32);
         let is_water = self.solid & hit.object.simd_eq(plane);
         if !is_water.any_true() {
             return;
@@ -27,7 +24,7 @@ impl<S: Isa> ShadingPoint<S> {
         for (row, numbers) in rows.iter_mut().zip(numbers) {
             numbers.store_slice(&mut row[..lanes::<S>()]);
         }
-        tilt(scene, &mut rows, lanes::<S>());
+        tilt(world, &mut rows, lanes::<S>());
         let [x, y, z, _] = rows.map(|row| F::<S>::from_slice(simd, &row[..lanes::<S>()]));
         self.n = Vec3x::select(is_water, Vec3x { x, y, z }, self.n);
     }
@@ -36,19 +33,19 @@ impl<S: Isa> ShadingPoint<S> {
 /// Replaces so many points of water by their normals. The rows are x and z of the points, y of the rays' directions and the rays'
 /// lengths; they become x, y and z of the normals. One instruction set is enough.
 #[inline(never)]
-fn tilt(scene: &Prepared, rows: &mut [PerLane; 4], count: usize) {
-    tilt_by(baseline(), scene, rows, count);
+fn tilt(world: World<'_>, rows: &mut [PerLane; 4], count: usize) {
+    tilt_by(baseline(), world, rows, count);
 }
 
 #[inline(always)]
-fn tilt_by<S: Isa>(simd: S, scene: &Prepared, rows: &mut [PerLane; 4], count: usize) {
+fn tilt_by<S: Isa>(simd: S, world: World<'_>, rows: &mut [PerLane; 4], count: usize) {
     let one = splat(simd, 1.0);
-    let waves = &scene.scene.water;
+    let waves = &world.scene.water;
     for first in (0..count.min(MAX_LANES)).step_by(lanes::<S>()) {
         let lanes = first..first + lanes::<S>();
         let [x, z, dy, t] = [0, 1, 2, 3].map(|i| F::<S>::from_slice(simd, &rows[i][lanes.clone()]));
         let steepness = dy.abs();
-        let [slope_x, slope_z] = slopes(simd, waves, x, z, t * scene.axes.pixel / steepness);
+        let [slope_x, slope_z] = slopes(simd, waves, x, z, t * world.axes.pixel / steepness);
         let slope2 = slope_x * slope_x + slope_z * slope_z;
         let scale = at_most::<S>(steepness * Waves::STEEPEST / slope2.sqrt(), one);
         let y = one / (slope2 * scale * scale + 1.0).sqrt();
@@ -74,7 +71,7 @@ fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, seen: F<S>) -> [F<S>
             break;
         }
         let u = (x * along_x + z * along_z) * per_unit - phase;
-        let u = u - (u + ROUND_TO_INTEGER - ROUND_TO_INTEGER);
+        let u = off_integer::<S>(u);
         let rise = u * (u.abs() * -2.0 + 1.0) * share * (8.0 * waves.slope);
         slope_x += rise * along_x;
         slope_z += rise * along_z;

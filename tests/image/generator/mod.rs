@@ -2,7 +2,7 @@
 //!
 //! The functions of this file make proptest's strategies, which shrink a failing scene; [`placed`] makes strategies for scenes
 //! whose objects are placed by where they are in the picture, [`seeded`] makes scenes from a number, for long runs, and [`near`]
-//! and [`alone`] those in which things are easily missed. All are seeded, so that a run repeats.
+//! and [`alone`] those in which things are easily missed. All are seeded (see `.cargo/config.toml`), so that a run repeats.
 
 pub mod alone;
 pub mod near;
@@ -15,14 +15,12 @@ use eightfold_tracer::scene::{
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
-/// A configuration with a fixed seed and the given number of cases, or with `PROPTEST_CASES` of them if that is set.
+/// A configuration with the given number of cases, or with `PROPTEST_CASES` of them if that is set.
 pub fn config(cases: u32) -> ProptestConfig {
     let asked = std::env::var("PROPTEST_CASES").ok();
     ProptestConfig {
         cases: asked.and_then(|n| n.parse().ok()).unwrap_or(cases),
-        rng_seed: RngSeed::Fixed(2008),
         failure_persistence: None,
         max_shrink_iters: 200,
         ..ProptestConfig::default()
@@ -200,15 +198,9 @@ fn painted() -> impl Strategy<Value = Material> {
     })
 }
 
-/// A box or a cylinder.
+/// A box, a cylinder or a capsule.
 pub fn shape() -> impl Strategy<Value = Shape> {
-    any::<bool>().prop_map(|is_round| {
-        if is_round {
-            Shape::Cylinder
-        } else {
-            Shape::Box
-        }
-    })
+    proptest::sample::select(&[Shape::Box, Shape::Cylinder, Shape::Capsule][..])
 }
 
 /// A block's extent that fits its shape.
@@ -216,10 +208,11 @@ pub fn fitting(shape: Shape, half: Vec3A) -> Vec3A {
     match shape {
         Shape::Box => half,
         Shape::Cylinder => half.with_z(half.x),
+        Shape::Capsule => Vec3A::new(half.x, half.y.max(half.x), half.x),
     }
 }
 
-/// A box or a cylinder near the origin.
+/// A block near the origin.
 fn block() -> impl Strategy<Value = Block> {
     (
         point(4.0, 3.0),
@@ -275,7 +268,7 @@ pub struct Rich {
     floor: Material,
     sky: Vec3A,
     haze: f32,
-    fade: f32,
+    exposure: f32,
     film: Film,
     water: Waves,
 }
@@ -292,7 +285,7 @@ impl Rich {
             lights: List::of(&self.lights),
             sky: self.sky - scene.background,
             haze: self.haze,
-            fade: self.fade,
+            exposure: self.exposure,
             film: self.film,
             water: self.water,
             ..scene
@@ -330,18 +323,18 @@ pub fn rich() -> impl Strategy<Value = Rich> {
         vec(block(), 0..8),
         vec(any_light(), 0..=3),
         (painted(), colour()),
-        (prop_oneof![Just(0.0_f32), 0.01_f32..0.1], -0.2_f32..0.9),
+        (prop_oneof![Just(0.0_f32), 0.01_f32..0.1], 0.1_f32..1.2),
         (film(), water()),
     )
         .prop_map(
-            |(sketch, blocks, lights, (floor, sky), (haze, fade), (film, water))| Rich {
+            |(sketch, blocks, lights, (floor, sky), (haze, exposure), (film, water))| Rich {
                 sketch,
                 blocks,
                 lights,
                 floor,
                 sky,
                 haze,
-                fade,
+                exposure,
                 film,
                 water,
             },

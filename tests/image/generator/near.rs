@@ -152,8 +152,9 @@ pub fn contact(random: &mut Random) -> Near {
                 });
             }
             kind => {
-                let shape = [Shape::Box, Shape::Cylinder][random.below(2)];
-                let flat = kind == 2;
+                let shape = [Shape::Box, Shape::Cylinder, Shape::Capsule][random.below(3)];
+                // A capsule is never lower than wide: this one is a ball.
+                let flat = kind == 2 && shape != Shape::Capsule;
                 let half = if flat {
                     vec3a(size, 0.5 * rise, size)
                 } else {

@@ -33,7 +33,7 @@ fn placement() -> impl Strategy<Value = Placement> {
     )
 }
 
-/// A box or a cylinder inside a bounding sphere.
+/// A block inside a bounding sphere.
 #[derive(Clone, Copy, Debug)]
 struct PlacedBlock {
     placement: Placement,
@@ -70,7 +70,7 @@ fn extreme_block() -> impl Strategy<Value = PlacedBlock> {
             block.placement.distance = 10.0_f32.powf(distance);
             block.half *= match block.shape {
                 Shape::Box => vec3a(1.0, thin, 1.0),
-                Shape::Cylinder => vec3a(thin, 1.0, thin),
+                Shape::Cylinder | Shape::Capsule => vec3a(thin, 1.0, thin),
             };
             block
         },
@@ -224,7 +224,7 @@ impl Placed {
     }
 }
 
-/// Spheres, planes, boxes, cylinders and lights around the camera.
+/// Spheres, planes, blocks and lights around the camera.
 pub fn placed() -> impl Strategy<Value = Placed> {
     let around = (
         0.05_f32..20.0,
@@ -270,7 +270,7 @@ pub fn placed() -> impl Strategy<Value = Placed> {
         )
 }
 
-/// Boxes and cylinders of extreme sizes, with few or no spheres.
+/// Blocks of extreme sizes, with few or no spheres.
 pub fn extreme_blocks() -> impl Strategy<Value = Placed> {
     let spheres = prop_oneof![Just(vec![]), vec(placement(), 1..8)];
     (placed(), spheres, vec(extreme_block(), 1..32)).prop_map(|(scene, spheres, blocks)| Placed {

@@ -113,15 +113,11 @@ pub fn scene(random: &mut Random) -> Scene {
     scene
 }
 
-/// Adds boxes, cylinders, patterns, haze and lights of all kinds to a scene of a given scale.
+/// Adds blocks, patterns, haze and lights of all kinds to a scene of a given scale.
 fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
     for _ in 0..random.below(9) {
         let half = scale * random.vector(Vec3A::splat(0.05), Vec3A::splat(1.5));
-        let shape = if random.below(2) == 0 {
-            Shape::Cylinder
-        } else {
-            Shape::Box
-        };
+        let shape = [Shape::Cylinder, Shape::Box, Shape::Capsule][random.below(3)];
         let turn = random.vector(Vec3A::splat(-3.0), Vec3A::splat(3.0));
         scene.blocks.push(Block {
             centre: scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),
@@ -148,7 +144,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
     }
     scene.sky = random.vector(Vec3A::ZERO, Vec3A::splat(0.5));
     scene.haze = random.between(0.0, 0.2) / scale;
-    scene.fade = random.between(-0.5, 1.0);
+    scene.exposure = random.between(0.0, 1.5);
     scene.film = Film {
         shoulder: random.between(0.0, 1.0),
         vignette: random.between(0.0, 1.0),
@@ -193,7 +189,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         lights,
         sky,
         haze,
-        fade,
+        exposure,
         film,
         water,
         ..
@@ -210,7 +206,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         &mut camera.field_of_view,
         &mut sky[a % 3],
         haze,
-        fade,
+        exposure,
         &mut film.shoulder,
         &mut film.vignette,
         &mut film.dither,

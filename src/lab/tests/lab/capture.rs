@@ -9,6 +9,7 @@ mod sound;
 mod trouble;
 
 use super::lab;
+use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use std::process::Output;
 
@@ -57,4 +58,11 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
         .collect();
     files.sort();
     files
+}
+
+/// Writes a program that stands for ffmpeg into a folder.
+fn write_ffmpeg(folder: &Path, script: &str) {
+    let ffmpeg = folder.join("ffmpeg");
+    std::fs::write(&ffmpeg, format!("#!/bin/sh\n{script}\n")).unwrap();
+    std::fs::set_permissions(&ffmpeg, std::fs::Permissions::from_mode(0o755)).unwrap();
 }

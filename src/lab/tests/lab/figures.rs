@@ -1,6 +1,6 @@
 //! `lab figures` writes a picture for each figure, and a sheet of all.
 
-use super::{assert_one_line, lab};
+use super::lab;
 use eightfold_stage::reader::read_png;
 use std::collections::BTreeSet;
 use std::fs;
@@ -37,17 +37,4 @@ fn every_figure_is_written_and_the_sheet_shows_them_all() {
     }
     assert_eq!(pictures.len(), PICTURES.len(), "two figures are the same");
     assert_eq!(fs::read_dir(&out).unwrap().count(), PICTURES.len() + 1);
-}
-
-#[test]
-fn bad_input_is_named_in_one_line() {
-    for (flag, value, takes) in [
-        ("--size", "640", "WIDTHxHEIGHT"),
-        ("--time", "now", "seconds"),
-        ("--quality", "best", "exhaustive, thesis, finest"),
-        ("--scene", "field:0", "field:N"),
-    ] {
-        assert_one_line(&lab(&["figures", flag, value]), 2, &[flag, value, takes]);
-    }
-    assert_one_line(&lab(&["figures", "--out"]), 2, &["--out"]);
 }

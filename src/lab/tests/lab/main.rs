@@ -1,5 +1,6 @@
 //! The lab's commands, run from the command line.
 
+mod bad_input;
 mod bench;
 mod capture;
 mod figures;
@@ -17,7 +18,6 @@ mod truth;
 mod views;
 
 use eightfold_stage::reader::read_png;
-use eightfold_tracer::Quality;
 use std::path::Path;
 #[cfg(target_os = "linux")]
 use std::process::Child;
@@ -37,6 +37,15 @@ fn printed(line: &str) -> String {
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{line}: {errors}");
     String::from_utf8(output.stdout).expect("text")
+}
+
+/// The cells of the tables in a text, line by line, without the rules under the titles.
+fn cells(text: &str) -> Vec<Vec<&str>> {
+    let lines = text.lines();
+    let lines = lines.filter(|line| line.starts_with('|') && !line.starts_with("| -"));
+    lines
+        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+        .collect()
 }
 
 /// Runs `lab render` with a small frame.
@@ -181,39 +190,6 @@ fn every_choice_changes_the_picture() {
 }
 
 #[test]
-fn bad_input_is_named_in_one_line() {
-    let qualities = format!("exhaustive, thesis, {}", Quality::NAMES.join(", "));
-    for (flag, value, takes) in [
-        ("--size", "0x5", "WIDTHxHEIGHT"),
-        ("--size", "640", "WIDTHxHEIGHT"),
-        ("--size", "3841x10", "3840x2160"),
-        ("--time", "now", "seconds"),
-        ("--time", "nan", "seconds"),
-        ("--quality", "best", &qualities),
-        ("--threads", "0", "from 1"),
-        ("--threads", "many", "from 1"),
-        ("--scene", "field:0", "field:N"),
-        ("--scene", "field:99999", "field:N"),
-        ("--scene", "models", "field:N"),
-        ("--scene", "show:end", "show:finale"),
-        ("--isa", "mmx", "this machine has"),
-        ("--out", "frame.jpg", ".png"),
-    ] {
-        let out: &[&str] = if flag == "--out" {
-            &[]
-        } else {
-            &["--out", "-"]
-        };
-        let output = lab(&[&["render", flag, value], out].concat());
-        assert_one_line(&output, 2, &[flag, value, takes]);
-    }
-    assert_one_line(&lab(&["render"]), 2, &["--out"]);
-    assert_one_line(&lab(&["render", "--out"]), 2, &["--out"]);
-    assert_one_line(&lab(&["render", "--output", "x"]), 2, &["--output"]);
-    assert_one_line(&lab(&["paint"]), 2, &["paint"]);
-}
-
-#[test]
 fn a_file_that_cannot_be_written_is_named_in_one_line() {
     let folder = tempfile::tempdir().unwrap();
     let no_folder = folder.path().join("missing/frame.png");
@@ -274,41 +250,25 @@ fn a_file_stays_as_it_was_when_the_disk_fills_up() {
 }
 
 #[test]
-fn help_names_every_command_and_flag() {
-    let help = lab(&["--help"]);
-    let text = String::from_utf8_lossy(&help.stdout);
-    assert!(help.status.success());
-    for (command, flags) in [
-        (
-            "render",
-            "--scene --time --size --quality --threads --isa --out",
-        ),
-        (
-            "bench",
-            "--scene --time-from --time-to --size --quality --threads --isa --frames --views --json",
-        ),
-        (
-            "capture",
-            "--png --video --sheet --audio --frames --from --to --fps --size --scene --quality --supersample --shutter --aperture --focus --sample-lamps --samples --threads --isa",
-        ),
-        ("release", "--intro --out"),
-        ("size", "--functions"),
-        ("sound", "--wav --waveform --spectrogram"),
-        ("study", "SCENE --time --size --frames --out"),
-        (
-            "truth",
-            "--scene --time --size --samples --seed --with --without --threads --out --exr --interval --effects --convergence",
-        ),
-        (
-            "view",
-            "--scene --size --quality --time --paused --fps --threads --isa Space Home",
-        ),
-    ] {
-        assert!(text.contains(command), "{command}");
-        let help = lab(&[command, "--help"]);
-        let text = String::from_utf8_lossy(&help.stdout);
-        for flag in flags.split(' ') {
-            assert!(text.contains(flag), "{command} {flag}");
-        }
+fn help_names_the_commands_that_the_page_lists_and_no_others() {
+    let page = include_str!("../../../../docs/lab.md");
+    let (_, table) = page.split_once("| command | does |").expect("a table");
+    let table = table.split("\n\n").next().expect("its lines");
+    let listed = cells(table)
+        .into_iter()
+        .map(|line| line[0].trim_matches('`'));
+    let mut listed: Vec<&str> = listed.collect();
+    listed.sort_unstable();
+    let help = printed("--help");
+    let (_, commands) = help.split_once("Commands:\n").expect("commands");
+    let commands = commands.lines().take_while(|line| !line.is_empty());
+    let names = commands.filter_map(|line| line.split_whitespace().next());
+    let names: Vec<&str> = names.filter(|&name| name != "help").collect();
+    assert_eq!(names, listed);
+    for name in names {
+        assert!(
+            printed(&format!("{name} --help")).contains("Usage: "),
+            "{name}"
+        );
     }
 }

@@ -3,8 +3,6 @@
 #[rustfmt::skip]
 mod every_field;
 mod fields;
-#[rustfmt::skip]
-mod motion;
 
 use super::{assert_one_line, lab, printed, render};
 use eightfold_lab::scenes::SceneName;
@@ -77,15 +75,6 @@ fn a_scene_that_is_exported_is_the_same_at_its_frames() {
 }
 
 #[test]
-fn what_is_to_be_written_is_asked_for_once() {
-    let first = examples().join("first.ron");
-    let first = first.to_str().expect("a plain name");
-    let both = lab(&["scene", "--export", "model", "--rust", first]);
-    assert_one_line(&both, 2, &["--export", "--rust", "cannot"]);
-    assert_one_line(&lab(&["scene", "--out", "-"]), 2, &["--export", "--rust"]);
-}
-
-#[test]
 fn an_exported_scene_gives_the_same_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("machine.ron");
@@ -127,6 +116,10 @@ fn assert_is_compiled(name: &str, file: &Path) {
     let text = printed(&format!("scene --rust {}", file.display()));
     let made = format!("Made of {}", file.display());
     let text = text.replace(&made, &format!("Made of {name}.ron"));
+    // The functions that interpolate are those of the lab.
+    let (scene, keys) = text.split_once("mod keys {").expect("functions");
+    assert!(keys.contains("pub fn spline<"), "{keys}");
+    let text = format!("{scene}#[path = \"../../../../scene_file/keys.rs\"]\nmod keys;\n");
     let known = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/lab/scene/{name}.rs"));
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
         fs::write(&known, &text).expect("it can be written");
@@ -136,21 +129,6 @@ fn assert_is_compiled(name: &str, file: &Path) {
         text == known,
         "tests/lab/scene/{name}.rs has to be made anew"
     );
-}
-
-#[test]
-fn rust_made_of_a_file_is_the_same_scene() {
-    assert_is_compiled("motion", &examples().join("motion.ron"));
-    let file = SceneFile::parse("motion.ron", &example("motion.ron")).expect("a scene");
-    assert_eq!(motion::LENGTH, file.length);
-    for step in 0..200 {
-        let time = step as f32 * 0.05;
-        assert_eq!(
-            contents(&motion::scene(time)),
-            contents(&file.at(time)),
-            "at {time} s"
-        );
-    }
 }
 
 #[test]
@@ -298,7 +276,10 @@ fn fields_that_are_missing_twice_or_unknown_are_told() {
         );
     }
     let error = SceneFile::parse("my.ron", "(motion: [])").expect_err("it is wrong");
-    assert!(error.contains("`captions`, `motions`"), "{error}");
+    assert!(
+        error.contains("`captions`, `copper_bars`, `motions`"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -345,15 +326,4 @@ fn bad_input_is_named_in_one_line() {
     assert_one_line(&lab(&["bench", "--scene", none]), 2, &["cannot read", none]);
     fs::write(&file, b"Scene() // \xe9").expect("it can be written");
     assert_one_line(&lab(&["bench", "--scene", name]), 2, &[name, "not UTF-8"]);
-    assert_one_line(&lab(&["scene"]), 2, &["--export", "--rust"]);
-    assert_one_line(
-        &lab(&["scene", "--rust", "model"]),
-        2,
-        &["--rust", "FILE.ron"],
-    );
-    assert_one_line(
-        &lab(&["scene", "--export", "show:end"]),
-        2,
-        &["show:machine", "FILE.ron"],
-    );
 }

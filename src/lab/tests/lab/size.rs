@@ -1,6 +1,6 @@
 //! The tables of `lab size` add up to the size of the file.
 
-use crate::{assert_one_line, lab, printed};
+use crate::printed;
 use eightfold_stage::intro;
 
 /// The cells of the table whose first column has a given title, line by line.
@@ -51,12 +51,4 @@ fn every_byte_of_the_intro_is_told_of_as_it_is_linked_and_as_it_is_packed() {
     assert_eq!(sum(functions, 3) + number(rest[3]), named);
     // The tracer is the largest part.
     assert_eq!(functions[0][1], "eightfold_tracer", "{text}");
-}
-
-#[test]
-fn bad_input_is_named_in_one_line() {
-    for number in ["0", "-3", "many"] {
-        let output = lab(&["size", "--functions", number]);
-        assert_one_line(&output, 2, &["--functions", "from 1"]);
-    }
 }

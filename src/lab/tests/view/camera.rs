@@ -1,17 +1,13 @@
 //! The camera is moved by the mouse, in every scene, and put into scene files.
 
 use crate::stage::{BALL, Edit, NOTHING, SCENE, View, rendered};
-use eightfold_stage::{DISPLAY, lacks};
 
 /// A drag from the middle of the window.
 const WAY: [[i32; 2]; 3] = [BALL, [190, 125], [220, 140]];
 
 #[test]
 fn buttons_and_the_wheel_move_the_camera_and_v_takes_it_back() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let view = View::start(&[]);
+    let Some(view) = View::new(&[]) else { return };
     let picture = rendered(&["--time", "2", "--quality", "default"]);
     view.assert_shows("the picture", |shot| shot == picture);
     let mut others = Vec::new();
@@ -36,11 +32,8 @@ fn buttons_and_the_wheel_move_the_camera_and_v_takes_it_back() {
 
 #[test]
 fn c_puts_the_camera_into_the_file() {
-    if lacks(DISPLAY) {
-        return;
-    }
     for gesture in [1, 2, 4] {
-        let edit = Edit::start(SCENE);
+        let Some(edit) = Edit::new(SCENE) else { return };
         let before = edit.picture();
         match gesture {
             1 => edit.view.drag(1, &[NOTHING, [60, 40]]),

@@ -1,7 +1,7 @@
 //! A scene file is read again when another program writes it.
 
 use crate::stage::{BALL, Edit, SCENE, View, blue, is_bright, letters, read};
-use eightfold_stage::{DISPLAY, Server, lacks, wait_for};
+use eightfold_stage::{Server, wait_for};
 use std::fs;
 
 /// [`SCENE`] with a larger ball, as another program writes it.
@@ -11,10 +11,7 @@ fn larger() -> String {
 
 #[test]
 fn what_another_program_writes_is_seen() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     let before = edit.picture();
     fs::write(&edit.file, larger()).expect("it is written");
     assert!(edit.picture() != before);
@@ -24,10 +21,7 @@ fn what_another_program_writes_is_seen() {
 
 #[test]
 fn a_faulty_file_leaves_the_last_picture_with_the_fault_over_it() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     let picture = edit.picture();
     for faulty in [
         SCENE.replace("radius: 1.0", "radius: 1.0.0"),
@@ -50,12 +44,7 @@ fn a_faulty_file_leaves_the_last_picture_with_the_fault_over_it() {
 
 #[test]
 fn changes_that_are_not_saved_come_back_after_the_file_was_read_over_them() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
-    edit.view.click(1, BALL);
-    edit.view.press("m", "not saved");
+    let Some(edit) = Edit::changed() else { return };
     edit.read_over(&larger());
     // They are in the other file, too.
     assert_eq!(read(&edit.unsaved()), blue());
@@ -66,12 +55,7 @@ fn changes_that_are_not_saved_come_back_after_the_file_was_read_over_them() {
 
 #[test]
 fn the_same_text_written_again_is_not_read_over_changes() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
-    edit.view.click(1, BALL);
-    edit.view.press("m", "not saved");
+    let Some(edit) = Edit::changed() else { return };
     fs::write(&edit.file, SCENE).expect("it is written");
     edit.view.settled_shot();
     assert_eq!(edit.save(), blue());
@@ -79,12 +63,7 @@ fn the_same_text_written_again_is_not_read_over_changes() {
 
 #[test]
 fn a_later_change_leaves_the_file_of_those_that_were_read_over() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
-    edit.view.click(1, BALL);
-    edit.view.press("m", "not saved");
+    let Some(edit) = Edit::changed() else { return };
     edit.read_over(&larger());
     edit.view.click(4, BALL);
     let second = edit.file.with_extension("unsaved-2.ron");
@@ -100,10 +79,7 @@ fn a_later_change_leaves_the_file_of_those_that_were_read_over() {
 
 #[test]
 fn two_that_edit_a_file_keep_what_is_not_saved_apart() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     let other = View::of_file(Server::start(640, 480), &edit.file);
     edit.view.click(1, BALL);
     edit.view.press("m", "not saved");
@@ -125,13 +101,10 @@ fn two_that_edit_a_file_keep_what_is_not_saved_apart() {
 
 #[test]
 fn what_another_program_writes_ends_a_drag() {
-    if lacks(DISPLAY) {
-        return;
-    }
     let [x, y] = BALL;
     let further = [[x + 60, y], [x + 80, y]];
     // Before anything has moved.
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     edit.view.hold(1, &[BALL]);
     let held = edit.view.settled_shot();
     fs::write(&edit.file, larger()).expect("it is written");
@@ -142,7 +115,7 @@ fn what_another_program_writes_ends_a_drag() {
     edit.assert_unpicked_shows_file();
     assert_eq!(edit.text(), larger());
     // And after that.
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     edit.view.hold(1, &[BALL, [x + 20, y], [x + 40, y]]);
     edit.view.wait("not saved");
     let before = letters(&edit.view.settled_shot());
@@ -162,17 +135,12 @@ fn what_another_program_writes_ends_a_drag() {
 
 #[test]
 fn it_asks_before_it_writes_over_what_another_program_has_written() {
-    if lacks(DISPLAY) {
-        return;
-    }
     // It can't be read, so that it is not seen.
     let faulty = format!("{SCENE})").into_bytes();
     let latin_1 = [b"// \xe9t\xe9\n", SCENE.as_bytes()].concat();
     let utf_16 = SCENE.encode_utf16().flat_map(u16::to_le_bytes).collect();
     for written in [faulty, latin_1, utf_16] {
-        let edit = Edit::start(SCENE);
-        edit.view.click(1, BALL);
-        edit.view.press("m", "not saved");
+        let Some(edit) = Edit::changed() else { return };
         let before = letters(&edit.view.settled_shot());
         fs::write(&edit.file, &written).expect("it is written");
         edit.view

@@ -1,7 +1,6 @@
 //! Objects of a scene file are picked and changed, and the file keeps all else as it is.
 
 use crate::stage::{BALL, Edit, FLOOR, NOTHING, SCENE, SIZE, blue, is_bright};
-use eightfold_stage::{DISPLAY, lacks};
 
 /// The line of the ball in [`SCENE`].
 const LINE: &str =
@@ -9,10 +8,7 @@ const LINE: &str =
 
 #[test]
 fn a_click_shows_what_is_picked_and_its_numbers() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     let picture = edit.picture();
     let [width, height] = SIZE.map(|side| side as usize);
     // White letters at the lower edge, and white corners around the ball.
@@ -42,10 +38,7 @@ fn a_click_shows_what_is_picked_and_its_numbers() {
 
 #[test]
 fn the_wheel_resizes_what_is_picked_under_it() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     edit.view.click(1, BALL);
     edit.view.click(4, BALL);
     let expected = SCENE.replace("radius: 1.0", "radius: 1.05");
@@ -62,10 +55,7 @@ fn the_wheel_resizes_what_is_picked_under_it() {
 
 #[test]
 fn m_steps_through_the_materials() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     edit.view.click(1, BALL);
     edit.view.key("m");
     assert_eq!(edit.save(), blue());
@@ -76,10 +66,7 @@ fn m_steps_through_the_materials() {
 
 #[test]
 fn delete_takes_an_object_away() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     edit.view.click(1, BALL);
     edit.view.key("Delete");
     assert_eq!(edit.save(), SCENE.replace(LINE, ""));
@@ -93,10 +80,7 @@ fn delete_takes_an_object_away() {
 
 #[test]
 fn control_d_puts_a_copy_beside_an_object() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     edit.view.click(1, BALL);
     edit.view.key("ctrl+d");
     let copy = LINE
@@ -111,10 +95,7 @@ fn control_d_puts_a_copy_beside_an_object() {
 
 #[test]
 fn steps_are_undone_and_done_again() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     edit.view.click(1, BALL);
     edit.view
         .drag(1, &[BALL, [170, 125], [180, 130], [200, 140]]);
@@ -137,10 +118,7 @@ fn steps_are_undone_and_done_again() {
 
 #[test]
 fn what_cannot_be_is_told_and_changes_nothing() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     let picture = edit.picture();
     for key in ["m", "Delete", "ctrl+d", "ctrl+z", "ctrl+y"] {
         edit.view.key(key);

@@ -1,36 +1,20 @@
 //! Changes that are not saved are not lost when it ends.
 
-use crate::stage::{BALL, Edit, SCENE, blue};
-use eightfold_stage::{DISPLAY, Process, Server, is_portable, lacks, run, wait_for};
-use std::fs;
+use crate::stage::{BALL, Edit, SCENE, blue, read};
+use eightfold_stage::{Process, Server, is_portable, run};
 use std::process::Command;
-
-/// An edit with a change that is not saved, and the text with it.
-fn changed() -> (Edit, String) {
-    changed_on(Server::start(640, 480))
-}
-
-fn changed_on(server: Server) -> (Edit, String) {
-    let edit = Edit::on(server, SCENE);
-    edit.view.click(1, BALL);
-    edit.view.press("m", "not saved");
-    wait_for("the file of what is not saved", || {
-        edit.unsaved().exists().then_some(())
-    });
-    (edit, blue())
-}
 
 /// Asserts that it ends with an exit code, and that the changes are in a file that it names.
 #[track_caller]
-fn assert_ends_with_changes_kept(edit: Edit, text: &str, code: i32) {
+fn assert_ends_with_changes_kept(edit: Edit, code: i32) {
     let (unsaved, file) = (edit.unsaved(), edit.file.clone());
     let Edit { view, folder, .. } = edit;
     let (_, ended, _, errors) = view.process.end();
     assert_eq!(ended, Some(code), "{errors}");
     let name = unsaved.file_name().expect("a name").to_string_lossy();
     assert!(errors.contains(&*name), "no {name} in {errors}");
-    assert_eq!(fs::read_to_string(&unsaved).expect("it is there"), text);
-    assert_eq!(fs::read_to_string(&file).expect("it is there"), SCENE);
+    assert_eq!(read(&unsaved), blue());
+    assert_eq!(read(&file), SCENE);
     drop(folder);
 }
 
@@ -40,10 +24,9 @@ fn is_running(process: &mut Process) -> bool {
 
 #[test]
 fn escape_asks_once_where_something_is_not_saved() {
-    if lacks(DISPLAY) {
+    let Some(mut edit) = Edit::changed() else {
         return;
-    }
-    let (mut edit, text) = changed();
+    };
     let before = edit.view.settled_shot();
     edit.view.key("Escape");
     edit.view.assert_shows("a question", |shot| shot != before);
@@ -55,16 +38,13 @@ fn escape_asks_once_where_something_is_not_saved() {
     edit.view.assert_shows("a question", |shot| shot != before);
     assert!(is_running(&mut edit.view.process));
     edit.view.key("Escape");
-    assert_ends_with_changes_kept(edit, &text, 0);
+    assert_ends_with_changes_kept(edit, 0);
 }
 
 #[test]
 fn escape_ends_it_at_once_where_all_is_saved() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let (edit, text) = changed();
-    assert_eq!(edit.save(), text);
+    let Some(edit) = Edit::changed() else { return };
+    assert_eq!(edit.save(), blue());
     edit.view.key("Escape");
     let (_, code, _, errors) = edit.view.process.end();
     assert_eq!(code, Some(0), "{errors}");
@@ -76,55 +56,50 @@ fn escape_ends_it_at_once_where_all_is_saved() {
 
 #[test]
 fn a_window_that_is_gone_leaves_changes_in_their_file() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let (edit, text) = changed();
+    let Some(edit) = Edit::changed() else { return };
     let close = format!("windowclose {}", edit.view.id());
     edit.view.server.xdotool(&close);
-    assert_ends_with_changes_kept(edit, &text, 0);
+    assert_ends_with_changes_kept(edit, 0);
 }
 
 #[test]
 fn a_window_that_is_asked_to_close_asks_once() {
     // The portable backend's window closes itself.
-    if lacks(DISPLAY) || is_portable() {
+    if is_portable() {
         return;
     }
-    let (edit, text) = changed_on(Server::start_managed(640, 480));
+    let Some(edit) = Edit::changed_on(Server::start_managed) else {
+        return;
+    };
     let before = edit.view.settled_shot();
     let close = || run(edit.view.server.tool("wmctrl").args(["-c", "Eightfold"]));
     close();
     edit.view.assert_shows("a question", |shot| shot != before);
     close();
-    assert_ends_with_changes_kept(edit, &text, 0);
+    assert_ends_with_changes_kept(edit, 0);
 }
 
 #[test]
 fn a_signal_leaves_changes_in_their_file() {
-    if lacks(DISPLAY) {
-        return;
-    }
     for (signal, code) in [("INT", 130), ("TERM", 143)] {
-        let (edit, text) = changed();
+        let Some(edit) = Edit::changed() else { return };
         let id = edit.view.process.0.id().to_string();
         let sent = Command::new("kill").args(["-s", signal, &id]).status();
         assert!(sent.expect("kill runs").success());
-        assert_ends_with_changes_kept(edit, &text, code);
+        assert_ends_with_changes_kept(edit, code);
     }
 }
 
 #[test]
 fn a_server_that_dies_leaves_changes_in_their_file() {
-    if lacks(DISPLAY) {
+    let Some(mut edit) = Edit::changed() else {
         return;
-    }
-    let (mut edit, text) = changed();
+    };
     edit.view.server.kill();
     let unsaved = edit.unsaved();
     let Edit { view, folder, .. } = edit;
     let (_, code, _, errors) = view.process.end();
     assert_eq!(code, Some(1), "{errors}");
-    assert_eq!(fs::read_to_string(unsaved).expect("it is there"), text);
+    assert_eq!(read(&unsaved), blue());
     drop(folder);
 }

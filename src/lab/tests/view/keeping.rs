@@ -1,7 +1,7 @@
 //! A file beside the scene file holds what is not saved.
 
 use crate::stage::{BALL, Edit, SCENE, blue, letters, read};
-use eightfold_stage::{DISPLAY, Server, lacks, wait_for};
+use eightfold_stage::wait_for;
 use std::fs;
 use std::path::Path;
 
@@ -15,10 +15,7 @@ fn wait_for_text(file: &Path, text: &str) {
 
 #[test]
 fn what_is_dragged_is_kept_meanwhile() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     let [x, y] = BALL;
     edit.view.hold(1, &[BALL, [x + 20, y], [x + 40, y]]);
     wait_for("the file of what is not saved", || {
@@ -30,12 +27,7 @@ fn what_is_dragged_is_kept_meanwhile() {
 
 #[test]
 fn the_file_is_whole_at_any_time() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
-    edit.view.click(1, BALL);
-    edit.view.press("m", "not saved");
+    let Some(edit) = Edit::changed() else { return };
     wait_for_text(&edit.unsaved(), &blue());
     // One that is opened before another takes its place is not written to.
     let opened = edit.folder.path().join("opened");
@@ -50,10 +42,7 @@ fn the_file_is_whole_at_any_time() {
 
 #[test]
 fn what_could_not_be_kept_is_kept_as_soon_as_it_can_be() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     edit.view.click(1, BALL);
     let before = letters(&edit.view.settled_shot());
     // Without its folder there is no place for the file.
@@ -73,12 +62,11 @@ fn what_could_not_be_kept_is_kept_as_soon_as_it_can_be() {
 
 #[test]
 fn a_file_that_cannot_be_is_not_named_at_the_end() {
-    if lacks(DISPLAY) {
-        return;
-    }
     // A name has up to 255 bytes.
     let name = format!("{}.ron", "n".repeat(245));
-    let edit = Edit::named(Server::start(640, 480), &name, SCENE);
+    let Some(edit) = Edit::named(&name, SCENE) else {
+        return;
+    };
     edit.view.click(1, BALL);
     edit.view.press("m", "not saved");
     edit.view.key("Escape");

@@ -1,7 +1,6 @@
 //! Objects of a scene file are dragged.
 
 use crate::stage::{BALL, Edit, FLOOR, SCENE};
-use eightfold_stage::{DISPLAY, lacks};
 
 /// The numbers of a vector that stands behind some words of a text.
 fn vector(text: &str, words: &str) -> [f64; 3] {
@@ -21,10 +20,7 @@ fn scene_with(centre: &str) -> String {
 
 #[test]
 fn a_drag_moves_an_object_on_its_level() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     let [x, y] = BALL;
     edit.view.drag(1, &[BALL, [x + 20, y + 5], [x + 40, y]]);
     let text = edit.save();
@@ -54,10 +50,7 @@ fn a_drag_moves_an_object_on_its_level() {
 
 #[test]
 fn a_drag_with_shift_moves_an_object_up_and_down() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     let [x, y] = BALL;
     edit.view.server.xdotool("keydown shift");
     edit.view
@@ -76,10 +69,7 @@ fn a_drag_with_shift_moves_an_object_up_and_down() {
 
 #[test]
 fn a_tremor_of_a_click_moves_nothing() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     let [x, y] = BALL;
     edit.view.drag(1, &[BALL, [x + 2, y - 2]]);
     edit.assert_unpicked_shows_file();
@@ -88,10 +78,7 @@ fn a_tremor_of_a_click_moves_nothing() {
 
 #[test]
 fn a_plane_is_dragged_once_it_is_picked() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = Edit::start(SCENE);
+    let Some(edit) = Edit::new(SCENE) else { return };
     let [x, y] = FLOOR;
     let to = [x + 30, y];
     // The first drag picks it, and turns the camera.
@@ -110,9 +97,6 @@ fn a_plane_is_dragged_once_it_is_picked() {
 
 #[test]
 fn an_object_that_moves_is_dragged_with_all_of_its_way() {
-    if lacks(DISPLAY) {
-        return;
-    }
     let motions = r#"    motions: [
         // To and fro.
         (of: "spheres[0].centre", repeat: true, keys: [
@@ -123,7 +107,8 @@ fn an_object_that_moves_is_dragged_with_all_of_its_way() {
     ],
 )
 "#;
-    let edit = Edit::start(&SCENE.replace("\n)\n", &format!("\n{motions}")));
+    let text = SCENE.replace("\n)\n", &format!("\n{motions}"));
+    let Some(edit) = Edit::new(&text) else { return };
     let [x, y] = BALL;
     edit.view.drag(1, &[BALL, [x + 20, y], [x + 40, y]]);
     let text = edit.save();

@@ -1,17 +1,8 @@
 //! Properties of a scene file beside its text stay as they are when it is saved.
 
-use crate::stage::{BALL, Edit, SCENE, blue, letters, read};
-use eightfold_stage::{DISPLAY, lacks};
+use crate::stage::{Edit, SCENE, blue, letters, read};
 use std::fs::{self, Permissions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
-
-/// An edit with a change that is not saved.
-fn changed() -> Edit {
-    let edit = Edit::start(SCENE);
-    edit.view.click(1, BALL);
-    edit.view.press("m", "not saved");
-    edit
-}
 
 fn set_mode(edit: &Edit, mode: u32) {
     fs::set_permissions(&edit.file, Permissions::from_mode(mode)).expect("it is set");
@@ -19,10 +10,7 @@ fn set_mode(edit: &Edit, mode: u32) {
 
 #[test]
 fn it_asks_before_it_writes_over_a_protected_file() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = changed();
+    let Some(edit) = Edit::changed() else { return };
     set_mode(&edit, 0o444);
     let before = letters(&edit.view.settled_shot());
     edit.view.key("ctrl+s");
@@ -44,10 +32,7 @@ fn it_asks_before_it_writes_over_a_protected_file() {
 
 #[test]
 fn a_file_of_two_names_stays_one() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = changed();
+    let Some(edit) = Edit::changed() else { return };
     let name = edit.folder.path().join("name.ron");
     fs::hard_link(&edit.file, &name).expect("a link");
     assert_eq!(edit.save(), blue());
@@ -56,10 +41,7 @@ fn a_file_of_two_names_stays_one() {
 
 #[test]
 fn owner_and_mode_stay() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let edit = changed();
+    let Some(edit) = Edit::changed() else { return };
     // More than files get that are made anew.
     set_mode(&edit, 0o666);
     // Only root may give a file away.

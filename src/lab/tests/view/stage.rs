@@ -1,7 +1,9 @@
 //! A running `lab view` on a display of its own, and what keys and mouse do there.
 
 use eightfold_lab::cargo::Build;
-use eightfold_stage::{Process, Server, is_portable, reader::read_png, run, wait_for};
+use eightfold_stage::{
+    DISPLAY, Process, Server, is_portable, lacks, reader::read_png, run, wait_for,
+};
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -67,13 +69,13 @@ fn lab() -> &'static Path {
 }
 
 impl View {
-    /// Starts the model scene with a pause after 2 s: time has no part in what is seen.
-    pub fn start(options: &[&str]) -> View {
+    /// Starts the model scene with a pause after 2 s: time has no part in what is seen. `None` without what a display needs.
+    pub fn new(options: &[&str]) -> Option<View> {
         View::of(&[&["--scene", "model", "--time", "2", "--paused"], options].concat())
     }
 
-    pub fn of(options: &[&str]) -> View {
-        View::on(Server::start(640, 480), options)
+    pub fn of(options: &[&str]) -> Option<View> {
+        (!lacks(DISPLAY)).then(|| View::on(Server::start(640, 480), options))
     }
 
     fn on(server: Server, options: &[&str]) -> View {
@@ -155,9 +157,10 @@ impl View {
         self.pause();
     }
 
-    /// Waits for some frames.
+    /// Waits for some frames: for many where the pointer is asked for once a frame instead of being heard.
     fn pause(&self) {
-        std::thread::sleep(std::time::Duration::from_millis(120));
+        let milliseconds = if is_portable() { 120 } else { 40 };
+        std::thread::sleep(std::time::Duration::from_millis(milliseconds));
     }
 
     /// Waits until the window shows the given picture.
@@ -187,18 +190,17 @@ impl View {
 }
 
 impl Edit {
-    /// Starts with [`SCENE`], or another text, and waits until it is seen.
-    pub fn start(text: &str) -> Edit {
-        Edit::on(Server::start(640, 480), text)
-    }
-
-    /// The same on a given server.
-    pub fn on(server: Server, text: &str) -> Edit {
-        Edit::named(server, "scene.ron", text)
+    /// Starts with [`SCENE`], or another text, and waits until it is seen. `None` without what a display needs.
+    pub fn new(text: &str) -> Option<Edit> {
+        Edit::named("scene.ron", text)
     }
 
     /// The same in a file of a given name.
-    pub fn named(server: Server, name: &str, text: &str) -> Edit {
+    pub fn named(name: &str, text: &str) -> Option<Edit> {
+        (!lacks(DISPLAY)).then(|| Edit::on(Server::start(640, 480), name, text))
+    }
+
+    fn on(server: Server, name: &str, text: &str) -> Edit {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join(name);
         fs::write(&file, text).expect("it is written");
@@ -206,6 +208,25 @@ impl Edit {
         let edit = Edit { view, file, folder };
         edit.assert_shows_file();
         edit
+    }
+
+    /// Starts with [`SCENE`], and changes it to [`blue`], which is not saved.
+    pub fn changed() -> Option<Edit> {
+        Edit::changed_on(Server::start)
+    }
+
+    /// The same on a server of some kind.
+    pub fn changed_on(server: fn(usize, usize) -> Server) -> Option<Edit> {
+        if lacks(DISPLAY) {
+            return None;
+        }
+        let edit = Edit::on(server(640, 480), "scene.ron", SCENE);
+        edit.view.click(1, BALL);
+        edit.view.press("m", "not saved");
+        wait_for("the file of what is not saved", || {
+            edit.unsaved().exists().then_some(())
+        });
+        Some(edit)
     }
 
     pub fn text(&self) -> String {

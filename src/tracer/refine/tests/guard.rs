@@ -4,7 +4,7 @@ use super::*;
 use crate::lanes::*;
 use crate::prepare::{Prepared, rectangle};
 use crate::scene::{Camera, Light, List, Plane, Scene, Sphere};
-use glam::{DVec3, Vec3A};
+use glam::{DVec3, Vec2, Vec3A};
 use proptest::strategy::ValueTree;
 
 const WIDTH: usize = 320;
@@ -52,7 +52,7 @@ fn scene() -> impl Strategy<Value = Scene> {
 /// The scene, prepared.
 fn prepared(scene: &Scene) -> Box<Prepared> {
     let mut prepared = Box::new(Prepared::new());
-    prepared.set(scene, WIDTH, HEIGHT);
+    prepared.prepare(scene, [WIDTH, HEIGHT], Vec2::ZERO);
     prepared
 }
 

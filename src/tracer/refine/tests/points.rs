@@ -1,8 +1,8 @@
 //! The points that a level needs against the corners of its squares, one by one.
 
-use super::super::TILE_WIDTH;
 use super::super::bits::Bits;
 use super::super::points::{Divisor, corners};
+use crate::picture::TILE_WIDTH;
 use crate::quality::Quality;
 use proptest::prelude::*;
 use std::collections::BTreeSet;

@@ -1,4 +1,4 @@
-//! Boxes and cylinders of any size and position are hit where they are, and rays that leave them do not hit them again.
+//! Boxes, cylinders and capsules of any size and position are hit where they are, and rays that leave them do not hit them again.
 
 use super::*;
 use crate::scene::{Block, Shape};
@@ -14,11 +14,7 @@ fn block(random: &mut Random) -> (Block, f64) {
     let scale = 10_f64.powf(random.between(-3.0, 3.0));
     let mut length = || (scale * 10_f64.powf(random.between(-1.0, 1.0))) as f32;
     let (x, y, z) = (length(), length(), length());
-    let shape = if random.bits().is_multiple_of(2) {
-        Shape::Cylinder
-    } else {
-        Shape::Box
-    };
+    let shape = [Shape::Box, Shape::Cylinder, Shape::Capsule][random.bits() as usize % 3];
     let centre = (scale * random.vector(-3.0, 1.5)).as_vec3a();
     let [a, b, c] = random.direction().as_vec3a().to_array();
     let turn = Quat::from_xyzw(a, b, c, random.between(-1.0, 1.0) as f32);
@@ -38,6 +34,7 @@ fn fitting(shape: Shape, half: Vec3A) -> Vec3A {
     match shape {
         Shape::Box => half,
         Shape::Cylinder => half.with_z(half.x),
+        Shape::Capsule => Vec3A::new(half.x, half.y.max(half.x), half.x),
     }
 }
 
@@ -52,6 +49,11 @@ fn outside(block: &Block, p: Vec3A) -> f64 {
         Shape::Cylinder => {
             out.x = own.x.hypot(own.z) - half.x;
             out.z = out.x;
+        }
+        Shape::Capsule => {
+            let core = half.y - half.x;
+            let way = own.with_y(own.y - own.y.clamp(-core, core));
+            out = DVec3::splat(way.length() - half.x);
         }
     }
     out.max_element()
@@ -78,11 +80,11 @@ impl Property for Blocks {
             let o = (aim + random.direction() * (2.0 * half.length())).as_vec3a();
             let d = unit(aim - o.as_dvec3());
             let rays = packet(simd, o, &[d]);
-            let hit = super::hits(simd, &scene, &rays);
+            let hit = super::hits(simd, scene.world(), &rays);
             if hit.object.as_slice()[0] != 0 {
                 continue;
             }
-            let point = shading_point(simd, &scene, &rays, &hit);
+            let point = shading_point(simd, scene.world(), &rays, &hit);
             hits += 1;
             let what = std::format!("{isa}: {block:?} from {o} along {d}");
             let (p, n) = (lane(point.p, 0), lane(point.n, 0));
@@ -108,7 +110,7 @@ impl Property for Blocks {
                         let side = if is_leaving { 1.0 } else { -1.0 };
                         *way = if any.dot(n) * side < 0.0 { -any } else { any };
                     }
-                    let next = super::hits(simd, &scene, &packet(simd, from, &ways));
+                    let next = super::hits(simd, scene.world(), &packet(simd, from, &ways));
                     for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                         let is_hit = next.object.as_slice()[i] == 0;
                         if is_leaving {
@@ -138,24 +140,20 @@ fn rays_that_leave_a_block_do_not_hit_it_again_and_those_inside_do_not_leak() {
 /// The number of rays that leave each hit of rays from far away.
 const MANY_RAYS: usize = 1000;
 
-/// Aligned boxes, rotated boxes and cylinders at the origin, hit by rays from any distance.
+/// Aligned boxes, rotated boxes, cylinders and capsules at the origin, hit by rays from any distance.
 struct FarBlocks;
 
 impl Property for FarBlocks {
     #[inline(always)]
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
         let mut random = Random::new(2008);
-        let mut left = [0; 3];
+        let mut left = [0; 4];
         for i in 0..BLOCKS {
-            let kind = i % 3;
+            let kind = i % 4;
             let (any, _) = block(&mut random);
             let mut length = || 10_f64.powf(random.between(-4.0, 4.0)) as f32;
             let half = Vec3A::new(length(), length(), length());
-            let shape = if kind == 2 {
-                Shape::Cylinder
-            } else {
-                Shape::Box
-            };
+            let shape = [Shape::Box, Shape::Box, Shape::Cylinder, Shape::Capsule][kind];
             let block = Block {
                 centre: Vec3A::ZERO,
                 half: fitting(shape, half),
@@ -173,8 +171,8 @@ impl Property for FarBlocks {
             let o = random.vector(-8.0, 8.0).as_vec3a();
             let d = unit(aim - o.as_dvec3());
             let rays = packet(simd, o, &[d]);
-            let hit = hits(simd, &scene, &rays);
-            let point = shading_point(simd, &scene, &rays, &hit);
+            let hit = hits(simd, scene.world(), &rays);
+            let point = shading_point(simd, scene.world(), &rays, &hit);
             let (p, n) = (lane(point.p, 0), lane(point.n, 0));
             if hit.object.as_slice()[0] != 0 || point.inside.to_bitmask() & 1 == 1 {
                 continue;
@@ -185,7 +183,7 @@ impl Property for FarBlocks {
                     let any = random.direction().as_vec3a();
                     *way = if any.dot(n) < 0.0 { -any } else { any };
                 }
-                let next = hits(simd, &scene, &packet(simd, p, &ways));
+                let next = hits(simd, scene.world(), &packet(simd, p, &ways));
                 for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                     let is_hit = next.object.as_slice()[i] == 0;
                     assert!(
@@ -196,7 +194,7 @@ impl Property for FarBlocks {
                 }
             }
         }
-        let fewest = BLOCKS / 3 * MANY_RAYS / 8;
+        let fewest = BLOCKS / 4 * MANY_RAYS / 8;
         assert!(left.iter().all(|&left| left > fewest), "{isa}: {left:?}");
     }
 }
@@ -207,27 +205,37 @@ fn rays_that_leave_a_block_do_not_hit_it_again_however_far_they_came() {
 }
 
 #[test]
-fn a_cylinder_seen_along_its_axis_is_its_end() {
-    let scene = Scene {
-        blocks: List::of(&[Block {
-            half: Vec3A::ONE,
-            axes: Mat3A::from_cols(Vec3A::X, Vec3A::Z, Vec3A::NEG_Y),
-            shape: Shape::Cylinder,
-            ..Block::default()
-        }]),
-        ..Scene::default()
-    };
-    let scene = prepared(&scene);
-    struct End<'a>(&'a Prepared);
+fn what_is_round_is_its_end_seen_along_its_axis() {
+    struct End<'a>(World<'a>, [(f32, f32); 4]);
     impl Property for End<'_> {
         #[inline(always)]
         fn hold<S: Isa>(&self, simd: S, isa: &str) {
-            for (x, t) in [(0.0, 2.0), (0.9, 2.0), (-0.999, 2.0), (1.001, 1e30)] {
+            for (x, t) in self.1 {
                 let rays = packet(simd, Vec3A::new(x, 0.0, -3.0), &[Vec3A::Z]);
                 let hit = hits(simd, self.0, &rays);
                 assert!((hit.t.as_slice()[0] - t).abs() <= 1e-5 * t, "{isa}: {x}");
             }
         }
     }
-    on_every_instruction_set(&End(&scene));
+    for (shape, ends) in [
+        (
+            Shape::Cylinder,
+            [(0.0, 1.0), (0.9, 1.0), (-0.999, 1.0), (1.001, 1e30)],
+        ),
+        (
+            Shape::Capsule,
+            [(0.0, 1.0), (0.6, 1.2), (-0.8, 1.4), (1.001, 1e30)],
+        ),
+    ] {
+        let scene = prepared(&Scene {
+            blocks: List::of(&[Block {
+                half: Vec3A::new(1.0, 2.0, 1.0),
+                axes: Mat3A::from_cols(Vec3A::X, Vec3A::Z, Vec3A::NEG_Y),
+                shape,
+                ..Block::default()
+            }]),
+            ..Scene::default()
+        });
+        on_every_instruction_set(&End(scene.world(), ends));
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::scene::Light;
-use crate::trace::casters::Casters;
+use crate::trace::blockers::Blockers;
 use crate::trace::shadow::ShadowRays;
 
 /// Scenes, each with a number of spheres from one to nearly the most, and packets in each.
@@ -109,19 +109,19 @@ type Tally = [usize; 4];
 
 /// Checks the hits of a packet, and shadow rays from some way along its rays.
 #[inline(always)]
-fn check<S: Isa>(simd: S, scene: &Prepared, random: &mut Random, balls: &[Ball]) -> Tally {
+fn check<S: Isa>(simd: S, world: World<'_>, random: &mut Random, balls: &[Ball]) -> Tally {
     let from = (random.direction() * random.between(0.0, 15.0)).as_vec3a();
     let rays = packet(simd, from, &directions(random, from.as_dvec3()));
-    let hit = hits(simd, scene, &rays);
-    let lamp = &scene.lamps()[0];
+    let hit = hits(simd, world, &rays);
+    let lamp = &world.lamps()[0];
     let some_way = splat(simd, random.between(0.1, 20.0) as f32);
     let o = rays.o.add_scaled(rays.d, some_way);
     let to_lamp = Vec3x::splat(simd, lamp.position) - o;
     let distance = to_lamp.dot(to_lamp).sqrt();
     let d = to_lamp.scaled(splat::<S>(simd, 1.0) / distance);
     let shadow_rays = ShadowRays { o, d, distance };
-    let (mut casters, mut candidates) = (Casters::NONE, Candidates::NONE);
-    let blocked = shadow_rays.blocked(simd, scene, lamp, &mut casters, &mut candidates);
+    let mut blockers = Blockers::NONE;
+    let blocked = blockers.find(simd, world, lamp, &shadow_rays);
     let blocked = blocked.to_bitmask();
     let mut tally = [0; 4];
     for i in 0..lanes::<S>() {
@@ -130,7 +130,7 @@ fn check<S: Isa>(simd: S, scene: &Prepared, random: &mut Random, balls: &[Ball])
             d: lane(d, i).as_dvec3(),
             length: f64::from(length),
         };
-        let background = scene.background();
+        let background = world.background();
         if let Some(expected) = way(rays.o, rays.d, 1e9).nearest(balls, background) {
             let found = hit.object.as_slice()[i] as usize;
             assert_eq!(found, expected, "of {} spheres", balls.len());
@@ -160,7 +160,7 @@ impl Property for Culling {
                 .collect();
             let scene = prepared(&scene);
             for _ in 0..PACKETS {
-                let new = check(simd, &scene, &mut random, &balls);
+                let new = check(simd, scene.world(), &mut random, &balls);
                 for (count, new) in tally.iter_mut().zip(new) {
                     *count += new;
                 }

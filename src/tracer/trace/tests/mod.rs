@@ -19,13 +19,12 @@ use super::point::ShadingPoint;
 use super::rays::{Rays, primary_directions};
 use super::surface::{SurfaceLanes, SurfaceRows};
 use crate::lanes::*;
-use crate::prepare::{GroupSet, Prepared};
+use crate::prepare::{GroupSet, Prepared, World};
 use crate::scene::{List, Material, Scene, Sphere};
 use core::cell::RefCell;
-use core::ops::{Deref, DerefMut};
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::Level;
-use glam::{DVec3, Vec3A};
+use glam::{DVec3, Vec2, Vec3A};
 use std::boxed::Box;
 use std::vec::Vec;
 
@@ -134,21 +133,17 @@ std::thread_local! {
 
 /// A prepared scene. Its memory is reused for the next scene, as it is for the next frame.
 struct Ready {
+    scene: Scene,
     /// `None` once the memory has been handed on.
     memory: Option<Box<Prepared>>,
 }
 
-impl Deref for Ready {
-    type Target = Prepared;
-
-    fn deref(&self) -> &Prepared {
-        self.memory.as_ref().expect("it is handed on last")
-    }
-}
-
-impl DerefMut for Ready {
-    fn deref_mut(&mut self) -> &mut Prepared {
-        self.memory.as_mut().expect("it is handed on last")
+impl Ready {
+    fn world(&self) -> World<'_> {
+        World {
+            scene: &self.scene,
+            prepared: self.memory.as_ref().expect("it is handed on last"),
+        }
     }
 }
 
@@ -161,8 +156,9 @@ impl Drop for Ready {
 fn prepared(scene: &Scene) -> Ready {
     let unused = UNUSED.with_borrow_mut(Vec::pop);
     let mut memory = unused.unwrap_or_else(|| Box::new(Prepared::new()));
-    memory.set(scene, 8, 8);
+    memory.prepare(scene, [8, 8], Vec2::ZERO);
     Ready {
+        scene: *scene,
         memory: Some(memory),
     }
 }
@@ -192,10 +188,10 @@ fn packet<S: Isa>(simd: S, o: Vec3A, d: &[Vec3A]) -> Rays<S> {
 
 /// The hits of a packet, as the tracer finds them.
 #[inline(always)]
-fn hits<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Hit<S> {
-    let mut candidates = Candidates::NONE;
-    let mut hit = nearest(simd, scene, rays, GroupSet::MAX, &mut candidates);
-    resolve_blocks(simd, scene, rays, &candidates, &mut hit);
+fn hits<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>) -> Hit<S> {
+    let mut blocks = Candidates::NONE;
+    let mut hit = nearest(simd, world, rays, GroupSet::MAX, &mut blocks);
+    resolve_blocks(simd, world, rays, &blocks, &mut hit);
     hit
 }
 
@@ -203,14 +199,14 @@ fn hits<S: Isa>(simd: S, scene: &Prepared, rays: &Rays<S>) -> Hit<S> {
 #[inline(always)]
 fn shading_point<S: Isa>(
     simd: S,
-    scene: &Prepared,
+    world: World<'_>,
     rays: &Rays<S>,
     hit: &Hit<S>,
 ) -> ShadingPoint<S> {
     let active = first(simd, lanes::<S>());
     let mut rows = SurfaceRows::NONE;
-    let surface = SurfaceLanes::look_up(simd, scene, hit.object, active, &mut rows);
-    ShadingPoint::new(simd, scene, rays, hit, &surface, active)
+    let surface = SurfaceLanes::look_up(simd, world, hit.object, active, &mut rows);
+    ShadingPoint::new(simd, world, rays, hit, &surface, active)
 }
 
 /// The vector in a lane.

@@ -4,9 +4,8 @@ use super::scenes::{model, rows};
 use super::*;
 use crate::quality::Quality;
 use crate::scene::{Block, Light, Shape, Spot};
-use crate::trace::Batch;
 use crate::trace::shade::shade;
-use crate::trace::tracer::Tracer;
+use crate::trace::{Batch, Tracer};
 use glam::Mat3A;
 
 /// The number of packets.
@@ -22,7 +21,7 @@ type Ray = (Vec3A, Vec3A, f32);
 #[inline(always)]
 fn outcomes<S: Isa>(
     simd: S,
-    scene: &Prepared,
+    world: World<'_>,
     packet: &[Ray],
     batch: &mut Batch,
 ) -> [Outcome; MAX_LANES] {
@@ -49,10 +48,10 @@ fn outcomes<S: Isa>(
         weight: F::<S>::from_slice(simd, &weight[..n]),
         slot_path: Rays::slot_paths(simd, 0),
     };
-    let hit = hits(simd, scene, &rays);
+    let hit = hits(simd, world, &rays);
     let tracer = Tracer {
-        simd,
-        scene,
+        isa: simd,
+        world,
         quality: &Quality::THESIS,
     };
     let node = shade(tracer, &rays, &hit, first(simd, n), batch);
@@ -135,7 +134,7 @@ impl Property for Neighbours {
             for place in &mut rays {
                 *place = ray(&mut random);
             }
-            let together = outcomes(simd, &scene, &rays[..lanes::<S>()], &mut batch);
+            let together = outcomes(simd, scene.world(), &rays[..lanes::<S>()], &mut batch);
             for (i, &one) in rays.iter().enumerate().take(lanes::<S>()) {
                 let at = random.bits() as usize % lanes::<S>();
                 let mut beside = [one; MAX_LANES];
@@ -147,7 +146,7 @@ impl Property for Neighbours {
                     };
                 }
                 beside[at] = one;
-                let beside = outcomes(simd, &scene, &beside[..lanes::<S>()], &mut batch);
+                let beside = outcomes(simd, scene.world(), &beside[..lanes::<S>()], &mut batch);
                 assert_eq!(
                     together[i], beside[at],
                     "{isa}: {one:?} in lane {i} and in lane {at}"

@@ -65,33 +65,33 @@ struct Patterns;
 impl Property for Patterns {
     #[inline(always)]
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
-        let mut prepared = prepared(&Scene::default());
+        let mut memory = Box::new(Prepared::new());
         let (mut seen, mut far) = (0, 0);
         for turn in 0..6 {
             let scene = patterned(turn as f32);
-            prepared.set(&scene, SIZE[0], SIZE[1]);
+            let world = memory.prepare(&scene, SIZE, Vec2::ZERO);
             for y in 0..SIZE[1] {
                 for x in (0..SIZE[0]).step_by(lanes::<S>()) {
                     let columns: I<S> = numbers(simd).bitcast();
                     let columns = columns.to_float::<F<S>>() + x as f32;
                     let rays = Rays {
-                        o: Vec3x::splat(simd, prepared.eye),
-                        d: primary_directions(simd, &prepared, columns, splat(simd, y as f32)),
+                        o: Vec3x::splat(simd, world.eye),
+                        d: primary_directions(simd, world, columns, splat(simd, y as f32)),
                         weight: splat(simd, 1.0),
                         slot_path: Rays::slot_paths(simd, 0),
                     };
-                    let hit = hits(simd, &prepared, &rays);
-                    let point = shading_point(simd, &prepared, &rays, &hit);
+                    let hit = hits(simd, world, &rays);
+                    let point = shading_point(simd, world, &rays, &hit);
                     for (lane, &object) in hit.object.as_slice().iter().enumerate() {
                         let object = ObjectId::new(object as usize);
-                        if !prepared.has_pattern(object) {
+                        if !world.has_edges(object) {
                             continue;
                         }
                         let left = point.reflectance.as_slice()[lane];
                         // Wherever it stands among the four.
                         let start = (x + lane).saturating_sub((x + y) % 4);
                         let columns = [0, 1, 2, 3].map(|i| (start + i) as f32);
-                        let four: [f32; 4] = SeenPattern::new(&prepared, object)
+                        let four: [f32; 4] = SeenPattern::new(world, object)
                             .at([columns, [y as f32; 4]].map(|c| c.simd_into(baseline())))
                             .into();
                         let is_share = |left| (0.0..=1.0).contains(left);

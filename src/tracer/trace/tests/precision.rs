@@ -98,7 +98,7 @@ fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> Out
                 let aim = c + 1.2 * r * random.direction();
                 *way = unit(aim - o.as_dvec3());
             }
-            let hit = hits(simd, &scene, &packet(simd, o, &ways));
+            let hit = hits(simd, scene.world(), &packet(simd, o, &ways));
             for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                 let is_hit = hit.object.as_slice()[i] == 0;
                 let exact = exact(o.as_dvec3() - c, *way, r);

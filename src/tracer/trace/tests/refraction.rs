@@ -2,9 +2,8 @@
 
 use super::*;
 use crate::quality::Quality;
-use crate::trace::Batch;
 use crate::trace::shade::shade;
-use crate::trace::tracer::Tracer;
+use crate::trace::{Batch, Tracer};
 
 /// The number of angles around the critical one, one rounding step apart.
 const ULPS: i32 = 256;
@@ -28,16 +27,16 @@ const fn glass(index: f32) -> Material {
 #[inline(always)]
 fn scattered<S: Isa>(
     simd: S,
-    scene: &Prepared,
+    world: World<'_>,
     rays: &Rays<S>,
     batch: &mut Batch,
 ) -> [[Option<(Vec3A, f32)>; MAX_LANES]; 2] {
-    let hit = hits(simd, scene, rays);
+    let hit = hits(simd, world, rays);
     let active = first(simd, lanes::<S>());
-    batch.begin(1);
+    batch.begin();
     let tracer = Tracer {
-        simd,
-        scene,
+        isa: simd,
+        world,
         quality: &Quality::EXHAUSTIVE,
     };
     let _ = shade(tracer, rays, &hit, active, batch);
@@ -68,7 +67,7 @@ impl Property for CriticalAngle {
             for from in -ULPS..=ULPS {
                 let x = f32::from_bits(((sine as f32).to_bits() as i32 + from) as u32);
                 let rays = packet(simd, Vec3A::new(x, 0.0, 0.0), &[Vec3A::Z]);
-                let [reflected, transmitted] = scattered(simd, &scene, &rays, &mut batch);
+                let [reflected, transmitted] = scattered(simd, scene.world(), &rays, &mut batch);
                 let Some((d, weight)) = reflected[0] else {
                     panic!("{isa}: {index}, {from} roundings: nothing is reflected");
                 };
@@ -135,7 +134,7 @@ impl Property for Lengths {
             // Straight at the middle: a cosine of 1, or by rounding above.
             ways[0] = unit(if at == 0.0 { DVec3::ONE } else { -o.as_dvec3() });
             let rays = packet(simd, o, &ways);
-            for (d, weight) in scattered(simd, &scene, &rays, &mut batch)
+            for (d, weight) in scattered(simd, scene.world(), &rays, &mut batch)
                 .into_iter()
                 .flatten()
                 .flatten()

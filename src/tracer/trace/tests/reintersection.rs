@@ -11,13 +11,13 @@ const RAYS: usize = 1000;
 
 /// The hit of a ray with the only object of a scene: the point, and the normal towards the ray.
 #[inline(always)]
-fn hit_by<S: Isa>(simd: S, scene: &Prepared, o: Vec3A, d: Vec3A) -> Option<(Vec3A, Vec3A, bool)> {
+fn hit_by<S: Isa>(simd: S, world: World<'_>, o: Vec3A, d: Vec3A) -> Option<(Vec3A, Vec3A, bool)> {
     let rays = packet(simd, o, &[d]);
-    let hit = hits(simd, scene, &rays);
+    let hit = hits(simd, world, &rays);
     if hit.object.as_slice()[0] != 0 {
         return None;
     }
-    let point = shading_point(simd, scene, &rays, &hit);
+    let point = shading_point(simd, world, &rays, &hit);
     let inside = point.inside.to_bitmask() & 1 == 1;
     Some((lane(point.p, 0), lane(point.n, 0), inside))
 }
@@ -45,7 +45,7 @@ impl Property for Spheres {
             let aim = centre.as_dvec3() + corner * DVec3::new(x, y, z);
             let (o, d) = (o.as_vec3a(), unit(aim - o));
             let scene = prepared(&one_sphere(centre, radius, Material::default()));
-            let Some((p, n, inside)) = hit_by(simd, &scene, o, d) else {
+            let Some((p, n, inside)) = hit_by(simd, scene.world(), o, d) else {
                 count += usize::from(random.bits().is_multiple_of(8));
                 continue;
             };
@@ -60,7 +60,7 @@ impl Property for Spheres {
                 for way in &mut ways {
                     *way = random.direction().as_vec3a();
                 }
-                let hit = hits(simd, &scene, &packet(simd, p, &ways));
+                let hit = hits(simd, scene.world(), &packet(simd, p, &ways));
                 for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                     let cosine = way.as_dvec3().dot(outward);
                     let is_hit = hit.object.as_slice()[i] == 0;
@@ -119,7 +119,7 @@ impl Property for Planes {
                 }]),
                 ..Scene::default()
             });
-            let Some((p, _, _)) = hit_by(simd, &scene, o, d) else {
+            let Some((p, _, _)) = hit_by(simd, scene.world(), o, d) else {
                 continue;
             };
             for _ in 0..RAYS / lanes::<S>() {
@@ -129,7 +129,7 @@ impl Property for Planes {
                 }
                 // Also along the plane, with both signs of zero.
                 ways[0].y = if rays % 2 == 0 { 0.0 } else { -0.0 };
-                let hit = hits(simd, &scene, &packet(simd, p, &ways));
+                let hit = hits(simd, scene.world(), &packet(simd, p, &ways));
                 for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                     let is_hit = hit.object.as_slice()[i] == 0;
                     assert!(!is_hit, "{isa}: {p} is hit again along {way}");

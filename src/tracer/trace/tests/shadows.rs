@@ -3,9 +3,8 @@
 use super::*;
 use crate::quality::Quality;
 use crate::scene::{Block, Light};
-use crate::trace::Batch;
 use crate::trace::shade::shade;
-use crate::trace::tracer::Tracer;
+use crate::trace::{Batch, Tracer};
 
 const SPHERES: usize = 20_000;
 
@@ -68,14 +67,14 @@ impl Property for OwnShadow {
                 *way = unit(from(random.direction(), 0.99).as_dvec3() - eye.as_dvec3());
             }
             let rays = packet(simd, eye, &ways);
-            let hit = hits(simd, &scene, &rays);
+            let hit = hits(simd, scene.world(), &rays);
             let active = first(simd, lanes::<S>());
             let tracer = Tracer {
-                simd,
-                scene: &scene,
+                isa: simd,
+                world: scene.world(),
                 quality: &Quality::EXHAUSTIVE,
             };
-            batch.begin(1);
+            batch.begin();
             let node = shade(tracer, &rays, &hit, active, &mut batch);
             for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                 if hit.object.as_slice()[i] != 0 {

@@ -1,48 +1,9 @@
 //! Bad input, files that cannot be written and full disks lead to one line of explanation.
 
-use super::{cells, number};
-use crate::{assert_one_line, lab};
-use eightfold_tracer::Quality;
+use super::number;
+use crate::{assert_one_line, cells, lab};
 use serde_json::Value;
 use std::process::Command;
-
-#[test]
-fn bad_input_is_named_in_one_line() {
-    let qualities = format!("exhaustive, thesis, {}", Quality::NAMES.join(", "));
-    for (flag, value, takes) in [
-        ("--size", "0x5", "WIDTHxHEIGHT"),
-        ("--size", "4000x10", "3840x2160"),
-        ("--threads", "0", "from 1"),
-        ("--quality", "best", &qualities),
-        ("--frames", "0", "from 1 to"),
-        ("--frames", "1.5", "from 1 to"),
-        ("--frames", "100001", "to 100000"),
-        ("--time-from", "inf", "seconds"),
-        ("--time-to", "soon", "seconds"),
-        ("--scene", "field:0", "field:N"),
-        ("--isa", "mmx", "this machine has"),
-    ] {
-        assert_one_line(&lab(&["bench", flag, value]), 2, &[flag, value, takes]);
-    }
-    let backwards = ["bench", "--time-from", "5", "--time-to", "1"];
-    assert_one_line(&lab(&backwards), 2, &["--time-to", "--time-from"]);
-    assert_one_line(&lab(&["bench", "--json"]), 2, &["--json"]);
-    assert_one_line(&lab(&["bench", "--json", ""]), 2, &["--json"]);
-    assert_one_line(&lab(&["bench", "--time", "1"]), 2, &["--time"]);
-}
-
-#[test]
-fn a_file_that_cannot_be_written_is_named_before_anything_is_measured() {
-    let folder = tempfile::tempdir().unwrap();
-    for name in ["missing/bench.json", "."] {
-        let file = folder.path().join(name);
-        let file = file.to_str().expect("a plain name");
-        // So many frames would take far too long.
-        let output = lab(&["bench", "--frames", "100000", "--json", file]);
-        assert_one_line(&output, 1, &["cannot write", file]);
-    }
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
-}
 
 #[cfg(target_os = "linux")]
 #[test]
@@ -70,7 +31,7 @@ fn after_a_signal_the_figures_are_those_of_the_frames_until_then() {
     // Its own, the one that hears signals, and two that draw.
     eightfold_stage::wait_for("threads that draw", || {
         let threads = std::fs::read_dir(format!("/proc/{}/task", bench.id()));
-        (threads.expect("it runs").count() == 4).then_some(())
+        (threads.expect("it runs").count() >= 4).then_some(())
     });
     assert!(crate::signal(&bench.id().to_string(), "INT"));
     let mut output = bench.wait_with_output().unwrap();

@@ -1,7 +1,7 @@
 //! Frames are blurred by motion, by the lens and by lamps with a size, as much as they should be.
 
-use super::{capture, captured, files};
-use crate::{assert_one_line, lab};
+use super::{captured, files};
+use crate::lab;
 use eightfold_stage::reader::read_png;
 use std::fs;
 
@@ -191,23 +191,5 @@ fn exposed_frames_are_the_same_in_parts_and_by_any_number_of_threads() {
         let output = captured("--png", &name("parts"), &format!("--from 2 --to 6 {other}"));
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(said.contains("4 frames drawn, 0 kept"), "{other}: {said}");
-    }
-}
-
-#[test]
-fn bad_input_is_named_in_one_line() {
-    for (flags, words) in [
-        ("--shutter 1.5", "--shutter 0 to 1"),
-        ("--shutter -1", "--shutter share"),
-        ("--aperture 0", "--aperture length above"),
-        ("--aperture wide", "--aperture length"),
-        ("--focus 3", "--aperture"),
-        ("--aperture 1 --focus nan", "--focus length"),
-        ("--samples 0", "--samples 1 4096"),
-        ("--samples 4097", "--samples 1 4096"),
-        ("--samples 4 --supersample 2", "--samples --supersample"),
-    ] {
-        let words: Vec<&str> = words.split(' ').collect();
-        assert_one_line(&capture(&format!("--sheet - {flags}")), 2, &words);
     }
 }

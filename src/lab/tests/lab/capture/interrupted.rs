@@ -1,21 +1,14 @@
 //! A signal that asks for the end leaves no part of a file and no other program behind.
 
-use super::{files, flags};
+use super::{files, flags, write_ffmpeg};
 use crate::{assert_one_line, signal};
 use eightfold_stage::reader::read_png;
 use std::fs;
-use std::os::unix::{fs::PermissionsExt, process::CommandExt};
+use std::os::unix::process::CommandExt;
 use std::path::Path;
 use std::process::{Child, Command};
 use std::thread::sleep;
 use std::time::Duration;
-
-/// Writes a program that stands for ffmpeg into a folder.
-fn write_ffmpeg(folder: &Path, script: &str) {
-    let ffmpeg = folder.join("ffmpeg");
-    fs::write(&ffmpeg, format!("#!/bin/sh\n{script}\n")).unwrap();
-    fs::set_permissions(&ffmpeg, fs::Permissions::from_mode(0o755)).unwrap();
-}
 
 /// Starts a capture of far too many frames as a group of processes, with the programs of a folder before others.
 fn start(arguments: &str, programs: &Path) -> Child {
@@ -57,56 +50,34 @@ fn no_part_of_a_file_is_left() {
 }
 
 #[test]
-fn ffmpeg_does_not_outlive_it() {
+fn a_signal_ends_ffmpeg_too_whatever_that_is_at() {
     let [programs, folder] = [(); 2].map(|()| tempfile::tempdir().unwrap());
-    // Without a signal it goes on when its input has ended.
-    write_ffmpeg(
-        programs.path(),
-        "echo $$ > \"$0.id\"; cat > /dev/null; exec sleep 60",
-    );
     let video = folder.path().join("show.mp4");
-    let capture = start(&format!("--video {}", video.display()), programs.path());
-    let ffmpeg = ffmpeg(programs.path());
-    assert!(signal(&capture.id().to_string(), "TERM"));
-    let output = capture.wait_with_output().unwrap();
-    assert_one_line(&output, 143, &["stopped early"]);
-    assert!(files(folder.path()).is_empty());
-    assert!(!signal(&ffmpeg, "0"), "it still runs");
-}
-
-#[test]
-fn an_ffmpeg_that_hangs_does_not_keep_it_from_ending() {
-    let [programs, folder] = [(); 2].map(|()| tempfile::tempdir().unwrap());
-    // It does not read, so that nothing more can be written to it after some frames.
-    write_ffmpeg(programs.path(), "echo $$ > \"$0.id\"; exec sleep 60");
-    let video = folder.path().join("show.mp4");
-    let capture = start(&format!("--video {}", video.display()), programs.path());
-    let ffmpeg = ffmpeg(programs.path());
-    sleep(Duration::from_millis(500));
-    assert!(signal(&capture.id().to_string(), "INT"));
-    let output = capture.wait_with_output().unwrap();
-    assert_one_line(&output, 130, &["stopped early"]);
-    assert!(files(folder.path()).is_empty());
-    assert!(!signal(&ffmpeg, "0"), "it still runs");
-}
-
-#[test]
-fn control_c_in_a_terminal_is_not_taken_for_an_error_of_ffmpeg() {
-    let [programs, folder] = [(); 2].map(|()| tempfile::tempdir().unwrap());
-    write_ffmpeg(
-        programs.path(),
-        "trap 'echo interrupted >&2; exit 255' INT; echo $$ > \"$0.id\"; while read -r _; do :; done",
-    );
-    let video = folder.path().join("show.mp4");
-    for _ in 0..6 {
-        let capture = start(&format!("--video {}", video.display()), programs.path());
-        ffmpeg(programs.path());
-        // A terminal sends it to all processes of the group.
-        assert!(signal(&format!("-{}", capture.id()), "INT"));
-        let output = capture.wait_with_output().unwrap();
-        assert_one_line(&output, 130, &["stopped early"]);
-        assert!(files(folder.path()).is_empty());
-        fs::remove_file(programs.path().join("ffmpeg.id")).unwrap();
+    for (script, times, group, name, code) in [
+        // Without a signal it goes on when its input has ended.
+        ("cat > /dev/null; exec sleep 60", 1, "", "TERM", 143),
+        // It does not read, so that nothing more can be written to it after some frames.
+        ("exec sleep 60", 1, "", "INT", 130),
+        // A terminal sends it to all processes of the group. What ffmpeg says then is no error.
+        ("while read -r _; do :; done", 6, "-", "INT", 130),
+    ] {
+        let trap = "trap 'echo interrupted >&2; exit 255' INT";
+        write_ffmpeg(
+            programs.path(),
+            &format!("{trap}; echo $$ > \"$0.id\"; {script}"),
+        );
+        for _ in 0..times {
+            let capture = start(&format!("--video {}", video.display()), programs.path());
+            let ffmpeg = ffmpeg(programs.path());
+            // Time for the pipe to fill.
+            sleep(Duration::from_millis(200));
+            assert!(signal(&format!("{group}{}", capture.id()), name));
+            let output = capture.wait_with_output().unwrap();
+            assert_one_line(&output, code, &["stopped early"]);
+            assert!(files(folder.path()).is_empty());
+            assert!(!signal(&ffmpeg, "0"), "{script} still runs");
+            fs::remove_file(programs.path().join("ffmpeg.id")).unwrap();
+        }
     }
 }
 
@@ -126,7 +97,7 @@ fn a_second_signal_leaves_no_part_of_a_file() {
     }
     assert!(signal(&capture.id().to_string(), "INT"));
     // Two that come together are one.
-    sleep(Duration::from_millis(300));
+    sleep(Duration::from_millis(100));
     assert!(signal(&capture.id().to_string(), "TERM"));
     let output = capture.wait_with_output().unwrap();
     assert_one_line(&output, 143, &["stopped at once"]);

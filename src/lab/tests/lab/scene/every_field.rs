@@ -1,15 +1,16 @@
 //! Made of every_field.ron by `cargo lab scene --rust`.
-use eightfold_tracer::glam::{Mat3A, vec3a};
-use eightfold_tracer::scene::{
-    Block, Camera, Caption, Film, Light, List, Material, Method, Pattern, Plane, Scene,
-    Shape, Sphere, Spot, Waves,
-};
+#[allow(unused, reason = "not every scene needs all of it")]
+use eightfold_tracer::{glam::*, scene::*};
+use keys::*;
 /// How long the scene plays, in seconds.
 pub const LENGTH: f32 = 9.0;
 /// The scene at a time in seconds.
-pub fn scene(_time: f32) -> Scene {
+pub fn scene(time: f32) -> Scene {
     let material_material_001 = Material {
-        colour: vec3a(7.23208, 4.176352, 1.1206241),
+        colour: hold(
+            &[(0.0, vec3a(2.0, 5.0, 9.0)), (1.0, vec3a(9.0, 8.0, 2.0))],
+            time.rem_euclid(1.0),
+        ),
         kd: 0.60648966,
         ks: 0.3009168,
         exponent: 8.158096,
@@ -73,15 +74,22 @@ pub fn scene(_time: f32) -> Scene {
     };
     Scene {
         camera: Camera {
-            eye: vec3a(4.253665, -1.8577919, -7.969248),
+            eye: spline(
+                &[
+                    (0.0, vec3a(4.0, -2.0, -8.0)),
+                    (3.0, vec3a(5.0, 2.0, 6.0)),
+                    (6.0, vec3a(2.0, 4.0, 7.0)),
+                ],
+                time,
+            ),
             look_at: vec3a(1.9192972, -4.1921597, 5.6963844),
-            up: vec3a(5.0528407, 2.1498992, 6.846958),
+            up: vec3a(5.0528407, linear(&[(0.0, 1.0), (4.0, 2.0)], time), 6.846958),
             field_of_view: 1.1389152,
         },
         background: vec3a(8.569552, 5.5138245, 2.458096),
         sky: vec3a(7.53225, 4.629308, 1.7263664),
         haze: 6.2351847,
-        fade: -6.5025983,
+        exposure: 3.179456,
         film: Film {
             shoulder: 0.8123728,
             vignette: 0.5068,
@@ -99,7 +107,14 @@ pub fn scene(_time: f32) -> Scene {
         spheres: List::of(
             &[
                 Sphere {
-                    centre: vec3a(-3.0900154, 6.7985287, 0.68707275),
+                    centre: smooth(
+                        &[
+                            (0.0, vec3a(0.0, 0.0, 1.0)),
+                            (0.5, vec3a(0.0, 2.0, 0.0)),
+                            (1.0, vec3a(0.0, 0.0, 1.0)),
+                        ],
+                        time.rem_euclid(1.0),
+                    ),
                     radius: 2.287808,
                     material: material_material_001,
                 },
@@ -126,11 +141,17 @@ pub fn scene(_time: f32) -> Scene {
                     shape: Shape::Cylinder,
                     centre: vec3a(-5.554464, 4.3340797, -1.7773762),
                     half: vec3a(1.0555841, 5.999856, 1.0555841),
-                    axes: Mat3A::from_cols(
-                        vec3a(0.6712122, 0.72380745, -0.15992814),
-                        vec3a(-0.56535417, 0.639409, 0.5210862),
-                        vec3a(0.47942555, -0.2593434, 0.83838665),
-                    ),
+                    axes: {
+                        let turn = linear(
+                            &[(0.0, vec3a(0.0, 0.5, 0.0)), (8.0, vec3a(0.0, 13.0, 0.0))],
+                            time,
+                        );
+                        Mat3A::from_cols(
+                            vec3a(0.6712122, 0.72380745, -0.15992814),
+                            vec3a(-0.56535417, 0.639409, 0.5210862),
+                            vec3a(0.47942555, -0.2593434, 0.83838665),
+                        ) * Mat3A::from_euler(EulerRot::YXZ, turn.y, turn.x, turn.z)
+                    },
                     material: material_material_003,
                 },
             ],
@@ -162,5 +183,18 @@ pub fn scene(_time: f32) -> Scene {
                 },
             ],
         ),
+        copper_bars: List::of(
+            &[
+                CopperBar {
+                    middle: 0.21577281,
+                    height: 0.7102001,
+                    colour: vec3a(0.4046272, 0.8990544, 0.5934816),
+                    brightness: 0.28790882,
+                },
+            ],
+        ),
     }
 }
+#[allow(unused, reason = "not every scene needs all of it")]
+#[path = "../../../../scene_file/keys.rs"]
+mod keys;

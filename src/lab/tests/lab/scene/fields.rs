@@ -50,6 +50,23 @@ fn ron() -> String {
     text_of("every_field", 9.0, vec![(0.0, every())]).expect("it can be told")
 }
 
+/// Motions of each kind: of a vector, a part of one, a material's, and a block's turn.
+const MOTIONS: &str = r#"    motions: [
+        (of: "camera.eye", between: Spline, keys: [(0, (4, -2, -8)), (3, (5, 2, 6)), (6, (2, 4, 7))]),
+        (of: "camera.up[1]", keys: [(0, 1), (4, 2)]),
+        (of: "spheres[0].centre", between: Smooth, repeat: true, keys: [(0, (0, 0, 1)), (0.5, (0, 2, 0)), (1, (0, 0, 1))]),
+        (of: "materials[\"material 001\"].colour", between: Hold, repeat: true, keys: [(0, (2, 5, 9)), (1, (9, 8, 2))]),
+        (of: "blocks[0].turn", keys: [(0, (0, 0.5, 0)), (8, (0, 13, 0))]),
+    ],
+)
+"#;
+
+/// The text of its file with motions.
+fn moving() -> String {
+    let text = ron();
+    format!("{}{MOTIONS}", text.strip_suffix(")\n").expect("the end"))
+}
+
 /// The fields that are visited in a struct and in all in it.
 fn visited(fields: &mut dyn Fields) -> usize {
     let mut count = 0;
@@ -80,12 +97,18 @@ fn a_scene_with_every_field_is_the_same_as_a_file_and_as_rust() {
     let (scene, text) = (every(), ron());
     let file = SceneFile::parse("every_field.ron", &text).expect(&text);
     assert_eq!(contents(&file.at(0.0)), contents(&scene), "{text}");
+    let text = moving();
+    let file = SceneFile::parse("every_field.ron", &text).expect(&text);
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("every_field.ron");
     fs::write(&path, &text).expect("it can be written");
     assert_is_compiled("every_field", &path);
-    assert_eq!(contents(&every_field::scene(0.0)), contents(&scene));
-    assert_eq!(every_field::LENGTH, 9.0);
+    assert_eq!(every_field::LENGTH, file.length);
+    for step in 0..200 {
+        let time = step as f32 * 0.05;
+        let (compiled, read) = (every_field::scene(time), file.at(time));
+        assert_eq!(contents(&compiled), contents(&read), "at {time} s");
+    }
 }
 
 #[test]
@@ -99,7 +122,8 @@ fn descriptions_files_and_rust_have_as_many_fields() {
     assert_eq!(named(&text), all + 2, "{text}");
     let rust = include_str!("every_field.rs");
     let (_, body) = rust.split_once("pub fn scene(").expect("a function");
-    assert_eq!(named(body), all + named("(_time: f32)"), "{body}");
+    let (body, _) = body.split_once("#[allow(").expect("what interpolates");
+    assert_eq!(named(body), all + named("(time: f32)"), "{body}");
 }
 
 #[test]

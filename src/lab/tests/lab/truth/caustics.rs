@@ -1,11 +1,11 @@
 //! Light by way of mirrors and glass: what it gives is known in closed form, or by all directions one after another.
 
-use super::{ROUNDING, WHITE, assert_near, drawn, seen};
+use super::{ROUNDING, WHITE, assert_near, cuboid, drawn, plane, seen, sphere};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::estimate::Estimate;
 use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, dvec3, vec3a};
-use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape};
 use std::f64::consts::{PI, TAU};
 
 /// Light that comes to a surface from lamps, and no other.
@@ -46,19 +46,12 @@ fn plate(mirror: Material, size: f32) -> Scene {
             up: Vec3A::Z,
             field_of_view: 2.0 * (HALF as f32 / (HEIGHT as f32 - 0.05)).atan(),
         },
-        planes: List::of(&[Plane {
-            centre: Vec3A::ZERO,
-            half_x: 2.5,
-            half_z: 2.5,
-            material: mirror,
-        }]),
-        blocks: List::of(&[Block {
-            centre: vec3a(0.0, HEIGHT as f32 + half.y, 0.0),
+        planes: List::of(&[plane(Vec3A::ZERO, 2.5, 2.5, mirror)]),
+        blocks: List::of(&[cuboid(
+            vec3a(0.0, HEIGHT as f32 + half.y, 0.0),
             half,
-            axes: Mat3A::IDENTITY,
-            shape: Shape::Box,
-            material: Material { kd: 0.5, ..WHITE },
-        }]),
+            Material { kd: 0.5, ..WHITE },
+        )]),
         lights: List::of(&[lamp(size)]),
         ..Scene::default()
     }
@@ -122,16 +115,14 @@ fn a_plate_above_a_mirror_is_lit_by_the_lamp_below_to_its_corners() {
 fn two_mirrors_show_a_lamp_as_their_images_do() {
     // A second mirror, upright, at x = -2: by either, and by both.
     let mut scene = plate(MIRROR, 0.3);
-    scene.blocks.push(Block {
-        centre: vec3a(-2.5, 0.0, 0.0),
-        half: vec3a(0.5, 9.0, 9.0),
-        axes: Mat3A::IDENTITY,
-        shape: Shape::Box,
-        material: Material {
+    scene.blocks.push(cuboid(
+        vec3a(-2.5, 0.0, 0.0),
+        vec3a(0.5, 9.0, 9.0),
+        Material {
             kr: 0.6,
             ..Material::BLACK
         },
-    });
+    ));
     let known = |i: usize| {
         let by = |image: DVec3, share: f64| {
             let to_image = image - place(i);
@@ -155,11 +146,7 @@ fn ball(material: Material, size: f32, p: DVec3, n: DVec3) -> Scene {
             up: n.any_orthonormal_vector(),
             field_of_view: 0.001,
         },
-        spheres: List::of(&[Sphere {
-            centre: Vec3A::ZERO,
-            radius: 0.5,
-            material,
-        }]),
+        spheres: List::of(&[sphere(Vec3A::ZERO, 0.5, material)]),
         blocks: List::of(&[Block {
             centre: p - 0.002 * n,
             half: Vec3A::splat(0.002),

@@ -1,6 +1,6 @@
 //! Scenes of any size, and lamps within a sphere: the same by the path tracer, the oracle and the library.
 
-use super::{WHITE, assert_near, drawn, seen};
+use super::{WHITE, assert_near, camera, cuboid, drawn, plane, seen, sphere};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::error::Difference;
 use eightfold_lab::threaded_renderer::ThreadedRenderer;
@@ -10,7 +10,7 @@ use eightfold_oracle::Oracle;
 use eightfold_oracle::frame::Frame;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, vec3a};
-use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
+use eightfold_tracer::scene::{Block, Light, List, Material, Scene, Shape};
 use eightfold_window::cpu;
 
 const SIZE: Size = Size {
@@ -36,11 +36,7 @@ fn scene(factor: f32) -> Scene {
         index: 1.4,
         ..matt
     };
-    let sphere = |centre: Vec3A, material| Sphere {
-        centre,
-        radius: 0.7 * factor,
-        material,
-    };
+    let sphere = |centre: Vec3A, material| sphere(centre, 0.7 * factor, material);
     let block = |centre: Vec3A, shape| Block {
         centre,
         half: at(0.4, 0.6, 0.4),
@@ -54,27 +50,23 @@ fn scene(factor: f32) -> Scene {
         ..Light::DARK
     };
     Scene {
-        camera: Camera {
-            eye: at(0.3, 1.6, 5.0),
-            look_at: at(0.0, 0.6, 0.0),
-            up: Vec3A::Y,
-            field_of_view: 0.8,
-        },
+        camera: camera(at(0.3, 1.6, 5.0), at(0.0, 0.6, 0.0), 0.8),
         background: vec3a(0.1, 0.2, 0.3),
         ambient: Vec3A::splat(0.1),
         spheres: List::of(&[
             sphere(at(-1.1, 0.7, 0.2), mirror),
             sphere(at(0.4, 0.7, 0.9), glass),
         ]),
-        planes: List::of(&[Plane {
-            centre: Vec3A::ZERO,
-            half_x: 3.0 * factor,
-            half_z: 3.0 * factor,
-            material: Material { kr: 0.2, ..matt },
-        }]),
+        planes: List::of(&[plane(
+            Vec3A::ZERO,
+            3.0 * factor,
+            3.0 * factor,
+            Material { kr: 0.2, ..matt },
+        )]),
         blocks: List::of(&[
             block(at(1.6, 0.6, -0.6), Shape::Box),
             block(at(0.2, 0.6, -1.2), Shape::Cylinder),
+            block(at(-1.6, 0.9, -1.4), Shape::Capsule),
         ]),
         lights: List::of(&[lamp(at(-3.0, 4.0, 2.0)), lamp(at(2.0, 5.0, 3.0))]),
         ..Scene::default()
@@ -139,25 +131,10 @@ fn a_dome_is_lit_from_within_by_lamps_of_any_size_that_it_contains() {
             ..Light::DARK
         };
         let scene = Scene {
-            camera: Camera {
-                eye: Vec3A::ZERO,
-                look_at: Vec3A::NEG_Z,
-                up: Vec3A::Y,
-                field_of_view: 0.001,
-            },
-            spheres: List::of(&[Sphere {
-                centre: Vec3A::ZERO,
-                radius,
-                material: WHITE,
-            }]),
+            camera: camera(Vec3A::ZERO, Vec3A::NEG_Z, 0.001),
+            spheres: List::of(&[sphere(Vec3A::ZERO, radius, WHITE)]),
             // Nobody sees it, and it is in nobody's way.
-            blocks: List::of(&[Block {
-                centre: vec3a(60.0, 0.0, 0.0),
-                half: vec3a(3.0, 5.0, 2.0),
-                axes: Mat3A::IDENTITY,
-                shape: Shape::Box,
-                material: WHITE,
-            }]),
+            blocks: List::of(&[cuboid(vec3a(60.0, 0.0, 0.0), vec3a(3.0, 5.0, 2.0), WHITE)]),
             lights: List::of(&[lamp]),
             ..Scene::default()
         };
@@ -178,17 +155,8 @@ fn a_dome_is_lit_from_within_by_lamps_of_any_size_that_it_contains() {
 #[test]
 fn a_lamp_that_a_dome_does_not_contain_does_not_light_it_from_within() {
     let scene = Scene {
-        camera: Camera {
-            eye: Vec3A::ZERO,
-            look_at: Vec3A::NEG_Z,
-            up: Vec3A::Y,
-            field_of_view: 0.001,
-        },
-        spheres: List::of(&[Sphere {
-            centre: Vec3A::ZERO,
-            radius: 20.0,
-            material: WHITE,
-        }]),
+        camera: camera(Vec3A::ZERO, Vec3A::NEG_Z, 0.001),
+        spheres: List::of(&[sphere(Vec3A::ZERO, 20.0, WHITE)]),
         lights: List::of(&[Light {
             position: vec3a(0.0, 30.0, 0.0),
             colour: Vec3A::ONE,

@@ -1,9 +1,9 @@
 //! Surfaces give back no more light than they get.
 
 use eightfold_lab::sampler::{Sampler, Sequence};
-use eightfold_lab::truth::surface::{Bsdf, Material, fresnel};
+use eightfold_lab::truth::surface::{Bsdf, fresnel_reflectance};
 use eightfold_tracer::glam::{DVec3, Vec3A, dvec2};
-use eightfold_tracer::scene;
+use eightfold_tracer::scene::Material;
 use std::f64::consts::TAU;
 
 /// The direction of the grooves of brushed surfaces.
@@ -15,11 +15,10 @@ fn sight(cosine: f64) -> DVec3 {
 }
 
 /// A physical surface seen from above.
-fn surface(material: scene::Material, cosine: f64) -> Bsdf {
-    let material: Material = (&material).into();
+fn surface(material: Material, cosine: f64) -> Bsdf {
     Bsdf::new(
         &material,
-        material.colour,
+        material.colour.as_dvec3(),
         sight(cosine),
         DVec3::Y,
         GROOVE,
@@ -28,11 +27,11 @@ fn surface(material: scene::Material, cosine: f64) -> Bsdf {
     )
 }
 
-fn shiny(ks: f32, exponent: f32) -> scene::Material {
-    scene::Material {
+fn shiny(ks: f32, exponent: f32) -> Material {
+    Material {
         ks,
         exponent,
-        ..scene::Material::BLACK
+        ..Material::BLACK
     }
 }
 
@@ -73,7 +72,7 @@ fn a_lobe_across_grooves_gives_back_its_share_at_most() {
     for exponent in [1.0, 8.0, 100.0] {
         for cosine in [1.0, 0.6, 0.1] {
             for anisotropy in [0.1, 0.9, 1.0] {
-                let material = scene::Material {
+                let material = Material {
                     anisotropy,
                     ..shiny(0.5, exponent)
                 };
@@ -95,7 +94,7 @@ fn a_lobe_across_grooves_gives_back_its_share_at_most() {
 fn the_lobe_of_a_metal_has_its_colour() {
     let colour = Vec3A::new(0.9, 0.6, 0.3);
     let seen = |metallic| {
-        let material = scene::Material {
+        let material = Material {
             colour,
             metallic,
             ..shiny(0.8, 20.0)
@@ -111,7 +110,7 @@ fn the_lobe_of_a_metal_has_its_colour() {
 
 #[test]
 fn a_surface_that_would_give_back_too_much_is_scaled() {
-    let material = scene::Material {
+    let material = Material {
         colour: Vec3A::ONE,
         kd: 0.9,
         kr: 0.6,
@@ -126,11 +125,10 @@ fn a_surface_that_would_give_back_too_much_is_scaled() {
 #[test]
 fn a_lobe_is_the_same_both_ways() {
     for anisotropy in [0.0, 0.7] {
-        let material: Material = (&scene::Material {
+        let material = Material {
             anisotropy,
             ..shiny(0.8, 20.0)
-        })
-            .into();
+        };
         let reflectance = |from: DVec3, to: DVec3| {
             let bsdf = Bsdf::new(&material, DVec3::ZERO, -from, DVec3::Y, GROOVE, false, true);
             bsdf.of(to).x / to.y
@@ -144,7 +142,7 @@ fn a_lobe_is_the_same_both_ways() {
 #[test]
 fn directions_are_chosen_with_their_density_and_weighed_by_it() {
     for anisotropy in [0.0, 0.8] {
-        let material = scene::Material {
+        let material = Material {
             colour: Vec3A::new(0.2, 0.5, 0.8),
             kd: 0.6,
             metallic: 0.5,
@@ -172,11 +170,11 @@ fn directions_are_chosen_with_their_density_and_weighed_by_it() {
 
 #[test]
 fn glass_divides_all_light_between_reflection_and_refraction() {
-    let glass = scene::Material {
+    let glass = Material {
         kr: 0.1,
         kt: 0.9,
         index: 1.5,
-        ..scene::Material::BLACK
+        ..Material::BLACK
     };
     let normal = surface(glass, 1.0);
     // ((n - 1) / (n + 1))^2
@@ -196,17 +194,16 @@ fn glass_divides_all_light_between_reflection_and_refraction() {
     // cos behind is the sine before.
     let behind_known = (1.0 - (1.0 - cosine * cosine) / 2.25).sqrt();
     assert!((behind - behind_known).abs() < 1e-12);
-    assert!((fresnel(cosine, behind, 1.0 / 1.5) - 0.5 * other).abs() < 1e-12);
+    assert!((fresnel_reflectance(cosine, behind, 1.0 / 1.5) - 0.5 * other).abs() < 1e-12);
 }
 
 #[test]
 fn glass_bends_light_by_snells_law_both_ways_and_reflects_all_beyond_the_critical_angle() {
-    let glass: Material = (&scene::Material {
+    let glass = Material {
         kt: 1.0,
         index: 1.5,
-        ..scene::Material::BLACK
-    })
-        .into();
+        ..Material::BLACK
+    };
     let through = |cosine: f64, is_inside| {
         let bsdf = Bsdf::new(
             &glass,

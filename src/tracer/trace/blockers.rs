@@ -1,6 +1,26 @@
-//! The solids that may be on a packet's way to a lamp.
+//! What may be on a packet's way to a lamp: lists that are made anew for each lamp.
 
+use super::candidates::Candidates;
 use crate::scene::MAX_SOLIDS;
+
+/// What may be on a packet's way to a lamp.
+pub(super) struct Blockers {
+    /// Whose shadow cones the packet meets.
+    pub(super) casters: Casters,
+    /// Those of them that may hide some of a lamp that is not [plain](crate::prepare::Lamp::is_plain), by an exact test.
+    pub solids: Candidates,
+}
+
+impl Blockers {
+    /// None.
+    pub const NONE: Self = Self {
+        casters: Casters {
+            indices: [0; CAPACITY],
+            len: 0,
+        },
+        solids: Candidates::NONE,
+    };
+}
 
 /// At least the most solids, and a power of two, so that one instruction keeps an index below it.
 const CAPACITY: usize = MAX_SOLIDS.next_power_of_two();
@@ -12,12 +32,6 @@ pub(super) struct Casters {
 }
 
 impl Casters {
-    /// No casters.
-    pub const NONE: Self = Self {
-        indices: [0; CAPACITY],
-        len: 0,
-    };
-
     /// Removes all casters.
     #[inline(always)]
     pub fn clear(&mut self) {

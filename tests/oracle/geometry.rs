@@ -1,8 +1,8 @@
-//! Rays and the shapes that they hit, in f64. Coordinates are the scene's.
+//! Rays and the shapes that they meet, in f64, by textbook formulas. Coordinates are the scene's.
 
-use eightfold_oracle::grooves;
-use eightfold_tracer::glam::{DMat3, DVec3, Mat3};
-use eightfold_tracer::scene::{Block, Plane, Shape as BlockShape, Sphere};
+use super::grooves;
+use eightfold_tracer::scene::{Block, Camera, Plane, Shape as BlockShape, Sphere};
+use glam::{DMat3, DVec3, Mat3};
 
 /// The rounding error of a few operations in f64, relative to the lengths in them.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -47,6 +47,44 @@ impl Ray {
     }
 }
 
+/// The rays through the pixels of a picture.
+#[derive(Clone, Copy, Debug)]
+pub struct PicturePlane {
+    eye: DVec3,
+    /// The ray through pixel (x, y) has the direction `corner + x dx + y dy`.
+    corner: DVec3,
+    dx: DVec3,
+    dy: DVec3,
+    /// The side of a pixel at distance 1, in scene units.
+    pub pixel: f64,
+}
+
+impl PicturePlane {
+    /// That of a camera, for a picture of a size in pixels.
+    pub fn new(camera: &Camera, width: usize, height: usize) -> Self {
+        let eye = camera.eye.as_dvec3();
+        let forward = (camera.look_at.as_dvec3() - eye).normalize();
+        let right = forward.cross(camera.up.as_dvec3()).normalize();
+        let up = right.cross(forward);
+        let pixel = 2.0 * (0.5 * f64::from(camera.field_of_view)).tan() / height as f64;
+        let (dx, dy) = (right * pixel, up * -pixel);
+        let middle = |side: usize| 0.5 * side as f64 - 0.5;
+        Self {
+            eye,
+            corner: forward - dx * middle(width) - dy * middle(height),
+            dx,
+            dy,
+            pixel: dx.length(),
+        }
+    }
+
+    /// The ray through a point of the picture, in pixels. A pixel's coordinates are those of its centre.
+    pub fn ray(&self, x: f64, y: f64) -> Ray {
+        let d = self.corner + x * self.dx + y * self.dy;
+        Ray::new(self.eye, d.normalize())
+    }
+}
+
 /// The distances, in order, at which a ray crosses a round surface of a radius: of a sphere, or of a cylinder along whose axis
 /// `oc` and `d` have no part. `oc` is the ray's origin from the centre.
 fn crossings(oc: DVec3, d: DVec3, radius: f64, slack: f64) -> Option<[f64; 2]> {
@@ -77,7 +115,7 @@ pub enum Shape {
         half_x: f64,
         half_z: f64,
     },
-    /// A box, or a cylinder about its own y axis.
+    /// A box, or a cylinder or a capsule about its own y axis.
     Block {
         centre: DVec3,
         half: DVec3,
@@ -188,6 +226,7 @@ impl Shape {
                 let met = match shape {
                     BlockShape::Box => cuboid(own, half),
                     BlockShape::Cylinder => cylinder(own, half),
+                    BlockShape::Capsule => capsule(own, half),
                 };
                 met.map(|met| Met {
                     normal: axes * met.normal,
@@ -212,6 +251,7 @@ impl Shape {
                 let flat: &[usize] = match shape {
                     BlockShape::Box => &[0, 1, 2],
                     BlockShape::Cylinder => &[1],
+                    BlockShape::Capsule => &[],
                 };
                 (centre, half, axes, flat)
             }
@@ -230,7 +270,7 @@ impl Shape {
             Self::Sphere { .. } | Self::Plane { .. } => true,
             Self::Block { shape, .. } => match shape {
                 BlockShape::Box => true,
-                BlockShape::Cylinder => false,
+                BlockShape::Cylinder | BlockShape::Capsule => false,
             },
         }
     }
@@ -372,6 +412,35 @@ fn cylinder(ray: Ray, half: DVec3) -> Option<Met> {
         let p = ray.at(t);
         if p.y.abs() <= half.y {
             add(t, p.with_y(0.0) / half.x);
+        }
+    }
+    nearest
+}
+
+/// Where a ray meets a capsule about the y axis through the origin: its side, or the outer half of a sphere at either end.
+fn capsule(ray: Ray, half: DVec3) -> Option<Met> {
+    let end = half.y - half.x;
+    let mut nearest: Option<Met> = None;
+    let mut add = |t: f64, normal: DVec3| {
+        if t > ray.slack && nearest.is_none_or(|met| t < met.t) {
+            nearest = Some(Met { t, normal });
+        }
+    };
+    let (o, d) = (ray.o.with_y(0.0), ray.d.with_y(0.0));
+    for t in crossings(o, d, half.x, ray.slack).into_iter().flatten() {
+        let p = ray.at(t);
+        if p.y.abs() < end {
+            add(t, p.with_y(0.0) / half.x);
+        }
+    }
+    for side in [-1.0, 1.0] {
+        let centre = side * end * DVec3::Y;
+        let o = ray.o - centre;
+        for t in crossings(o, ray.d, half.x, ray.slack).into_iter().flatten() {
+            let out = ray.at(t) - centre;
+            if side * out.y >= 0.0 {
+                add(t, out / half.x);
+            }
         }
     }
     nearest

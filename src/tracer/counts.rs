@@ -15,7 +15,7 @@ pub struct Counts {
     pub shadow_rays: u64,
     /// Lanes of the packets that the primary and secondary rays travelled in, idle ones included.
     pub lanes: u64,
-    /// The findings of the probes, if there were any: see [`Renderer::set_probes`](crate::Renderer::set_probes). Their points and rays are
+    /// The findings of the probes, if there were any: see [`Frame::with_probes`](crate::Frame::with_probes). Their points and rays are
     /// not among the counts.
     pub probes: Probes,
 }

@@ -1,0 +1,115 @@
+//! Bad input is named in one line. Commands parse sizes, scenes, qualities, times and counts alike.
+
+use super::{assert_one_line, lab};
+use eightfold_tracer::Quality;
+
+/// Command lines, and what the line says that each leads to.
+const LINES: [(&str, &str); 58] = [
+    ("paint", "paint"),
+    ("render", "--out"),
+    ("render --out", "--out"),
+    ("render --output x", "--output"),
+    ("render --out frame.jpg", "--out frame.jpg .png"),
+    ("render --out - --size 0x5", "--size 0x5 WIDTHxHEIGHT"),
+    ("render --out - --size 640", "--size 640 WIDTHxHEIGHT"),
+    ("render --out - --size 3841x10", "--size 3841x10 3840x2160"),
+    ("render --out - --time now", "--time now seconds"),
+    ("render --out - --time nan", "--time nan seconds"),
+    ("render --out - --threads 0", "--threads 0 from 1"),
+    ("render --out - --threads many", "--threads many from 1"),
+    ("render --out - --scene field:0", "--scene field:0 field:N"),
+    ("render --out - --scene field:99999", "--scene field:N"),
+    ("render --out - --scene models", "--scene models field:N"),
+    ("render --out - --scene show:end", "--scene show:finale"),
+    ("render --out - --isa mmx", "--isa mmx this machine has"),
+    ("bench --frames 0", "--frames 0 from 1 to"),
+    ("bench --frames 1.5", "--frames 1.5 from 1 to"),
+    ("bench --frames 100001", "--frames 100001 to 100000"),
+    ("bench --time-from inf", "--time-from inf seconds"),
+    ("bench --time-to soon", "--time-to soon seconds"),
+    ("bench --time-from 5 --time-to 1", "--time-to --time-from"),
+    (
+        "bench --scene show:machine --time-from 12",
+        "--time-from show:machine 0 to 12",
+    ),
+    ("bench --json", "--json"),
+    ("bench --time 1", "--time"),
+    ("trade --time-from 5 --time-to 1", "--time-to --time-from"),
+    ("trade --out", "--out"),
+    ("trade --quickly", "--quickly"),
+    ("trade --quick now", "now"),
+    ("figures --out", "--out"),
+    ("missed --seeds 0", "--seeds 1 to"),
+    ("report --frames 0", "--frames from 1"),
+    ("report --size 9", "--size WIDTHxHEIGHT"),
+    ("scene", "--export --rust"),
+    ("scene --out -", "--export --rust"),
+    ("scene --export model --rust x.ron", "x.ron"),
+    ("scene --rust model", "--rust FILE.ron"),
+    ("scene --export show:end", "show:machine FILE.ron"),
+    ("size --functions 0", "--functions from 1"),
+    ("size --functions -3", "--functions from 1"),
+    ("study", "SCENE"),
+    ("study show", "show:machine"),
+    ("study none.ron", "cannot read none.ron"),
+    ("study model --out a.pdf", "a.pdf .html"),
+    ("truth", "--out --effects --convergence"),
+    ("truth --scene model", "--out --effects --convergence"),
+    ("truth --out - --convergence", "--out --convergence"),
+    (
+        "truth --convergence --samples 8",
+        "--samples 8 --convergence",
+    ),
+    ("truth --out - --samples 0", "--samples from 1 to 524288"),
+    (
+        "truth --out - --without light",
+        "--without indirect, caustics, soft-shadows",
+    ),
+    (
+        "truth --out - --with caustics --without caustics",
+        "--with --without",
+    ),
+    ("truth --out - --seed -1", "--seed"),
+    ("truth --out picture.jpg", "--out .png"),
+    ("view --time -1", "--time from 0"),
+    ("view --fps none", "--fps 60"),
+    ("view --quality 9", "--quality exhaustive"),
+    ("view --size 9", "--size 3840x2160"),
+];
+
+#[test]
+fn bad_input_is_named_in_one_line() {
+    for (line, words) in LINES {
+        let output = lab(&line.split(' ').collect::<Vec<_>>());
+        assert_one_line(&output, 2, &words.split(' ').collect::<Vec<_>>());
+    }
+    let qualities = format!("exhaustive, thesis, {}", Quality::NAMES.join(", "));
+    let output = lab(&["render", "--out", "-", "--quality", "best"]);
+    assert_one_line(&output, 2, &["--quality", &qualities]);
+    assert_one_line(&lab(&["bench", "--json", ""]), 2, &["--json"]);
+    assert_one_line(&lab(&["render", "--out", ""]), 2, &["--out"]);
+}
+
+#[test]
+fn what_cannot_be_written_is_named_before_anything_is_done() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    std::fs::write(&file, "").unwrap();
+    let [file, folder_name] = [&file, folder.path()].map(|path| path.to_str().expect("UTF-8"));
+    for (line, words) in [
+        ("study model --out FILE/a.html", "cannot write FILE/a.html"),
+        ("sound --wav FILE/song.wav", "cannot write FILE/song.wav"),
+        ("truth --out FILE/truth.png", "cannot write FILE/truth.png"),
+        // So many frames would take far too long.
+        ("bench --frames 100000 --json FILE/x", "cannot write FILE/x"),
+        ("bench --frames 100000 --json FOLDER", "cannot write FOLDER"),
+        ("trade --out FILE", "cannot make FILE"),
+        ("figures --out FILE", "cannot make FILE"),
+    ] {
+        let [line, words] =
+            [line, words].map(|text| text.replace("FILE", file).replace("FOLDER", folder_name));
+        let output = lab(&line.split(' ').collect::<Vec<_>>());
+        assert_one_line(&output, 1, &words.split(' ').collect::<Vec<_>>());
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}

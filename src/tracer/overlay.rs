@@ -1,0 +1,177 @@
+//! What lies over a picture that is done: copper bars, then captions, each drawn row by row of a band.
+//!
+//! The coverage of a pixel by a caption is computed from the distance of its centre to the nearest stroke, so edges are antialiased at any
+//! size. Overlays are placed in pixels of the picture, and drawn in rows of the band. Letters are measured in units of the font's
+//! grid.
+
+use crate::font::strokes;
+use crate::maths::{round, sqrt};
+use crate::picture::{Band, Frame};
+use crate::scene::camera::pixels;
+use crate::scene::{Caption, CopperBar};
+use glam::{Vec2, vec2};
+
+/// The distance between the left sides of neighbouring letters, in grid units: their shadows just touch.
+const ADVANCE: f32 = 2.0 + 2.0 * (HALF_WIDTH + SHADOW);
+
+/// Half the width of a stroke, in grid units.
+const HALF_WIDTH: f32 = 0.3;
+
+/// The width of the shadow around a stroke, in grid units: towards its rim it fades, and it makes text readable on white.
+const SHADOW: f32 = 0.35;
+
+/// The share of the picture that the shadow hides at most.
+const DARKNESS: f32 = 0.7;
+
+/// What lies over a picture.
+pub(crate) struct Overlay<'a> {
+    pub copper_bars: &'a [CopperBar],
+    pub captions: &'a [Caption],
+    /// What digits in captions are of, see [`Caption::letters`].
+    pub numbers: &'a [usize],
+    /// At this share of the picture's width, 0 to 1, lies the same share of a line: 0.5 centres lines, and with 0 they begin at the
+    /// left.
+    pub middle: f32,
+    /// Rows of the picture.
+    pub height: usize,
+}
+
+impl Overlay<'_> {
+    /// Whether there is nothing to draw.
+    pub fn is_empty(&self) -> bool {
+        self.copper_bars.is_empty() && self.captions.is_empty()
+    }
+
+    /// The last phase of a frame: draws over a band that is done.
+    pub fn draw(&self, band: &mut Band<'_>) {
+        for bar in self.copper_bars {
+            self.draw_bar(bar, band);
+        }
+        for caption in self.captions {
+            if caption.brightness != 0.0 {
+                self.draw_caption(caption, band);
+            }
+        }
+    }
+
+    /// Draws a copper bar.
+    fn draw_bar(&self, bar: &CopperBar, band: &mut Band<'_>) {
+        let h = pixels(self.height);
+        let (unit, line) = (0.5 * bar.height * h, bar.middle * h - pixels(band.top));
+        for (y, row) in band.rows() {
+            // How far the row is from the middle, in halves of the bar's height; then how bright it is.
+            let out = (pixels(y) + 0.5 - line) / unit;
+            let light = 1.0 - out * out;
+            if light > 0.0 {
+                let [red, green, blue] = (bar.colour * (light * bar.brightness)).to_array();
+                for pixel in row {
+                    *pixel = blend(*pixel, bar.brightness, [blue, green, red]);
+                }
+            }
+        }
+    }
+
+    /// Draws a caption.
+    fn draw_caption(&self, caption: &Caption, band: &mut Band<'_>) {
+        let (w, h) = (pixels(band.width), pixels(self.height));
+        // The size of a grid unit in pixels. A letter is four units high and two wide.
+        let unit = 0.25 * caption.size * h.min(w * (9.0 / 16.0));
+        let line = caption.middle * h - pixels(band.top);
+        for (y, row) in band.rows() {
+            let y = (pixels(y) + 0.5 - line) / unit;
+            // Beyond half a letter and the shadow there is nothing to draw.
+            if y.abs() > 2.0 + HALF_WIDTH + SHADOW {
+                continue;
+            }
+            for (x, pixel) in row.iter_mut().enumerate() {
+                // In grid units from the middle of the first letter.
+                let letters = pixels(caption.letters.len()) - 1.0;
+                let x =
+                    (pixels(x) + 0.5 - self.middle * w) / unit + self.middle * ADVANCE * letters;
+                let index = round(x / ADVANCE);
+                if index < 0.0 {
+                    continue;
+                }
+                let Some(letter) = letter(&caption.letters, index as usize, self.numbers) else {
+                    break;
+                };
+                let at = vec2(x - index * ADVANCE + 1.0, y + 2.0);
+                let inside = HALF_WIDTH - distance(at, letter);
+                let share = |share: f32| share.clamp(0.0, 1.0) * caption.brightness;
+                let white = share(inside * unit + 0.5);
+                let shadow = share(1.0 + inside * (1.0 / SHADOW)) * DARKNESS;
+                *pixel = blend(*pixel, shadow.max(white), [white; 3]);
+            }
+        }
+    }
+}
+
+impl Frame<'_> {
+    /// Draws captions over a picture that is done, each from the left side of the picture on. In their letters a `#` stands for a
+    /// digit of the first of the numbers, a `$` for one of the second, a `%` for one of the third: the last such sign for
+    /// the last digit, and a space where a number has no more digits.
+    ///
+    /// # Panics
+    /// If the frame has fewer pixels than its size says.
+    pub fn write(&mut self, captions: &[Caption], numbers: [usize; 3]) {
+        let &mut Self { width, height, .. } = self;
+        let overlay = Overlay {
+            copper_bars: &[],
+            captions,
+            numbers: &numbers,
+            middle: 0.0,
+            height,
+        };
+        overlay.draw(&mut Band {
+            width,
+            pixels: &mut self.pixels[..width * height],
+            ..Band::none()
+        });
+    }
+}
+
+/// The letter of a caption at an index, a digit of a number where one stands for it; `None` beyond its end.
+fn letter(letters: &[u8], index: usize, numbers: &[usize]) -> Option<u8> {
+    let (&letter, after) = letters.get(index..)?.split_first()?;
+    let Some(number) = numbers.get(usize::from(letter.wrapping_sub(b'#'))) else {
+        return Some(letter);
+    };
+    let number = after.iter().fold(
+        *number,
+        |number, &next| {
+            if next == letter { number / 10 } else { number }
+        },
+    );
+    // No zeros lead a number.
+    Some(if number > 0 {
+        b'0' + (number % 10) as u8
+    } else {
+        b' '
+    })
+}
+
+/// The distance from a point to the nearest of a letter's strokes, in grid units, at most 1.
+fn distance(at: Vec2, letter: u8) -> f32 {
+    let mut distance2 = 1.0_f32;
+    for (from, to) in strokes(letter) {
+        let (at, stroke) = (at - from, to - from);
+        let along = (at.dot(stroke) / stroke.length_squared()).clamp(0.0, 1.0);
+        distance2 = distance2.min((at - stroke * along).length_squared());
+    }
+    sqrt(distance2)
+}
+
+/// Blends a pixel to black by its share that is `covered`, and adds shares of blue, green and red, which are no larger.
+///
+/// A call for each pixel: of a bar's row the compiler would make vectors, for 240 packed bytes of the intro.
+#[inline(never)]
+fn blend(pixel: u32, covered: f32, added: [f32; 3]) -> u32 {
+    // Rounded to 256ths. A brightness above 1, which no valid scene has, counts as 1.
+    let rounded = |share: f32| ((256.0 * share + 0.5) as u32).min(256);
+    let left = 256 - rounded(covered);
+    let channel = |number: usize| {
+        let picture = (pixel >> (8 * number)) & 0xff;
+        (picture * left + 255 * rounded(added[number])) >> 8 << (8 * number)
+    };
+    channel(0) | channel(1) | channel(2)
+}

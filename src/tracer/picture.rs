@@ -1,0 +1,174 @@
+//! The picture: where it goes, and its parts, the bands of it that threads draw, and which blocks of these may have edges.
+
+use crate::counts::Counts;
+use crate::{MAX_HEIGHT, MAX_WIDTH};
+use core::ops::Range;
+use glam::{Vec2, vec2};
+
+/// Where a picture goes, its size, and which points of it are looked at.
+#[non_exhaustive]
+pub struct Frame<'a> {
+    /// Pixels in a row, 1 to [`MAX_WIDTH`].
+    pub width: usize,
+    /// Rows, 1 to [`MAX_HEIGHT`].
+    pub height: usize,
+    /// `0x00RRGGBB`, row after row from the top, at least `width * height` of them. Those beyond stay as they are.
+    pub pixels: &'a mut [u32],
+    /// See [`Frame::with_offset`].
+    pub offset: Vec2,
+    /// See [`Frame::with_probes`].
+    pub probing: Probing,
+}
+
+/// Which pixels of a frame are probed, see [`Frame::with_probes`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Probing {
+    /// How many, unless they fall on what an overlay hides.
+    pub count: u16,
+    /// Which ones.
+    pub seed: u32,
+}
+
+impl<'a> Frame<'a> {
+    /// A frame of so many pixels in a row, and so many rows, in these pixels.
+    /// [`Renderer::render`](crate::Renderer::render) says whether they fit.
+    #[must_use]
+    pub const fn new(width: usize, height: usize, pixels: &'a mut [u32]) -> Self {
+        Self {
+            width,
+            height,
+            pixels,
+            offset: Vec2::ZERO,
+            probing: Probing { count: 0, seed: 0 },
+        }
+    }
+
+    /// The same frame with its samples `x` pixels to the right of the pixels' centres and `y` below them, within -0.5 to 0.5. The
+    /// mean of frames that cover a pixel evenly is a supersampled one.
+    #[must_use]
+    pub const fn with_offset(self, x: f32, y: f32) -> Self {
+        Self {
+            offset: vec2(x, y),
+            ..self
+        }
+    }
+
+    /// The same frame with so many of its pixels probed: [`Counts::probes`] then says how far they are off what they are if every
+    /// pixel is traced. The picture stays as it is.
+    ///
+    /// The seed says which pixels. Of all seeds each pixel is as likely as any other, and seeds that follow each other spread their
+    /// probes evenly, so that the number of the frame is a good one. Neither an overlay that explains the method nor what is
+    /// coarse on purpose is probed (see [`Method`](crate::scene::Method)): such a frame has no probes. What lies over the picture, such as
+    /// captions, is drawn later.
+    ///
+    /// The estimate of the mean squared error has no bias. How certain it is, [`Probes::margin`](crate::Probes::margin) tells: few
+    /// pixels make most of the error, so that one frame's is as good as none; at 60 frames a second those of a second are
+    /// within one or two dB, and those of a minute within some tenths.
+    #[must_use]
+    pub const fn with_probes(self, count: u16, seed: u32) -> Self {
+        Self {
+            probing: Probing { count, seed },
+            ..self
+        }
+    }
+}
+
+/// The largest width of a tile in pixels; it has as many whole squares as fit. A row of a level's bits is then eight words, and the
+/// samples of its points stay in a core's own cache.
+pub(crate) const TILE_WIDTH: usize = 512;
+/// The height of the tallest tile in pixels: that of the largest square.
+pub(crate) const TILE_HEIGHT: usize = 32;
+
+/// Bands of the tallest picture.
+pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(FEWEST_ROWS);
+
+/// Rows of the lowest band: of one square whose side is more than half the tallest tile.
+const FEWEST_ROWS: usize = TILE_HEIGHT / 2 + 1;
+
+/// The side of a block in pixels.
+pub(crate) const BLOCK: usize = TILE_WIDTH / u64::BITS as usize;
+
+/// How many rows of blocks a band has at most.
+pub(crate) const BLOCK_ROWS: usize = TILE_HEIGHT / BLOCK;
+
+/// A bit for each block of 8x8 pixels in a row of blocks, a word for each tile: whether it is rough, so that neighbouring pixels in
+/// it may differ by an edge. In the others no two neighbours do, nor across the border of two that are not rough.
+pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
+
+/// The rows of blocks of a band.
+pub(crate) type Rough = [RoughRow; BLOCK_ROWS];
+
+/// Some rows of the picture: the unit of work that threads share.
+pub struct Band<'a> {
+    /// The picture's rows from here.
+    pub(crate) top: usize,
+    pub(crate) width: usize,
+    pub(crate) pixels: &'a mut [u32],
+    /// How much work it was to draw it. The frame's counts are those of all its bands.
+    pub counts: Counts,
+    /// Which of its blocks are rough, row after row.
+    pub(crate) rough: &'a mut [RoughRow],
+}
+
+impl Band<'_> {
+    /// Which rows of the picture it has, counted from the top.
+    #[must_use]
+    pub fn rows_of_picture(&self) -> Range<usize> {
+        self.top..self.top + self.height()
+    }
+
+    /// Has it count as drawn by somebody else, of whom nothing is known but the pixels that are in it when edges are antialiased: then
+    /// the rows next to the bands that are drawn here have to be there.
+    pub fn be_unknown(&mut self) {
+        self.rough.fill([u64::MAX; _]);
+    }
+
+    /// How many rows it has.
+    pub(crate) fn height(&self) -> usize {
+        self.pixels.len() / self.width
+    }
+
+    /// Its rows with their numbers, from its own top.
+    pub(crate) fn rows(&mut self) -> impl Iterator<Item = (usize, &mut [u32])> {
+        let rows = self.pixels.chunks_exact_mut(self.width.max(1));
+        rows.enumerate()
+    }
+
+    /// No rows.
+    pub(crate) const fn none() -> Self {
+        Self {
+            top: 0,
+            width: 0,
+            pixels: &mut [],
+            counts: Counts::NONE,
+            rough: &mut [],
+        }
+    }
+}
+
+/// A picture that is drawn band by band.
+pub(crate) struct Picture<'a> {
+    pub width: usize,
+    pub pixels: &'a mut [u32],
+    /// Rows of a band; the last one may have fewer.
+    pub rows: usize,
+    /// Of each band, which of its blocks are rough.
+    pub rough: &'a mut [Rough; MAX_BANDS],
+}
+
+impl Picture<'_> {
+    /// Its bands, from the top.
+    pub fn bands(&mut self) -> impl ExactSizeIterator<Item = Band<'_>> {
+        let &mut Self { width, rows, .. } = self;
+        let parts = self.pixels.chunks_mut(rows * width).zip(&mut *self.rough);
+        parts
+            .enumerate()
+            .map(move |(number, (pixels, rough))| Band {
+                top: number * rows,
+                width,
+                pixels,
+                rough,
+                ..Band::none()
+            })
+    }
+}

@@ -1,0 +1,87 @@
+//! The first phase of a frame: a band's points are traced, and its squares filled.
+
+use super::Worker;
+use super::area::Area;
+use super::fill::Canvas;
+use super::tile::Tile;
+use crate::observe::{Observer, Stage};
+use crate::picture::{Band, TILE_HEIGHT, TILE_WIDTH};
+use crate::plan::Context;
+use crate::prepare::rectangle;
+use crate::trace::BATCH;
+
+/// Draws a band, a tile after the other.
+pub(crate) fn draw<O: Observer>(
+    context: &Context<'_, O>,
+    worker: &mut Worker,
+    band: &mut Band<'_>,
+) {
+    let Context { plan, world, .. } = context;
+    worker.batch.begin();
+    band.rough.fill([u64::MAX; _]);
+    let height = band.height();
+    let square = plan.quality.square;
+    let width = if square == 1 {
+        BATCH / TILE_HEIGHT
+    } else {
+        TILE_WIDTH / square * square
+    };
+    for left in (0..band.width).step_by(width) {
+        let area = Area {
+            left,
+            top: band.top,
+            right: band.width.min(left + width),
+            bottom: band.top + height,
+            picture: plan.size,
+            least: plan.quality.least_square(),
+        };
+        let rect = world.axes.rect(rectangle(
+            area.left,
+            area.top,
+            area.right.next_multiple_of(square),
+            area.bottom.next_multiple_of(square),
+        ));
+        let mut tile = Tile {
+            context,
+            seen: world.visible_groups(rect),
+            area,
+            crowding: 0.0,
+            rect,
+            worker: &mut *worker,
+            canvas: Canvas {
+                pixels: &mut *band.pixels,
+                width: band.width,
+                height,
+            },
+        };
+        if square == 1 {
+            tile.trace_pixels();
+        } else {
+            tile.draw();
+            if let Some(rows) = tile.rough() {
+                for (row, word) in band.rough.iter_mut().zip(rows) {
+                    row[left / TILE_WIDTH] = word;
+                }
+            }
+        }
+    }
+}
+
+impl<O: Observer> Tile<'_, O> {
+    /// Traces every pixel of a tile, which is no larger than a batch.
+    fn trace_pixels(&mut self) {
+        for y in self.area.top..self.area.bottom {
+            for x in self.area.left..self.area.right {
+                self.worker.batch.points.push_pixel(x, y);
+            }
+        }
+        self.trace_batch();
+        self.context.observer.stage(Stage::Results);
+        for i in 0..self.worker.batch.points.len() {
+            let (x, y) = self.worker.batch.points.pixel(i);
+            let sample = self.worker.batch.results.sample(i);
+            self.put(x, y - self.area.top, sample);
+        }
+        self.end_batch();
+    }
+}
