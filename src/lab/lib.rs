@@ -27,7 +27,6 @@ pub mod render;
 pub mod report;
 pub mod sampler;
 pub mod scene;
-pub mod scene_file;
 pub mod scenes;
 pub mod size;
 pub mod sound;

@@ -307,7 +307,7 @@ fn fill(pool: &mut Pool, width: usize, pixels: &mut [u32]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene_file::SceneFile;
+    use eightfold_scene_file::SceneFile;
 
     #[test]
     fn a_frame_of_a_scene_file_is_timed_without_reading_what_the_file_says() {

@@ -3,10 +3,10 @@
 use crate::arguments::BadInput;
 use crate::output;
 use crate::rate::Rate;
-use crate::scene_file;
 use crate::scenes::{self, SceneName};
 use anyhow::Result;
 use clap::{ArgGroup, Args};
+use eightfold_scene_file as scene_file;
 use std::path::PathBuf;
 
 /// Writes a built-in scene as a scene file, or a scene file as Rust
@@ -26,10 +26,20 @@ pub struct Arguments {
     out: PathBuf,
 }
 
+/// The text of a file that shows a scene as it is at the times of so many frames a second.
+///
+/// # Errors
+/// If the scene changes by more than its numbers.
+pub fn record(name: SceneName, fps: Rate) -> Result<String> {
+    let frames = (0..fps.frames(name.length())).map(|frame| fps.time(frame));
+    let scenes = frames.map(|time| (time, name.at(time))).collect();
+    scene_file::text_of(&name.to_string(), name.length(), scenes)
+}
+
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let text = match (arguments.export, arguments.rust) {
-        (Some(name), _) => scene_file::record(name, arguments.fps)?,
+        (Some(name), _) => record(name, arguments.fps)?,
         (_, Some(SceneName::File(file))) => scene_file::rust(file)?,
         _ => {
             return Err(BadInput::error(

@@ -1,7 +1,7 @@
 //! Scenes by name: the show, its scenes, the scenes that serve measurements, and scene files.
 
-use crate::scene_file::{SUFFIX, SceneFile};
 use eightfold::show::{self, grid};
+use eightfold_scene_file::{SUFFIX, SceneFile};
 use eightfold_tracer::scene::{MAX_SPHERES, Method, Scene};
 use std::fmt;
 use std::str::FromStr;

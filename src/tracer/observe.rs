@@ -18,6 +18,9 @@ pub trait Observer: Copy + Sync {
     /// The square of `w` by `h` pixels with its upper left at (x, y) was drawn.
     fn square(self, x: usize, y: usize, w: usize, h: usize, fill: Fill);
 
+    /// The square of so many pixels a side with its upper left at (x, y) was not filled: its parts follow.
+    fn split(self, _x: usize, _y: usize, _side: usize, _why: Split) {}
+
     /// Whether it takes the time of [`Stage::Primary`], for which all points are traced twice.
     const TIMES: bool = false;
 
@@ -49,6 +52,17 @@ pub enum Stage {
     Edges,
     /// Antialiasing: tracing the points on edges, with all their rays.
     Middles,
+}
+
+/// Why a square was not filled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Split {
+    /// Something may be seen in it that none of its corners shows (see [`Quality::guarded`](crate::Quality::guarded)).
+    Uncovered,
+    /// Its corners show different objects, or different light, in colours that are too far apart for that.
+    Keys,
+    /// Its corners show the same objects in the same light, in colours that are too far apart all the same.
+    Colours,
 }
 
 /// How the pixels of a square were computed.

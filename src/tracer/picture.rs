@@ -2,6 +2,7 @@
 
 use crate::counts::Counts;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
+use core::ops::Range;
 use glam::{Vec2, vec2};
 
 /// Where a picture goes, its size, and which points of it are looked at.
@@ -103,13 +104,25 @@ pub struct Band<'a> {
     pub(crate) top: usize,
     pub(crate) width: usize,
     pub(crate) pixels: &'a mut [u32],
-    /// How much work it was to draw it.
-    pub(crate) counts: Counts,
+    /// How much work it was to draw it. The frame's counts are those of all its bands.
+    pub counts: Counts,
     /// Which of its blocks are rough, row after row.
     pub(crate) rough: &'a mut [RoughRow],
 }
 
 impl Band<'_> {
+    /// Which rows of the picture it has, counted from the top.
+    #[must_use]
+    pub fn rows_of_picture(&self) -> Range<usize> {
+        self.top..self.top + self.height()
+    }
+
+    /// Has it count as drawn by somebody else, of whom nothing is known but the pixels that are in it when edges are antialiased: then
+    /// the rows next to the bands that are drawn here have to be there.
+    pub fn be_unknown(&mut self) {
+        self.rough.fill([u64::MAX; _]);
+    }
+
     /// How many rows it has.
     pub(crate) fn height(&self) -> usize {
         self.pixels.len() / self.width

@@ -1,6 +1,6 @@
 //! A scene file on the disk: what it held when it was last seen, and how another text takes its place.
 
-use crate::scene_file;
+use eightfold_scene_file as scene_file;
 use std::fs::{self, File, Metadata, Permissions};
 use std::io::{self, Write};
 use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};

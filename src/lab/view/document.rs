@@ -2,7 +2,7 @@
 
 use super::copies::Copies;
 use super::disk::SceneOnDisk;
-use crate::scene_file::SceneFile;
+use eightfold_scene_file::SceneFile;
 use std::path::{Path, PathBuf};
 
 /// A scene file that is open.

@@ -3,7 +3,7 @@
 use super::camera::View;
 use super::document::{Document, Step};
 use super::objects::Picked;
-use crate::scene_file::edit::{self, Changes};
+use eightfold_scene_file::edit::{self, Changes};
 use eightfold_tracer::glam::{DVec2, DVec3};
 use eightfold_tracer::scene::{Camera, Scene};
 use serde_json::{Value, json};

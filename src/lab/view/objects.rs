@@ -1,8 +1,8 @@
 //! Objects of a scene file that are picked: where they are, how large, and what their numbers are in the file.
 
 use super::camera::View;
-use crate::scene_file::SceneFile;
 use eightfold_oracle::Object;
+use eightfold_scene_file::SceneFile;
 use eightfold_tracer::glam::{DVec2, DVec3, Vec3A};
 use eightfold_tracer::scene::Scene;
 

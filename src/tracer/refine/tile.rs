@@ -8,7 +8,7 @@ use super::guard::Grid;
 use super::marks::Marks;
 use super::verdict::{Rules, Verdict, growth, judge};
 use super::worker::Worker;
-use crate::observe::{Fill, Observer, Stage};
+use crate::observe::{Fill, Observer, Split, Stage};
 use crate::picture::{BLOCK, BLOCK_ROWS};
 use crate::plan::Context;
 use crate::prepare::{Rect, VisibleGroups};
@@ -137,6 +137,8 @@ impl<O: Observer> Tile<'_, O> {
             marks.open[level][y] = Bits::NONE;
         }
         let squares = marks.squares[level][y] & !marks.open[level][y];
+        let open = marks.squares[level][y] & marks.open[level][y];
+        self.tell_split(level, y, open, Split::Uncovered);
         if squares.is_empty() {
             self.worker.marks.filled[level][y] = Bits::NONE;
             self.set_smooth(side, y, Bits::NONE);
@@ -166,6 +168,9 @@ impl<O: Observer> Tile<'_, O> {
                 self.tell(level, x, y, fill);
             });
         }
+        let split = squares & !(verdict.filled | patterned);
+        self.tell_split(level, y, split & verdict.agreeing, Split::Colours);
+        self.tell_split(level, y, split & !verdict.agreeing, Split::Keys);
         self.worker.marks.filled[level][y] = verdict.filled | patterned;
         self.set_smooth(side, y, verdict.filled);
     }
@@ -239,6 +244,15 @@ impl<O: Observer> Tile<'_, O> {
         }
         if O::LISTENS && part == 0 {
             split.for_each(|x| self.tell(level, x, y, Fill::Points));
+        }
+    }
+
+    /// Tells the observer of squares of a row that are split.
+    fn tell_split(&self, level: usize, y: usize, squares: Bits, why: Split) {
+        if O::LISTENS {
+            let side = self.area.side(level);
+            let [left, top] = [self.area.left, self.area.top + y * side];
+            squares.for_each(|x| self.context.observer.split(left + x * side, top, side, why));
         }
     }
 

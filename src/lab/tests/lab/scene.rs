@@ -5,8 +5,8 @@ mod every_field;
 mod fields;
 
 use super::{assert_one_line, lab, printed, render};
-use eightfold_lab::scene_file::{self, SceneFile};
 use eightfold_lab::scenes::SceneName;
+use eightfold_scene_file::SceneFile;
 use eightfold_stage::reader::read_png;
 use eightfold_tracer::scene::Scene;
 use std::fs;
@@ -55,7 +55,7 @@ fn a_scene_that_is_exported_is_the_same_at_its_frames() {
     for name in names {
         let name: SceneName = name.parse().expect("a scene");
         let fps = "10".parse().expect("a rate");
-        let text = scene_file::record(name, fps).expect("it can be told");
+        let text = eightfold_lab::scene::record(name, fps).expect("it can be told");
         let file = SceneFile::parse("exported.ron", &text).expect("a scene");
         assert_eq!(file.length, name.length());
         for frame in 0..fps.frames(name.length()) {
@@ -119,7 +119,7 @@ fn assert_is_compiled(name: &str, file: &Path) {
     // The functions that interpolate are those of the lab.
     let (scene, keys) = text.split_once("mod keys {").expect("functions");
     assert!(keys.contains("pub fn spline<"), "{keys}");
-    let text = format!("{scene}#[path = \"../../../scene_file/keys.rs\"]\nmod keys;\n");
+    let text = format!("{scene}#[path = \"../../../../scene_file/keys.rs\"]\nmod keys;\n");
     let known = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/lab/scene/{name}.rs"));
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
         fs::write(&known, &text).expect("it can be written");

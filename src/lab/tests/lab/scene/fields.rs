@@ -1,7 +1,7 @@
 //! Every field of a scene is in its file, in the Rust made of that, and in what tells scenes from each other.
 
 use super::{assert_is_compiled, contents, every_field};
-use eightfold_lab::scene_file::{SceneFile, text_of};
+use eightfold_scene_file::{SceneFile, text_of};
 use eightfold_tracer::glam::{EulerRot, Mat3A};
 use eightfold_tracer::scene::{Fields, List, Scene, Shape, Value, numbers};
 use std::fs;

@@ -160,7 +160,7 @@ impl WrittenMotion<'_> {
 #[cfg(test)]
 mod tests {
     use super::{duplicate, remove, set};
-    use crate::scene_file::SceneFile;
+    use crate::SceneFile;
     use serde_json::{Value, json};
 
     const TEXT: &str = r#"Scene(

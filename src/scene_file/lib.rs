@@ -15,7 +15,7 @@ mod ron_text;
 mod rust_text;
 mod tree;
 
-pub use record::{record, text_of};
+pub use record::text_of;
 pub use rust_text::rust;
 
 use eightfold_tracer::Flaw;

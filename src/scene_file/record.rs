@@ -4,24 +4,12 @@ use super::keys::linear;
 use super::motion::{Between, Motion, Numbers};
 use super::path::leaves;
 use super::{ron_text, tree};
-use crate::rate::Rate;
-use crate::scenes::SceneName;
 use anyhow::{Result, bail};
 use eightfold_tracer::scene::{Caption, Scene};
 use serde_json::Value;
 
-/// The text of a file that shows a scene as it is at the times of so many frames a second, to the bit, and between them what lies
-/// between.
-///
-/// # Errors
-/// If the scene changes by more than its numbers.
-pub fn record(name: SceneName, fps: Rate) -> Result<String> {
-    let frames = (0..fps.frames(name.length())).map(|frame| fps.time(frame));
-    let scenes = frames.map(|time| (time, name.at(time))).collect();
-    text_of(&name.to_string(), name.length(), scenes)
-}
-
-/// The text of a file that plays for some seconds, and shows scenes at their times; its name is for errors.
+/// The text of a file that plays for some seconds, and shows scenes at their times, to the bit, and between them what lies between;
+/// its name is for errors.
 ///
 /// # Errors
 /// If the scenes differ by more than their numbers.

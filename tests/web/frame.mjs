@@ -1,11 +1,17 @@
-// Runs the frame of lib.rs, and holds it to a picture: node frame.mjs MODULE.wasm PICTURE, raw pixels of 3 bytes.
+// Draws a frame of the model scene, every pixel traced, and holds it to a picture: node frame.mjs MODULE.bin PICTURE, raw pixels of
+// 3 bytes, 640 by 360 of them.
 import { readFileSync } from "node:fs";
+import { gunzipSync } from "node:zlib";
 
 const [module, picture] = process.argv.slice(2);
-const { instance } = await WebAssembly.instantiate(readFileSync(module));
+const { instance: { exports } } = await WebAssembly.instantiate(gunzipSync(readFileSync(module)));
 const expected = readFileSync(picture);
-const address = instance.exports.model_scene();
-const pixels = new Uint32Array(instance.exports.memory.buffer, address, expected.length / 3);
+const [width, height] = [640, 360];
+const address = exports.resize(width, height);
+exports.set_model(2);
+exports.set_quality(0, false);
+exports.draw(0, height, 0, 0, 0);
+const pixels = new Uint32Array(exports.memory.buffer, address, width * height);
 
 let differ = 0;
 let largest = 0;

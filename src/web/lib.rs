@@ -1,0 +1,307 @@
+//! The show for browsers: what a page calls by WebAssembly, and reads from its memory.
+//!
+//! A page has an instance of this module for each of its workers, one for its sound, and one for itself. Each instance draws a share
+//! of a frame's bands (`share`); workers give each other the rows that smoothing takes. Functions are called one at a time: an
+//! instance has one thread, and the mutex around its state is never waited for.
+//!
+//! It is `extern "C"` and a view of memory: what crosses the border are numbers, pixels and samples, for which wasm-bindgen would
+//! make a second script that has to be loaded. None has the name of a function of C's library, which it would replace where it is
+//! compiled for another system, as for its tests.
+
+mod inspector;
+mod share;
+
+use eightfold::show;
+use eightfold::sound::{self, Synthesizer};
+use eightfold_scene_file::SceneFile;
+use eightfold_tracer::scene::{Method, Scene};
+use eightfold_tracer::{Counts, Frame, Governor, Level, Memory, Quality, Renderer, Worker};
+use inspector::Inspector;
+use share::Share;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The working memory of an instance. It is all zeros at first, so that it takes no room in the module's file.
+struct Workspace {
+    memory: Memory,
+    worker: Worker,
+    scene: Scene,
+    synthesizer: Synthesizer,
+    samples: [[f32; 2]; SAMPLES],
+}
+
+/// What else an instance remembers between calls.
+struct State {
+    quality: Quality,
+    width: usize,
+    height: usize,
+    pixels: Vec<u32>,
+    /// What the last [`draw`] did, see [`figures`].
+    figures: [f64; 8],
+    governor: Option<Governor>,
+    /// A text that goes in or out.
+    text: Vec<u8>,
+    file: Option<SceneFile>,
+}
+
+impl State {
+    /// The address of a text, ended by a zero, until the next one.
+    fn tell(&mut self, text: String) -> *const u8 {
+        self.text = text.into_bytes();
+        self.text.push(0);
+        self.text.as_ptr()
+    }
+}
+
+/// The most samples that [`play`] gives at once: as many as a browser asks for.
+const SAMPLES: usize = 128;
+
+static WORKSPACE: Mutex<Workspace> = Mutex::new(Workspace {
+    memory: Memory::new(),
+    worker: Worker::new(),
+    scene: Scene::ZEROED,
+    synthesizer: Synthesizer::new(),
+    samples: [[0.0; 2]; SAMPLES],
+});
+
+static STATE: Mutex<State> = Mutex::new(State {
+    quality: Quality::DEFAULT,
+    width: 0,
+    height: 0,
+    pixels: Vec::new(),
+    figures: [0.0; 8],
+    governor: None,
+    text: Vec::new(),
+    file: None,
+});
+
+fn workspace() -> MutexGuard<'static, Workspace> {
+    WORKSPACE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn state() -> MutexGuard<'static, State> {
+    STATE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The facts that a page shows, as JSON: the show's length in seconds, its scenes with the seconds at which they begin, the names of
+/// the qualities from the most accurate to the fastest, and the rate of the samples. It is ended by a zero.
+#[unsafe(no_mangle)]
+pub extern "C" fn about() -> *const u8 {
+    let scenes = show::NAMES.iter().zip(show::CUTS).map(|(name, bar)| {
+        let start = bar as f32 * show::grid::BAR;
+        format!(r#"{{"name":"{name}","start":{start}}}"#)
+    });
+    let scenes: Vec<_> = scenes.collect();
+    let names: Vec<_> = ["exhaustive"].into_iter().chain(Quality::NAMES).collect();
+    let text = format!(
+        r#"{{"length":{},"scenes":[{}],"qualities":["{}"],"default":{},"rate":{}}}"#,
+        show::LENGTH,
+        scenes.join(","),
+        names.join("\",\""),
+        Quality::DEFAULT_RUNG + 1,
+        sound::RATE,
+    );
+    state().tell(text)
+}
+
+/// Sets the size of the next frames. Returns the address of their pixels, a word each, row after row from the top; it stays until the
+/// size is another one.
+#[unsafe(no_mangle)]
+pub extern "C" fn resize(width: usize, height: usize) -> *mut u32 {
+    let mut state = state();
+    (state.width, state.height) = (width, height);
+    state.pixels.clear();
+    state.pixels.resize(width * height, 0);
+    state.pixels.as_mut_ptr()
+}
+
+/// Sets the scene to that of the show at a time in seconds.
+#[unsafe(no_mangle)]
+pub extern "C" fn set_show(time: f32) {
+    show::at(time, &mut workspace().scene);
+}
+
+/// Sets the scene to the model scene at a time in seconds.
+#[unsafe(no_mangle)]
+pub extern "C" fn set_model(time: f32) {
+    show::model(time, &mut workspace().scene);
+}
+
+/// The address of room for a text of so many bytes of UTF-8.
+#[unsafe(no_mangle)]
+pub extern "C" fn room(bytes: usize) -> *mut u8 {
+    let mut state = state();
+    state.text = vec![0; bytes];
+    state.text.as_mut_ptr()
+}
+
+/// Reads the text that was put into the [`room`] as a scene file. Returns the address of a sentence that says what is wrong with it,
+/// with line and column; it is empty if nothing is, and ended by a zero.
+#[unsafe(no_mangle)]
+pub extern "C" fn read_file() -> *const u8 {
+    let mut state = state();
+    let text = String::from_utf8_lossy(&state.text).into_owned();
+    let message = match SceneFile::parse("scene", &text) {
+        Ok(file) => {
+            state.file = Some(file);
+            String::new()
+        }
+        Err(message) => message,
+    };
+    state.tell(message)
+}
+
+/// The length of the scene file that was read, in seconds: 0 if there is none.
+#[unsafe(no_mangle)]
+pub extern "C" fn length() -> f32 {
+    state().file.as_ref().map_or(0.0, |file| file.length)
+}
+
+/// Sets the scene to that of the file that was read, at a time in seconds.
+#[unsafe(no_mangle)]
+pub extern "C" fn set_file(time: f32) {
+    if let Some(file) = &state().file {
+        workspace().scene = file.at(time % file.length);
+    }
+}
+
+/// Explains the scene's frame: see [`Method`].
+#[unsafe(no_mangle)]
+pub extern "C" fn set_method(points: f32, squares: f32, picture: f32, coarse: f32) {
+    let scene = &mut workspace().scene;
+    scene.method = Method {
+        points,
+        squares,
+        picture,
+        coarse,
+        ..Method::PLAIN
+    };
+    scene.captions.clear();
+}
+
+/// Sets the quality of the next frames by its place in [`about`]; `is_reference` has the frame drawn that its error is measured
+/// against.
+#[unsafe(no_mangle)]
+pub extern "C" fn set_quality(place: usize, is_reference: bool) {
+    let quality = match place {
+        0 => &Quality::EXHAUSTIVE,
+        place => &Quality::LADDER[place - 1],
+    };
+    state().quality = if is_reference {
+        quality.reference()
+    } else {
+        *quality
+    };
+}
+
+/// Draws the bands that begin in some rows, in one pass over the frame: see `share`. `before` are the points that all workers
+/// have traced in the passes before. The seed says which pixels are probed. [`figures`] tells what was done.
+#[unsafe(no_mangle)]
+pub extern "C" fn draw(from: usize, to: usize, pass: usize, before: f64, seed: u32) {
+    let Workspace {
+        memory,
+        worker,
+        scene,
+        ..
+    } = &mut *workspace();
+    let State {
+        quality,
+        width,
+        height,
+        pixels,
+        figures,
+        ..
+    } = &mut *state();
+    let mut done = Counts::NONE;
+    done.points = before as u64;
+    let mut share = Share::new(worker, from..to, pass, done);
+    let mut renderer = Renderer::narrow(Level::baseline(), memory);
+    let frame = Frame::new(*width, *height, pixels).with_probes(Renderer::PROBES, seed);
+    renderer.render_valid(scene, quality, frame, &mut share);
+    let counts = share.counts;
+    *figures = [
+        share.passes as f64,
+        share.drawn[0] as f64,
+        share.drawn[1] as f64,
+        counts.points as f64,
+        (counts.rays + counts.shadow_rays) as f64,
+        counts.probes.pixels as f64,
+        counts.probes.squares as f64,
+        counts.probes.fourths as f64,
+    ];
+}
+
+/// The address of eight numbers about the last [`draw`]: how many passes the frame has; the first of its own rows, and the first that
+/// is not, which comes first if there are none; its points, its rays; the pixels that were probed, the sum of their squared errors, and the sum of the squares of these.
+#[unsafe(no_mangle)]
+pub extern "C" fn figures() -> *const f64 {
+    state().figures.as_ptr()
+}
+
+/// Draws the bands that begin in some rows, and listens. Returns the address of what became of the squares that the pixel (x, y) is in,
+/// a line for each, from the largest to the smallest; it is ended by a zero.
+#[unsafe(no_mangle)]
+pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const u8 {
+    let Workspace {
+        memory,
+        worker,
+        scene,
+        ..
+    } = &mut *workspace();
+    let state = &mut *state();
+    let inspector = Inspector::new(x, y);
+    let frame = Frame::new(state.width, state.height, &mut state.pixels);
+    let drawn = Renderer::narrow(Level::baseline(), memory).render_observed(
+        scene,
+        &state.quality,
+        frame,
+        &mut Share::new(worker, from..to, 0, Counts::NONE),
+        &inspector,
+    );
+    let lines = match drawn {
+        Ok(_) => inspector.lines(),
+        Err(error) => error.to_string(),
+    };
+    state.tell(lines)
+}
+
+/// Turns some rows into what a canvas takes, bytes for red, green, blue and opacity. They have to be drawn anew before the next time.
+#[unsafe(no_mangle)]
+pub extern "C" fn colour(from: usize, to: usize) {
+    let state = &mut *state();
+    for pixel in &mut state.pixels[from * state.width..to * state.width] {
+        *pixel = pixel.swap_bytes() >> 8 | 0xff00_0000;
+    }
+}
+
+/// Moves the sound to its start.
+#[unsafe(no_mangle)]
+pub extern "C" fn restart_sound() {
+    workspace().synthesizer.seek(0);
+}
+
+/// The address of the next samples, left and right in turns, at most 128 of each. The song repeats.
+#[unsafe(no_mangle)]
+pub extern "C" fn play(count: usize) -> *const f32 {
+    let Workspace {
+        synthesizer,
+        samples,
+        ..
+    } = &mut *workspace();
+    synthesizer.play(&mut samples[..count]);
+    samples.as_flattened().as_ptr()
+}
+
+/// Has a governor hold so many frames a second from now on.
+#[unsafe(no_mangle)]
+pub extern "C" fn govern(frames_per_second: u32) {
+    state().governor = Some(Governor::new(frames_per_second.into()));
+}
+
+/// Tells the governor how long the last frame took, in nanoseconds. Returns the place of the next frame's quality in [`about`].
+#[unsafe(no_mangle)]
+pub extern "C" fn governed(nanoseconds: f64) -> usize {
+    let mut state = state();
+    let governor = state.governor.get_or_insert_with(|| Governor::new(60));
+    governor.frame(nanoseconds as u64);
+    governor.rung() + 1
+}

@@ -1,0 +1,62 @@
+// The text of a scene file, which is shown as it is typed.
+
+const get = (id) => document.getElementById(id);
+
+/** The message about a fault: the file, the line, the column, and what is wrong. */
+const FAULT = /^scene:(\d+):(\d+): ([^]*)$/;
+
+export class Editor {
+  /** `module` reads what is typed; `show` is called when it has no fault. */
+  constructor(module, show) {
+    Object.assign(this, { module, show });
+    get("scene-text").addEventListener("input", () => this.take());
+    get("scene-name").addEventListener("change", ({ target }) => this.load(target.value).then(() => this.take()));
+    this.load(get("scene-name").value);
+  }
+
+  get text() {
+    return get("scene-text").value;
+  }
+
+  /** Loads an example. */
+  async load(name) {
+    const text = await (await fetch(new URL(`scenes/${name}.ron`, import.meta.url))).text();
+    // Unless another text has come from the address meanwhile.
+    if (get("scene-name").value === name && !this.isShared) get("scene-text").value = text;
+    this.isShared = false;
+  }
+
+  /** Shows what is typed, or what is wrong with it. */
+  take() {
+    const message = this.module.read(this.text);
+    const [, line, column, what] = FAULT.exec(message) ?? [];
+    get("scene-fault").textContent = line ? `Line ${line}, column ${column}: ${what}` : message;
+    get("scene-text").setAttribute("aria-invalid", message !== "");
+    if (!message) this.show();
+  }
+
+  /** The text for an address: compressed, in the letters of base64url. */
+  async packed() {
+    const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(this.text));
+    const letters = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+    return letters.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
+  }
+
+  /** Takes the text of an address. */
+  async unpack(letters) {
+    this.isShared = true;
+    try {
+      const bytes = Uint8Array.from(atob(letters.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
+      get("scene-text").value = new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
+      this.take();
+    } catch {
+      get("scene-fault").textContent = "The scene in the address is damaged.";
+    }
+  }
+}
+
+/** Bytes after a transformation. */
+async function through(stream, bytes) {
+  const transformed = new Blob([bytes]).stream().pipeThrough(stream);
+  return new Uint8Array(await new Response(transformed).arrayBuffer());
+}

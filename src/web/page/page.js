@@ -1,0 +1,393 @@
+// The page: plays the show, and shows what its dials do.
+
+import { Clock } from "./clock.js";
+import { explain } from "./explain.js";
+import { Editor } from "./editor.js";
+import { Frames, bytesOf, decibels } from "./frames.js";
+import { Module } from "./module.js";
+
+const get = (id) => document.getElementById(id);
+
+/** The widest picture in the page, and in fullscreen: height follows at 16:9. */
+const WIDEST = { page: 1280, fullscreen: 1920 };
+
+/** The second whose picture stands behind the button before anything is played. */
+const POSTER = 85;
+
+/** How much brighter an error is shown than it is. */
+const ERROR_SCALE = 8;
+
+/** What an overlay does with the picture: the brightness of points, of squares and of the picture, and coarse squares. */
+const METHODS = { points: [1, 0, 0.25, 0], squares: [0, 0.35, 0.65, 0] };
+
+/** The forms of the button that plays. */
+const SHAPES = { play: "M7 4v16l13-8z", pause: "M6 4h4v16H6zM14 4h4v16h-4z" };
+
+// The second one is for browsers without SIMD.
+const code = await load("eightfold.bin").catch(() => load("plain.bin"));
+const module = await Module.of(code.compiled);
+const about = JSON.parse(module.text(module.calls.about()));
+const canvas = get("picture");
+const context = canvas.getContext("2d", { alpha: false });
+const frames = new Frames(code.compiled, navigator.hardwareConcurrency || 2, notify);
+const clock = new Clock(code.bytes, about.rate);
+
+const view = { source: "show", quality: about.default, isHeld: true, overlay: "none", handle: 0.5, isPoster: true };
+/** Whether the next frame has to be drawn although nothing plays. */
+let isStale = true;
+let isDrawing = false;
+/** What has been measured of late. */
+const recent = { shown: [], probed: 0, squares: 0, second: 0 };
+
+/** Loads, unpacks and compiles a module. */
+async function load(name) {
+  const { body } = await fetch(new URL(name, import.meta.url));
+  const bytes = await new Response(body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+  return { bytes, compiled: await WebAssembly.compile(bytes) };
+}
+
+/** Tells something for some seconds. */
+function notify(sentence) {
+  const notice = get("notice");
+  notice.textContent = sentence;
+  clearTimeout(notify.timer);
+  notify.timer = setTimeout(() => (notice.textContent = ""), 8000);
+}
+
+/** How long what is shown plays, in seconds. */
+const length = () => (view.source === "file" ? module.calls.length() : about.length);
+
+/** The frame that is shown at a time, as the dials say. */
+const order = (time, isReference = false) => ({
+  scene: { kind: view.source, time },
+  method: METHODS[view.overlay],
+  quality: view.quality,
+  isReference,
+  width: canvas.width,
+  height: canvas.height,
+});
+
+/** The time of the frame that is shown. */
+const now = () => (view.isPoster ? POSTER : Math.min(clock.time(), length() - 0.01));
+
+/** Puts a frame's columns from one on the canvas. */
+function put({ order: { width }, parts }, from = 0) {
+  for (const { bytes, first } of parts) {
+    const image = new ImageData(bytes, width);
+    context.putImageData(image, 0, first, from, 0, width - from, image.height);
+  }
+}
+
+/** Draws and shows a frame. Returns its figures. */
+async function show(time) {
+  if (view.overlay !== "split" && view.overlay !== "error") {
+    const frame = await frames.draw(order(time));
+    put(frame);
+    return frame;
+  }
+  const reference = await frames.draw(order(time, true));
+  const frame = await frames.draw(order(time));
+  if (view.overlay === "split") {
+    put(reference);
+    put(frame, Math.round(view.handle * canvas.width));
+  } else {
+    const error = bytesOf(frame);
+    const exact = bytesOf(reference);
+    for (let i = 0; i < error.length; i++) error[i] = i % 4 === 3 ? 255 : ERROR_SCALE * Math.abs(error[i] - exact[i]);
+    context.putImageData(new ImageData(error, canvas.width), 0, 0);
+  }
+  return { ...frame, gain: reference.milliseconds / frame.milliseconds };
+}
+
+/** Shows frames for as long as the page is there. */
+async function run() {
+  for (;;) {
+    if (clock.isPlaying && clock.time() >= length()) end();
+    if (clock.isPlaying || isStale) {
+      isStale = false;
+      isDrawing = true;
+      const start = performance.now();
+      try {
+        measure(await show(now()), performance.now() - start);
+      } catch (error) {
+        notify(`A frame can't be drawn: ${error.why ?? error}`);
+        clock.pause();
+      }
+      isDrawing = false;
+      // What takes longer than a frame of the screen goes on at once.
+      if (clock.isPlaying && performance.now() - start > 15 && !document.hidden) continue;
+    }
+    await new Promise(requestAnimationFrame);
+  }
+}
+
+/** Takes in the figures of a frame that was shown, and tells them. */
+function measure(frame, milliseconds) {
+  const present = performance.now();
+  recent.shown = [...recent.shown.filter((time) => present - time < 1000), present];
+  recent.probed += frame.probed;
+  recent.squares += frame.squares;
+  if (clock.isPlaying && view.isHeld && !frame.gain) setQuality(module.calls.governed(milliseconds * 1e6));
+  if (clock.isPlaying && present - recent.second < 250) return;
+  recent.second = present;
+  get("rate").textContent = clock.isPlaying ? recent.shown.length : "–";
+  get("milliseconds").textContent = frame.milliseconds.toFixed(1);
+  get("points").textContent = `${((100 * frame.points) / (canvas.width * canvas.height)).toFixed(1)} %`;
+  get("rays").textContent = Math.round(frame.rays).toLocaleString("en");
+  get("accuracy").textContent = recent.squares ? `${decibels(recent.squares, recent.probed).toFixed(1)} dB` : "–";
+  recent.probed /= 1.2;
+  recent.squares /= 1.2;
+  const gain = frame.gain ? `, ${frame.gain.toFixed(1)} times as fast` : "";
+  get("right-side").textContent = about.qualities[view.quality] + gain;
+  tellTime();
+}
+
+/** Tells the time and the scene. */
+function tellTime() {
+  const time = clock.time();
+  const minutes = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
+  get("time").value = time;
+  get("position").textContent = `${minutes(time)} / ${minutes(length())}`;
+  const playing = about.scenes.findLastIndex(({ start }) => start <= time);
+  const name = view.source === "file" ? "your scene" : about.scenes[playing].name;
+  get("scene").textContent = name;
+  get("time").setAttribute("aria-valuetext", `${minutes(time)}, ${name}`);
+  [...get("scenes").children].forEach((button, i) => button.setAttribute("aria-current", i === playing));
+}
+
+/** Has the picture and the dials say what is so. */
+function update() {
+  isStale = true;
+  const { isPlaying } = clock;
+  get("start").hidden = !view.isPoster;
+  get("time").max = length();
+  get("scenes").hidden = view.source === "file";
+  get("verdict").hidden = true;
+  clock.isMuted = view.source === "file" || get("mute").getAttribute("aria-pressed") === "true";
+  get("play").setAttribute("aria-label", isPlaying ? "Pause" : "Play");
+  get("play-shape").setAttribute("d", isPlaying ? SHAPES.pause : SHAPES.play);
+  get("handle").hidden = get("sides").hidden = view.overlay !== "split";
+  get("handle").style.left = `${100 * view.handle}%`;
+  get("handle").setAttribute("aria-valuenow", Math.round(100 * view.handle));
+  tellTime();
+}
+
+function setQuality(quality) {
+  if (quality === view.quality) return;
+  view.quality = quality;
+  get("quality").value = quality;
+  get("quality-name").textContent = about.qualities[quality];
+  Object.assign(recent, { probed: 0, squares: 0 });
+  isStale = true;
+  steps.setQuality(quality);
+}
+
+/** Has a quality kept that somebody chose. */
+function keepQuality(quality) {
+  get("held").checked = view.isHeld = false;
+  setQuality(quality);
+}
+
+/** Plays, or pauses. The first time it opens the sound. */
+async function toggle() {
+  if (clock.isPlaying) {
+    clock.pause();
+  } else {
+    view.isPoster = false;
+    if (!clock.hasSound) await clock.open().catch((error) => notify(`There is no sound: ${error.message ?? error}`));
+    if (view.isHeld) module.calls.govern(60);
+    await clock.play();
+    if (!clock.hasSound && !get("notice").textContent) notify("There is no sound: the browser has no device for it.");
+  }
+  update();
+}
+
+/** Goes back to where it began, to start again if it is a scene file. */
+function end() {
+  clock.seek(0);
+  if (view.source === "file") return;
+  clock.pause();
+  view.isPoster = true;
+  update();
+}
+
+/** Shows the show, or a scene file. */
+function setSource(source) {
+  if (source === "file") frames.setFile(editor.text);
+  if (source !== view.source) clock.seek(0);
+  Object.assign(view, { source, isPoster: false });
+  update();
+}
+
+function seek(time) {
+  view.isPoster = false;
+  clock.seek(Math.min(Math.max(time, 0), length() - 0.05));
+  update();
+}
+
+function setOverlay(overlay) {
+  view.overlay = overlay;
+  document.querySelector(`input[value=${overlay}]`).checked = true;
+  update();
+}
+
+function moveHandle(share) {
+  view.handle = Math.min(Math.max(share, 0), 1);
+  update();
+}
+
+/** Gives the canvas as many pixels as the screen has for it. */
+function fit() {
+  const widest = document.fullscreenElement ? WIDEST.fullscreen : WIDEST.page;
+  const width = Math.min(widest, Math.max(160, Math.round((canvas.clientWidth * devicePixelRatio) / 16) * 16));
+  if (canvas.width === width) return;
+  canvas.width = width;
+  canvas.height = (width * 9) / 16;
+  update();
+}
+
+function toggleFullscreen() {
+  document.fullscreenElement ? document.exitFullscreen() : get("stage").requestFullscreen().catch((error) => notify(error.message));
+}
+
+function toggleSound() {
+  const isMuted = get("mute").getAttribute("aria-pressed") !== "true";
+  get("mute").setAttribute("aria-pressed", isMuted);
+  update();
+}
+
+/** Saves the picture as it is shown. */
+function save() {
+  canvas.toBlob((blob) => {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = `eightfold-${clock.time().toFixed(2)}.png`;
+    link.click();
+    URL.revokeObjectURL(link.href);
+  });
+}
+
+/** Puts what is shown into the address, and into the clipboard where the browser allows it. */
+async function share() {
+  const { quality, overlay, handle } = view;
+  const state = { t: clock.time().toFixed(2), quality: about.qualities[quality], show: overlay, split: handle.toFixed(3) };
+  if (view.source === "file") state.scene = await editor.packed();
+  history.replaceState(null, "", `#${new URLSearchParams(state)}`);
+  const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+  notify(copied ? "The address of this picture is in the clipboard." : "The address of this picture is that of the page now.");
+}
+
+/** Shows what an address says. */
+async function restore() {
+  const state = new URLSearchParams(location.hash.slice(1));
+  if (state.get("scene")) await editor.unpack(state.get("scene"));
+  const quality = about.qualities.indexOf(state.get("quality"));
+  if (quality >= 0) keepQuality(quality);
+  if (document.querySelector(`input[name=overlay][value="${CSS.escape(state.get("show") ?? "")}"]`)) setOverlay(state.get("show"));
+  if (Number.isFinite(parseFloat(state.get("split")))) moveHandle(parseFloat(state.get("split")));
+  if (Number.isFinite(parseFloat(state.get("t")))) seek(parseFloat(state.get("t")));
+}
+
+/** What became of the squares that a pixel of the picture is in, a line for each. */
+function inspect(x, y) {
+  module.begin(order(now()));
+  // A band, which is all of what its squares depend on.
+  const top = y - (y % 32);
+  return module.text(module.calls.inspect(top, top + 32, x, y)) || "every pixel is traced";
+}
+
+/** Tells beside the pointer what became of the squares that it points at. */
+function explainSquare({ offsetX, offsetY }) {
+  const verdict = get("verdict");
+  const scale = canvas.width / canvas.clientWidth;
+  verdict.textContent = inspect(Math.floor(offsetX * scale), Math.floor(offsetY * scale));
+  verdict.hidden = false;
+  verdict.style.left = `${Math.min(offsetX + 16, canvas.clientWidth - verdict.offsetWidth)}px`;
+  verdict.style.top = `${Math.min(offsetY + 16, canvas.clientHeight - verdict.offsetHeight)}px`;
+}
+
+/** What keys do, wherever they do nothing else. */
+const KEYS = {
+  " ": toggle,
+  f: toggleFullscreen,
+  m: toggleSound,
+  o: () => {
+    const overlays = [...document.querySelectorAll("input[name=overlay]")].map(({ value }) => value);
+    setOverlay(overlays[(overlays.indexOf(view.overlay) + 1) % overlays.length]);
+  },
+  Escape: () => clock.isPlaying && toggle(),
+  ArrowLeft: () => seek(clock.time() - 2),
+  ArrowRight: () => seek(clock.time() + 2),
+};
+
+function listen() {
+  addEventListener("keydown", (event) => {
+    const { key, target, ctrlKey, altKey, metaKey } = event;
+    const isUsed = target.matches("input, textarea, select, [role=slider]") || (key === " " && target.matches("button"));
+    if (isUsed || ctrlKey || altKey || metaKey) return;
+    const quality = Number(key) - 1;
+    const action = about.qualities[quality] ? () => keepQuality(quality) : KEYS[key.length === 1 ? key.toLowerCase() : key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+  for (const [id, action] of Object.entries({ start: toggle, play: toggle, picture: toggle, mute: toggleSound, fullscreen: toggleFullscreen, save, share })) {
+    get(id).addEventListener("click", action);
+  }
+  get("time").addEventListener("input", ({ target }) => seek(Number(target.value)));
+  get("quality").addEventListener("input", ({ target }) => keepQuality(Number(target.value)));
+  get("held").addEventListener("change", ({ target }) => {
+    view.isHeld = target.checked;
+    module.calls.govern(60);
+  });
+  get("picture").addEventListener("pointermove", (event) => {
+    get("verdict").hidden = true;
+    clearTimeout(inspect.timer);
+    if (!clock.isPlaying && event.pointerType === "mouse") inspect.timer = setTimeout(() => explainSquare(event), 150);
+  });
+  get("picture").addEventListener("pointerleave", () => {
+    get("verdict").hidden = true;
+    clearTimeout(inspect.timer);
+  });
+  get("back").addEventListener("click", () => setSource("show"));
+  get("overlays").addEventListener("change", ({ target }) => setOverlay(target.value));
+  get("handle").addEventListener("pointerdown", ({ target, pointerId }) => target.setPointerCapture(pointerId));
+  get("handle").addEventListener("pointermove", ({ target, pointerId, clientX }) => {
+    const { left, width } = canvas.getBoundingClientRect();
+    if (target.hasPointerCapture(pointerId)) moveHandle((clientX - left) / width);
+  });
+  get("handle").addEventListener("keydown", ({ key }) => {
+    const step = { ArrowLeft: -0.02, ArrowRight: 0.02 }[key];
+    if (step) moveHandle(view.handle + step);
+  });
+  addEventListener("hashchange", restore);
+  new ResizeObserver(fit).observe(canvas);
+}
+
+/** Fills in what the module tells of the show. */
+function furnish() {
+  get("quality").max = about.qualities.length - 1;
+  get("quality").value = view.quality;
+  get("quality-name").textContent = about.qualities[view.quality];
+  about.scenes.forEach(({ name, start }, i) => {
+    const button = document.createElement("button");
+    button.textContent = name;
+    button.title = name;
+    button.style.flexGrow = (about.scenes[i + 1]?.start ?? about.length) - start;
+    button.addEventListener("click", () => seek(start));
+    get("scenes").append(button);
+  });
+  get("machine").textContent = `${frames.workers.length} workers. It measures itself; nothing is sent anywhere.`;
+}
+
+const steps = explain({ about, frames: new Frames(code.compiled, 1, notify), quality: () => view.quality, isIdle: () => !clock.isPlaying });
+const editor = new Editor(module, () => setSource("file"));
+furnish();
+listen();
+fit();
+update();
+await restore();
+notify("");
+// What tests ask.
+globalThis.eightfold = { about, clock, code, frames, view, steps, seek, inspect, isStale: () => isStale || isDrawing };
+run();

@@ -1,0 +1,163 @@
+//! The part of a frame that one of several workers draws.
+
+use eightfold_tracer::{Band, Counts, Job, Threads, Worker};
+use std::ops::Range;
+
+/// Draws the bands that begin in some rows, in one of the passes over a frame, and leaves all other bands and passes to others.
+///
+/// A frame has a pass that draws, one that smooths edges if the quality is antialiased, and one that writes captions if there are
+/// any. Each takes the pixels of the pass before, and smoothing takes a row of each neighbour as well: they have to be there.
+pub struct Share<'a> {
+    /// The working memory.
+    pub worker: &'a mut Worker,
+    /// The rows in which its bands begin.
+    pub rows: Range<usize>,
+    /// The pass that is drawn, counted from 0.
+    pub pass: usize,
+    /// The work of all workers in the passes before, which captions tell.
+    pub before: Counts,
+    /// The passes that the frame has.
+    pub passes: usize,
+    /// The first row of its bands, and the first one after them; the other way round if it has none.
+    pub drawn: [usize; 2],
+    /// Its own work in this pass.
+    pub counts: Counts,
+}
+
+impl<'a> Share<'a> {
+    /// A share of a pass that begins.
+    pub fn new(worker: &'a mut Worker, rows: Range<usize>, pass: usize, before: Counts) -> Self {
+        Self {
+            worker,
+            rows,
+            pass,
+            before,
+            passes: 0,
+            drawn: [usize::MAX, 0],
+            counts: Counts::NONE,
+        }
+    }
+}
+
+impl Threads for Share<'_> {
+    fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+        let is_drawn = self.passes == self.pass;
+        for band in bands.iter_mut() {
+            let rows = band.rows_of_picture();
+            if !self.rows.contains(&rows.start) {
+                band.be_unknown();
+                continue;
+            }
+            let [first, end] = self.drawn;
+            self.drawn = [first.min(rows.start), end.max(rows.end)];
+            if is_drawn {
+                job(self.worker, band);
+                self.counts += band.counts;
+            }
+        }
+        if let Some(band) = bands.first_mut().filter(|_| self.passes == 0) {
+            band.counts += self.before;
+        }
+        self.passes += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eightfold::show;
+    use eightfold_tracer::scene::Scene;
+    use eightfold_tracer::{Frame, Level, Memory, Quality, Renderer};
+
+    const WIDTH: usize = 161;
+    const HEIGHT: usize = 120;
+
+    /// One of several that draw a frame, with its own memory and pixels.
+    struct Part {
+        renderer: Renderer<Box<Memory>>,
+        worker: Box<Worker>,
+        pixels: Vec<u32>,
+    }
+
+    impl Part {
+        fn new() -> Self {
+            let memory = Box::<Memory>::default();
+            Self {
+                renderer: Renderer::with_memory(Level::baseline(), memory),
+                worker: Box::default(),
+                pixels: vec![0; WIDTH * HEIGHT],
+            }
+        }
+
+        /// Draws some rows in a pass. Returns how many passes there are, the rows of its bands, and the points that were traced.
+        fn draw(
+            &mut self,
+            scene: &Scene,
+            quality: &Quality,
+            rows: Range<usize>,
+            pass: usize,
+            before: Counts,
+        ) -> (usize, Range<usize>, u64) {
+            let mut share = Share::new(&mut self.worker, rows, pass, before);
+            let frame = Frame::new(WIDTH, HEIGHT, &mut self.pixels);
+            self.renderer
+                .render_valid(scene, quality, frame, &mut share);
+            let [first, end] = share.drawn;
+            (share.passes, first..end, share.counts.points)
+        }
+    }
+
+    /// A frame in parts whose bands begin in these rows, as workers of a page draw it.
+    fn in_parts(scene: &Scene, quality: &Quality, cuts: &[usize]) -> Vec<u32> {
+        let mut parts: Vec<Part> = cuts[1..].iter().map(|_| Part::new()).collect();
+        let (mut pass, mut passes, mut before) = (0, 1, Counts::NONE);
+        let mut drawn = Vec::new();
+        while pass < passes {
+            let mut points = 0;
+            drawn.clear();
+            for (part, cut) in parts.iter_mut().zip(cuts.windows(2)) {
+                let done = part.draw(scene, quality, cut[0]..cut[1], pass, before);
+                passes = done.0;
+                drawn.push(done.1);
+                points += done.2;
+            }
+            before.points += points;
+            pass += 1;
+            // Give each the row above its own, and the one below.
+            let row = |y: usize| y * WIDTH..(y + 1) * WIDTH;
+            for below in 1..parts.len() {
+                let (start, above) = (drawn[below].start, below - 1);
+                let rows = [
+                    parts[above].pixels[row(start - 1)].to_vec(),
+                    parts[below].pixels[row(start)].to_vec(),
+                ];
+                parts[below].pixels[row(start - 1)].copy_from_slice(&rows[0]);
+                parts[above].pixels[row(start)].copy_from_slice(&rows[1]);
+            }
+        }
+        let rows = parts.iter().zip(drawn);
+        rows.flat_map(|(part, rows)| part.pixels[rows.start * WIDTH..rows.end * WIDTH].to_vec())
+            .collect()
+    }
+
+    #[test]
+    fn a_frame_in_parts_has_the_same_bits() {
+        let mut scene = Box::<Scene>::default();
+        // With edges, with a caption that tells the points, with squares of 32.
+        for time in [62.3, 37.5, 24.05] {
+            show::at(time, &mut scene);
+            for quality in [Quality::DEFAULT, Quality::LADDER[6], Quality::EXHAUSTIVE] {
+                let whole = in_parts(&scene, &quality, &[0, HEIGHT]);
+                let mut part = Part::new();
+                let frame = Frame::new(WIDTH, HEIGHT, &mut part.pixels);
+                part.renderer
+                    .render_valid(&scene, &quality, frame, &mut *part.worker);
+                assert!(whole == part.pixels, "{time} s, pass after pass");
+                for cuts in [&[0, 64, HEIGHT][..], &[0, 32, 64, 96, HEIGHT]] {
+                    let parts = in_parts(&scene, &quality, cuts);
+                    assert!(parts == part.pixels, "{time} s, {cuts:?}");
+                }
+            }
+        }
+    }
+}

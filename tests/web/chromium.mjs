@@ -1,0 +1,139 @@
+// Chromium without a screen, by its DevTools protocol over a pipe, and a server of files for it.
+
+import { spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { createServer } from "node:http";
+import { tmpdir } from "node:os";
+import { extname, join, normalize } from "node:path";
+
+const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
+
+/** Serves a folder. Returns its address, and how to end it. */
+export async function serve(folder) {
+  const server = createServer((request, response) => {
+    const path = normalize(new URL(request.url, "http://localhost").pathname);
+    try {
+      const file = join(folder, path.endsWith("/") ? path + "index.html" : path);
+      const bytes = readFileSync(file);
+      response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "text/plain" }).end(bytes);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
+}
+
+/** A browser. */
+export class Browser {
+  constructor() {
+    this.folder = mkdtempSync(join(tmpdir(), "eightfold-web-"));
+    const options = ["--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--disable-gpu", "--no-first-run", "--disable-features=BackForwardCache", `--user-data-dir=${this.folder}`, "about:blank"];
+    this.process = spawn("chromium", options, { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+    this.replies = new Map();
+    this.listeners = [];
+    let text = "";
+    this.process.stdio[4].on("data", (data) => {
+      const messages = (text + data).split("\0");
+      text = messages.pop();
+      messages.forEach((message) => this.take(JSON.parse(message)));
+    });
+  }
+
+  take(message) {
+    const reply = this.replies.get(message.id);
+    if (!reply) return this.listeners.forEach((listener) => listener(message));
+    this.replies.delete(message.id);
+    message.error ? reply.reject(new Error(message.error.message)) : reply.resolve(message.result);
+  }
+
+  /** Sends a command, of a page's session or of the browser's own. */
+  send(method, params = {}, sessionId = undefined) {
+    const id = (this.last ?? 0) + 1;
+    this.last = id;
+    this.process.stdio[3].write(JSON.stringify({ id, method, params, sessionId }) + "\0");
+    return new Promise((resolve, reject) => this.replies.set(id, { resolve, reject }));
+  }
+
+  /** Opens a page. */
+  async open(address, width = 1440, height = 900) {
+    const { targetId } = await this.send("Target.createTarget", { url: "about:blank" });
+    const { sessionId } = await this.send("Target.attachToTarget", { targetId, flatten: true });
+    const page = new Page(this, sessionId);
+    for (const domain of ["Page", "Runtime", "Log"]) await page.send(`${domain}.enable`);
+    await page.send("Target.setAutoAttach", { autoAttach: true, waitForDebuggerOnStart: false, flatten: true });
+    await page.resize(width, height);
+    await page.go(address);
+    return page;
+  }
+
+  end() {
+    this.process.kill();
+    return new Promise((resolve) => this.process.once("exit", () => {
+      rmSync(this.folder, { recursive: true, force: true, maxRetries: 9, retryDelay: 100 });
+      resolve();
+    }));
+  }
+}
+
+class Page {
+  constructor(browser, session) {
+    Object.assign(this, { browser, session, messages: [], workers: [] });
+    browser.listeners.push(({ method, params, sessionId }) => {
+      if (method === "Target.attachedToTarget" && sessionId === session) this.workers.push(params.sessionId);
+      if (sessionId !== session) return;
+      if (method === "Runtime.consoleAPICalled") this.messages.push(params.args.map(({ value, description }) => value ?? description).join(" "));
+      if (method === "Runtime.exceptionThrown") this.messages.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+      if (method === "Log.entryAdded") this.messages.push(`${params.entry.text} ${params.entry.url ?? ""}`);
+    });
+  }
+
+  send(method, params, session = this.session) {
+    return this.browser.send(method, params, session);
+  }
+
+  resize(width, height, scale = 1) {
+    return this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: scale, mobile: width < 500 });
+  }
+
+  /** Loads an address, until the page is at work. */
+  async go(address) {
+    await this.send("Page.navigate", { url: "about:blank" });
+    await this.send("Page.navigate", { url: address });
+    await this.until("globalThis.eightfold?.view");
+  }
+
+  /** The value of an expression, which may be a promise, in the page or in one of its workers. */
+  async value(expression, session) {
+    const { result, exceptionDetails } = await this.send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true }, session);
+    if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+    return result.value;
+  }
+
+  /** Waits until an expression is true. */
+  async until(expression) {
+    for (let turn = 0; turn < 600; turn++) {
+      if (await this.value(expression)) return;
+      await new Promise((resolve) => setTimeout(resolve, 100));
+    }
+    throw new Error(`not within a minute: ${expression}`);
+  }
+
+  /** Clicks on the middle of an element. */
+  async click(selector) {
+    const [x, y] = await this.value(`(() => { const element = document.querySelector(${JSON.stringify(selector)}); element.scrollIntoView({ block: "nearest" }); const box = element.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; })()`);
+    for (const type of ["mousePressed", "mouseReleased"]) await this.send("Input.dispatchMouseEvent", { type, x, y, button: "left", clickCount: 1 });
+  }
+
+  async key(key, code = key) {
+    for (const type of ["keyDown", "keyUp"]) await this.send("Input.dispatchKeyEvent", { type, key, code, text: key.length === 1 ? key : undefined });
+  }
+
+  /** A screenshot as a PNG file, of what is seen or of all of the page. */
+  async screenshot(isWhole = false) {
+    const { cssContentSize } = await this.send("Page.getLayoutMetrics");
+    const clip = isWhole ? { x: 0, y: 0, width: cssContentSize.width, height: cssContentSize.height, scale: 1 } : undefined;
+    const { data } = await this.send("Page.captureScreenshot", { format: "png", captureBeyondViewport: isWhole, clip });
+    return Buffer.from(data, "base64");
+  }
+}
