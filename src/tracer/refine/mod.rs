@@ -55,7 +55,7 @@
 //! that shows the plane at a corner, and may show an image, is filled only where one of its corners lies in the image's outline
 //! on the plane. Such a corner shows the image, or another one in front of it: an image that is partly hidden by others in the
 //! mirror can be missed. So can one that is smaller than 2x2 pixels, as corners have to be well inside of a block's outline, and, if
-//! rarely, that of a cylinder, whose outline is that of the box around it. Images in a first plane with waves (see
+//! rarely, that of a cylinder or a capsule, whose outline is that of the box around it. Images in a first plane with waves (see
 //! `Scene::water`) have no outlines: they can be missed as in any other mirror.
 //!
 //! Highlights in the eye's own sight are guarded by what they look like (see `prepare::highlight`): about the place where a lamp is
