@@ -150,8 +150,8 @@ const CHANCE: f32 = 0.5;
 /// gained.
 ///
 /// Few pixels make most of the error, so a second of frames is known to some dB: it takes its steps when the difference is larger than
-/// that, within a second or two if it is 6 dB. Where the accuracy is constant it stays on one rung, unless that is the finest
-/// at most 1 dB less accurate than asked for, or 2 dB in two cases of a thousand, and up to 4 dB more.
+/// that, within a second or two if it is 6 dB. Where the accuracy is constant it stays on one rung. Unless
+/// that is the finest, it is at most 1 dB less accurate than asked for, or 2 dB in two cases of a thousand, and up to 4 dB more.
 pub struct AccuracyGovernor {
     /// The accuracy to hold, in dB.
     target: f32,
