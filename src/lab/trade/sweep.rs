@@ -171,7 +171,7 @@ fn within(square: usize, tolerance: f32, quality: &Quality) -> Quality {
 }
 
 impl Point {
-    fn new(sweep: &'static str, quality: Quality) -> Self {
+    pub fn new(sweep: &'static str, quality: Quality) -> Self {
         let dials = dials(&quality);
         let known = NamedQuality::all().find(|known| known.quality == quality);
         Self {
