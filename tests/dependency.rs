@@ -44,35 +44,107 @@ fn package(root: &Path) -> PathBuf {
     folder().join(name)
 }
 
-/// Draws a frame.
-const PROGRAM: &str = "
-use eightfold_tracer::{Error, Frame, Level, Quality, Renderer, Worker, scene::Scene};
+/// Draws the frame of a scene that has been text.
+const PROGRAM: &str = r##"
+use eightfold_tracer::{Frame, Level, Quality, Renderer, Worker, scene::Scene};
 
-fn main() -> Result<(), Error> {
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut scene = Scene::default();
+    let letters = "ABC".as_bytes().try_into()?;
+    scene.captions.push(eightfold_tracer::scene::Caption { letters, ..Default::default() });
+    scene.blocks.push(Default::default());
+    scene.lights.push(eightfold_tracer::scene::Light { spot: Some(Default::default()), ..Default::default() });
+    let text = ron::to_string(&scene)?;
+    assert!(text.contains(r#"letters:"ABC""#), "{text}");
+    assert_eq!(ron::from_str::<Scene>(&text)?, scene);
+    assert_eq!(ron::from_str::<Scene>("()")?, Scene::default());
+    let refused = |text: &str| ron::from_str::<Scene>(text).unwrap_err().to_string();
+    assert!(refused("(sphere: [])").contains("sphere"));
+    let captions = format!("(captions: [{}])", ["()"; 11].join(","));
+    assert!(refused(&captions).contains("at most 10 items"));
+    let long = format!(r#"(captions: [(letters: "{}")])"#, "A".repeat(33));
+    assert!(refused(&long).contains("at most 32 letters"));
+    let quality = ron::to_string(&Quality::DEFAULT)?;
+    assert_eq!(ron::from_str::<Quality>(&quality)?, Quality::DEFAULT);
+
     let mut pixels = [0; 64 * 48];
     let frame = Frame::new(64, 48, &mut pixels);
     let mut renderer = Renderer::new(Level::baseline());
     renderer.render(&Scene::default(), &Quality::DEFAULT, frame, &mut Worker::new())?;
     Ok(())
 }
-";
+"##;
+
+/// The documentation in a file of the package, as that of a module: of code its comments alone, line by line.
+fn documentation(file: &Path) -> String {
+    let text = fs::read_to_string(file).expect("text");
+    if file.extension().is_some_and(|end| end == "md") {
+        return text.lines().map(|line| format!("//! {line}\n")).collect();
+    }
+    let words = |line: &str| {
+        let line = line.trim_start();
+        let words = line.strip_prefix("//!").or(line.strip_prefix("///"));
+        words.map_or("\n".into(), |words| format!("//!{words}\n"))
+    };
+    text.lines().map(words).collect()
+}
+
+/// The files of the package with examples in their documentation.
+fn files_with_examples(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut files = Vec::new();
+    for entry in entries {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            files.extend(files_with_examples(&path));
+        } else if path
+            .extension()
+            .is_some_and(|end| end == "rs" || end == "md")
+            && documentation(&path).contains("```")
+        {
+            files.push(path);
+        }
+    }
+    files
+}
 
 #[test]
-fn its_package_compiles_elsewhere_and_needs_vectors_and_functions_of_numbers_alone() {
+#[ignore = "libraries are compiled elsewhere"]
+fn its_package_and_its_examples_compile_elsewhere_and_need_vectors_and_functions_of_numbers_alone()
+{
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let dependent = folder().join("dependent");
     fs::create_dir_all(dependent.join("src")).expect("a folder");
+    let package = package(root);
+    // Optimised as little as it may be, which compiles fast.
     let manifest = format!(
         "[package]\nname = \"dependent\"\nedition = \"2024\"\n\n\
-         [dependencies]\neightfold-tracer.path = {:?}\n\n[workspace]\n",
-        package(root)
+         [features]\nserde = [\"dep:ron\", \"eightfold-tracer/serde\"]\n\n\
+         [dependencies]\neightfold-tracer.path = {package:?}\n\
+         ron = {{ version = \"0.12\", optional = true }}\n\n[workspace]\n\n\
+         [profile.dev]\nopt-level = 1\ndebug = false\n",
     );
     fs::write(dependent.join("Cargo.toml"), manifest).expect("it is written");
     fs::write(dependent.join("src/main.rs"), PROGRAM).expect("it is written");
     // The same versions, which are downloaded already.
     fs::copy(root.join("Cargo.lock"), dependent.join("Cargo.lock")).expect("it is copied");
 
-    run(cargo(&dependent).args(["check", "--offline"]));
+    let mut modules = String::new();
+    for (number, file) in files_with_examples(&package).iter().enumerate() {
+        let module = format!("from_{number}");
+        fs::write(
+            dependent.join(format!("src/{module}.rs")),
+            documentation(file),
+        )
+        .expect("it is written");
+        modules += &format!("pub mod {module};\n");
+    }
+    fs::write(dependent.join("src/lib.rs"), modules).expect("it is written");
+
+    let serde = ["--offline", "--features", "serde"];
+    run(cargo(&dependent).arg("run").args(serde));
+    let said = run(cargo(&dependent).args(["test", "--doc"]).args(serde));
+    assert!(said.matches("... ok").count() > 5, "{said}");
     let tree = run(cargo(&dependent).args(["tree", "--prefix", "none", "--edges", "normal"]));
     let name = |line: &str| line.split(' ').next().expect("a name").to_owned();
     let crates: Vec<String> = tree.lines().map(name).collect();

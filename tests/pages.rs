@@ -79,21 +79,6 @@ fn pages_tell_the_length_of_the_show_and_where_its_scenes_begin() {
 }
 
 #[test]
-fn recipes_for_parts_of_a_capture_have_all_frames_of_the_show() {
-    let frames = show::LENGTH as usize * 60;
-    let last = frames - 1;
-    for page in ["docs/lab.md", "src/lab/capture/mod.rs"] {
-        let text = fs::read_to_string(root().join(page)).expect("text");
-        for recipe in [
-            format!("seq 0 100 {last} |"),
-            format!("--array=0-{} ", last / 100),
-        ] {
-            assert!(text.contains(&recipe), "{page} does not say {recipe:?}");
-        }
-    }
-}
-
-#[test]
 fn the_spotlight_of_the_page_is_that_of_the_example() {
     let text = |name: &str| fs::read_to_string(root().join(name)).expect("text");
     let (page, example) = (text("docs/lab.md"), text("examples/scenes/lights.ron"));

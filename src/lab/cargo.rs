@@ -2,9 +2,9 @@
 
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
-use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::{env, fs};
 
 /// A finished build of a package, as cargo reports it.
 pub struct Build {
@@ -70,8 +70,27 @@ impl Build {
             .with_context(|| format!("cargo does not say where it has built {name}"))
     }
 
+    /// The path of a program as it was linked, see `src/pack/build/mod.rs`.
+    ///
+    /// Cargo tells where its copy of a program is, which has the bytes of one in `deps`.
+    pub fn linked(&self, program: &str) -> Result<PathBuf> {
+        let copy = self.program(program)?;
+        let bytes = fs::read(&copy)?;
+        for entry in fs::read_dir(self.script_folder(program)?)? {
+            let path = entry?.path();
+            let name = path.file_stem().unwrap_or_default();
+            let original = copy.with_file_name("deps").join(name);
+            if path.extension().is_some_and(|end| end == "unpacked")
+                && fs::read(original).is_ok_and(|original| original == bytes)
+            {
+                return Ok(path);
+            }
+        }
+        bail!("{program} was not linked by this build")
+    }
+
     /// The output folder of the build script in the package of a program.
-    pub fn script_folder(&self, program: &str) -> Result<PathBuf> {
+    fn script_folder(&self, program: &str) -> Result<PathBuf> {
         let package = self
             .artifact("bin", program)
             .map(|artifact| &artifact["package_id"]);

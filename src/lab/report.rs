@@ -215,16 +215,17 @@ impl Part {
         Ok(printed)
     }
 
-    /// The text to put between the marks on a page.
+    /// The text to put between the marks on a page: the command and what it prints, or pictures and the command that draws them.
     fn body(&self, printed: &str, link: &str) -> String {
-        let mut body = format!("\n    {}\n", self.step.shown(DOCS_LINK));
+        let command = format!("\n    {}\n", self.step.shown(DOCS_LINK));
+        let pictures = self.step.pictures.iter();
+        let pictures = pictures.map(|(name, says)| format!("\n![{says}]({link}{name})\n"));
+        let pictures: String = pictures.collect();
         if self.is_printed {
-            body += &format!("\n{printed}\n");
+            format!("{command}\n{printed}\n{pictures}\n")
+        } else {
+            format!("{pictures}{command}\n")
         }
-        for (name, says) in self.step.pictures {
-            body += &format!("\n![{says}]({link}{name})\n");
-        }
-        body + "\n"
     }
 }
 

@@ -1,4 +1,4 @@
-//! Spheres, boxes and cylinders that stand in rows, and how they move. Coordinates are the scene's.
+//! Spheres, boxes, cylinders and rods that stand in rows, and how they move. Coordinates are the scene's.
 
 use core::f32::consts::TAU;
 use eightfold_tracer::maths::{cos, round, sin, smooth_step};
@@ -121,7 +121,24 @@ pub(super) fn add_sphere(centre: Vec3A, radius: f32, material: &Material, scene:
     });
 }
 
-/// Adds a box or a cylinder, see [`Block`].
+/// Adds a rod, round at its ends, whose axis goes from one point to another one; `side` is a direction square to it.
+pub(super) fn add_rod(
+    [from, to]: [Vec3A; 2],
+    side: Vec3A,
+    radius: f32,
+    material: &Material,
+    scene: &mut Scene,
+) {
+    let way = to - from;
+    let length = way.length();
+    let y = way * (1.0 / length);
+    let half = vec3a(radius, 0.5 * length + radius, radius);
+    let axes = Mat3A::from_cols(y.cross(side), y, side);
+    let middle = (from + to) * 0.5;
+    add_block(scene::Shape::Capsule, middle, half, axes, material, scene);
+}
+
+/// Adds a box, a cylinder or a capsule, see [`Block`].
 #[inline(never)]
 pub(super) fn add_block(
     shape: scene::Shape,

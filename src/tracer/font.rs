@@ -20,7 +20,7 @@ static CAPITALS: [&str; 26] = [
     "camo gh", // E
     "cam gh", // F
     "cbdjnoih", // G
-    "am gi co", // H
+    "am co gi", // H
     "ac mo bn", // I
     "clnj", // J
     "am cgo", // K

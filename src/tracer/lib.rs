@@ -95,6 +95,13 @@
 //! [`Renderer::detect`] and [`ScopedThreads`] are there by the feature `std`, which is on by default. With `default-features = false` the
 //! crate needs no system, and draws the same bits.
 //!
+//! # Scenes as data
+//!
+//! By the feature `serde` a [`Scene`](scene::Scene) and a [`Quality`] are written and read in any of serde's formats, by the names of
+//! their fields. What a text does not say of a scene is as in its default, and reading leaves to
+//! [`Scene::validate`](scene::Scene::validate) what is out of its range. JSON has no infinite numbers, as some qualities have; other
+//! formats do. (The scene files of the repository's lab have more: names for materials, and motions.)
+//!
 //! # Conventions
 //!
 //! Coordinates are right-handed, y up, in scene units, which are of any size; angles in radians, times in seconds. The

@@ -36,7 +36,7 @@
 //! | PSNR of a scene scaled by 1e-4 to 1e4 against the original | 50 dB | `a_scene_of_any_scale_gives_the_same_picture` |
 //! | ... by 1e-8 and 1e8 against the oracle at its own size, which sees them alike | 45 dB | `a_scene_of_any_size_gives_one_picture_by_paths_by_the_oracle_and_by_the_library` |
 //!
-//! All figures that depend on random numbers were checked with 13 seeds on each instruction set. `RAY_SEED=1 cargo test --release
+//! All figures that depend on random numbers were checked with 13 seeds on each instruction set. `RAY_SEED=1 cargo test
 //! -p eightfold-tracer trace` uses another seed.
 //!
 //! The reason is that a hit is projected back to its sphere, so that its error is that of rounding the sphere's own coordinates.
@@ -59,7 +59,7 @@
 //! | 1,000,000 | 1,322; 1,400; 363 | 1,556; 1,650; 420 | 9,490; 9,700; 2,153 |
 //!
 //! "Anywhere" is up to twice as far from the origin as from the eye. There, the vector from the eye to the centre is already
-//! rounded, whatever the instruction set. `PRECISION_SEEDS=60 cargo test --release -p eightfold-tracer small_sphere_far -- --nocapture`
+//! rounded, whatever the instruction set. `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture`
 //! measures again. The error of the distance of a hit is at most 4e-7 of the distance plus 1e-7 radii, except on the outermost
 //! tenth of the sphere's disc.
 //!

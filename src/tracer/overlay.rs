@@ -114,7 +114,7 @@ impl Frame<'_> {
     /// # Panics
     /// If the frame has fewer pixels than its size says.
     pub fn write(&mut self, captions: &[Caption], numbers: [usize; 3]) {
-        let &mut Self { width, height, .. } = self;
+        let (count, height) = (self.count(), self.height);
         let overlay = Overlay {
             copper_bars: &[],
             captions,
@@ -123,8 +123,9 @@ impl Frame<'_> {
             height,
         };
         overlay.draw(&mut Band {
-            width,
-            pixels: &mut self.pixels[..width * height],
+            width: self.width,
+            stride: self.stride,
+            pixels: &mut self.pixels[..count],
             ..Band::none()
         });
     }

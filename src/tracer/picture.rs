@@ -12,8 +12,11 @@ pub struct Frame<'a> {
     pub width: usize,
     /// Rows, 1 to [`MAX_HEIGHT`].
     pub height: usize,
-    /// `0x00RRGGBB`, row after row from the top, at least `width * height` of them. Those beyond stay as they are.
+    /// `0x00RRGGBB`, row after row from the top, each [`stride`](Self::stride) pixels after the one before. Those between and
+    /// beyond stay as they are.
     pub pixels: &'a mut [u32],
+    /// How many pixels a row begins after the one above it: `width`, unless [`Frame::with_stride`] says more.
+    pub stride: usize,
     /// See [`Frame::with_offset`].
     pub offset: Vec2,
     /// See [`Frame::with_probes`].
@@ -38,9 +41,17 @@ impl<'a> Frame<'a> {
             width,
             height,
             pixels,
+            stride: width,
             offset: Vec2::ZERO,
             probing: Probing { count: 0, seed: 0 },
         }
+    }
+
+    /// The same frame in a larger picture, or one with room between its rows: each begins so many pixels after the one above it,
+    /// which is `width` or more.
+    #[must_use]
+    pub const fn with_stride(self, stride: usize) -> Self {
+        Self { stride, ..self }
     }
 
     /// The same frame with its samples `x` pixels to the right of the pixels' centres and `y` below them, within -0.5 to 0.5. The
@@ -103,6 +114,8 @@ pub struct Band<'a> {
     /// The picture's rows from here.
     pub(crate) top: usize,
     pub(crate) width: usize,
+    /// How many pixels a row begins after the one above it.
+    pub(crate) stride: usize,
     pub(crate) pixels: &'a mut [u32],
     /// How much work it was to draw it. The frame's counts are those of all its bands.
     pub counts: Counts,
@@ -125,13 +138,14 @@ impl Band<'_> {
 
     /// How many rows it has.
     pub(crate) fn height(&self) -> usize {
-        self.pixels.len() / self.width
+        // The last row ends with its last pixel.
+        (self.pixels.len() + self.stride - self.width) / self.stride
     }
 
     /// Its rows with their numbers, from its own top.
     pub(crate) fn rows(&mut self) -> impl Iterator<Item = (usize, &mut [u32])> {
-        let rows = self.pixels.chunks_exact_mut(self.width.max(1));
-        rows.enumerate()
+        let rows = self.pixels.chunks_mut(self.stride.max(1));
+        rows.map(|row| &mut row[..self.width]).enumerate()
     }
 
     /// No rows.
@@ -139,6 +153,7 @@ impl Band<'_> {
         Self {
             top: 0,
             width: 0,
+            stride: 1,
             pixels: &mut [],
             counts: Counts::NONE,
             rough: &mut [],
@@ -149,6 +164,9 @@ impl Band<'_> {
 /// A picture that is drawn band by band.
 pub(crate) struct Picture<'a> {
     pub width: usize,
+    /// How many pixels a row begins after the one above it.
+    pub stride: usize,
+    /// From the first pixel to the last one.
     pub pixels: &'a mut [u32],
     /// Rows of a band; the last one may have fewer.
     pub rows: usize,
@@ -159,13 +177,19 @@ pub(crate) struct Picture<'a> {
 impl Picture<'_> {
     /// Its bands, from the top.
     pub fn bands(&mut self) -> impl ExactSizeIterator<Item = Band<'_>> {
-        let &mut Self { width, rows, .. } = self;
-        let parts = self.pixels.chunks_mut(rows * width).zip(&mut *self.rough);
+        let &mut Self {
+            width,
+            stride,
+            rows,
+            ..
+        } = self;
+        let parts = self.pixels.chunks_mut(rows * stride).zip(&mut *self.rough);
         parts
             .enumerate()
             .map(move |(number, (pixels, rough))| Band {
                 top: number * rows,
                 width,
+                stride,
                 pixels,
                 rough,
                 ..Band::none()

@@ -9,6 +9,7 @@ use crate::flaw::{Checked, Flaw};
 /// same light, another to corners whose keys differ. A tolerance is the largest difference in any channel, in units of 1/255, for
 /// squares of 8 pixels. For squares of 4 it is doubled, since an error there covers a quarter of the pixels, and so on.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quality {
     /// The side of the largest squares in pixels, 1 to [`Quality::MAX_SQUARE`]. With 1 every pixel is traced. A square with an
     /// even side is split into four, a square with an odd side into pixels: one of 12 into squares of 6, these into squares of 3,

@@ -174,13 +174,14 @@ fn rich() -> Scene {
     lamp.size = 0.5;
     lamp.spot = Some(Spot {
         aim: -lamp.position.normalize(),
-        dark: 0.7,
-        bright: 0.9,
+        cos_outer: 0.7,
+        cos_inner: 0.9,
     });
     scene
 }
 
 #[test]
+#[ignore = "many frames"]
 fn nan_and_infinity_are_refused_and_still_give_a_picture_for_bounded_work() {
     for scene in [show::model_scene(1.0), rich()] {
         assert_numbers_are_checked(scene);

@@ -3,7 +3,7 @@
 //!
 //! After an intended change this redraws the pictures that differ. Look at them before committing.
 //!
-//!     UPDATE_GOLDEN=1 cargo test --release --test image golden
+//!     UPDATE_GOLDEN=1 cargo test --test image golden
 
 use crate::cpu;
 use crate::drawn::draw_by_all;

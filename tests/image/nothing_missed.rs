@@ -75,6 +75,7 @@ fn what_rises_by_little_out_of_what_it_stands_in_is_shown() {
 }
 
 #[test]
+#[ignore = "many scenes by chance"]
 fn whatever_touches_or_rises_by_any_height_is_shown() {
     for mut random in seeds(60) {
         let near = contact(&mut random);
@@ -100,6 +101,7 @@ proptest! {
     }
 
     #[test]
+    #[ignore = "many scenes by chance"]
     fn boxes_and_cylinders_of_any_size_are_shown(placed in extreme_blocks()) {
         assert_nothing_is_missed(&placed.scene(), placed.width, placed.height);
     }

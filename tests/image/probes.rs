@@ -68,6 +68,7 @@ fn off(probes: Probes, error: f64) -> f32 {
 }
 
 #[test]
+#[ignore = "many frames"]
 fn the_mean_over_frames_is_the_true_error() {
     for (number, scene) in scenes().enumerate() {
         for quality in QUALITIES {
@@ -93,6 +94,7 @@ fn the_mean_over_frames_is_the_true_error() {
 }
 
 #[test]
+#[ignore = "many frames"]
 fn the_interval_holds_the_true_error_as_often_as_it_says() {
     const GROUPS: u32 = 60;
     // Without edges a probe is a single point.

@@ -74,6 +74,67 @@ fn too_few_pixels_are_refused_and_more_than_enough_stay() {
 }
 
 #[test]
+fn a_frame_in_a_larger_picture_has_the_same_bits_and_leaves_the_rest() {
+    const STRIDE: usize = 117;
+    let mut renderer = Renderer::with_memory(cpu::best().level, Box::new(Memory::new()));
+    // One with a pattern, one with captions, one with the method's marks.
+    for time in [4.0, 20.0, 100.0] {
+        let mut scene = Scene::default();
+        show::at(time, &mut scene);
+        for quality in Quality::LADDER.iter().chain([&Quality::THESIS]) {
+            for (width, height) in [(1, 1), (8, 33), (101, 70), (STRIDE, 64)] {
+                let mut alone = vec![0; width * height];
+                let frame = Frame::new(width, height, &mut alone);
+                let expected = renderer.render(&scene, quality, frame, &mut Worker::new());
+                let mut pixels = vec![1 << 24; STRIDE * height];
+                let needed = STRIDE * (height - 1) + width;
+                let frame = Frame::new(width, height, &mut pixels[..needed]).with_stride(STRIDE);
+                let counts = renderer.render(&scene, quality, frame, &mut Worker::new());
+                assert_eq!(counts, expected);
+                for (y, row) in pixels.chunks(STRIDE).enumerate() {
+                    assert_eq!(row[..width], alone[y * width..][..width]);
+                    assert!(row[width..].iter().all(|&pixel| pixel == 1 << 24));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn strides_that_do_not_fit_are_refused() {
+    let mut renderer = Renderer::with_memory(cpu::best().level, Box::new(Memory::new()));
+    for (stride, text) in [
+        (
+            9,
+            "a frame 10 pixels wide has a stride of 10 or more, and not 9",
+        ),
+        (11, "a frame of this size takes 21 pixels, and there are 20"),
+    ] {
+        let mut pixels = [1; 20];
+        let frame = Frame::new(10, 2, &mut pixels).with_stride(stride);
+        let scene = show::model_scene(0.0);
+        let result = renderer.render(&scene, &Quality::THESIS, frame, &mut Worker::new());
+        assert_eq!(result.unwrap_err().to_string(), text);
+        assert_eq!(pixels, [1; 20]);
+    }
+    let mut pixels = [1; 20];
+    let frame = Frame::new(10, 2, &mut pixels).with_stride(usize::MAX);
+    let result = renderer.render(
+        &Scene::default(),
+        &Quality::THESIS,
+        frame,
+        &mut Worker::new(),
+    );
+    assert!(matches!(
+        result,
+        Err(Error::Pixels {
+            needed: usize::MAX,
+            ..
+        })
+    ));
+}
+
+#[test]
 fn qualities_out_of_range_are_refused() {
     let thesis = Quality::THESIS;
     let squares = [0, Quality::MAX_SQUARE + 1, usize::MAX];

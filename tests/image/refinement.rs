@@ -67,6 +67,7 @@ fn what_the_intro_plays_is_within_45_db_in_every_frame() {
 }
 
 #[test]
+#[ignore = "many frames"]
 fn squares_are_filled_and_split_by_the_rules() {
     for quality in [Quality::THESIS, Quality::DEFAULT].map(bare) {
         for (name, scene) in scenes() {

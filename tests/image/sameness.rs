@@ -84,6 +84,7 @@ impl Threads for Backwards {
 }
 
 #[test]
+#[ignore = "many frames"]
 fn a_frame_does_not_depend_on_earlier_frames() {
     let level = cpu::best().level;
     let mut renderer = ThreadedRenderer::new(2);

@@ -142,6 +142,7 @@ fn every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some() {
 const DARK: u32 = 0x12_1212;
 
 #[test]
+#[ignore = "many scenes by chance"]
 fn every_shadow_is_shown_however_thin_and_however_near_its_sphere_is_to_the_plane_or_the_lamp() {
     let mut shadows = 0;
     let scenes = thin_shadows().into_iter();

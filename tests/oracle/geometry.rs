@@ -163,6 +163,15 @@ impl Face {
     }
 }
 
+/// A sphere, or the side of a cylinder, of which a shape's surface is a part.
+#[derive(Clone, Copy, Debug)]
+pub struct Round {
+    pub centre: DVec3,
+    pub radius: f64,
+    /// A cylinder's axis, of length 1.
+    pub axis: Option<DVec3>,
+}
+
 impl From<&Sphere> for Shape {
     fn from(sphere: &Sphere) -> Self {
         Self::Sphere {
@@ -264,14 +273,35 @@ impl Shape {
         sides.map(face).collect()
     }
 
-    /// Whether it has no surface but a sphere's or flat sides: then the ways of light by one mirror have a closed form.
-    pub fn is_mirror_in_closed_form(&self) -> bool {
+    /// The spheres and the sides of cylinders that its surface is made of.
+    pub fn rounds(&self) -> Vec<Round> {
+        let ball = |centre, radius| Round {
+            centre,
+            radius,
+            axis: None,
+        };
         match *self {
-            Self::Sphere { .. } | Self::Plane { .. } => true,
-            Self::Block { shape, .. } => match shape {
-                BlockShape::Box => true,
-                BlockShape::Cylinder | BlockShape::Capsule => false,
-            },
+            Self::Sphere { centre, radius } => vec![ball(centre, radius)],
+            Self::Plane { .. } => Vec::new(),
+            Self::Block {
+                centre,
+                half,
+                axes,
+                shape,
+            } => {
+                let side = Round {
+                    axis: Some(axes.y_axis.normalize()),
+                    ..ball(centre, half.x)
+                };
+                let end = (half.y - half.x) * axes.y_axis;
+                match shape {
+                    BlockShape::Box => Vec::new(),
+                    BlockShape::Cylinder => vec![side],
+                    BlockShape::Capsule => {
+                        vec![side, ball(centre - end, half.x), ball(centre + end, half.x)]
+                    }
+                }
+            }
         }
     }
 

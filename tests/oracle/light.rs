@@ -35,9 +35,9 @@ impl Oracle<'_> {
     pub(super) fn reaching(&self, light: &Light, to_light: &ToLight, ray: Ray) -> DVec3 {
         let ToLight { l, distance } = *to_light;
         let cone = light.spot.map_or(1.0, |spot| {
-            let (dark, bright) = (f64::from(spot.dark), f64::from(spot.bright));
+            let (outer, inner) = (f64::from(spot.cos_outer), f64::from(spot.cos_inner));
             let cosine = -l.dot(spot.aim.as_dvec3());
-            smooth((cosine - dark) / (bright - dark))
+            smooth((cosine - outer) / (inner - outer))
         });
         let bodies = self.bodies.iter();
         let in_its_way = bodies.filter(|body| body.shape.meet(ray, distance).is_some());

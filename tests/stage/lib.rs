@@ -3,7 +3,7 @@
 pub mod reader;
 mod tools;
 
-pub use tools::{DISPLAY, lacks, tool};
+pub use tools::{DISPLAY, lacks, missing, tool};
 
 use eightfold_lab::cargo;
 use eightfold_tracer::Quality;

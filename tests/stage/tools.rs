@@ -45,6 +45,12 @@ pub fn lacks(tools: &[&str]) -> bool {
     true
 }
 
+/// The tools that are missing, each with its Debian package.
+pub fn missing() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let tools = PACKAGES.lines().filter_map(|line| line.split_once(' '));
+    tools.filter(|(tool, _)| !is_there(tool))
+}
+
 /// A command that runs a tool of `tools.txt`.
 ///
 /// # Panics

@@ -110,8 +110,8 @@ fn unlit(light: &Light, target: Vec3A) -> Light {
     Light {
         spot: Some(Spot {
             aim: (light.position - target).normalize_or(Vec3A::Y),
-            dark: 1.0 - 1e-6,
-            bright: 1.0,
+            cos_outer: 1.0 - 1e-6,
+            cos_inner: 1.0,
         }),
         size: 0.0,
         ..*light

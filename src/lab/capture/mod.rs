@@ -7,7 +7,7 @@ mod frame_queue;
 mod sheet;
 mod video;
 
-use crate::arguments::{self, BadInput, NamedQuality, Size};
+use crate::arguments::{self, BadInput, NamedQuality, Part, Size};
 use crate::rate::Rate;
 use crate::scenes::{self, SceneName};
 use crate::{interrupt, output};
@@ -55,6 +55,9 @@ pub struct Arguments {
     /// The frame to end before; beyond the scene's end it means that end [default: the scene's end]
     #[arg(long, value_name = "FRAME", value_parser = arguments::frame, allow_negative_numbers = true)]
     to: Option<usize>,
+    /// Part I of N of these frames, such as 1/70: the others are drawn by other processes
+    #[arg(long, value_name = "I/N", default_value_t = Part::WHOLE)]
+    part: Part,
     /// Frames a second, a whole number or a fraction such as 30000/1001
     #[arg(
         long,
@@ -130,13 +133,9 @@ impl ExposureFlags {
 
 /// The part of `--help` about sharing the work.
 const PARTS: &str = "\
-Parts of a capture, on one machine or on many that share a folder:
+Parts of a capture, by Slurm on machines that share a folder; docs/lab.md has a line for those that ssh reaches:
 
-  GNU parallel, 100 frames at a time:
-    seq 0 100 6959 | parallel 'target/release/lab capture --png frames --from {} --to $(({} + 100))'
-  Slurm, as a job array of 70 tasks:
-    sbatch --array=0-69 --wrap 'target/release/lab capture --png frames \\
-        --from $((SLURM_ARRAY_TASK_ID * 100)) --to $((SLURM_ARRAY_TASK_ID * 100 + 100))'
+    sbatch --array=1-16 --wrap 'target/release/lab capture --png frames --part $SLURM_ARRAY_TASK_ID/16'
 
 Started again, it draws what is missing.
 
@@ -223,7 +222,7 @@ fn usual_isa() -> Result<Isa> {
     Ok(best)
 }
 
-/// The range of frames to draw, which is not empty.
+/// The range of frames to draw, which is not empty: all that are asked for, or a part of them.
 fn range(arguments: &Arguments, film: &Film) -> Result<Range<usize>> {
     let length = film.length();
     let (from, to) = (arguments.from, arguments.to.unwrap_or(length).min(length));
@@ -240,7 +239,8 @@ fn range(arguments: &Arguments, film: &Film) -> Result<Range<usize>> {
             "--to {to} takes a frame behind --from {from}"
         )));
     }
-    Ok(from..to)
+    arguments.part.check(to - from, "frames")?;
+    Ok(arguments.part.range(&(from..to)))
 }
 
 /// Parses the number of samples per pixel along each axis.

@@ -57,7 +57,7 @@ impl ByteCount {
 pub fn run(arguments: &Arguments) -> Result<()> {
     let build = Build::release("eightfold")?;
     let shipped = read(&build.program("eightfold")?)?;
-    let linked = read(&build.script_folder("eightfold")?.join("eightfold.unpacked"))?;
+    let linked = read(&build.linked("eightfold")?)?;
     let program = Program::parse(&linked)?;
     let packed = Packed::new(&linked)?;
     let mut text = String::new();

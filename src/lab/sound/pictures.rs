@@ -10,7 +10,7 @@ use plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
 use plotters::coord::types::RangedCoordf32;
 use plotters::prelude::*;
 use plotters::style::FontStyle;
-use rustfft::{FftPlanner, num_complex::Complex};
+use rustfft::{Fft, FftDirection, algorithm::Radix4, num_complex::Complex};
 use std::f32::consts::TAU;
 
 /// The size of a picture in pixels: about 33 columns per bar.
@@ -70,7 +70,7 @@ pub fn spectrogram(samples: &[[f32; 2]]) -> Result<Vec<u8>> {
         let plot = chart.plotting_area();
         let (width, height) = plot.dim_in_pixel();
         let pixels = plot.strip_coord_spec();
-        let transform = FftPlanner::new().plan_fft_forward(WINDOW);
+        let transform = Radix4::new(WINDOW, FftDirection::Forward);
         let mut window = vec![Complex::default(); WINDOW];
         for x in 0..width as usize {
             let middle = (2 * x + 1) * samples.len() / (2 * width as usize);

@@ -1,8 +1,9 @@
-//! Caustics in closed form: the ways of light from a lamp to a point by flat mirrors, or by way of one sphere.
+//! Caustics in closed form: the ways of light from a lamp to a point by flat mirrors, or by way of one round body.
 //!
 //! A flat mirror shows a lamp as if a second one stood behind it: that is looked for as any lamp is. By a sphere the way lies in the
-//! plane of its centre, the lamp and the point, so that one angle is to be found (manifold exploration in one dimension). All other
-//! ways are left to [photons](super::photons), which must leave these out.
+//! plane of its centre, the lamp and the point, so that one angle is to be found (manifold exploration in one dimension), and by the
+//! side of a cylinder it does so in a cross-section. All other ways are left to [photons](super::photons), which must leave these
+//! out.
 //!
 //! A ball of glass gathers light in a small place. Paths that were scattered find that by chance, hardly ever and very bright, which is
 //! noise; photons, which blur it, have none. So light through balls is theirs wherever a path has been scattered before.
@@ -13,13 +14,16 @@ use super::plan::Plan;
 use super::surface::{Bounce, Bsdf};
 use super::world::{Body, World};
 use crate::sampler::{Sampler, around};
-use eightfold_oracle::geometry::{Face, Ray, Shape};
+use eightfold_oracle::geometry::{Face, Ray, Round, Shape};
 use eightfold_tracer::glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// The most flat mirrors that are followed one after another, and the most images of lamps in them: each costs a ray at every point.
 const MOST_MIRRORS: usize = 4;
 const MOST_IMAGES: usize = 64;
+/// The least cosine of the angle between a way that was looked for and the ray that was traced along it.
+const SAME_WAY: f64 = 1.0 - 1e-6;
+
 /// A lamp as flat mirrors show it.
 #[derive(Clone, Debug)]
 struct Image {
@@ -34,6 +38,8 @@ pub struct Connections {
     images: Vec<Image>,
     /// The number of flat mirrors that are followed one after another.
     mirrors: usize,
+    /// What is round and mirrors light, with its body's index.
+    rounds: Vec<(usize, Round)>,
     /// The indices of spheres that mirror or let light through.
     spheres: Vec<usize>,
 }
@@ -47,6 +53,9 @@ impl Connections {
             .flat_map(|(i, body)| body.faces().into_iter().map(move |face| (i, face)))
             .collect();
         let mut all = Self {
+            rounds: specular()
+                .flat_map(|(i, body)| body.shape.rounds().into_iter().map(move |it| (i, it)))
+                .collect(),
             spheres: spheres.map(|(i, _)| i).collect(),
             ..Self::default()
         };
@@ -78,7 +87,7 @@ impl Connections {
         let are_outside = !way[0].is_inside;
         let is_sphere = |event: &Event| self.spheres.contains(&event.body);
         match *way {
-            [only] if is_sphere(&only) => {
+            [only] if self.rounds.iter().any(|it| it.0 == only.body) => {
                 Gap::none_if(are_outside && only.bounce == Bounce::Mirrored)
             }
             [into, out] if is_sphere(&into) && are_outside && into.body == out.body => {
@@ -115,14 +124,15 @@ impl Connections {
         let mut sum: DVec3 = images
             .map(|it| point.by_mirrors(it, sampler.next_2d()))
             .sum();
-        for &index in &self.spheres {
+        for round in &self.rounds {
+            let is_sphere = self.spheres.contains(&round.0);
             for lamp in &world.lamps {
                 let u = sampler.next_2d();
-                sum += point.by_sphere(index, Bounce::Mirrored, lamp, u);
-                if world.bodies[index].material.kt > 0.0 && !is_scattered {
+                sum += point.by_round(round, Bounce::Mirrored, lamp, u);
+                if is_sphere && world.bodies[round.0].material.kt > 0.0 && !is_scattered {
                     let directions = sampler.next_2d();
-                    sum += point.by_sphere(index, Bounce::Through, lamp, u);
-                    sum += point.through_sphere(index, lamp, directions);
+                    sum += point.by_round(round, Bounce::Through, lamp, u);
+                    sum += point.through_sphere(round, lamp, directions);
                 }
             }
         }
@@ -219,10 +229,11 @@ impl Point<'_> {
         share * light * self.world.passing(ray, left, false)
     }
 
-    /// The light of a point of a lamp, chosen by `u`, by way of a sphere.
-    fn by_sphere(&self, index: usize, bounce: Bounce, lamp: &Lamp, u: DVec2) -> DVec3 {
+    /// The light of a point of a lamp, chosen by `u`, by way of what is round.
+    fn by_round(&self, round: &(usize, Round), bounce: Bounce, lamp: &Lamp, u: DVec2) -> DVec3 {
+        let index = round.0;
         let (o, normal) = lamp.point(self.has_extents, u);
-        let Some(plan) = self.plan(o, index, bounce) else {
+        let Some(plan) = self.plan(o, round, bounce) else {
             return DVec3::ZERO;
         };
         let light = |at: f64| {
@@ -231,6 +242,10 @@ impl Point<'_> {
             let to_lamp = o - ray.o;
             let distance = to_lamp.length();
             let d = to_lamp / distance;
+            // Where a cylinder has ended, another part of the body may have been met.
+            if ray.d.dot(d) < SAME_WAY {
+                return None;
+            }
             let cosine = normal.map_or(1.0, |n| -n.dot(d)).max(0.0);
             let mut weight = spread * cosine;
             if bounce == Bounce::Through && normal.is_some() {
@@ -245,7 +260,8 @@ impl Point<'_> {
     }
 
     /// The light of a lamp with an extent that comes through a sphere from a direction, chosen by `u`.
-    fn through_sphere(&self, index: usize, lamp: &Lamp, u: DVec2) -> DVec3 {
+    fn through_sphere(&self, round: &(usize, Round), lamp: &Lamp, u: DVec2) -> DVec3 {
+        let index = round.0;
         let light = || {
             let shape = &self.world.bodies[index].shape;
             let axis = (shape.centre() - self.here.o).normalize();
@@ -253,7 +269,7 @@ impl Point<'_> {
             let (scattered, ray, travelled) = self.beyond(index, Bounce::Through, chosen)?;
             let t = lamp.meet(ray)?;
             let o = ray.at(t);
-            let plan = self.plan(o, index, Bounce::Through)?;
+            let plan = self.plan(o, round, Bounce::Through)?;
             let (_, spread) = plan.way(plan.at(chosen))?;
             let chance = lamp.area() * lamp.cosine(o, ray.d) * spread;
             let density = 1.0 / self.cone(index) + 1.0 / chance;
@@ -263,16 +279,14 @@ impl Point<'_> {
         self.has_extents.then(light).flatten().unwrap_or_default()
     }
 
-    /// The plane of the ways by a sphere to a point of a lamp; `None` if the surface faces away from the sphere.
-    fn plan(&self, o: DVec3, index: usize, bounce: Bounce) -> Option<Plan> {
-        let Shape::Sphere { centre, radius } = self.world.bodies[index].shape else {
-            return None;
-        };
-        let is_before = self.bsdf.n.dot(centre - self.here.o) > -radius;
-        let index = f64::from(self.world.bodies[index].material.index);
-        let index = (bounce == Bounce::Through).then_some(index);
-        let plan = || Plan::new(self.here.o - centre, o - centre, radius, index);
-        is_before.then(plan).flatten()
+    /// The plane of the ways by what is round to a point of a lamp; `None` if the surface faces away from a sphere.
+    fn plan(&self, o: DVec3, round: &(usize, Round), bounce: Bounce) -> Option<Plan> {
+        let (body, round) = (&self.world.bodies[round.0], &round.1);
+        let p = self.here.o;
+        let is_before = self.bsdf.n.dot(round.centre - p) > -round.radius;
+        let index = (bounce == Bounce::Through).then_some(f64::from(body.material.index));
+        let plan = || Plan::new(p, o, round, index);
+        (is_before || round.axis.is_some()).then(plan).flatten()
     }
 
     /// The solid angle of a sphere.

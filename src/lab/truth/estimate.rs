@@ -8,6 +8,10 @@ use eightfold_tracer::glam::DVec3;
 const STUDENT: f64 = 2.365;
 const _: () = assert!(REPLICATIONS == 8, "STUDENT is that of 7 degrees of freedom");
 
+/// The error by the blur of photons, in what discs of half the radius change: 4/3 where light is smooth, and up to 3 at a sixth of
+/// the radius from an edge of the light or farther.
+const BLUR: f64 = 3.0;
+
 /// Mean and variance of numbers that come one by one, each channel for itself (Welford, 1962).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Welford {
@@ -50,6 +54,15 @@ impl FromIterator<DVec3> for Welford {
     }
 }
 
+/// The samples of a pixel so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pixel {
+    /// The sum of each replication.
+    pub sums: [DVec3; REPLICATIONS],
+    /// How much more all of them are than by narrower discs of photons.
+    pub blur: DVec3,
+}
+
 /// The estimate of a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Estimate {
@@ -57,24 +70,29 @@ pub struct Estimate {
     pub mean: DVec3,
     /// The variance of `mean`.
     pub variance: DVec3,
+    /// What narrower discs of photons change.
+    pub blur: DVec3,
 }
 
 impl Estimate {
-    /// The estimate by the sums of the samples of each replication, of which there are `count`.
+    /// The estimate by the samples of a pixel, of which each replication has `count`.
     ///
     /// The samples of one replication depend on each other, which is what makes their mean good; the replications do not.
-    pub fn of(sums: &[DVec3; REPLICATIONS], count: usize) -> Self {
-        let means = sums.iter().map(|sum| sum / count.max(1) as f64);
+    pub fn of(pixel: &Pixel, count: usize) -> Self {
+        let count = count.max(1) as f64;
+        let means = pixel.sums.iter().map(|sum| sum / count);
         let all: Welford = means.collect();
         Self {
             mean: all.mean(),
             variance: all.variance_of_mean(),
+            blur: pixel.blur.abs() / (REPLICATIONS as f64 * count),
         }
     }
 
-    /// Half the width of the interval about the mean in which the radiance is with a probability of 95 %.
+    /// Half the width of the interval about the mean in which the radiance is with a probability of 95 %: by the noise, and by the
+    /// blur of photons.
     pub fn half_interval(&self) -> DVec3 {
-        STUDENT * self.variance.map(f64::sqrt)
+        STUDENT * self.variance.map(f64::sqrt) + BLUR * self.blur
     }
 
     /// The mean as a pixel, `0x00RRGGBB`.

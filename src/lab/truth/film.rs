@@ -3,18 +3,14 @@
 use super::REPLICATIONS;
 use super::connect::Connections;
 use super::effects::Effects;
-use super::estimate::Estimate;
+use super::estimate::{Estimate, Pixel};
 use super::path::PathTracer;
 use super::photons::{Emission, Photons};
 use super::world::World;
-use crate::arguments::Size;
+use crate::arguments::{Part, Size};
 use crate::interrupt;
 use crate::sampler::{Sampler, Sequence, seed_of};
-use eightfold_tracer::glam::DVec3;
 use rayon::prelude::*;
-
-/// The samples of a pixel so far: the sum of each replication.
-pub type Sums = [DVec3; REPLICATIONS];
 
 /// A picture that is being sampled.
 ///
@@ -31,7 +27,8 @@ pub struct Film {
 pub struct Row {
     /// The number of samples of each replication of each pixel.
     pub count: usize,
-    pub pixels: Vec<Sums>,
+    /// None, if another part of the picture has the row.
+    pub pixels: Vec<Pixel>,
 }
 
 /// How a picture is sampled.
@@ -46,22 +43,30 @@ pub struct Sampling {
 }
 
 impl Film {
-    /// A film without samples.
-    pub fn new(size: Size) -> Self {
-        let row = Row {
-            count: 0,
-            pixels: vec![[DVec3::ZERO; REPLICATIONS]; size.width],
+    /// A film for a part of a picture's rows, without samples.
+    pub fn new(size: Size, part: Part) -> Self {
+        let row = |y| {
+            let width = if part.has(y) { size.width } else { 0 };
+            Row {
+                count: 0,
+                pixels: vec![Pixel::default(); width],
+            }
         };
         Self {
             width: size.width,
-            rows: vec![row; size.height],
+            rows: (0..size.height).map(row).collect(),
         }
+    }
+
+    /// The rows that it has.
+    pub fn own_rows(&self) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(|row| !row.pixels.is_empty())
     }
 
     /// Adds one sample to each replication of every row that has fewer than `count` of them, on the threads of the pool that it
     /// is called in. Calls `done` after each row. After Ctrl-C, the other rows are left as they are.
     ///
-    /// All rows must have `count` samples, or one less.
+    /// All its rows must have `count` samples, or one less.
     pub fn expose(
         &mut self,
         world: &World,
@@ -74,21 +79,21 @@ impl Film {
         let connections = Connections::new(&world.bodies, &world.lamps);
         let photons = photons(world, &connections, effects, sampling, count - 1);
         let rows = self.rows.par_iter_mut().enumerate();
-        let rows = rows.filter(|(_, row)| row.count < count);
+        let rows = rows.filter(|(_, row)| row.count < count && !row.pixels.is_empty());
         rows.for_each(|(y, row)| {
             if interrupt::is_stopped() {
                 return;
             }
-            for (x, sums) in row.pixels.iter_mut().enumerate() {
-                let pixel = y * width + x;
-                for (replication, sum) in sums.iter_mut().enumerate() {
+            for (x, pixel) in row.pixels.iter_mut().enumerate() {
+                let index = y * width + x;
+                for (replication, sum) in pixel.sums.iter_mut().enumerate() {
                     let tracer = PathTracer {
                         world,
                         connections: &connections,
                         effects,
                         photons: &photons[replication],
                     };
-                    let seed = seed_of(sampling.seed, (pixel * REPLICATIONS + replication) as u64);
+                    let seed = seed_of(sampling.seed, (index * REPLICATIONS + replication) as u64);
                     let mut sampler = Sampler::new(sampling.sequence, count - 1, seed);
                     let u = sampler.next_2d();
                     let (mut x, mut y) = (x as f64, y as f64);
@@ -96,7 +101,9 @@ impl Film {
                         x += u.x - 0.5;
                         y += u.y - 0.5;
                     }
-                    *sum += tracer.follow(x, y, &mut sampler);
+                    let found = tracer.follow(x, y, &mut sampler);
+                    *sum += found.light;
+                    pixel.blur += found.blur;
                 }
             }
             row.count += 1;
@@ -106,7 +113,7 @@ impl Film {
 
     /// The number of samples of each replication that every pixel has.
     pub fn count(&self) -> usize {
-        self.rows.iter().map(|row| row.count).min().unwrap_or(0)
+        self.own_rows().map(|row| row.count).min().unwrap_or(0)
     }
 
     /// The estimates of all pixels, row by row.
@@ -114,7 +121,7 @@ impl Film {
         let rows = self.rows.iter();
         let of = |row: &Row| -> Vec<Estimate> {
             let pixels = row.pixels.iter();
-            pixels.map(|sums| Estimate::of(sums, row.count)).collect()
+            pixels.map(|pixel| Estimate::of(pixel, row.count)).collect()
         };
         rows.flat_map(of).collect()
     }

@@ -34,8 +34,8 @@ pub struct Lamp {
 #[derive(Clone, Copy, Debug)]
 struct Spot {
     aim: DVec3,
-    dark: f64,
-    bright: f64,
+    cos_outer: f64,
+    cos_inner: f64,
 }
 
 /// The light of a lamp from one direction at a point.
@@ -81,8 +81,8 @@ impl Lamp {
             is_tinted: light.size > 0.0,
             spot: light.spot.map(|spot| Spot {
                 aim: spot.aim.as_dvec3(),
-                dark: spot.dark.into(),
-                bright: spot.bright.into(),
+                cos_outer: spot.cos_outer.into(),
+                cos_inner: spot.cos_inner.into(),
             }),
             reference: (has_falloff && !light.parallel).then_some(reference),
         }
@@ -201,7 +201,7 @@ impl Lamp {
         let falloff = self.reference.map_or(1.0, |at| (at / distance).powi(2));
         let cone = self.spot.map_or(1.0, |spot| {
             let cosine = (p - self.position).normalize_or_zero().dot(spot.aim);
-            let s = ((cosine - spot.dark) / (spot.bright - spot.dark)).clamp(0.0, 1.0);
+            let s = ((cosine - spot.cos_outer) / (spot.cos_inner - spot.cos_outer)).clamp(0.0, 1.0);
             s * s * (3.0 - 2.0 * s)
         });
         falloff * cone

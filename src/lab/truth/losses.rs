@@ -47,7 +47,8 @@ pub fn run(truth: &Picture<'_>, scene: &str, pool: &ThreadPool, folder: &Path) -
     let width = truth.size.width;
     let draw = |name: &str, effects: Effects| {
         let picture = Picture { effects, ..*truth };
-        picture.draw_resumably(pool, &folder.join(format!("{name}.png")), true)
+        let film = picture.draw_resumably(pool, &folder.join(format!("{name}.png")), None, true)?;
+        Ok(film.estimates())
     };
     let estimates = draw("truth", Effects::TRUTH)?;
     let losses = losses(truth, &pixels(&estimates), &draw)?;

@@ -15,7 +15,7 @@ pub mod state;
 pub mod surface;
 pub mod world;
 
-use crate::arguments::{self, BadInput, Size};
+use crate::arguments::{self, BadInput, Part, Size};
 use crate::overlay::heat;
 use crate::sampler::{MAX_POINTS, Sequence};
 use crate::scenes::{self, SceneName};
@@ -42,7 +42,7 @@ const INTERVAL_SHOWN: f64 = 16.0;
 /// Draws a scene by a path tracer: lamps with a size, light from surface to surface, glass that bends light
 ///
 /// It follows random paths of light, in numbers of 64 bits, and tells how far each pixel may be off. After Ctrl-C the same
-/// command goes on where it was, to the same bits.
+/// command goes on where it was, to the same bits. Parts that many machines have drawn are merged to the same bits, too.
 #[derive(Args)]
 #[command(group(ArgGroup::new("what").required(true).args(["out", "effects", "convergence"])))]
 pub struct Arguments {
@@ -84,6 +84,14 @@ pub struct Arguments {
     /// File to write the 95 % intervals to, as PNG: from black for none to white for 16 of 255 to either side
     #[arg(long, value_name = "FILE", requires = "out", value_parser = arguments::png_file)]
     interval: Option<PathBuf>,
+    /// Draws part I of N of the picture's rows, such as 1/16, to the file of --out with .part-I-of-N behind its name; the others are
+    /// drawn by other processes
+    #[arg(long, value_name = "I/N", requires = "out", conflicts_with_all = ["exr", "interval", "effects", "convergence"])]
+    part: Option<Part>,
+    /// Puts together the files of all parts, in place of drawing
+    #[arg(long, value_name = "FILE", num_args = 1.., requires = "out",
+        conflicts_with_all = ["part", "scene", "time", "size", "samples", "seed", "with", "without", "threads", "effects", "convergence"])]
+    merge: Vec<PathBuf>,
     /// Folder for what the real-time model leaves out: pictures of each effect, sheet.png with all of them, and a table
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["with", "without"])]
     effects: Option<PathBuf>,
@@ -101,6 +109,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             "--samples {} takes more than {REPLICATIONS} for --convergence, which compares two numbers of samples at least",
             arguments.samples
         )));
+    }
+    if let (Some(out), [_, ..]) = (&arguments.out, &*arguments.merge) {
+        return write(arguments, &state::merge(&arguments.merge)?, out);
     }
     let scene = shown(arguments)?;
     let picture = Picture {
@@ -120,27 +131,45 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
 }
 
-/// Draws one picture, and writes its files.
+/// Draws one picture, and writes its files; or a part of it.
 fn draw(arguments: &Arguments, picture: &Picture<'_>, pool: &ThreadPool, out: &Path) -> Result<()> {
+    if let Some(part) = arguments.part {
+        part.check(picture.size.height, "rows")?;
+        let name = state::beside(out, Some(part));
+        output::check(&name)?;
+        picture.draw_resumably(pool, out, Some(part), true)?;
+        eprintln!(
+            "{} has part {part}; --merge takes all parts",
+            name.display()
+        );
+        return Ok(());
+    }
     let (exr, interval) = (arguments.exr.as_deref(), arguments.interval.as_deref());
     for name in [exr, interval, Some(out)].into_iter().flatten() {
         output::check(name)?;
     }
-    let estimates = picture.draw_resumably(pool, out, false)?;
+    let film = picture.draw_resumably(pool, out, None, false)?;
+    write(arguments, &film, out)?;
+    render::forget(out);
+    Ok(())
+}
+
+/// Writes the files of a picture.
+fn write(arguments: &Arguments, film: &film::Film, out: &Path) -> Result<()> {
+    let estimates = film.estimates();
     let intervals = Intervals::of(&estimates);
-    let width = picture.size.width;
+    let (width, height) = (film.width, film.rows.len());
     let save = |name: &Path, pixels: &[u32]| output::write(name, &picture::png(width, pixels)?);
     save(out, &pixels(&estimates))?;
-    if let Some(name) = interval {
+    if let Some(name) = &arguments.interval {
         save(name, &interval_picture(&intervals))?;
     }
-    if let Some(name) = exr {
-        output::write(name, &open_exr(picture.size, &estimates)?)?;
+    if let Some(name) = &arguments.exr {
+        output::write(name, &open_exr(Size { width, height }, &estimates)?)?;
     }
-    render::forget(out);
     eprintln!(
         "{} samples a pixel: 95 % intervals of +-{:.2} of 255 in the median, +-{:.1} at worst",
-        picture.sampling.count * REPLICATIONS,
+        film.count() * REPLICATIONS,
         intervals.median,
         intervals.worst
     );

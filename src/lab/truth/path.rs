@@ -7,7 +7,7 @@
 use super::connect::Connections;
 use super::effects::Effects;
 use super::lamp::Lamp;
-use super::photons::Photons;
+use super::photons::{Blurred, Photons};
 use super::surface::Bsdf;
 use super::world::World;
 use crate::sampler::Sampler;
@@ -42,17 +42,20 @@ struct Path {
     density: Option<f64>,
     /// The light that it has found.
     light: DVec3,
+    /// How much more of it there is than by narrower discs of photons.
+    blur: DVec3,
 }
 
 impl PathTracer<'_> {
     /// The radiance that one path finds through a point of the picture, in pixels.
-    pub fn follow(&self, x: f64, y: f64, sampler: &mut Sampler) -> DVec3 {
+    pub fn follow(&self, x: f64, y: f64, sampler: &mut Sampler) -> Blurred {
         let mut path = Path {
             ray: self.world.primary_ray(x, y),
             throughput: DVec3::splat(self.world.brightness),
             scatters: 0,
             density: None,
             light: DVec3::ZERO,
+            blur: DVec3::ZERO,
         };
         let mut bounces = 0;
         while self.advance(&mut path, sampler) {
@@ -65,7 +68,10 @@ impl PathTracer<'_> {
                 path.throughput /= survival;
             }
         }
-        path.light
+        Blurred {
+            light: path.light,
+            blur: path.blur,
+        }
     }
 
     /// Follows a path to the next body. Returns whether it goes on.
@@ -101,21 +107,33 @@ impl PathTracer<'_> {
         path.ray = path.ray.moved(t);
         if is_lit && bsdf.is_rough() {
             let caustics = self.caustics(path.ray, &bsdf, path.scatters > 0, sampler);
-            path.light += path.throughput * (self.direct(path.ray, &bsdf, sampler) + caustics);
+            let direct = self.direct(path.ray, &bsdf, sampler);
+            path.light += path.throughput * (direct + caustics.light);
+            path.blur += path.throughput * caustics.blur;
         }
         self.scatter(path, &bsdf, sampler)
     }
 
     /// The light of all lamps that a surface, at which `here` starts, sends back along the path by way of mirrors and glass;
     /// `is_scattered` is whether the path has been scattered before.
-    fn caustics(&self, here: Ray, bsdf: &Bsdf, is_scattered: bool, sampler: &mut Sampler) -> DVec3 {
+    fn caustics(
+        &self,
+        here: Ray,
+        bsdf: &Bsdf,
+        is_scattered: bool,
+        sampler: &mut Sampler,
+    ) -> Blurred {
         if !self.effects.caustics {
-            return DVec3::ZERO;
+            return Blurred::default();
         }
         let world = self.world;
         let ways = self.connections;
         let known = ways.light(world, here, bsdf, &self.effects, is_scattered, sampler);
-        known + self.photons.reflected(here.o, bsdf, is_scattered)
+        let blurred = self.photons.reflected(world, here.o, bsdf, is_scattered);
+        Blurred {
+            light: known + blurred.light,
+            ..blurred
+        }
     }
 
     /// Has a path go on from a point of a surface. Returns whether it does.

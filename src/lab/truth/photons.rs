@@ -2,9 +2,12 @@
 //!
 //! Paths from the eye hardly ever find such light, and those from the lamp do (Jensen, "Global Illumination using Photon Maps",
 //! 1996). A photon lights a disc that reaches as far as some of its neighbours, and at least as far as some pixels: caustics are
-//! blurred by as much, and lose light at the edges of what they fall on. Each sample has photons of its own, of smaller discs from
-//! sample to sample (Knaus and Zwicker, "Progressive Photon Mapping: A Probabilistic Approach", 2011): so noise and blur average
-//! out. The noise is part of the intervals, the blur is not.
+//! blurred by as much. Each sample has photons of its own, of smaller discs from sample to sample (Knaus and Zwicker, "Progressive
+//! Photon Mapping: A Probabilistic Approach", 2011): so noise and blur average out. What the same photons would light by discs of
+//! half the radius tells how far the blur changes a pixel, which is part of its interval as the noise is.
+//!
+//! At the edges of what is lit a part of the disc would be lost: there the photons that are on the surface count for those that
+//! cannot be.
 
 use super::connect::{Connections, Event, Gap};
 use super::lamp::Lamp;
@@ -27,6 +30,14 @@ const SAME_SIDE: f64 = 0.9;
 /// The least cosine of the angle at which light comes to a place, so that none is divided by 0.
 const LEAST_COSINE: f64 = 1e-3;
 
+/// The share of their radius that discs have to tell the blur.
+const NARROW: f64 = 0.5;
+/// Beyond the edge of a surface its plane is looked for as near as this to it, of the radius of a disc: as far as a surface is bent
+/// within a disc while its normals are on the same side.
+const LIFT: f64 = 0.25;
+/// Places around a photon by which it is told how much of its surroundings is surface.
+const AROUND: usize = 8;
+
 /// The neighbours that a photon's disc reaches: so many photons light a point, give or take some.
 const NEIGHBOURS: usize = 12;
 
@@ -42,6 +53,18 @@ struct Photon {
     radius: f64,
     /// Where its way has no closed form.
     gap: Gap,
+    /// The index of the body that it has come to.
+    body: usize,
+    /// Whether that body's surface is all around the points that it lights.
+    is_inner: bool,
+}
+
+/// Light, a part of which photons have blurred.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Blurred {
+    pub light: DVec3,
+    /// How much more of it there is than by discs of [`NARROW`] of the radius.
+    pub blur: DVec3,
 }
 
 /// The photons of one sample.
@@ -94,7 +117,6 @@ impl Photons {
         if let [(_, only)] = *targets
             && only.material.kt == 0.0
             && only.waves == Waves::CALM
-            && only.shape.is_mirror_in_closed_form()
         {
             // All ways have a closed form.
             return Self::none();
@@ -121,7 +143,7 @@ impl Photons {
         }
         // The variance of the mean falls by the number of samples to the power of 2/3, and so does the squared error by the blur.
         let narrower = (emission.index as f64 + 1.0).powf(-1.0 / 6.0);
-        widen(&mut photons, world.blur);
+        widen(&mut photons, world);
         Self {
             tree: RTree::bulk_load(photons),
             narrower,
@@ -129,40 +151,89 @@ impl Photons {
     }
 
     /// The light of the photons that a surface at `p` sends back along the path, which has been scattered before or not.
-    pub fn reflected(&self, p: DVec3, bsdf: &Bsdf, is_scattered: bool) -> DVec3 {
-        let n = bsdf.n;
+    pub fn reflected(&self, world: &World, p: DVec3, bsdf: &Bsdf, is_scattered: bool) -> Blurred {
         let here = AABB::from_point(p.to_array());
-        let mut sum = DVec3::ZERO;
+        let mut sum = Blurred::default();
         let narrower = if is_scattered { 1.0 } else { self.narrower };
         for photon in self.tree.locate_in_envelope_intersecting(here) {
-            let radius = narrower * photon.radius;
-            let area = PI * radius * radius;
-            let near = 1.0 - PI * p.distance_squared(photon.p) / area;
-            let cosine = n.dot(photon.d);
             if photon.gap == Gap::Scattered && !is_scattered {
                 continue;
             }
-            if near > 0.0 && cosine > LEAST_COSINE && n.dot(photon.n) > SAME_SIDE {
-                // Epanechnikov's kernel, whose integral over the disc is 1. The power counts the cosine already.
-                sum += 2.0 * near / (area * cosine) * photon.power * bsdf.of(photon.d);
+            let radius = narrower * photon.radius;
+            // Epanechnikov's kernel, whose integral over the disc is 1.
+            let kernel = |radius: f64| {
+                let area = PI * radius * radius;
+                2.0 * (1.0 - PI * p.distance_squared(photon.p) / area).max(0.0) / area
+            };
+            let wide = kernel(radius);
+            let cosine = bsdf.n.dot(photon.d);
+            if wide > 0.0 && cosine > LEAST_COSINE && bsdf.n.dot(photon.n) > SAME_SIDE {
+                // The power counts the cosine already.
+                let gain = photon.gain(world, p, radius) / cosine;
+                let light = gain * photon.power * bsdf.of(photon.d);
+                sum.light += wide * light;
+                sum.blur += (wide - kernel(NARROW * radius)) * light;
             }
         }
         sum
     }
 }
 
-/// Widens the discs of photons until each reaches some neighbours, and `least` at least.
-fn widen(photons: &mut [Photon], least: f64) {
+impl Photon {
+    /// How many photons it counts for at a point that its disc of a radius lights. Turned about the point by quarters, it would come
+    /// to up to four places on the surface; where it would come to none, no photon can.
+    fn gain(&self, world: &World, p: DVec3, radius: f64) -> f64 {
+        if self.is_inner {
+            return 1.0;
+        }
+        let mut off = self.p - p;
+        let mut places = 1;
+        for _ in 1..4 {
+            off = self.n.cross(off);
+            places += u32::from(self.is_on_surface(world, p + off, radius));
+        }
+        4.0 / f64::from(places)
+    }
+
+    /// Whether the surface that it lights is at a point, too, by discs of a radius.
+    fn is_on_surface(&self, world: &World, p: DVec3, radius: f64) -> bool {
+        let lift = LIFT * radius;
+        let met = world.nearest(Ray::new(p + lift * self.n, -self.n));
+        met.is_some_and(|(body, met)| {
+            std::ptr::eq(body, &world.bodies[self.body])
+                && met.t < 2.0 * lift
+                && met.normal.dot(self.n).abs() > SAME_SIDE
+        })
+    }
+
+    /// How much of the surroundings of the points that it lights is its surface: all of it is 1.
+    fn surface_around(&self, world: &World) -> f64 {
+        let reach = 2.0 * self.radius;
+        let is_there = |i: &usize| {
+            let off = around(self.n, 0.0, *i as f64 / AROUND as f64);
+            self.is_on_surface(world, self.p + reach * off, reach)
+        };
+        (0..AROUND).filter(is_there).count() as f64 / AROUND as f64
+    }
+}
+
+/// Widens the discs of photons until each reaches some neighbours, or all if there are few, and some pixels at least.
+fn widen(photons: &mut [Photon], world: &World) {
     let places = photons.iter().map(|photon| photon.p.to_array());
     let places: Vec<_> = places.map(|p| GeomWithData::new(p, ())).collect();
     let tree = RTree::bulk_load(places);
     for photon in photons {
-        let mut near = tree.nearest_neighbor_iter_with_distance_2(photon.p.to_array());
+        let near = tree.nearest_neighbor_iter_with_distance_2(photon.p.to_array());
         // The first one is itself.
         let reach = near
-            .nth(NEIGHBOURS)
+            .take(NEIGHBOURS + 1)
+            .last()
             .map_or(0.0, |(_, squared)| squared.sqrt());
-        photon.radius = reach.max(least);
+        photon.radius = reach.max(world.blur);
+        // Beyond an edge there are no neighbours, and the others are farther away.
+        let there = photon.surface_around(world);
+        photon.is_inner = there == 1.0;
+        photon.radius = (there.sqrt() * reach).max(world.blur);
     }
 }
 
@@ -221,6 +292,8 @@ impl Flight<'_> {
                     power: solid_angle * self.lamp.power(unfolded, self.has_extents),
                     radius: 0.0,
                     gap,
+                    body: self.world.index(body),
+                    is_inner: false,
                 });
             }
             let Some(bounce) = bsdf.sample_bounce(sampler.next_1d()) else {

@@ -1,6 +1,7 @@
 //! The plane of a point, a sphere's centre and a lamp, in which lie the ways of light from the lamp to the point by way of the sphere:
-//! one angle is to be found.
+//! one angle is to be found. By a cylinder's side it is the same in its cross-section; along its axis such a way is straight.
 
+use eightfold_oracle::geometry::Round;
 use eightfold_tracer::glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_PI_2;
 
@@ -21,6 +22,8 @@ pub struct Plan {
     index: Option<f64>,
     lamp: DVec2,
     axes: [DVec3; 2],
+    /// The axis of a cylinder, and how far the lamp is along that from the point.
+    rise: Option<(DVec3, f64)>,
 }
 
 /// The ray at an angle of incidence, by which it is looked for, and what changes with it.
@@ -37,8 +40,13 @@ struct Candidate {
 }
 
 impl Plan {
-    /// For a point `p` and a lamp at `o`, both from the sphere's centre; `None` if one of them is within.
-    pub fn new(p: DVec3, o: DVec3, radius: f64, index: Option<f64>) -> Option<Self> {
+    /// For a point `p` and a lamp at `o`; `None` if one of them is within. Cylinders mirror, and have no `index`.
+    pub fn new(p: DVec3, o: DVec3, round: &Round, index: Option<f64>) -> Option<Self> {
+        let radius = round.radius;
+        let axis = round.axis.unwrap_or_default();
+        let [p, o, way] = [p - round.centre, o - round.centre, o - p];
+        let [p, o] = [p, o].map(|it| it - it.dot(axis) * axis);
+        let rise = round.axis.map(|axis| (axis, way.dot(axis)));
         let (distance, outside) = (p.length(), radius * (1.0 + 1e-9));
         if distance <= outside || o.length() <= outside {
             return None;
@@ -54,6 +62,7 @@ impl Plan {
             index,
             lamp: dvec2(along, off.length().max(least)),
             axes: [axis, across],
+            rise,
         })
     }
 
@@ -139,10 +148,18 @@ impl Plan {
         if self.lamp.dot(found.leaving) <= leaves_at {
             return None;
         }
-        // Within the plane, and by turning it about its axis.
-        let within = found.seen_turns / found.offset[1];
-        let spread = (within * found.seen.y / self.lamp.y).abs();
         let d = found.seen.x * self.axes[0] + found.seen.y * self.axes[1];
+        // Within the plane, and by turning it about its axis or, by a cylinder, by tilting the way along that.
+        let within = found.seen_turns / found.offset[1];
+        let (d, across) = match self.rise {
+            None => (d, found.seen.y / self.lamp.y),
+            Some((axis, rise)) => {
+                let seen_at = self.distance * found.seen.x - leaves_at;
+                let flat = seen_at + self.lamp.dot(found.leaving) - leaves_at;
+                (d + rise / flat * axis, flat / (flat * flat + rise * rise))
+            }
+        };
+        let spread = (within * across).abs();
         spread.is_finite().then_some((d.normalize(), spread))
     }
 }

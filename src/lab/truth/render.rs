@@ -5,7 +5,7 @@ use super::estimate::Estimate;
 use super::film::{Film, Sampling};
 use super::world::World;
 use super::{REPLICATIONS, state};
-use crate::arguments::Size;
+use crate::arguments::{Part, Size};
 use crate::interrupt::{self, Stopped};
 use crate::progress;
 use crate::sampler::Sequence;
@@ -50,15 +50,15 @@ impl Picture<'_> {
     /// Draws it in one go.
     pub fn draw(&self, pool: &ThreadPool) -> Vec<Estimate> {
         let world = self.world();
-        let mut film = Film::new(self.size);
+        let mut film = Film::new(self.size, Part::WHOLE);
         for count in 1..=self.sampling.count {
             pool.install(|| film.expose(&world, self.effects, &self.sampling, count, &|| {}));
         }
         film.estimates()
     }
 
-    /// Draws it with a bar. Ctrl-C leaves what is drawn so far beside a file `out`, and the next call goes on from there. With
-    /// `is_kept` a finished picture is left there, too, until [`forget`] deletes it: one of several, which are not all finished.
+    /// Draws it, or a part of its rows, with a bar. Ctrl-C leaves what is drawn so far beside a file `out`, and the next call goes on from there. With
+    /// `is_kept` a finished picture is left there, too, until [`forget`] deletes it: one of several, which are not all finished, or a part.
     ///
     /// # Errors
     /// [`Stopped`] after Ctrl-C, or if the unfinished picture cannot be written, or is damaged.
@@ -66,21 +66,23 @@ impl Picture<'_> {
         &self,
         pool: &ThreadPool,
         out: &Path,
+        part: Option<Part>,
         is_kept: bool,
-    ) -> Result<Vec<Estimate>> {
-        let name = state::beside(out);
+    ) -> Result<Film> {
+        let name = state::beside(out, part);
         let made = self.made();
         let count = self.sampling.count;
-        let loaded = state::load(&name, &made, self.size, count)?;
+        let empty = Film::new(self.size, part.unwrap_or(Part::WHOLE));
+        let loaded = state::load(&name, &made, &empty, count)?;
         let was_begun = loaded.is_some();
-        let mut film = loaded.unwrap_or_else(|| Film::new(self.size));
+        let mut film = loaded.unwrap_or(empty);
         let begun = film.count();
         if was_begun && begun < count {
             let samples = begun * REPLICATIONS;
             eprintln!("{}: goes on behind {samples} samples", name.display());
         }
-        let bar = progress::bar(self.size.height * count);
-        let there = film.rows.iter().map(|row| row.count as u64);
+        let bar = progress::bar(film.own_rows().count() * count);
+        let there = film.own_rows().map(|row| row.count as u64);
         bar.inc(there.sum());
         // The estimate of the time left must not count samples that were there already.
         bar.reset_eta();
@@ -108,7 +110,7 @@ impl Picture<'_> {
         if is_kept && begun < count {
             state::save(&name, &made, &film)?;
         }
-        Ok(film.estimates())
+        Ok(film)
     }
 
     fn world(&self) -> World {
@@ -120,5 +122,5 @@ impl Picture<'_> {
 /// Deletes what an interrupted run left, once the picture itself is written.
 pub fn forget(out: &Path) {
     // There is none unless it was interrupted.
-    let _ = fs::remove_file(state::beside(out));
+    let _ = fs::remove_file(state::beside(out, None));
 }

@@ -22,7 +22,7 @@ const PACKED: &str = "packed";
 pub struct Settings {
     /// The linker's path or name.
     pub linker: String,
-    /// Where the program is left as it was linked.
+    /// The folder where the program is left as it was linked.
     pub unpacked: String,
     /// Whether it is packed.
     pub is_packed: bool,
@@ -72,9 +72,11 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         // It was asked for its version.
         return Ok(0);
     };
-    // Keep the program as it was linked.
+    // Keep the program as it was linked, under the name that cargo gives it: with libraries of other features it has another.
     let program = fs::read(&path)?;
-    fs::write(&settings.unpacked, &program)?;
+    let mut name = path.file_name().ok_or("no name")?.to_owned();
+    name.push(".unpacked");
+    fs::write(Path::new(&settings.unpacked).join(name), &program)?;
     if !settings.is_packed {
         return Ok(0);
     }

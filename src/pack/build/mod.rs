@@ -8,8 +8,8 @@
 //!
 //! | file | what |
 //! | --- | --- |
-//! | `eightfold.unpacked` | the same program, not packed, with its symbols: [`costs`](crate::costs) tells what its parts take packed |
-//! | `eightfold.map` | what the linker has put where in it |
+//! | `eightfold-*.unpacked` | the program of that name in `deps`, not packed, with its symbols: [`costs`](crate::costs) tells what its parts take packed |
+//! | `eightfold.map` | what the linker has put where in the latest |
 //! | `linker/` | the linker that packs, and the stub |
 //!
 //! `EIGHTFOLD_UNPACKED=1 cargo build --release` leaves the program unpacked, for debuggers and profilers; nothing else changes.
@@ -83,20 +83,18 @@ fn prepare(program: &str) -> Result<(), Error> {
     }
     fs::hard_link(&own, &linker).or_else(|_| fs::copy(&own, &linker).map(|_| ()))?;
     // Write the settings that it reads when it is called, and the stub.
-    let beside = |end| {
-        let path = output.join(format!("{program}.{end}"));
-        path.into_os_string()
-            .into_string()
-            .map_err(|path| format!("{path:?} is not UTF-8"))
+    let text = |path: PathBuf| {
+        let path = path.into_os_string().into_string();
+        path.map_err(|path| format!("{path:?} is not UTF-8"))
     };
     linker::Settings {
         linker: toolchain.linker.clone(),
-        unpacked: beside("unpacked")?,
+        unpacked: text(output.clone())?,
         is_packed: env::var_os(UNPACKED).is_none(),
     }
     .write(&directory)?;
     compile_stub(&toolchain, &directory.join(linker::STUB))?;
-    let map = beside("map")?;
+    let map = text(output.join(format!("{program}.map")))?;
     // From here on nothing fails: the one does not go without the other.
     println!("cargo::rustc-cfg=diet");
     for argument in [

@@ -36,8 +36,8 @@ static SET: Set = Set {
             size: 1.2,
             spot: Some(Spot {
                 aim: vec3a(0.0, -1.0, 0.0),
-                dark: 0.96,
-                bright: 0.98,
+                cos_outer: 0.96,
+                cos_inner: 0.98,
             }),
             ..point([0.0, 9.0, 6.0], [0.45, 0.50, 0.65])
         },

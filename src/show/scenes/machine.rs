@@ -3,7 +3,7 @@
 use crate::show::act::{Act, Shot, shot};
 use crate::show::material;
 use crate::show::path::key;
-use crate::show::props::{Prop, add_block, add_sphere, around, cylinder, ticks};
+use crate::show::props::{Prop, add_block, add_rod, add_sphere, around, cylinder, ticks};
 use crate::show::set::{FAR, SHOW, Set, point};
 use eightfold_tracer::scene::{Light, Material, Scene, Shape, Spot};
 use glam::{Mat3A, Vec3A, vec3a};
@@ -36,8 +36,8 @@ static SET: Set = Set {
             size: 0.8,
             spot: Some(Spot {
                 aim: vec3a(0.5, -0.9, 0.6),
-                dark: 0.70,
-                bright: 0.95,
+                cos_outer: 0.70,
+                cos_inner: 0.95,
             }),
             ..point([-5.0, 10.0, -6.0], [0.45, 0.50, 0.70])
         },
@@ -72,6 +72,9 @@ static SHOTS: &[Shot] = &[
 
 /// The height of the sun and of the planets above the floor, in scene units.
 const HEIGHT: f32 = 2.7;
+
+/// The radius of arms, in scene units.
+const ROD: f32 = 0.06;
 
 /// A planet, which an arm carries about the column and a stem holds up.
 struct Planet {
@@ -132,19 +135,17 @@ impl Planet {
         let place = out * self.orbit;
         // Longer arms lie below shorter ones, so that none meets another's stem.
         let low = 1.65 - 0.15 * number;
-        let mut add_rod = |centre: Vec3A, half: Vec3A| {
-            add_block(Shape::Box, centre, half, axes(out), &material::BRASS, scene);
-        };
-        add_rod(
-            place * 0.5 + Vec3A::Y * low,
-            vec3a(0.09, 0.03, 0.5 * self.orbit),
-        );
-        let half_stem = 0.5 * (HEIGHT - low);
-        add_rod(
-            place + Vec3A::Y * (low + half_stem),
-            vec3a(0.03, half_stem, 0.03),
-        );
-        add_sphere(place + Vec3A::Y * HEIGHT, self.radius, self.material, scene);
+        let [hub, elbow, top] = [
+            Vec3A::Y * low,
+            place + Vec3A::Y * low,
+            place + Vec3A::Y * HEIGHT,
+        ];
+        let side = Vec3A::Y.cross(out);
+        // The stem is a little thinner, so that its end is hidden in the arm's.
+        for (ends, radius) in [([hub, elbow], ROD), ([elbow, top], 0.98 * ROD)] {
+            add_rod(ends, side, radius, &material::BRASS, scene);
+        }
+        add_sphere(top, self.radius, self.material, scene);
     }
 }
 

@@ -4,12 +4,12 @@ use crate::show::act::{Act, Shot, shot};
 use crate::show::captions::Line;
 use crate::show::material;
 use crate::show::path::key;
-use crate::show::props::add_block;
+use crate::show::props::add_rod;
 use crate::show::set::{FAR, SHOW, Set, point};
 use eightfold_tracer::font::strokes;
 use eightfold_tracer::maths::smooth_step;
-use eightfold_tracer::scene::{Light, Scene, Shape};
-use glam::{Mat3A, Vec2, Vec3A, vec3a};
+use eightfold_tracer::scene::{Light, Scene};
+use glam::{Vec2, Vec3A, vec3a};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act {
@@ -99,19 +99,9 @@ fn add(beat: f32, scene: &mut Scene) {
         };
         let mut radius = RADIUS;
         for (from, to) in strokes(letter) {
-            add_stroke(place(from), place(to), radius, scene);
+            let ends = [place(from), place(to)];
+            add_rod(ends, Vec3A::Z, radius, &material::BRASS, scene);
             radius *= NARROWER;
         }
     }
-}
-
-/// Adds a capsule about the line between two points.
-fn add_stroke(from: Vec3A, to: Vec3A, radius: f32, scene: &mut Scene) {
-    let way = to - from;
-    let length = way.length();
-    let y = way * (1.0 / length);
-    let half = vec3a(radius, 0.5 * length + radius, radius);
-    let axes = Mat3A::from_cols(y.cross(Vec3A::Z), y, Vec3A::Z);
-    let middle = (from + to) * 0.5;
-    add_block(Shape::Capsule, middle, half, axes, &material::BRASS, scene);
 }

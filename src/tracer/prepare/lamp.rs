@@ -71,8 +71,8 @@ const ROUNDING: f32 = 1e-6;
 /// A cone that contains all directions with a margin.
 const ALL_BRIGHT: Spot = Spot {
     aim: Vec3A::ZERO,
-    dark: -2.0,
-    bright: -1.0,
+    cos_outer: -2.0,
+    cos_inner: -1.0,
 };
 
 /// More than the squared length of any chord of the unit sphere, which is at most 4.
@@ -87,8 +87,8 @@ impl Lamp {
         is_cone: false,
         cone: Spot {
             aim: Vec3A::ZERO,
-            dark: 0.0,
-            bright: 0.0,
+            cos_outer: 0.0,
+            cos_inner: 0.0,
         },
         diameter: 0.0,
         glow2: 0.0,

@@ -23,8 +23,7 @@
 //! A thing that is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
 //! more closely only where something can be seen.
 
-use super::Worker;
-use super::middles::STRETCH;
+use super::worker::{STRETCH, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
 use crate::observe::{Observer, Stage};
@@ -64,15 +63,16 @@ impl Seams {
     /// Takes in a picture that is drawn, of whose columns so many are finished, one at least.
     pub fn set(&mut self, picture: &Picture<'_>, finished: usize) {
         let &Picture {
-            width,
+            stride,
             ref pixels,
             rows,
             ref rough,
+            ..
         } = picture;
         // The last band has none below it.
-        let ends = (rows * width..pixels.len()).step_by(rows * width);
+        let ends = (rows * stride..pixels.len()).step_by(rows * stride);
         for (number, end) in ends.enumerate() {
-            let (above, below) = (&pixels[end - width..], &pixels[end..]);
+            let (above, below) = (&pixels[end - stride..], &pixels[end..]);
             let rough = [&rough[number][(rows - 1) / BLOCK], &rough[number + 1][0]];
             let words = finished.div_ceil(STRETCH);
             for (word, marks) in self.0[number][..words].iter_mut().enumerate() {
@@ -166,7 +166,7 @@ fn mark_stretch(
     let stretch = stretch(word, finished);
     let right = finished.min(stretch.start + 1)..finished.min(stretch.end + 1);
     let rows = band.height();
-    let line = |y: usize| &band.pixels[y * band.width..][..finished];
+    let line = |y: usize| &band.pixels[y * band.stride..][..finished];
     marks[0] = borders.above.map_or(0, |marks| marks[word]);
     for y in 0..rows {
         let rough = &band.rough[y / BLOCK];
@@ -225,7 +225,7 @@ fn mix<O: Observer>(
     let mut marks: Marks = [0; _];
     // For each row, whether the last pixel of the stretch before differs from the first of this one.
     let mut before = [0; TILE_HEIGHT];
-    let (width, top, height) = (band.width, band.top, band.height());
+    let (top, height) = (band.top, band.height());
     for (word, start) in (0..finished).step_by(STRETCH).enumerate() {
         mark_stretch(band, finished, word, borders, &mut marks);
         let any = marks[..=PARTS * height]
@@ -264,8 +264,7 @@ fn mix<O: Observer>(
             each(row, |bit| points.push(x + PARTS * bit, y));
         }
         traced(worker);
-        let rows = band.pixels.chunks_exact_mut(width).enumerate();
-        for (y, row) in rows {
+        for (y, row) in band.rows() {
             let right = marks[PARTS * y + 1];
             let sides = [
                 right << 1 | before[y],

@@ -50,6 +50,7 @@ pub(crate) fn draw<O: Observer>(
             worker: &mut *worker,
             canvas: Canvas {
                 pixels: &mut *band.pixels,
+                stride: band.stride,
                 width: band.width,
                 height,
             },

@@ -6,9 +6,10 @@ use crate::prepare::Dither;
 use crate::trace::Sample;
 use fearless_simd::{Level, i16x16, u8x32, u16x16, u32x8, u64x4};
 
-/// The pixels of a band, row after row, `width` to a row.
+/// The pixels of a band, row after row, `width` to a row, each `stride` after the one above it.
 pub(super) struct Canvas<'a> {
     pub pixels: &'a mut [u32],
+    pub stride: usize,
     pub width: usize,
     pub height: usize,
 }
@@ -38,7 +39,7 @@ impl Canvas<'_> {
     #[inline(always)]
     pub fn put(&mut self, x: usize, y: usize, pixel: u32) {
         if x < self.width && y < self.height {
-            self.pixels[y * self.width + x] = pixel;
+            self.pixels[y * self.stride + x] = pixel;
         }
     }
 
@@ -90,10 +91,10 @@ impl Canvas<'_> {
         aside: &mut [u32; MAX_PIXELS],
     ) {
         let side = 1 << LOG;
-        let start = y * self.width + x;
+        let start = y * self.stride + x;
         let is_whole = x + side <= self.width && y + side <= self.height;
-        let (pixels, width) = if is_whole {
-            (&mut self.pixels[start..], self.width)
+        let (pixels, stride) = if is_whole {
+            (&mut self.pixels[start..], self.stride)
         } else {
             (&mut aside[..], side)
         };
@@ -103,9 +104,9 @@ impl Canvas<'_> {
             let row = &dither[(first_row + row) % 4];
             u64x4::from_slice(simd, &row[column..][..4]).bitcast()
         });
-        fill_square::<S, LOG>(simd, corners, &thresholds, pixels, width);
+        fill_square::<S, LOG>(simd, corners, &thresholds, pixels, stride);
         if !is_whole {
-            let rows = self.pixels[start..].chunks_mut(self.width);
+            let rows = self.pixels[start..].chunks_mut(self.stride);
             let width = side.min(self.width - x);
             for (row, aside) in rows.zip(aside.chunks(side)).take(side) {
                 row[..width].copy_from_slice(&aside[..width]);
@@ -136,7 +137,7 @@ fn part_corners(corners: [u64; 4], [i, j]: [usize; 2], parts: usize) -> [u64; 4]
 /// Pixels of the largest square that is filled at once.
 const MAX_PIXELS: usize = 64;
 
-/// Interpolates the corners' colours along both sides of a square of `1 << LOG` pixels, at the start of rows of so many, and
+/// Interpolates the corners' colours along both sides of a square of `1 << LOG` pixels, at the start of rows a stride apart, and
 /// rounds them by thresholds that repeat every four pixels along each side.
 ///
 /// All is added up without a carry out of 16 bits, so that differences of any size work. A step is off by half a 256th of an
@@ -148,7 +149,7 @@ fn fill_square<S: Simd, const LOG: u32>(
     corners: [u64; 4],
     thresholds: &[Four<S>; 4],
     pixels: &mut [u32],
-    width: usize,
+    stride: usize,
 ) {
     let [a, b, c, d] = corners;
     let (a, b, c, d) = (four(simd, a), four(simd, b), four(simd, c), four(simd, d));
@@ -160,12 +161,12 @@ fn fill_square<S: Simd, const LOG: u32>(
     let (mut second, lower) = (first + across * 4, lower + across_below * 4);
     let second_down = step::<S, LOG>(lower >> 1, second >> 1);
     let side = 1 << LOG;
-    let pixels = &mut pixels[..(side - 1) * width + side];
+    let pixels = &mut pixels[..(side - 1) * stride + side];
     for y in 0..side {
         let threshold = thresholds[y % 4];
         let bytes: u8x32<S> = ((first + threshold) >> 8).relaxed_narrow((second + threshold) >> 8);
         let eight: u32x8<S> = bytes.bitcast();
-        let row = &mut pixels[y * width..y * width + side];
+        let row = &mut pixels[y * stride..y * stride + side];
         if LOG == 3 {
             eight.store_slice(row);
         } else {

@@ -34,7 +34,7 @@ impl<O: Observer> Tile<'_, O> {
         });
         for y in 0..self.area.rows(0) {
             let marks = self.marks(y);
-            let row = y * self.canvas.width;
+            let row = y * self.canvas.stride;
             let row = &mut self.canvas.pixels[row + start..row + self.area.right];
             for (pixel, &mark) in row.iter_mut().zip(&marks[start - self.area.left..]) {
                 let (left, white) = blends[mark as usize];

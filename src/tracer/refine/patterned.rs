@@ -76,7 +76,7 @@ impl<O: Observer> Tile<'_, O> {
         let pattern = object.map(|object| SeenPattern::new(world, object));
         let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
         for y in top..bottom {
-            let row = y * self.canvas.width;
+            let row = y * self.canvas.stride;
             let row = &mut self.canvas.pixels[row + left..row + right];
             let y = self.area.top + y;
             let thresholds = film.thresholds(simd, left, y);

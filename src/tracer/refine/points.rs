@@ -1,11 +1,10 @@
 //! Which points a level needs, and where their samples come from: the level above, the mean of two points, or tracing.
 
 use super::bits::{Bits, WORDS};
-use super::marks::{CLUSTER_HEIGHT, CLUSTER_WIDTH};
 use super::pyramid::Pyramid;
 use super::tile::Tile;
 use super::verdict::Limit;
-use super::worker::Worker;
+use super::worker::{CLUSTER_HEIGHT, CLUSTER_WIDTH, Worker};
 use crate::counts::Counts;
 use crate::observe::{Observer, Stage};
 use crate::picture::TILE_WIDTH;
@@ -83,8 +82,8 @@ impl<O: Observer> Tile<'_, O> {
         }
         let side = self.area.side(level);
         let (start, stride) = if level == 0 {
-            let start = top * self.canvas.width + self.area.left + left;
-            (start, self.canvas.width)
+            let start = top * self.canvas.stride + self.area.left + left;
+            (start, self.canvas.stride)
         } else {
             (Pyramid::index(level, left, top), Pyramid::stride(level))
         };

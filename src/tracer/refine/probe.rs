@@ -61,8 +61,8 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         &[]
     };
     // Where a pixel of the picture is in the band: beyond its end where it is in none of its rows, those above it wrapped around.
-    let (top, width) = (band.top, band.width);
-    let index = |[x, y]: [usize; 2]| y.wrapping_sub(top).wrapping_mul(width).wrapping_add(x);
+    let (top, stride) = (band.top, band.stride);
+    let index = |[x, y]: [usize; 2]| y.wrapping_sub(top).wrapping_mul(stride).wrapping_add(x);
     let count = band.pixels.len();
     let mut places = plan
         .probing

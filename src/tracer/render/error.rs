@@ -15,9 +15,16 @@ pub enum Error {
         /// The frame's height, in pixels.
         height: usize,
     },
+    /// A row of the frame begins before the one above it ends.
+    Stride {
+        /// The frame's width, in pixels.
+        width: usize,
+        /// The frame's stride, in pixels.
+        stride: usize,
+    },
     /// The frame has fewer pixels than its size says.
     Pixels {
-        /// Width times height.
+        /// As many as there are from its first to its last one: width times height, unless it has a stride.
         needed: usize,
         /// How many there are.
         given: usize,
@@ -39,6 +46,10 @@ impl fmt::Display for Error {
                 f,
                 "a frame has 1x1 to {MAX_WIDTH}x{MAX_HEIGHT} pixels, and not {width}x{height}"
             ),
+            Self::Stride { width, stride } => write!(
+                f,
+                "a frame {width} pixels wide has a stride of {width} or more, and not {stride}"
+            ),
             Self::Pixels { needed, given } => {
                 write!(
                     f,
@@ -54,7 +65,7 @@ impl core::error::Error for Error {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
             Self::Flaw(flaw) => Some(flaw),
-            Self::Size { .. } | Self::Pixels { .. } => None,
+            Self::Size { .. } | Self::Stride { .. } | Self::Pixels { .. } => None,
         }
     }
 }

@@ -5,7 +5,7 @@ use super::threads::Threads;
 use crate::counts::Counts;
 use crate::observe::Observer;
 use crate::overlay::Overlay;
-use crate::picture::{Band, MAX_BANDS, Picture, Rough};
+use crate::picture::{Band, Frame, MAX_BANDS, Picture, Rough};
 use crate::plan::{Context, FramePlan};
 use crate::prepare::Prepared;
 use crate::refine::antialias::Seams;
@@ -50,10 +50,10 @@ impl Memory {
         &mut self,
         plan: &FramePlan,
         scene: &Scene,
-        pixels: &mut [u32],
+        frame: Frame<'_>,
         threads: &mut dyn Threads,
     ) -> Counts {
-        self.render_observed(plan, scene, pixels, threads, ())
+        self.render_observed(plan, scene, frame, threads, ())
     }
 
     /// Renders a frame with an observer.
@@ -61,7 +61,7 @@ impl Memory {
         &mut self,
         plan: &FramePlan,
         scene: &Scene,
-        pixels: &mut [u32],
+        frame: Frame<'_>,
         threads: &mut dyn Threads,
         observer: O,
     ) -> Counts {
@@ -71,9 +71,11 @@ impl Memory {
             world: self.prepared.prepare(scene, plan.size, plan.offset),
             observer,
         };
+        let count = frame.count();
         let picture = &mut Picture {
             width,
-            pixels: &mut pixels[..width * height],
+            stride: frame.stride,
+            pixels: &mut frame.pixels[..count],
             rows: plan.band_rows(),
             rough: &mut self.rough,
         };

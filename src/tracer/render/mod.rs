@@ -25,9 +25,13 @@ use core::borrow::BorrowMut;
 use fearless_simd::Level;
 
 impl Frame<'_> {
-    /// How many pixels the picture has.
-    fn count(&self) -> usize {
-        self.width * self.height
+    /// How many pixels it takes from its first to its last one.
+    pub(crate) fn count(&self) -> usize {
+        let Some(above) = self.height.checked_sub(1) else {
+            return 0;
+        };
+        let last_row = self.stride.saturating_mul(above);
+        last_row.saturating_add(self.width)
     }
 
     /// Whether the size is in its range, and there are enough pixels.
@@ -35,11 +39,15 @@ impl Frame<'_> {
         let Self {
             width,
             height,
+            stride,
             ref pixels,
             ..
         } = *self;
         if !(1..=MAX_WIDTH).contains(&width) || !(1..=MAX_HEIGHT).contains(&height) {
             return Err(Error::Size { width, height });
+        }
+        if stride < width {
+            return Err(Error::Stride { width, stride });
         }
         let (needed, given) = (self.count(), pixels.len());
         if given < needed {
@@ -188,7 +196,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         validate(scene, quality, &frame)?;
         let plan = self.plan(scene, quality, &frame);
         let memory = self.memory.borrow_mut();
-        Ok(memory.render_observed(&plan, scene, frame.pixels, threads, observer))
+        Ok(memory.render_observed(&plan, scene, frame, threads, observer))
     }
 
     /// Renders one frame of what is known to be valid, as the intro's scenes are.
@@ -207,7 +215,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     ) -> Counts {
         let plan = self.plan(scene, quality, &frame);
         let memory = self.memory.borrow_mut();
-        memory.render(&plan, scene, frame.pixels, threads)
+        memory.render(&plan, scene, frame, threads)
     }
 
     /// The plan of a frame.

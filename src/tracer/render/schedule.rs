@@ -84,6 +84,7 @@ mod tests {
             let (mut pixels, mut threads) = ([0; 38 * 2], Tops(Vec::new()));
             let mut picture = Picture {
                 width: 2,
+                stride: 2,
                 pixels: &mut pixels,
                 rows: 8,
                 rough: &mut [[[0; _]; _]; _],

@@ -285,6 +285,11 @@ macro_rules! fields {
     ) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(
+            feature = "serde",
+            derive(serde::Serialize, serde::Deserialize),
+            serde(default, deny_unknown_fields)
+        )]
         pub struct $name {
             $($(#[$doc])* pub $field: $type,)*
         }

@@ -14,6 +14,8 @@ mod list;
 mod method;
 mod overlay;
 mod pattern;
+#[cfg(feature = "serde")]
+mod serial;
 mod validate;
 mod waves;
 
@@ -55,8 +57,8 @@ const EXPONENT: Range = Range::new(1.0, 1000.0, "1 to 1000");
 const INDEX: Range = Range::new(0.1, 10.0, "0.1 to 10");
 /// Those of an extent, or 0.
 const RADIUS: Range = Range::new(0.0, MAX_LENGTH, "0, or a length from 1e-9 to 1e9");
-const DARK: Range = Range {
-    takes: "a cosine of at least -1 that is below the one of bright",
+const COS_OUTER: Range = Range {
+    takes: "a cosine of at least -1 that is below cos_inner",
     ..COSINE
 };
 
@@ -188,6 +190,7 @@ fields! {
 
 /// The shape of a [`Block`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shape {
     /// A box.
     #[default]
@@ -272,14 +275,14 @@ impl Light {
 fields! {
     /// The cone of a spotlight, with a soft edge.
     ///
-    /// Its brightness depends on the cosine of the angle between `aim` and the direction of the light: 0 up to `dark`, 1 from
-    /// `bright` on, and `s^2 (3 - 2 s)` between them, where s rises linearly from 0 to 1.
+    /// Its brightness depends on the cosine of the angle between `aim` and the direction of the light: 0 up to `cos_outer`, 1 from
+    /// `cos_inner` on, and `s^2 (3 - 2 s)` between them, where s rises linearly from 0 to 1.
     pub struct Spot in "spot." {
         /// The direction in which it points, of length 1.
         aim: Vec3A, in UNIT, if |it| is_unit(it.aim) => "a direction of length 1";
         /// The cosine at the inner edge, up to 1.
-        bright: f32, in COSINE;
-        /// The cosine at the outer edge, from -1 to below `bright`.
-        dark: f32, in DARK, if |it| it.dark < it.bright => "a cosine of at least -1 that is below the one of bright";
+        cos_inner: f32, in COSINE;
+        /// The cosine at the outer edge, from -1 to below `cos_inner`.
+        cos_outer: f32, in COS_OUTER, if |it| it.cos_outer < it.cos_inner => "a cosine of at least -1 that is below cos_inner";
     }
 }

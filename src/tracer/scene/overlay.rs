@@ -16,6 +16,7 @@ fields! {
         /// | `%` | a space | the third number |
         ///
         /// The last sign of a kind is the last digit of its number; a space stands where a number has no more digits.
+        #[cfg_attr(feature = "serde", serde(with = "super::serial::text"))]
         letters: List<u8, MAX_LETTERS> = List::over(0);
         /// The middle of the line, as a share of the picture's height from the top, 0 to 1.
         middle: f32 = 0.9, in SHARE;

@@ -19,8 +19,12 @@ pub(super) fn transmittance<S: Isa>(
     solids: &Candidates,
 ) -> Vec3x<S> {
     let zero = splat(simd, 0.0);
-    let Spot { aim, dark, bright } = lamp.cone;
-    let inward = (-rays.d.dot(Vec3x::splat(simd, aim)) - dark) / (bright - dark);
+    let Spot {
+        aim,
+        cos_outer,
+        cos_inner,
+    } = lamp.cone;
+    let inward = (-rays.d.dot(Vec3x::splat(simd, aim)) - cos_outer) / (cos_inner - cos_outer);
     let is_asked = rays.distance.simd_gt(zero);
     let in_cone = is_asked.select(soft_edge(simd, inward), zero);
     let mut passing = Vec3x {

@@ -69,7 +69,7 @@ impl<'a, S: Isa> Visibility<'a, S> {
         let mut facing = point.solid & nl.simd_gt(distance * self.least);
         if !lamp.is_plain() {
             let inward: F<S> = -l.dot(Vec3x::splat(simd, lamp.cone.aim));
-            facing &= inward.simd_gt(splat(simd, lamp.cone.dark));
+            facing &= inward.simd_gt(splat(simd, lamp.cone.cos_outer));
         }
         if !facing.any_true() {
             return None;

@@ -251,8 +251,8 @@ fn any_light() -> impl Strategy<Value = Light> {
                     glow,
                     spot: spot.map(|(dark, soft)| Spot {
                         aim: -position.normalize(),
-                        dark,
-                        bright: dark + soft,
+                        cos_outer: dark,
+                        cos_inner: dark + soft,
                     }),
                 }
             },

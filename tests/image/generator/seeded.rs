@@ -162,8 +162,8 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
         light.parallel = random.below(3) == 0;
         light.spot = (random.below(2) == 0).then(|| Spot {
             aim: -light.position.normalize_or(Vec3A::Y),
-            dark: 0.6,
-            bright: random.between(0.61, 0.99),
+            cos_outer: 0.6,
+            cos_inner: random.between(0.61, 0.99),
         });
     }
 }
@@ -238,7 +238,11 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         fields.extend([&mut light.position[a % 3], &mut light.colour[b % 3]]);
         fields.extend([&mut light.radius, &mut light.size, &mut light.glow]);
         if let Some(spot) = &mut light.spot {
-            fields.extend([&mut spot.aim[c % 3], &mut spot.dark, &mut spot.bright]);
+            fields.extend([
+                &mut spot.aim[c % 3],
+                &mut spot.cos_outer,
+                &mut spot.cos_inner,
+            ]);
         }
     }
     let i = random.below(fields.len());

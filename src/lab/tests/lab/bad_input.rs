@@ -4,8 +4,10 @@ use super::{assert_one_line, lab};
 use eightfold_tracer::Quality;
 
 /// Command lines, and what the line says that each leads to.
-const LINES: [(&str, &str); 58] = [
+const LINES: [(&str, &str); 63] = [
     ("paint", "paint"),
+    ("capture --png x --part 0/3", "--part 0/3 I/N"),
+    ("capture --png x --to 4 --part 2/9", "--part 2/9 frames: 4"),
     ("render", "--out"),
     ("render --out", "--out"),
     ("render --output x", "--output"),
@@ -70,6 +72,12 @@ const LINES: [(&str, &str); 58] = [
         "--with --without",
     ),
     ("truth --out - --seed -1", "--seed"),
+    (
+        "truth --out x.png --size 4x4 --part 1/5",
+        "--part 1/5 rows: 4",
+    ),
+    ("truth --part 1/3 --convergence", "--part --convergence"),
+    ("truth --merge a b --size 4x4 --out x.png", "--merge --size"),
     ("truth --out picture.jpg", "--out .png"),
     ("view --time -1", "--time from 0"),
     ("view --fps none", "--fps 60"),

@@ -19,7 +19,7 @@ fn capture(arguments: &str) -> Output {
 }
 
 /// The words of a command line, with defaults: the model scene and small frames.
-fn flags(arguments: &str) -> Vec<&str> {
+pub fn flags(arguments: &str) -> Vec<&str> {
     let mut words = vec!["capture"];
     words.extend(arguments.split_whitespace());
     if !words.contains(&"--size") {
@@ -47,7 +47,7 @@ fn captured(flag: &str, target: &Path, more: &str) -> Output {
 }
 
 /// The names and contents of a folder's files, sorted by name.
-fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
+pub fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let mut files: Vec<(String, Vec<u8>)> = std::fs::read_dir(folder)
         .expect("a folder")
         .map(|entry| entry.expect("an entry"))
@@ -62,7 +62,12 @@ fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
 
 /// Writes a program that stands for ffmpeg into a folder.
 fn write_ffmpeg(folder: &Path, script: &str) {
-    let ffmpeg = folder.join("ffmpeg");
-    std::fs::write(&ffmpeg, format!("#!/bin/sh\n{script}\n")).unwrap();
-    std::fs::set_permissions(&ffmpeg, std::fs::Permissions::from_mode(0o755)).unwrap();
+    write_program(folder, "ffmpeg", script);
+}
+
+/// Writes a program of a shell into a folder.
+pub fn write_program(folder: &Path, name: &str, script: &str) {
+    let file = folder.join(name);
+    std::fs::write(&file, format!("#!/bin/sh\n{script}\n")).unwrap();
+    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o755)).unwrap();
 }

@@ -6,6 +6,7 @@ mod capture;
 mod figures;
 mod ladder;
 mod missed;
+mod parts;
 mod release;
 mod report;
 mod sampler;

@@ -71,6 +71,7 @@ fn without_timings(text: &str) -> Vec<String> {
 }
 
 #[test]
+#[ignore = "many frames"]
 fn the_marked_parts_are_rewritten_and_a_second_time_changes_timings_only() {
     let folder = folder(&[
         ("README.md", README),
@@ -144,7 +145,8 @@ fn the_moving_picture_has_all_its_frames_and_begins_again() {
     assert!(report(folder.path()).status.success());
     let text = fs::read_to_string(folder.path().join("README.md")).unwrap();
     assert!(text.contains("--video docs/show.webp\n"), "{text}");
-    assert!(text.contains("](docs/show.webp)"), "{text}");
+    let (picture, command) = (text.find("](docs/show.webp)"), text.find("--video "));
+    assert!(picture.is_some() && picture < command, "{text}");
     let bytes = fs::read(folder.path().join("docs/show.webp")).unwrap();
     assert!(bytes.starts_with(b"RIFF") && &bytes[8..12] == b"WEBP");
     let chunks = |name: &[u8; 4]| bytes.windows(4).filter(|word| word == name).count();

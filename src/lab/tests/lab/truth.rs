@@ -2,6 +2,7 @@
 
 mod caustics;
 mod closed_forms;
+mod coverage;
 mod effects;
 mod files;
 mod lamps;

@@ -25,7 +25,7 @@ proptest! {
         for isa in isas() {
             const UNDRAWN: u32 = u32::MAX;
             let mut pixels = [UNDRAWN; 50 * 45];
-            let mut canvas = Canvas { pixels: &mut pixels, width, height };
+            let mut canvas = Canvas { pixels: &mut pixels, stride: width, width, height };
             let filled = Bits::first(1);
             canvas.fill(isa, &Run { x, y, side, above: &above, below: &below, filled, flat, dither: &ROUND });
             for (i, &pixel) in pixels.iter().enumerate() {

@@ -62,7 +62,7 @@ fn on_every_instruction_set(property: &impl Property) {
 struct Random(u64);
 
 impl Random {
-    /// A generator for a seed. `RAY_SEED=1 cargo test --release -p eightfold-tracer trace` changes all seeds; the tests have to pass with any.
+    /// A generator for a seed. `RAY_SEED=1 cargo test -p eightfold-tracer trace` changes all seeds; the tests have to pass with any.
     fn new(seed: u64) -> Self {
         let other = std::env::var("RAY_SEED").map_or(0, |seed| seed.parse().unwrap());
         Self(seed ^ other << 32)

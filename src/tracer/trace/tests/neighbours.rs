@@ -174,8 +174,8 @@ fn rich() -> Scene {
     scene.lights[0].size = 1.0;
     scene.lights[1].spot = Some(Spot {
         aim: -scene.lights[1].position.normalize(),
-        dark: 0.6,
-        bright: 0.9,
+        cos_outer: 0.6,
+        cos_inner: 0.9,
     });
     scene
 }
@@ -221,8 +221,8 @@ fn what_comes_of_a_ray_depends_on_no_neighbour_whatever_numbers_make_no_sense() 
         |scene| &mut scene.lights[0].position.z,
         |scene| &mut scene.lights[0].size,
         |scene| &mut spot(&mut scene.lights[1]).aim.y,
-        |scene| &mut spot(&mut scene.lights[1]).dark,
-        |scene| &mut spot(&mut scene.lights[1]).bright,
+        |scene| &mut spot(&mut scene.lights[1]).cos_outer,
+        |scene| &mut spot(&mut scene.lights[1]).cos_inner,
         |scene| &mut scene.haze,
     ];
     for place in places {

@@ -3,7 +3,7 @@
 //! Since the rays are random, the stated figures are means over seeds; the asserted bound for a single seed is exceeded by less
 //! than one seed in a million.
 //!
-//! The test uses [`SEEDS`] seeds. `PRECISION_SEEDS=60 cargo test --release -p eightfold-tracer small_sphere_far -- --nocapture` uses sixty,
+//! The test uses [`SEEDS`] seeds. `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture` uses sixty,
 //! takes a minute, and prints the figures of [`crate::limits`].
 
 use super::*;

@@ -118,17 +118,20 @@ fn frames_of_a_scene_file_are_kept_until_it_says_something_else_at_their_time() 
 }
 
 #[test]
-fn a_capture_that_was_killed_leaves_whole_files_and_can_go_on() {
+fn three_parts_one_of_them_killed_and_run_again_are_the_whole() {
     let folder = tempfile::tempdir().unwrap();
     let (whole, killed) = (folder.path().join("whole"), folder.path().join("killed"));
     let more = "--to 40 --size 320x240 --quality exhaustive";
     captured("--png", &whole, more);
+    let part = |number| format!("{more} --part {number}/3");
+    captured("--png", &killed, &part(3));
+    let second = part(2);
     let mut capture = Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args(flags(&format!("--png {} {more}", killed.display())))
+        .args(flags(&format!("--png {} {second}", killed.display())))
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
-    let first = killed.join("frame-000003.png");
+    let first = killed.join("frame-000015.png");
     while !first.exists() && capture.try_wait().unwrap().is_none() {
         std::thread::yield_now();
     }
@@ -139,7 +142,9 @@ fn a_capture_that_was_killed_leaves_whole_files_and_can_go_on() {
             assert_eq!(read_png(&bytes).1.len(), 320 * 240, "{name}");
         }
     }
-    captured("--png", &killed, more);
+    for number in 1..=3 {
+        captured("--png", &killed, &part(number));
+    }
     let mut files_then = files(&killed);
     // The name of the incomplete file starts with a dot.
     files_then.retain(|(name, _)| !name.starts_with('.'));

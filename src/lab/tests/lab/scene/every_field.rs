@@ -167,8 +167,8 @@ pub fn scene(time: f32) -> Scene {
                     glow: 3.324912,
                     spot: Some(Spot {
                         aim: vec3a(0.7537479, 0.04921478, -0.6553183),
-                        bright: 0.75,
-                        dark: 0.25,
+                        cos_inner: 0.75,
+                        cos_outer: 0.25,
                     }),
                 },
             ],

@@ -40,7 +40,7 @@ fn every() -> Scene {
     block.axes = Mat3A::from_euler(EulerRot::XYZ, 0.3, 0.5, 0.7);
     let spot = scene.lights[0].spot.as_mut().expect("it is filled");
     spot.aim = spot.aim.normalize();
-    (spot.dark, spot.bright) = (0.25, 0.75);
+    (spot.cos_outer, spot.cos_inner) = (0.25, 0.75);
     assert_eq!(scene.validate(), Ok(()));
     scene
 }

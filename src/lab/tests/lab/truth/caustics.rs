@@ -9,7 +9,7 @@ use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape
 use std::f64::consts::{PI, TAU};
 
 /// Light that comes to a surface from lamps, and no other.
-const OF_LAMPS: Effects = Effects {
+pub const OF_LAMPS: Effects = Effects {
     indirect: false,
     ..Effects::TRUTH
 };
@@ -17,7 +17,7 @@ const SIZE: Size = Size {
     width: 21,
     height: 21,
 };
-const MIRROR: Material = Material {
+pub const MIRROR: Material = Material {
     kr: 0.9,
     ..Material::BLACK
 };
@@ -33,11 +33,11 @@ fn lamp(size: f32) -> Light {
 }
 
 /// The half side of a plate, and the height of its lower side, above a mirror at 0.
-const HALF: f64 = 0.15;
+pub const HALF: f64 = 0.15;
 const HEIGHT: f64 = 0.6;
 
 /// A plate above a mirror, seen from below to its edges.
-fn plate(mirror: Material, size: f32) -> Scene {
+pub fn plate(mirror: Material, size: f32) -> Scene {
     let half = vec3a(HALF as f32, 0.01, HALF as f32);
     Scene {
         camera: Camera {
@@ -159,7 +159,7 @@ fn ball(material: Material, size: f32, p: DVec3, n: DVec3) -> Scene {
     }
 }
 
-const GLASS: Material = Material {
+pub const GLASS: Material = Material {
     kr: 0.05,
     kt: 0.85,
     index: 1.5,

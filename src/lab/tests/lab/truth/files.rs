@@ -1,7 +1,7 @@
 //! `lab truth` writes whole files, whose bytes depend on nothing but its arguments, and goes on where it was interrupted.
 
 use crate::{assert_one_line, lab};
-use eightfold_lab::arguments::Size;
+use eightfold_lab::arguments::{Part, Size};
 use eightfold_lab::sampler::Sequence;
 use eightfold_lab::scenes::SceneName;
 use eightfold_lab::truth::effects::Effects;
@@ -106,16 +106,17 @@ fn a_film_that_was_saved_goes_on_to_the_same_bits() {
     let expose = |film: &mut Film, count| {
         film.expose(&world, Effects::TRUTH, &sampling, count, &|| {});
     };
-    let mut whole = Film::new(SIZE);
+    let mut whole = Film::new(SIZE, Part::WHOLE);
     (1..=4).for_each(|count| expose(&mut whole, count));
-    let mut part = Film::new(SIZE);
+    let mut part = Film::new(SIZE, Part::WHOLE);
     expose(&mut part, 1);
     // It was interrupted when some rows had a second sample.
     let mut ahead = part.clone();
     expose(&mut ahead, 2);
     part.rows[3..9].clone_from_slice(&ahead.rows[3..9]);
     state::save(&name, "it", &part).expect("it is saved");
-    let load = |made, count| state::load(&name, made, SIZE, count).expect("it is whole");
+    let empty = Film::new(SIZE, Part::WHOLE);
+    let load = |made, count| state::load(&name, made, &empty, count).expect("it is whole");
     let mut loaded = load("it", 4).expect("it is there");
     assert!(loaded == part);
     (2..=4).for_each(|count| expose(&mut loaded, count));
@@ -128,8 +129,8 @@ fn a_film_that_was_saved_goes_on_to_the_same_bits() {
 fn a_damaged_film_is_refused_in_one_line() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("truth.png");
-    let name = state::beside(&out);
-    state::save(&name, "it", &Film::new(SIZE)).expect("it is saved");
+    let name = state::beside(&out, None);
+    state::save(&name, "it", &Film::new(SIZE, Part::WHOLE)).expect("it is saved");
     let whole = fs::read(&name).expect("a file");
     // Foreign bytes in its middle or its first line, and a lost end.
     let changed = |from: usize, to: usize| {
@@ -172,9 +173,8 @@ fn a_film_of_another_scene_does_not_go_on() {
             effects: Effects::TRUTH,
             sampling: sampling(1),
         };
-        let kept = picture
-            .draw_resumably(&pool, &out, true)
-            .expect("it is drawn");
+        let kept = picture.draw_resumably(&pool, &out, None, true);
+        let kept = kept.expect("it is drawn").estimates();
         assert!(pixels(&kept) == pixels(&picture.draw(&pool)));
         pixels(&kept)
     });
@@ -196,7 +196,7 @@ fn after_ctrl_c_the_same_command_goes_on() {
     // Without photons, most of the time goes to what is drawn row by row.
     let line = "truth --size 64x48 --samples 128 --without caustics --out";
     let arguments: Vec<&str> = line.split(' ').chain([name]).collect();
-    let kept = state::beside(&out);
+    let kept = state::beside(&out, None);
     let mut runs = 0;
     loop {
         let run = Command::new(env!("CARGO_BIN_EXE_lab"))

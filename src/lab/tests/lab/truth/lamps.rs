@@ -97,8 +97,8 @@ fn a_spotlight_is_dark_beside_its_cone() {
     let spot = |aim: Vec3A| Light {
         spot: Some(Spot {
             aim: aim.normalize(),
-            dark: 0.9,
-            bright: 0.98,
+            cos_outer: 0.9,
+            cos_inner: 0.98,
         }),
         ..lamp(vec3a(0.0, 2.0, 0.0), 0.3)
     };

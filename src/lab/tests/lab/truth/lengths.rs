@@ -74,6 +74,7 @@ fn scene(factor: f32) -> Scene {
 }
 
 #[test]
+#[ignore = "many paths of light"]
 fn a_scene_of_any_size_gives_one_picture_by_paths_by_the_oracle_and_by_the_library() {
     let by_paths = |factor, effects| -> Vec<u32> {
         let estimates = drawn(&scene(factor), SIZE, effects, 8);

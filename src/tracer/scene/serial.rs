@@ -1,0 +1,75 @@
+//! Lists as serde has them: as sequences, and letters as text.
+
+use super::List;
+use core::fmt;
+use core::marker::PhantomData;
+use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
+use serde::ser::{Serialize, Serializer};
+
+impl<T: Serialize, const N: usize> Serialize for List<T, N> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(&**self)
+    }
+}
+
+impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Deserialize<'de> for List<T, N> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        from.deserialize_seq(Items(PhantomData))
+    }
+}
+
+/// Reads a list from its items.
+struct Items<T, const N: usize>(PhantomData<T>);
+
+impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for Items<T, N> {
+    type Value = List<T, N>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "at most {N} items")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
+        let mut list = List::default();
+        while let Some(item) = items.next_element()? {
+            if !list.push(item) {
+                return Err(A::Error::invalid_length(N + 1, &self));
+            }
+        }
+        Ok(list)
+    }
+}
+
+/// A list of letters as text.
+pub(super) mod text {
+    use super::*;
+
+    pub fn serialize<S: Serializer, const N: usize>(
+        letters: &List<u8, N>,
+        to: S,
+    ) -> Result<S::Ok, S::Error> {
+        let text = core::str::from_utf8(letters).map_err(serde::ser::Error::custom)?;
+        to.serialize_str(text)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>, const N: usize>(
+        from: D,
+    ) -> Result<List<u8, N>, D::Error> {
+        from.deserialize_str(Text)
+    }
+
+    /// Reads a list of letters from text.
+    struct Text<const N: usize>;
+
+    impl<const N: usize> Visitor<'_> for Text<N> {
+        type Value = List<u8, N>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "text of at most {N} letters")
+        }
+
+        fn visit_str<E: Error>(self, text: &str) -> Result<Self::Value, E> {
+            let letters = text.as_bytes().try_into();
+            letters.map_err(|_| E::invalid_length(text.len(), &self))
+        }
+    }
+}

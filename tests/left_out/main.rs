@@ -1,0 +1,41 @@
+//! Says what `cargo test` has left out, and how to get it.
+
+use eightfold_stage::missing;
+use std::{collections::BTreeMap, env, fs, path::Path};
+
+/// Counts the tests that are ignored in the sources of a folder, by the reason that is given.
+fn count(folder: &Path, reasons: &mut BTreeMap<String, usize>) {
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            count(&path, reasons);
+        } else if path.extension().is_some_and(|end| end == "rs") {
+            let text = fs::read_to_string(&path).expect("text");
+            let lines = text.lines().map(str::trim_start);
+            for reason in lines.filter_map(|line| line.strip_prefix("#[ignore = \"")) {
+                let reason = reason.trim_end_matches("\"]").to_owned();
+                *reasons.entry(reason).or_default() += 1;
+            }
+        }
+    }
+}
+
+fn main() {
+    // What is asked for something, such as a test of some name, leaves out the rest on purpose.
+    if env::args().len() > 1 {
+        return;
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut reasons = BTreeMap::new();
+    for folder in ["src", "tests"] {
+        count(&root.join(folder), &mut reasons);
+    }
+    println!("Tests that were left out:");
+    for (reason, tests) in reasons {
+        println!("    {tests:3}, which take long: {reason}");
+    }
+    for (tool, package) in missing() {
+        println!("    those that need {tool}: apt-get install {package}");
+    }
+    println!("`tests/run` installs what is missing, and runs them all.\n");
+}
