@@ -8,14 +8,14 @@ import { extname, join, normalize } from "node:path";
 
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
 
-/** Serves a folder. Returns its address, and how to end it. */
-export async function serve(folder) {
+/** Serves a folder, with more headers. Returns its address, and how to end it. */
+export async function serve(folder, headers = {}) {
   const server = createServer((request, response) => {
     const path = normalize(new URL(request.url, "http://localhost").pathname);
     try {
       const file = join(folder, path.endsWith("/") ? path + "index.html" : path);
       const bytes = readFileSync(file);
-      response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "text/plain" }).end(bytes);
+      response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "text/plain", ...headers }).end(bytes);
     } catch {
       response.writeHead(404).end();
     }
@@ -96,11 +96,11 @@ class Page {
     return this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: scale, mobile: width < 500 });
   }
 
-  /** Loads an address, until the page is at work. */
-  async go(address) {
+  /** Loads an address, until the page is at work, or something else is so. */
+  async go(address, condition = "globalThis.eightfold?.view") {
     await this.send("Page.navigate", { url: "about:blank" });
     await this.send("Page.navigate", { url: address });
-    await this.until("globalThis.eightfold?.view");
+    await this.until(condition);
   }
 
   /** The value of an expression, which may be a promise, in the page or in one of its workers. */
@@ -126,7 +126,8 @@ class Page {
   }
 
   async key(key, code = key) {
-    for (const type of ["keyDown", "keyUp"]) await this.send("Input.dispatchKeyEvent", { type, key, code, text: key.length === 1 ? key : undefined });
+    const text = key.length === 1 ? key : undefined;
+    for (const type of ["keyDown", "keyUp"]) await this.send("Input.dispatchKeyEvent", { type, key, code, text });
   }
 
   /** A screenshot as a PNG file, of what is seen or of all of the page. */

@@ -5,10 +5,12 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { pathToFileURL } from "node:url";
 import { Browser, serve } from "./chromium.mjs";
 
 const [folder, intro, samples, screenshots] = process.argv.slice(2);
 const site = await serve(folder);
+const isolated = await serve(folder, { "cross-origin-opener-policy": "same-origin", "cross-origin-embedder-policy": "require-corp" });
 const browser = new Browser();
 const page = await browser.open(site.address);
 
@@ -81,17 +83,55 @@ const tests = {
     assert.ok(lines.some((line) => line.includes("split")) && lines.some((line) => line.includes("filled")), lines.join("\n"));
   },
 
-  async "a click plays, and the picture keeps to the sound"() {
-    await page.go(site.address);
-    await page.click("#start");
-    await page.until("eightfold.clock.time() > 1");
-    assert.ok(await page.value("eightfold.clock.hasSound && eightfold.clock.isPlaying"));
+  async "a click plays, with and without headers of isolation, and the picture keeps to the sound"() {
+    for (const { address } of [isolated, site]) {
+      await page.go(address);
+      assert.equal(await page.value("crossOriginIsolated"), address === isolated.address);
+      await page.click("#start");
+      await page.until("eightfold.clock.time() > 1");
+      assert.ok(await page.value("eightfold.clock.hasSound && eightfold.clock.isPlaying"));
+    }
     await page.value("eightfold.seek(64)");
     await page.until("!eightfold.clock.isMoving && eightfold.clock.time() > 64.2");
     assert.ok(await page.value("eightfold.clock.time() < 90"));
     await page.key(" ", "Space");
     await page.until("!eightfold.clock.isPlaying");
     assert.deepEqual(page.messages, []);
+  },
+
+  async "every key does what the page says, whatever was clicked before"() {
+    await page.go(site.address);
+    const { qualities } = await page.value("eightfold.about");
+    for (const clicked of ["#scenes button:nth-child(3)", "input[value=points] + span", "#held", "#time", "#quality"]) {
+      await page.click(clicked);
+      // Space is a checkbox's own.
+      const plays = clicked === "#held" ? [] : [true, false];
+      for (const isPlaying of plays) {
+        await page.key(" ", "Space");
+        await page.until(`eightfold.clock.isPlaying === ${isPlaying}`);
+      }
+      await page.key("3");
+      assert.equal(await textOf("quality-name"), qualities[2], clicked);
+      const overlay = await page.value("eightfold.view.overlay");
+      await page.key("o");
+      assert.notEqual(await page.value("eightfold.view.overlay"), overlay, clicked);
+      await page.key("m");
+      assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "true", clicked);
+      await page.key("m");
+    }
+    await page.click("#picture");
+    await page.until("eightfold.clock.isPlaying");
+    await page.key("Escape");
+    await page.until("!eightfold.clock.isPlaying");
+    await page.value("eightfold.seek(50)");
+    await page.key("ArrowRight");
+    assert.equal(await page.value("eightfold.clock.time()"), 52);
+    await page.key("ArrowLeft");
+    assert.equal(await page.value("eightfold.clock.time()"), 50);
+    await page.key("f");
+    await page.until("document.fullscreenElement?.id === 'stage'");
+    await page.key("f");
+    await page.until("!document.fullscreenElement");
   },
 
   async "the sound has the intro's samples"() {
@@ -164,12 +204,22 @@ const tests = {
     assert.deepEqual(page.messages, []);
   },
 
-  async "it fits a screen and a phone"() {
+  async "from a file it says what is to be done"() {
+    await page.go(pathToFileURL(join(folder, "index.html")).href, "document.readyState === 'complete'");
+    assert.match(await page.value("document.querySelector('main').innerText"), /^Browsers do not play this page from a file\. Run .* and open http/);
+    writeFileSync(join(screenshots, "web-file.png"), await page.screenshot());
+  },
+
+  async "it fits a screen and a phone, and rests where less motion is asked for"() {
+    await page.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
     for (const [width, height, scale] of [[1440, 900, 1], [390, 844, 2]]) {
       await page.resize(width, height, scale);
       await page.go(site.address);
       await page.until("document.getElementById('points').textContent.endsWith('%') && eightfold.steps.front().length === 7");
       writeFileSync(join(screenshots, `web-${width}x${height}.png`), await page.screenshot(true));
+      assert.equal(await page.value("document.getAnimations().length"), 0);
+      assert.equal(await page.value("getComputedStyle(document.querySelector('#front .present')).transitionDuration"), "0s");
+      assert.ok(!(await page.value("eightfold.clock.isPlaying")));
       assert.ok(await page.value("document.documentElement.scrollWidth <= innerWidth"), `wider than ${width} pixels`);
     }
   },
@@ -188,4 +238,5 @@ for (const [name, test] of Object.entries(tests)) {
 }
 await browser.end();
 site.end();
+isolated.end();
 process.exit(failed ? 1 : 0);

@@ -323,7 +323,9 @@ const KEYS = {
 function listen() {
   addEventListener("keydown", (event) => {
     const { key, target, ctrlKey, altKey, metaKey } = event;
-    const isUsed = target.matches("input, textarea, select, [role=slider]") || (key === " " && target.matches("button"));
+    // What has the focus has keys of its own.
+    const own = key === " " ? "button, [type=checkbox]" : key.startsWith("Arrow") && "input, [role=slider]";
+    const isUsed = target.matches("textarea, select") || (own && target.matches(own));
     if (isUsed || ctrlKey || altKey || metaKey) return;
     const quality = Number(key) - 1;
     const action = about.qualities[quality] ? () => keepQuality(quality) : KEYS[key.length === 1 ? key.toLowerCase() : key];
@@ -334,6 +336,8 @@ function listen() {
   for (const [id, action] of Object.entries({ start: toggle, play: toggle, picture: toggle, mute: toggleSound, fullscreen: toggleFullscreen, save, share })) {
     get(id).addEventListener("click", action);
   }
+  // A button that was clicked leaves the keys to the page.
+  addEventListener("click", ({ detail, target }) => detail && target.closest("button")?.blur());
   get("time").addEventListener("input", ({ target }) => seek(Number(target.value)));
   get("quality").addEventListener("input", ({ target }) => keepQuality(Number(target.value)));
   get("held").addEventListener("change", ({ target }) => {
