@@ -1,5 +1,6 @@
 //! `lab truth`: pictures that are known in closed form, surfaces that keep energy, and files that are whole.
 
+mod by_chance;
 mod caustics;
 mod closed_forms;
 mod coverage;
