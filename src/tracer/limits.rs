@@ -86,7 +86,7 @@
 //! | shadows of spheres on planes by point lights that are visible in a pixel at least, and that a named quality does not show | 0 | `every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some`, `every_shadow_is_shown_however_thin_and_however_near_its_sphere_is_to_the_plane_or_the_lamp` |
 //! | pixels of such shadows that the default quality draws lit, and the largest patch of them | 0.4 %, 20 | `few_pixels_of_shadows_are_missed_and_their_patches_are_small` |
 //! | pixels of random scenes with an error above 8/255 by the default quality, and the largest patch of them at 320x240 | 5 %, 512 | `wrong_pixels_are_few_and_their_patches_small` |
-//! | highlights that five pixels show in the eye's own sight, and that `finest`, `default` and `thesis` do not show: on spheres and planes; on cylinders and capsules | 0; 0.5 % | `every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some` |
+//! | highlights that five pixels show in the eye's own sight, and that `finest`, `default` and `thesis` do not show: in scenes by chance | 0 | `every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some` |
 //! | PSNR of any field of up to 320 spheres by the default quality, 1024x768 | 42 dB | `crowded_pictures_have_42_db` |
 //! | images in the first plane that 2x2 pixels show, but of cylinders and capsules, and that a named quality does not show | 0 | `every_image_in_a_plane_that_2x2_pixels_show_is_shown_and_the_bare_rules_miss_some`, `the_image_of_a_single_thing_is_shown_wherever_it_is` |
 //! | wrong pixels of small reflections in the first plane, most of them narrower than a square, and the largest patch of them | 1 %, 8 | `reflections_between_corners_are_missed_by_no_more_than_is_stated` |

@@ -1,7 +1,7 @@
 //! Highlights that five pixels show are shown, on spheres, planes, cylinders and capsules in the eye's own sight.
 //!
-//! Of 9,296 patches of 3,000 scenes the default quality missed one on a sphere, of five pixels, and two on cylinders;
-//! without the guard 600.
+//! Of 10,300 patches of 3,000 scenes the named qualities missed one, of five pixels on a cylinder; without the guard the default
+//! quality would miss 709.
 
 use crate::cpu;
 use crate::drawn::{draw, jagged};
@@ -120,9 +120,8 @@ fn made_matt(scene: &Scene) -> Vec<Scene> {
 #[test]
 #[ignore = "many scenes by chance"]
 fn every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some() {
-    // The most that are missed of spheres and planes, and of cylinders and capsules, in thousandths.
     let isas: Vec<_> = cpu::instruction_sets().collect();
-    for (are_round_blocks, most) in [(false, 0), (true, 5)] {
+    for are_round_blocks in [false, true] {
         let (mut shown, mut bare_misses) = (0, 0);
         let qualities = [Quality::LADDER[0], Quality::DEFAULT, Quality::THESIS];
         let mut misses = [0; 3];
@@ -153,9 +152,9 @@ fn every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some()
             }
         }
         println!("{shown} highlights, {misses:?} missed, {bare_misses} by the bare rules");
-        assert!(
-            misses.iter().all(|&missed| 1000 * missed <= most * shown),
-            "{misses:?} of {shown}, round blocks: {are_round_blocks}"
+        assert_eq!(
+            misses, [0; 3],
+            "of {shown}, round blocks: {are_round_blocks}"
         );
         assert!(
             shown > 400 && 30 * bare_misses > shown,

@@ -26,6 +26,12 @@ const VISIBLE: f32 = 8.0;
 /// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
 const REACH: f32 = 3.5;
 
+/// The part of [`VISIBLE`] that may be missed, and that of a lobe's decay that is counted on: away from its middle a lobe is wider
+/// than the Gaussian that is taken for it. With these, none of 5,115 highlights on spheres and planes was missed, where one was
+/// without; rays of the model scene are 0.05 % more.
+const SPARE: f32 = 0.6;
+const COUNTED_DECAY: f32 = 0.75;
+
 /// The area in pixels of the smallest highlight that is looked for. One of less shows in fewer than five pixels.
 const LEAST_AREA: f32 = 4.0;
 
@@ -101,8 +107,8 @@ impl Highlight {
             least = beside.min(above);
         }
         // e^-u is at most 1 / (1 + u + u^2 / 2), and e^-u - e^-v at most min(1, v - u) e^-u. What is missed of a smaller square has
-        // fewer pixels, so it may be more, as for the tolerances of a quality; but never half of what is there.
-        let most = (VISIBLE * SQUARE / (right - left)).min(0.5 * self.strength);
+        // fewer pixels, so it may be more, as for the tolerances of a quality; but never a third of what is there.
+        let most = SPARE * (VISIBLE * SQUARE / (right - left)).min(0.5 * self.strength);
         self.strength * (seen - least).min(1.0) > most * (1.0 + least + 0.5 * least * least)
     }
 }
@@ -215,7 +221,11 @@ impl Mirror {
             mirrored + (step - l * l.dot(step)) / lamp_distance
         });
         let is_seen = depth.min(facing).min(l.dot(n)) > 0.0;
-        let scale = if is_seen { half_exponent } else { f32::NAN };
+        let scale = if is_seen {
+            COUNTED_DECAY * half_exponent
+        } else {
+            f32::NAN
+        };
         let [a, b, c] =
             [(right, right), (right, down), (down, down)].map(|(v, w)| v.dot(w) * scale);
         // No more drawn out than rounding allows for.

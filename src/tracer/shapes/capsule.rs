@@ -61,17 +61,21 @@ fn from_core<S: Isa>(simd: S, half: Vec3A, p: &Vec3x<S>) -> Vec3x<S> {
     }
 }
 
-/// Calls `add` with the place that mirrors a lamp to the eye, both given from the centre along the scene's axes.
+/// Calls `add` with the places that mirror a lamp to the eye, both given from the centre along the scene's axes: on a ball, and where
+/// the side is nearest to the place that would, since a highlight goes on beyond the joint with another shape.
 #[inline(always)]
 pub(super) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, add: &mut impl FnMut(Mirror)) {
     let (axis, half) = (block.axes.y_axis, block.half);
-    let mut place = Mirror::round(eye, lamp, axis, half.x);
-    let height = place.p.dot(axis);
+    let mut side = Mirror::round(eye, lamp, axis, half.x);
+    let height = side.p.dot(axis);
     let end = half.y - half.x;
-    if height.abs() > end {
+    let past = height - height.min(end).max(-end);
+    if past != 0.0 {
         let centre = axis * end.copysign(height);
-        place = sphere::mirror(eye - centre, lamp - centre, half.x);
-        place.p += centre;
+        let mut ball = sphere::mirror(eye - centre, lamp - centre, half.x);
+        ball.p += centre;
+        add(ball);
+        side.p -= axis * past;
     }
-    add(place);
+    add(side);
 }
