@@ -76,21 +76,21 @@
 //! # Where the time goes
 //!
 //! By `cargo lab bench --stages --jagged`, milliseconds of a default frame of the model scene, 1024x768, by one thread of an AMD
-//! EPYC (Zen 5), by a tolerance of 9 and before highlights were guarded. Exhaustive frames took 14.8 ms by AVX2 and 8.6 by AVX-512.
+//! EPYC (Zen 5), where exhaustive frames took 17.7 ms by AVX2 and 12.7 by AVX-512 (`--isa avx512`):
 //!
 //! | stage | AVX2 | AVX-512 |
 //! | --- | ---: | ---: |
-//! | tracing: primary rays and their light | 0.43 | 0.24 |
-//! | tracing: secondary rays and their light | 0.78 | 0.47 |
-//! | finding points | 0.35 | 0.35 |
-//! | filling | 0.23 | 0.24 |
-//! | guard | 0.16 | 0.16 |
-//! | verdict | 0.06 | 0.05 |
-//! | splitting | 0.04 | 0.04 |
-//! | taking in what was traced | 0.04 | 0.04 |
+//! | tracing: primary rays and their light | 0.56 | 0.37 |
+//! | tracing: secondary rays and their light | 1.07 | 0.83 |
+//! | finding points | 0.43 | 0.44 |
+//! | guard | 0.33 | 0.33 |
+//! | filling | 0.31 | 0.32 |
+//! | verdict | 0.08 | 0.08 |
+//! | splitting | 0.06 | 0.06 |
+//! | taking in what was traced | 0.05 | 0.06 |
 //! | the rest | 0.01 | 0.01 |
 //!
-//! So the frame is 6.8 times as fast as an exhaustive one by AVX2, and would be 12 times as fast if all but tracing took no time.
+//! So the frame is 6.0 times as fast as an exhaustive one by AVX2, and would be 10.9 times as fast if all but tracing took no time.
 //! A ray takes 1.5 times as many instructions as in an exhaustive frame: half of the pixels of that are background, in packets of
 //! nothing else, while the points that squares need are about edges, where the rays of a packet meet several objects. Finding points
 //! is flat in the profile: no line of it has more than 2 % of the frame. Branches that go either way by chance cost more than they
