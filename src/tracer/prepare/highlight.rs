@@ -10,7 +10,7 @@ use crate::maths::sqrt;
 use crate::scene::camera::pixels;
 use crate::scene::{Block, MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene};
 use crate::shapes::{Mirror, block, plane, sphere};
-use core::f32::consts::PI;
+use core::{array, f32::consts::PI};
 use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 
 /// The most highlights: a lamp leaves one on a sphere and on a plane, and three on a box or a cylinder.
@@ -78,37 +78,49 @@ impl Highlight {
         [middle - self.reach, middle + self.reach]
     }
 
+    /// Whether no square of a side in pixels may show something that is visibly brighter than it is at its corners, if all of these
+    /// show the object.
+    ///
+    /// The decay is least in the square's middle, on a side or at a corner: at a corner it is greater by as much as the quadratic
+    /// form makes of half a side across and half a side down, at most.
+    pub fn is_even(&self, side: usize) -> bool {
+        let [a, b, c] = self.decay;
+        let half = 0.5 * pixels(side);
+        self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.most(pixels(side))
+    }
+
+    /// How much brighter a square of some width may be than what its corners show.
+    ///
+    /// What is missed of a smaller square has fewer pixels, so it may be more, as for the tolerances of a quality; but never a third
+    /// of what is there.
+    fn most(&self, width: f32) -> f32 {
+        SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
+    }
+
     /// Whether a square, given by its ends in pixels, may show something that is visibly brighter than it is at those corners that
     /// have a bit: upper left, upper right, lower left, lower right.
     #[inline(never)]
     pub fn is_missed(&self, rect: Vec4, corners: u64) -> bool {
         let [a, b, c] = self.decay;
+        // Left, top, right and bottom.
         let rect = rect - Vec4::from((self.middle, self.middle));
-        let [left, top, right, bottom] = rect.to_array();
-        let u = |x: f32, y: f32| a * x * x + y * (2.0 * b * x + c * y);
-        let mut seen = f32::INFINITY;
-        for i in 0..4 {
-            let (x, y) = (
-                if i & 1 == 0 { left } else { right },
-                if i & 2 == 0 { top } else { bottom },
-            );
-            if corners >> i & 1 != 0 {
-                seen = seen.min(u(x, y));
-            }
-        }
+        let u = |x: Vec4, y: Vec4| a * x * x + y * (2.0 * b * x + c * y);
+        let unseen = array::from_fn(|i| [f32::INFINITY, 0.0][(corners >> i & 1) as usize]);
+        let seen = (u(rect.xzxz(), rect.yyww()) + Vec4::from_array(unseen)).min_element();
         // It is brightest in its middle, or else somewhere on a side.
         let mut least = 0.0;
-        if left.max(top).max(-right.min(bottom)) > 0.0 {
-            let [beside, above] = [
-                [left, right].map(|x| u(x, (-b * x / c).max(top).min(bottom))),
-                [top, bottom].map(|y| u((-b * y / a).max(left).min(right), y)),
-            ]
-            .map(|[a, b]| a.min(b));
-            least = beside.min(above);
+        if rect.xy().max(-rect.zw()).max_element() > 0.0 {
+            // The left and the right side, then the upper and the lower one.
+            let sides = rect.xzyw();
+            let along = (-b * sides / Vec4::new(c, c, a, a))
+                .max(rect.yyxx())
+                .min(rect.wwzz());
+            let x = Vec4::from((sides.xy(), along.zw()));
+            let y = Vec4::from((along.xy(), sides.zw()));
+            least = u(x, y).min_element();
         }
-        // e^-u is at most 1 / (1 + u + u^2 / 2), and e^-u - e^-v at most min(1, v - u) e^-u. What is missed of a smaller square has
-        // fewer pixels, so it may be more, as for the tolerances of a quality; but never a third of what is there.
-        let most = SPARE * (VISIBLE * SQUARE / (right - left)).min(0.5 * self.strength);
+        // e^-u is at most 1 / (1 + u + u^2 / 2), and e^-u - e^-v at most min(1, v - u) e^-u.
+        let most = self.most(rect.z - rect.x);
         self.strength * (seen - least).min(1.0) > most * (1.0 + least + 0.5 * least * least)
     }
 }

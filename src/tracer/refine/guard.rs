@@ -184,6 +184,7 @@ impl<'a> Grid<'a> {
         open: &mut [Bits; TILE_HEIGHT],
     ) {
         let Area { left, top, .. } = *self.area;
+        let is_even = highlight.is_even(self.side);
         let [least, most] = highlight.ends([left, top].map(pixels));
         let square =
             |place: f32, count: usize| ((place / pixels(self.side)) as i32).min(count as i32 - 1);
@@ -191,11 +192,15 @@ impl<'a> Grid<'a> {
         let rows = [least.y.max(0.0), most.y].map(|y| square(y, self.area.rows(self.level)));
         for y in rows[0]..=rows[1] {
             let y = y as usize % TILE_HEIGHT;
-            squares[y].for_each_in(first, last, |x| {
+            let closed = squares[y] & !open[y];
+            closed.for_each_in(first, last, |x| {
                 let (_, shown) = self.corners(x, y, highlight.object);
+                if shown == 0 || shown == ALL && is_even {
+                    return;
+                }
                 let (left, top) = (left + x * self.side, top + y * self.side);
                 let rect = rectangle(left, top, left + self.side, top + self.side);
-                if shown != 0 && highlight.is_missed(rect, shown) {
+                if highlight.is_missed(rect, shown) {
                     open[y].set(x);
                 }
             });

@@ -83,7 +83,7 @@
 //! | tracing: primary rays and their light | 0.56 | 0.37 |
 //! | tracing: secondary rays and their light | 1.07 | 0.83 |
 //! | finding points | 0.43 | 0.44 |
-//! | guard | 0.33 | 0.33 |
+//! | guard | 0.25 | 0.25 |
 //! | filling | 0.31 | 0.32 |
 //! | verdict | 0.08 | 0.08 |
 //! | splitting | 0.06 | 0.06 |
