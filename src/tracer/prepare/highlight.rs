@@ -45,8 +45,8 @@ pub(crate) struct Highlight {
     pub object: ObjectId,
     /// Its middle, in pixels.
     middle: Vec2,
-    /// Half its width and its height, in pixels.
-    reach: Vec2,
+    /// Where it may be seen, in pixels: the least x and y, and the greatest, these two negative.
+    bounds: Vec4,
     /// The decay a, b and c.
     decay: [f32; 3],
     /// How bright it is, of 255.
@@ -58,7 +58,7 @@ impl Highlight {
     const ZERO: Self = Self {
         object: ObjectId::FIRST,
         middle: Vec2::ZERO,
-        reach: Vec2::ZERO,
+        bounds: Vec4::ZERO,
         decay: [0.0; 3],
         strength: 0.0,
     };
@@ -66,16 +66,15 @@ impl Highlight {
     /// Whether it may be seen in a rectangle of the picture, in pixels.
     #[inline(always)]
     pub fn meets(&self, rect: Vec4) -> bool {
-        let least = Vec4::from((self.middle - self.reach, -self.middle - self.reach));
-        least
+        self.bounds
             .cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0))
             .all()
     }
 
     /// The least and the greatest of its pixels, from a place in the picture.
     pub fn ends(&self, from: [f32; 2]) -> [Vec2; 2] {
-        let middle = self.middle - Vec2::from_array(from);
-        [middle - self.reach, middle + self.reach]
+        let from = Vec2::from_array(from);
+        [self.bounds.xy() - from, -self.bounds.zw() - from]
     }
 
     /// Whether no square of a side in pixels may show something that is visibly brighter than it is at its corners, if all of these
@@ -160,6 +159,8 @@ impl Prepared {
             if i == self.first_plane() && !scene.water.are_calm() {
                 continue;
             }
+            // Beyond the object's own bounds no corner shows it.
+            let bounds = self.screen[i].in_pixels(&self.axes);
             // Those of several lamps may add up.
             let visible = VISIBLE / pixels(self.lamp_count);
             let tint = Vec3A::ONE.lerp(material.colour, material.metallic);
@@ -175,10 +176,12 @@ impl Prepared {
                     if let Object::Block(Block { half, axes, .. }) = object {
                         place.p = *axes * (axes.transpose() * place.p).clamp(-*half, *half);
                     }
+                    let seen = place.seen(&self.axes, eye, lamp, 0.5 * material.exponent);
                     let highlight = Highlight {
                         object: ObjectId::new(i),
+                        bounds: seen.bounds.max(bounds),
                         strength,
-                        ..place.seen(&self.axes, eye, lamp, 0.5 * material.exponent)
+                        ..seen
                     };
                     // Not to be branched on: what is no number is kept out as well.
                     let count = &mut self.highlights.count;
@@ -242,9 +245,11 @@ impl Mirror {
             [(right, right), (right, down), (down, down)].map(|(v, w)| v.dot(w) * scale);
         // No more drawn out than rounding allows for.
         let scale = REACH / (a * c - b * b).max(a * c * 1e-6);
+        let middle = axes.pixel_at(x / depth, y / depth);
+        let reach = Vec2::new(sqrt(c * scale), sqrt(a * scale));
         Highlight {
-            middle: axes.pixel_at(x / depth, y / depth),
-            reach: Vec2::new(sqrt(c * scale), sqrt(a * scale)),
+            middle,
+            bounds: Vec4::from((middle - reach, -middle - reach)),
             decay: [a, b, c],
             ..Highlight::ZERO
         }

@@ -141,6 +141,11 @@ impl ScreenBounds {
         Self(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))
     }
 
+    /// The same in pixels.
+    pub fn in_pixels(&self, axes: &Axes) -> Vec4 {
+        self.0 / axes.pixel + axes.middle * Vec4::new(1.0, 1.0, -1.0, -1.0)
+    }
+
     /// Around both.
     pub fn join(&mut self, other: Self) {
         self.0 = self.0.min(other.0);
