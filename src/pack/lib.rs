@@ -66,6 +66,7 @@ mod encoder;
 mod executable;
 mod model;
 mod panics;
+mod pe;
 mod stub;
 #[cfg(test)]
 mod tests;
@@ -74,7 +75,9 @@ use std::{error, fmt};
 
 pub use costs::costs;
 use encoder::Encoder;
-pub use executable::{pack_executable, strip, unpack_executable};
+pub use executable::{
+    System, Version, pack_executable, strip, unpack_executable, unpacked_executable,
+};
 use model::{Model, Reader};
 
 /// Why a program can't be packed, or not be built as it should be.

@@ -2,7 +2,9 @@
 
 use proptest::{collection::vec, prelude::*};
 
-use crate::{Damaged, LONGEST, checksum, costs, model::Model, pack, pack_executable, unpack};
+use crate::{
+    Damaged, LONGEST, System, checksum, costs, model::Model, pack, pack_executable, unpack,
+};
 
 /// Bytes as programs have them: some random, some again and again, some of instructions.
 fn bytes() -> impl Strategy<Value = Vec<u8>> {
@@ -57,9 +59,9 @@ proptest! {
 
     #[test]
     fn what_is_no_executable_is_not_packed(bytes in bytes()) {
-        prop_assert!(pack_executable(&bytes, &[]).is_err());
+        prop_assert!(pack_executable(&bytes, &[], &System::Linux).is_err());
         let header = [b"\x7fELF\x02\x01\x01", &*bytes].concat();
-        prop_assert!(pack_executable(&header, &[]).is_err());
+        prop_assert!(pack_executable(&header, &[], &System::Linux).is_err());
     }
 }
 

@@ -20,12 +20,5 @@ macro_rules! main {
             let run: fn($crate::arguments::Arguments) -> i32 = $run;
             run(arguments)
         }
-
-        // What the build script puts in place of functions of std.
-        #[cfg(diet)]
-        core::arch::global_asm!(
-            include_str!(concat!(env!("OUT_DIR"), "/diet.s")),
-            options(att_syntax)
-        );
     };
 }

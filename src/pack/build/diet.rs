@@ -1,9 +1,9 @@
 //! The diet: std's functions that the intro does not need are replaced.
 //!
 //! A program of std brings with it what it needs to explain a panic: formatting, a backtrace, a reader of debugging information, a
-//! demangler. They are most of its bytes, packed as well. The functions that lead there are found by their names in the sysroot's
-//! archives; assembly in the intro's own object defines each anew, ahead of the archives; the linker takes the first definition,
-//! and drops all that only the second one needed. What they do instead is in `src/window/abort.rs`.
+//! demangler. They are most of its bytes, packed as well. The functions that lead there are found by their names in the archives
+//! that the intro is linked with; an object defines each anew, ahead of the archives; the linker takes the first definition, and
+//! drops all that only the second one needed. What they do instead is in `src/window/abort.rs`.
 //!
 //! The bytes that each measure saves of the packed file, found by leaving it out, of 53,456 bytes (of others where that is said):
 //!
@@ -22,11 +22,14 @@
 //! Tried, and not worth it: an allocator by `malloc` alone saves 105 bytes, `Display::fmt` redirected 1,587, and then nothing can be
 //! formatted; the window's crates at `opt-level = "s"` 104.
 
-use std::{collections::HashSet, fmt::Write, fs, path::PathBuf};
+use std::{collections::HashSet, ffi::OsString, fs, path::PathBuf};
 
-use object::{Object, ObjectSymbol, SymbolKind, read::archive::ArchiveFile};
+use object::{
+    Architecture, BinaryFormat, Endianness, Object, ObjectSymbol, RelocationEncoding,
+    RelocationFlags, RelocationKind, SectionKind, SymbolFlags, SymbolKind, SymbolScope,
+    read::archive::ArchiveFile, write,
+};
 
-use super::toolchain::{TARGET, Toolchain};
 use crate::{Error, panics::ABORT};
 
 /// The crates that functions are redirected in. The last three have functions of the others compiled in.
@@ -60,52 +63,74 @@ const INSTEAD: [(&str, &[&str]); 2] = [
     ),
 ];
 
-/// Assembly that defines functions of std anew, for `main!` to include, and those that std does not have.
-pub fn redirections(toolchain: &Toolchain) -> Result<(String, Vec<&'static str>), Error> {
-    let symbols = symbols(&libraries(toolchain)?)?;
-    let (mut assembly, mut missing) = (String::new(), Vec::new());
+/// An object that defines functions of std anew, for the arguments of a link, and those that its std does not have.
+pub fn redirections(words: &[OsString]) -> Result<(Vec<u8>, Vec<&'static str>), Error> {
+    let names = symbols(&libraries(words))?;
+    let mut object =
+        write::Object::new(BinaryFormat::Elf, Architecture::X86_64, Endianness::Little);
+    // Linkers take from this that it needs no stack that is executable.
+    object.add_section(Vec::new(), b".note.GNU-stack".into(), SectionKind::Other);
+    let mut missing = Vec::new();
     let mut done = HashSet::new();
     for (target, paths) in INSTEAD {
-        writeln!(assembly, ".section .text.{target}_instead, \"ax\"")?;
+        // A section of its own, with a jump.
+        let name = format!(".text.{target}_instead").into_bytes();
+        let section = object.add_section(Vec::new(), name, SectionKind::Text);
+        object.append_section_data(section, &[0xe9, 0, 0, 0, 0], 1);
+        let symbol = |name: &str, section, scope| write::Symbol {
+            name: name.into(),
+            value: 0,
+            size: 0,
+            kind: SymbolKind::Text,
+            scope,
+            weak: false,
+            section,
+            flags: SymbolFlags::None,
+        };
+        let to = object.add_symbol(symbol(
+            target,
+            write::SymbolSection::Undefined,
+            SymbolScope::Unknown,
+        ));
+        let jump = write::Relocation {
+            offset: 1,
+            symbol: to,
+            addend: -4,
+            flags: RelocationFlags::Generic {
+                kind: RelocationKind::Relative,
+                encoding: RelocationEncoding::X86Branch,
+                size: 32,
+            },
+        };
+        object.add_relocation(section, jump)?;
         for path in paths {
             let part = mangled(path);
             let is_named = |symbol: &&String| {
                 **symbol == part || path.contains("::") && symbol.contains(&part)
             };
-            if !symbols.iter().any(|symbol| is_named(&symbol)) {
+            if !names.iter().any(|name| is_named(&name)) {
                 missing.push(*path);
             }
-            for symbol in symbols.iter().filter(is_named) {
-                if done.insert(symbol) {
-                    writeln!(assembly, ".globl {symbol}\n.hidden {symbol}\n{symbol}:")?;
+            for name in names.iter().filter(is_named) {
+                if done.insert(name) {
+                    let here = write::SymbolSection::Section(section);
+                    object.add_symbol(symbol(name, here, SymbolScope::Linkage));
                 }
             }
         }
-        writeln!(assembly, "jmp {target}")?;
     }
-    Ok((assembly, missing))
+    Ok((object.write()?, missing))
 }
 
-/// The archives of [`CRATES`] that programs are linked with.
-fn libraries(toolchain: &Toolchain) -> Result<Vec<PathBuf>, Error> {
-    let directory = toolchain
-        .sysroot
-        .join("lib/rustlib")
-        .join(TARGET)
-        .join("lib");
-    let mut libraries = Vec::new();
-    for entry in fs::read_dir(directory)? {
-        let path = entry?.path();
+/// The archives of [`CRATES`] among the arguments of a link.
+fn libraries(words: &[OsString]) -> Vec<PathBuf> {
+    let mut libraries: Vec<_> = words.iter().map(PathBuf::from).collect();
+    libraries.retain(|path| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let is_of =
-            |name_of: &&str| name.starts_with(&format!("lib{name_of}-")) && name.ends_with(".rlib");
-        if CRATES.iter().any(is_of) {
-            libraries.push(path);
-        }
-    }
-    // In an order that does not depend on the file system.
-    libraries.sort();
-    Ok(libraries)
+        let is_of = |name_of: &&str| name.starts_with(&format!("lib{name_of}-"));
+        name.ends_with(".rlib") && CRATES.iter().any(is_of)
+    });
+    libraries
 }
 
 /// Names of the global functions in archives.

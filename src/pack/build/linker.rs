@@ -2,13 +2,14 @@
 
 use std::{
     env,
-    ffi::OsString,
+    ffi::{OsStr, OsString},
     fs,
     path::{Path, PathBuf},
     process::Command,
 };
 
-use crate::{Error, pack_executable};
+use super::diet;
+use crate::{Error, System, Version, pack_executable, unpacked_executable};
 
 /// The largest file of a 64 kB intro.
 const LIMIT: usize = 65_536;
@@ -17,6 +18,10 @@ const LIMIT: usize = 65_536;
 pub const STUB: &str = "stub.o";
 const SETTINGS: &str = "settings";
 const PACKED: &str = "packed";
+const LINUX: &str = "linux";
+const WINDOWS: &str = "windows";
+/// The name of the diet's object file.
+const DIET: &str = "diet.o";
 
 /// The build script's settings for the linker, in a file beside it.
 pub struct Settings {
@@ -26,25 +31,45 @@ pub struct Settings {
     pub unpacked: String,
     /// Whether it is packed.
     pub is_packed: bool,
+    /// What it is for.
+    pub system: System,
 }
 
 impl Settings {
     pub fn write(&self, directory: &Path) -> Result<(), Error> {
-        let what = if self.is_packed { PACKED } else { "" };
-        let text = [&self.linker, &self.unpacked, what].join("\n");
-        Ok(fs::write(directory.join(SETTINGS), text)?)
+        let packed = if self.is_packed { PACKED } else { "" };
+        let mut lines = vec![&*self.linker, &*self.unpacked, packed];
+        match &self.system {
+            System::Linux => lines.push(LINUX),
+            System::Windows(Version { name, number }) => lines.extend([WINDOWS, name, number]),
+        }
+        Ok(fs::write(directory.join(SETTINGS), lines.join("\n"))?)
     }
 
     fn read(directory: &Path) -> Result<Settings, Error> {
         let text = fs::read_to_string(directory.join(SETTINGS))?;
-        let [linker, unpacked, what] = text.split('\n').collect::<Vec<_>>()[..] else {
-            return Err("the settings are not three lines".into());
+        let lines: Vec<_> = text.split('\n').collect();
+        let (linker, unpacked, packed, system) = match lines[..] {
+            [linker, unpacked, packed, LINUX] => (linker, unpacked, packed, System::Linux),
+            [linker, unpacked, packed, WINDOWS, name, number] => {
+                let version = Version {
+                    name: name.into(),
+                    number: number.into(),
+                };
+                (linker, unpacked, packed, System::Windows(version))
+            }
+            _ => return Err("the settings are not those of the build script".into()),
         };
         Ok(Settings {
             linker: linker.into(),
             unpacked: unpacked.into(),
-            is_packed: what == PACKED,
+            is_packed: packed == PACKED,
+            system,
         })
+    }
+
+    fn is_for_windows(&self) -> bool {
+        matches!(self.system, System::Windows(_))
     }
 }
 
@@ -57,18 +82,33 @@ pub fn run(arguments: &[OsString]) -> i32 {
 }
 
 fn link(arguments: &[OsString]) -> Result<i32, Error> {
-    // Have the linker link the program.
     let own = env::current_exe()?;
     let directory = own.parent().ok_or("the linker is nowhere")?;
     let settings = Settings::read(directory)?;
-    let status = Command::new(&settings.linker)
-        .args(arguments)
+    let mut command = Command::new(&settings.linker);
+    let words = words(arguments)?;
+    let output = output(&words);
+    if output.is_some() {
+        // Have the diet's definitions come first.
+        let (object, missing) = diet::redirections(&words)?;
+        if !missing.is_empty() {
+            let missing = missing.join(", ");
+            eprintln!("warning: the program may be larger than 64 kB: this std has no {missing}");
+        }
+        let path = directory.join(DIET);
+        fs::write(&path, object)?;
+        command.arg(path);
+    }
+    // Have the linker link the program.
+    let is_wanted = |argument: &&OsString| !settings.is_for_windows() || !is_of_linux(argument);
+    let status = command
+        .args(arguments.iter().filter(is_wanted))
         .status()
         .map_err(|error| format!("cannot run {}: {error}", settings.linker))?;
     if !status.success() {
         return Ok(status.code().unwrap_or(1));
     }
-    let Some(path) = output(arguments)? else {
+    let Some(path) = output else {
         // It was asked for its version.
         return Ok(0);
     };
@@ -77,28 +117,44 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     let mut name = path.file_name().ok_or("no name")?.to_owned();
     name.push(".unpacked");
     fs::write(Path::new(&settings.unpacked).join(name), &program)?;
-    if !settings.is_packed {
-        return Ok(0);
-    }
-    // In place, so that it stays executable. It runs unpacked, too.
-    let size = match pack_executable(&program, &fs::read(directory.join(STUB))?) {
-        Ok(packed) => {
-            fs::write(&path, &packed)?;
-            packed.len()
-        }
-        Err(error) => {
-            eprintln!("warning: the program is not packed: {error}");
-            program.len()
-        }
+    let packed = if settings.is_packed {
+        let stub = fs::read(directory.join(STUB))?;
+        pack_executable(&program, &stub, &settings.system)
+    } else {
+        unpacked_executable(&program, &settings.system)
     };
-    if size > LIMIT {
+    let file = packed.or_else(|error| {
+        eprintln!("warning: the program is not packed: {error}");
+        unpacked_executable(&program, &settings.system)
+    })?;
+    if file.len() > LIMIT && settings.is_packed {
+        let size = file.len();
         eprintln!("warning: the program has {size} bytes, more than the {LIMIT} of a 64 kB intro");
+    }
+    // In place, so that it stays executable.
+    fs::write(&path, &file)?;
+    if settings.is_for_windows() {
+        fs::write(name_for_windows(&path)?, &file)?;
     }
     Ok(0)
 }
 
-/// Finds the output file of the link. (Where there are many arguments, they are in a file.)
-fn output(arguments: &[OsString]) -> Result<Option<PathBuf>, Error> {
+/// Whether an argument is a library of Linux, or asks for what only its own programs have.
+fn is_of_linux(argument: &OsStr) -> bool {
+    let argument = argument.to_string_lossy();
+    argument.starts_with("-l") || argument == "--eh-frame-hdr"
+}
+
+/// The name that a program for Windows has beside those that Cargo leaves.
+fn name_for_windows(path: &Path) -> Result<PathBuf, Error> {
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    let name = name.rsplit_once('-').map_or(&*name, |(name, _)| name);
+    let folder = path.parent().and_then(Path::parent).ok_or("no folder")?;
+    Ok(folder.join(name).with_extension("exe"))
+}
+
+/// The arguments of the link. (Where there are many, they are in a file.)
+fn words(arguments: &[OsString]) -> Result<Vec<OsString>, Error> {
     let mut words = Vec::new();
     for argument in arguments {
         match argument
@@ -113,8 +169,11 @@ fn output(arguments: &[OsString]) -> Result<Option<PathBuf>, Error> {
             None => words.push(argument.clone()),
         }
     }
-    let place = words.iter().position(|word| word == "-o");
-    Ok(place
-        .and_then(|place| words.get(place + 1))
-        .map(PathBuf::from))
+    Ok(words)
+}
+
+/// Finds the output file of the link.
+fn output(words: &[OsString]) -> Option<PathBuf> {
+    let place = words.iter().position(|word| word == "-o")?;
+    words.get(place + 1).map(PathBuf::from)
 }

@@ -1,4 +1,4 @@
-//! The intro's build script: it prepares the diet, and has the linker called by way of this program.
+//! The intro's build script: it has the linker called by way of this program.
 //!
 //! `cargo build --release` compiles the script, which Cargo runs: it compiles the stub, and says how to link the intro. Rust calls
 //! a C compiler for that, which is told to take its linker from `OUT_DIR/linker`: there, the script's own executable has the name
@@ -25,7 +25,7 @@ use std::{
     process::Command,
 };
 
-use crate::Error;
+use crate::{Error, System, Version};
 use toolchain::Toolchain;
 
 /// The name by which a C compiler finds a linker, and by which this program knows that it is called for one.
@@ -45,7 +45,6 @@ pub fn main(program: &str) {
     {
         std::process::exit(linker::run(rest));
     }
-    println!("cargo::rustc-check-cfg=cfg(diet)");
     println!("cargo::rerun-if-changed={SOURCE}");
     println!("cargo::rerun-if-env-changed={UNPACKED}");
     // Unoptimised, nobody minds the size; nor where the window is by minifb, which alone is larger.
@@ -66,13 +65,15 @@ pub fn main(program: &str) {
 fn prepare(program: &str) -> Result<(), Error> {
     let toolchain = Toolchain::find()?;
     let output = PathBuf::from(env::var("OUT_DIR")?);
-    // Write the redirections of the diet.
-    let (assembly, missing) = diet::redirections(&toolchain)?;
-    if !missing.is_empty() {
-        let missing = missing.join(", ");
-        println!("cargo::warning={program} may be larger than 64 kB: this std has no {missing}");
-    }
-    fs::write(output.join("diet.s"), assembly)?;
+    let is_for_windows = env::var_os("CARGO_FEATURE_WINDOWS").is_some();
+    let system = if is_for_windows {
+        System::Windows(Version {
+            name: env::var("CARGO_PKG_DESCRIPTION")?,
+            number: env::var("CARGO_PKG_VERSION")?,
+        })
+    } else {
+        System::Linux
+    };
     // Put this program where the compiler looks for a linker.
     let directory = output.join("linker");
     fs::create_dir_all(&directory)?;
@@ -91,33 +92,46 @@ fn prepare(program: &str) -> Result<(), Error> {
         linker: toolchain.linker.clone(),
         unpacked: text(output.clone())?,
         is_packed: env::var_os(UNPACKED).is_none(),
+        system,
     }
     .write(&directory)?;
-    compile_stub(&toolchain, &directory.join(linker::STUB))?;
+    compile_stub(&toolchain, is_for_windows, &directory.join(linker::STUB))?;
     let map = text(output.join(format!("{program}.map")))?;
-    // From here on nothing fails: the one does not go without the other.
-    println!("cargo::rustc-cfg=diet");
-    for argument in [
+    let for_system: &[&str] = if is_for_windows {
+        &[
+            // Nothing of Linux starts it.
+            "-nostartfiles",
+            "-Wl,--no-dynamic-linker",
+            "-Wl,--entry=eightfold_start",
+            // With room before it for the packed file, which begins where programs of Windows did before they had random addresses.
+            "-Wl,--image-base=0x410000",
+        ]
+    } else {
+        &[]
+    };
+    let for_all = [
         // At fixed addresses: so it needs no relocations, and the packed file has room for it.
         "-no-pie",
         // Pages of 4 KB: gaps between segments are packed, too.
         "-Wl,-z,max-page-size=4096",
+        "-Wl,--build-id=none",
         // Of functions that are redirected there are two; the first counts.
         "-Wl,-z,muldefs",
-        "-Wl,--build-id=none",
         &format!("-Wl,-Map={map}"),
         &format!("-B{}", directory.display()),
         // The last one says which linker it is.
         &format!("-fuse-ld={}", &LINKER[3..]),
-    ] {
+    ];
+    for argument in for_all.iter().chain(for_system) {
         println!("cargo::rustc-link-arg-bin={program}={argument}");
     }
     Ok(())
 }
 
-/// Compiles the stub to an object file, without what the user wants of other programs.
-fn compile_stub(toolchain: &Toolchain, object: &Path) -> Result<(), Error> {
-    let source = Path::new(SOURCE).join("stub/main.rs");
+/// Compiles the stub of a system to an object file, without what the user wants of other programs.
+fn compile_stub(toolchain: &Toolchain, is_for_windows: bool, object: &Path) -> Result<(), Error> {
+    let system = if is_for_windows { "windows" } else { "linux" };
+    let source = Path::new(SOURCE).join("stub").join(system).join("main.rs");
     let done = Command::new(&toolchain.rustc)
         .args([
             "--edition=2024",
@@ -134,6 +148,8 @@ fn compile_stub(toolchain: &Toolchain, object: &Path) -> Result<(), Error> {
             "-Crelocation-model=static",
             "-Ccodegen-units=1",
         ])
+        // On Windows memory below the stack pointer may be written to at any time.
+        .args(is_for_windows.then_some("-Cno-redzone=yes"))
         .arg("-o")
         .args([object, &source])
         .status()?;

@@ -14,7 +14,6 @@ pub const TARGET: &str = "x86_64-unknown-linux-gnu";
 
 pub struct Toolchain {
     pub rustc: OsString,
-    pub sysroot: PathBuf,
     /// The linker of the program: a path, or a name to be looked up.
     pub linker: String,
 }
@@ -36,11 +35,7 @@ impl Toolchain {
         let own = own.to_str().filter(|_| own.exists());
         let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
         let linker = linker(&flags, env::var("RUSTC_LINKER").ok(), own)?;
-        Ok(Toolchain {
-            rustc,
-            sysroot,
-            linker,
-        })
+        Ok(Toolchain { rustc, linker })
     }
 }
 

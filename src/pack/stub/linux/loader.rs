@@ -1,41 +1,15 @@
 //! Does for a program what `execve` does: puts its segments to their addresses, and its dynamic linker to some, and tells the
 //! latter where the former is. It is packed with the program, and so may be anywhere in memory.
 
-use crate::system::{CLOSE, MMAP, MPROTECT, OPEN, READ, call, is_error};
-use core::arch::asm;
-
-/// The header of an ELF file, as far as it matters.
-#[repr(C)]
-pub struct FileHeader {
-    unused: [u8; 24],
-    entry: usize,
-    /// Where in the file the program headers are.
-    headers: usize,
-    unused_too: [u8; 16],
-    header_count: u16,
-}
-
-/// A part of the program, as its header describes it.
-#[repr(C)]
-struct ProgramHeader {
-    kind: u32,
-    /// 1 for execute, 2 for write, 4 for read.
-    flags: u32,
-    offset: usize,
-    address: usize,
-    unused: usize,
-    /// Bytes in the file, and in memory, where zeros follow them.
-    file_size: usize,
-    size: usize,
-    alignment: usize,
-}
+use crate::{
+    elf::{FileHeader, LOAD, PAGE, ProgramHeader},
+    system::{CLOSE, MMAP, MPROTECT, OPEN, READ, call, is_error},
+};
 
 // Kinds of program headers.
-const LOAD: u32 = 1;
 const INTERPRETER: u32 = 3;
 const PROGRAM_HEADERS: u32 = 6;
 
-const PAGE: usize = 4096;
 // For `mmap`.
 const READ_WRITE: usize = 3;
 const PRIVATE: usize = 2;
@@ -50,31 +24,10 @@ struct Loaded {
     interpreter: usize,
 }
 
-impl FileHeader {
-    /// # Safety
-    /// The header has to be in memory with the program headers behind it.
-    #[inline(always)]
-    unsafe fn headers(&self) -> &[ProgramHeader] {
-        let start = (&raw const *self).cast::<u8>();
-        // SAFETY: the caller vouches for it.
-        unsafe {
-            core::slice::from_raw_parts(start.add(self.headers).cast(), self.header_count.into())
-        }
-    }
-}
-
-impl ProgramHeader {
-    /// The flags as `mmap` has them, in the opposite order.
-    #[inline(always)]
-    fn protection(&self) -> usize {
-        0x7351_6240 >> (self.flags * 4) & 7
-    }
-
-    /// Bytes from the beginning of its first page.
-    #[inline(always)]
-    fn lead(&self) -> usize {
-        self.address % PAGE
-    }
+/// The flags of a program header as `mmap` has them, in the opposite order.
+#[inline(always)]
+fn protection(header: &ProgramHeader) -> usize {
+    0x7351_6240 >> (header.flags * 4) & 7
 }
 
 /// The type of [`load`].
@@ -110,12 +63,8 @@ unsafe fn place(file: &FileHeader) -> Option<Loaded> {
                 let size = header.size + header.lead();
                 // SAFETY: as above.
                 unsafe {
-                    copy(
-                        (&raw const *file).cast::<u8>().add(header.offset),
-                        header.address,
-                        header.file_size,
-                    );
-                    if is_error(call(MPROTECT, [start, size, header.protection()])) {
+                    file.copy(header);
+                    if is_error(call(MPROTECT, [start, size, protection(header)])) {
                         return None;
                     }
                 }
@@ -126,20 +75,6 @@ unsafe fn place(file: &FileHeader) -> Option<Loaded> {
         }
     }
     Some(loaded)
-}
-
-#[inline(always)]
-unsafe fn copy(from: *const u8, to: usize, size: usize) {
-    // SAFETY: the caller vouches for it. (`copy_nonoverlapping` would call a function of libc.)
-    unsafe {
-        asm!(
-            "rep movsb",
-            inout("rsi") from => _,
-            inout("rdi") to => _,
-            inout("rcx") size => _,
-            options(nostack, preserves_flags),
-        );
-    }
 }
 
 impl Loaded {
@@ -179,7 +114,7 @@ impl Loaded {
                     [
                         start,
                         size,
-                        header.protection(),
+                        protection(header),
                         PRIVATE | FIXED,
                         file,
                         header.offset - lead,

@@ -7,13 +7,18 @@
 #![no_main]
 #![warn(clippy::undocumented_unsafe_blocks)]
 
+#[path = "../elf.rs"]
+mod elf;
 mod loader;
-#[path = "../model/mod.rs"]
+#[path = "../../model/mod.rs"]
 mod model;
+#[path = "../packed.rs"]
+mod packed;
 mod system;
 
-use core::{arch::global_asm, mem::transmute, panic::PanicInfo, slice};
+use core::{arch::global_asm, mem::transmute};
 use model::Model;
+use packed::fail;
 use system::{EXECVEAT, MADVISE, MEMFD_CREATE, MMAP, MPROTECT, MUNMAP, WRITE, call, is_error};
 
 /// Bytes of a page with which a processor rarely has to look up where memory is. The model reads all over its memory: by such pages
@@ -86,31 +91,20 @@ global_asm!(
 );
 
 unsafe extern "C" {
-    /// The packed bytes, and their end: the packer has them in the file behind the stub.
-    static PACKED: u8;
+    /// The end of the packed bytes.
     static PACKED_END: u8;
     /// Where all begins that [`SUM`] is the checksum of, up to the end of what was packed.
     static CHECKED: u8;
     static SUM: u32;
-    /// Its address is no address, but how many bytes were packed.
-    static LENGTH: u8;
-    /// Likewise; how many of those are the program. Behind them is the [loader].
-    static PROGRAM_LENGTH: u8;
     /// Where the program is loaded to.
     static PROGRAM: u8;
-    /// Likewise no address, but how much memory it takes there.
+    /// Its address is no address, but how much memory it takes there.
     static PROGRAM_SIZE: u8;
-
-    safe fn fail(line: *const u8, length: usize) -> !;
 }
 
 /// Unpacks the program and loads it. Returns where its dynamic linker starts.
 unsafe extern "C" fn start(stack: *mut usize) -> usize {
-    let packed = &raw const PACKED;
-    // SAFETY: the packer has put the bytes there.
-    let code =
-        unsafe { slice::from_raw_parts(packed, (&raw const PACKED_END).addr() - packed.addr()) };
-    let length = (&raw const LENGTH).addr();
+    let length = packed::length();
     let used = size_of::<Model>() + length;
     let size = used + HUGE_PAGE;
     // For reading and writing, private, of nothing; the program's memory is at a fixed place. Had this file a program header for it,
@@ -136,17 +130,9 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
         // SAFETY: it is part of that memory.
         unsafe { call(MADVISE, [memory, used, advice]) };
     }
-    // SAFETY: there is as much memory, and zeros are a model.
-    let (model, unpacked) = unsafe {
-        (
-            &mut *(memory as *mut Model),
-            slice::from_raw_parts_mut((memory + size_of::<Model>()) as *mut u8, length),
-        )
-    };
-    model.fill();
-    model::decode(model, code, unpacked);
-    let file = unpacked.as_ptr();
-    let program_length = (&raw const PROGRAM_LENGTH).addr();
+    // SAFETY: there is as much memory.
+    let file = unsafe { packed::unpack(memory) };
+    let program_length = packed::program_length();
     // SAFETY: the packer has packed an executable and the loader. The former's addresses are
     // memory.
     unsafe {
@@ -189,14 +175,4 @@ unsafe fn execute(file: usize, length: usize, stack: *mut usize) {
             ],
         );
     }
-}
-
-#[panic_handler]
-fn panic(_: &PanicInfo<'_>) -> ! {
-    unsafe extern "C" {
-        /// Nowhere: a check that could panic fails the packer, which finds no such function.
-        fn a_panic_in_the_stub() -> !;
-    }
-    // SAFETY: it is not there.
-    unsafe { a_panic_in_the_stub() }
 }

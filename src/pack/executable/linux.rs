@@ -1,0 +1,116 @@
+//! Executables of Linux, packed.
+//!
+//! The packed file has
+//!
+//! | bytes | what |
+//! | ---: | --- |
+//! | 64 | the ELF header |
+//! | 2 x 56 | program headers: this file; a stack that is not executable |
+//! | 138 | the stub's beginning, which checks all that follows: a file that was cut to no less than this says so |
+//! | 4,200 | the stub |
+//! | the rest | what was packed |
+
+use std::collections::HashMap;
+
+use super::encode_both;
+use crate::{
+    Damaged, Error, checksum, decode, elf,
+    elf::Segment,
+    stub::{FIRST, LOADER, Stub},
+};
+
+/// Bytes before the stub: the headers, and so many that its constants are aligned.
+const HEAD: usize = (elf::HEADER_SIZE + 2 * Segment::SIZE).next_multiple_of(16);
+
+/// Where in the file the checksum is: where the second program header has an address.
+const SUM: usize = elf::HEADER_SIZE + Segment::SIZE + 16;
+
+/// A packed executable of a stripped one and the stub's object file.
+pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
+    let segments = elf::segments(stripped)?;
+    for kind in [elf::INTERPRETER, elf::PROGRAM_HEADERS] {
+        if !segments.iter().any(|segment| segment.kind == kind) {
+            return Err("no dynamic linker starts it".into());
+        }
+    }
+    // Put the loader behind the program.
+    let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
+    let unpacked = [stripped, &loader].concat();
+    let packed = encode_both(&unpacked)?;
+    // Find the memory that the program takes.
+    let loads = segments.iter().filter(|segment| segment.kind == elf::LOAD);
+    let start = loads
+        .clone()
+        .map(|load| load.address)
+        .min()
+        .unwrap_or_default()
+        / elf::PAGE
+        * elf::PAGE;
+    let end = loads
+        .map(|load| load.address + load.size)
+        .max()
+        .unwrap_or_default();
+
+    // The file lies right behind the program, so that the heap, which begins behind both, is where it always is.
+    let stub = Stub::read(stub, FIRST)?;
+    let size = (HEAD + stub.size() + packed.len()) as u64;
+    let address = end.next_multiple_of(elf::PAGE);
+    let entry = address + HEAD as u64;
+    let packed_at = entry + stub.size() as u64;
+    let names = HashMap::from([
+        ("SUM", address + SUM as u64),
+        ("CHECKED", entry + stub.first_size() as u64),
+        ("PACKED", packed_at),
+        ("PACKED_END", packed_at + packed.len() as u64),
+        ("LENGTH", unpacked.len() as u64),
+        ("PROGRAM_LENGTH", stripped.len() as u64),
+        ("PROGRAM", start),
+        ("PROGRAM_SIZE", end - start),
+    ]);
+    // Link the stub to its address, and compute what it checks.
+    let linked = stub.link(entry, &names)?;
+    let (first, rest) = linked.split_at(stub.first_size());
+    let checked = [rest, &packed].concat();
+    // Write the header, the two segments, the stub and the packed bytes.
+    let mut file = elf::header(entry, 2);
+    let file_itself = Segment {
+        kind: elf::LOAD,
+        flags: elf::READ | elf::EXECUTE,
+        address,
+        file_size: size,
+        size,
+        ..Segment::default()
+    };
+    // Of this one, Linux reads only the flags. The rest says where in the file the packed bytes are, how many bytes at its end are
+    // checked, what their checksum is, and how many bytes were packed.
+    let stack = Segment {
+        kind: elf::STACK,
+        flags: elf::READ | elf::WRITE,
+        offset: (HEAD + stub.size()) as u64,
+        address: checksum(&checked).into(),
+        physical_address: unpacked.len() as u64,
+        file_size: packed.len() as u64,
+        size: checked.len() as u64,
+    };
+    for segment in [file_itself, stack] {
+        file.extend(segment.to_bytes());
+    }
+    file.resize(HEAD, 0);
+    file.extend(first);
+    file.extend(checked);
+    Ok(file)
+}
+
+/// The program that is in a packed executable, with the loader behind it.
+pub fn unpack(file: &[u8]) -> Result<Vec<u8>, Error> {
+    let segments = elf::segments(file)?;
+    let is_stack = |segment: &&Segment| segment.kind == elf::STACK;
+    let stack = segments.iter().find(is_stack).ok_or("it is not packed")?;
+    let packed = file.get(stack.range()).ok_or("it is not whole")?;
+    let start = file.len().checked_sub(stack.size as usize);
+    let checked = file.get(start.ok_or("it is not whole")?..);
+    if checked.is_none_or(|checked| u64::from(checksum(checked)) != stack.address) {
+        return Err(Damaged.into());
+    }
+    Ok(decode(packed, stack.physical_address as usize)?)
+}

@@ -1,0 +1,77 @@
+//! Makes a packed executable of an ordinary one.
+//!
+//! The packed content is an ELF file itself, without all that nobody reads who starts it, and the stub's loader, which loads it. Around
+//! that are the stub and the headers of the system that it is for: [`linux`] or [`windows`].
+
+mod linux;
+mod strip;
+#[cfg(test)]
+mod tests;
+mod version;
+mod windows;
+
+pub use strip::strip;
+pub use version::Version;
+
+use crate::{Error, LONGEST, decode, elf, encode};
+
+/// A system that executables are made for.
+pub enum System {
+    /// Linux on x86-64.
+    Linux,
+    /// Windows on x86-64, with what it shows of the program.
+    Windows(Version),
+}
+
+/// A packed executable of an ordinary one and the stub's object file.
+///
+/// # Errors
+/// If it is no executable that the stub can load.
+pub fn pack_executable(program: &[u8], stub: &[u8], system: &System) -> Result<Vec<u8>, Error> {
+    let stripped = strip(program)?;
+    match system {
+        System::Linux => linux::pack(&stripped, stub),
+        System::Windows(version) => windows::pack(&stripped, stub, version),
+    }
+}
+
+/// An executable for a system of what was linked, not packed. (On Linux it is one already.)
+///
+/// # Errors
+/// If it is no executable for fixed addresses.
+pub fn unpacked_executable(program: &[u8], system: &System) -> Result<Vec<u8>, Error> {
+    match system {
+        System::Linux => Ok(program.into()),
+        System::Windows(_) => windows::unpacked(program),
+    }
+}
+
+/// The program that is in a packed executable, as [`strip`] leaves it.
+///
+/// # Errors
+/// If it is none, or not whole.
+pub fn unpack_executable(file: &[u8]) -> Result<Vec<u8>, Error> {
+    let mut unpacked = if windows::is_one(file) {
+        windows::unpack(file)?
+    } else {
+        linux::unpack(file)?
+    };
+    // The rest is the loader.
+    let ends = elf::segments(&unpacked)?
+        .into_iter()
+        .map(|segment| segment.range().end);
+    unpacked.truncate(ends.max().unwrap_or_default());
+    Ok(unpacked)
+}
+
+/// Packs a program with its loader behind it, and makes sure that both can be unpacked.
+fn encode_both(unpacked: &[u8]) -> Result<Vec<u8>, Error> {
+    if unpacked.len() > LONGEST {
+        return Err(format!("{} bytes are too many", unpacked.len()).into());
+    }
+    let packed = encode(unpacked);
+    if decode(&packed, unpacked.len())? != unpacked {
+        return Err("what is unpacked is not what was packed".into());
+    }
+    Ok(packed)
+}

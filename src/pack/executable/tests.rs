@@ -1,0 +1,237 @@
+//! What holds for packed executables of either system, tried on a small program with a stub of two bytes.
+
+use std::collections::HashSet;
+
+use object::{
+    Architecture, BinaryFormat, Endianness, LittleEndian as LE, SectionKind, pe,
+    read::pe::{ImageNtHeaders, Import, PeFile64},
+    write,
+};
+
+use super::{System, Version, pack_executable, strip, unpack_executable, unpacked_executable};
+use crate::{
+    checksum,
+    elf::{self, EXECUTE, HEADER_SIZE, READ, Segment, WRITE},
+};
+
+const BASE: u64 = 0x41_0000;
+
+fn windows() -> System {
+    System::Windows(Version {
+        name: "A test".into(),
+        number: "1.2.3".into(),
+    })
+}
+
+/// A program with code, constants, data, and 30 MB of memory.
+fn program() -> Vec<u8> {
+    let code: Vec<u8> = (0..3000)
+        .map(|i| [0xc3, 0x89, 0x8b, i as u8][i % 4])
+        .collect();
+    let parts = [
+        (READ, vec![7; 600], 600),
+        (READ | EXECUTE, code, 3000),
+        (READ | WRITE, vec![1, 2, 3], 30 << 20),
+    ];
+    let kinds = [elf::INTERPRETER, elf::PROGRAM_HEADERS];
+    let head = HEADER_SIZE + (parts.len() + kinds.len()) * Segment::SIZE;
+    let mut segments = kinds
+        .map(|kind| Segment {
+            kind,
+            address: BASE,
+            ..Segment::default()
+        })
+        .to_vec();
+    let mut bytes = vec![0; head];
+    for (i, (flags, part, size)) in parts.into_iter().enumerate() {
+        let offset = if i == 0 { 0 } else { bytes.len() };
+        bytes.extend(part);
+        let file_size = (bytes.len() - offset) as u64;
+        segments.push(Segment {
+            kind: elf::LOAD,
+            flags,
+            offset: offset as u64,
+            address: BASE + (i as u64) * 0x1_0000 + offset as u64 % elf::PAGE,
+            file_size,
+            size: file_size.max(size),
+            ..Segment::default()
+        });
+    }
+    let headers: Vec<_> = segments.iter().flat_map(|part| part.to_bytes()).collect();
+    bytes[..HEADER_SIZE].copy_from_slice(&elf::header(BASE + 0x1_0300, segments.len() as u16));
+    bytes[HEADER_SIZE..head].copy_from_slice(&headers);
+    bytes
+}
+
+/// A stub and a loader that do nothing.
+fn stub() -> Vec<u8> {
+    let mut object =
+        write::Object::new(BinaryFormat::Elf, Architecture::X86_64, Endianness::Little);
+    for name in [".text.first", ".text.loader"] {
+        let section = object.add_section(Vec::new(), name.into(), SectionKind::Text);
+        object.append_section_data(section, &[0x90, 0xc3], 16);
+    }
+    object.write().expect("an object")
+}
+
+fn packed(system: &System) -> Vec<u8> {
+    pack_executable(&program(), &stub(), system).expect("it is packed")
+}
+
+#[test]
+fn what_was_packed_is_what_is_unpacked() {
+    let stripped = strip(&program()).expect("it is a program");
+    for system in [System::Linux, windows()] {
+        assert!(unpack_executable(&packed(&system)).expect("it is packed") == stripped);
+    }
+}
+
+/// Behind the stub's beginning, every byte counts that is not only there to fill the file's last 512.
+#[test]
+fn a_damaged_file_is_an_error() {
+    for (system, checked) in [(System::Linux, 178), (windows(), 512 + 80 + 2)] {
+        let packed = packed(&system);
+        let end = packed.iter().rposition(|&byte| byte != 0).expect("bytes") + 1;
+        for place in (checked..end).step_by(7).chain([end - 1]) {
+            let mut damaged = packed.clone();
+            damaged[place] ^= 0x10;
+            assert!(unpack_executable(&damaged).is_err(), "byte {place}");
+        }
+        for length in (0..end).step_by(7).chain([end - 1]) {
+            let cut = unpack_executable(&packed[..length]);
+            assert!(cut.is_err(), "{length} bytes");
+        }
+    }
+}
+
+/// The same on every machine and by every compiler. It changes with the model and the headers: then this is to be set anew.
+#[test]
+fn the_same_program_is_packed_to_the_same_file_everywhere() {
+    let sums = [System::Linux, windows()].map(|system| checksum(&packed(&system)));
+    assert_eq!(sums, [2_366_953_694, 3_727_109_912]);
+}
+
+/// What Windows asks of a file, as another reader of such files finds it.
+#[test]
+fn windows_finds_what_it_asks_for() {
+    let program = program();
+    for file in [
+        packed(&windows()),
+        unpacked_executable(&program, &windows()).expect("it is a program"),
+    ] {
+        let parsed = PeFile64::parse(&*file).expect("it is a PE file");
+        let optional = parsed.nt_headers().optional_header();
+        assert_eq!(file.len() % 512, 0);
+        let mut next = 0x1000;
+        for section in parsed.section_table().iter() {
+            let flags = section.characteristics.get(LE);
+            let is_both = flags.contains(pe::IMAGE_SCN_MEM_WRITE)
+                && flags.contains(pe::IMAGE_SCN_MEM_EXECUTE);
+            assert!(!is_both, "memory for both writing and executing");
+            let (address, size) = section.pe_address_range();
+            assert_eq!(address, next, "a gap between sections");
+            next = (address + size).next_multiple_of(0x1000);
+            assert!(section.pe_data(&*file).is_ok(), "bytes that are not there");
+        }
+        assert_eq!(optional.size_of_image.get(LE), next);
+        let base = optional.image_base.get(LE);
+        assert!(base % 0x1_0000 == 0 && base + u64::from(next) >= BASE + 0x2_0000 + (30 << 20));
+        let entry = optional.address_of_entry_point.get(LE);
+        let is_code = |section: &pe::ImageSectionHeader| section.contains_rva(entry);
+        assert!(parsed.section_table().iter().position(is_code) == Some(0));
+        assert!(
+            functions(&parsed)
+                .is_superset(&["LoadLibraryA", "GetProcAddress"].map(String::from).into())
+        );
+    }
+}
+
+/// What a file imports, all of it from one library.
+fn functions(file: &PeFile64<'_>) -> HashSet<String> {
+    let table = file.import_table().expect("a table").expect("imports");
+    let mut libraries = table.descriptors().expect("libraries");
+    let library = libraries.next().expect("a library").expect("one at least");
+    assert_eq!(
+        table.name(library.name.get(LE)).expect("a name"),
+        b"kernel32.dll"
+    );
+    let mut thunks = table
+        .thunks(library.first_thunk.get(LE))
+        .expect("functions");
+    let mut names = HashSet::new();
+    while let Some(thunk) = thunks.next::<pe::ImageNtHeaders64>().expect("a function") {
+        match table
+            .import::<pe::ImageNtHeaders64>(thunk)
+            .expect("its name")
+        {
+            Import::Name(_, name) => names.insert(String::from_utf8_lossy(name).into_owned()),
+            Import::Ordinal(number) => panic!("a function by its number, {number}"),
+        };
+    }
+    assert!(libraries.next().expect("an end").is_none());
+    names
+}
+
+#[test]
+fn windows_shows_the_name_and_the_version() {
+    let file = packed(&windows());
+    let parsed = PeFile64::parse(&*file).expect("it is a PE file");
+    let (sections, directories) = (parsed.section_table(), parsed.data_directories());
+    let resources = directories
+        .resource_directory(&*file, &sections)
+        .expect("resources");
+    let resources = resources.expect("resources");
+    let mut table = resources.root().expect("a table");
+    let data = loop {
+        let [entry] = table.entries else {
+            panic!("{} entries", table.entries.len());
+        };
+        match entry.data(resources).expect("an entry") {
+            object::read::pe::ResourceDirectoryEntryData::Table(next) => table = next,
+            object::read::pe::ResourceDirectoryEntryData::Data(data) => break data,
+        }
+    };
+    let start = data.offset_to_data.get(LE);
+    let bytes = sections
+        .pe_data_at(&*file, start)
+        .expect("it is in a section");
+    let bytes = &bytes[..data.size.get(LE) as usize];
+    assert_eq!(
+        usize::from(u16::from_le_bytes([bytes[0], bytes[1]])),
+        bytes.len()
+    );
+    let units: Vec<_> = bytes
+        .chunks_exact(2)
+        .map(|unit| u16::from_le_bytes([unit[0], unit[1]]))
+        .collect();
+    let text = String::from_utf16_lossy(&units);
+    for part in ["VS_VERSION_INFO\0", "ProductName\0", "A test\0", "1.2.3\0"] {
+        assert!(text.contains(part), "no {part:?} in {text:?}");
+    }
+    assert_eq!(units[20..28], [0x04bd, 0xfeef, 0, 1, 2, 1, 0, 3]);
+}
+
+#[test]
+fn programs_that_no_header_fits_are_refused() {
+    // No room before it; too high for the stub.
+    for base in [0, 0x1000, 1 << 31] {
+        let mut program = program();
+        let segments = elf::segments(&program).expect("segments");
+        let moved: Vec<_> = segments
+            .into_iter()
+            .map(|segment| Segment {
+                address: segment.address - BASE + base,
+                ..segment
+            })
+            .collect();
+        elf::set_segments(&mut program, &moved).expect("as many");
+        assert!(
+            pack_executable(&program, &stub(), &windows()).is_err(),
+            "{base:#x}"
+        );
+        assert!(
+            unpacked_executable(&program, &windows()).is_err(),
+            "{base:#x}"
+        );
+    }
+}

@@ -1,0 +1,110 @@
+//! What Windows shows of a program's version: a resource of the kind `VS_VERSIONINFO`, in a tree of resources with nothing else.
+
+/// What there is to show.
+pub struct Version {
+    /// What the program is called, and what it is in a few words.
+    pub name: String,
+    /// Three numbers with dots between them.
+    pub number: String,
+}
+
+/// The kind of the resource, its number, and the language: English of the United States.
+const PATH: [u32; 3] = [16, 1, 0x409];
+
+/// Bytes of a table of resources with one entry, and of what the last entry leads to.
+const TABLE: usize = 16 + 8;
+const ENTRY: usize = 16;
+
+impl Version {
+    /// The tree of resources, for an address from the beginning of the image.
+    pub fn to_resources(&self, address: u32) -> Vec<u8> {
+        let info = self.to_info();
+        let mut bytes = Vec::new();
+        for (level, number) in PATH.into_iter().enumerate() {
+            bytes.extend([0; 14]);
+            bytes.extend(1_u16.to_le_bytes());
+            bytes.extend(number.to_le_bytes());
+            let next = (TABLE * (level + 1)) as u32;
+            // The highest bit says that another table follows.
+            let is_last = level + 1 == PATH.len();
+            let flag = if is_last { 0 } else { 1 << 31 };
+            bytes.extend((next | flag).to_le_bytes());
+        }
+        let start = (bytes.len() + ENTRY) as u32;
+        for number in [address + start, info.len() as u32, 0, 0] {
+            bytes.extend(number.to_le_bytes());
+        }
+        bytes.extend(info);
+        bytes
+    }
+
+    fn to_info(&self) -> Vec<u8> {
+        let mut parts = self.number.split('.').map(|part| part.parse().unwrap_or(0));
+        let mut part = || parts.next().unwrap_or(0_u32);
+        let (high, low) = (part() << 16 | part(), part() << 16);
+        // VS_FIXEDFILEINFO: its signature and version, those of the file and of the product, no flags of the 63, Windows on NT, a
+        // program, of no time.
+        let fixed = [
+            0xfeef_04bd,
+            0x1_0000,
+            high,
+            low,
+            high,
+            low,
+            63,
+            0,
+            0x4_0004,
+            1,
+            0,
+            0,
+            0,
+        ];
+        let strings = [
+            ("FileDescription", &self.name),
+            ("FileVersion", &self.number),
+            ("ProductName", &self.name),
+        ];
+        let strings: Vec<_> = strings
+            .into_iter()
+            .map(|(key, value)| {
+                let text = to_utf16(value);
+                // The length of a text counts characters.
+                node(key, true, text.len() / 2, text, &[])
+            })
+            .collect();
+        // In the language, and in UTF-16, which is number 1200.
+        let table = node("040904b0", true, 0, Vec::new(), &strings);
+        let translation = [0x409_u16, 1200].map(u16::to_le_bytes).concat();
+        let children = [
+            node("StringFileInfo", true, 0, Vec::new(), &[table]),
+            node(
+                "VarFileInfo",
+                true,
+                0,
+                Vec::new(),
+                &[node("Translation", false, 4, translation, &[])],
+            ),
+        ];
+        let fixed = fixed.map(u32::to_le_bytes).concat();
+        node("VS_VERSION_INFO", false, fixed.len(), fixed, &children)
+    }
+}
+
+/// A text in UTF-16 with its 0.
+fn to_utf16(text: &str) -> Vec<u8> {
+    let units = text.encode_utf16().chain([0]);
+    units.flat_map(u16::to_le_bytes).collect()
+}
+
+/// A part of it: three lengths and kinds, a name, a value, and others, each aligned to 4 bytes.
+fn node(name: &str, is_text: bool, length: usize, value: Vec<u8>, children: &[Vec<u8>]) -> Vec<u8> {
+    let mut bytes = vec![0; 6];
+    bytes.extend(to_utf16(name));
+    for part in [&value].into_iter().chain(children) {
+        bytes.resize(bytes.len().next_multiple_of(4), 0);
+        bytes.extend(part);
+    }
+    let head = [bytes.len() as u16, length as u16, is_text.into()].map(u16::to_le_bytes);
+    bytes[..6].copy_from_slice(head.as_flattened());
+    bytes
+}

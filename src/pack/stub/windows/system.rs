@@ -1,0 +1,48 @@
+//! Functions of Windows, by the addresses that it puts into the packed file's import table.
+
+use core::ffi::{c_char, c_void};
+
+/// Memory that is for reading.
+pub const READ: u32 = 2;
+/// Memory that is for reading and writing.
+pub const READ_WRITE: u32 = 4;
+/// Memory that is for reading and executing.
+pub const READ_EXECUTE: u32 = 0x20;
+/// Memory that is reserved, and given where it is touched.
+pub const COMMIT_RESERVE: u32 = 0x3000;
+/// All of what was allocated together is to be freed.
+pub const RELEASE: u32 = 0x8000;
+
+/// The import table, in the order in which the packer has it (`IMPORTS` in `src/pack/executable/windows.rs`). `first` also has the last
+/// four.
+#[repr(C)]
+pub struct System {
+    pub load_library: unsafe extern "win64" fn(name: *const u8) -> *mut c_void,
+    pub get_function: unsafe extern "win64" fn(library: *mut c_void, name: *const u8) -> usize,
+    pub allocate:
+        unsafe extern "win64" fn(address: usize, size: usize, kind: u32, protection: u32) -> usize,
+    pub protect:
+        unsafe extern "win64" fn(address: usize, size: usize, to: u32, was: *mut u32) -> i32,
+    pub free: unsafe extern "win64" fn(address: usize, size: usize, kind: u32) -> i32,
+    pub attach_console: unsafe extern "win64" fn(process: u32) -> i32,
+    pub stream: unsafe extern "win64" fn(number: u32) -> *mut c_void,
+    pub write: unsafe extern "win64" fn(
+        stream: *mut c_void,
+        bytes: *const c_char,
+        count: u32,
+        written: *mut u32,
+        overlapped: *mut c_void,
+    ) -> i32,
+    pub exit: unsafe extern "win64" fn(code: u32) -> !,
+}
+
+/// Protects memory. False if the system refuses.
+///
+/// # Safety
+/// Nobody may need what is no longer allowed.
+#[inline(always)]
+pub unsafe fn protect(system: &System, address: usize, size: usize, to: u32) -> bool {
+    let mut was = 0;
+    // SAFETY: the caller vouches for the memory.
+    unsafe { (system.protect)(address, size, to, &mut was) != 0 }
+}
