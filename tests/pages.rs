@@ -125,6 +125,42 @@ fn the_readme_has_the_figures_of_the_tables() {
     }
 }
 
+/// The share of the pixels of the show that are traced as it is played by the default quality, in percent, by the table of its scenes.
+fn traced_share_of_the_show() -> f64 {
+    let ends = show::CUTS[1..].iter().chain([&show::BARS]);
+    let scenes = show::NAMES.iter().zip(show::CUTS).zip(ends);
+    let shares = scenes.map(|((name, start), end)| {
+        let row = default_row(
+            "docs/speed.md",
+            &["1280x720".into(), "2".into(), format!("show:{name}")],
+        );
+        let traced = row[8].trim_end_matches(" %").parse::<f64>();
+        traced.expect("a number") * f64::from(end - start)
+    });
+    shares.sum::<f64>() / f64::from(show::BARS)
+}
+
+#[test]
+fn all_texts_say_which_share_of_the_show_is_traced_by_its_table() {
+    let numbers = ["six", "seven", "eight", "nine", "ten"];
+    let one_in = (100.0 / traced_share_of_the_show()).round() as usize;
+    let number = numbers[one_in - 6];
+    for name in [
+        "README.md",
+        "src/tracer/README.md",
+        "src/tracer/Cargo.toml",
+        "src/web/page/index.html",
+    ] {
+        let text = fs::read_to_string(root().join(name)).expect("text");
+        let text = text.replace('\n', " ");
+        let mut told = text.split("one pixel in ").skip(1);
+        let said = told.next().unwrap_or_else(|| panic!("{name} does not say it"));
+        for said in [said].into_iter().chain(told) {
+            assert!(said.starts_with(number), "{name} does not say {number}");
+        }
+    }
+}
+
 #[test]
 fn the_readme_is_short() {
     let text = fs::read_to_string(root().join("README.md")).expect("text");
