@@ -154,7 +154,9 @@ fn all_texts_say_which_share_of_the_show_is_traced_by_its_table() {
         let text = fs::read_to_string(root().join(name)).expect("text");
         let text = text.replace('\n', " ");
         let mut told = text.split("one pixel in ").skip(1);
-        let said = told.next().unwrap_or_else(|| panic!("{name} does not say it"));
+        let said = told
+            .next()
+            .unwrap_or_else(|| panic!("{name} does not say it"));
         for said in [said].into_iter().chain(told) {
             assert!(said.starts_with(number), "{name} does not say {number}");
         }

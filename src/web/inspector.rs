@@ -2,44 +2,64 @@
 
 use eightfold_tracer::Counts;
 use eightfold_tracer::observe::{Fill, Observer, Split};
-use std::fmt::Write;
 use std::sync::{Mutex, PoisonError};
 
-/// Listens for the squares of one pixel.
+/// Listens for the squares of one pixel, and for the points around it.
 pub struct Inspector {
     pixel: [usize; 2],
-    /// A line for each of its squares so far.
-    lines: Mutex<String>,
+    heard: Mutex<Heard>,
+}
+
+/// What it has heard, each as JSON.
+#[derive(Default)]
+struct Heard {
+    squares: Vec<String>,
+    points: Vec<String>,
 }
 
 impl Inspector {
+    /// How far from the pixel a point may be to be told, in pixels.
+    const NEAR: usize = 32;
+
     /// Listens for the squares that the pixel (x, y) is in.
     pub fn new(x: usize, y: usize) -> Self {
         Self {
             pixel: [x, y],
-            lines: Mutex::default(),
+            heard: Mutex::default(),
         }
     }
 
-    /// What it has heard: a line for each square, from the largest to the smallest.
-    pub fn lines(self) -> String {
-        self.lines
-            .into_inner()
-            .unwrap_or_else(PoisonError::into_inner)
+    /// What it has heard, as JSON: the squares from the largest to the smallest, each with its corner, its sides and a sentence, and the
+    /// points that were traced.
+    pub fn json(self) -> String {
+        let heard = self.heard.into_inner();
+        let Heard { squares, points } = heard.unwrap_or_else(PoisonError::into_inner);
+        let (squares, points) = (squares.join(","), points.join(","));
+        format!(r#"{{"squares":[{squares}],"points":[{points}]}}"#)
+    }
+
+    /// Notes something.
+    fn hear(&self, note: impl FnOnce(&mut Heard)) {
+        note(&mut self.heard.lock().unwrap_or_else(PoisonError::into_inner));
     }
 
     /// Notes what happens to a square, if the pixel is in it.
-    fn note(&self, corner: [usize; 2], sides: [usize; 2], what: &str) {
-        let is_in = |i: usize| (corner[i]..corner[i] + sides[i]).contains(&self.pixel[i]);
-        if is_in(0) && is_in(1) {
-            let mut lines = self.lines.lock().unwrap_or_else(PoisonError::into_inner);
-            let _ = writeln!(lines, "{}\u{d7}{} {what}", sides[0], sides[1]);
+    fn note(&self, [x, y]: [usize; 2], [w, h]: [usize; 2], what: &str) {
+        let [px, py] = self.pixel;
+        if (x..x + w).contains(&px) && (y..y + h).contains(&py) {
+            let square = format!(r#"{{"x":{x},"y":{y},"w":{w},"h":{h},"what":"{what}"}}"#);
+            self.hear(|heard| heard.squares.push(square));
         }
     }
 }
 
 impl Observer for &Inspector {
-    fn point(self, _: usize, _: usize, _: Counts) {}
+    fn point(self, x: usize, y: usize, _: Counts) {
+        let [px, py] = self.pixel;
+        if x.abs_diff(px).max(y.abs_diff(py)) <= Inspector::NEAR {
+            self.hear(|heard| heard.points.push(format!("[{x},{y}]")));
+        }
+    }
 
     fn square(self, x: usize, y: usize, w: usize, h: usize, fill: Fill) {
         let what = match fill {

@@ -36,7 +36,7 @@ struct State {
     height: usize,
     pixels: Vec<u32>,
     /// What the last [`draw`] did, see [`figures`].
-    figures: [f64; 8],
+    figures: [f64; 7],
     governor: Option<Governor>,
     /// A text that goes in or out.
     text: Vec<u8>,
@@ -68,7 +68,7 @@ static STATE: Mutex<State> = Mutex::new(State {
     width: 0,
     height: 0,
     pixels: Vec::new(),
-    figures: [0.0; 8],
+    figures: [0.0; 7],
     governor: None,
     text: Vec::new(),
     file: None,
@@ -194,9 +194,10 @@ pub extern "C" fn set_quality(place: usize, is_reference: bool) {
 }
 
 /// Draws the bands that begin in some rows, in one pass over the frame: see `share`. `before` are the points that all workers
-/// have traced in the passes before. The seed says which pixels are probed. [`figures`] tells what was done.
+/// have traced in the passes before. The seed says which pixels are probed. Returns how many passes the frame has; [`figures`] tells what
+/// was done.
 #[unsafe(no_mangle)]
-pub extern "C" fn draw(from: usize, to: usize, pass: usize, before: f64, seed: u32) {
+pub extern "C" fn draw(from: usize, to: usize, pass: usize, before: f64, seed: u32) -> usize {
     let Workspace {
         memory,
         worker,
@@ -219,7 +220,6 @@ pub extern "C" fn draw(from: usize, to: usize, pass: usize, before: f64, seed: u
     renderer.render_valid(scene, quality, frame, &mut share);
     let counts = share.counts;
     *figures = [
-        share.passes as f64,
         share.drawn[0] as f64,
         share.drawn[1] as f64,
         counts.points as f64,
@@ -228,17 +228,18 @@ pub extern "C" fn draw(from: usize, to: usize, pass: usize, before: f64, seed: u
         counts.probes.squares as f64,
         counts.probes.fourths as f64,
     ];
+    share.passes
 }
 
-/// The address of eight numbers about the last [`draw`]: how many passes the frame has; the first of its own rows, and the first that
-/// is not, which comes first if there are none; its points, its rays; the pixels that were probed, the sum of their squared errors, and the sum of the squares of these.
+/// The address of seven numbers about the last [`draw`]: the first of its own rows, and the first that is not, which comes first if there
+/// are none; its points, its rays; the pixels that were probed, the sum of their squared errors, and the sum of the squares of these.
 #[unsafe(no_mangle)]
 pub extern "C" fn figures() -> *const f64 {
     state().figures.as_ptr()
 }
 
 /// Draws the bands that begin in some rows, and listens. Returns the address of what became of the squares that the pixel (x, y) is in,
-/// a line for each, from the largest to the smallest; it is ended by a zero.
+/// as JSON: see [`Inspector::json`]. It is ended by a zero.
 #[unsafe(no_mangle)]
 pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const u8 {
     let Workspace {
@@ -250,18 +251,15 @@ pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const 
     let state = &mut *state();
     let inspector = Inspector::new(x, y);
     let frame = Frame::new(state.width, state.height, &mut state.pixels);
-    let drawn = Renderer::narrow(Level::baseline(), memory).render_observed(
+    // A scene is valid here: the show's, or of a file that has been read.
+    let _ = Renderer::narrow(Level::baseline(), memory).render_observed(
         scene,
         &state.quality,
         frame,
         &mut Share::new(worker, from..to, 0, Counts::NONE),
         &inspector,
     );
-    let lines = match drawn {
-        Ok(_) => inspector.lines(),
-        Err(error) => error.to_string(),
-    };
-    state.tell(lines)
+    state.tell(inspector.json())
 }
 
 /// Turns some rows into what a canvas takes, bytes for red, green, blue and opacity. They have to be drawn anew before the next time.

@@ -1,41 +1,60 @@
-// Measures the time of one thread for frames of the model scene by WebAssembly, of each quality: node speed.mjs SITE. It is processor
-// time, which other programs on the machine do not lengthen, and counts making the scene. Frames of all qualities take turns.
+// Measures the time of one thread for frames of the model scene, of each quality, by the native program with SSE2 and by WebAssembly
+// with and without SIMD: node speed.mjs SITE PROGRAM, the page's folder and target/release/examples/speed. It is processor time, which
+// other programs on the machine hardly lengthen, and counts making the scene. All take turns, frame by frame.
+import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
+import { createInterface } from "node:readline";
 import { gunzipSync } from "node:zlib";
 
+const [site, program] = process.argv.slice(2);
 const [width, height] = [1024, 768];
 const FRAMES = 41;
 
-const load = async (name) => (await WebAssembly.instantiate(gunzipSync(readFileSync(join(process.argv[2], `${name}.bin`))))).instance.exports;
+const load = async (name) => (await WebAssembly.instantiate(gunzipSync(readFileSync(join(site, `${name}.bin`))))).instance.exports;
 
-/** The milliseconds of a frame. */
-function draw(exports, place, time) {
+/** Has the native program draw a frame. Returns its milliseconds. */
+const native = (() => {
+  const { stdin, stdout } = spawn(program, { stdio: ["pipe", "pipe", "inherit"] });
+  const lines = createInterface({ input: stdout })[Symbol.asyncIterator]();
+  return async (place, time) => {
+    stdin.write(`${place} ${time}\n`);
+    return Number((await lines.next()).value);
+  };
+})();
+
+/** The same by a module. */
+const byModule = (exports) => (place, time) => {
   const before = process.cpuUsage();
   exports.set_model(time);
   exports.set_quality(place, false);
-  for (let pass = 0, passes = 1; pass < passes; pass++) {
-    exports.draw(0, height, pass, 0, pass);
-    passes = new Float64Array(exports.memory.buffer, exports.figures(), 1)[0];
-  }
+  for (let pass = 0, passes = 1; pass < passes; pass++) passes = exports.draw(0, height, pass, 0, pass);
   const { user, system } = process.cpuUsage(before);
   return (user + system) / 1000;
-}
+};
 
-const median = (times) => times.sort((a, b) => a - b)[times.length >> 1];
+const median = (times) => times.toSorted((a, b) => a - b)[times.length >> 1];
 
-const names = ["eightfold", "plain"];
-const modules = await Promise.all(names.map(load));
+const modules = await Promise.all(["eightfold", "plain"].map(load));
 modules.forEach((exports) => exports.resize(width, height));
 const text = new TextDecoder().decode(new Uint8Array(modules[0].memory.buffer, modules[0].about(), 2000));
 const { qualities } = JSON.parse(text.slice(0, text.indexOf("\0")));
-const times = qualities.map(() => modules.map(() => []));
+const ways = [native, ...modules.map(byModule)];
+const times = qualities.map(() => ways.map(() => []));
 // The first frames are drawn while the engine still compiles.
 for (let frame = -10; frame < FRAMES; frame++) {
-  qualities.forEach((_, place) => modules.forEach((exports, module) => {
-    const time = draw(exports, place, Math.max(frame, 0) / 4);
-    if (frame >= 0) times[place][module].push(time);
-  }));
+  for (const place of qualities.keys()) {
+    for (const [way, draw] of ways.entries()) {
+      const time = await draw(place, Math.max(frame, 0) / 4);
+      if (frame >= 0) times[place][way].push(time);
+    }
+  }
 }
-console.log(`| quality | ${names.join(" | ")} |\n| --- | ---: | ---: |`);
-qualities.forEach((quality, place) => console.log(`| ${quality} | ${times[place].map((times) => median(times).toFixed(2)).join(" | ")} |`));
+console.log("| quality | native, SSE2 | WebAssembly, SIMD128 | to native | without SIMD | to native |\n| --- | ---: | ---: | ---: | ---: | ---: |");
+qualities.forEach((quality, place) => {
+  const [own, ...others] = times[place].map(median);
+  // Of each frame, since what disturbs one disturbs its neighbour.
+  const cells = others.map((time, other) => `${time.toFixed(1)} | ${median(times[place][other + 1].map((time, i) => time / times[place][0][i])).toFixed(2)}`);
+  console.log(`| ${quality} | ${own.toFixed(1)} | ${cells.join(" | ")} |`);
+});
+process.exit();

@@ -24,11 +24,11 @@ export async function serve(folder, headers = {}) {
   return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
 }
 
-/** A browser. */
+/** A browser, with more options. */
 export class Browser {
-  constructor() {
+  constructor(more = []) {
     this.folder = mkdtempSync(join(tmpdir(), "eightfold-web-"));
-    const options = ["--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--disable-gpu", "--no-first-run", "--disable-features=BackForwardCache", `--user-data-dir=${this.folder}`, "about:blank"];
+    const options = ["--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--disable-gpu", "--no-first-run", "--disable-features=BackForwardCache", `--user-data-dir=${this.folder}`, ...more, "about:blank"];
     this.process = spawn("chromium", options, { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
     this.replies = new Map();
     this.listeners = [];
@@ -122,7 +122,12 @@ class Page {
   /** Clicks on the middle of an element. */
   async click(selector) {
     const [x, y] = await this.value(`(() => { const element = document.querySelector(${JSON.stringify(selector)}); element.scrollIntoView({ block: "nearest" }); const box = element.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; })()`);
-    for (const type of ["mousePressed", "mouseReleased"]) await this.send("Input.dispatchMouseEvent", { type, x, y, button: "left", clickCount: 1 });
+    for (const type of ["mousePressed", "mouseReleased"]) await this.mouse(type, x, y);
+  }
+
+  /** Something that the mouse does: mousePressed, mouseReleased, or mouseMoved with its button up or down. */
+  mouse(type, x, y, isDown = type !== "mouseMoved") {
+    return this.send("Input.dispatchMouseEvent", { type, x, y, button: isDown ? "left" : "none", buttons: isDown ? 1 : 0, clickCount: type === "mouseMoved" ? 0 : 1 });
   }
 
   async key(key, code = key) {

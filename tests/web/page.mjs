@@ -3,7 +3,8 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { Browser, serve } from "./chromium.mjs";
@@ -15,7 +16,7 @@ const browser = new Browser();
 const page = await browser.open(site.address);
 
 /** A frame of the page's, as bytes of red, green and blue, by an expression for what draws it. */
-const frame = async (order, frames = "eightfold.frames") => Buffer.from(await page.value(`(async () => {
+const frame = async (order, frames = "eightfold.frames", by = page) => Buffer.from(await by.value(`(async () => {
   const { bytesOf } = await import("./frames.js");
   const bytes = bytesOf(await ${frames}.draw(${JSON.stringify(order)})).filter((_, i) => i % 4 < 3);
   return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
@@ -30,7 +31,38 @@ function still({ scene: { time }, width, height }, quality) {
 
 const show = (time, quality, width, height) => ({ scene: { kind: "show", time }, quality, isReference: false, width, height });
 const input = (id, value) => page.value(`(() => { const input = document.getElementById("${id}"); input.value = ${JSON.stringify(value)}; input.dispatchEvent(new Event("input", { bubbles: true })); })()`);
+/** The bytes of a picture, in the page. */
+const pixelsOf = `((image) => {
+  const context = new OffscreenCanvas(image.width, image.height).getContext("2d", { willReadFrequently: true });
+  context.drawImage(image, 0, 0);
+  return context.getImageData(0, 0, image.width, image.height).data;
+})`;
 const textOf = (id) => page.value(`document.getElementById("${id}").textContent`);
+
+/**
+ * The contrast of each text that is seen with what is behind it, as WCAG has it. What is behind may let a picture through, of which the
+ * worst is taken, black or white. It runs in the page.
+ */
+function contrastsOf() {
+  const numbers = (colour) => colour.match(/[\d.]+/g).map(Number);
+  const luminance = (colour) => {
+    const [r, g, b] = colour.map((value) => (value <= 10.3 ? value / 3294.6 : ((value / 255 + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const behind = (element, picture) => {
+    const [r, g, b, alpha = 1] = numbers(getComputedStyle(element).backgroundColor);
+    if (alpha === 1) return [r, g, b];
+    const below = element.id === "screen" || !element.parentElement ? [picture, picture, picture] : behind(element.parentElement, picture);
+    return [r, g, b].map((value, i) => alpha * value + (1 - alpha) * below[i]);
+  };
+  const contrast = (a, b) => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+  const hasText = ({ childNodes }) => [...childNodes].some(({ nodeType, data }) => nodeType === Node.TEXT_NODE && data.trim());
+  return [...document.querySelectorAll("body *")].filter((element) => hasText(element) && element.checkVisibility()).map((element) => {
+    const { color, fill } = getComputedStyle(element);
+    const own = luminance(numbers(element instanceof SVGElement ? fill : color).slice(0, 3));
+    return { text: element.textContent.trim().slice(0, 40), contrast: Math.min(...[0, 255].map((picture) => contrast(own, luminance(behind(element, picture))))) };
+  });
+}
 
 const tests = {
   async "the page loads without a message"() {
@@ -75,12 +107,108 @@ const tests = {
     await page.click("input[value=none] + span");
   },
 
-  async "a square tells why it was split"() {
+  async "a split picture has every pixel traced on the left of its handle, and the slider's quality on the right"() {
     await page.value("eightfold.seek(20)");
+    await input("quality", 6);
+    await page.click("input[value=split] + span");
+    const { x, y, width } = await page.value("(({ x, y, width }) => ({ x, y, width }))(document.getElementById('screen').getBoundingClientRect())");
+    // Dragged to a quarter of the width, and a step on by a key.
+    await page.mouse("mousePressed", x + width / 2, y + 100);
+    await page.mouse("mouseMoved", x + width / 4, y + 100, true);
+    await page.mouse("mouseReleased", x + width / 4, y + 100);
+    assert.ok(Math.abs((await page.value("eightfold.view.handle")) - 0.25) < 0.01);
+    await page.value("document.getElementById('handle').focus()");
+    await page.key("ArrowRight");
+    await page.until("!eightfold.isStale() && eightfold.view.handle > 0.26");
+    const [left, right, apart] = await page.value(`(async () => {
+      const { bytesOf } = await import("./frames.js");
+      const { width, height } = document.getElementById("picture");
+      const order = { scene: { kind: "show", time: eightfold.clock.time() }, quality: 6, width, height };
+      const exact = bytesOf(await eightfold.frames.draw({ ...order, isReference: true }));
+      const own = bytesOf(await eightfold.frames.draw({ ...order, isReference: false }));
+      const shown = ${pixelsOf}(document.getElementById("picture"));
+      const differ = (bytes, from, to) => shown.filter((byte, i) => (i >> 2) % width >= from && (i >> 2) % width < to && byte !== bytes[i]).length;
+      const handle = Math.round(eightfold.view.handle * width);
+      return [differ(exact, 0, handle), differ(own, handle, width), differ(own, 0, handle)];
+    })()`);
+    assert.equal(left, 0);
+    assert.equal(right, 0);
+    assert.ok(apart > 0);
+    await page.click("input[value=none] + span");
+  },
+
+  async "a pointer on a square tells why it was split, with a loupe"() {
+    await page.value("eightfold.seek(20)");
+    await input("quality", 4);
     await page.until("!eightfold.isStale()");
-    const lines = await page.value("Array.from({ length: 34 }, (_, i) => eightfold.inspect(30 * i + 5, 301))");
-    assert.ok(lines.every((line) => /^8×8 (filled|split)/.test(line)), lines.join("\n"));
-    assert.ok(lines.some((line) => line.includes("split")) && lines.some((line) => line.includes("filled")), lines.join("\n"));
+    const places = await page.value("Array.from({ length: 34 }, (_, i) => eightfold.inspect(30 * i + 5, 301))");
+    for (const { squares, points } of places) {
+      assert.match(squares[0].what, /^(filled|split)/);
+      // Each lies within the one before, and the first corner of the largest was traced.
+      squares.slice(1).forEach(({ x, y, w, h }, i) => assert.ok(x >= squares[i].x && y >= squares[i].y && w <= squares[i].w && h <= squares[i].h));
+      const [{ x, y }] = squares;
+      assert.ok(points.some((point) => point[0] === x && point[1] === y), `(${x}, ${y})`);
+    }
+    const last = places.map(({ squares }) => squares.at(-1).what);
+    assert.ok(places.some(({ squares }) => squares[0].what.startsWith("split")) && last.some((what) => what.startsWith("filled")));
+
+    const split = places.findIndex(({ squares }) => squares.length > 1);
+    const [x, y] = await page.value(`(() => {
+      const canvas = document.getElementById("picture");
+      const [box, scale] = [canvas.getBoundingClientRect(), canvas.clientWidth / canvas.width];
+      return [box.x + (30 * ${split} + 5.5) * scale, box.y + 301.5 * scale];
+    })()`);
+    await page.mouse("mouseMoved", x, y);
+    await page.until("!document.getElementById('verdict').hidden");
+    const said = await page.value("document.querySelector('#verdict p').textContent");
+    assert.equal(said, places[split].squares.map(({ w, h, what }) => `${w}×${h} ${what}`).join("\n"));
+    writeFileSync(join(screenshots, "web-verdict.png"), await page.screenshot());
+    // The loupe shows the pixels of the picture, points in white, and the last square in colour.
+    const colours = await page.value(`(() => {
+      return new Set(new Uint32Array(${pixelsOf}(document.getElementById("loupe")).buffer)).size;
+    })()`);
+    assert.ok(colours > 20, `${colours} colours`);
+    await page.mouse("mouseMoved", 1, 1);
+    await page.until("document.getElementById('verdict').hidden");
+  },
+
+  async "Save PNG saves what is shown"() {
+    const saved = mkdtempSync(join(tmpdir(), "eightfold-saved-"));
+    await browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: saved });
+    await page.click("#save");
+    const names = () => readdirSync(saved).filter((name) => name.endsWith(".png"));
+    for (let turn = 0; turn < 300 && names().length === 0; turn++) await new Promise((resolve) => setTimeout(resolve, 100));
+    assert.deepEqual(names(), ["eightfold-20.00.png"]);
+    const letters = readFileSync(join(saved, names()[0])).toString("base64");
+    rmSync(saved, { recursive: true });
+    assert.ok(await page.value(`(async () => {
+      const image = await createImageBitmap(await (await fetch("data:image/png;base64,${letters}")).blob());
+      const [saved, shown] = [image, document.getElementById("picture")].map(${pixelsOf});
+      return saved.length === shown.length && saved.every((byte, i) => byte === shown[i]);
+    })()`));
+  },
+
+  async "the governor lowers the quality where frames take long, and raises it where they do not"() {
+    await page.go(site.address);
+    const { qualities } = await page.value("eightfold.about");
+    // Frames that take as long as it is told, and are not drawn.
+    await page.value(`eightfold.frames.draw = async (order) => {
+      await new Promise((resolve) => setTimeout(resolve, globalThis.pause));
+      return { order, parts: [], points: 0, rays: 0, probed: 0, squares: 0, milliseconds: globalThis.pause };
+    }`);
+    await page.value("globalThis.pause = 60");
+    await page.key(" ", "Space");
+    await page.until(`eightfold.view.quality === ${qualities.length - 1}`);
+    assert.equal(await textOf("quality-name"), "fastest");
+    await page.value("globalThis.pause = 0");
+    await page.until("eightfold.view.quality === 1");
+    // It leaves a quality that somebody has chosen.
+    await page.value("globalThis.pause = 60");
+    await page.key("2");
+    await page.value("new Promise((resolve) => setTimeout(resolve, 1500))");
+    assert.equal(await page.value("eightfold.view.quality"), 1);
+    assert.ok(!(await page.value("document.getElementById('held').checked")));
+    await page.key(" ", "Space");
   },
 
   async "a click plays, with and without headers of isolation, and the picture keeps to the sound"() {
@@ -131,6 +259,10 @@ const tests = {
     await page.key("f");
     await page.until("document.fullscreenElement?.id === 'stage'");
     await page.key("f");
+    await page.until("!document.fullscreenElement");
+    await page.key("f");
+    await page.until("document.fullscreenElement");
+    await page.key("Escape");
     await page.until("!document.fullscreenElement");
   },
 
@@ -210,6 +342,40 @@ const tests = {
     writeFileSync(join(screenshots, "web-file.png"), await page.screenshot());
   },
 
+  async "without SIMD it is the plain module that draws, the same bits"() {
+    await page.go(site.address);
+    const plain = new Browser(["--js-flags=--no-enable-sse4-1"]);
+    const simple = await plain.open(site.address);
+    assert.equal(await simple.value("eightfold.code.name"), "plain.bin");
+    assert.match(await simple.value("document.getElementById('machine').textContent"), /without SIMD/);
+    const order = show(62.3, 4, 320, 180);
+    assert.ok((await frame(order, "eightfold.frames", simple)).equals(await frame(order)));
+    assert.deepEqual(simple.messages, []);
+    await plain.end();
+  },
+
+  async "texts stand out from what is behind them"() {
+    await page.go(site.address);
+    await page.click("input[value=split] + span");
+    await page.value("document.getElementById('notice').textContent = 'A notice'");
+    await page.until("eightfold.steps.front().length === 7");
+    const contrasts = await page.value(`(${contrastsOf})()`);
+    assert.ok(contrasts.length > 60, `${contrasts.length} texts`);
+    const faint = contrasts.filter(({ contrast }) => contrast < 4.5).map(({ text, contrast }) => `${text}: ${contrast.toFixed(2)}`);
+    assert.deepEqual(faint, []);
+  },
+
+  async "the mark on the front moves with the slider"() {
+    const place = () => page.value("document.getElementById('present').style.transform + document.querySelector('#present text').textContent");
+    const places = [];
+    for (const quality of [0, 1, 4, 7]) {
+      await input("quality", quality);
+      places.push(await place());
+    }
+    assert.equal(new Set(places).size, 4, places.join("\n"));
+    assert.ok(places[0].includes("exhaustive") && places[3].includes("fastest"));
+  },
+
   async "it fits a screen and a phone, and rests where less motion is asked for"() {
     await page.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
     for (const [width, height, scale] of [[1440, 900, 1], [390, 844, 2]]) {
@@ -218,7 +384,7 @@ const tests = {
       await page.until("document.getElementById('points').textContent.endsWith('%') && eightfold.steps.front().length === 7");
       writeFileSync(join(screenshots, `web-${width}x${height}.png`), await page.screenshot(true));
       assert.equal(await page.value("document.getAnimations().length"), 0);
-      assert.equal(await page.value("getComputedStyle(document.querySelector('#front .present')).transitionDuration"), "0s");
+      assert.equal(await page.value("getComputedStyle(document.getElementById('present')).transitionDuration"), "0s");
       assert.ok(!(await page.value("eightfold.clock.isPlaying")));
       assert.ok(await page.value("document.documentElement.scrollWidth <= innerWidth"), `wider than ${width} pixels`);
     }

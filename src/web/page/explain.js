@@ -7,11 +7,11 @@ const TIME = 2;
 const STEP = { width: 224, height: 168 };
 const MEASURED = { width: 640, height: 360 };
 
-/** How often the time of a quality is taken, of which the least counts. */
-const TAKES = 5;
+/** How often the speed of a quality is taken, of which the median counts. */
+const TAKES = 7;
 
 /** The plot's frame: left, right, top, bottom. */
-const PLOT = { left: 44, right: 466, top: 12, bottom: 232 };
+const PLOT = { left: 34, right: 310, top: 8, bottom: 152 };
 
 /** Waits until the browser has time, and nothing plays. */
 async function idle(isIdle) {
@@ -23,7 +23,7 @@ async function idle(isIdle) {
 export function explain({ about, frames, quality, isIdle }) {
   const pictures = [...document.querySelectorAll("#steps canvas")];
   const order = (change) => ({ scene: { kind: "model", time: TIME }, isReference: false, seed: 0, ...change });
-  let front = [];
+  const front = [];
   let isAsked = true;
 
   async function drawSteps() {
@@ -35,33 +35,30 @@ export function explain({ about, frames, quality, isIdle }) {
     }
   }
 
-  /** The least time of a frame, and its bytes. */
-  async function take(change) {
-    let [milliseconds, bytes] = [Infinity];
-    for (let i = 0; i < TAKES; i++) {
-      await idle(isIdle);
-      const frame = await frames.draw(order({ ...change, ...MEASURED }));
-      milliseconds = Math.min(milliseconds, frame.milliseconds);
-      bytes = bytesOf(frame);
-    }
-    return { milliseconds, bytes };
+  /** Draws a frame when nothing else is done. */
+  async function draw(change) {
+    await idle(isIdle);
+    const frame = await frames.draw(order({ ...change, ...MEASURED }));
+    return { milliseconds: frame.milliseconds, bytes: bytesOf(frame) };
   }
 
-  /** Measures each quality that fills squares against what it would be if every pixel were traced. */
+  /** Measures each quality that fills squares against what it would be if every pixel were traced; both take turns. */
   async function measure() {
     for (let place = 1; place < about.qualities.length; place++) {
-      const reference = await take({ quality: place, isReference: true });
-      const frame = await take({ quality: place });
-      const error = squaredError(frame.bytes, reference.bytes);
-      front.push({
-        place,
-        speed: reference.milliseconds / frame.milliseconds,
-        accuracy: decibels(error, MEASURED.width * MEASURED.height),
-      });
-      plot(front, about, quality());
+      const speeds = [];
+      let accuracy;
+      for (let take = 0; take < TAKES; take++) {
+        const reference = await draw({ quality: place, isReference: true });
+        const frame = await draw({ quality: place });
+        speeds.push(reference.milliseconds / frame.milliseconds);
+        accuracy = decibels(squaredError(frame.bytes, reference.bytes), MEASURED.width * MEASURED.height);
+      }
+      speeds.sort((a, b) => a - b);
+      front.push({ place, speed: speeds[TAKES >> 1], accuracy });
     }
+    plot(front, about, quality());
     document.getElementById("front-note").textContent =
-      `Measured just now, by one worker: the model scene at ${MEASURED.width}x${MEASURED.height}, against every pixel traced with the same edges.`;
+      `Just measured, by one worker: the second scene at ${MEASURED.width}x${MEASURED.height}, against every pixel traced with the same edges.`;
   }
 
   /** Draws the steps whenever the quality has changed, as soon as there is time. */
@@ -81,43 +78,60 @@ export function explain({ about, frames, quality, isIdle }) {
   return {
     setQuality(place) {
       isAsked = true;
-      plot(front, about, place);
+      mark(front, about, place);
     },
     front: () => front,
   };
 }
 
+const get = (id) => document.getElementById(id);
+
+/** The least and the largest of some numbers, rounded outwards to a multiple of a step. */
+const range = (numbers, step) => [Math.floor(Math.min(...numbers) / step) * step, Math.ceil(Math.max(...numbers) / step) * step];
+
+/** How a front is laid out: the ranges of its axes, and where a point is. */
+function layout(front) {
+  const { left, right, top, bottom } = PLOT;
+  const speeds = range([1, ...front.map(({ speed }) => speed)], 1);
+  const accuracies = range(front.map(({ accuracy }) => accuracy), 5);
+  const x = (speed) => left + ((right - left) * (speed - speeds[0])) / (speeds[1] - speeds[0]);
+  const y = (accuracy) => bottom - ((bottom - top) * (accuracy - accuracies[0])) / (accuracies[1] - accuracies[0]);
+  return { speeds, accuracies, x, y };
+}
+
 /** Plots the front, with the present quality marked. */
 function plot(front, about, present) {
-  if (front.length < 2) return;
   const { left, right, top, bottom } = PLOT;
-  const range = (name, step) => {
-    const all = front.map((point) => point[name]);
-    return [Math.floor(Math.min(...all) / step) * step, Math.ceil(Math.max(...all) / step) * step];
-  };
-  const [slow, fast] = range("speed", 1);
-  const [coarse, fine] = range("accuracy", 5);
-  const x = (speed) => left + ((right - left) * (speed - slow)) / (fast - slow);
-  const y = (accuracy) => bottom - ((bottom - top) * (accuracy - coarse)) / (fine - coarse);
+  const { speeds, accuracies, x, y } = layout(front);
   const parts = [];
-  for (let speed = slow; speed <= fast; speed++) {
+  for (let speed = speeds[0]; speed <= speeds[1]; speed++) {
     parts.push(`<line x1="${x(speed)}" x2="${x(speed)}" y1="${top}" y2="${bottom}"/>`);
-    parts.push(`<text x="${x(speed)}" y="${bottom + 16}" text-anchor="middle">${speed}</text>`);
+    parts.push(`<text x="${x(speed)}" y="${bottom + 15}" text-anchor="middle">${speed}</text>`);
   }
-  for (let accuracy = coarse; accuracy <= fine; accuracy += 5) {
+  for (let accuracy = accuracies[0]; accuracy <= accuracies[1]; accuracy += 5) {
     parts.push(`<line x1="${left}" x2="${right}" y1="${y(accuracy)}" y2="${y(accuracy)}"/>`);
-    parts.push(`<text x="${left - 6}" y="${y(accuracy) + 4}" text-anchor="end">${accuracy}</text>`);
+    parts.push(`<text x="${left - 5}" y="${y(accuracy) + 4}" text-anchor="end">${accuracy}</text>`);
   }
   parts.push(`<text x="${(left + right) / 2}" y="${bottom + 33}" text-anchor="middle">times as fast as every pixel</text>`);
-  parts.push(`<text transform="translate(12 ${(top + bottom) / 2}) rotate(-90)" text-anchor="middle">PSNR, dB</text>`);
-  parts.push(`<polyline points="${front.map((point) => `${x(point.speed)},${y(point.accuracy)}`).join(" ")}"/>`);
-  for (const point of front) parts.push(`<circle r="3" cx="${x(point.speed)}" cy="${y(point.accuracy)}"/>`);
-  const here = front.find(({ place }) => place === present);
-  if (here) {
-    const [cx, cy] = [x(here.speed), y(here.accuracy)];
-    const anchor = cx > (left + right) / 2 ? "end" : "start";
-    parts.push(`<circle class="present" r="6" cx="${cx}" cy="${cy}"/>`);
-    parts.push(`<text class="present" x="${cx + (anchor === "end" ? -10 : 10)}" y="${cy + 18}" text-anchor="${anchor}">${about.qualities[present]}</text>`);
-  }
-  document.getElementById("front").innerHTML = parts.join("");
+  parts.push(`<text transform="translate(10 ${(top + bottom) / 2}) rotate(-90)" text-anchor="middle">PSNR, dB</text>`);
+  parts.push(`<polyline points="${front.map(({ speed, accuracy }) => `${x(speed)},${y(accuracy)}`).join(" ")}"/>`);
+  for (const { speed, accuracy } of front) parts.push(`<circle r="3" cx="${x(speed)}" cy="${y(accuracy)}"/>`);
+  get("front-axes").innerHTML = parts.join("");
+  mark(front, about, present);
+}
+
+/** Moves the mark to a quality. That which traces every pixel has no error, and is at the plot's upper edge. */
+function mark(front, about, place) {
+  if (front.length + 1 < about.qualities.length) return;
+  const { accuracies, x, y } = layout(front);
+  const { speed, accuracy } = front.find((point) => point.place === place) ?? { speed: 1, accuracy: accuracies[1] };
+  const isRight = x(speed) > (PLOT.left + PLOT.right) / 2;
+  const mark = get("present");
+  mark.removeAttribute("hidden");
+  mark.style.transform = `translate(${x(speed)}px, ${y(accuracy)}px)`;
+  const name = mark.querySelector("text");
+  name.textContent = about.qualities[place] + (place === 0 ? ", without error" : "");
+  name.setAttribute("x", isRight ? -10 : 10);
+  name.setAttribute("y", 16);
+  name.setAttribute("text-anchor", isRight ? "end" : "start");
 }

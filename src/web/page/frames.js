@@ -1,7 +1,7 @@
 // Frames, drawn by several workers. Each has rows of its own; the rows beside them, which smoothing takes, it gets from its neighbours.
 
 /** Rows of a band, the least that a worker is given. */
-const BAND = 32;
+export const BAND = 32;
 
 /** Milliseconds after which a worker that has not answered is taken for dead. */
 const PATIENCE = 20_000;

@@ -3,7 +3,7 @@
 import { Clock } from "./clock.js";
 import { explain } from "./explain.js";
 import { Editor } from "./editor.js";
-import { Frames, bytesOf, decibels } from "./frames.js";
+import { BAND, Frames, bytesOf, decibels } from "./frames.js";
 import { Module } from "./module.js";
 
 const get = (id) => document.getElementById(id);
@@ -17,6 +17,9 @@ const POSTER = 85;
 /** How much brighter an error is shown than it is. */
 const ERROR_SCALE = 8;
 
+/** The side of what the loupe shows, in pixels of the picture. */
+const LOUPE = 24;
+
 /** What an overlay does with the picture: the brightness of points, of squares and of the picture, and coarse squares. */
 const METHODS = { points: [1, 0, 0.25, 0], squares: [0, 0.35, 0.65, 0] };
 
@@ -24,7 +27,10 @@ const METHODS = { points: [1, 0, 0.25, 0], squares: [0, 0.35, 0.65, 0] };
 const SHAPES = { play: "M7 4v16l13-8z", pause: "M6 4h4v16H6zM14 4h4v16h-4z" };
 
 // The second one is for browsers without SIMD.
-const code = await load("eightfold.bin").catch(() => load("plain.bin"));
+const code = await load("eightfold.bin").catch(() => load("plain.bin")).catch((error) => {
+  get("notice").textContent = `The show can't be loaded: ${error.message}.`;
+  throw error;
+});
 const module = await Module.of(code.compiled);
 const about = JSON.parse(module.text(module.calls.about()));
 const canvas = get("picture");
@@ -32,6 +38,8 @@ const context = canvas.getContext("2d", { alpha: false });
 const frames = new Frames(code.compiled, navigator.hardwareConcurrency || 2, notify);
 const clock = new Clock(code.bytes, about.rate);
 
+/** The size of the next frames; the canvas has that of the frame that it shows. */
+const size = { width: canvas.width, height: canvas.height };
 const view = { source: "show", quality: about.default, isHeld: true, overlay: "none", handle: 0.5, isPoster: true };
 /** Whether the next frame has to be drawn although nothing plays. */
 let isStale = true;
@@ -41,9 +49,10 @@ const recent = { shown: [], probed: 0, squares: 0, second: 0 };
 
 /** Loads, unpacks and compiles a module. */
 async function load(name) {
-  const { body } = await fetch(new URL(name, import.meta.url));
+  const { ok, status, body } = await fetch(new URL(name, import.meta.url));
+  if (!ok) throw new Error(`${name} is not there (${status})`);
   const bytes = await new Response(body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-  return { bytes, compiled: await WebAssembly.compile(bytes) };
+  return { name, bytes, compiled: await WebAssembly.compile(bytes) };
 }
 
 /** Tells something for some seconds. */
@@ -58,20 +67,20 @@ function notify(sentence) {
 const length = () => (view.source === "file" ? module.calls.length() : about.length);
 
 /** The frame that is shown at a time, as the dials say. */
-const order = (time, isReference = false) => ({
+const order = (time) => ({
   scene: { kind: view.source, time },
   method: METHODS[view.overlay],
   quality: view.quality,
-  isReference,
-  width: canvas.width,
-  height: canvas.height,
+  isReference: false,
+  ...size,
 });
 
 /** The time of the frame that is shown. */
 const now = () => (view.isPoster ? POSTER : Math.min(clock.time(), length() - 0.01));
 
 /** Puts a frame's columns from one on the canvas. */
-function put({ order: { width }, parts }, from = 0) {
+function put({ order: { width, height }, parts }, from = 0) {
+  if (canvas.width !== width) Object.assign(canvas, { width, height });
   for (const { bytes, first } of parts) {
     const image = new ImageData(bytes, width);
     context.putImageData(image, 0, first, from, 0, width - from, image.height);
@@ -85,16 +94,17 @@ async function show(time) {
     put(frame);
     return frame;
   }
-  const reference = await frames.draw(order(time, true));
-  const frame = await frames.draw(order(time));
+  const wanted = order(time);
+  const reference = await frames.draw({ ...wanted, isReference: true });
+  const frame = await frames.draw(wanted);
   if (view.overlay === "split") {
     put(reference);
-    put(frame, Math.round(view.handle * canvas.width));
+    put(frame, Math.round(view.handle * frame.order.width));
   } else {
     const error = bytesOf(frame);
     const exact = bytesOf(reference);
     for (let i = 0; i < error.length; i++) error[i] = i % 4 === 3 ? 255 : ERROR_SCALE * Math.abs(error[i] - exact[i]);
-    context.putImageData(new ImageData(error, canvas.width), 0, 0);
+    put({ order: frame.order, parts: [{ bytes: error, first: 0 }] });
   }
   return { ...frame, gain: reference.milliseconds / frame.milliseconds };
 }
@@ -132,7 +142,7 @@ function measure(frame, milliseconds) {
   recent.second = present;
   get("rate").textContent = clock.isPlaying ? recent.shown.length : "–";
   get("milliseconds").textContent = frame.milliseconds.toFixed(1);
-  get("points").textContent = `${((100 * frame.points) / (canvas.width * canvas.height)).toFixed(1)} %`;
+  get("points").textContent = `${((100 * frame.points) / (frame.order.width * frame.order.height)).toFixed(1)} %`;
   get("rays").textContent = Math.round(frame.rays).toLocaleString("en");
   get("accuracy").textContent = recent.squares ? `${decibels(recent.squares, recent.probed).toFixed(1)} dB` : "–";
   recent.probed /= 1.2;
@@ -236,13 +246,12 @@ function moveHandle(share) {
   update();
 }
 
-/** Gives the canvas as many pixels as the screen has for it. */
+/** Has frames be as large as the screen has pixels for them. */
 function fit() {
   const widest = document.fullscreenElement ? WIDEST.fullscreen : WIDEST.page;
   const width = Math.min(widest, Math.max(160, Math.round((canvas.clientWidth * devicePixelRatio) / 16) * 16));
-  if (canvas.width === width) return;
-  canvas.width = width;
-  canvas.height = (width * 9) / 16;
+  if (size.width === width) return;
+  Object.assign(size, { width, height: (width * 9) / 16 });
   update();
 }
 
@@ -288,22 +297,49 @@ async function restore() {
   if (Number.isFinite(parseFloat(state.get("t")))) seek(parseFloat(state.get("t")));
 }
 
-/** What became of the squares that a pixel of the picture is in, a line for each. */
+/** What became of the squares that a pixel of the picture is in, from the largest to the smallest, and the points traced around it. */
 function inspect(x, y) {
   module.begin(order(now()));
   // A band, which is all of what its squares depend on.
-  const top = y - (y % 32);
-  return module.text(module.calls.inspect(top, top + 32, x, y)) || "every pixel is traced";
+  const top = y - (y % BAND);
+  return JSON.parse(module.text(module.calls.inspect(top, top + BAND, x, y)));
 }
 
-/** Tells beside the pointer what became of the squares that it points at. */
+/** Tells beside the pointer what became of the squares that it points at, with a loupe. */
 function explainSquare({ offsetX, offsetY }) {
   const verdict = get("verdict");
   const scale = canvas.width / canvas.clientWidth;
-  verdict.textContent = inspect(Math.floor(offsetX * scale), Math.floor(offsetY * scale));
+  const [x, y] = [offsetX, offsetY].map((offset) => Math.floor(offset * scale));
+  const { squares, points } = inspect(x, y);
+  const sentences = squares.map(({ w, h, what }) => `${w}×${h} ${what}`);
+  verdict.lastChild.textContent = sentences.join("\n") || "Every pixel is traced here.";
+  drawLoupe(x, y, squares, points);
   verdict.hidden = false;
-  verdict.style.left = `${Math.min(offsetX + 16, canvas.clientWidth - verdict.offsetWidth)}px`;
-  verdict.style.top = `${Math.min(offsetY + 16, canvas.clientHeight - verdict.offsetHeight)}px`;
+  // Beside the pointer, on the side where there is room.
+  const beside = (offset, size, room) => (offset + 16 + size > room ? Math.max(offset - 16 - size, 0) : offset + 16);
+  verdict.style.left = `${beside(offsetX, verdict.offsetWidth, canvas.clientWidth)}px`;
+  verdict.style.top = `${beside(offsetY, verdict.offsetHeight, canvas.clientHeight)}px`;
+}
+
+/** Shows the pixels around one, with the squares that it is in and the points that were traced. */
+function drawLoupe(x, y, squares, points) {
+  const loupe = get("loupe").getContext("2d");
+  const zoom = loupe.canvas.width / LOUPE;
+  // All its rows are of the band of which the points are known.
+  const left = Math.min(Math.max(x - LOUPE / 2, 0), canvas.width - LOUPE);
+  const top = y - (y % BAND) + Math.min(Math.max((y % BAND) - LOUPE / 2, 0), BAND - LOUPE);
+  loupe.setTransform(1, 0, 0, 1, 0, 0);
+  loupe.imageSmoothingEnabled = false;
+  loupe.clearRect(0, 0, loupe.canvas.width, loupe.canvas.height);
+  loupe.drawImage(canvas, left, top, LOUPE, LOUPE, 0, 0, loupe.canvas.width, loupe.canvas.height);
+  loupe.setTransform(zoom, 0, 0, zoom, -left * zoom, -top * zoom);
+  loupe.lineWidth = 2 / zoom;
+  squares.forEach(({ x, y, w, h }, i) => {
+    loupe.strokeStyle = i === squares.length - 1 ? "#e2a65a" : "#fffa";
+    loupe.strokeRect(x, y, w, h);
+  });
+  loupe.fillStyle = "#fff";
+  for (const [x, y] of points) loupe.fillRect(x + 0.35, y + 0.35, 0.3, 0.3);
 }
 
 /** What keys do, wherever they do nothing else. */
@@ -315,7 +351,8 @@ const KEYS = {
     const overlays = [...document.querySelectorAll("input[name=overlay]")].map(({ value }) => value);
     setOverlay(overlays[(overlays.indexOf(view.overlay) + 1) % overlays.length]);
   },
-  Escape: () => clock.isPlaying && toggle(),
+  // Most browsers end fullscreen by themselves.
+  Escape: () => (document.fullscreenElement ? document.exitFullscreen() : clock.isPlaying && toggle()),
   ArrowLeft: () => seek(clock.time() - 2),
   ArrowRight: () => seek(clock.time() + 2),
 };
@@ -381,7 +418,8 @@ function furnish() {
     button.addEventListener("click", () => seek(start));
     get("scenes").append(button);
   });
-  get("machine").textContent = `${frames.workers.length} workers. It measures itself; nothing is sent anywhere.`;
+  const lanes = code.name === "plain.bin" ? "without SIMD, which this browser lacks and which makes it four times as fast" : "by SIMD128";
+  get("machine").textContent = `Drawn by ${frames.workers.length} workers, ${lanes}. Nothing is sent anywhere.`;
 }
 
 const steps = explain({ about, frames: new Frames(code.compiled, 1, notify), quality: () => view.quality, isIdle: () => !clock.isPlaying });

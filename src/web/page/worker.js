@@ -13,8 +13,8 @@ const row = (y) => picture().slice(y * module.width, (y + 1) * module.width);
 function draw({ from, to, pass, before, seed, rows }) {
   const start = performance.now();
   for (const [y, pixels] of rows) picture().set(pixels, y * module.width);
-  module.calls.draw(from, to, pass, before, seed);
-  const [passes, first, end, points, rays, probed, squares, fourths] = module.view(Float64Array, module.calls.figures(), 8);
+  const passes = module.calls.draw(from, to, pass, before, seed);
+  const [first, end, points, rays, probed, squares, fourths] = module.view(Float64Array, module.calls.figures(), 7);
   const done = { passes, first, end, points, rays, probed, squares, fourths };
   const hasRows = first < end;
   if (pass + 1 < passes) {
