@@ -1,6 +1,7 @@
 // Measures the time of one thread for frames of the model scene, of each quality, by the native program with SSE2 and by WebAssembly
 // with and without SIMD: node speed.mjs SITE PROGRAM, the page's folder and target/release/examples/speed. It is processor time, which
-// other programs on the machine hardly lengthen, and counts making the scene. All take turns, frame by frame.
+// other programs on the machine hardly lengthen, and counts making the scene. All take turns, frame by frame. Then it measures frames of
+// the show's scenes.
 import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -10,6 +11,8 @@ import { gunzipSync } from "node:zlib";
 const [site, program] = process.argv.slice(2);
 const [width, height] = [1024, 768];
 const FRAMES = 41;
+/** The size of the show's frames, and the seconds between them. */
+const SHOW = { width: 1280, height: 720, step: 0.25 };
 
 const load = async (name) => (await WebAssembly.instantiate(gunzipSync(readFileSync(join(site, `${name}.bin`))))).instance.exports;
 
@@ -23,12 +26,12 @@ const native = (() => {
   };
 })();
 
-/** The same by a module. */
-const byModule = (exports) => (place, time) => {
+/** The same by a module, of the model scene or of the show. */
+const byModule = (exports, setScene = exports.set_model, rows = height) => (place, time) => {
   const before = process.cpuUsage();
-  exports.set_model(time);
+  setScene(time);
   exports.set_quality(place, false);
-  for (let pass = 0, passes = 1; pass < passes; pass++) passes = exports.draw(0, height, pass, 0, pass);
+  for (let pass = 0, passes = 1; pass < passes; pass++) passes = exports.draw(0, rows, pass, 0, pass);
   const { user, system } = process.cpuUsage(before);
   return (user + system) / 1000;
 };
@@ -38,8 +41,8 @@ const median = (times) => times.toSorted((a, b) => a - b)[times.length >> 1];
 const modules = await Promise.all(["eightfold", "plain"].map(load));
 modules.forEach((exports) => exports.resize(width, height));
 const text = new TextDecoder().decode(new Uint8Array(modules[0].memory.buffer, modules[0].about(), 2000));
-const { qualities } = JSON.parse(text.slice(0, text.indexOf("\0")));
-const ways = [native, ...modules.map(byModule)];
+const { qualities, scenes, length, ...about } = JSON.parse(text.slice(0, text.indexOf("\0")));
+const ways = [native, ...modules.map((exports) => byModule(exports))];
 const times = qualities.map(() => ways.map(() => []));
 // The first frames are drawn while the engine still compiles.
 for (let frame = -10; frame < FRAMES; frame++) {
@@ -56,5 +59,21 @@ qualities.forEach((quality, place) => {
   // Of each frame, since what disturbs one disturbs its neighbour.
   const cells = others.map((time, other) => `${time.toFixed(1)} | ${median(times[place][other + 1].map((time, i) => time / times[place][0][i])).toFixed(2)}`);
   console.log(`| ${quality} | ${own.toFixed(1)} | ${cells.join(" | ")} |`);
+});
+
+const places = [about.default, qualities.length - 1];
+modules[0].resize(SHOW.width, SHOW.height);
+const drawShow = byModule(modules[0], modules[0].set_show, SHOW.height);
+console.log(`\n| scene | ${places.map((place) => `${qualities[place]} | worst second`).join(" | ")} |\n| --- | ---: | ---: | ---: | ---: |`);
+scenes.forEach(({ name, start }, i) => {
+  const end = scenes[i + 1]?.start ?? length;
+  const times = places.map(() => []);
+  for (let time = start; time < end; time += SHOW.step) places.forEach((place, way) => times[way].push(drawShow(place, time)));
+  const cells = times.map((times) => {
+    const seconds = times.map((_, first) => times.slice(first, first + 1 / SHOW.step)).filter((second) => second.length === 1 / SHOW.step);
+    const worst = Math.max(...seconds.map((second) => second.reduce((a, b) => a + b) * SHOW.step));
+    return `${median(times).toFixed(1)} | ${worst.toFixed(1)}`;
+  });
+  console.log(`| ${name} | ${cells.join(" | ")} |`);
 });
 process.exit();
