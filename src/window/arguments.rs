@@ -1,6 +1,12 @@
 //! The command line, and the start of a program.
 
 pub use crate::backend::arguments::Arguments;
+#[cfg(feature = "windows")]
+#[doc(hidden)]
+pub use crate::backend::{
+    arguments::end,
+    functions::{GetProcAddress, LoadLibrary},
+};
 
 /// Defines the C `main`, which calls a `fn(Arguments) -> i32` for the exit code.
 ///
@@ -8,6 +14,7 @@ pub use crate::backend::arguments::Arguments;
 /// explain a stack overflow, and std's way to the arguments 432. What matters of that start [`Arguments`] do: a broken pipe is an
 /// error of the write, not a signal, and the standard streams are open.
 #[macro_export]
+#[cfg(not(feature = "windows"))]
 macro_rules! main {
     ($run:path) => {
         #[unsafe(no_mangle)]
@@ -19,6 +26,27 @@ macro_rules! main {
             let arguments = unsafe { $crate::arguments::Arguments::start(count, values) };
             let run: fn($crate::arguments::Arguments) -> i32 = $run;
             run(arguments)
+        }
+    };
+}
+
+/// Defines the beginning of a program for Windows, which calls a `fn(Arguments) -> i32` for the exit code.
+///
+/// Use it in a crate with `#![no_main]`.
+#[macro_export]
+#[cfg(feature = "windows")]
+macro_rules! main {
+    ($run:path) => {
+        #[unsafe(no_mangle)]
+        extern "C" fn eightfold_main(
+            load_library: $crate::arguments::LoadLibrary,
+            get_function: $crate::arguments::GetProcAddress,
+        ) -> ! {
+            // SAFETY: it is called first, with these functions.
+            let arguments =
+                unsafe { $crate::arguments::Arguments::start(load_library, get_function) };
+            let run: fn($crate::arguments::Arguments) -> i32 = $run;
+            $crate::arguments::end(run(arguments))
         }
     };
 }

@@ -12,45 +12,62 @@
 //! | memory of fixed size | [`fixed`] |
 //! | lines of text to standard output and error | [`mod@line`] |
 //!
-//! There are two backends, with one interface: `window`, `threads`, `clock`, `memory` and `arguments` are modules of either.
+//! There are three backends, with one interface: `window`, `threads`, `clock`, `memory` and `arguments` are modules of each.
 //!
 //! - The small one has a window by Xlib, and the rest by libc: Linux on x86-64, where the intro has 64 kB.
+//! - The one for Windows in 64 kB, by the feature `windows`, calls functions of Windows alone, from code that is compiled for Linux
+//!   on x86-64.
 //! - The portable one has a window by `minifb`, and the rest by std: every other system and processor. On Linux on x86-64 it is
 //!   taken by the feature `portable`.
 //!
-//! Files and terminals are those of Unix, or those of Windows, with either. Sound is by ALSA on Linux, and by `cpal` on Windows and
-//! macOS.
+//! Files and terminals are those of Unix, or those of Windows, with each. Sound is by ALSA on Linux, by `cpal` on macOS and, with the
+//! portable backend, on Windows.
 
 #![deny(missing_docs)]
 
+#[cfg(not(feature = "portable"))]
+mod abort;
 pub mod arguments;
+#[cfg_attr(feature = "windows", path = "win64/mod.rs")]
 #[cfg_attr(
-    all(target_os = "linux", target_arch = "x86_64", not(feature = "portable")),
-    path = "small/mod.rs"
+    not(any(feature = "windows", feature = "portable")),
+    cfg_attr(
+        all(target_os = "linux", target_arch = "x86_64"),
+        path = "small/mod.rs"
+    )
 )]
 #[cfg_attr(
-    not(all(target_os = "linux", target_arch = "x86_64", not(feature = "portable"))),
+    all(
+        not(feature = "windows"),
+        any(
+            feature = "portable",
+            not(all(target_os = "linux", target_arch = "x86_64"))
+        )
+    ),
     path = "portable/mod.rs"
 )]
 mod backend;
 pub mod clock;
 pub mod cpu;
 pub mod fixed;
+#[cfg(not(feature = "windows"))]
 pub mod input;
+#[cfg(not(feature = "windows"))]
 mod keyboard;
 pub mod line;
-#[cfg(target_os = "linux")]
+#[cfg(all(target_os = "linux", not(feature = "windows")))]
 mod loading;
 pub mod pool;
 pub mod screen;
 pub mod sound;
-#[cfg_attr(unix, path = "system/unix.rs")]
+#[cfg_attr(feature = "windows", path = "system/win64.rs")]
+#[cfg_attr(all(unix, not(feature = "windows")), path = "system/unix.rs")]
 #[cfg_attr(windows, path = "system/windows.rs")]
 mod system;
-#[cfg_attr(unix, path = "system/terminal.rs")]
-#[cfg_attr(windows, path = "system/no_terminal.rs")]
+#[cfg_attr(all(unix, not(feature = "windows")), path = "system/terminal.rs")]
+#[cfg_attr(any(windows, feature = "windows"), path = "system/no_terminal.rs")]
 pub mod terminal;
-#[cfg(target_os = "linux")]
+#[cfg(all(target_os = "linux", not(feature = "windows")))]
 mod x11;
 
 pub use backend::window;

@@ -2,7 +2,6 @@
 //!
 //! Everything here has its counterpart in the portable backend, by the same name.
 
-mod abort;
 pub mod arguments;
 mod blit;
 pub mod clock;

@@ -5,7 +5,7 @@
 //!
 //! Code that must report an error never goes through a panic, so that is only for mistakes in the code.
 
-use crate::{line, terminal};
+use crate::{line, system, terminal};
 
 /// Instead of a panic: gives the terminal back, says one line on standard error and aborts.
 #[unsafe(no_mangle)]
@@ -15,8 +15,7 @@ pub extern "C" fn eightfold_abort() -> ! {
         line::ERROR,
         b"eightfold: a mistake in the program ended it\n",
     );
-    // SAFETY: `abort` may be called at any time.
-    unsafe { libc::abort() }
+    system::abort()
 }
 
 /// Instead of the function that counts the characters of texts of 32 bytes and more, where they are padded.

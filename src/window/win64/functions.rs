@@ -1,0 +1,152 @@
+//! The functions of Windows that are called, looked up by name when the program starts.
+
+#![allow(non_snake_case, reason = "the names that Windows has for them")]
+
+use core::{cell::UnsafeCell, ffi::c_void, mem::MaybeUninit};
+
+use super::types::{
+    BitmapInfo, Class, Message, MonitorInfo, Placement, Position, Rectangle, WaveFormat, WaveHeader,
+};
+
+/// A thing of the system's: a file, a thread, a window, a device.
+pub type Handle = *mut c_void;
+
+/// A function that loads a library by its name, with a NUL.
+pub type LoadLibrary = unsafe extern "win64" fn(*const u8) -> Handle;
+
+/// A function that looks up a function of a library by its name, with a NUL.
+pub type GetProcAddress = unsafe extern "win64" fn(Handle, *const u8) -> *const c_void;
+
+/// Functions by library, as functions of Rust that call them, a table of them, and the names to fill it by: those of libraries with
+/// a point in them.
+macro_rules! functions {
+    ($($library:literal: $( $(#[$attribute:meta])* fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)?; )*)*) => {
+        #[repr(C)]
+        struct Table {
+            $($( $name: unsafe extern "win64" fn($($type),*) $(-> $result)?, )*)*
+        }
+
+        const NAMES: &str = concat!($( $library, "\0", $( stringify!($name), "\0", )* )*);
+
+        $($(
+            $(#[$attribute])*
+            /// The function of Windows.
+            ///
+            /// # Safety
+            /// As its documentation there has it.
+            #[inline(always)]
+            #[allow(clippy::too_many_arguments, reason = "as Windows has them")]
+            pub unsafe fn $name($($argument: $type),*) $(-> $result)? {
+                // SAFETY: nothing else runs before `load` has filled the table. The caller vouches for the call.
+                unsafe { (table().$name)($($argument),*) }
+            }
+        )*)*
+    };
+}
+
+functions! {
+    "kernel32.dll":
+    fn AttachConsole(process: u32) -> i32;
+    fn CreateFileA(name: *const u8, access: u32, share: u32, security: Handle, how: u32, flags: u32, template: Handle) -> Handle;
+    fn CreateThread(security: Handle, stack: usize, start: *const c_void, pointer: *mut c_void, flags: u32, id: *mut u32) -> Handle;
+    fn ExitProcess(code: u32) -> !;
+    fn GetCommandLineW() -> *const u16;
+    fn GetConsoleMode(file: Handle, mode: *mut u32) -> i32;
+    fn GetLastError() -> u32;
+    fn GetProcessAffinityMask(process: Handle, own: *mut usize, all: *mut usize) -> i32;
+    fn GetStdHandle(stream: i32) -> Handle;
+    fn MultiByteToWideChar(code: u32, flags: u32, from: *const u8, length: i32, to: *mut u16, room: i32) -> i32;
+    fn QueryPerformanceCounter(count: *mut u64) -> i32;
+    fn QueryPerformanceFrequency(rate: *mut u64) -> i32;
+    fn SetStdHandle(stream: i32, file: Handle) -> i32;
+    fn Sleep(milliseconds: u32);
+    fn WaitForSingleObject(thing: Handle, milliseconds: u32) -> u32;
+    fn WriteConsoleW(file: Handle, text: *const u16, length: u32, written: *mut u32, unused: Handle) -> i32;
+    fn WriteFile(file: Handle, bytes: *const u8, length: u32, written: *mut u32, unused: Handle) -> i32;
+    "api-ms-win-core-synch-l1-2-0.dll":
+    fn WaitOnAddress(word: *const u32, value: *const u32, size: usize, milliseconds: u32) -> i32;
+    fn WakeByAddressAll(word: *const u32);
+    "shell32.dll":
+    fn CommandLineToArgvW(line: *const u16, count: *mut i32) -> *const *mut u16;
+    "user32.dll":
+    fn CreateWindowExA(extended: u32, class: *const u8, title: *const u8, style: u32, x: i32, y: i32, width: i32, height: i32, parent: Handle, menu: Handle, program: Handle, pointer: Handle) -> Handle;
+    #[expect(dead_code, reason = "Windows alone calls it, see `default_procedure`")]
+    fn DefWindowProcA() -> isize;
+    fn DispatchMessageA(message: *const Message) -> isize;
+    fn GetClientRect(window: Handle, rectangle: *mut Rectangle) -> i32;
+    fn GetDC(window: Handle) -> Handle;
+    fn GetKeyState(key: i32) -> i16;
+    fn GetMonitorInfoA(monitor: Handle, info: *mut MonitorInfo) -> i32;
+    fn GetWindowLongPtrA(window: Handle, what: i32) -> isize;
+    fn GetWindowPlacement(window: Handle, place: *mut Placement) -> i32;
+    fn LoadCursorA(program: Handle, name: usize) -> Handle;
+    fn MonitorFromWindow(window: Handle, otherwise: u32) -> Handle;
+    fn PeekMessageA(message: *mut Message, window: Handle, first: u32, last: u32, flags: u32) -> i32;
+    fn RegisterClassA(class: *const Class) -> u16;
+    fn SetProcessDpiAwarenessContext(context: isize) -> i32;
+    fn SetWindowLongPtrA(window: Handle, what: i32, value: isize) -> isize;
+    fn SetWindowPlacement(window: Handle, place: *const Placement) -> i32;
+    fn SetWindowPos(window: Handle, after: Handle, x: i32, y: i32, width: i32, height: i32, flags: u32) -> i32;
+    fn ShowCursor(on: i32) -> i32;
+    "gdi32.dll":
+    fn StretchDIBits(to: Handle, x: i32, y: i32, width: i32, height: i32, from_x: i32, from_y: i32, from_width: i32, from_height: i32, pixels: *const u32, info: *const BitmapInfo, colours: u32, operation: u32) -> i32;
+    "winmm.dll":
+    fn timeBeginPeriod(milliseconds: u32) -> u32;
+    fn waveOutGetPosition(device: Handle, position: *mut Position, size: u32) -> u32;
+    fn waveOutOpen(device: *mut Handle, number: u32, format: *const WaveFormat, callback: usize, pointer: usize, flags: u32) -> u32;
+    fn waveOutPrepareHeader(device: Handle, header: *mut WaveHeader, size: u32) -> u32;
+    fn waveOutWrite(device: Handle, header: *mut WaveHeader, size: u32) -> u32;
+}
+
+struct Functions(UnsafeCell<MaybeUninit<Table>>);
+
+// SAFETY: it is written by `load` alone, before there is a second thread, and only read after that.
+unsafe impl Sync for Functions {}
+
+static FUNCTIONS: Functions = Functions(UnsafeCell::new(MaybeUninit::uninit()));
+
+/// The functions.
+///
+/// # Safety
+/// [`load`] has to have found them.
+#[inline(always)]
+unsafe fn table() -> &'static Table {
+    // SAFETY: the caller vouches for it.
+    unsafe { (*FUNCTIONS.0.get()).assume_init_ref() }
+}
+
+/// What a window does with messages that nobody treats otherwise: `DefWindowProcA`, for Windows to call.
+pub fn default_procedure() -> *const c_void {
+    // SAFETY: there are windows only after `load`.
+    unsafe { table() }.DefWindowProcA as *const c_void
+}
+
+/// Looks up all functions. If one is not there, as on a Windows before that of 2017, returns its name or that of its library.
+///
+/// # Safety
+/// Nothing else may have been called, and there may be no other thread.
+pub unsafe fn load(
+    load_library: LoadLibrary,
+    get_function: GetProcAddress,
+) -> Result<(), &'static str> {
+    let mut slot: *mut *const c_void = FUNCTIONS.0.get().cast();
+    let mut library = core::ptr::null_mut();
+    for name in NAMES.split_inclusive('\0') {
+        // SAFETY: the name ends in a NUL. The table has a slot for each function, of a pointer's size, in this order.
+        unsafe {
+            let found = if name.contains('.') {
+                library = load_library(name.as_ptr());
+                library.cast_const()
+            } else {
+                let function = get_function(library, name.as_ptr());
+                slot.write(function);
+                slot = slot.add(1);
+                function
+            };
+            if found.is_null() {
+                return Err(name);
+            }
+        }
+    }
+    Ok(())
+}

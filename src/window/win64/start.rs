@@ -1,0 +1,60 @@
+//! The beginning of the program, and what a compiler expects of every system: functions over bytes of memory.
+
+use core::arch::global_asm;
+
+// Windows, or what unpacks the program, comes to the first with two functions in `rcx` and `rdx`, the stack as after a call.
+//
+// The others are those of C, with its names, by instructions of the processor that do the same. Whole frames are never copied.
+global_asm!(
+    ".section .text.eightfold_start, \"ax\"",
+    ".globl eightfold_start",
+    "eightfold_start:",
+    "push rax",
+    "mov rdi, rcx",
+    "mov rsi, rdx",
+    "call eightfold_main",
+    ".globl memcpy",
+    "memcpy:",
+    "mov rax, rdi",
+    "mov rcx, rdx",
+    "rep movsb",
+    "ret",
+    ".globl memmove",
+    "memmove:",
+    "mov rax, rdi",
+    "mov rcx, rdx",
+    // From the end, if the destination begins inside of the source.
+    "sub rdi, rsi",
+    "cmp rdi, rdx",
+    "lea rdi, [rax]",
+    "jae 2f",
+    "lea rdi, [rdi + rdx - 1]",
+    "lea rsi, [rsi + rdx - 1]",
+    "std",
+    "2:",
+    "rep movsb",
+    "cld",
+    "ret",
+    ".globl memset",
+    "memset:",
+    "push rdi",
+    "mov eax, esi",
+    "mov rcx, rdx",
+    "rep stosb",
+    "pop rax",
+    "ret",
+    ".globl memcmp",
+    ".globl bcmp",
+    "memcmp:",
+    "bcmp:",
+    "mov rcx, rdx",
+    "xchg rsi, rdi",
+    // Equal, if there are no bytes.
+    "xor eax, eax",
+    "repe cmpsb",
+    "je 2f",
+    "sbb eax, eax",
+    "or eax, 1",
+    "2:",
+    "ret",
+);

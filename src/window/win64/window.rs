@@ -1,0 +1,250 @@
+//! The intro's own window on Windows.
+
+use core::{
+    ffi::CStr,
+    mem::{size_of, zeroed},
+    ptr::null_mut,
+};
+
+use super::{
+    functions::{
+        CreateWindowExA, DispatchMessageA, GetClientRect, GetDC, GetKeyState, GetMonitorInfoA,
+        GetWindowLongPtrA, GetWindowPlacement, Handle, LoadCursorA, MonitorFromWindow,
+        PeekMessageA, RegisterClassA, SetProcessDpiAwarenessContext, SetWindowLongPtrA,
+        SetWindowPlacement, SetWindowPos, ShowCursor, StretchDIBits, default_procedure,
+    },
+    memory::pixels,
+    types::{BitmapInfo, Class, MonitorInfo, Placement, Rectangle},
+};
+use crate::screen::{Next, Screen};
+
+/// The windows' kind of its own: with a DC that stays.
+const CLASS: &CStr = c"Eightfold";
+const OWN_DC: u32 = 0x20;
+
+/// The arrow.
+const ARROW: usize = 32512;
+
+/// Pixels of the monitor's, whichever that is: Windows stretches nothing on a fine one. A handle's number.
+const PER_MONITOR_AWARE_V2: isize = -4;
+
+/// A frame with a title and its buttons.
+const FRAME: isize = 0x00cf_0000;
+
+/// Where Windows likes.
+const ANYWHERE: i32 = i32::MIN;
+
+/// The number of a window's style.
+const STYLE: i32 = -16;
+
+/// The monitor nearest to a window.
+const NEAREST: u32 = 2;
+
+// What `SetWindowPos` leaves as it is, or does besides.
+const SAME_SIZE: u32 = 1;
+const SAME_PLACE: u32 = 2;
+const SAME_ORDER: u32 = 4;
+const FRAME_CHANGED: u32 = 0x20;
+const SHOW: u32 = 0x40;
+
+const KEY_DOWN: u32 = 0x100;
+const CONTROL_KEY: i32 = 0x11;
+const ESCAPE_KEY: usize = 0x1b;
+// Letters have the numbers of capital ones, with Shift or without.
+const F_KEY: usize = b'F' as usize;
+const H_KEY: usize = b'H' as usize;
+const W_KEY: usize = b'W' as usize;
+
+/// Takes a message out of the queue.
+const REMOVE: u32 = 1;
+
+/// Copies pixels as they are.
+const COPY: u32 = 0x00cc_0020;
+
+/// A window that shows frames, with keys: F for the whole screen, W for the window, H for numbers over the picture, Esc to end.
+///
+/// Windows itself treats all messages, and those for keys are looked at before. It goes away with the process, or when it is closed;
+/// then it has no size any more.
+pub struct Window {
+    window: Handle,
+    context: Handle,
+    size: (usize, usize),
+    /// Where the window was before it covered the screen.
+    before: Option<Placement>,
+    pixels: &'static mut [u32],
+    drawn: (usize, usize),
+}
+
+impl Window {
+    /// Opens a window whose inside has a size in pixels.
+    ///
+    /// # Errors
+    /// If there is no desktop to open it on.
+    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
+        let size = (width as i32, height as i32);
+        // SAFETY: zero is a value of every field that is not named, and what is pointed to outlives the calls.
+        let (window, context) = unsafe {
+            SetProcessDpiAwarenessContext(PER_MONITOR_AWARE_V2);
+            let class = Class {
+                style: OWN_DC,
+                procedure: default_procedure(),
+                cursor: LoadCursorA(null_mut(), ARROW),
+                name: CLASS.as_ptr().cast(),
+                ..zeroed()
+            };
+            RegisterClassA(&class);
+            let none = null_mut();
+            let (class, title) = (class.name, title.as_ptr().cast());
+            let window = CreateWindowExA(
+                0,
+                class,
+                title,
+                FRAME as u32,
+                ANYWHERE,
+                0,
+                size.0,
+                size.1,
+                none,
+                none,
+                none,
+                none,
+            );
+            if window.is_null() {
+                return Err("no window on this desktop");
+            }
+            (window, GetDC(window))
+        };
+        let mut window = Window {
+            window,
+            context,
+            size: (0, 0),
+            before: None,
+            pixels: pixels(),
+            drawn: (0, 0),
+        };
+        // Give it a frame around that size, by how much smaller the inside is now, and show it.
+        window.look();
+        let frame = (size.0 - window.size.0 as i32, size.1 - window.size.1 as i32);
+        window.place(
+            [0, 0, size.0 + frame.0, size.1 + frame.1],
+            SAME_PLACE | SHOW,
+        );
+        window.look();
+        Ok(window)
+    }
+
+    /// Goes to the whole of its monitor without a frame and hides the pointer, or back to the window where it was and as it was.
+    pub fn set_fullscreen(&mut self, on: bool) {
+        if on == self.before.is_some() {
+            return;
+        }
+        // SAFETY: the window exists, or the functions do nothing. What is pointed to outlives the calls.
+        unsafe {
+            let style = GetWindowLongPtrA(self.window, STYLE);
+            if let Some(place) = self.before.take() {
+                SetWindowLongPtrA(self.window, STYLE, style | FRAME);
+                SetWindowPlacement(self.window, &place);
+                self.place([0; 4], SAME_PLACE | SAME_SIZE | SAME_ORDER | FRAME_CHANGED);
+            } else {
+                let mut monitor = MonitorInfo {
+                    size: size_of::<MonitorInfo>() as u32,
+                    ..MonitorInfo::default()
+                };
+                let nearest = MonitorFromWindow(self.window, NEAREST);
+                if GetMonitorInfoA(nearest, &mut monitor) == 0 {
+                    return;
+                }
+                let mut place = Placement {
+                    length: size_of::<Placement>() as u32,
+                    ..Placement::default()
+                };
+                GetWindowPlacement(self.window, &mut place);
+                self.before = Some(place);
+                SetWindowLongPtrA(self.window, STYLE, style & !FRAME);
+                let all = monitor.monitor;
+                let size = [all.right - all.left, all.bottom - all.top];
+                self.place([all.left, all.top, size[0], size[1]], FRAME_CHANGED);
+            }
+            ShowCursor((!on).into());
+        }
+    }
+
+    /// Puts the window somewhere, above the others.
+    fn place(&self, [x, y, width, height]: [i32; 4], flags: u32) {
+        // SAFETY: the window exists, or it does nothing.
+        unsafe { SetWindowPos(self.window, null_mut(), x, y, width, height, flags) };
+    }
+
+    /// Finds the size of its inside. False if the window has been closed.
+    fn look(&mut self) -> bool {
+        let mut inside = Rectangle::default();
+        // SAFETY: it may be asked of any window, and there is room for the answer.
+        let is_there = unsafe { GetClientRect(self.window, &mut inside) } != 0;
+        self.size = (inside.right as usize, inside.bottom as usize);
+        is_there
+    }
+}
+
+impl Screen for Window {
+    fn size(&self) -> (usize, usize) {
+        self.size
+    }
+
+    fn canvas(&mut self, width: usize, height: usize) -> &mut [u32] {
+        self.drawn = (width, height);
+        &mut self.pixels[..width * height]
+    }
+
+    fn show(&mut self) -> Next {
+        // Show the frame.
+        let (width, height) = (self.drawn.0 as i32, self.drawn.1 as i32);
+        let info = BitmapInfo {
+            size: size_of::<BitmapInfo>() as u32,
+            width,
+            height: -height,
+            planes: 1,
+            bits: 32,
+            unused: [0; 6],
+        };
+        let (columns, rows) = (self.size.0 as i32, self.size.1 as i32);
+        // SAFETY: the pixels are as many as is said, and outlive the call.
+        unsafe {
+            let pixels = self.pixels.as_ptr();
+            StretchDIBits(
+                self.context,
+                0,
+                0,
+                columns,
+                rows,
+                0,
+                0,
+                width,
+                height,
+                pixels,
+                &info,
+                0,
+                COPY,
+            );
+        }
+        // Read all messages that have come.
+        let mut next = Next::GoOn;
+        // SAFETY: zero is a value of every field of a message, and it outlives the calls.
+        unsafe {
+            let mut message = zeroed();
+            while PeekMessageA(&mut message, null_mut(), 0, 0, REMOVE) != 0 {
+                // With Ctrl they are no keys of the intro's; with Alt they come as other messages.
+                if message.message == KEY_DOWN && GetKeyState(CONTROL_KEY) >= 0 {
+                    match message.first {
+                        ESCAPE_KEY => return Next::End(0),
+                        F_KEY => self.set_fullscreen(true),
+                        W_KEY => self.set_fullscreen(false),
+                        H_KEY => next = next.toggled(),
+                        _ => {}
+                    }
+                }
+                DispatchMessageA(&message);
+            }
+        }
+        if self.look() { next } else { Next::End(0) }
+    }
+}
