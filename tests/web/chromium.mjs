@@ -130,9 +130,10 @@ class Page {
     return this.send("Input.dispatchMouseEvent", { type, x, y, button: isDown ? "left" : "none", buttons: isDown ? 1 : 0, clickCount: type === "mouseMoved" ? 0 : 1 });
   }
 
-  async key(key, code = key) {
+  async key(key, code = key, hasShift = false) {
     const text = key.length === 1 ? key : undefined;
-    for (const type of ["keyDown", "keyUp"]) await this.send("Input.dispatchKeyEvent", { type, key, code, text });
+    const modifiers = hasShift ? 8 : 0;
+    for (const type of ["keyDown", "keyUp"]) await this.send("Input.dispatchKeyEvent", { type, key, code, text, modifiers });
   }
 
   /** A screenshot as a PNG file, of what is seen or of all of the page. */

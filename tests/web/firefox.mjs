@@ -1,5 +1,6 @@
 // Firefox without a screen, by its own protocol, Marionette, over a socket: node firefox.mjs SITE INTRO. It holds that the page loads,
-// draws the bits of --still, and plays where there is no sound; it prints a line for each test, and fails if one does.
+// draws the bits of --still, turns its dials, tells faults of a scene, and plays where there is no sound; it prints a line for each test,
+// and fails if one does.
 
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
@@ -80,6 +81,23 @@ try {
   const still = execFileSync(intro, ["--still", "62.3", "--size", "641x363", "--isa", "sse2"], { maxBuffer: 1e8 });
   assert.ok(Buffer.from(letters, "base64").equals(still.subarray(still.length - 3 * 641 * 363)), letters.slice(0, 200));
   console.log("ok      a frame in Firefox has the bits of --still");
+
+  const input = (id, text) => value(`(() => { const input = document.getElementById("${id}"); input.value = ${JSON.stringify(text)}; input.dispatchEvent(new Event("input", { bubbles: true })); return input.value; })()`);
+  const share = async (quality) => {
+    await input("quality", quality);
+    await until(`!eightfold.isStale() && eightfold.view.quality === ${quality}`);
+    return parseFloat(await value("document.getElementById('points').textContent"));
+  };
+  const [all, few] = [await share(0), await share(7)];
+  assert.ok(all >= 99 && few < 40, `${all} % and ${few} %`);
+  console.log("ok      the slider changes what is traced in Firefox");
+
+  await until("document.getElementById('scene-text').value.includes('spheres')");
+  const text = await value("document.getElementById('scene-text').value");
+  await input("scene-text", text.replace("radius: 1.0", "radius: -1.0"));
+  const line = text.split("\n").findIndex((line) => line.includes("radius: 1.0")) + 1;
+  assert.match(await value("document.getElementById('scene-fault').textContent"), new RegExp(`^Line ${line}, column \\d+: `));
+  console.log("ok      a faulty scene shows its line and column in Firefox");
 
   const { value: button } = await send("FindElement", { using: "css selector", value: "#start" });
   await send("ElementClick", { id: Object.values(button)[0] });

@@ -161,13 +161,19 @@ const tests = {
     await page.mouse("mouseMoved", x, y);
     await page.until("!document.getElementById('verdict').hidden");
     const said = await page.value("document.querySelector('#verdict p').textContent");
-    assert.equal(said, places[split].squares.map(({ w, h, what }) => `${w}×${h} ${what}`).join("\n"));
+    const sentences = ({ squares }) => squares.map(({ w, h, what }) => `${w}×${h} ${what}`).join("\n");
+    assert.equal(said, sentences(places[split]));
     writeFileSync(join(screenshots, "web-verdict.png"), await page.screenshot());
     // The loupe shows the pixels of the picture, points in white, and the last square in colour.
     const colours = await page.value(`(() => {
       return new Set(new Uint32Array(${pixelsOf}(document.getElementById("loupe")).buffer)).size;
     })()`);
     assert.ok(colours > 20, `${colours} colours`);
+    // A key moves it by a square.
+    await page.key("ArrowRight", "ArrowRight", true);
+    const beside = await page.value(`eightfold.inspect(30 * ${split} + 13, 301)`);
+    assert.equal(await page.value("document.querySelector('#verdict p').textContent"), sentences(beside));
+    assert.equal(await page.value("eightfold.clock.time()"), 20);
     await page.mouse("mouseMoved", 1, 1);
     await page.until("document.getElementById('verdict').hidden");
   },

@@ -305,10 +305,11 @@ function inspect(x, y) {
   return JSON.parse(module.text(module.calls.inspect(top, top + BAND, x, y)));
 }
 
-/** Tells beside the pointer what became of the squares that it points at, with a loupe. */
+/** Tells beside a place of the canvas what became of the squares there, with a loupe. */
 function explainSquare({ offsetX, offsetY }) {
   const verdict = get("verdict");
   const scale = canvas.width / canvas.clientWidth;
+  view.place = { offsetX, offsetY };
   const [x, y] = [offsetX, offsetY].map((offset) => Math.floor(offset * scale));
   const { squares, points } = inspect(x, y);
   const sentences = squares.map(({ w, h, what }) => `${w}×${h} ${what}`);
@@ -319,6 +320,15 @@ function explainSquare({ offsetX, offsetY }) {
   const beside = (offset, size, room) => (offset + 16 + size > room ? Math.max(offset - 16 - size, 0) : offset + 16);
   verdict.style.left = `${beside(offsetX, verdict.offsetWidth, canvas.clientWidth)}px`;
   verdict.style.top = `${beside(offsetY, verdict.offsetHeight, canvas.clientHeight)}px`;
+}
+
+/** Moves the loupe by so many squares, at first from the middle of the picture. */
+function moveLoupe(right, down) {
+  const { clientWidth, clientHeight } = canvas;
+  const square = (8 * clientWidth) / canvas.width;
+  const { offsetX, offsetY } = view.place ?? { offsetX: clientWidth / 2, offsetY: clientHeight / 2 };
+  const within = (offset, room) => Math.min(Math.max(offset, 0), room - 1);
+  explainSquare({ offsetX: within(offsetX + right * square, clientWidth), offsetY: within(offsetY + down * square, clientHeight) });
 }
 
 /** Shows the pixels around one, with the squares that it is in and the points that were traced. */
@@ -357,15 +367,24 @@ const KEYS = {
   ArrowRight: () => seek(clock.time() + 2),
 };
 
+/** What they do together with the shift key, in a picture that rests. */
+const SHIFTED = {
+  ArrowLeft: () => moveLoupe(-1, 0),
+  ArrowRight: () => moveLoupe(1, 0),
+  ArrowUp: () => moveLoupe(0, -1),
+  ArrowDown: () => moveLoupe(0, 1),
+};
+
 function listen() {
   addEventListener("keydown", (event) => {
-    const { key, target, ctrlKey, altKey, metaKey } = event;
+    const { key, target, shiftKey, ctrlKey, altKey, metaKey } = event;
     // What has the focus has keys of its own.
     const own = key === " " ? "button, [type=checkbox]" : key.startsWith("Arrow") && "input, [role=slider]";
     const isUsed = target.matches("textarea, select") || (own && target.matches(own));
     if (isUsed || ctrlKey || altKey || metaKey) return;
     const quality = Number(key) - 1;
-    const action = about.qualities[quality] ? () => keepQuality(quality) : KEYS[key.length === 1 ? key.toLowerCase() : key];
+    const shifted = shiftKey && !clock.isPlaying && SHIFTED[key];
+    const action = about.qualities[quality] ? () => keepQuality(quality) : shifted || KEYS[key.length === 1 ? key.toLowerCase() : key];
     if (!action) return;
     event.preventDefault();
     action();
