@@ -4,8 +4,8 @@ use core::{ffi::CStr, mem::size_of, ptr::null_mut};
 
 use crate::{
     backend::{
-        functions::{Handle, waveOutGetPosition, waveOutOpen, waveOutPrepareHeader, waveOutWrite},
-        types::{Position, WaveFormat, WaveHeader},
+        functions::{waveOutGetPosition, waveOutOpen, waveOutPrepareHeader, waveOutWrite},
+        types::{Handle, Position, WaveFormat, WaveHeader},
     },
     clock::{self, SECOND},
     fixed::Fixed,

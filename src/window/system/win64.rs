@@ -6,7 +6,7 @@ use crate::backend::{
     arguments::end,
     functions::{
         AttachConsole, CreateFileA, GetConsoleMode, GetLastError, GetStdHandle,
-        MultiByteToWideChar, SetStdHandle, WriteConsoleW, WriteFile, timeBeginPeriod,
+        MultiByteToWideChar, SetStdHandle, WriteConsoleW, WriteFile,
     },
 };
 
@@ -18,8 +18,7 @@ pub const ERROR: i32 = -12;
 /// Bytes that are written to a console at a time.
 const PART: usize = 1024;
 
-/// Prepares the process: a program for windows has no console, and writes to the one that it was started from. It sleeps by
-/// milliseconds.
+/// Prepares the process: a program for windows has no console, and writes to the one that it was started from.
 ///
 /// # Safety
 /// No other thread may be running yet.
@@ -33,7 +32,6 @@ pub unsafe fn start() {
     const EXISTING: u32 = 3;
     // SAFETY: nobody else uses the streams yet, and the name outlives the calls.
     unsafe {
-        timeBeginPeriod(1);
         if AttachConsole(PARENT) == 0 {
             return;
         }

@@ -4,6 +4,7 @@ use core::slice::from_raw_parts;
 
 use super::functions::{
     self, CommandLineToArgvW, ExitProcess, GetCommandLineW, GetProcAddress, LoadLibrary,
+    timeBeginPeriod,
 };
 use crate::{line, system};
 
@@ -25,12 +26,15 @@ impl Arguments {
         // SAFETY: the caller vouches for the functions, and there is no other thread. What Windows returns is as long as it says, and
         // stays.
         unsafe {
-            if let Err(name) = functions::load(load_library, get_function) {
-                // Those to say so are looked up first.
+            let loaded = functions::load(load_library, get_function);
+            // What this takes, and saying what is missing, is looked up first.
+            system::start();
+            if let Err(name) = loaded {
                 line::complain(format_args!("this Windows has no {name}"));
                 end(1);
             }
-            system::start();
+            // It sleeps by milliseconds.
+            timeBeginPeriod(1);
             let all = CommandLineToArgvW(GetCommandLineW(), &mut count);
             let all = from_raw_parts(all, count as usize);
             Arguments {

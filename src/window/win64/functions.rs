@@ -5,11 +5,9 @@
 use core::{cell::UnsafeCell, ffi::c_void, mem::MaybeUninit};
 
 use super::types::{
-    BitmapInfo, Class, Message, MonitorInfo, Placement, Position, Rectangle, WaveFormat, WaveHeader,
+    BitmapInfo, Class, Handle, Message, MonitorInfo, Placement, Position, Rectangle, WaveFormat,
+    WaveHeader,
 };
-
-/// A thing of the system's: a file, a thread, a window, a device.
-pub type Handle = *mut c_void;
 
 /// A function that loads a library by its name, with a NUL.
 pub type LoadLibrary = unsafe extern "win64" fn(*const u8) -> Handle;
@@ -131,8 +129,8 @@ pub unsafe fn load(
 ) -> Result<(), &'static str> {
     let mut slot: *mut *const c_void = FUNCTIONS.0.get().cast();
     let mut library = core::ptr::null_mut();
-    for name in NAMES.split_inclusive('\0') {
-        // SAFETY: the name ends in a NUL. The table has a slot for each function, of a pointer's size, in this order.
+    for name in NAMES.split_terminator('\0') {
+        // SAFETY: a NUL is behind the name. The table has a slot for each function, of a pointer's size, in this order.
         unsafe {
             let found = if name.contains('.') {
                 library = load_library(name.as_ptr());

@@ -7,9 +7,11 @@ use core::{
     sync::atomic::AtomicU32,
 };
 
-use super::functions::{
-    CreateThread, GetProcessAffinityMask, Handle, WaitForSingleObject, WaitOnAddress,
-    WakeByAddressAll,
+use super::{
+    functions::{
+        CreateThread, GetProcessAffinityMask, WaitForSingleObject, WaitOnAddress, WakeByAddressAll,
+    },
+    types::Handle,
 };
 
 /// Without end, in milliseconds.

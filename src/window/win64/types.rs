@@ -2,7 +2,8 @@
 
 use core::ffi::c_void;
 
-use super::functions::Handle;
+/// A thing of the system's: a file, a thread, a window, a device.
+pub type Handle = *mut c_void;
 
 /// `WNDCLASSA`, a kind of windows.
 #[repr(C)]

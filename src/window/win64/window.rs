@@ -9,12 +9,12 @@ use core::{
 use super::{
     functions::{
         CreateWindowExA, DispatchMessageA, GetClientRect, GetDC, GetKeyState, GetMonitorInfoA,
-        GetWindowLongPtrA, GetWindowPlacement, Handle, LoadCursorA, MonitorFromWindow,
-        PeekMessageA, RegisterClassA, SetProcessDpiAwarenessContext, SetWindowLongPtrA,
-        SetWindowPlacement, SetWindowPos, ShowCursor, StretchDIBits, default_procedure,
+        GetWindowLongPtrA, GetWindowPlacement, LoadCursorA, MonitorFromWindow, PeekMessageA,
+        RegisterClassA, SetProcessDpiAwarenessContext, SetWindowLongPtrA, SetWindowPlacement,
+        SetWindowPos, ShowCursor, StretchDIBits, default_procedure,
     },
     memory::pixels,
-    types::{BitmapInfo, Class, MonitorInfo, Placement, Rectangle},
+    types::{BitmapInfo, Class, Handle, MonitorInfo, Placement, Rectangle},
 };
 use crate::screen::{Next, Screen};
 
