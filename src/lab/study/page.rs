@@ -4,16 +4,19 @@ use base64::{Engine, prelude::BASE64_STANDARD};
 use pulldown_cmark::{Options, Parser, html};
 use pulldown_cmark_escape::escape_html;
 
-/// How it looks: a column of text, plots as wide, tables that scroll where they are wider. It is light and dark as the reader's
-/// system is; plots and pictures have white grounds of their own.
+/// How it looks: a column of text, plots as wide, and tables, of which the widest, that of `bench`, takes a window of 1200 pixels; in
+/// narrower ones they scroll. It is light and dark as the reader's system is; plots and pictures have white grounds of their own.
 const STYLE: &str = "\
 :root { color-scheme: light dark; }
-body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; font: 16px/1.5 system-ui, sans-serif; }
+body { max-width: 75rem; margin: 2rem auto; padding: 0 1rem; font: 16px/1.5 system-ui, sans-serif; }
 h2 { margin-top: 3rem; }
 pre { white-space: pre-wrap; padding: 0.6rem 0.8rem; background: #8882; border-radius: 4px; }
 .scroll { overflow-x: auto; }
-table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
-th, td { padding: 0.2rem 0.6rem; border-bottom: 1px solid #8886; white-space: nowrap; }
+table { border-collapse: collapse; font-size: 12px; font-variant-numeric: tabular-nums; }
+th, td { padding: 0.2rem 0.3rem; border-bottom: 1px solid #8886; }
+th { vertical-align: bottom; }
+td { white-space: nowrap; }
+p, pre, figure { max-width: 62rem; }
 figure { margin: 1.5rem 0; }
 figure svg, figure img { display: block; max-width: 100%; height: auto; background: white; }
 figcaption { font-size: 14px; opacity: 0.8; }";
