@@ -19,7 +19,6 @@ mod material;
 mod model;
 mod path;
 mod props;
-mod random;
 mod scenes;
 mod set;
 mod timeline;
