@@ -104,6 +104,27 @@ const SILENT: Instrument = Instrument {
     duck: 0.0,
 };
 
+/// A pad, which two tracks play.
+const PAD: Instrument = Instrument {
+    notes: Notes::Chord(24),
+    saw: 0.1,
+    noise: 0.002,
+    detune: 0.006,
+    attack: s(0.6),
+    decay: s(10.0),
+    release: s(0.5),
+    gate: 4.0,
+    sweep: s(1.5),
+    cutoff_start: hz(500.0),
+    cutoff_end: hz(700.0),
+    light: 7.0,
+    damping: 1.2,
+    glide: 0.03,
+    room: 0.2,
+    duck: 0.6,
+    ..SILENT
+};
+
 /// The instruments of the song's tracks.
 pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
     // Kick.
@@ -196,45 +217,11 @@ pub(super) static INSTRUMENTS: [Instrument; TRACKS] = [
         duck: 0.7,
         ..SILENT
     },
-    // Pad.
-    Instrument {
-        notes: Notes::Chord(24),
-        saw: 0.1,
-        noise: 0.002,
-        detune: 0.006,
-        attack: s(0.6),
-        decay: s(10.0),
-        release: s(0.5),
-        gate: 4.0,
-        sweep: s(1.5),
-        cutoff_start: hz(500.0),
-        cutoff_end: hz(700.0),
-        light: 7.0,
-        damping: 1.2,
-        glide: 0.03,
-        room: 0.2,
-        duck: 0.6,
-        ..SILENT
-    },
+    PAD,
     // The same, a little more detuned. The song starts its chords on another note, so that the notes swap sides in stereo.
     Instrument {
-        notes: Notes::Chord(24),
-        saw: 0.1,
-        noise: 0.002,
         detune: 0.007,
-        attack: s(0.6),
-        decay: s(10.0),
-        release: s(0.5),
-        gate: 4.0,
-        sweep: s(1.5),
-        cutoff_start: hz(500.0),
-        cutoff_end: hz(700.0),
-        light: 7.0,
-        damping: 1.2,
-        glide: 0.03,
-        room: 0.2,
-        duck: 0.6,
-        ..SILENT
+        ..PAD
     },
     // Arpeggio.
     Instrument {
