@@ -1,7 +1,7 @@
 //! Nothing is allocated while frames are drawn and while a window shows them.
 
 use eightfold::show;
-use eightfold_stage::on_displays;
+use eightfold_stage::{allocations::Counting, on_displays};
 use eightfold_tracer::{Band, Frame, Job, Memory, Quality, Renderer, Threads, Worker};
 use eightfold_window::{
     cpu,
@@ -10,44 +10,9 @@ use eightfold_window::{
     screen::{Next, Screen},
     window::Window,
 };
-use std::{
-    alloc::{GlobalAlloc, Layout, System},
-    sync::atomic::{AtomicUsize, Ordering::SeqCst},
-};
-
-/// The system's allocator, with a count of its calls.
-struct Counting;
-
-static COUNT: AtomicUsize = AtomicUsize::new(0);
 
 #[global_allocator]
-static ALLOCATOR: Counting = Counting;
-
-// SAFETY: all calls go to the system's allocator.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.fetch_add(1, SeqCst);
-        // SAFETY: as the caller's.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        COUNT.fetch_add(1, SeqCst);
-        // SAFETY: as the caller's.
-        unsafe { System.alloc_zeroed(layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        COUNT.fetch_add(1, SeqCst);
-        // SAFETY: as the caller's.
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: as the caller's.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
+static ALLOCATOR: Counting = Counting::new();
 
 /// The threads of the test: possibly more than processors.
 const THREADS: usize = 3;
@@ -82,9 +47,9 @@ fn nothing_is_allocated_while_frames_are_drawn_and_shown() {
         };
         // In the first frames the server tells the window its size.
         frames(0..10);
-        let before = COUNT.load(SeqCst);
+        let before = ALLOCATOR.count();
         assert!(before > 0, "the count counts");
         frames(10..310);
-        assert_eq!(COUNT.load(SeqCst) - before, 0, "allocations in 300 frames");
+        assert_eq!(ALLOCATOR.count() - before, 0, "allocations in 300 frames");
     });
 }

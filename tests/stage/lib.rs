@@ -1,5 +1,6 @@
 //! Support that tests of the programs share: the intro itself, X servers, tools to observe them, and readers of pictures.
 
+pub mod allocations;
 pub mod reader;
 mod tools;
 

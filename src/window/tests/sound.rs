@@ -2,39 +2,18 @@
 //!
 //! A process reads ALSA's configuration once, so each scene is this program, started again.
 
-use eightfold_stage::lacks;
+use eightfold_stage::{allocations::Counting, lacks};
 use eightfold_window::sound::{Player, RATE, Source};
 use std::{
-    alloc::{GlobalAlloc, Layout, System},
     env, fs,
     path::Path,
     process::{Command, Output},
-    sync::atomic::{AtomicUsize, Ordering::SeqCst},
     thread,
     time::{Duration, Instant},
 };
 
-/// Counts what is asked of Rust's allocator. ALSA has C's.
-struct Counting;
-
-static COUNT: AtomicUsize = AtomicUsize::new(0);
-
 #[global_allocator]
-static ALLOCATOR: Counting = Counting;
-
-// SAFETY: the system's allocator does it all.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.fetch_add(1, SeqCst);
-        // SAFETY: as the caller's.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: as the caller's.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
+static ALLOCATOR: Counting = Counting::new();
 
 /// Sound that says which sample it is.
 struct Numbers {
@@ -67,7 +46,7 @@ fn play() {
     let mut player = Player::start(c"default", numbers);
     // The player's time began before its device was opened, which may take a while.
     let (start, begun) = (Instant::now(), player.time());
-    let before = COUNT.load(SeqCst);
+    let before = ALLOCATOR.count();
     let mut last = 0;
     while start.elapsed() < Duration::from_secs(1) {
         let time = player.time();
@@ -75,7 +54,7 @@ fn play() {
         last = time;
         thread::sleep(Duration::from_millis(10));
     }
-    let allocations = COUNT.load(SeqCst) - before;
+    let allocations = ALLOCATOR.count() - before;
     let wall = start.elapsed().as_nanos() as f64;
     let played = (player.time() - begun) as f64;
     println!("{} {allocations}", played / wall);
