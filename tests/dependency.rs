@@ -1,4 +1,5 @@
-//! What depends on the tracer: a crate elsewhere, which needs nothing of the intro for it, and the intro and the lab, which have the same one.
+//! Dependents of the tracer: a crate elsewhere, which needs nothing of the intro for it, and the intro and the lab, which have the
+//! same one.
 
 use std::{
     collections::BTreeSet,

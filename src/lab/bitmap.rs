@@ -9,7 +9,7 @@ use std::sync::Once;
 /// The colour of words.
 pub const INK: RGBColor = RGBColor(34, 34, 34);
 
-/// What is drawn on. Coordinates are pixels of the bitmap.
+/// A picture to draw on. Coordinates are pixels of the bitmap.
 pub type Area<'a> = DrawingArea<BitMapBackend<'a>, Shift>;
 
 /// The `0x00RRGGBB` pixels of a bitmap that has the colour `paper` where nothing is drawn on it.

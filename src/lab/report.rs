@@ -31,7 +31,7 @@ pub struct Arguments {
 
 /// The folder of the pages and the pictures, inside of the one that is reported on.
 const DOCS: &str = "docs";
-/// What goes before the name of a picture there in a link or a command.
+/// The prefix of the name of a picture there in a link or a command.
 const DOCS_LINK: &str = "docs/";
 
 /// A file with marked parts.

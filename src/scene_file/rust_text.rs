@@ -64,7 +64,7 @@ pub fn rust(file: &SceneFile) -> Result<String> {
     Ok(prettyplease::unparse(&syn::parse_file(&text)?))
 }
 
-/// What stands before imports and before the functions that interpolate.
+/// The text before imports and before the functions that interpolate.
 const UNUSED: &str = "#[allow(unused, reason = \"not every scene needs all of it\")]";
 
 /// The function that interpolates a motion.

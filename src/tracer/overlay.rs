@@ -1,4 +1,4 @@
-//! What lies over a picture that is done: copper bars, then captions, each drawn row by row of a band.
+//! The overlay of a picture that is done: copper bars, then captions, each drawn row by row of a band.
 //!
 //! The coverage of a pixel by a caption is computed from the distance of its centre to the nearest stroke, so edges are antialiased at any
 //! size. Overlays are placed in pixels of the picture, and drawn in rows of the band. Letters are measured in units of the font's
@@ -23,11 +23,11 @@ const SHADOW: f32 = 0.35;
 /// The share of the picture that the shadow hides at most.
 const DARKNESS: f32 = 0.7;
 
-/// What lies over a picture.
+/// The overlay of a picture.
 pub(crate) struct Overlay<'a> {
     pub copper_bars: &'a [CopperBar],
     pub captions: &'a [Caption],
-    /// What digits in captions are of, see [`Caption::letters`].
+    /// The numbers whose digits captions show, see [`Caption::letters`].
     pub numbers: &'a [usize],
     /// At this share of the picture's width, 0 to 1, lies the same share of a line: 0.5 centres lines, and with 0 they begin at the
     /// left.

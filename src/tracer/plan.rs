@@ -1,4 +1,4 @@
-//! What the phases of a frame share: how it is drawn, what it shows, and who listens.
+//! The common ground of a frame's phases: how it is drawn, what it shows, and who listens.
 
 use crate::picture::{Frame, Probing, TILE_HEIGHT};
 use crate::prepare::{VisibleGroups, World};
@@ -13,9 +13,9 @@ use glam::Vec2;
 pub(crate) struct FramePlan {
     /// The instruction set.
     pub isa: Level,
-    /// What traces points by it.
+    /// The function that traces points by it.
     pub kernel: Kernel,
-    /// What the scene leaves of the caller's quality: the only one that the phases ask.
+    /// The caller's quality as far as the scene leaves it: the only one that the phases ask.
     pub quality: Quality,
     /// The width and the height of the picture in pixels.
     pub size: [usize; 2],
@@ -81,7 +81,7 @@ impl FramePlan {
     }
 }
 
-/// What the phases of a frame work by.
+/// The context that all phases of a frame work in.
 pub(crate) struct Context<'a, O> {
     pub plan: &'a FramePlan,
     pub world: World<'a>,

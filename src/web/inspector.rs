@@ -1,4 +1,4 @@
-//! What becomes of the squares that a pixel is in, in words.
+//! The fate of the squares that a pixel is in, in words.
 
 use eightfold_tracer::Counts;
 use eightfold_tracer::observe::{Fill, Observer, Split};
@@ -10,7 +10,7 @@ pub struct Inspector {
     heard: Mutex<Heard>,
 }
 
-/// What it has heard, each as JSON.
+/// Squares and points that it has heard of, each as JSON.
 #[derive(Default)]
 struct Heard {
     squares: Vec<String>,
@@ -29,8 +29,8 @@ impl Inspector {
         }
     }
 
-    /// What it has heard, as JSON: the squares from the largest to the smallest, each with its corner, its sides and a sentence, and the
-    /// points that were traced.
+    /// All that it has heard of, as JSON: the squares from the largest to the smallest, each with its corner, its sides and a sentence,
+    /// and the points that were traced.
     pub fn json(self) -> String {
         let heard = self.heard.into_inner();
         let Heard { squares, points } = heard.unwrap_or_else(PoisonError::into_inner);

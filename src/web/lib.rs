@@ -29,13 +29,13 @@ struct Workspace {
     samples: [[f32; 2]; SAMPLES],
 }
 
-/// What else an instance remembers between calls.
+/// All else that an instance remembers between calls.
 struct State {
     quality: Quality,
     width: usize,
     height: usize,
     pixels: Vec<u32>,
-    /// What the last [`draw`] did, see [`figures`].
+    /// The work of the last [`draw`], see [`figures`].
     figures: [f64; 7],
     governor: Option<Governor>,
     /// A text that goes in or out.

@@ -23,7 +23,7 @@ pub struct Figure {
     pub name: &'static str,
     pub title: &'static str,
     pub caption: String,
-    /// What the brightest colour stands for, where the darkest stands for 0.
+    /// The number that the brightest colour stands for, where the darkest stands for 0.
     pub most: Option<String>,
     pub pixels: Vec<u32>,
 }

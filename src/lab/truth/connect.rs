@@ -38,7 +38,7 @@ pub struct Connections {
     images: Vec<Image>,
     /// The number of flat mirrors that are followed one after another.
     mirrors: usize,
-    /// What is round and mirrors light, with its body's index.
+    /// The spheres that mirror light, with their bodies' indices.
     rounds: Vec<(usize, Round)>,
     /// The indices of spheres that mirror or let light through.
     spheres: Vec<usize>,

@@ -70,7 +70,7 @@ pub struct Estimate {
     pub mean: DVec3,
     /// The variance of `mean`.
     pub variance: DVec3,
-    /// What narrower discs of photons change.
+    /// The change by narrower discs of photons.
     pub blur: DVec3,
 }
 

@@ -43,7 +43,7 @@ const MAX_IMAGES: usize = 2 * MAX_OBJECTS;
 /// The most outlines: those, and one for the shadow of each sphere on each plane by each light.
 pub(crate) const MAX_OUTLINES: usize = MAX_IMAGES + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
-/// What a frame shows: the scene, and what is computed of it once.
+/// The content of a frame: the scene, and what is computed of it once.
 ///
 /// Objects are numbered: spheres come first, then boxes and cylinders, lights, planes, and the background.
 #[derive(Clone, Copy)]
@@ -68,7 +68,7 @@ impl<'a> World<'a> {
     }
 }
 
-/// What is computed of the scene of one frame for the kernels.
+/// All that is computed of the scene of one frame for the kernels.
 pub(crate) struct Prepared {
     pub air: Air,
     pub film: Film,

@@ -1,4 +1,4 @@
-//! What lies over the picture: lines of text and copper bars.
+//! Overlays of the picture: lines of text and copper bars.
 
 use super::validate::{SHARE, SHARES};
 use super::{List, MAX_LETTERS};

@@ -1,4 +1,5 @@
-//! What the shapes of a block, box, cylinder and capsule, share: the coordinates along its own axes, in which each answers for itself.
+//! The common ground of the shapes of a block, box, cylinder and capsule: the coordinates along its own axes, in which each answers
+//! for itself.
 //! Other coordinates are the scene's.
 
 use super::sphere::Chord;
@@ -136,7 +137,7 @@ pub(crate) fn is_off<S: Isa>(
     is_off | chord.t_mid.simd_gt(limit + radius)
 }
 
-/// What is seen of a block from a point. Along each of its own axes, in a lane, it is a rectangle across the other two, of which an
+/// The silhouette of a block from a point. Along each of its own axes, in a lane, it is a rectangle across the other two, of which an
 /// edge at either end is a side of its outline.
 pub(crate) struct Silhouette {
     shape: Shape,

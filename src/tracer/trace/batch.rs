@@ -21,7 +21,7 @@ pub(crate) struct Batch {
     pub(super) stack: RayStack,
     /// Boxes and cylinders that the packet at work may meet, by an exact test.
     pub(super) blocks: Candidates,
-    /// What may be on the way of the packet at work to a lamp.
+    /// The solids that may be on the way of the packet at work to a lamp.
     pub(super) blockers: Blockers,
     /// The surfaces of the packet at work.
     pub(super) surfaces: SurfaceRows,

@@ -1,9 +1,9 @@
-//! What may be on a packet's way to a lamp: lists that are made anew for each lamp.
+//! The solids that may be on a packet's way to a lamp: lists that are made anew for each lamp.
 
 use super::candidates::Candidates;
 use crate::scene::MAX_SOLIDS;
 
-/// What may be on a packet's way to a lamp.
+/// The solids that may be on a packet's way to a lamp.
 pub(super) struct Blockers {
     /// Whose shadow cones the packet meets.
     pub(super) casters: Casters,

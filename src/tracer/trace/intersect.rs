@@ -1,4 +1,4 @@
-//! What a packet hits first: planes, the tree's spheres, and blocks by their bounding spheres. Coordinates are the scene's.
+//! Finds the first hits of a packet: planes, the tree's spheres, and blocks by their bounding spheres. Coordinates are the scene's.
 
 use super::candidates::Candidates;
 use super::rays::Rays;

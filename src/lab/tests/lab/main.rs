@@ -31,7 +31,7 @@ fn lab(arguments: &[&str]) -> Output {
         .expect("the lab starts")
 }
 
-/// What the lab prints on standard output, for the words of a line, without an error.
+/// The text that the lab prints on standard output, for the words of a line, without an error.
 #[track_caller]
 fn printed(line: &str) -> String {
     let output = lab(&line.split_whitespace().collect::<Vec<_>>());

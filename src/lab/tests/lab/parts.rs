@@ -1,4 +1,4 @@
-//! What is drawn in parts, by separate processes and on several machines, has the same bytes as what is drawn in one go.
+//! Pictures that are drawn in parts, by separate processes and on several machines, have the same bytes as those drawn in one go.
 
 use super::capture::{files, flags, write_program};
 use super::{assert_one_line, printed};

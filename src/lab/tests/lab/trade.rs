@@ -14,7 +14,7 @@ const PLOTS: [&str; 4] = ["front", "squares", "resolution", "objects"];
 /// The frames of the one `lab trade` that most tests look at.
 const FRAMES: &str = "--size 160x120 --frames 2 --views 2 --time-from 1 --time-to 5";
 
-/// What it printed, and its folder.
+/// Its output, and its folder.
 static TRADE: LazyLock<(String, TempDir)> = LazyLock::new(|| {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().display();
