@@ -27,6 +27,7 @@ pub fn write(queue: &FrameQueue<'_>, range: Range<usize>, count: usize, name: &P
             "--frames {count} takes no more than there are: {length}"
         )));
     }
+    // Lay the tiles out.
     let columns = columns(count);
     let tile = queue.film.size;
     let sheet = Size {
@@ -39,6 +40,7 @@ pub fn write(queue: &FrameQueue<'_>, range: Range<usize>, count: usize, name: &P
         )));
     }
     output::check(name)?;
+    // Draw the frames, each with its time below, into their places.
     let frames: Vec<usize> = (0..count).map(|i| spread(&range, i, count)).collect();
     let mut pixels = vec![PAPER; sheet.area()];
     let bar = progress::bar(count);
@@ -65,6 +67,7 @@ pub fn write(queue: &FrameQueue<'_>, range: Range<usize>, count: usize, name: &P
     );
     bar.finish_and_clear();
     done?;
+    // Write the sheet, and say what is on it.
     output::write(name, &picture::png(sheet.width, &pixels)?)?;
     let numbers: Vec<String> = frames.iter().map(usize::to_string).collect();
     eprintln!(

@@ -80,6 +80,7 @@ fn draw(arguments: &Arguments) -> Vec<Figure> {
         );
         (pixels, trace)
     };
+    // Draw the frame with every pixel traced, and as it is.
     let (exhaustive, all) = draw(&arguments.quality.quality.reference());
     let (picture, trace) = draw(&arguments.quality.quality);
     let over = |mark: &dyn Fn(&mut [u32])| {
@@ -87,6 +88,7 @@ fn draw(arguments: &Arguments) -> Vec<Figure> {
         mark(&mut pixels);
         pixels
     };
+    // Measure both.
     let area = picture.len() as f64;
     let traced = trace.rays().filter(|&rays| rays > 0).count() as f64 / area;
     let rays = |trace: &FrameTrace| trace.rays().map(u64::from).sum::<u64>() as f64;
@@ -95,6 +97,7 @@ fn draw(arguments: &Arguments) -> Vec<Figure> {
     let difference = Difference::between(&exhaustive, &picture);
     let flip = Flip::between(width, &exhaustive, &picture);
     let errors = flip.errors.iter();
+    // Put the figures together.
     vec![
         Figure::new(
             "points",

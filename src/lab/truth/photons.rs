@@ -252,6 +252,7 @@ impl Flight<'_> {
     /// Sends a photon to a body, and leaves it where it meets rough surfaces behind that.
     fn send(&self, target: &Body, sampler: &mut Sampler, photons: &mut Vec<Photon>) {
         let (o, normal) = self.lamp.point(self.has_extents, sampler.next_2d());
+        // Choose a ray from the lamp within the cone around the target.
         let u = sampler.next_2d();
         let width = target.shape.width_from(o);
         let axis = (target.shape.centre() - o).normalize_or(DVec3::Y);
@@ -266,6 +267,7 @@ impl Flight<'_> {
             return;
         }
         let first = ray.at(met.t);
+        // Follow it from body to body.
         let solid_angle = TAU * width * cosine * self.share;
         let mut travelled = 0.0;
         let mut way: Vec<Event> = Vec::new();
@@ -279,6 +281,7 @@ impl Flight<'_> {
             let bsdf = self.world.surface(body, ray, &met, self.keeps_energy);
             let next = ray.moved(met.t);
             let gap = if bounce > 0 {
+            // Leave a photon where no connection finds the way.
                 self.connections.gap(&way)
             } else {
                 Gap::Nowhere
@@ -297,6 +300,7 @@ impl Flight<'_> {
                 });
             }
             let Some(bounce) = bsdf.sample_bounce(sampler.next_1d()) else {
+            // Go on as the surface mirrors it or lets it through.
                 return;
             };
             let Some((d, _)) = bsdf.bounced(bounce) else {

@@ -227,6 +227,7 @@ fn mix<O: Observer>(
     let mut before = [0; TILE_HEIGHT];
     let (top, height) = (band.top, band.height());
     for (word, start) in (0..finished).step_by(STRETCH).enumerate() {
+        // Mark the points between pixels that differ, of a stretch.
         mark_stretch(band, finished, word, borders, &mut marks);
         let any = marks[..=PARTS * height]
             .iter()
@@ -245,6 +246,7 @@ fn mix<O: Observer>(
             observer.stage(Stage::Edges);
             add_middles([start, top], height, worker);
         };
+        // Trace them, batch by batch.
         for (number, &row) in marks[..=PARTS * height].iter().enumerate() {
             if row == 0 && (number % PARTS == 0 || before[number / PARTS] == 0) {
                 continue;
@@ -264,6 +266,7 @@ fn mix<O: Observer>(
             each(row, |bit| points.push(x + PARTS * bit, y));
         }
         traced(worker);
+        // Mix each pixel with the points on its four sides.
         for (y, row) in band.rows() {
             let right = marks[PARTS * y + 1];
             let sides = [

@@ -27,6 +27,7 @@ pub(crate) fn draw<O: Observer>(
         TILE_WIDTH / square * square
     };
     for left in (0..band.width).step_by(width) {
+        // Place the next tile.
         let area = Area {
             left,
             top: band.top,
@@ -55,6 +56,7 @@ pub(crate) fn draw<O: Observer>(
                 height,
             },
         };
+        // Trace all of its pixels, or refine its squares and note where edges may be.
         if square == 1 {
             tile.trace_pixels();
         } else {

@@ -72,12 +72,14 @@ impl CoverageGuard {
         let rows = grid.area.rows(level);
         let mut uncovered = [Bits::NONE; TILE_HEIGHT];
         let mut kept = 0;
+        // Look for objects, shadows and images, outline by outline.
         for i in 0..self.count {
             let number = self.outlines[i];
             let outline = &world.outline(number.into());
             let object = world.outlined_object(number.into());
             let is_on_plane = object.index() != usize::from(number);
             let mut is_kept = false;
+            // Of each row take the squares that the outline meets.
             for top in (0..rows).step_by(ROWS) {
                 let group = top..rows.min(top + ROWS);
                 if open[group.clone()].iter().all(Bits::is_empty) {
@@ -109,6 +111,7 @@ impl CoverageGuard {
             kept += usize::from(is_kept);
         }
         self.count = kept;
+        // Look for highlights in what is covered.
         for (i, &word) in self.highlights.iter().enumerate() {
             let mut rest = word;
             while rest != 0 {

@@ -65,6 +65,7 @@ impl Memory {
         threads: &mut dyn Threads,
         observer: O,
     ) -> Counts {
+        // Prepare the scene, and divide the picture.
         let [width, height] = plan.size;
         let context = &Context {
             plan,

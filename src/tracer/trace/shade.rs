@@ -34,6 +34,7 @@ pub(super) fn shade<S: Isa>(
         blockers,
         ..
     } = batch;
+    // Look up surfaces, and the air in front of them.
     let surface = SurfaceLanes::look_up(simd, world, hit.object, active, surfaces);
     let solid = active & surface.is_lit();
     let air = AirLanes::along(simd, world, &rays.d, hit.t, &surface);
@@ -42,6 +43,7 @@ pub(super) fn shade<S: Isa>(
         Some(air) => rays.weight * air.transmittance,
         None => rays.weight,
     };
+    // Gather the light that they reflect, and send rays on.
     let mut colour = surface.emitted();
     let mut untextured = colour;
     let mut reflectance = splat(simd, 1.0);
@@ -56,6 +58,7 @@ pub(super) fn shade<S: Isa>(
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
         scatter(tracer, &parents, &surface, point, marks, stack);
     }
+    // Veil it by the air, and add what glows there.
     if let Some(air) = &air {
         colour = air.veil(colour);
     }
@@ -88,6 +91,7 @@ fn scatter<S: Isa>(
     let one = splat(simd, 1.0);
     let least = splat(simd, quality.least_contribution);
     let deepest = U::<S>::splat(simd, 1 << quality.depth);
+    // Find the rays that may be followed.
     let follow = point.solid & parents.paths().simd_lt(deepest);
     let reflected = parents.reflected_slot_paths();
     let ShadingPoint {
@@ -104,6 +108,7 @@ fn scatter<S: Isa>(
     let mut kr = surface.kr();
     kr = kr + gain * (one - kr);
     let kt = surface.kt() * (one - gain);
+    // Refract those that enter or leave glass; where all light is reflected, add that to the mirror.
     let mut through = M::<S>::splat(simd, false);
     let mut transmitted = Rays {
         o: p.add_scaled(n, hit_error * -2.0),
@@ -123,6 +128,7 @@ fn scatter<S: Isa>(
         let along = -eta.mul_add(dn, at_least::<S>(k, zero).sqrt());
         transmitted.d = parents.d.scaled(eta).add_scaled(n, along);
     }
+    // Reflect.
     let weight = parents.weight * kr;
     let back = follow & weight.simd_ge(least);
     let reflected = Rays {
@@ -131,6 +137,7 @@ fn scatter<S: Isa>(
         weight,
         slot_path: reflected | marks,
     };
+    // Put them on the stack, the reflected ones on top.
     if through.any_true() {
         stack.push(simd, &transmitted, through);
     }
