@@ -119,7 +119,9 @@ impl EffectCounter {
             let changed = |&i: &usize| hosts[i] == thing || differ(whole[i], without[i]);
             let changed: Vec<usize> = (0..whole.len()).filter(changed).collect();
             // Most pictures have no mirror at all there.
-            let is_mirrored = changed.iter().any(|&i| shows_images(scene, hosts[i]));
+            let is_mirrored = changed
+                .iter()
+                .any(|&i| material(scene, hosts[i]).is_specular());
             let unlit_without =
                 is_mirrored.then(|| self.draw(&without_lamps(&rest), Quality::EXHAUSTIVE));
             let mut pixels: BTreeMap<Kind, Vec<usize>> = BTreeMap::new();
@@ -237,7 +239,7 @@ fn without_lamps(scene: &Scene) -> Scene {
 
 /// Tells what a pixel that shows the object `host` shows of a thing that changes it, without lamps, too, if `is_seen`.
 fn kind(scene: &Scene, thing: Object, host: Object, is_seen: bool) -> Kind {
-    let is_image = is_seen && shows_images(scene, host);
+    let is_image = is_seen && material(scene, host).is_specular();
     match host {
         _ if host == thing => Kind::Object,
         _ if is_image && material(scene, host).kt > 0.0 => Kind::Glass,

@@ -47,7 +47,12 @@ pub struct Connections {
 impl Connections {
     /// Those of a world's lamps and bodies.
     pub fn new(bodies: &[Body], lamps: &[Lamp]) -> Self {
-        let specular = || bodies.iter().enumerate().filter(|it| it.1.is_specular());
+        let specular = || {
+            bodies
+                .iter()
+                .enumerate()
+                .filter(|it| it.1.material.is_specular())
+        };
         let spheres = specular().filter(|(_, body)| matches!(body.shape, Shape::Sphere { .. }));
         let faces: Vec<(usize, Face)> = specular()
             .flat_map(|(i, body)| body.faces().into_iter().map(move |face| (i, face)))

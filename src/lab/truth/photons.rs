@@ -16,7 +16,6 @@ use super::world::{Body, World};
 use crate::sampler::{Sampler, Sequence, around, seed_of};
 use eightfold_oracle::geometry::Ray;
 use eightfold_tracer::glam::DVec3;
-use eightfold_tracer::scene::Waves;
 use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree, RTreeObject};
 use std::f64::consts::{PI, TAU};
@@ -113,10 +112,12 @@ impl Photons {
         keeps_energy: bool,
     ) -> Self {
         let targets = world.bodies.iter().enumerate();
-        let targets: Vec<(usize, &Body)> = targets.filter(|(_, body)| body.is_specular()).collect();
+        let targets: Vec<(usize, &Body)> = targets
+            .filter(|(_, body)| body.material.is_specular())
+            .collect();
         if let [(_, only)] = *targets
             && only.material.kt == 0.0
-            && only.waves == Waves::CALM
+            && only.is_smooth()
         {
             // All ways have a closed form.
             return Self::none();

@@ -18,17 +18,14 @@ pub struct Body {
 }
 
 impl Body {
-    /// Whether it mirrors light or lets light through.
-    pub fn is_specular(&self) -> bool {
-        let Material {
-            kr, fresnel, kt, ..
-        } = self.material;
-        kr + fresnel + kt > 0.0
+    /// Whether no waves tilt its normals.
+    pub fn is_smooth(&self) -> bool {
+        self.waves == Waves::CALM
     }
 
     /// Its flat sides.
     pub fn faces(&self) -> Vec<Face> {
-        if self.waves == Waves::CALM {
+        if self.is_smooth() {
             self.shape.faces()
         } else {
             Vec::new()
@@ -94,7 +91,7 @@ impl World {
         }
         // Waves tilt the normal. They are seen as coarse as a pixel at the distance of this part of the path would see them.
         nearest.map(|(body, mut met)| {
-            if body.waves != Waves::CALM {
+            if !body.is_smooth() {
                 let seen = met.t * self.plane.pixel / ray.d.y.abs();
                 met.normal = waves::normal(&body.waves, ray.at(met.t), ray.d, seen);
             }

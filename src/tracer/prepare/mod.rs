@@ -258,10 +258,8 @@ impl Prepared {
         self.bounds = [[ScreenBounds::NONE; MAX_GROUPS]; 2];
         self.used_groups = 0;
         let (first_plane, background) = (self.first_plane(), self.background());
-        // Glass reflects all light at some angles.
-        let is_mirror = |m: &Material| m.kr + m.fresnel + m.kt > 0.0;
         let first = scene.planes.first();
-        let mirrors = usize::from(first.is_some_and(|plane| is_mirror(&plane.material)));
+        let mirrors = usize::from(first.is_some_and(|plane| plane.material.is_specular()));
         // Images in waves may be anywhere.
         let is_calm = scene.water.are_calm();
         let mirrors = mirrors * usize::from(is_calm);

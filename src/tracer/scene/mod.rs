@@ -159,6 +159,12 @@ impl Material {
     pub const BLACK: Self = Self::STANDARD;
 }
 
+
+    /// Whether it mirrors light or lets light through. Glass does even with a `kr` of 0: it reflects all light at some angles.
+    #[must_use]
+    pub fn is_specular(&self) -> bool {
+        self.kr + self.fresnel + self.kt > 0.0
+    }
 fields! {
     /// A sphere.
     ///
