@@ -100,7 +100,8 @@ impl Printer<'_> {
     fn record(&self, path: &str, fields: &mut dyn Fields, value: &Value) -> String {
         let kind = fields.name();
         let mut said = Vec::new();
-        let mut others = String::new();
+        let more = format!("..{kind}::default()");
+        let mut are_all_said = !fields.grows();
         fields.visit(&mut |field| {
             let name = field.name;
             let path = match path {
@@ -117,12 +118,13 @@ impl Printer<'_> {
                 (own, Some(turn)) => self.turned(&path, own, turn),
                 (Some(own), None) => own,
                 (None, None) => {
-                    others = format!("..{kind}::default()");
+                    are_all_said = false;
                     return;
                 }
             };
             said.push(format!("{name}: {text}, "));
         });
+        let others = if are_all_said { "" } else { &more };
         format!("{kind} {{ {}{others} }}", said.concat())
     }
 

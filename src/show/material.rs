@@ -156,6 +156,7 @@ pub(super) static MARBLE: Material = Material {
         balance: 0.85,
         warp: 0.75,
         grain: 0.9,
+        ..Pattern::NONE
     },
     ..MATT
 };

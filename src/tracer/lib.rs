@@ -118,7 +118,8 @@
 //!
 //! A [`Scene`](scene::Scene) and all in it, and a [`Quality`], get more fields in minor versions, whose defaults leave pictures as they
 //! are. So a program writes `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT` behind those that it means, and compiles
-//! with any of them. [`Counts`], [`Error`] and [`Frame`] may grow as well, which the compiler holds programs to.
+//! with any of them: a hidden field of no size has the compiler ask for it. [`Counts`], [`Error`] and [`Frame`] may grow as well,
+//! which the compiler holds programs to.
 //!
 //! The bits of a picture are no promise between versions, nor are the numbers of [`Quality::LADDER`]; the figures of [`limits`] are.
 //! [`glam`] and [`Level`] are those of `glam` and `fearless_simd`: where these break, so does this crate, by a new major version.

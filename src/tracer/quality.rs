@@ -47,6 +47,10 @@ pub struct Quality {
     /// Whether edges are antialiased: where two neighbouring pixels differ by 20/255 or more in a channel, the point half-way
     /// between them is traced, and mixed into both.
     pub antialias: bool,
+    // More fields are going to come: see `fields!`.
+    #[doc(hidden)]
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub _more: (),
 }
 
 impl Quality {
@@ -69,6 +73,7 @@ impl Quality {
         depth: 5,
         least_contribution: 0.01,
         antialias: false,
+        _more: (),
     };
 
     /// The rules of the 2008 thesis: squares of 8 pixels are filled if the corners agree in the objects of the whole ray tree and

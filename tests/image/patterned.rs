@@ -22,6 +22,7 @@ fn scene(depth: f32, marble: f32) -> Scene {
             balance: 0.0,
             warp,
             grain: 1.0,
+            ..Pattern::NONE
         },
         ..Material::BLACK
     };

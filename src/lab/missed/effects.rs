@@ -253,12 +253,6 @@ fn kind(scene: &Scene, thing: Object, host: Object, is_seen: bool) -> Kind {
     }
 }
 
-/// Whether an object shows others.
-fn shows_images(scene: &Scene, object: Object) -> bool {
-    let material = material(scene, object);
-    material.kr + material.fresnel + material.kt > 0.0
-}
-
 /// The kind of a sphere's shadow on a plane by lamps.
 fn shadow_by(lamps: &[Light]) -> Kind {
     if lamps

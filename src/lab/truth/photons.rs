@@ -252,8 +252,8 @@ struct Flight<'a> {
 impl Flight<'_> {
     /// Sends a photon to a body, and leaves it where it meets rough surfaces behind that.
     fn send(&self, target: &Body, sampler: &mut Sampler, photons: &mut Vec<Photon>) {
-        let (o, normal) = self.lamp.point(self.has_extents, sampler.next_2d());
         // Choose a ray from the lamp within the cone around the target.
+        let (o, normal) = self.lamp.point(self.has_extents, sampler.next_2d());
         let u = sampler.next_2d();
         let width = target.shape.width_from(o);
         let axis = (target.shape.centre() - o).normalize_or(DVec3::Y);
@@ -267,8 +267,8 @@ impl Flight<'_> {
         if !std::ptr::eq(body, target) || cosine <= 0.0 {
             return;
         }
-        let first = ray.at(met.t);
         // Follow it from body to body.
+        let first = ray.at(met.t);
         let solid_angle = TAU * width * cosine * self.share;
         let mut travelled = 0.0;
         let mut way: Vec<Event> = Vec::new();
@@ -281,8 +281,8 @@ impl Flight<'_> {
             }
             let bsdf = self.world.surface(body, ray, &met, self.keeps_energy);
             let next = ray.moved(met.t);
-            let gap = if bounce > 0 {
             // Leave a photon where no connection finds the way.
+            let gap = if bounce > 0 {
                 self.connections.gap(&way)
             } else {
                 Gap::Nowhere
@@ -300,8 +300,8 @@ impl Flight<'_> {
                     is_inner: false,
                 });
             }
-            let Some(bounce) = bsdf.sample_bounce(sampler.next_1d()) else {
             // Go on as the surface mirrors it or lets it through.
+            let Some(bounce) = bsdf.sample_bounce(sampler.next_1d()) else {
                 return;
             };
             let Some((d, _)) = bsdf.bounced(bounce) else {

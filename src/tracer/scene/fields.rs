@@ -46,6 +46,9 @@ pub trait Fields {
     /// The name of the struct.
     fn name(&self) -> &'static str;
 
+    /// Whether later versions have more fields, so that a program says `..` behind those that it means.
+    fn grows(&self) -> bool;
+
     /// Visits its fields in their order.
     fn visit<'a>(&'a mut self, visitor: &mut dyn FnMut(Field<'a>));
 }
@@ -273,6 +276,9 @@ impl<T: Fields + Part + Default> Part for Option<T> {
 /// After its name stands what messages put before the names of its fields where they do not name it, such as "material." for a
 /// sphere's. After the type of a field stands what it is by default, if a scene file may leave it out; the numbers that it takes;
 /// and what has to be so with regard to other fields, each with words for what it takes.
+///
+/// A struct that is going to have more fields ends with `.. _more;`, a field of no size that documentation leaves out. With it the
+/// compiler asks programs elsewhere for `..`, as `#[non_exhaustive]` would, which however forbids them to build the struct at all.
 macro_rules! fields {
     (
         $(#[$meta:meta])*
@@ -281,6 +287,7 @@ macro_rules! fields {
                 $(#[$doc:meta])*
                 $field:ident: $type:ty $(= $default:expr)? $(, in $range:expr)? $(, if $rule:expr => $takes:literal)*;
             )*
+            $(.. $more:ident;)?
         }
     ) => {
         $(#[$meta])*
@@ -292,21 +299,24 @@ macro_rules! fields {
         )]
         pub struct $name {
             $($(#[$doc])* pub $field: $type,)*
+            $(
+                #[doc(hidden)]
+                #[cfg_attr(feature = "serde", serde(skip))]
+                pub $more: (),
+            )?
         }
 
         impl $name {
             /// The value where nothing is said.
-            #[allow(dead_code, reason = "objects have no use for it")]
             pub(super) const STANDARD: Self = Self {
                 $($field: fields!(@default $($default)?),)*
+                $($more: (),)?
             };
         }
 
         impl Default for $name {
             fn default() -> Self {
-                Self {
-                    $($field: fields!(@default $($default)?),)*
-                }
+                Self::STANDARD
             }
         }
 
@@ -322,12 +332,17 @@ macro_rules! fields {
                     range: fields!(@range $($range)?),
                     value: $crate::scene::fields::Part::value(&mut self.$field),
                 });)*
+            fn grows(&self) -> bool {
+                fields!(@grows $($more)?)
+            }
+
             }
         }
 
         impl $crate::scene::fields::Part for $name {
             const ZERO: Self = Self {
                 $($field: $crate::scene::fields::Part::ZERO,)*
+                $($more: (),)?
             };
 
             fn check(
@@ -362,3 +377,5 @@ macro_rules! fields {
     (@value $self:ident) => { $crate::scene::fields::Value::Struct($self) };
     (@value $self:ident $kind:ident) => { $crate::scene::fields::Value::$kind($self) };
 }
+    (@grows) => { false };
+    (@grows $more:ident) => { true };

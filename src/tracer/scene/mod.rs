@@ -97,6 +97,7 @@ fields! {
         captions: List<Caption, MAX_CAPTIONS> = Part::ZERO;
         /// Bars over the picture, behind its text.
         copper_bars: List<CopperBar, MAX_COPPER_BARS> = Part::ZERO;
+        .. _more;
     }
 }
 
@@ -151,20 +152,21 @@ fields! {
         tint: Vec3A = Vec3A::ZERO, in SHARES;
         /// The texture.
         pattern: Pattern = Pattern::NONE;
+        .. _more;
     }
 }
 
 impl Material {
     /// Black, without highlights, reflection or transmission.
     pub const BLACK: Self = Self::STANDARD;
-}
-
 
     /// Whether it mirrors light or lets light through. Glass does even with a `kr` of 0: it reflects all light at some angles.
     #[must_use]
     pub fn is_specular(&self) -> bool {
         self.kr + self.fresnel + self.kt > 0.0
     }
+}
+
 fields! {
     /// A sphere.
     ///
@@ -232,6 +234,7 @@ fields! {
         /// The cone of a spotlight; `None` shines in all directions.
         spot: Option<Spot> = None;
     }
+        .. _more;
 }
 
 impl Light {

@@ -30,6 +30,7 @@ fields! {
         warp: f32 = 0.0, in THOUSAND;
         /// Cells of the noise's coarsest octave per scene unit, 0 to 1000.
         grain: f32 = 0.0, in THOUSAND;
+        .. _more;
     }
 }
 

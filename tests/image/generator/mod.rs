@@ -183,6 +183,7 @@ fn pattern() -> impl Strategy<Value = Pattern> {
                 balance,
                 warp,
                 grain,
+                ..Pattern::NONE
             },
         )
 }
@@ -254,6 +255,7 @@ fn any_light() -> impl Strategy<Value = Light> {
                         cos_outer: dark,
                         cos_inner: dark + soft,
                     }),
+                    ..Light::DARK
                 }
             },
         )

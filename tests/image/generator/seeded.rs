@@ -140,6 +140,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
             balance: random.between(-1.0, 1.0),
             warp: random.between(0.0, 2.0),
             grain: (random.between(0.1, 3.0) / scale).min(1e3),
+            ..Pattern::NONE
         };
     }
     scene.sky = random.vector(Vec3A::ZERO, Vec3A::splat(0.5));

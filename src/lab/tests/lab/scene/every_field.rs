@@ -28,7 +28,9 @@ pub fn scene(time: f32) -> Scene {
             balance: 0.5566305,
             warp: 4.7274237,
             grain: 1.671696,
+            ..Pattern::default()
         },
+        ..Material::default()
     };
     let material_material_002 = Material {
         colour: vec3a(7.337328, 4.2816, 1.225872),
@@ -49,7 +51,9 @@ pub fn scene(time: f32) -> Scene {
             balance: -0.5554464,
             warp: 7.16704,
             grain: 4.111312,
+            ..Pattern::default()
         },
+        ..Material::default()
     };
     let material_material_003 = Material {
         colour: vec3a(2.05248, 6.996752, 3.9410238),
@@ -70,7 +74,9 @@ pub fn scene(time: f32) -> Scene {
             balance: -0.012416005,
             warp: 1.882192,
             grain: 6.8264647,
+            ..Pattern::default()
         },
+        ..Material::default()
     };
     Scene {
         camera: Camera {
@@ -170,6 +176,7 @@ pub fn scene(time: f32) -> Scene {
                         cos_inner: 0.75,
                         cos_outer: 0.25,
                     }),
+                    ..Light::default()
                 },
             ],
         ),
@@ -193,6 +200,7 @@ pub fn scene(time: f32) -> Scene {
                 },
             ],
         ),
+        ..Scene::default()
     }
 }
 #[allow(unused, reason = "not every scene needs all of it")]
