@@ -50,7 +50,7 @@ fn scene() -> Scene {
         lights: List::of(&[Light {
             position: vec3a(-5.0, 8.0, -5.0),
             colour: Vec3A::splat(0.9),
-            size: 1.0,
+            diameter: 1.0,
             ..Light::DARK
         }]),
         ..Scene::default()

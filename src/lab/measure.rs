@@ -219,7 +219,7 @@ impl Way {
         let mut scene = scene.without_overlay(time);
         if self.hard_shadows {
             for light in scene.lights.iter_mut() {
-                light.size = 0.0;
+                light.diameter = 0.0;
             }
         }
         scene

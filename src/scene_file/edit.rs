@@ -170,7 +170,7 @@ mod tests {
         (centre: (0.50, 1, -2e0), radius: 1.0 /* unit */, material: "a"), // the first
         (centre: (3.0, 1.0, 0.0), radius: 1.0, material: r"b") // no comma
     ],
-    lights: [(position: (0.0, 9.0, 0.0), radius: 0.5), (position: (1.0, 9.0, 0.0))],
+    lights: [(position: (0.0, 9.0, 0.0), drawn_radius: 0.5), (position: (1.0, 9.0, 0.0))],
     motions: [
         (of: "spheres[0].centre", keys: [(0.0, (0.5, 1.0, -2.0)), (1.0, (0.5, 2.0, -2.0))]),
         (of: "spheres[1].centre[1]", keys: [(0.0, 1.0), (1.0, 1.5)]), // up
@@ -220,14 +220,14 @@ mod tests {
         let text = changed(&[
             ("camera.eye", json!([1.0, 2.0, 3.0])),
             ("camera.look_at", json!([0.0, 1.0, 0.0])),
-            ("lights[1].radius", json!(0.25)),
+            ("lights[1].drawn_radius", json!(0.25)),
         ]);
         let expected = TEXT
             .replace(
                 "Scene(\n",
                 "Scene(\n    camera: (look_at: (0.0, 1.0, 0.0), eye: (1.0, 2.0, 3.0)),\n",
             )
-            .replace("(position: (1.0", "(radius: 0.25, position: (1.0");
+            .replace("(position: (1.0", "(drawn_radius: 0.25, position: (1.0");
         assert_eq!(text, expected);
         // In a text of one line, too.
         let changes = [("camera.eye".to_owned(), json!([1.0, 2.0, 3.0]))];

@@ -172,7 +172,7 @@ fn no_ray_is_lost_where_some_end_and_others_go_on_in_two() {
     scene.lights = List::of(&[Light {
         position: vec3a(0.6, 0.2, 0.3),
         colour: Vec3A::ZERO,
-        radius: 0.15,
+        drawn_radius: 0.15,
         ..Light::DARK
     }]);
     let quality = Quality {
@@ -208,7 +208,7 @@ fn a_lamp_lights_the_sphere_around_it_from_within_alone() {
         scene.lights = List::of(&[Light {
             position: lamp,
             colour: Vec3A::ONE,
-            radius: 0.1,
+            drawn_radius: 0.1,
             ..Light::DARK
         }]);
         hold(

@@ -38,8 +38,8 @@ pub fn scaled(scene: &Scene, factor: f32) -> Scene {
     }
     for light in scene.lights.iter_mut() {
         light.position *= factor;
-        light.radius *= factor;
-        light.size *= factor;
+        light.drawn_radius *= factor;
+        light.diameter *= factor;
     }
     for block in scene.blocks.iter_mut() {
         block.centre *= factor;
@@ -171,7 +171,7 @@ fn rich() -> Scene {
         phase: 0.3,
     };
     let lamp = &mut scene.lights[0];
-    lamp.size = 0.5;
+    lamp.diameter = 0.5;
     lamp.spot = Some(Spot {
         aim: -lamp.position.normalize(),
         cos_outer: 0.7,

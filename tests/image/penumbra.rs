@@ -15,7 +15,7 @@ const SPHERE: Sphere = Sphere {
 const LIGHT: Light = Light {
     position: vec3a(1.0, 6.0, 0.5),
     colour: Vec3A::ONE,
-    size: 1.0,
+    diameter: 1.0,
     ..Light::DARK
 };
 
@@ -28,7 +28,7 @@ fn visible_share(p: DVec3) -> f64 {
     let (mut visible, mut all) = (0, 0);
     for i in 0..RINGS * RINGS {
         let radius =
-            0.5 * f64::from(LIGHT.size) * ((i as f64 + 0.5) / (RINGS * RINGS) as f64).sqrt();
+            0.5 * f64::from(LIGHT.diameter) * ((i as f64 + 0.5) / (RINGS * RINGS) as f64).sqrt();
         let angle = 2.399_963 * i as f64;
         let target = to_light + radius * (angle.cos() * u + angle.sin() * v);
         let d = target.normalize();
@@ -118,7 +118,7 @@ fn a_dome_is_lit_from_within_whatever_the_lamps_size_and_whatever_stands_outside
         lights: List::of(&[Light {
             position: vec3a(0.1, 0.6, 0.0),
             colour: Vec3A::splat(0.5),
-            size,
+            diameter: size,
             ..Light::DARK
         }]),
         ..Scene::default()

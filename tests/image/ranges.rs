@@ -230,7 +230,7 @@ fn of_length(r: f32) -> Scene {
     scene.camera.look_at = Vec3A::ZERO;
     for light in scene.lights.iter_mut() {
         light.position *= 0.125 * r;
-        light.radius = 0.0;
+        light.drawn_radius = 0.0;
     }
     scene
 }

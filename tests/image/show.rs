@@ -153,14 +153,14 @@ fn subject(name: &str, scene: &Scene) -> Vec<(Vec3A, f32)> {
         "mirrors" => {
             let light = scene.lights[0];
             balls.truncate(1);
-            balls.push((light.position, light.radius));
+            balls.push((light.position, light.drawn_radius));
             balls
         }
         // The glass ball and the sun: the arms go on.
         "finale" => {
             let sun = scene.lights[0];
             balls.truncate(1);
-            balls.push((sun.position, sun.radius));
+            balls.push((sun.position, sun.drawn_radius));
             balls
         }
         _ => balls,

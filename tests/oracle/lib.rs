@@ -148,11 +148,11 @@ fn bodies(scene: &Scene) -> Vec<Body> {
     let planes = scene.planes.iter().map(Shape::from).enumerate();
     let blocks = scene.blocks.iter().map(Shape::from).enumerate();
     let lights = scene.lights.iter().enumerate();
-    let drawn = lights.filter(|(_, light)| light.radius > 0.0 && !light.parallel);
+    let drawn = lights.filter(|(_, light)| light.drawn_radius > 0.0 && !light.parallel);
     let shown = drawn.map(|(i, light)| {
         let shape = Shape::Sphere {
             centre: light.position.as_dvec3(),
-            radius: light.radius.into(),
+            radius: light.drawn_radius.into(),
         };
         (Object::Light(i), shape)
     });

@@ -44,16 +44,16 @@ impl Oracle<'_> {
         let mut share = DVec3::splat(cone);
         for object in in_its_way.map(|body| body.object) {
             match object {
-                Object::Block(i) if light.size > 0.0 => {
+                Object::Block(i) if light.diameter > 0.0 => {
                     share *= self.scene.blocks[i].material.tint.as_dvec3();
                 }
                 // Its edges are soft.
-                Object::Sphere(_) if light.size > 0.0 => {}
+                Object::Sphere(_) if light.diameter > 0.0 => {}
                 Object::Light(_) => {}
                 _ => return DVec3::ZERO,
             }
         }
-        if light.size == 0.0 {
+        if light.diameter == 0.0 {
             return share;
         }
         for s in self.scene.spheres.iter() {
@@ -85,10 +85,10 @@ fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64
     } else {
         1.0
     };
-    let b = a * far * f64::from(light.size) / to_light.distance;
+    let b = a * far * f64::from(light.diameter) / to_light.distance;
     let centre_to_light = to_centre - to_light.distance * to_light.l;
     let is_dome = to_centre.length() <= radius + error
-        && centre_to_light.length() + 0.5 * far * f64::from(light.size) <= radius;
+        && centre_to_light.length() + 0.5 * far * f64::from(light.diameter) <= radius;
     if is_dome {
         return 1.0;
     }

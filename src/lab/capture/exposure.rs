@@ -91,15 +91,17 @@ fn move_lamps(scene: &mut Scene, at: &[Vec2; MAX_LIGHTS]) {
     let target = scene.camera.look_at;
     for (i, at) in at.iter().enumerate().take(scene.lights.len()) {
         let light = scene.lights[i];
-        if light.size == 0.0 || (light.radius > 0.0 && !scene.lights.push(unlit(&light, target))) {
+        if light.diameter == 0.0
+            || (light.drawn_radius > 0.0 && !scene.lights.push(unlit(&light, target)))
+        {
             continue;
         }
         let axis = (light.position - target).normalize_or(Vec3A::Y);
         let (u, v) = axis.any_orthonormal_pair();
         scene.lights[i] = Light {
-            position: light.position + 0.5 * light.size * (at.x * u + at.y * v),
-            radius: 0.0,
-            size: REST * light.size,
+            position: light.position + 0.5 * light.diameter * (at.x * u + at.y * v),
+            drawn_radius: 0.0,
+            diameter: REST * light.diameter,
             ..light
         };
     }
@@ -113,7 +115,7 @@ fn unlit(light: &Light, target: Vec3A) -> Light {
             cos_outer: 1.0 - 1e-6,
             cos_inner: 1.0,
         }),
-        size: 0.0,
+        diameter: 0.0,
         ..*light
     }
 }

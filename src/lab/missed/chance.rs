@@ -160,7 +160,10 @@ fn add_hosts(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
         ..Light::DARK
     };
     match setting {
-        Setting::SizedLamp => scene.lights.push(Light { size: 0.5, ..light }),
+        Setting::SizedLamp => scene.lights.push(Light {
+            diameter: 0.5,
+            ..light
+        }),
         Setting::Sun => scene.lights.push(Light {
             parallel: true,
             ..light

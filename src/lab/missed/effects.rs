@@ -260,7 +260,7 @@ fn shadow_by(lamps: &[Light]) -> Kind {
         .any(|lamp| lamp.parallel || lamp.spot.is_some())
     {
         Kind::SunShadow
-    } else if lamps.iter().any(|lamp| lamp.size > 0.0) {
+    } else if lamps.iter().any(|lamp| lamp.diameter > 0.0) {
         Kind::SizedShadow
     } else {
         Kind::PointShadow

@@ -65,10 +65,10 @@ impl Lamp {
         let drawn_radius = if light.parallel {
             0.0
         } else {
-            f64::from(light.radius)
+            f64::from(light.drawn_radius)
         };
-        let radius = if light.size > 0.0 {
-            0.5 * far * f64::from(light.size)
+        let radius = if light.diameter > 0.0 {
+            0.5 * far * f64::from(light.diameter)
         } else {
             drawn_radius
         };
@@ -78,7 +78,7 @@ impl Lamp {
             colour: light.colour.as_dvec3(),
             radius,
             drawn_radius,
-            is_tinted: light.size > 0.0,
+            is_tinted: light.diameter > 0.0,
             spot: light.spot.map(|spot| Spot {
                 aim: spot.aim.as_dvec3(),
                 cos_outer: spot.cos_outer.into(),

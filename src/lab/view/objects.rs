@@ -102,7 +102,7 @@ impl Picked {
             }
             Kind::Light => {
                 let light = scene.lights.get(self.index)?;
-                (light.position, Vec3A::splat(light.radius))
+                (light.position, Vec3A::splat(light.drawn_radius))
             }
         };
         Some((centre.as_dvec3(), half.as_dvec3()))

@@ -27,13 +27,13 @@ static SET: Set = Set {
     swell: 0.0,
     lights: &[
         Light {
-            size: 0.2,
+            diameter: 0.2,
             glow: 0.3,
             ..sun([7.0, 1.9, -3.4], [1.00, 0.70, 0.40])
         },
         sun([-4.0, 5.0, -5.0], [0.16, 0.22, 0.38]),
         Light {
-            size: 1.2,
+            diameter: 1.2,
             spot: Some(Spot {
                 aim: vec3a(0.0, -1.0, 0.0),
                 cos_outer: 0.96,

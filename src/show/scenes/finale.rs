@@ -29,12 +29,12 @@ static SET: Set = Set {
     lights: &[
         // The sun.
         Light {
-            radius: 5.0,
+            drawn_radius: 5.0,
             glow: 7.0,
             ..point([4.0, 5.2, 70.0], [1.00, 0.72, 0.42])
         },
         Light {
-            size: 1.0,
+            diameter: 1.0,
             ..point([-6.0, 8.0, -8.0], [0.75, 0.62, 0.72])
         },
     ],

@@ -30,7 +30,7 @@ static SET: Set = Set {
     swell: 0.0,
     lights: &[
         Light {
-            size: 0.9,
+            diameter: 0.9,
             ..point([6.0, 9.0, -5.0], [0.95, 0.80, 0.62])
         },
         point([-8.0, 3.0, -2.0], [0.20, 0.34, 0.62]),

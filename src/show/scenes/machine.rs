@@ -28,12 +28,12 @@ static SET: Set = Set {
     lights: &[
         // The sun of the orrery.
         Light {
-            radius: 0.5,
+            drawn_radius: 0.5,
             glow: 0.6,
             ..point([0.0, HEIGHT, 0.0], [0.87, 0.66, 0.35])
         },
         Light {
-            size: 0.8,
+            diameter: 0.8,
             spot: Some(Spot {
                 aim: vec3a(0.5, -0.9, 0.6),
                 cos_outer: 0.70,

@@ -32,7 +32,7 @@ static SET: Set = Set {
     lights: &[
         // The light that walks, see `add`.
         Light {
-            radius: 0.2,
+            drawn_radius: 0.2,
             glow: 0.3,
             ..point([0.0, 1.6, 0.0], [1.10, 0.80, 0.45])
         },

@@ -30,11 +30,11 @@ pub(in crate::show) static SET: Set = Set {
     swell: 0.0,
     lights: &[
         Light {
-            radius: 0.15,
+            drawn_radius: 0.15,
             ..point([-4.0, 6.0, -4.0], [0.90, 0.85, 0.80])
         },
         Light {
-            radius: 0.15,
+            drawn_radius: 0.15,
             ..point([5.0, 5.0, -2.0], [0.35, 0.40, 0.50])
         },
     ],

@@ -31,7 +31,7 @@ static SET: Set = Set {
         point([-8.0, 12.0, -6.0], [0.95, 0.86, 0.74]),
         // The lamp that they fly around.
         Light {
-            radius: 0.3,
+            drawn_radius: 0.3,
             glow: 0.5,
             ..point(MIDDLE.to_array(), [1.00, 0.75, 0.45])
         },

@@ -31,7 +31,7 @@ static SET: Set = Set {
     lights: &[
         // The lamp, see `add`.
         Light {
-            radius: 0.12,
+            drawn_radius: 0.12,
             glow: 0.15,
             ..point([0.0, 1.1, -1.4], [0.86, 0.69, 0.43])
         },

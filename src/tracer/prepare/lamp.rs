@@ -111,7 +111,7 @@ impl Lamp {
         self.is_plain = self.is_point && !has_blocks;
         self.is_cone = light.spot.is_some();
         self.cone = light.spot.unwrap_or(ALL_BRIGHT);
-        self.diameter = light.diameter();
+        self.diameter = light.shadow_diameter();
         self.glow2 = light.glow_radius() * light.glow_radius();
         // Below 0, the shadow of a sphere would not be inside that of its bound.
         self.max_penumbra = light.max_penumbra().max(0.0);

@@ -151,10 +151,10 @@ impl Tree {
         self.solid_node_end = self.len;
         for (i, light) in scene.lights.iter().enumerate() {
             let groups = 1 << (SOLID_GROUPS + i);
-            let node = self.push(light.position, valid_radius(light.radius), groups);
+            let node = self.push(light.position, valid_radius(light.drawn_radius), groups);
             node.object = ObjectId::new(scene.solids() + i);
             // No ray hits a light that is not drawn.
-            if light.parallel || light.radius == 0.0 {
+            if light.parallel || light.drawn_radius == 0.0 {
                 node.r2 = -1.0;
                 node.cull2 = -1.0;
             }

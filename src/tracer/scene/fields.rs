@@ -325,6 +325,10 @@ macro_rules! fields {
                 stringify!($name)
             }
 
+            fn grows(&self) -> bool {
+                fields!(@grows $($more)?)
+            }
+
             fn visit<'a>(&'a mut self, visitor: &mut dyn FnMut($crate::scene::fields::Field<'a>)) {
                 $(visitor($crate::scene::fields::Field {
                     name: stringify!($field),
@@ -332,10 +336,6 @@ macro_rules! fields {
                     range: fields!(@range $($range)?),
                     value: $crate::scene::fields::Part::value(&mut self.$field),
                 });)*
-            fn grows(&self) -> bool {
-                fields!(@grows $($more)?)
-            }
-
             }
         }
 
@@ -370,6 +370,8 @@ macro_rules! fields {
     };
     (@default) => { $crate::scene::fields::Part::ZERO };
     (@default $default:expr) => { $default };
+    (@grows) => { false };
+    (@grows $more:ident) => { true };
     (@is_needed) => { true };
     (@is_needed $default:expr) => { false };
     (@range) => { $crate::scene::fields::Range::ANY };
@@ -377,5 +379,3 @@ macro_rules! fields {
     (@value $self:ident) => { $crate::scene::fields::Value::Struct($self) };
     (@value $self:ident $kind:ident) => { $crate::scene::fields::Value::$kind($self) };
 }
-    (@grows) => { false };
-    (@grows $more:ident) => { true };

@@ -147,7 +147,7 @@ fields! {
         kt: f32 = 0.0, in SHARE;
         /// The refractive index of the inside relative to the outside, 0.1 to 10. It matters only if `kt` is above 0.
         index: f32 = 1.0, if |it| it.kt == 0.0 || INDEX.holds(it.index) => "0.1 to 10 where kt is above 0";
-        /// The colour of the object's shadow by lights with a [`Light::size`]: the share of each channel that it lets through, 0
+        /// The colour of the object's shadow by lights with a [`Light::diameter`]: the share of each channel that it lets through, 0
         /// to 1. Black casts a full shadow.
         tint: Vec3A = Vec3A::ZERO, in SHARES;
         /// The texture.
@@ -171,7 +171,7 @@ fields! {
     /// A sphere.
     ///
     /// As far as shadows are concerned it is hollow: a lamp that lies wholly within lights its inside, and nothing outside but by the
-    /// material's `tint` (see [`Light::size`]).
+    /// material's `tint` (see [`Light::diameter`]).
     pub struct Sphere in "" {
         /// The centre, in scene units.
         centre: Vec3A, in POINT;
@@ -218,14 +218,15 @@ fields! {
         colour: Vec3A = Vec3A::ZERO, in COLOUR;
         /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`], or 0 for a light that is invisible. The
         /// sphere casts no shadow.
-        radius: f32 = 0.0, in RADIUS, if |it| it.radius == 0.0 || EXTENT.holds(it.radius) => "0, or a length from 1e-9 to 1e9";
-        /// Whether its rays are nearly parallel, like the sun's: `position`, `size` and `glow` are multiplied by [`Light::FAR`], and the
-        /// light is not drawn.
+        drawn_radius: f32 = 0.0, in RADIUS,
+            if |it| it.drawn_radius == 0.0 || EXTENT.holds(it.drawn_radius) => "0, or a length from 1e-9 to 1e9";
+        /// Whether its rays are nearly parallel, like the sun's: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and
+        /// the light is not drawn.
         parallel: bool = false;
         /// The diameter of the light as far as shadows are concerned, 0 to [`MAX_LENGTH`]. Above 0 the shadows of spheres have
         /// penumbrae, and a material's `tint` colours its shadow. 0 is a point, whose shadows are hard and black. The inside of a
         /// sphere is lit by lights that lie wholly within; one that reaches through the surface leaves it dark.
-        size: f32 = 0.0, in LENGTH;
+        diameter: f32 = 0.0, in LENGTH;
         /// The radius of the glow around it, 0 to [`MAX_LENGTH`]; 0 is none. The air shines with the light's colour, as bright as that
         /// where a ray passes through the position, half as bright at this distance, and less by its square far away. What is before
         /// the light is in front of the half of the glow that is behind it. Of parallel rays the radius is multiplied by
@@ -233,8 +234,8 @@ fields! {
         glow: f32 = 0.0, in LENGTH;
         /// The cone of a spotlight; `None` shines in all directions.
         spot: Option<Spot> = None;
-    }
         .. _more;
+    }
 }
 
 impl Light {
@@ -256,8 +257,8 @@ impl Light {
     }
 
     /// The diameter at [`Light::shadow_position`].
-    pub(crate) fn diameter(&self) -> f32 {
-        self.size * self.far()
+    pub(crate) fn shadow_diameter(&self) -> f32 {
+        self.diameter * self.far()
     }
 
     /// The radius of the glow at [`Light::shadow_position`].
@@ -269,15 +270,15 @@ impl Light {
     /// as wide as at four times the distance of `position`.
     pub(crate) fn max_penumbra(&self) -> f32 {
         if self.parallel {
-            4.0 * self.size
+            4.0 * self.diameter
         } else {
-            self.size
+            self.diameter
         }
     }
 
     /// Whether it is a point that shines in all directions: its shadows are hard.
     pub(crate) fn is_point(&self) -> bool {
-        self.size == 0.0 && !self.parallel && self.spot.is_none()
+        self.diameter == 0.0 && !self.parallel && self.spot.is_none()
     }
 }
 

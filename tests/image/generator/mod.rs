@@ -95,7 +95,7 @@ fn light() -> impl Strategy<Value = Light> {
     (point(8.0, 9.0), colour(), 0.05_f32..0.4).prop_map(|(position, colour, radius)| Light {
         position,
         colour,
-        radius,
+        drawn_radius: radius,
         ..Light::DARK
     })
 }
@@ -246,9 +246,9 @@ fn any_light() -> impl Strategy<Value = Light> {
                 Light {
                     position,
                     colour,
-                    radius,
+                    drawn_radius: radius,
                     parallel,
-                    size,
+                    diameter: size,
                     glow,
                     spot: spot.map(|(dark, soft)| Spot {
                         aim: -position.normalize(),

@@ -183,7 +183,7 @@ impl Placed {
             .iter()
             .map(|&(position, radius)| Light {
                 position,
-                radius,
+                drawn_radius: radius,
                 colour: colour(next(), self.step),
                 ..Light::DARK
             })

@@ -97,7 +97,7 @@ pub fn scene(random: &mut Random) -> Scene {
         scene.lights.push(Light {
             position: scale * random.vector(vec3a(-8.0, -1.0, -8.0), vec3a(8.0, 9.0, 8.0)),
             colour: random.vector(Vec3A::ZERO, Vec3A::splat(1.5)),
-            radius: scale * random.between(0.01, 0.5),
+            drawn_radius: scale * random.between(0.01, 0.5),
             ..Light::DARK
         });
     }
@@ -158,7 +158,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
         phase: random.between(-9.0, 9.0),
     };
     for light in scene.lights.iter_mut() {
-        light.size = scale * [0.0, random.between(0.0, 2.0)][random.below(2)];
+        light.diameter = scale * [0.0, random.between(0.0, 2.0)][random.below(2)];
         light.glow = scale * [0.0, random.between(0.0, 2.0)][random.below(2)];
         light.parallel = random.below(3) == 0;
         light.spot = (random.below(2) == 0).then(|| Spot {
@@ -237,7 +237,11 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
     }
     for light in lights.iter_mut() {
         fields.extend([&mut light.position[a % 3], &mut light.colour[b % 3]]);
-        fields.extend([&mut light.radius, &mut light.size, &mut light.glow]);
+        fields.extend([
+            &mut light.drawn_radius,
+            &mut light.diameter,
+            &mut light.glow,
+        ]);
         if let Some(spot) = &mut light.spot {
             fields.extend([
                 &mut spot.aim[c % 3],

@@ -171,7 +171,7 @@ fn rich() -> Scene {
     scene.planes[0].material.pattern.waves = Vec3A::ONE;
     scene.planes[0].material.pattern.depth = 0.5;
     scene.haze = 0.03;
-    scene.lights[0].size = 1.0;
+    scene.lights[0].diameter = 1.0;
     scene.lights[1].spot = Some(Spot {
         aim: -scene.lights[1].position.normalize(),
         cos_outer: 0.6,
@@ -219,7 +219,7 @@ fn what_comes_of_a_ray_depends_on_no_neighbour_whatever_numbers_make_no_sense() 
         |scene| &mut scene.blocks[1].axes.y_axis.y,
         |scene| &mut scene.planes[0].material.pattern.waves.x,
         |scene| &mut scene.lights[0].position.z,
-        |scene| &mut scene.lights[0].size,
+        |scene| &mut scene.lights[0].diameter,
         |scene| &mut spot(&mut scene.lights[1]).aim.y,
         |scene| &mut spot(&mut scene.lights[1]).cos_outer,
         |scene| &mut spot(&mut scene.lights[1]).cos_inner,

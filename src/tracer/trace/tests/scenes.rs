@@ -41,7 +41,7 @@ pub fn model() -> Scene {
     let lamp = |x, y, z, brightness| Light {
         position: vec3a(x, y, z),
         colour: Vec3A::splat(brightness),
-        radius: 0.15,
+        drawn_radius: 0.15,
         ..Light::DARK
     };
     Scene {

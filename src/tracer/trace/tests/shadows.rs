@@ -49,7 +49,7 @@ impl Property for OwnShadow {
             scene.lights = List::of(&[Light {
                 position: lamp,
                 colour: Vec3A::ONE,
-                radius: 0.0,
+                drawn_radius: 0.0,
                 ..Light::DARK
             }]);
             if self.is_inside && number % 2 == 0 {
@@ -59,7 +59,7 @@ impl Property for OwnShadow {
                     half: Vec3A::splat(r as f32),
                     ..Block::default()
                 }]);
-                scene.lights[0].size = (1.9 * (1.0 - lamp_at).max(0.0) * r) as f32;
+                scene.lights[0].diameter = (1.9 * (1.0 - lamp_at).max(0.0) * r) as f32;
             }
             let scene = prepared(&scene);
             let mut ways = [Vec3A::ZERO; MAX_LANES];

@@ -36,7 +36,7 @@ const SHADOW: &str = "Scene(
     },
     planes: [(centre: (0.0, 0.0, 0.0), half_x: 9.0, half_z: 9.0, material: \"white\")],
     blocks: [(centre: (-1.0, 1.0, 0.0), half: (1.0, 0.05, 9.0), material: \"black\")],
-    lights: [(position: (0.0, 5.0, 0.0), colour: (1.0, 1.0, 1.0), size: 1.0)],
+    lights: [(position: (0.0, 5.0, 0.0), colour: (1.0, 1.0, 1.0), diameter: 1.0)],
 )";
 
 /// The brightness of the pixels of the first frame of a scene, row by row, 0 to 255.
@@ -145,7 +145,7 @@ fn sampled_lamps_give_blocks_the_soft_shadows_of_the_truth() {
 
 #[test]
 fn a_lamp_that_is_drawn_keeps_its_place_while_it_is_sampled() {
-    let scene = SHADOW.replace("size: 1.0", "size: 1.0, radius: 0.3");
+    let scene = SHADOW.replace("diameter: 1.0", "diameter: 1.0, drawn_radius: 0.3");
     let rows = |more: &str| {
         let picture = frame(&scene, more);
         let bright = picture.iter().filter(|&&v| v == 255).count();

@@ -167,9 +167,9 @@ pub fn scene(time: f32) -> Scene {
                 Light {
                     position: vec3a(-2.4585285, 7.4300156, 1.3185596),
                     colour: vec3a(2.603552, 7.5478244, 4.492096),
-                    radius: 1.436368,
+                    drawn_radius: 1.436368,
                     parallel: true,
-                    size: 6.38064,
+                    diameter: 6.38064,
                     glow: 3.324912,
                     spot: Some(Spot {
                         aim: vec3a(0.7537479, 0.04921478, -0.6553183),

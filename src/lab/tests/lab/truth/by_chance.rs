@@ -45,7 +45,7 @@ fn room() -> Scene {
         lights: List::of(&[Light {
             position: vec3a(0.0, 3.2, 0.3),
             colour: Vec3A::splat(0.4),
-            size: 1.0,
+            diameter: 1.0,
             ..Light::DARK
         }]),
         ..Scene::default()

@@ -27,7 +27,7 @@ fn lamp(size: f32) -> Light {
     Light {
         position: LAMP.as_vec3a(),
         colour: Vec3A::ONE,
-        size,
+        diameter: size,
         ..Light::DARK
     }
 }

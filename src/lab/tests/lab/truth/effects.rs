@@ -19,7 +19,7 @@ const SIZE: Size = Size {
 fn with_points(mut scene: Scene) -> Scene {
     scene.captions.clear();
     for light in scene.lights.iter_mut() {
-        light.size = 0.0;
+        light.diameter = 0.0;
     }
     scene
 }

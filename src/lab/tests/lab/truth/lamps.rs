@@ -13,7 +13,7 @@ fn lamp(position: Vec3A, size: f32) -> Light {
     Light {
         position,
         colour: COLOUR,
-        size,
+        diameter: size,
         ..Light::DARK
     }
 }
@@ -119,7 +119,7 @@ fn a_lamp_is_seen_in_a_mirror_as_it_is_but_for_what_the_mirror_takes() {
         ..Material::BLACK
     };
     let mut light = lamp(vec3a(-4.0, 0.6, 0.0), 0.0);
-    light.radius = 0.2;
+    light.drawn_radius = 0.2;
     let scene = lit(mirror, light);
     let seen_in_it = seen(&scene, Effects::TRUTH, 512);
     assert_near(seen_in_it, 0.8 * COLOUR.as_dvec3(), 0.02);
@@ -163,9 +163,9 @@ fn a_mirror_lights_a_surface_like_the_lamp_behind_it() {
     };
     assert_near(seen(&scene, effects, 256), known, 0.01);
     // A point of light in its stead has the same image.
-    scene.lights[0].size = 0.0;
+    scene.lights[0].diameter = 0.0;
     assert_near(seen(&scene, effects, 8), known, 1e-9);
-    scene.lights[0].size = 1.6;
+    scene.lights[0].diameter = 1.6;
     // That is all of its light there.
     let dark = Effects {
         caustics: false,

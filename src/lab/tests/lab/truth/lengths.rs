@@ -128,7 +128,7 @@ fn a_dome_is_lit_from_within_by_lamps_of_any_size_that_it_contains() {
         let lamp = Light {
             position: vec3a(0.0, 6.0, 0.0),
             colour: vec3a(0.9, 0.6, 0.3),
-            size,
+            diameter: size,
             ..Light::DARK
         };
         let scene = Scene {
@@ -161,7 +161,7 @@ fn a_lamp_that_a_dome_does_not_contain_does_not_light_it_from_within() {
         lights: List::of(&[Light {
             position: vec3a(0.0, 30.0, 0.0),
             colour: Vec3A::ONE,
-            size: 1.0,
+            diameter: 1.0,
             ..Light::DARK
         }]),
         ..Scene::default()
