@@ -67,12 +67,18 @@ export class Browser {
     return page;
   }
 
-  end() {
+  async end() {
+    const ended = new Promise((resolve) => this.process.once("exit", resolve));
     this.process.kill();
-    return new Promise((resolve) => this.process.once("exit", () => {
-      rmSync(this.folder, { recursive: true, force: true, maxRetries: 9, retryDelay: 100 });
-      resolve();
-    }));
+    await ended;
+    // Its other processes end a little later, and write into the folder until then.
+    for (let turn = 0; turn < 100; turn++) {
+      try {
+        return rmSync(this.folder, { recursive: true, force: true });
+      } catch {
+        await new Promise((resolve) => setTimeout(resolve, 100));
+      }
+    }
   }
 }
 

@@ -11,6 +11,14 @@ const get = (id) => document.getElementById(id);
 /** The widest picture in the page, and in fullscreen: height follows at 16:9. */
 const WIDEST = { page: 1280, fullscreen: 1920 };
 
+/** The frames a second that are held, by the quality and, where the fastest one does not do, by the width: whole or a part of it. */
+const HELD = 60;
+const WIDTHS = [1, 0.75, 0.5];
+
+/** Frames in a row that have to be late before they get smaller, and that have to be of the default quality before they get larger. */
+const LATE = 30;
+const EARLY = 120;
+
 /** The second whose picture stands behind the button before anything is played. */
 const POSTER = 85;
 
@@ -38,9 +46,9 @@ const context = canvas.getContext("2d", { alpha: false });
 const frames = new Frames(code.compiled, navigator.hardwareConcurrency || 2, notify);
 const clock = new Clock(code.bytes, about.rate);
 
-/** The size of the next frames; the canvas has that of the frame that it shows. */
-const size = { width: canvas.width, height: canvas.height };
-const view = { source: "show", quality: about.default, isHeld: true, overlay: "none", handle: 0.5, isPoster: true };
+/** The width of the next frames, unless they have to be smaller; the canvas has the size of the frame that it shows. */
+let fullWidth = canvas.width;
+const view = { source: "show", quality: about.default, isHeld: true, width: 0, streak: 0, overlay: "none", handle: 0.5, isPoster: true };
 /** Whether the next frame has to be drawn although nothing plays. */
 let isStale = true;
 let isDrawing = false;
@@ -66,14 +74,19 @@ function notify(sentence) {
 /** How long what is shown plays, in seconds. */
 const length = () => (view.source === "file" ? module.calls.length() : about.length);
 
-/** The frame that is shown at a time, as the dials say. */
-const order = (time) => ({
-  scene: { kind: view.source, time },
-  method: METHODS[view.overlay],
-  quality: view.quality,
-  isReference: false,
-  ...size,
-});
+/** The frame that is shown at a time, as the dials say. A picture that rests has its full size. */
+function order(time) {
+  const share = clock.isPlaying && view.isHeld ? WIDTHS[view.width] : 1;
+  const width = Math.round((fullWidth * share) / 16) * 16;
+  return {
+    scene: { kind: view.source, time },
+    method: METHODS[view.overlay],
+    quality: view.quality,
+    isReference: false,
+    width,
+    height: (width * 9) / 16,
+  };
+}
 
 /** The time of the frame that is shown. */
 const now = () => (view.isPoster ? POSTER : Math.min(clock.time(), length() - 0.01));
@@ -131,18 +144,30 @@ async function run() {
   }
 }
 
+/** Chooses how the next frame is drawn by how long the last one took. */
+function govern(milliseconds) {
+  setQuality(module.calls.governed(milliseconds * 1e6));
+  const isLate = view.quality === about.qualities.length - 1 && milliseconds > 1000 / HELD;
+  const isEarly = view.quality <= about.default;
+  view.streak = isLate ? Math.max(view.streak, 0) + 1 : isEarly ? Math.min(view.streak, 0) - 1 : 0;
+  if (view.streak < LATE && view.streak > -EARLY) return;
+  view.width = Math.min(Math.max(view.width + Math.sign(view.streak), 0), WIDTHS.length - 1);
+  view.streak = 0;
+}
+
 /** Takes in the figures of a frame that was shown, and tells them. */
 function measure(frame, milliseconds) {
   const present = performance.now();
   recent.shown = [...recent.shown.filter((time) => present - time < 1000), present];
   recent.probed += frame.probed;
   recent.squares += frame.squares;
-  if (clock.isPlaying && view.isHeld && !frame.gain) setQuality(module.calls.governed(milliseconds * 1e6));
+  if (clock.isPlaying && view.isHeld && !frame.gain) govern(milliseconds);
   if (clock.isPlaying && present - recent.second < 250) return;
   recent.second = present;
   get("rate").textContent = clock.isPlaying ? recent.shown.length : "–";
   get("milliseconds").textContent = frame.milliseconds.toFixed(1);
   get("points").textContent = `${((100 * frame.points) / (frame.order.width * frame.order.height)).toFixed(1)} %`;
+  get("size").textContent = `${frame.order.width}×${frame.order.height}`;
   get("rays").textContent = Math.round(frame.rays).toLocaleString("en");
   get("accuracy").textContent = recent.squares ? `${decibels(recent.squares, recent.probed).toFixed(1)} dB` : "–";
   recent.probed /= 1.2;
@@ -205,7 +230,7 @@ async function toggle() {
   } else {
     view.isPoster = false;
     if (!clock.hasSound) await clock.open().catch((error) => notify(`There is no sound: ${error.message ?? error}`));
-    if (view.isHeld) module.calls.govern(60);
+    if (view.isHeld) module.calls.govern(HELD);
     await clock.play();
     if (!clock.hasSound && !get("notice").textContent) notify("There is no sound: the browser has no device for it.");
   }
@@ -250,8 +275,8 @@ function moveHandle(share) {
 function fit() {
   const widest = document.fullscreenElement ? WIDEST.fullscreen : WIDEST.page;
   const width = Math.min(widest, Math.max(160, Math.round((canvas.clientWidth * devicePixelRatio) / 16) * 16));
-  if (size.width === width) return;
-  Object.assign(size, { width, height: (width * 9) / 16 });
+  if (fullWidth === width) return;
+  fullWidth = width;
   update();
 }
 
@@ -398,7 +423,7 @@ function listen() {
   get("quality").addEventListener("input", ({ target }) => keepQuality(Number(target.value)));
   get("held").addEventListener("change", ({ target }) => {
     view.isHeld = target.checked;
-    module.calls.govern(60);
+    module.calls.govern(HELD);
   });
   get("picture").addEventListener("pointermove", (event) => {
     get("verdict").hidden = true;
