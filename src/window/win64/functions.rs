@@ -50,6 +50,7 @@ functions! {
     fn ExitProcess(code: u32) -> !;
     fn GetCommandLineW() -> *const u16;
     fn GetConsoleMode(file: Handle, mode: *mut u32) -> i32;
+    fn GetCurrentThreadId() -> u32;
     fn GetLastError() -> u32;
     fn GetProcessAffinityMask(process: Handle, own: *mut usize, all: *mut usize) -> i32;
     fn GetStdHandle(stream: i32) -> Handle;
@@ -67,6 +68,7 @@ functions! {
     "shell32.dll":
     fn CommandLineToArgvW(line: *const u16, count: *mut i32) -> *const *mut u16;
     "user32.dll":
+    fn CreateCursor(program: Handle, x: i32, y: i32, width: i32, height: i32, keep: *const u8, invert: *const u8) -> Handle;
     fn CreateWindowExA(extended: u32, class: *const u8, title: *const u8, style: u32, x: i32, y: i32, width: i32, height: i32, parent: Handle, menu: Handle, program: Handle, pointer: Handle) -> Handle;
     #[expect(dead_code, reason = "Windows alone calls it, see `default_procedure`")]
     fn DefWindowProcA() -> isize;
@@ -74,18 +76,20 @@ functions! {
     fn GetClientRect(window: Handle, rectangle: *mut Rectangle) -> i32;
     fn GetDC(window: Handle) -> Handle;
     fn GetKeyState(key: i32) -> i16;
+    fn GetMessageA(message: *mut Message, window: Handle, first: u32, last: u32) -> i32;
     fn GetMonitorInfoA(monitor: Handle, info: *mut MonitorInfo) -> i32;
     fn GetWindowLongPtrA(window: Handle, what: i32) -> isize;
     fn GetWindowPlacement(window: Handle, place: *mut Placement) -> i32;
     fn LoadCursorA(program: Handle, name: usize) -> Handle;
     fn MonitorFromWindow(window: Handle, otherwise: u32) -> Handle;
     fn PeekMessageA(message: *mut Message, window: Handle, first: u32, last: u32, flags: u32) -> i32;
+    fn PostThreadMessageA(thread: u32, message: u32, first: usize, second: isize) -> i32;
     fn RegisterClassA(class: *const Class) -> u16;
+    fn SetClassLongPtrA(window: Handle, what: i32, value: Handle) -> Handle;
     fn SetProcessDpiAwarenessContext(context: isize) -> i32;
     fn SetWindowLongPtrA(window: Handle, what: i32, value: isize) -> isize;
     fn SetWindowPlacement(window: Handle, place: *const Placement) -> i32;
     fn SetWindowPos(window: Handle, after: Handle, x: i32, y: i32, width: i32, height: i32, flags: u32) -> i32;
-    fn ShowCursor(on: i32) -> i32;
     "gdi32.dll":
     fn StretchDIBits(to: Handle, x: i32, y: i32, width: i32, height: i32, from_x: i32, from_y: i32, from_width: i32, from_height: i32, pixels: *const u32, info: *const BitmapInfo, colours: u32, operation: u32) -> i32;
     "winmm.dll":

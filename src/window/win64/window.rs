@@ -1,19 +1,25 @@
 //! The intro's own window on Windows.
 
 use core::{
-    ffi::CStr,
+    ffi::{CStr, c_char, c_void},
     mem::{size_of, zeroed},
     ptr::null_mut,
+    sync::atomic::{
+        AtomicPtr, AtomicU32,
+        Ordering::{Acquire, Relaxed, Release},
+    },
 };
 
 use super::{
     functions::{
-        CreateWindowExA, DispatchMessageA, GetClientRect, GetDC, GetKeyState, GetMonitorInfoA,
-        GetWindowLongPtrA, GetWindowPlacement, LoadCursorA, MonitorFromWindow, PeekMessageA,
-        RegisterClassA, SetProcessDpiAwarenessContext, SetWindowLongPtrA, SetWindowPlacement,
-        SetWindowPos, ShowCursor, StretchDIBits, default_procedure,
+        CreateCursor, CreateWindowExA, DispatchMessageA, GetClientRect, GetCurrentThreadId, GetDC,
+        GetKeyState, GetMessageA, GetMonitorInfoA, GetWindowLongPtrA, GetWindowPlacement,
+        LoadCursorA, MonitorFromWindow, PeekMessageA, PostThreadMessageA, RegisterClassA,
+        SetClassLongPtrA, SetProcessDpiAwarenessContext, SetWindowLongPtrA, SetWindowPlacement,
+        SetWindowPos, StretchDIBits, default_procedure,
     },
     memory::pixels,
+    threads::{spawn, wait, wake},
     types::{BitmapInfo, Class, Handle, MonitorInfo, Placement, Rectangle},
 };
 use crate::screen::{Next, Screen};
@@ -34,8 +40,9 @@ const FRAME: isize = 0x00cf_0000;
 /// Where Windows likes.
 const ANYWHERE: i32 = i32::MIN;
 
-/// The number of a window's style.
+/// The numbers of a window's style, and of the pointer over windows of its kind.
 const STYLE: i32 = -16;
+const POINTER: i32 = -12;
 
 /// The monitor nearest to a window.
 const NEAREST: u32 = 2;
@@ -63,16 +70,70 @@ const COPY: u32 = 0x00cc_0020;
 
 /// A window that shows frames, with keys: F for the whole screen, W for the window, H for numbers over the picture, Esc to end.
 ///
-/// Windows itself treats all messages, and those for keys are looked at before. It goes away with the process, or when it is closed;
-/// then it has no size any more.
+/// It has a thread of its own, so that it answers while a frame is drawn, and frames are drawn while it is moved. Windows itself
+/// treats all messages, and keys are handed on before. It goes away with the process, or when it is closed; then it has no size any
+/// more.
 pub struct Window {
     window: Handle,
     context: Handle,
     size: (usize, usize),
     /// Where the window was before it covered the screen.
     before: Option<Placement>,
+    /// The pointers over the window and over the whole screen.
+    pointers: [Handle; 2],
     pixels: &'static mut [u32],
     drawn: (usize, usize),
+}
+
+/// A window that is to be opened.
+struct Opening {
+    title: *const c_char,
+    size: (i32, i32),
+    /// The thread that keys are for.
+    thread: u32,
+    /// The window, or null if there is none, once it is done.
+    window: AtomicPtr<c_void>,
+    is_done: AtomicU32,
+}
+
+/// Opens a window, and has Windows treat its messages as long as the process lasts.
+extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
+    // SAFETY: `Window::open` passes it, and never frees it.
+    let opening = unsafe { &*opening.cast::<Opening>() };
+    let (width, height) = opening.size;
+    let none = null_mut();
+    let (class, title) = (CLASS.as_ptr().cast(), opening.title.cast());
+    let style = FRAME as u32;
+    // SAFETY: what is pointed to outlives the calls; zero is a value of every field of a message.
+    unsafe {
+        let window = CreateWindowExA(
+            0, class, title, style, ANYWHERE, 0, width, height, none, none, none, none,
+        );
+        // Give it a frame around that size, by how much smaller the inside is now, and show it.
+        let inside = inside(window).unwrap_or_default();
+        let (width, height) = (2 * width - inside.right, 2 * height - inside.bottom);
+        SetWindowPos(window, none, 0, 0, width, height, SAME_PLACE | SHOW);
+        opening.window.store(window, Relaxed);
+        opening.is_done.store(1, Release);
+        wake(&opening.is_done);
+        let mut message = zeroed();
+        while GetMessageA(&mut message, none, 0, 0) > 0 {
+            // With Ctrl they are no keys of the intro's; with Alt they come as other messages.
+            if message.message == KEY_DOWN && GetKeyState(CONTROL_KEY) >= 0 {
+                PostThreadMessageA(opening.thread, KEY_DOWN, message.first, 0);
+            }
+            DispatchMessageA(&message);
+        }
+    }
+    none
+}
+
+/// The inside of a window, unless it has been closed.
+fn inside(window: Handle) -> Option<Rectangle> {
+    let mut inside = Rectangle::default();
+    // SAFETY: it may be asked of any window, and there is room for the answer.
+    let is_there = unsafe { GetClientRect(window, &mut inside) } != 0;
+    is_there.then_some(inside)
 }
 
 impl Window {
@@ -81,54 +142,51 @@ impl Window {
     /// # Errors
     /// If there is no desktop to open it on.
     pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
-        let size = (width as i32, height as i32);
+        const NONE: &str = "no window on this desktop";
         // SAFETY: zero is a value of every field that is not named, and what is pointed to outlives the calls.
-        let (window, context) = unsafe {
+        let (pointers, thread) = unsafe {
             SetProcessDpiAwarenessContext(PER_MONITOR_AWARE_V2);
+            let arrow = LoadCursorA(null_mut(), ARROW);
             let class = Class {
                 style: OWN_DC,
                 procedure: default_procedure(),
-                cursor: LoadCursorA(null_mut(), ARROW),
+                cursor: arrow,
                 name: CLASS.as_ptr().cast(),
                 ..zeroed()
             };
             RegisterClassA(&class);
-            let none = null_mut();
-            let (class, title) = (class.name, title.as_ptr().cast());
-            let window = CreateWindowExA(
-                0,
-                class,
-                title,
-                FRAME as u32,
-                ANYWHERE,
-                0,
-                size.0,
-                size.1,
-                none,
-                none,
-                none,
-                none,
-            );
-            if window.is_null() {
-                return Err("no window on this desktop");
-            }
-            (window, GetDC(window))
+            // As large as pointers are everywhere; what is below all of its pixels stays as it is.
+            let (keep, invert) = ([0xff_u8; 4 * 32], [0_u8; 4 * 32]);
+            let (keep, invert) = (keep.as_ptr(), invert.as_ptr());
+            let nothing = CreateCursor(null_mut(), 0, 0, 32, 32, keep, invert);
+            ([arrow, nothing], GetCurrentThreadId())
         };
+        let opening = Box::leak(Box::new(Opening {
+            title: title.as_ptr(),
+            size: (width as i32, height as i32),
+            thread,
+            window: AtomicPtr::new(null_mut()),
+            is_done: AtomicU32::new(0),
+        }));
+        // SAFETY: it stays, and all of it that changes is atomic; the title outlives the wait.
+        unsafe { spawn(window_main, (&raw mut *opening).cast()) }.ok_or(NONE)?;
+        while opening.is_done.load(Acquire) == 0 {
+            wait(&opening.is_done, 0);
+        }
+        let window = opening.window.load(Relaxed);
+        if window.is_null() {
+            return Err(NONE);
+        }
         let mut window = Window {
             window,
-            context,
+            // SAFETY: it may be asked of any window.
+            context: unsafe { GetDC(window) },
             size: (0, 0),
             before: None,
+            pointers,
             pixels: pixels(),
             drawn: (0, 0),
         };
-        // Give it a frame around that size, by how much smaller the inside is now, and show it.
-        window.look();
-        let frame = (size.0 - window.size.0 as i32, size.1 - window.size.1 as i32);
-        window.place(
-            [0, 0, size.0 + frame.0, size.1 + frame.1],
-            SAME_PLACE | SHOW,
-        );
         window.look();
         Ok(window)
     }
@@ -165,7 +223,7 @@ impl Window {
                 let size = [all.right - all.left, all.bottom - all.top];
                 self.place([all.left, all.top, size[0], size[1]], FRAME_CHANGED);
             }
-            ShowCursor((!on).into());
+            SetClassLongPtrA(self.window, POINTER, self.pointers[usize::from(on)]);
         }
     }
 
@@ -177,11 +235,10 @@ impl Window {
 
     /// Finds the size of its inside. False if the window has been closed.
     fn look(&mut self) -> bool {
-        let mut inside = Rectangle::default();
-        // SAFETY: it may be asked of any window, and there is room for the answer.
-        let is_there = unsafe { GetClientRect(self.window, &mut inside) } != 0;
-        self.size = (inside.right as usize, inside.bottom as usize);
-        is_there
+        let inside = inside(self.window);
+        let size = inside.unwrap_or_default();
+        self.size = (size.right as usize, size.bottom as usize);
+        inside.is_some()
     }
 }
 
@@ -226,23 +283,20 @@ impl Screen for Window {
                 COPY,
             );
         }
-        // Read all messages that have come.
+        // Read all keys that have come.
         let mut next = Next::GoOn;
-        // SAFETY: zero is a value of every field of a message, and it outlives the calls.
+        // SAFETY: zero is a value of every field of a message, and it outlives the call.
         unsafe {
             let mut message = zeroed();
             while PeekMessageA(&mut message, null_mut(), 0, 0, REMOVE) != 0 {
-                // With Ctrl they are no keys of the intro's; with Alt they come as other messages.
-                if message.message == KEY_DOWN && GetKeyState(CONTROL_KEY) >= 0 {
-                    match message.first {
-                        ESCAPE_KEY => return Next::End(0),
-                        F_KEY => self.set_fullscreen(true),
-                        W_KEY => self.set_fullscreen(false),
-                        H_KEY => next = next.toggled(),
-                        _ => {}
-                    }
+                match message.first {
+                    _ if message.message != KEY_DOWN => {}
+                    ESCAPE_KEY => return Next::End(0),
+                    F_KEY => self.set_fullscreen(true),
+                    W_KEY => self.set_fullscreen(false),
+                    H_KEY => next = next.toggled(),
+                    _ => {}
                 }
-                DispatchMessageA(&message);
             }
         }
         if self.look() { next } else { Next::End(0) }
