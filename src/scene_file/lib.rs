@@ -3,6 +3,7 @@
 //! `examples/scenes` has a file for each of its features.
 
 mod changes;
+mod earlier;
 pub mod edit;
 mod keys;
 mod motion;

@@ -1,6 +1,6 @@
 //! Numbers of a scene that change with time.
 
-use super::keys;
+use super::{earlier, keys};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::ops::{Add, Mul, Sub};
@@ -10,6 +10,7 @@ use std::ops::{Add, Mul, Sub};
 #[serde(deny_unknown_fields)]
 pub struct Motion {
     /// The value that changes, by its path in the file: `camera.eye`, `spheres[0].centre`, `materials["gold"].kr`.
+    #[serde(deserialize_with = "earlier::read_path")]
     pub of: String,
     /// The course of values between two keys.
     #[serde(default)]

@@ -1,5 +1,6 @@
 //! Where in the text of a scene file each of its values stands.
 
+use super::earlier;
 use ron::value::RawValue;
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use std::collections::BTreeMap;
@@ -34,7 +35,7 @@ impl Places {
                     let path = match path.as_str() {
                         _ if is_table => format!("{path}[{name:?}]"),
                         "" => name,
-                        _ => format!("{path}.{name}"),
+                        _ => earlier::path(format!("{path}.{name}")),
                     };
                     self.add(text, path, part);
                 }

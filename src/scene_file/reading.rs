@@ -1,5 +1,6 @@
 //! Reads the text of a scene file as a tree with all fields, those too that it leaves out.
 
+use super::earlier;
 use super::motion::Motion;
 use super::tree::{self, NamedShape, TURN};
 use eightfold_tracer::scene::{Fields, Items, Material, Scene, Value as Place};
@@ -99,7 +100,8 @@ impl<'de> Visitor<'de> for Struct<'_> {
             None => tree::of(self.fields),
         };
         let mut said = Vec::new();
-        while let Some(name) = map.next_key::<String>()? {
+        while let Some(name) = map.next_key()? {
+            let name = earlier::field(kind, name);
             if said.contains(&name) {
                 return Err(A::Error::custom(format!("`{name}` is twice in `{kind}`")));
             }
