@@ -239,7 +239,7 @@ pub extern "C" fn figures() -> *const f64 {
 }
 
 /// Draws the bands that begin in some rows, and listens. Returns the address of what became of the squares that the pixel (x, y) is in,
-/// as JSON: see [`Inspector::json`]. It is ended by a zero.
+/// as JSON, ended by a zero.
 #[unsafe(no_mangle)]
 pub extern "C" fn inspect(from: usize, to: usize, x: usize, y: usize) -> *const u8 {
     let Workspace {
