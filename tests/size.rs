@@ -1,4 +1,4 @@
-//! The intro's size: at most 65,536 bytes as `cargo build --release` leaves it, packed.
+//! The intro's size: at most 65,536 bytes as `cargo build --release` and, for Windows, `cargo exe` leave it, packed.
 
 use std::{fs, path::Path, path::PathBuf, process::Command, sync::OnceLock};
 
@@ -17,7 +17,10 @@ struct Intro {
 
 impl Intro {
     fn build(variables: &[(&str, &str)]) -> Intro {
-        let build = Build::release_with("eightfold", variables).expect("cargo builds the intro");
+        Intro::of(Build::release_with("eightfold", variables).expect("cargo builds the intro"))
+    }
+
+    fn of(build: Build) -> Intro {
         Intro {
             program: build.program("eightfold").expect("there is a program"),
             linked: build.linked("eightfold").expect("it was linked"),
@@ -31,17 +34,51 @@ fn intro() -> &'static Intro {
     INTRO.get_or_init(|| Intro::build(&[]))
 }
 
+/// The intro for Windows, as `cargo exe` builds it.
+fn intro_for_windows() -> &'static Intro {
+    static INTRO: OnceLock<Intro> = OnceLock::new();
+    INTRO.get_or_init(|| Intro::of(Build::windows().expect("cargo builds the intro for Windows")))
+}
+
+fn both() -> [&'static Intro; 2] {
+    [intro(), intro_for_windows()]
+}
+
 fn read(path: &Path) -> Vec<u8> {
     fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 #[test]
 fn the_intro_is_at_most_64_kib() {
-    let size = read(&intro().program).len();
-    println!("{size} bytes, {} left", LIMIT as i64 - size as i64);
-    assert!(size <= LIMIT, "{size} bytes are more than {LIMIT}");
-    if size > AIM {
-        eprintln!("warning: {size} bytes are more than {AIM}, which 64 kB are, too");
+    for intro in both() {
+        let (name, size) = (intro.program.display(), read(&intro.program).len());
+        println!("{name}: {size} bytes, {} left", LIMIT as i64 - size as i64);
+        assert!(size <= LIMIT, "{size} bytes are more than {LIMIT}");
+        if size > AIM {
+            eprintln!("warning: {name} has more than {AIM} bytes, which 64 kB are, too: {size}");
+        }
+    }
+}
+
+/// The page's figures are of builds that were much like these.
+#[test]
+fn the_page_tells_the_size() {
+    const NEAR: usize = 500;
+    let page = include_str!("../docs/size.md");
+    let rows = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| **the file** | | **"));
+    let told: Vec<usize> = rows
+        .map(|row| row.split('*').next().and_then(|size| size.parse().ok()))
+        .map(|size| size.expect("a number"))
+        .collect();
+    let sizes = both().map(|intro| read(&intro.program).len());
+    assert_eq!(told.len(), sizes.len());
+    for (told, size) in told.into_iter().zip(sizes) {
+        assert!(
+            told.abs_diff(size) <= NEAR,
+            "the page tells of {told} bytes, not {size}"
+        );
     }
 }
 
@@ -61,13 +98,37 @@ fn the_packed_intro_runs() {
 
 #[test]
 fn what_was_linked_is_what_is_packed() {
-    let inside = eightfold_pack::unpack_executable(&read(&intro().program)).expect("it is packed");
-    let expected = eightfold_pack::strip(&read(&intro().linked)).expect("it is a program");
-    assert!(inside == expected, "the packed program is another one");
+    for intro in both() {
+        let inside = eightfold_pack::unpack_executable(&read(&intro.program));
+        let expected = eightfold_pack::strip(&read(&intro.linked)).expect("it is a program");
+        let inside = inside.expect("it is packed");
+        assert!(inside == expected, "the packed program is another one");
+    }
+}
+
+/// That Windows does not start a file that was cut, and that a damaged one says so, is tried by `tests/platforms`.
+#[test]
+fn a_damaged_or_cut_intro_for_windows_is_not_unpacked() {
+    let packed = read(&intro_for_windows().program);
+    let end = packed.iter().rposition(|&byte| byte != 0).expect("bytes") + 1;
+    for place in (UNCHECKED_FOR_WINDOWS..end).step_by(997).chain([end - 1]) {
+        let mut damaged = packed.clone();
+        damaged[place] ^= 1;
+        assert!(
+            eightfold_pack::unpack_executable(&damaged).is_err(),
+            "byte {place}"
+        );
+        assert!(
+            eightfold_pack::unpack_executable(&packed[..place]).is_err(),
+            "{place} bytes"
+        );
+    }
 }
 
 /// The first bytes of the file, which nobody checks: headers, and what checks all others.
 const UNCHECKED: usize = 400;
+/// The same for Windows, where addresses of its functions are among them.
+const UNCHECKED_FOR_WINDOWS: usize = 800;
 
 /// Runs a file of these bytes, which has to say that it is damaged.
 fn assert_damaged(what: &str, bytes: &[u8]) {

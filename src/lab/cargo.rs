@@ -20,7 +20,12 @@ impl Build {
 
     /// The same with environment variables.
     pub fn release_with(package: &str, variables: &[(&str, &str)]) -> Result<Self> {
-        Self::of(&["--package", package], variables)
+        Self::of(&["build", "--release", "--package", package], variables)
+    }
+
+    /// Builds the intro for Windows, by an alias in `.cargo/config.toml`.
+    pub fn windows() -> Result<Self> {
+        Self::of(&["exe"], &[])
     }
 
     /// Builds a package with the portable backend, in a folder of its own: so what is there else stays as it is.
@@ -32,17 +37,23 @@ impl Build {
             .join("platforms/portable");
         let folder = folder.to_str().context("a path that is not UTF-8")?;
         Self::of(
-            &["--package", package, "--features", "eightfold/portable"],
+            &[
+                "build",
+                "--release",
+                "--package",
+                package,
+                "--features",
+                "eightfold/portable",
+            ],
             &[("CARGO_TARGET_DIR", folder)],
         )
     }
 
-    /// Builds what is asked for, for release.
+    /// Builds what is asked for.
     fn of(what: &[&str], variables: &[(&str, &str)]) -> Result<Self> {
         let cargo = env::var_os("CARGO").unwrap_or("cargo".into());
         let mut command = Command::new(cargo);
         command
-            .args(["build", "--release"])
             .args(what)
             .args(["--message-format", "json-render-diagnostics"])
             .envs(variables.iter().copied())
@@ -53,7 +64,7 @@ impl Build {
         }
         let output = command.output().context("cannot start cargo")?;
         if !output.status.success() {
-            bail!("cargo cannot build {}", what.join(" "));
+            bail!("cargo cannot {}", what.join(" "));
         }
         let text = String::from_utf8_lossy(&output.stdout);
         let messages = text.lines().map(serde_json::from_str);
@@ -70,7 +81,7 @@ impl Build {
             .with_context(|| format!("cargo does not say where it has built {name}"))
     }
 
-    /// The path of a program as it was linked, see `src/pack/build/mod.rs`.
+    /// The path of a program as it was linked, see `src/pack/build/mod.rs`. (One for Windows is built with the name of one for Linux.)
     ///
     /// Cargo tells where its copy of a program is, which has the bytes of one in `deps`.
     pub fn linked(&self, program: &str) -> Result<PathBuf> {
@@ -119,4 +130,9 @@ impl Build {
 /// The intro's program, as `cargo run --release` plays it.
 pub fn intro() -> Result<PathBuf> {
     Build::release("eightfold")?.program("eightfold")
+}
+
+/// The intro's program for Windows, as `cargo exe` builds it.
+pub fn intro_for_windows() -> Result<PathBuf> {
+    Build::windows()?.program("eightfold")
 }

@@ -1,22 +1,26 @@
-//! `lab release`: packs the intro and its text file into a zip.
+//! `lab release`: packs the intro for Linux and for Windows and its text file into a zip.
 
 use crate::{cargo, output};
 use anyhow::{Context, Result, bail};
 use clap::Args;
+use std::fmt::Write as _;
 use std::fs;
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-/// Builds the intro, checks that it is at most 65,536 bytes, and packs it and its nfo into a zip
+/// Builds the intro for Linux and Windows, checks that both are at most 65,536 bytes, and packs them and their nfo into a zip
 ///
-/// Prints the sizes. The same program gives the same zip, byte for byte.
+/// Prints the sizes. The same programs give the same zip, byte for byte.
 #[derive(Args)]
 pub struct Arguments {
-    /// Program to pack, built before [default: the intro, which is built]
+    /// Program for Linux to pack, built before [default: the intro, which is built]
     #[arg(long, value_name = "FILE")]
     intro: Option<PathBuf>,
+    /// Program for Windows to pack, built before [default: the intro, which is built]
+    #[arg(long, value_name = "FILE")]
+    windows: Option<PathBuf>,
     /// File to write [default: eightfold.zip in the folder that cargo builds in]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -36,13 +40,49 @@ const TEXT: u32 = 0o644;
 /// Unix permissions of the program: executable by everybody.
 const PROGRAM: u32 = 0o755;
 
+/// The names of the programs in the zip.
+const LINUX: &str = "eightfold";
+const WINDOWS: &str = "eightfold.exe";
+
 /// Builds the intro, checks its size and packs it.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let path = match &arguments.intro {
-        Some(path) => path.clone(),
-        None => cargo::intro()?,
-    };
-    let program = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    let path = given_or(&arguments.intro, cargo::intro)?;
+    let linux = read(&path)?;
+    let windows = read(&given_or(&arguments.windows, cargo::intro_for_windows)?)?;
+    let files = [
+        (WINDOWS, &*windows, PROGRAM),
+        (LINUX, &linux, PROGRAM),
+        ("eightfold.nfo", NFO, TEXT),
+    ];
+    let zip = pack(&files)?;
+    let out = arguments.out.clone().unwrap_or_else(|| beside(&path));
+    output::write(&out, &zip)?;
+    let mut sizes = String::new();
+    for (name, bytes, kind) in files {
+        let size = bytes.len();
+        let left = match kind {
+            PROGRAM => format!(", {} below the limit", LIMIT - size),
+            _ => String::new(),
+        };
+        writeln!(sizes, "{name:14} {size:>6} bytes{left}")?;
+    }
+    writeln!(sizes, "{}: {} bytes", out.display(), zip.len())?;
+    if out == Path::new("-") {
+        eprint!("{sizes}");
+        Ok(())
+    } else {
+        output::write(Path::new("-"), sizes.as_bytes())
+    }
+}
+
+/// The path that is given, or that of what is built.
+fn given_or(given: &Option<PathBuf>, build: impl Fn() -> Result<PathBuf>) -> Result<PathBuf> {
+    given.clone().map_or_else(build, Ok)
+}
+
+/// Reads a program that is small enough.
+fn read(path: &Path) -> Result<Vec<u8>> {
+    let program = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     let size = program.len();
     if size > LIMIT {
         bail!(
@@ -51,25 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
             size - LIMIT
         );
     }
-    let bytes = pack(&[
-        ("eightfold", &program, PROGRAM),
-        ("eightfold.nfo", NFO, TEXT),
-    ])?;
-    let out = arguments.out.clone().unwrap_or_else(|| beside(&path));
-    output::write(&out, &bytes)?;
-    let left = LIMIT - size;
-    let sizes = format!(
-        "eightfold      {size:>6} bytes, {left} below the limit\neightfold.nfo  {:>6} bytes\n{}: {} bytes\n",
-        NFO.len(),
-        out.display(),
-        bytes.len()
-    );
-    if out == Path::new("-") {
-        eprint!("{sizes}");
-        Ok(())
-    } else {
-        output::write(Path::new("-"), sizes.as_bytes())
-    }
+    Ok(program)
 }
 
 /// The default path of the zip: in `target` for `target/release/eightfold`.

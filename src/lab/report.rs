@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// Measures what README.md and docs/*.md tell of speed, errors, size and sound, and rewrites their marked parts and pictures
 ///
 /// A part begins at a line <!-- lab report NAME --> and ends at <!-- lab report end -->; its name is moving, sheet, speed, show,
-/// ladder, missed, trade, figures, size or sound. It may stand on several pages. What stands outside of the parts stays, and parts that
+/// ladder, missed, trade, figures, size, windows or sound. It may stand on several pages. What stands outside of the parts stays, and parts that
 /// are on no page are not measured. Run twice on the same machine, it changes timings alone.
 #[derive(Args)]
 pub struct Arguments {
@@ -61,7 +61,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if parts.is_empty() {
         let line = format!(
             "--folder: no page in {} has a part marked <!-- lab report speed -->, moving, sheet, show, ladder, missed, trade, \
-             figures, size or sound",
+             figures, size, windows or sound",
             arguments.folder.display()
         );
         return Err(BadInput::error(line));
@@ -177,6 +177,13 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
             false,
         ),
         part("size", "size --functions 10".to_owned(), "", &[], true),
+        part(
+            "windows",
+            "size --windows --functions 5".to_owned(),
+            "",
+            &[],
+            true,
+        ),
         part("sound", "sound".to_owned(), "--waveform", &WAVEFORM, true),
     ]
 }

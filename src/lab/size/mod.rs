@@ -21,6 +21,9 @@ use std::path::Path;
 /// tells; the instances of a crate count together. What was inlined is in the function that it was inlined into.
 #[derive(Args)]
 pub struct Arguments {
+    /// Of the intro for Windows
+    #[arg(long)]
+    windows: bool,
     /// Functions to list
     #[arg(long, value_name = "N", default_value = "30", value_parser = arguments::frames, allow_negative_numbers = true)]
     functions: usize,
@@ -55,7 +58,11 @@ impl ByteCount {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let build = Build::release("eightfold")?;
+    let build = if arguments.windows {
+        Build::windows()?
+    } else {
+        Build::release("eightfold")?
+    };
     let shipped = read(&build.program("eightfold")?)?;
     let linked = read(&build.linked("eightfold")?)?;
     let program = Program::parse(&linked)?;

@@ -79,11 +79,14 @@ fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
 }
 
 /// The crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. A unit's private symbols follow its name in the
-/// symbol table; shared symbols follow a name that is no codegen unit.
+/// symbol table; shared symbols follow a name that is no codegen unit or, for Windows, that of [`LAST`].
 fn crate_of_unit(file: &str) -> Option<&str> {
     let (name, _) = file.split_once('.')?;
-    file.contains("-cgu.").then_some(name)
+    (file.contains("-cgu.") && name != LAST).then_some(name)
 }
+
+/// The crate that is linked last. Paths tell what is of it.
+const LAST: &str = "compiler_builtins";
 
 /// The crate with which a demangled name begins, as in `<eightfold::Intro as core::fmt::Debug>::fmt`.
 fn crate_of_path(name: &str) -> &str {
@@ -100,6 +103,7 @@ mod tests {
     fn a_symbols_crate_is_known_by_its_unit_or_by_its_name() {
         assert_eq!(crate_of_unit("a_b.0123456789abcdef-cgu.0"), Some("a_b"));
         assert_eq!(crate_of_unit("crtstuff.c"), None);
+        assert_eq!(crate_of_unit("compiler_builtins.0123-cgu.0"), None);
         for (name, of) in [
             ("a::b::c", "a"),
             ("<&mut a::B as core::fmt::Debug>::fmt", "a"),

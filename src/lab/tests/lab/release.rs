@@ -1,6 +1,7 @@
 //! `lab release` packs the intro and its text file, which names all flags.
 
 use super::{assert_one_line, lab};
+use eightfold_lab::cargo;
 use eightfold_stage::{intro, run};
 use std::fs;
 use std::io::{Cursor, Read};
@@ -29,25 +30,28 @@ fn text(path: &Path) -> &str {
 }
 
 #[test]
-fn the_intro_and_its_nfo_are_in_the_zip() {
+fn the_intro_for_both_systems_and_its_nfo_are_in_the_zip() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("eightfold.zip");
     let output = lab(&["release", "--out", text(&out)]);
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}");
     let intro = fs::read(intro()).unwrap();
+    let windows = fs::read(cargo::intro_for_windows().unwrap()).unwrap();
     let zip = fs::read(&out).unwrap();
-    for size in [intro.len(), NFO.len(), zip.len()] {
+    for size in [intro.len(), windows.len(), NFO.len(), zip.len()] {
         assert!(said.contains(&format!(" {size} bytes")), "{size}: {said}");
     }
+    assert!(intro.starts_with(b"\x7fELF") && windows.starts_with(b"MZ"));
     let files = files(&zip);
     let wanted = [
+        ("eightfold.exe".to_owned(), 0o755, windows),
         ("eightfold".to_owned(), 0o755, intro),
         ("eightfold.nfo".to_owned(), 0o644, NFO.into()),
     ];
     assert!(files == wanted);
     assert!(
-        zip.len() < files[0].2.len() + files[1].2.len(),
+        zip.len() < files.iter().map(|(_, _, bytes)| bytes.len()).sum(),
         "the nfo is deflated, what is packed stays as it is"
     );
 }
@@ -55,20 +59,27 @@ fn the_intro_and_its_nfo_are_in_the_zip() {
 #[test]
 fn a_program_over_the_limit_is_no_release() {
     let folder = tempfile::tempdir().unwrap();
-    let (program, out) = (folder.path().join("program"), folder.path().join("out.zip"));
-    let release = || lab(&["release", "--intro", text(&program), "--out", text(&out)]);
-    fs::write(&program, vec![7; 65_537]).unwrap();
-    let words = ["program", "65537 bytes", "1 more than the 65536"];
-    assert_one_line(&release(), 1, &words);
-    assert!(!out.exists());
-    fs::write(&program, vec![7; 65_536]).unwrap();
+    let path = |name| folder.path().join(name);
+    let (linux, windows, out) = (path("linux"), path("windows"), path("out.zip"));
+    let programs = ["--intro", text(&linux), "--windows", text(&windows)];
+    let release = || lab(&[&["release", "--out", text(&out)], &programs[..]].concat());
+    for program in [&linux, &windows] {
+        fs::write(&linux, vec![7; 65_536]).unwrap();
+        fs::write(&windows, vec![8; 65_536]).unwrap();
+        fs::write(program, vec![7; 65_537]).unwrap();
+        let words = [text(program), "65537 bytes", "1 more than the 65536"];
+        assert_one_line(&release(), 1, &words);
+        assert!(!out.exists());
+    }
+    fs::write(&windows, vec![8; 65_536]).unwrap();
     let output = release();
     assert!(output.status.success());
     let zip = fs::read(&out).unwrap();
-    assert_eq!(files(&zip)[0].2.len(), 65_536);
+    assert_eq!(files(&zip)[0].2, vec![8; 65_536]);
+    assert_eq!(files(&zip)[1].2, vec![7; 65_536]);
     assert!(release().status.success() && zip == fs::read(&out).unwrap());
-    fs::remove_file(&program).unwrap();
-    assert_one_line(&release(), 1, &["cannot read", "program"]);
+    fs::remove_file(&windows).unwrap();
+    assert_one_line(&release(), 1, &["cannot read", "windows"]);
 }
 
 /// The first word of each line that begins with `--`.

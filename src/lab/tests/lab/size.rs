@@ -22,6 +22,17 @@ fn sum(rows: &[Vec<&str>], column: usize) -> u64 {
 }
 
 #[test]
+fn every_byte_of_the_intro_for_windows_is_told_of() {
+    let text = printed("size --windows --functions 1");
+    let path = eightfold_lab::cargo::intro_for_windows().expect("the intro");
+    let file = std::fs::metadata(path).expect("the intro").len();
+    let sections = table(&text, "section");
+    let (whole, parts) = sections.split_last().expect("a line for the file");
+    assert_eq!(number(whole[2]), file);
+    assert!(sum(parts, 2).abs_diff(file) <= parts.len() as u64, "{text}");
+}
+
+#[test]
 fn every_byte_of_the_intro_is_told_of_as_it_is_linked_and_as_it_is_packed() {
     let text = printed("size --functions 12");
     let file = std::fs::metadata(intro()).expect("the intro").len();
