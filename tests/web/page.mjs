@@ -335,9 +335,20 @@ const tests = {
     const after = await frame(show(70, 4, 320, 180));
     assert.ok(after.equals(before));
     assert.match(await textOf("notice"), /^A worker died \(.*as if.*\)\. Another one/);
+    // One that is gone says nothing.
+    await page.value("Object.assign(eightfold.frames, { patience: 3000 }).workers[0].terminate()");
+    assert.ok((await frame(show(70, 4, 320, 180))).equals(before));
+    assert.match(await textOf("notice"), /^A worker died \(it does not answer\)\. Another one/);
   },
 
-  async "twenty reloads leave no workers behind"() {
+  async "twenty reloads leave no workers, documents or listeners behind"() {
+    const kept = async () => {
+      await page.until("document.getElementById('points').textContent.endsWith('%')");
+      await page.send("HeapProfiler.collectGarbage");
+      return page.send("Memory.getDOMCounters");
+    };
+    await page.go(site.address);
+    const before = await kept();
     page.messages.length = 0;
     for (let turn = 0; turn < 20; turn++) await page.go(site.address);
     await page.until("document.getElementById('points').textContent.endsWith('%')");
@@ -346,6 +357,11 @@ const tests = {
     const count = async () => (await browser.send("Target.getTargets", { filter: [{ type: "worker" }] })).targetInfos.length;
     for (let turn = 0; turn < 300 && (await count()) !== wanted; turn++) await new Promise((resolve) => setTimeout(resolve, 100));
     assert.equal(await count(), wanted);
+    const after = await kept();
+    assert.equal(after.documents, before.documents);
+    assert.equal(after.jsEventListeners, before.jsEventListeners);
+    // Texts that change are nodes, too: far fewer than those of one more page.
+    assert.ok(after.nodes < 1.5 * before.nodes, `${before.nodes} nodes, then ${after.nodes}`);
     assert.deepEqual(page.messages, []);
   },
 

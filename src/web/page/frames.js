@@ -3,10 +3,10 @@
 /** Rows of a band, the least that a worker is given. */
 export const BAND = 32;
 
-/** Milliseconds after which a worker that has not answered is taken for dead. */
-const PATIENCE = 20_000;
-
 export class Frames {
+  /** Milliseconds after which a worker that has not answered is taken for dead. */
+  patience = 20_000;
+
   /** Starts workers with a compiled module. `complain` is told in a sentence when one of them dies. */
   constructor(compiled, count, complain) {
     this.compiled = compiled;
@@ -32,7 +32,7 @@ export class Frames {
   /** Has a worker draw its part of a pass. Fails when it dies. */
   ask(worker, message) {
     return new Promise((resolve, reject) => {
-      const limit = setTimeout(() => reject({ worker, why: "it does not answer" }), PATIENCE);
+      const limit = setTimeout(() => reject({ worker, why: "it does not answer" }), this.patience);
       worker.onmessage = ({ data }) => {
         if (data.number !== message.number) return;
         clearTimeout(limit);
