@@ -104,7 +104,7 @@ fn prepare(program: &str) -> Result<(), Error> {
             "-Wl,--no-dynamic-linker",
             "-Wl,--entry=eightfold_start",
             // With room before it for the packed file, which begins where programs of Windows did before they had random addresses.
-            "-Wl,--image-base=0x420000",
+            &format!("-Wl,{}=0x420000", toolchain.base()),
         ]
     } else {
         &[]

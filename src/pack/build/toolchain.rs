@@ -39,6 +39,17 @@ impl Toolchain {
     }
 }
 
+impl Toolchain {
+    /// The linker's option for the address where a program begins.
+    pub fn base(&self) -> &'static str {
+        if self.linker.ends_with("lld") || self.linker.ends_with("mold") {
+            "--image-base"
+        } else {
+            "-Ttext-segment"
+        }
+    }
+}
+
 /// Finds the linker, by the user's flags for rustc, the C compiler that cargo calls, and the linker that rustc brings.
 fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<String, Error> {
     // Read the flags; later ones count more.
