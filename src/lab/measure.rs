@@ -227,7 +227,7 @@ impl Way {
 
     /// The scene of a time, if it takes no part in the time of a frame: what a scene file says is put together before, as no
     /// program does that in each frame.
-    fn made_before(&self, scene: SceneName, time: f32) -> Option<Scene> {
+    pub fn made_before(&self, scene: SceneName, time: f32) -> Option<Scene> {
         matches!(scene, SceneName::File(_)).then(|| self.scene(scene, time))
     }
 }
@@ -302,23 +302,4 @@ fn fill(pool: &mut Pool, width: usize, pixels: &mut [u32]) {
     let mut strips: Vec<&mut [u32]> = pixels.chunks_mut(STRIP * width).collect();
     let mut threads = vec![(); pool.threads()];
     pool.run(&mut threads, &mut strips, &|_, strip| strip.fill(COLOUR));
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use eightfold_scene_file::SceneFile;
-
-    #[test]
-    fn a_frame_of_a_scene_file_is_timed_without_reading_what_the_file_says() {
-        let way = Way {
-            name: String::new(),
-            quality: Quality::THESIS,
-            hard_shadows: false,
-        };
-        let file = SceneFile::parse("room.ron", "Scene()").expect("a scene");
-        let file = SceneName::File(Box::leak(Box::new(file)));
-        assert!(way.made_before(file, 0.0).is_some());
-        assert!(way.made_before(SceneName::Model, 0.0).is_none());
-    }
 }

@@ -1,7 +1,7 @@
 //! `lab size`: lists what the intro's bytes are spent on.
 
 mod packed;
-mod program;
+pub mod program;
 
 use crate::cargo::Build;
 use crate::{arguments, output};

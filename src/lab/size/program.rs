@@ -79,8 +79,8 @@ fn symbols(file: &object::File<'_>, sections: &[Part]) -> Vec<Part> {
 }
 
 /// The crate of a codegen unit, such as `eightfold.0123456789abcdef-cgu.0`. A unit's private symbols follow its name in the
-/// symbol table; shared symbols follow a name that is no codegen unit or, for Windows, that of [`LAST`].
-fn crate_of_unit(file: &str) -> Option<&str> {
+/// symbol table; shared symbols follow a name that is no codegen unit or, for Windows, that of the last crate.
+pub fn crate_of_unit(file: &str) -> Option<&str> {
     let (name, _) = file.split_once('.')?;
     (file.contains("-cgu.") && name != LAST).then_some(name)
 }
@@ -89,28 +89,8 @@ fn crate_of_unit(file: &str) -> Option<&str> {
 const LAST: &str = "compiler_builtins";
 
 /// The crate with which a demangled name begins, as in `<eightfold::Intro as core::fmt::Debug>::fmt`.
-fn crate_of_path(name: &str) -> &str {
+pub fn crate_of_path(name: &str) -> &str {
     let name = name.trim_start_matches(['<', '&', '*', '(', '[']);
     let name = name.strip_prefix("mut ").unwrap_or(name);
     name.split_once("::").map_or("", |(first, _)| first)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{crate_of_path, crate_of_unit};
-
-    #[test]
-    fn a_symbols_crate_is_known_by_its_unit_or_by_its_name() {
-        assert_eq!(crate_of_unit("a_b.0123456789abcdef-cgu.0"), Some("a_b"));
-        assert_eq!(crate_of_unit("crtstuff.c"), None);
-        assert_eq!(crate_of_unit("compiler_builtins.0123-cgu.0"), None);
-        for (name, of) in [
-            ("a::b::c", "a"),
-            ("<&mut a::B as core::fmt::Debug>::fmt", "a"),
-            ("<a::B>::c", "a"),
-            ("main", ""),
-        ] {
-            assert_eq!(crate_of_path(name), of, "{name}");
-        }
-    }
 }

@@ -1,9 +1,9 @@
 //! `lab trade`: measures what speed costs in accuracy, dial by dial.
 
 mod curves;
-mod outcome;
+pub mod outcome;
 mod plots;
-mod sweep;
+pub mod sweep;
 mod table;
 
 use crate::arguments::{self, Size};
@@ -145,7 +145,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 }
 
 /// Whether a table of these points would have something to tell: with `all` one of them all, otherwise one of the front.
-fn check(points: &[Outcome], all: bool) -> Result<()> {
+pub fn check(points: &[Outcome], all: bool) -> Result<()> {
     if points.iter().all(Outcome::is_exact) {
         bail!(
             "every setting draws the same at these times: ask for others by --time-from, --time-to or --frames"
@@ -244,45 +244,4 @@ fn write(folder: &Path, trade: &Trade) -> Result<()> {
     json.push(b'\n');
     output::write(&folder.join("trade.json"), &json)?;
     plots::write(folder, trade)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Outcome, Point, Result, check, mark_front};
-    use crate::error::Difference;
-    use crate::measure::Run;
-    use eightfold_tracer::Quality;
-
-    /// The check of two points: exhaustive frames of 10 milliseconds, and others whose error has this mean square and that take
-    /// this long.
-    fn check_beside_exhaustive(square: f64, milliseconds: f64, all: bool) -> Result<()> {
-        let run = |time, square| Run {
-            times: vec![time],
-            differences: vec![Difference {
-                square,
-                ..Difference::default()
-            }],
-            ..Run::default()
-        };
-        let exhaustive = run(10.0, 0.0);
-        let other = run(milliseconds, square);
-        let outcome = |quality, run| Outcome::of(Point::new("", quality), 1, run, &exhaustive);
-        let mut points = [
-            outcome(Quality::EXHAUSTIVE, &exhaustive),
-            outcome(Quality::DEFAULT, &other),
-        ];
-        mark_front(&mut points);
-        check(&points, all)
-    }
-
-    #[test]
-    fn a_table_without_a_row_is_an_error() {
-        let said = |result: Result<()>| result.expect_err("no row").to_string();
-        let exact = said(check_beside_exhaustive(0.0, 1.0, true));
-        assert!(exact.starts_with("every setting draws the same"), "{exact}");
-        let slower = said(check_beside_exhaustive(2.0, 11.0, false));
-        assert!(slower.starts_with("no setting differs"), "{slower}");
-        assert!(check_beside_exhaustive(2.0, 11.0, true).is_ok());
-        assert!(check_beside_exhaustive(2.0, 9.0, false).is_ok());
-    }
 }

@@ -201,7 +201,7 @@ fn has_keys(quality: &Quality) -> bool {
 }
 
 /// A quality's dials in words. What has its usual value is left out, as the help of `lab trade` explains.
-fn dials(quality: &Quality) -> String {
+pub fn dials(quality: &Quality) -> String {
     let mut words = vec![format!("square {}", quality.square)];
     let number = |tolerance: f32| {
         if tolerance.is_finite() {

@@ -5,7 +5,7 @@ use super::panel::{Mark, Row};
 use crate::overlay::{heat, square_colour};
 
 /// The effects of keys, whatever scene is shown.
-const KEYS: [(&str, &str); 14] = [
+pub const KEYS: [(&str, &str); 14] = [
     ("Space", "pauses and plays on"),
     ("Left, Right", "a frame back or on, and pauses"),
     ("Home", "back to the beginning"),
@@ -111,21 +111,5 @@ pub fn colours(overlay: Overlay) -> Vec<Row> {
             .into(),
         Overlay::Heat => scale(MOST_RAYS, " rays"),
         Overlay::Error => scale(MOST_ERROR, "/255"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{KEYS, MOST_ERROR, MOST_RAYS, Overlay, colours};
-
-    #[test]
-    fn the_words_have_the_numbers_of_the_overlays() {
-        let words = |key| KEYS.iter().find(|row| row.0 == key).map_or("", |row| row.1);
-        assert!(words("H").contains(&format!("for {MOST_RAYS} and more")));
-        assert!(words("E").contains(&format!("for {MOST_ERROR} of 255")));
-        let last = |overlay| colours(overlay).pop().map(|row| row.words);
-        assert_eq!(last(Overlay::Heat), Some("24 rays and more".to_owned()));
-        assert_eq!(last(Overlay::Error), Some("32/255 and more".to_owned()));
-        assert_eq!(colours(Overlay::None), []);
     }
 }

@@ -4,16 +4,16 @@
 //! what they do not mean anything to goes to `controls`. `document` has that text, `disk` the file, and
 //! `copies` the files of what is not saved.
 
-mod camera;
-mod controls;
+pub mod camera;
+pub mod controls;
 mod copies;
-mod disk;
+pub mod disk;
 mod document;
 mod editor;
 mod frame_viewer;
-mod legend;
+pub mod legend;
 mod objects;
-mod panel;
+pub mod panel;
 mod session;
 mod workspace;
 

@@ -135,7 +135,7 @@ fn draw_line(area: &Area<'_>, mark: &Mark, words: &str, [x, y]: [usize; 2]) -> R
 }
 
 /// A text in lines that are as wide as there is room, broken between words.
-fn wrapped(words: &str, room: usize, measure: impl Fn(&str) -> usize) -> Vec<String> {
+pub fn wrapped(words: &str, room: usize, measure: impl Fn(&str) -> usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in words.split(' ') {
         match lines.last_mut() {
@@ -150,7 +150,7 @@ fn wrapped(words: &str, room: usize, measure: impl Fn(&str) -> usize) -> Vec<Str
 }
 
 /// A pixel of a panel over one of the picture, which is darkened.
-fn over(picture: u32, panel: u32) -> u32 {
+pub fn over(picture: u32, panel: u32) -> u32 {
     let [_, r, g, b] = panel.to_be_bytes().map(u32::from);
     let covered = r.max(g).max(b);
     let channel = |shift: u32, own: u32| {
@@ -158,42 +158,4 @@ fn over(picture: u32, panel: u32) -> u32 {
         (own + behind).min(255) << shift
     };
     channel(16, r) | channel(8, g) | channel(0, b)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Corner, Mark, Panel, Row, Size, over, wrapped};
-
-    #[test]
-    fn lines_break_between_words_where_the_room_ends() {
-        let lines = wrapped("one two three four", 9, str::len);
-        assert_eq!(lines, ["one two", "three", "four"]);
-        assert_eq!(wrapped("incomprehensible", 9, str::len).len(), 1);
-    }
-
-    #[test]
-    fn a_panel_darkens_its_corner_alone_and_shows_its_colours() {
-        let size = Size {
-            width: 200,
-            height: 100,
-        };
-        let rows = [Row {
-            mark: Mark::Colour(0x00ff_0000),
-            words: "red".to_owned(),
-        }];
-        for (corner, dark, light) in [
-            (Corner::UpperLeft, 0, 199),
-            (Corner::LowerLeft, 99 * 200, 0),
-            (Corner::LowerRight, 99 * 200 + 199, 0),
-        ] {
-            let mut picture = vec![0x0080_8080; size.area()];
-            Panel::default().show(&rows, corner, &mut picture, size);
-            assert_eq!(picture[dark], over(0x0080_8080, 0), "{corner:?}");
-            assert_eq!(picture[light], 0x0080_8080, "{corner:?}");
-            let count = |is: fn(u32) -> bool| picture.iter().filter(|pixel| is(**pixel)).count();
-            assert!(count(|pixel| pixel & 0x00ff_f0f0 == 0x00ff_0000) > 100);
-            let is_bright = |pixel: u32| pixel.to_be_bytes()[1..].iter().all(|&c| c > 180);
-            assert!(count(is_bright) > 10, "letters");
-        }
-    }
 }

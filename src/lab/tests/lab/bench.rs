@@ -3,7 +3,11 @@
 mod trouble;
 
 use super::{cells, lab, printed, render};
+use eightfold_lab::measure::Way;
+use eightfold_lab::scenes::SceneName;
+use eightfold_scene_file::SceneFile;
 use eightfold_stage::reader::read_png;
+use eightfold_tracer::Quality;
 use serde_json::Value;
 use std::path::Path;
 
@@ -283,4 +287,17 @@ fn a_file_gets_the_json_and_standard_output_the_table() {
         .map(|row| row["quality"].as_str().expect("a name"));
     assert!(qualities.eq(["exhaustive", "thesis", "default"]));
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn a_frame_of_a_scene_file_is_timed_without_reading_what_the_file_says() {
+    let way = Way {
+        name: String::new(),
+        quality: Quality::THESIS,
+        hard_shadows: false,
+    };
+    let file = SceneFile::parse("room.ron", "Scene()").expect("a scene");
+    let file = SceneName::File(Box::leak(Box::new(file)));
+    assert!(way.made_before(file, 0.0).is_some());
+    assert!(way.made_before(SceneName::Model, 0.0).is_none());
 }

@@ -1,6 +1,7 @@
 //! The tables of `lab size` add up to the size of the file.
 
 use crate::printed;
+use eightfold_lab::size::program::{crate_of_path, crate_of_unit};
 use eightfold_stage::intro;
 
 /// The cells of the table whose first column has a given title, line by line.
@@ -62,4 +63,19 @@ fn every_byte_of_the_intro_is_told_of_as_it_is_linked_and_as_it_is_packed() {
     assert_eq!(sum(functions, 3) + number(rest[3]), named);
     // The tracer is the largest part.
     assert_eq!(functions[0][1], "eightfold_tracer", "{text}");
+}
+
+#[test]
+fn a_symbols_crate_is_known_by_its_unit_or_by_its_name() {
+    assert_eq!(crate_of_unit("a_b.0123456789abcdef-cgu.0"), Some("a_b"));
+    assert_eq!(crate_of_unit("crtstuff.c"), None);
+    assert_eq!(crate_of_unit("compiler_builtins.0123-cgu.0"), None);
+    for (name, of) in [
+        ("a::b::c", "a"),
+        ("<&mut a::B as core::fmt::Debug>::fmt", "a"),
+        ("<a::B>::c", "a"),
+        ("main", ""),
+    ] {
+        assert_eq!(crate_of_path(name), of, "{name}");
+    }
 }

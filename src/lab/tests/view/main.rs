@@ -6,6 +6,7 @@ mod editing;
 mod ending;
 mod keeping;
 mod moving;
+mod parts;
 mod playing;
 mod saving;
 mod stage;
