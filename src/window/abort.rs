@@ -5,7 +5,8 @@
 //!
 //! Code that must report an error never goes through a panic, so that is only for mistakes in the code.
 
-use crate::{line, system, terminal};
+use super::arguments::end_by_mistake;
+use crate::{line, terminal};
 
 /// Instead of a panic: gives the terminal back, says one line on standard error and aborts.
 #[unsafe(no_mangle)]
@@ -15,7 +16,7 @@ pub extern "C" fn eightfold_abort() -> ! {
         line::ERROR,
         b"eightfold: a mistake in the program ended it\n",
     );
-    system::abort()
+    end_by_mistake()
 }
 
 /// Instead of the function that counts the characters of texts of 32 bytes and more, where they are padded.

@@ -25,8 +25,6 @@
 
 #![deny(missing_docs)]
 
-#[cfg(not(feature = "portable"))]
-mod abort;
 pub mod arguments;
 #[cfg_attr(feature = "windows", path = "win64/mod.rs")]
 #[cfg_attr(

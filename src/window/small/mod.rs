@@ -2,6 +2,8 @@
 //!
 //! Everything here has its counterpart in the portable backend, by the same name.
 
+#[path = "../abort.rs"]
+mod abort;
 pub mod arguments;
 mod blit;
 pub mod clock;

@@ -46,12 +46,6 @@ pub unsafe fn start() {
     }
 }
 
-/// Ends the process by the signal for mistakes.
-pub fn abort() -> ! {
-    // SAFETY: it may be called at any time.
-    unsafe { libc::abort() }
-}
-
 /// How often the process has gone on after a stop.
 static STOPS: AtomicU32 = AtomicU32::new(0);
 

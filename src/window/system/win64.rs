@@ -2,12 +2,9 @@
 
 use core::ptr::null_mut;
 
-use crate::backend::{
-    arguments::end,
-    functions::{
-        AttachConsole, CreateFileA, GetConsoleMode, GetLastError, GetStdHandle,
-        MultiByteToWideChar, SetStdHandle, WriteConsoleW, WriteFile,
-    },
+use crate::backend::functions::{
+    AttachConsole, CreateFileA, GetConsoleMode, GetLastError, GetStdHandle, MultiByteToWideChar,
+    SetStdHandle, WriteConsoleW, WriteFile,
 };
 
 /// The number of standard output.
@@ -44,11 +41,6 @@ pub unsafe fn start() {
             }
         }
     }
-}
-
-/// Ends the process with the code for mistakes.
-pub fn abort() -> ! {
-    end(3)
 }
 
 /// Counts stops. (Windows has none.)

@@ -4,6 +4,8 @@
 //! nothing of a system, and `src/pack` makes an `.exe` of that. What differs between the two systems for code are calls: to Windows
 //! all are `extern "win64"`, and Windows calls nothing of the program but its beginning and that of its threads.
 
+#[path = "../abort.rs"]
+mod abort;
 pub mod arguments;
 pub mod clock;
 pub mod functions;
