@@ -7,11 +7,18 @@ use core::{
     sync::atomic::{AtomicUsize, Ordering::Relaxed},
 };
 
-/// Bytes that there are: for each of 64 threads, and what they share.
-const SIZE: usize = 4096;
+use crate::pool::Pool;
+
+/// Bytes that there are: enough for what each of the most threads of a pool, and the few others, is started with, and what they share.
+const SIZE: usize = 8192;
+
+const _: () = assert!(SIZE >= (Pool::MOST + 64) * ALIGNMENT);
+
+/// What each part is a multiple of, and aligned to.
+const ALIGNMENT: usize = 16;
 
 /// Memory of fixed size, of which each thing gets the next part, and which nothing is given back to.
-#[repr(C, align(64))]
+#[repr(C, align(16))]
 struct Heap {
     memory: UnsafeCell<[u8; SIZE]>,
     used: AtomicUsize,
@@ -29,9 +36,9 @@ static HEAP: Heap = Heap {
 // SAFETY: parts do not overlap, and are as large and as aligned as is asked for.
 unsafe impl GlobalAlloc for Heap {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let size = layout.size().next_multiple_of(64);
+        let size = layout.size().next_multiple_of(ALIGNMENT);
         let start = self.used.fetch_add(size, Relaxed);
-        if layout.align() > 64 || start + size > SIZE {
+        if layout.align() > ALIGNMENT || start + size > SIZE {
             return null_mut();
         }
         // SAFETY: it is inside of the memory.
