@@ -3,6 +3,8 @@
 use crate::cpu;
 use crate::drawn::{Drawn, draw, draw_by_all, jagged};
 use crate::error::Difference;
+use crate::generator::crowded::crowded;
+use crate::generator::seeded::Random;
 use eightfold::show;
 use eightfold_oracle::squares::{Squares, TILE};
 use eightfold_tracer::Quality;
@@ -196,6 +198,14 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
     }
 }
 
+/// The PSNR of the default quality against the same with every pixel traced.
+fn psnr(scene: &Scene, [width, height]: [usize; 2]) -> f64 {
+    let quality = Quality::DEFAULT;
+    let [exhaustive, played] = [quality.reference(), quality]
+        .map(|quality| draw(cpu::best(), 2, scene, &quality, width, height).pixels);
+    Difference::between(&exhaustive, &played).psnr
+}
+
 #[test]
 fn crowded_pictures_have_42_db() {
     for (count, time) in [
@@ -205,11 +215,25 @@ fn crowded_pictures_have_42_db() {
         (320, 0.0),
         (320, 41.6),
     ] {
-        let scene = show::field(count, time);
-        let quality = Quality::DEFAULT;
-        let [exhaustive, played] = [quality.reference(), quality]
-            .map(|quality| draw(cpu::best(), 2, &scene, &quality, 1024, 768).pixels);
-        let psnr = Difference::between(&exhaustive, &played).psnr;
+        let psnr = psnr(&show::field(count, time), [1024, 768]);
         assert!(psnr >= 42.0, "{psnr} dB of {count} spheres at {time} s");
     }
+}
+
+/// Measured: six of the 48 have less than 42 dB, and the worst 38.3 dB. Without keys that tell points of such mirrors apart it would be
+/// 26, and 35.7 dB.
+#[test]
+#[ignore = "many scenes by chance"]
+fn crowds_of_mirrors_and_glass_have_42_db_but_for_few() {
+    let mut all = Vec::new();
+    for seed in 0..48 {
+        let count = [70, 130, 200, 320][seed as usize % 4];
+        let shares = [[0.2, 0.2], [0.5, 0.2], [0.0, 0.6]][seed as usize / 4 % 3];
+        let scene = crowded(&mut Random(seed), count, shares);
+        all.push((psnr(&scene, [640, 480]), seed));
+    }
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let below = all.partition_point(|&(psnr, _)| psnr < 42.0);
+    println!("{below} below 42 dB, the worst {:.2?}", &all[..8]);
+    assert!(below <= 7 && all[0].0 >= 38.0, "{below}, {:?}", all[0]);
 }

@@ -1,6 +1,6 @@
 //! Adaptive squares, as the thesis describes them: recursive, one square at a time. Coordinates are pixels of the picture.
 
-use super::{Oracle, Traced, pixel};
+use super::{Object, Oracle, Traced, pixel};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Film, Scene};
 use glam::DVec3;
@@ -63,8 +63,34 @@ impl<'a> Squares<'a> {
         if let Some(averaged) = self.averaged.get(&(x, y)) {
             return *averaged;
         }
-        let trace = || self.oracle.trace(x as isize, y as isize);
-        *self.traced.entry((x, y)).or_insert_with(trace)
+        let trace = || {
+            let mut traced = self.oracle.trace(x as isize, y as isize);
+            if self.glitters(x, y) {
+                traced.key = (x << 16 | y) as u64;
+            }
+            traced
+        };
+        let traced = self.traced.get(&(x, y)).copied().unwrap_or_else(trace);
+        self.traced.insert((x, y), traced);
+        traced
+    }
+
+    /// Whether a point shows what two points tell nothing of what is between: a strong mirror or glass in a crowd, but no large ball.
+    fn glitters(&self, x: usize, y: usize) -> bool {
+        let Oracle { scene, quality, .. } = self.oracle;
+        let object = self.oracle.object_at(x as isize, y as isize);
+        let is_small = match object {
+            Object::Sphere(i) => {
+                let sphere = &scene.spheres[i];
+                let distance = (sphere.centre - scene.camera.eye).length();
+                sphere.material.kt == 0.0 || sphere.radius < 0.2 * distance
+            }
+            Object::Block(_) => true,
+            Object::Plane(_) | Object::Light(_) | Object::Background => false,
+        };
+        let is_strong = object.material(scene).is_some_and(|m| m.kr + m.kt >= 0.3);
+        let is_crowd = scene.spheres.len() + scene.blocks.len() >= 130;
+        quality.key_weight > 0.0 && is_crowd && is_small && is_strong
     }
 
     /// Draws a tile by all its squares of a side.

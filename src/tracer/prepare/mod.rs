@@ -100,6 +100,8 @@ pub(crate) struct Prepared {
     surfaces: [SurfaceNumbers; MAX_OBJECTS],
     /// For each object, whether its pattern has edges.
     has_edges: [bool; MAX_OBJECTS],
+    /// See [`object::glitters`].
+    glitters: [bool; MAX_OBJECTS],
     /// Whether any object has a pattern.
     has_patterns: bool,
     /// Whether any object is a block, or has a pattern or grooves.
@@ -142,6 +144,7 @@ impl Prepared {
             plane_count: 0,
             surfaces: [Surface::ZERO; MAX_OBJECTS],
             has_edges: [false; MAX_OBJECTS],
+            glitters: [false; MAX_OBJECTS],
             has_patterns: false,
             has_details: false,
             weight: 0.0,
@@ -182,6 +185,12 @@ impl Prepared {
     #[inline(always)]
     pub fn has_edges(&self, id: ObjectId) -> bool {
         self.has_edges[id.index()]
+    }
+
+    /// Whether two points of an object tell nothing of what it shows between them.
+    #[inline(always)]
+    pub fn glitters(&self, id: ObjectId) -> bool {
+        self.glitters[id.index()]
     }
 
     /// The object number of the first plane.
@@ -233,6 +242,7 @@ impl Prepared {
             self.has_patterns |= material.pattern.depth != 0.0;
             self.has_details |= self.has_patterns || material.anisotropy > 0.0;
             self.has_edges[i] = object::has_edges(material);
+            self.glitters[i] = object::glitters(scene, &object, material);
             self.surfaces[i] = Surface::numbers(&object, material, scene);
         }
         for (lamp, light) in self.lamps.iter_mut().zip(scene.lights.iter()) {

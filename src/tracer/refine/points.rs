@@ -154,7 +154,9 @@ impl<O: Observer> Tile<'_, O> {
     fn trace(&mut self, level: usize) {
         self.trace_batch();
         let Context {
-            world, observer, ..
+            plan,
+            world,
+            observer,
         } = self.context;
         observer.stage(Stage::Results);
         let Worker {
@@ -163,12 +165,13 @@ impl<O: Observer> Tile<'_, O> {
             targets,
             ..
         } = &mut *self.worker;
-        let has_patterns = self.context.world.has_patterns();
+        let has_patterns = world.has_patterns();
+        let is_shown = plan.quality.key_weight > 0.0;
         for (i, &target) in targets[..batch.points.len()].iter().enumerate() {
             let target = target as usize;
             let mut sample = batch.results.sample(i);
+            let (x, y) = batch.points.pixel(i);
             if level == 0 {
-                let (x, y) = batch.points.pixel(i);
                 self.canvas.pixels[target] = sample.pixel(world.film.threshold(x, y));
                 continue;
             }
@@ -177,7 +180,12 @@ impl<O: Observer> Tile<'_, O> {
                 sample = sample.patterned();
                 pyramid.put_layers(target, batch.results.layers(i));
             }
-            pyramid.put(target, sample, batch.results.key(i));
+            let mut key = batch.results.key(i);
+            if is_shown && sample.object().is_some_and(|id| world.glitters(id)) {
+                // No other point's.
+                key = (y << 16 | x) as u32;
+            }
+            pyramid.put(target, sample, key);
         }
         self.end_batch();
         self.context.observer.stage(Stage::Points);

@@ -1,10 +1,11 @@
 //! Random scenes for all tests of pictures.
 //!
 //! The functions of this file make proptest's strategies, which shrink a failing scene; [`placed`] makes strategies for scenes
-//! whose objects are placed by where they are in the picture, [`seeded`] makes scenes from a number, for long runs, and [`near`]
-//! and [`alone`] those in which things are easily missed. All are seeded (see `.cargo/config.toml`), so that a run repeats.
+//! whose objects are placed by where they are in the picture, [`seeded`] makes scenes from a number, for long runs, [`near`]
+//! and [`alone`] those in which things are easily missed, and [`crowded`] crowds. All are seeded (see `.cargo/config.toml`), so that a run repeats.
 
 pub mod alone;
+pub mod crowded;
 pub mod near;
 pub mod placed;
 pub mod seeded;
