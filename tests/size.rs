@@ -63,7 +63,8 @@ fn the_intro_is_at_most_64_kib() {
 /// The page's figures are of builds that were much like these.
 #[test]
 fn the_page_tells_the_size() {
-    const NEAR: usize = 500;
+    // The file for Windows grows by so many bytes at a time.
+    const NEAR: usize = 512;
     let page = include_str!("../docs/size.md");
     let rows = page
         .lines()
