@@ -5,10 +5,10 @@ use std::{
     ffi::{OsStr, OsString},
     fs,
     path::{Path, PathBuf},
-    process::Command,
+    process::{Command, ExitStatus},
 };
 
-use super::diet;
+use super::{diet, order};
 use crate::{Error, System, Version, pack_executable, unpacked_executable};
 
 /// The largest file of a 64 kB intro.
@@ -22,6 +22,8 @@ const LINUX: &str = "linux";
 const WINDOWS: &str = "windows";
 /// The name of the diet's object file.
 const DIET: &str = "diet.o";
+/// The name of the file with functions in the order in which they are linked.
+const ORDER: &str = "order";
 
 /// The build script's settings for the linker, in a file beside it.
 pub struct Settings {
@@ -71,6 +73,22 @@ impl Settings {
     fn is_for_windows(&self) -> bool {
         matches!(self.system, System::Windows(_))
     }
+
+    /// Whether the linker takes an order of functions.
+    fn is_lld(&self) -> bool {
+        let version = Command::new(&self.linker).arg("--version").output();
+        version.is_ok_and(|version| String::from_utf8_lossy(&version.stdout).starts_with("LLD"))
+    }
+
+    /// Runs the linker with more arguments before those that it was to be given.
+    fn run_linker(&self, more: &[OsString], arguments: &[OsString]) -> Result<ExitStatus, Error> {
+        let is_wanted = |argument: &&OsString| !self.is_for_windows() || !is_of_linux(argument);
+        Command::new(&self.linker)
+            .args(more)
+            .args(arguments.iter().filter(is_wanted))
+            .status()
+            .map_err(|error| format!("cannot run {}: {error}", self.linker).into())
+    }
 }
 
 /// Links as it is told, and packs what came of it. Returns the exit code.
@@ -85,9 +103,9 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     let own = env::current_exe()?;
     let directory = own.parent().ok_or("the linker is nowhere")?;
     let settings = Settings::read(directory)?;
-    let mut command = Command::new(&settings.linker);
     let words = words(arguments)?;
     let output = output(&words);
+    let mut more = Vec::new();
     if output.is_some() {
         // Have the diet's definitions come first.
         let (object, missing) = diet::redirections(&words)?;
@@ -97,21 +115,26 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         }
         let path = directory.join(DIET);
         fs::write(&path, object)?;
-        command.arg(path);
+        more.push(path.into_os_string());
     }
     // Have the linker link the program.
-    let is_wanted = |argument: &&OsString| !settings.is_for_windows() || !is_of_linux(argument);
-    let status = command
-        .args(arguments.iter().filter(is_wanted))
-        .status()
-        .map_err(|error| format!("cannot run {}: {error}", settings.linker))?;
-    if !status.success() {
+    let status = settings.run_linker(&more, arguments)?;
+    let Some(path) = output.filter(|_| status.success()) else {
+        // Without an output it was asked for its version.
         return Ok(status.code().unwrap_or(1));
-    }
-    let Some(path) = output else {
-        // It was asked for its version.
-        return Ok(0);
     };
+    // Have it do so again with functions in a better order, if it can.
+    if settings.is_lld() {
+        let order = directory.join(ORDER);
+        fs::write(&order, order::by_likeness(&fs::read(&path)?)?.join("\n"))?;
+        let mut option = OsString::from("--symbol-ordering-file=");
+        option.push(order);
+        more.extend([option, "--no-warn-symbol-ordering".into()]);
+        let status = settings.run_linker(&more, arguments)?;
+        if !status.success() {
+            return Ok(status.code().unwrap_or(1));
+        }
+    }
     // Keep the program as it was linked, under the name that cargo gives it: with libraries of other features it has another.
     let program = fs::read(&path)?;
     let mut name = path.file_name().ok_or("no name")?.to_owned();

@@ -17,6 +17,7 @@
 
 mod diet;
 mod linker;
+mod order;
 mod toolchain;
 
 use std::{
