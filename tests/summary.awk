@@ -1,6 +1,6 @@
 # Sums up what `cargo test` has written: a line for each suite, one for all, and the names of the tests that failed.
 
-# The suite that is running: "Running tests/size.rs (...)", "Running unittests src/lib.rs (target/.../deps/NAME-...)",
+# The suite that is running: "Running tests/governor.rs (...)", "Running unittests src/lib.rs (target/.../deps/NAME-...)",
 # "Doc-tests NAME".
 function start(name) {
     finish()

@@ -65,7 +65,7 @@ fn the_intro_is_at_most_64_kib() {
 fn the_page_tells_the_size() {
     // The file for Windows grows by so many bytes at a time.
     const NEAR: usize = 512;
-    let page = include_str!("../docs/size.md");
+    let page = include_str!("../../docs/size.md");
     let rows = page
         .lines()
         .filter_map(|line| line.strip_prefix("| **the file** | | **"));
@@ -180,7 +180,6 @@ fn a_cut_intro_says_so() {
     }
 }
 
-/// No path is in the file, and nothing of chance; `EIGHTFOLD_UNPACKED` leaves out the packing and nothing else.
 /// Without a word Linux would end a program that has more memory in its headers than it may have.
 #[test]
 fn too_little_memory_is_told_in_one_line() {
@@ -199,6 +198,7 @@ fn too_little_memory_is_told_in_one_line() {
     }
 }
 
+/// No path is in the file, and nothing of chance; `EIGHTFOLD_UNPACKED` leaves out the packing and nothing else.
 #[test]
 #[ignore = "the intro is compiled in another folder"]
 fn another_folder_has_the_same_bytes_packed_and_unpacked() {

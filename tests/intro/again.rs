@@ -1,6 +1,6 @@
 //! With `--loop` the show plays a second time with the same pictures and sound. Sound device and clock are simulated.
 
-#[path = "../src/window/tests/simulated/mod.rs"]
+#[path = "../../src/window/tests/simulated/mod.rs"]
 mod simulated;
 
 use eightfold::show::{self, grid};

@@ -86,7 +86,7 @@ fn a_terminal_is_refused() {
 fn a_tool_that_is_missing_is_named() {
     let nothing = tempfile::tempdir().unwrap();
     let mut test = Command::new(env::current_exe().expect("this program"));
-    let test = test.args(["--exact", "a_terminal_is_refused", "--nocapture"]);
+    let test = test.args(["--exact", "still::a_terminal_is_refused", "--nocapture"]);
     let (output, _) = run(test
         .env("PATH", nothing.path())
         .env_remove("EIGHTFOLD_TOOLS"));
