@@ -1,4 +1,4 @@
-//! The file that ships draws, with `--still`, the same bits as the library under test, and the same pictures as the oracle.
+//! The program that ships draws, with `--still`, the same bits as the library under test, and the same pictures as the oracle.
 
 use crate::accuracy::assert_as_traced;
 use crate::cpu::{self, Isa};
@@ -7,7 +7,7 @@ use crate::error::{Difference, worst_channel};
 use eightfold::show;
 use eightfold_lab::arguments::NamedQuality;
 use eightfold_oracle::frame::Frame;
-use eightfold_stage::{intro, reader::read_ppm};
+use eightfold_stage::{linked_intro, reader::read_ppm};
 use eightfold_tracer::scene::{Method, Scene};
 use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
 use std::process::Command;
@@ -39,10 +39,10 @@ impl Still {
         scene
     }
 
-    /// The frame, drawn by the file that ships.
+    /// The frame, drawn by the program that ships.
     pub fn shipped(&self, isa: Isa, threads: usize) -> Vec<u32> {
         let (seconds, milliseconds) = (self.time / 1000, self.time % 1000);
-        let output = Command::new(intro())
+        let output = Command::new(linked_intro())
             .args(["--still", &format!("{seconds}.{milliseconds:03}")])
             .args(["--size", &format!("{}x{}", self.width, self.height)])
             .args(["--quality", self.quality.name, "--isa", isa.name])

@@ -30,6 +30,19 @@ pub fn intro() -> PathBuf {
     BUILT.clone()
 }
 
+/// The path of the intro as it was linked. The packed file unpacks the same program, as `tests/intro/size.rs` holds; this starts
+/// in a third of a second less.
+pub fn linked_intro() -> PathBuf {
+    static LINKED: LazyLock<PathBuf> = LazyLock::new(|| {
+        if is_portable() {
+            return intro();
+        }
+        let built = cargo::Build::release("eightfold").expect("it can be built");
+        built.linked("eightfold").expect("it was linked")
+    });
+    LINKED.clone()
+}
+
 /// Whether [`intro`] has the portable backend.
 pub fn is_portable() -> bool {
     env::var_os("EIGHTFOLD_BACKEND").is_some()
@@ -49,7 +62,7 @@ pub fn qualities() -> String {
 
 /// A command that starts the intro without a display and without sound.
 pub fn headless() -> Command {
-    let mut command = Command::new(intro());
+    let mut command = Command::new(linked_intro());
     command.env_remove("DISPLAY").arg("--silent");
     command
 }

@@ -136,10 +136,10 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         }
     }
     // Keep the program as it was linked, under the name that cargo gives it: with libraries of other features it has another.
-    let program = fs::read(&path)?;
     let mut name = path.file_name().ok_or("no name")?.to_owned();
     name.push(".unpacked");
-    fs::write(Path::new(&settings.unpacked).join(name), &program)?;
+    fs::copy(&path, Path::new(&settings.unpacked).join(name))?;
+    let program = fs::read(&path)?;
     let packed = if settings.is_packed {
         let stub = fs::read(directory.join(STUB))?;
         pack_executable(&program, &stub, &settings.system)
