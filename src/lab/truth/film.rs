@@ -1,11 +1,10 @@
 //! The film: the sums of the samples of a picture's pixels, which a run leaves to the next one.
 
 use super::REPLICATIONS;
-use super::connect::Connections;
 use super::effects::Effects;
 use super::estimate::{Estimate, Pixel};
 use super::path::PathTracer;
-use super::photons::{Emission, Photons};
+use super::photons::{Caustics, Emission, Photons};
 use super::world::World;
 use crate::arguments::{Part, Size};
 use crate::interrupt;
@@ -70,14 +69,14 @@ impl Film {
     pub fn expose(
         &mut self,
         world: &World,
+        caustics: &Caustics,
         effects: Effects,
         sampling: &Sampling,
         count: usize,
         done: &(impl Fn() + Sync),
     ) {
         let width = self.width;
-        let connections = Connections::new(&world.bodies, &world.lamps);
-        let photons = photons(world, &connections, effects, sampling, count - 1);
+        let photons = photons(world, caustics, effects, sampling, count - 1);
         let rows = self.rows.par_iter_mut().enumerate();
         let rows = rows.filter(|(_, row)| row.count < count && !row.pixels.is_empty());
         rows.for_each(|(y, row)| {
@@ -89,7 +88,7 @@ impl Film {
                 for (replication, sum) in pixel.sums.iter_mut().enumerate() {
                     let tracer = PathTracer {
                         world,
-                        connections: &connections,
+                        connections: &caustics.connections,
                         effects,
                         photons: &photons[replication],
                     };
@@ -130,7 +129,7 @@ impl Film {
 /// The photons of a sample, for each replication.
 fn photons(
     world: &World,
-    connections: &Connections,
+    caustics: &Caustics,
     effects: Effects,
     sampling: &Sampling,
     index: usize,
@@ -147,7 +146,7 @@ fn photons(
             index,
             has_extents: effects.soft_shadows,
         };
-        Photons::emit(world, connections, &emission, effects.surfaces)
+        Photons::emit(world, caustics, &emission, effects.surfaces)
     };
     (0..REPLICATIONS).into_par_iter().map(of).collect()
 }

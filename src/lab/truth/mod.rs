@@ -1,5 +1,6 @@
 //! `lab truth`: what a scene would look like by the rendering equation, and what the real-time model leaves out of it.
 
+mod aim;
 mod connect;
 mod convergence;
 pub mod effects;
@@ -8,7 +9,7 @@ pub mod film;
 pub mod lamp;
 mod losses;
 pub mod path;
-mod photons;
+pub mod photons;
 mod plan;
 pub mod render;
 pub mod state;

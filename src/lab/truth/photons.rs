@@ -6,16 +6,20 @@
 //! Photon Mapping: A Probabilistic Approach", 2011): so noise and blur average out. What the same photons would light by discs of
 //! half the radius tells how far the blur changes a pixel, which is part of its interval as the noise is.
 //!
+//! Photons are sent from lamps in the directions that [`Aim`] finds, most of them.
+//!
 //! At the edges of what is lit a part of the disc would be lost: there the photons that are on the surface count for those that
 //! cannot be.
 
+use super::aim::{Aim, Reach};
 use super::connect::{Connections, Event, Gap};
 use super::lamp::Lamp;
 use super::surface::Bsdf;
 use super::world::{Body, World};
 use crate::sampler::{Sampler, Sequence, around, seed_of};
 use eightfold_oracle::geometry::Ray;
-use eightfold_tracer::glam::DVec3;
+use eightfold_tracer::glam::{DVec2, DVec3};
+use rayon::prelude::*;
 use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree, RTreeObject};
 use std::f64::consts::{PI, TAU};
@@ -36,6 +40,9 @@ const NARROW: f64 = 0.5;
 const LIFT: f64 = 0.25;
 /// Places around a photon by which it is told how much of its surroundings is surface.
 const AROUND: usize = 8;
+
+/// Photons that tell whether light arrives by a part of the directions from a lamp.
+const TRIED: usize = 8;
 
 /// The neighbours that a photon's disc reaches: so many photons light a point, give or take some.
 const NEIGHBOURS: usize = 12;
@@ -107,39 +114,26 @@ impl Photons {
     /// Sends photons from every lamp to every body that mirrors or lets light through.
     pub fn emit(
         world: &World,
-        connections: &Connections,
+        caustics: &Caustics,
         emission: &Emission,
         keeps_energy: bool,
     ) -> Self {
-        let targets = world.bodies.iter().enumerate();
-        let targets: Vec<(usize, &Body)> = targets
-            .filter(|(_, body)| body.material.is_specular())
-            .collect();
-        if let [(_, only)] = *targets
-            && only.material.kt == 0.0
-            && only.is_smooth()
-        {
-            // All ways have a closed form.
-            return Self::none();
-        }
-        let count = PHOTONS / (world.lamps.len() * targets.len()).max(1);
         let mut photons = Vec::new();
-        for (i, lamp) in world.lamps.iter().enumerate() {
-            for &(index, target) in &targets {
-                let part = (i * world.bodies.len() + index) as u64;
-                let seed = seed_of(emission.seed, part);
-                let flight = Flight {
-                    world,
-                    connections,
-                    lamp,
-                    keeps_energy,
-                    has_extents: emission.has_extents,
-                    share: 1.0 / count as f64,
-                };
-                for photon in 0..count {
-                    let mut sampler = Sampler::new(emission.sequence, photon, seed);
-                    flight.send(target, &mut sampler, &mut photons);
-                }
+        let count = PHOTONS / caustics.beams.len().max(1);
+        for beam in &caustics.beams {
+            let flight = Flight {
+                world,
+                connections: &caustics.connections,
+                lamp: &world.lamps[beam.lamp],
+                target: &world.bodies[beam.target],
+                keeps_energy,
+                has_extents: emission.has_extents,
+            };
+            let seed = seed_of(emission.seed, beam.part(world));
+            for photon in 0..count {
+                let mut sampler = Sampler::new(emission.sequence, photon, seed);
+                let (u, weight) = beam.aim.choose(&mut sampler);
+                flight.send(u, weight / count as f64, &mut sampler, &mut photons);
             }
         }
         // The variance of the mean falls by the number of samples to the power of 2/3, and so does the squared error by the blur.
@@ -238,43 +232,121 @@ fn widen(photons: &mut [Photon], world: &World) {
     }
 }
 
+/// The ways of light from a world's lamps by mirrors and glass.
+pub struct Caustics {
+    /// Those in closed form.
+    pub connections: Connections,
+    /// Where the others begin; none, if there are no others.
+    beams: Vec<Beam>,
+}
+
+impl Caustics {
+    /// Those of a world; without any but the ones in closed form, if photons are not asked for.
+    pub fn new(world: &World, has_photons: bool) -> Self {
+        let connections = Connections::new(&world.bodies, &world.lamps);
+        let bodies = world.bodies.iter().enumerate();
+        let targets: Vec<usize> = bodies
+            .filter(|(_, body)| body.material.is_specular())
+            .map(|(target, _)| target)
+            .collect();
+        let is_known = match *targets {
+            [only] => world.bodies[only].material.kt == 0.0 && world.bodies[only].is_smooth(),
+            _ => false,
+        };
+        let lamps = 0..world.lamps.len();
+        let pairs: Vec<(usize, usize)> = lamps
+            .flat_map(|lamp| targets.iter().map(move |&target| (lamp, target)))
+            .filter(|_| has_photons && !is_known)
+            .collect();
+        let beams = pairs.into_par_iter().map(|(lamp, target)| {
+            let flight = Flight {
+                world,
+                connections: &connections,
+                lamp: &world.lamps[lamp],
+                target: &world.bodies[target],
+                keeps_energy: true,
+                has_extents: true,
+            };
+            let aim = Aim::new(|corner, side| flight.tried(corner, side));
+            Beam { lamp, target, aim }
+        });
+        let beams = beams.collect();
+        Self { connections, beams }
+    }
+}
+
+/// What a lamp sends towards a body that mirrors or lets light through.
+struct Beam {
+    /// The lamp's index.
+    lamp: usize,
+    /// The body's.
+    target: usize,
+    aim: Aim,
+}
+
+impl Beam {
+    /// A number of its own.
+    fn part(&self, world: &World) -> u64 {
+        (self.lamp * world.bodies.len() + self.target) as u64
+    }
+}
+
 /// A photon on its way.
 struct Flight<'a> {
     world: &'a World,
     connections: &'a Connections,
     lamp: &'a Lamp,
+    target: &'a Body,
     keeps_energy: bool,
     has_extents: bool,
-    /// The share of the lamp's light towards the target that it carries.
-    share: f64,
 }
 
 impl Flight<'_> {
-    /// Sends a photon to a body, and leaves it where it meets rough surfaces behind that.
-    fn send(&self, target: &Body, sampler: &mut Sampler, photons: &mut Vec<Photon>) {
+    /// How far photons come by some directions of a part of them, which is given by its lower corner and its side.
+    fn tried(&self, corner: DVec2, side: f64) -> Reach {
+        let bits = corner.x.to_bits() ^ corner.y.to_bits().rotate_left(32);
+        let seed = seed_of(side.to_bits() as u32, bits);
+        let reach = |i| {
+            let mut sampler = Sampler::new(Sequence::Sobol, i, seed);
+            let u = corner + side * sampler.next_2d();
+            self.send(u, 1.0, &mut sampler, &mut Vec::new())
+        };
+        (0..TRIED).map(reach).max().unwrap_or(Reach::Nowhere)
+    }
+
+    /// Sends a photon with a share of the lamp's light towards the target in a direction, chosen by `u`, and leaves it where it meets
+    /// rough surfaces behind that.
+    fn send(
+        &self,
+        u: DVec2,
+        share: f64,
+        sampler: &mut Sampler,
+        photons: &mut Vec<Photon>,
+    ) -> Reach {
+        let target = self.target;
         // Choose a ray from the lamp within the cone around the target.
         let (o, normal) = self.lamp.point(self.has_extents, sampler.next_2d());
-        let u = sampler.next_2d();
         let width = target.shape.width_from(o);
         let axis = (target.shape.centre() - o).normalize_or(DVec3::Y);
         let start = around(axis, 1.0 - u.x * width, u.y);
         let mut ray = Ray::new(o, start);
         let Some((body, met)) = self.world.nearest(ray) else {
-            return;
+            return Reach::Nowhere;
         };
         // Others have photons of their own. Those that would enter the lamp are not sent.
         let cosine = normal.map_or(1.0, |n| n.dot(start));
         if !std::ptr::eq(body, target) || cosine <= 0.0 {
-            return;
+            return Reach::Nowhere;
         }
         // Follow it from body to body.
         let first = ray.at(met.t);
-        let solid_angle = TAU * width * cosine * self.share;
+        let solid_angle = TAU * width * cosine * share;
         let mut travelled = 0.0;
         let mut way: Vec<Event> = Vec::new();
+        let mut reach = Reach::Nowhere;
         for bounce in 0..MAX_BOUNCES {
             let Some((body, met)) = self.world.nearest(ray) else {
-                return;
+                return reach;
             };
             if bounce > 0 {
                 travelled += met.t;
@@ -287,7 +359,11 @@ impl Flight<'_> {
             } else {
                 Gap::Nowhere
             };
+            if !std::ptr::eq(body, target) && body.material.is_specular() {
+                reach = reach.max(Reach::Further);
+            }
             if bsdf.is_rough() && gap != Gap::Nowhere {
+                reach = Reach::Rough;
                 let unfolded = first + travelled * start;
                 photons.push(Photon {
                     p: next.o,
@@ -302,10 +378,10 @@ impl Flight<'_> {
             }
             // Go on as the surface mirrors it or lets it through.
             let Some(bounce) = bsdf.sample_bounce(sampler.next_1d()) else {
-                return;
+                return reach;
             };
             let Some((d, _)) = bsdf.bounced(bounce) else {
-                return;
+                return reach;
             };
             way.push(Event {
                 body: self.world.index(body),
@@ -315,5 +391,6 @@ impl Flight<'_> {
             });
             ray = next.turned(d);
         }
+        reach
     }
 }

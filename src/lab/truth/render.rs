@@ -3,6 +3,7 @@
 use super::effects::Effects;
 use super::estimate::Estimate;
 use super::film::{Film, Sampling};
+use super::photons::Caustics;
 use super::world::World;
 use super::{REPLICATIONS, state};
 use crate::arguments::{Part, Size};
@@ -49,11 +50,21 @@ impl Picture<'_> {
 
     /// Draws it in one go.
     pub fn draw(&self, pool: &ThreadPool) -> Vec<Estimate> {
-        let world = self.world();
         let mut film = Film::new(self.size, Part::WHOLE);
-        for count in 1..=self.sampling.count {
-            pool.install(|| film.expose(&world, self.effects, &self.sampling, count, &|| {}));
-        }
+        pool.install(|| {
+            let world = self.world();
+            let caustics = self.caustics(&world);
+            for count in 1..=self.sampling.count {
+                film.expose(
+                    &world,
+                    &caustics,
+                    self.effects,
+                    &self.sampling,
+                    count,
+                    &|| {},
+                );
+            }
+        });
         film.estimates()
     }
 
@@ -88,10 +99,13 @@ impl Picture<'_> {
         bar.reset_eta();
 
         let world = self.world();
+        let caustics = pool.install(|| self.caustics(&world));
         let mut saved = Instant::now();
         for next in begun + 1..=count {
             let done = || bar.inc(1);
-            pool.install(|| film.expose(&world, self.effects, &self.sampling, next, &done));
+            pool.install(|| {
+                film.expose(&world, &caustics, self.effects, &self.sampling, next, &done);
+            });
             if interrupt::is_stopped() && film.count() < count {
                 bar.finish_and_clear();
                 state::save(&name, &made, &film)?;
@@ -116,6 +130,10 @@ impl Picture<'_> {
     fn world(&self) -> World {
         let Size { width, height } = self.size;
         World::new(self.scene, width, height, self.effects.falloff)
+    }
+
+    fn caustics(&self, world: &World) -> Caustics {
+        Caustics::new(world, self.effects.caustics)
     }
 }
 

@@ -3,16 +3,17 @@
 
 use super::caustics::{GLASS, HALF, MIRROR, OF_LAMPS, plate};
 use super::sphere;
-use eightfold_lab::arguments::Size;
-use eightfold_lab::sampler::{Sampler, Sequence, around, disc, seed_of};
-use eightfold_lab::truth::film::Sampling;
-use eightfold_lab::truth::render::Picture;
+use eightfold_lab::arguments::{Part, Size};
+use eightfold_lab::sampler::{MAX_POINTS, Sampler, Sequence, around, disc, seed_of};
+use eightfold_lab::truth::REPLICATIONS;
+use eightfold_lab::truth::estimate::Welford;
+use eightfold_lab::truth::film::{Film, Sampling};
+use eightfold_lab::truth::photons::Caustics;
 use eightfold_lab::truth::surface::Bounce;
 use eightfold_lab::truth::world::World;
 use eightfold_oracle::geometry::{Ray, width};
 use eightfold_tracer::glam::{DVec2, DVec3, EulerRot, Mat3A, Vec3A, dvec2, dvec3, vec3a};
 use eightfold_tracer::scene::{Block, List, Material, Scene, Shape, Waves};
-use rayon::ThreadPoolBuilder;
 use std::f64::consts::TAU;
 
 /// The side of the pictures, in pixels.
@@ -20,12 +21,16 @@ const SIDE: usize = 64;
 /// Pixels as near as this to a side of the plate are its edges, and those near to two sides are its corners.
 const RIM: usize = 4;
 /// Directions from the lamp are divided into so many parts both ways.
-const PARTS: usize = 256;
-/// Rays from the lamp: some hundreds for each pixel.
-const RAYS: usize = 1 << 19;
+const PARTS: usize = 512;
+/// Rays that tell whether light comes by a part: those of a narrow mirror come by few of them.
+const TRIED: usize = 16;
+/// Rays from the lamp by all parts that light comes by: some hundreds for each pixel, and more.
+const RAYS: usize = 1 << 21;
 /// Ways of light by more mirrors and glass, or with a smaller share of it, are left out.
 const MOST_BOUNCES: usize = 12;
 const LEAST_SHARE: f64 = 1e-3;
+/// The least share of intervals that hold the light, at each place.
+const LEAST_HELD: f64 = 0.93;
 
 /// The light that a lamp, a point, sends towards a sphere.
 struct Beam {
@@ -80,16 +85,20 @@ impl Beam {
         }
     }
 
-    /// The light that the plate sends from each pixel's square: a ray in each part of the directions tells from where it is lit, and
+    /// The light that the plate sends from each pixel's square: some rays in each part of the directions tell from where it is lit, and
     /// from there come all others.
-    fn picture(&self) -> Vec<f64> {
+    fn picture(&self, seed: u32) -> Vec<f64> {
         let within = |part: usize, u: DVec2| {
             (dvec2((part % PARTS) as f64, (part / PARTS) as f64) + u) / PARTS as f64
         };
         let is_lit = |part: usize| {
-            let mut is_lit = false;
-            self.follow(within(part, DVec2::splat(0.5)), &mut |_, _| is_lit = true);
-            is_lit
+            (0..TRIED).any(|i| {
+                let mut is_lit = false;
+                let mut sampler = Sampler::new(Sequence::Sobol, i, seed_of(!seed, part as u64));
+                let u = within(part, sampler.next_2d());
+                self.follow(u, &mut |_, _| is_lit = true);
+                is_lit
+            })
         };
         let lit: Vec<bool> = (0..PARTS * PARTS).map(is_lit).collect();
         let is_near = |part: &usize| {
@@ -100,13 +109,13 @@ impl Beam {
             })
         };
         let parts: Vec<usize> = (0..PARTS * PARTS).filter(is_near).collect();
-        let rays = RAYS / parts.len();
+        let rays = (RAYS / parts.len()).min(MAX_POINTS);
         let solid_angle = TAU * self.width / (rays * PARTS * PARTS) as f64;
         let area = (2.0 * HALF / SIDE as f64).powi(2);
         let mut sums = vec![0.0; SIDE * SIDE];
         for &part in &parts {
             for i in 0..rays {
-                let mut sampler = Sampler::new(Sequence::Sobol, i, seed_of(0, part as u64));
+                let mut sampler = Sampler::new(Sequence::Sobol, i, seed_of(seed, part as u64));
                 let u = within(part, sampler.next_2d());
                 self.follow(u, &mut |pixel, light| {
                     // The plate's albedo is a half.
@@ -118,9 +127,9 @@ impl Beam {
     }
 }
 
-/// A part of the plate: sums over its pixels.
+/// A place of the plate: sums over its pixels.
 #[derive(Default)]
-struct Part {
+struct Place {
     count: f64,
     /// How many intervals hold the truth.
     held: f64,
@@ -131,47 +140,70 @@ struct Part {
     known: f64,
 }
 
-/// The middle of the plate, its edges and its corners, by the light that comes there by way of a sphere.
-fn parts(scene: &Scene, centre: DVec3, radius: f64) -> [Part; 3] {
-    assert_eq!(scene.validate(), Ok(()));
-    let picture = Picture {
-        scene,
-        size: Size {
-            width: SIDE,
-            height: SIDE,
-        },
-        effects: OF_LAMPS,
-        sampling: Sampling {
-            count: 2,
-            sequence: Sequence::Sobol,
-            seed: 1,
-            is_antialiased: true,
-        },
-    };
-    let found = picture.draw(&ThreadPoolBuilder::new().build().expect("threads"));
-    let known = Beam::new(scene, centre, radius).picture();
+/// Compares a film with pictures of the light that the plate sends, whose differences tell their noise: its middle, its edges and its corners.
+fn places(film: &Film, known: &[Vec<f64>]) -> [Place; 3] {
     let is_near = |at: usize| usize::from(!(RIM..SIDE - RIM).contains(&at));
-    let mut parts = <[Part; 3]>::default();
-    for (i, (found, known)) in found.iter().zip(known).enumerate() {
-        let part = &mut parts[is_near(i % SIDE) + is_near(i / SIDE)];
+    let mut places = <[Place; 3]>::default();
+    for (i, found) in film.estimates().iter().enumerate() {
+        let known: Welford = known.iter().map(|known| DVec3::splat(known[i])).collect();
+        let noise = known.variance_of_mean().x.sqrt();
+        let known = known.mean().x;
+        let place = &mut places[is_near(i % SIDE) + is_near(i / SIDE)];
         let half = found.half_interval().x;
-        part.count += 1.0;
-        part.held += f64::from((found.mean.x - known).abs() <= half);
-        part.halves += half;
-        part.found += found.mean.x;
-        part.known += known;
+        place.count += 1.0;
+        place.held += f64::from((found.mean.x - known).abs() <= half + 2.0 * noise);
+        place.halves += half;
+        place.found += found.mean.x;
+        place.known += known;
     }
-    parts
+    places
 }
 
-/// Asserts that the intervals hold the light of photons, and are not so wide that this is nothing.
+/// The plate with 16 samples a pixel, and with the most that are asked for.
+fn films(scene: &Scene, most: usize) -> Vec<Film> {
+    assert_eq!(scene.validate(), Ok(()));
+    let size = Size {
+        width: SIDE,
+        height: SIDE,
+    };
+    let sampling = Sampling {
+        count: most / REPLICATIONS,
+        sequence: Sequence::Sobol,
+        seed: 1,
+        is_antialiased: true,
+    };
+    let world = World::new(scene, SIDE, SIDE, false);
+    let caustics = Caustics::new(&world, true);
+    let mut film = Film::new(size, Part::WHOLE);
+    let mut films = Vec::new();
+    for count in 1..=sampling.count {
+        film.expose(&world, &caustics, OF_LAMPS, &sampling, count, &|| {});
+        if [2, sampling.count].contains(&count) {
+            films.push(film.clone());
+        }
+    }
+    films
+}
+
+/// Asserts that the intervals hold the light of photons, and are not so wide that this is nothing. The light comes to the plate by way
+/// of what is in a sphere.
 #[track_caller]
-fn assert_covers(name: &str, scene: &Scene, centre: DVec3, radius: f64) {
-    let parts = parts(scene, centre, radius);
-    for (part, place) in parts.iter().zip(["middle", "edges", "corners"]) {
-        let (share, wide) = (part.held / part.count, part.halves / part.known);
-        assert!(share > 0.93, "{name}, {place}: {share} of the intervals");
-        assert!(wide < 1.0, "{name}, {place}: {wide} of the light");
+fn assert_covers(case: &Case, most: usize) {
+    let Case { name, scene, .. } = case;
+    let beam = Beam::new(scene, case.centre, case.radius);
+    let known = [0, 1, 2, 3].map(|seed| beam.picture(seed));
+    for film in films(scene, most) {
+        let samples = film.count() * REPLICATIONS;
+        for (place, called) in places(&film, &known)
+            .iter()
+            .zip(["middle", "edges", "corners"])
+        {
+            let (share, wide) = (place.held / place.count, place.halves / place.known);
+            let what = format!("{name}, {called}, {samples} samples");
+            println!("{what}: {share:.4} of the intervals, {wide:.3} of the light");
+            assert!(share > LEAST_HELD, "{what}: {share} of the intervals");
+            assert!(wide < 1.0, "{what}: {wide} of the light");
+        }
     }
 }
 
@@ -201,24 +233,83 @@ fn above_mirror(centre: Vec3A, half: f32) -> Scene {
     scene
 }
 
-#[test]
-fn intervals_hold_what_photons_blur() {
-    let half = vec3a(0.4, 0.5, 0.4);
-    let mut glass = above_block(vec3a(0.1, -0.6, 0.0), half, 0.5, Shape::Box, GLASS);
-    glass.lights[0].position = vec3a(0.3, -4.0, 0.2);
-    assert_covers("a box of glass", &glass, dvec3(0.1, -0.6, 0.0), 0.76);
+/// Light that comes to the plate by way of what is in a sphere.
+struct Case {
+    name: String,
+    scene: Scene,
+    centre: DVec3,
+    radius: f64,
+}
 
-    let mut water = above_mirror(vec3a(0.3, 0.0, 0.0), 0.8);
-    water.water = Waves {
+/// What blocks of glass gather, which stand below the plate, turned, with the lamp below them.
+fn by_glass(shape: Shape, turn: f32) -> Case {
+    let centre = vec3a(0.1, -0.6, 0.0);
+    let mut scene = above_block(centre, vec3a(0.4, 0.5, 0.4), turn, shape, GLASS);
+    scene.lights[0].position = vec3a(0.3, -4.0, 0.2);
+    Case {
+        name: format!("{shape:?} of glass"),
+        scene,
+        centre: centre.as_dvec3(),
+        radius: 0.95,
+    }
+}
+
+/// What comes by way of a small mirror, and of a narrow one that is bent: a small part of the light towards either.
+fn by_two_mirrors(shape: Shape) -> Case {
+    let half = vec3a(0.12, 0.2, 0.12);
+    let mut scene = above_block(vec3a(0.55, 0.3, 0.15), half, 0.98, shape, MIRROR);
+    scene.planes = above_mirror(vec3a(0.9, 0.0, 0.2), 0.3).planes;
+    Case {
+        name: format!("{shape:?} and a mirror"),
+        scene,
+        centre: dvec3(0.75, 0.1, 0.15),
+        radius: 0.6,
+    }
+}
+
+fn by_waves() -> Case {
+    let mut scene = above_mirror(vec3a(0.3, 0.0, 0.0), 0.8);
+    scene.water = Waves {
         slope: 0.1,
         length: 0.4,
         phase: 0.0,
     };
-    assert_covers("waves", &water, dvec3(0.3, 0.0, 0.0), 1.14);
+    Case {
+        name: "waves".into(),
+        scene,
+        centre: dvec3(0.3, 0.0, 0.0),
+        radius: 1.14,
+    }
+}
 
-    let mut two = above_mirror(vec3a(0.45, 0.0, 0.0), 0.5);
-    two.spheres = List::of(&[sphere(vec3a(1.2, 1.0, 0.18), 0.35, GLASS)]);
-    assert_covers("a ball and a mirror", &two, dvec3(0.8, 0.5, 0.1), 1.0);
+fn by_ball_and_mirror() -> Case {
+    let mut scene = above_mirror(vec3a(0.45, 0.0, 0.0), 0.5);
+    scene.spheres = List::of(&[sphere(vec3a(1.2, 1.0, 0.18), 0.35, GLASS)]);
+    Case {
+        name: "a ball and a mirror".into(),
+        scene,
+        centre: dvec3(0.8, 0.5, 0.1),
+        radius: 1.0,
+    }
+}
+
+#[test]
+#[ignore = "many paths of light"]
+fn intervals_hold_what_photons_blur_with_few_samples_and_many() {
+    let glass = [
+        (Shape::Box, 0.5),
+        (Shape::Cylinder, 0.9),
+        (Shape::Capsule, 0.9),
+    ];
+    let glass = glass.map(|(shape, turn)| by_glass(shape, turn));
+    let mirrors = [Shape::Cylinder, Shape::Capsule].map(by_two_mirrors);
+    for case in glass
+        .iter()
+        .chain(&mirrors)
+        .chain(&[by_waves(), by_ball_and_mirror()])
+    {
+        assert_covers(case, 128);
+    }
 }
 
 #[test]
@@ -226,10 +317,12 @@ fn cylinders_and_capsules_mirror_a_lamp_without_blur() {
     for shape in [Shape::Cylinder, Shape::Capsule] {
         let half = vec3a(0.15, 0.25, 0.15);
         let scene = above_block(-0.2 * Vec3A::Y, half, 1.3, shape, MIRROR);
-        for part in parts(&scene, -0.2 * DVec3::Y, 0.31) {
-            let off = part.found / part.known - 1.0;
+        let beam = Beam::new(&scene, -0.2 * DVec3::Y, 0.31);
+        let known = [beam.picture(0)];
+        for place in places(&films(&scene, 16)[0], &known) {
+            let off = place.found / place.known - 1.0;
             assert!(off.abs() < 0.01, "{shape:?}: {off}");
-            assert!(part.halves < 0.1 * part.known, "{shape:?}");
+            assert!(place.halves < 0.1 * place.known, "{shape:?}");
         }
     }
 }

@@ -7,6 +7,7 @@ use eightfold_lab::scenes::SceneName;
 use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::estimate::Estimate;
 use eightfold_lab::truth::film::{Film, Sampling};
+use eightfold_lab::truth::photons::Caustics;
 use eightfold_lab::truth::render::Picture;
 use eightfold_lab::truth::state;
 use eightfold_lab::truth::world::World;
@@ -103,8 +104,9 @@ fn a_film_that_was_saved_goes_on_to_the_same_bits() {
     let scene = SceneName::Model.without_overlay(1.0);
     let world = World::new(&scene, SIZE.width, SIZE.height, false);
     let sampling = sampling(4);
+    let caustics = Caustics::new(&world, true);
     let expose = |film: &mut Film, count| {
-        film.expose(&world, Effects::TRUTH, &sampling, count, &|| {});
+        film.expose(&world, &caustics, Effects::TRUTH, &sampling, count, &|| {});
     };
     let mut whole = Film::new(SIZE, Part::WHOLE);
     (1..=4).for_each(|count| expose(&mut whole, count));
