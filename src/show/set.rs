@@ -24,7 +24,7 @@ pub(super) struct Set {
     pub swell: f32,
     /// The lights. Here a spotlight's aim may have any length.
     pub lights: &'static [Light],
-    /// How much lights and camera follow the kick of the drum, 0 to 1.
+    /// How much lights, copper bars and camera follow the kick of the drum, 0 to 1. With 0 no copper bars are seen.
     pub hit: f32,
     /// Objects, alone or in rows.
     pub props: &'static [Prop],
