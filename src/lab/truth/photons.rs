@@ -1,4 +1,4 @@
-//! Caustics: light that mirrors and glass send from a lamp to a rough surface, by ways that no [closed form](super::connect) has.
+//! Caustics: light that mirrors and glass send from a lamp to a rough surface, by ways that no closed form (`connect`) has.
 //!
 //! Paths from the eye hardly ever find such light, and those from the lamp do (Jensen, "Global Illumination using Photon Maps",
 //! 1996). A photon lights a disc that reaches as far as some of its neighbours, and at least as far as some pixels: caustics are
@@ -6,7 +6,7 @@
 //! Photon Mapping: A Probabilistic Approach", 2011): so noise and blur average out. What the same photons would light by discs of
 //! half the radius tells how far the blur changes a pixel, which is part of its interval as the noise is.
 //!
-//! Photons are sent from lamps in the directions that [`Aim`] finds, most of them.
+//! Photons are sent from lamps in the directions that `Aim` finds, most of them.
 //!
 //! At the edges of what is lit a part of the disc would be lost: there the photons that are on the surface count for those that
 //! cannot be.
@@ -69,7 +69,7 @@ struct Photon {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Blurred {
     pub light: DVec3,
-    /// How much more of it there is than by discs of [`NARROW`] of the radius.
+    /// How much more of it there is than by discs of `NARROW` of the radius.
     pub blur: DVec3,
 }
 
