@@ -14,6 +14,7 @@ use eightfold_lab::truth::world::World;
 use eightfold_oracle::geometry::{Ray, width};
 use eightfold_tracer::glam::{DVec2, DVec3, EulerRot, Mat3A, Vec3A, dvec2, dvec3, vec3a};
 use eightfold_tracer::scene::{Block, List, Material, Scene, Shape, Waves};
+use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// The side of the pictures, in pixels.
@@ -191,7 +192,8 @@ fn films(scene: &Scene, most: usize) -> Vec<Film> {
 fn assert_covers(case: &Case, most: usize) {
     let Case { name, scene, .. } = case;
     let beam = Beam::new(scene, case.centre, case.radius);
-    let known = [0, 1, 2, 3].map(|seed| beam.picture(seed));
+    let seeds = (0..4).into_par_iter();
+    let known: Vec<Vec<f64>> = seeds.map(|seed| beam.picture(seed)).collect();
     for film in films(scene, most) {
         let samples = film.count() * REPLICATIONS;
         for (place, called) in places(&film, &known)
