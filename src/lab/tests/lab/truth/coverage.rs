@@ -30,6 +30,8 @@ const RAYS: usize = 1 << 21;
 /// Ways of light by more mirrors and glass, or with a smaller share of it, are left out.
 const MOST_BOUNCES: usize = 12;
 const LEAST_SHARE: f64 = 1e-3;
+/// Samples of a pixel where they are few: two of each replication.
+const FEW: usize = 16;
 /// The least share of intervals that hold the light, at each place.
 const LEAST_HELD: f64 = 0.93;
 
@@ -160,7 +162,7 @@ fn places(film: &Film, known: &[Vec<f64>]) -> [Place; 3] {
     places
 }
 
-/// The plate with 16 samples a pixel, and with the most that are asked for.
+/// The plate with [`FEW`] samples a pixel, and with the most that are asked for.
 fn films(scene: &Scene, most: usize) -> Vec<Film> {
     assert_eq!(scene.validate(), Ok(()));
     let size = Size {
@@ -179,7 +181,7 @@ fn films(scene: &Scene, most: usize) -> Vec<Film> {
     let mut films = Vec::new();
     for count in 1..=sampling.count {
         film.expose(&world, &caustics, OF_LAMPS, &sampling, count, &|| {});
-        if [2, sampling.count].contains(&count) {
+        if [FEW / REPLICATIONS, sampling.count].contains(&count) {
             films.push(film.clone());
         }
     }
@@ -321,7 +323,7 @@ fn cylinders_and_capsules_mirror_a_lamp_without_blur() {
         let scene = above_block(-0.2 * Vec3A::Y, half, 1.3, shape, MIRROR);
         let beam = Beam::new(&scene, -0.2 * DVec3::Y, 0.31);
         let known = [beam.picture(0)];
-        for place in places(&films(&scene, 16)[0], &known) {
+        for place in places(&films(&scene, FEW)[0], &known) {
             let off = place.found / place.known - 1.0;
             assert!(off.abs() < 0.01, "{shape:?}: {off}");
             assert!(place.halves < 0.1 * place.known, "{shape:?}");
