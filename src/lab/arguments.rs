@@ -41,6 +41,10 @@ pub struct Size {
 }
 
 impl Size {
+    pub const fn new(width: usize, height: usize) -> Self {
+        Self { width, height }
+    }
+
     /// The number of pixels.
     pub fn area(self) -> usize {
         self.width * self.height

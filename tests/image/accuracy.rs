@@ -126,19 +126,10 @@ fn shells(count: usize) -> Scene {
         index: 1.01,
         ..Material::BLACK
     };
-    let shell = |i| Sphere {
-        centre: Vec3A::ZERO,
-        radius: 2.0 + 0.5 * i as f32,
-        material: glass,
-    };
+    let shell = |i| Sphere::new(Vec3A::ZERO, 2.0 + 0.5 * i as f32, glass);
     let shells: Vec<Sphere> = (0..count).map(shell).collect();
     Scene {
-        camera: Camera {
-            eye: vec3a(0.1, 0.2, 0.3),
-            look_at: Vec3A::X,
-            up: Vec3A::Y,
-            field_of_view: 1.0,
-        },
+        camera: Camera::new(vec3a(0.1, 0.2, 0.3), Vec3A::X, 1.0),
         background: Vec3A::splat(0.4),
         ambient: Vec3A::splat(0.3),
         spheres: List::of(&shells),
@@ -170,10 +161,8 @@ fn no_ray_is_lost_where_some_end_and_others_go_on_in_two() {
     // Rays that hit the black sphere in front of the eye end there, so that packets of secondary rays are not full.
     let mut scene = shells(Quality::MAX_DEPTH as usize + 1);
     scene.lights = List::of(&[Light {
-        position: vec3a(0.6, 0.2, 0.3),
-        colour: Vec3A::ZERO,
         drawn_radius: 0.15,
-        ..Light::DARK
+        ..Light::new(vec3a(0.6, 0.2, 0.3), Vec3A::ZERO)
     }]);
     let quality = Quality {
         depth: Quality::MAX_DEPTH,
@@ -206,10 +195,8 @@ fn a_lamp_lights_the_sphere_around_it_from_within_alone() {
         scene.camera.eye = eye;
         scene.camera.look_at = Vec3A::ZERO;
         scene.lights = List::of(&[Light {
-            position: lamp,
-            colour: Vec3A::ONE,
             drawn_radius: 0.1,
-            ..Light::DARK
+            ..Light::new(lamp, Vec3A::ONE)
         }]);
         hold(
             &scene,

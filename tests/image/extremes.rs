@@ -86,12 +86,7 @@ fn a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees() {
             // Towards the centre, or along the surface.
             let eye = centre + Vec3A::NEG_Z * (radius * distance);
             let ahead = if along { Vec3A::X } else { Vec3A::Z };
-            scene.camera = Camera {
-                eye,
-                look_at: eye + ahead,
-                up: Vec3A::Y,
-                field_of_view: 1.2,
-            };
+            scene.camera = Camera::new(eye, eye + ahead, 1.2);
             let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 120, 90);
             for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 120, 90) {
                 let what = format!("at {distance} radii, along it: {along}, by {}", isa.name);

@@ -18,10 +18,8 @@ fn disc(material: Material) -> Vec<[f32; 3]> {
     const HEIGHT: f32 = 1000.0;
     let scene = Scene {
         camera: Camera {
-            eye: Vec3A::Y * HEIGHT,
-            look_at: Vec3A::ZERO,
             up: -Vec3A::Z,
-            field_of_view: SIDE as f32 / 50.0 / HEIGHT,
+            ..Camera::new(Vec3A::Y * HEIGHT, Vec3A::ZERO, SIDE as f32 / 50.0 / HEIGHT)
         },
         blocks: List::of(&[Block {
             centre: Vec3A::ZERO,
@@ -34,10 +32,8 @@ fn disc(material: Material) -> Vec<[f32; 3]> {
             },
         }]),
         lights: List::of(&[Light {
-            position: vec3a(SLANT.sin(), SLANT.cos(), 0.0),
             parallel: true,
-            colour: Vec3A::ONE,
-            ..Light::DARK
+            ..Light::new(vec3a(SLANT.sin(), SLANT.cos(), 0.0), Vec3A::ONE)
         }]),
         ..Scene::default()
     };

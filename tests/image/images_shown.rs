@@ -58,11 +58,7 @@ fn scene(random: &mut Random) -> Scene {
             ..Material::BLACK
         };
         let Some(shape) = shape(number) else {
-            spheres.push(Sphere {
-                centre,
-                radius: size,
-                material,
-            });
+            spheres.push(Sphere::new(centre, size, material));
             continue;
         };
         let angles = [0; 3].map(|_| random.between(0.0, 6.0));
@@ -76,10 +72,7 @@ fn scene(random: &mut Random) -> Scene {
             material,
         });
     }
-    let mirror = Material {
-        kr: KR,
-        ..Material::BLACK
-    };
+    let mirror = Material::mirror(KR);
     Scene {
         ambient: Vec3A::ONE,
         spheres: List::of(&spheres),

@@ -27,19 +27,11 @@ fn scene(depth: f32, marble: f32) -> Scene {
         ..Material::BLACK
     };
     let block = |x: f32, shape: Shape, material: Material| Block {
-        centre: vec3a(x, 1.0, 0.0),
-        half: vec3a(0.7, 1.0, 0.7),
         axes: Mat3A::from_rotation_y(0.4),
-        shape,
-        material,
+        ..Block::new(shape, vec3a(x, 1.0, 0.0), vec3a(0.7, 1.0, 0.7), material)
     };
     Scene {
-        camera: Camera {
-            eye: vec3a(0.0, 2.5, -5.0),
-            look_at: vec3a(0.0, 0.8, 0.0),
-            up: Vec3A::Y,
-            field_of_view: 0.8,
-        },
+        camera: Camera::new(vec3a(0.0, 2.5, -5.0), vec3a(0.0, 0.8, 0.0), 0.8),
         background: Vec3A::splat(0.2),
         ambient: Vec3A::splat(0.2),
         planes: List::of(&[Plane {
@@ -61,11 +53,7 @@ fn scene(depth: f32, marble: f32) -> Scene {
                 material(vec3a(1.0, 2.0, 1.0), marble, 1.0),
             ),
         ]),
-        lights: List::of(&[Light {
-            position: vec3a(-3.0, 6.0, -4.0),
-            colour: Vec3A::ONE,
-            ..Light::DARK
-        }]),
+        lights: List::of(&[Light::new(vec3a(-3.0, 6.0, -4.0), Vec3A::ONE)]),
         ..Scene::default()
     }
 }
@@ -108,10 +96,8 @@ fn patterns_without_edges_are_filled_as_light_is() {
 fn balance_is_how_much_is_light_near_and_far() {
     let floor = |balance: f32, height: f32| Scene {
         camera: Camera {
-            eye: vec3a(0.01, height, 0.0),
-            look_at: vec3a(0.01, 0.0, 0.0),
             up: Vec3A::Z,
-            field_of_view: 0.8,
+            ..Camera::new(vec3a(0.01, height, 0.0), vec3a(0.01, 0.0, 0.0), 0.8)
         },
         ambient: Vec3A::ONE,
         planes: List::of(&[Plane {

@@ -6,17 +6,11 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{DVec3, Vec3A, vec3a};
 
-const SPHERE: Sphere = Sphere {
-    centre: vec3a(0.0, 1.5, 0.0),
-    radius: 0.6,
-    material: Material::BLACK,
-};
+const SPHERE: Sphere = Sphere::new(vec3a(0.0, 1.5, 0.0), 0.6, Material::BLACK);
 
 const LIGHT: Light = Light {
-    position: vec3a(1.0, 6.0, 0.5),
-    colour: Vec3A::ONE,
     diameter: 1.0,
-    ..Light::DARK
+    ..Light::new(vec3a(1.0, 6.0, 0.5), Vec3A::ONE)
 };
 
 /// The share of the round light that is visible past the sphere from a point, by many rays.
@@ -46,20 +40,14 @@ fn a_penumbra_is_within_a_tenth_of_what_many_rays_find() {
     let floor = Plane {
         half_x: 9.0,
         half_z: 9.0,
-        material: Material {
-            colour: Vec3A::ONE,
-            kd: 1.0,
-            ..Material::BLACK
-        },
+        material: Material::matt(Vec3A::ONE, 1.0),
         ..Plane::default()
     };
     let eye = vec3a(0.0, 30.0, 0.0);
     let scene = Scene {
         camera: Camera {
-            eye,
-            look_at: Vec3A::ZERO,
             up: Vec3A::X,
-            field_of_view: 0.2,
+            ..Camera::new(eye, Vec3A::ZERO, 0.2)
         },
         spheres: List::of(&[SPHERE]),
         planes: List::of(&[floor]),
@@ -101,25 +89,15 @@ fn a_penumbra_is_within_a_tenth_of_what_many_rays_find() {
 
 #[test]
 fn a_dome_is_lit_from_within_whatever_the_lamps_size_and_whatever_stands_outside() {
-    let matt = Material {
-        colour: Vec3A::splat(0.5),
-        kd: 0.4,
-        ..Material::BLACK
-    };
+    let matt = Material::matt(Vec3A::splat(0.5), 0.4);
     let dome = |size: f32, boxes: &[Block]| Scene {
         camera: Camera::default(),
         ambient: Vec3A::splat(0.5),
-        spheres: List::of(&[Sphere {
-            centre: Vec3A::ZERO,
-            radius: 20.0,
-            material: matt,
-        }]),
+        spheres: List::of(&[Sphere::new(Vec3A::ZERO, 20.0, matt)]),
         blocks: List::of(boxes),
         lights: List::of(&[Light {
-            position: vec3a(0.1, 0.6, 0.0),
-            colour: Vec3A::splat(0.5),
             diameter: size,
-            ..Light::DARK
+            ..Light::new(vec3a(0.1, 0.6, 0.0), Vec3A::splat(0.5))
         }]),
         ..Scene::default()
     };

@@ -241,21 +241,16 @@ fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
     // Over the whole range of lengths.
     let sphere = |r: f32| {
         let mut scene = of_length(r);
-        scene.spheres.push(Sphere {
-            centre: Vec3A::NEG_Z * r,
-            radius: r,
-            material,
-        });
+        scene
+            .spheres
+            .push(Sphere::new(Vec3A::NEG_Z * r, r, material));
         scene
     };
     let block = |r: f32, shape: Shape| {
         let mut scene = of_length(r);
         scene.blocks.push(Block {
-            centre: Vec3A::NEG_Z * r,
-            half: Vec3A::splat(r),
             axes: Mat3A::from_rotation_x(0.5),
-            shape,
-            material,
+            ..Block::new(shape, Vec3A::NEG_Z * r, Vec3A::splat(r), material)
         });
         scene
     };

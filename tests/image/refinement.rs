@@ -158,12 +158,7 @@ fn a_point_has_the_same_bits_whatever_is_traced_beside_it() {
 fn no_point_is_traced_twice_even_where_every_square_splits() {
     // Many spheres from above, and tolerances of 0: hardly any square is filled.
     let mut scene = show::field(320, 0.0);
-    scene.camera = Camera {
-        eye: vec3a(0.0, 14.0, 0.1),
-        look_at: Vec3A::ZERO,
-        up: Vec3A::Y,
-        field_of_view: 0.13,
-    };
+    scene.camera = Camera::new(vec3a(0.0, 14.0, 0.1), Vec3A::ZERO, 0.13);
     let (width, height) = (700, 70);
     for square in [1, 2, 3, 4, 5, 8, 12, 16, 17, 32] {
         let quality = Quality {

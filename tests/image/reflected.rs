@@ -34,15 +34,7 @@ fn scene(turn: f32) -> Scene {
         },
         ambient: Vec3A::ONE,
         spheres: List::of(&spheres),
-        planes: List::of(&[Plane {
-            centre: Vec3A::ZERO,
-            half_x: 20.0,
-            half_z: 20.0,
-            material: Material {
-                kr: 0.9,
-                ..Material::BLACK
-            },
-        }]),
+        planes: List::of(&[Plane::new(Vec3A::ZERO, 20.0, 20.0, Material::mirror(0.9))]),
         ..Scene::default()
     }
 }

@@ -33,11 +33,7 @@ fn scene(random: &mut Random) -> Scene {
         },
     };
     let spheres: Vec<Sphere> = (0..32).map(|_| sphere(random)).collect();
-    let grey = Material {
-        colour: Vec3A::splat(0.8),
-        kd: 0.9,
-        ..Material::BLACK
-    };
+    let grey = Material::matt(Vec3A::splat(0.8), 0.9);
     let mut scene = floor(random, Vec3A::ZERO, grey);
     scene.ambient = Vec3A::splat(0.2);
     scene.spheres = List::of(&spheres);

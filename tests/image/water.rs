@@ -12,16 +12,8 @@ const HEIGHT: usize = 120;
 
 /// A mirror seen from a height, under a sky that is brighter above; deep below it a black floor.
 fn sea(height: f32, waves: Waves) -> Scene {
-    let mirror = Material {
-        kr: 1.0,
-        ..Material::BLACK
-    };
-    let floor = |y: f32, material: Material| Plane {
-        centre: Vec3A::Y * y,
-        half_x: 1e3,
-        half_z: 1e3,
-        material,
-    };
+    let mirror = Material::mirror(1.0);
+    let floor = |y: f32, material: Material| Plane::new(Vec3A::Y * y, 1e3, 1e3, material);
     Scene {
         camera: Camera {
             eye: vec3a(0.0, height, -10.0),

@@ -170,15 +170,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 
 fn film(arguments: &Arguments) -> Result<Film> {
     let usual = if arguments.sheet.is_some() {
-        Size {
-            width: 320,
-            height: 240,
-        }
+        Size::new(320, 240)
     } else {
-        Size {
-            width: 1024,
-            height: 768,
-        }
+        Size::new(1024, 768)
     };
     let size = arguments.size.unwrap_or(usual);
     if arguments.video.is_some() && !(size.width | size.height).is_multiple_of(2) {

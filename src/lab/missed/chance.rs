@@ -88,11 +88,7 @@ fn add_things(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
             material = shiny(material, random);
         }
         if setting != Setting::Blocks && !(is_shiny && number % 2 == 1) {
-            scene.spheres.push(Sphere {
-                centre,
-                radius: size,
-                material,
-            });
+            scene.spheres.push(Sphere::new(centre, size, material));
             continue;
         }
         let [a, b, c] = [0; 3].map(|_| between(random, 0.0, 6.0));
@@ -114,10 +110,7 @@ fn add_things(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
 
 /// Adds what the things show on, in or through, and a lamp.
 fn add_hosts(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
-    let mirror = Material {
-        kr: 0.8,
-        ..Material::BLACK
-    };
+    let mirror = Material::mirror(0.8);
     let white = matt(Vec3A::splat(0.8));
     match setting {
         Setting::Point | Setting::SizedLamp | Setting::Sun | Setting::Blocks => {
@@ -154,11 +147,7 @@ fn add_hosts(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
         }
     }
     let position = point(random, vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0));
-    let light = Light {
-        position,
-        colour: Vec3A::splat(0.9),
-        ..Light::DARK
-    };
+    let light = Light::new(position, Vec3A::splat(0.9));
     match setting {
         Setting::SizedLamp => scene.lights.push(Light {
             diameter: 0.5,
@@ -175,11 +164,7 @@ fn add_hosts(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
 
 /// A matt material.
 fn matt(colour: Vec3A) -> Material {
-    Material {
-        colour,
-        kd: 0.8,
-        ..Material::BLACK
-    }
+    Material::matt(colour, 0.8)
 }
 
 /// A material with highlights of any size.
@@ -194,10 +179,5 @@ fn shiny(material: Material, random: &mut Sampler) -> Material {
 
 /// A floor.
 fn floor<const N: usize>(material: Material) -> List<Plane, N> {
-    List::of(&[Plane {
-        centre: Vec3A::ZERO,
-        half_x: 20.0,
-        half_z: 20.0,
-        material,
-    }])
+    List::of(&[Plane::new(Vec3A::ZERO, 20.0, 20.0, material)])
 }

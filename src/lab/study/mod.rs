@@ -85,10 +85,7 @@ fn sections(arguments: &Arguments) -> Vec<Section> {
         ..
     } = arguments;
     let time = arguments.time.unwrap_or(scene.length() / 2.0);
-    let tile = Size {
-        width: TILE_WIDTH,
-        height: (TILE_WIDTH * size.height / size.width).max(1),
-    };
+    let tile = Size::new(TILE_WIDTH, (TILE_WIDTH * size.height / size.width).max(1));
     let end = scene.length();
     let section = |title, says, command: String, flag, pictures| {
         let mut step = Step::new(&command, flag, pictures);

@@ -48,10 +48,7 @@ impl FrameViewer {
             exhaustive: Vec::new(),
             has_exhaustive: false,
             trace: FrameTrace::new(0, 0),
-            trace_size: Size {
-                width: 0,
-                height: 0,
-            },
+            trace_size: Size::new(0, 0),
             scratch: Vec::new(),
             figures: Figures::default(),
         }

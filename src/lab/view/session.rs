@@ -324,8 +324,5 @@ fn fit((width, height): (usize, usize)) -> Size {
     let down = MAX_HEIGHT as f64 / height as f64;
     let scale = across.min(down).min(1.0);
     let side = |side: usize, most| ((side as f64 * scale).round() as usize).clamp(1, most);
-    Size {
-        width: side(width, MAX_WIDTH),
-        height: side(height, MAX_HEIGHT),
-    }
+    Size::new(side(width, MAX_WIDTH), side(height, MAX_HEIGHT))
 }

@@ -24,6 +24,18 @@ fields! {
 }
 
 impl Block {
+    /// A block along the axes of the scene, by its centre and half its extents.
+    #[must_use]
+    pub const fn new(shape: Shape, centre: Vec3A, half: Vec3A, material: Material) -> Self {
+        Self {
+            shape,
+            centre,
+            half,
+            axes: Mat3A::IDENTITY,
+            material,
+        }
+    }
+
     /// Whether it is as wide as it is deep, if it is round, and a capsule long enough for its ends.
     fn is_round(&self) -> bool {
         match self.shape {

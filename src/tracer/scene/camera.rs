@@ -49,6 +49,17 @@ impl Raster {
 }
 
 impl Camera {
+    /// An upright camera, by its place, the point that it looks at, and its vertical field of view in radians.
+    #[must_use]
+    pub const fn new(eye: Vec3A, look_at: Vec3A, field_of_view: f32) -> Self {
+        Self {
+            eye,
+            look_at,
+            up: Vec3A::Y,
+            field_of_view,
+        }
+    }
+
     /// The direction in which it looks, of length 1; 0 if there is none.
     fn forward(&self) -> Vec3A {
         (self.look_at - self.eye).normalize_or_zero()

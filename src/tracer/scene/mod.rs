@@ -160,6 +160,22 @@ impl Material {
     /// Black, without highlights, reflection or transmission.
     pub const BLACK: Self = Self::STANDARD;
 
+    /// One that scatters light alone, in a colour and with a diffuse coefficient, 0 to 1.
+    #[must_use]
+    pub const fn matt(colour: Vec3A, kd: f32) -> Self {
+        Self {
+            colour,
+            kd,
+            ..Self::BLACK
+        }
+    }
+
+    /// A mirror that reflects the share `kr` of light, 0 to 1, and nothing else.
+    #[must_use]
+    pub const fn mirror(kr: f32) -> Self {
+        Self { kr, ..Self::BLACK }
+    }
+
     /// Whether it mirrors light or lets light through. Glass does even with a `kr` of 0: it reflects all light at some angles.
     #[must_use]
     pub fn is_specular(&self) -> bool {
@@ -182,6 +198,18 @@ fields! {
     }
 }
 
+impl Sphere {
+    /// A sphere by its centre and radius.
+    #[must_use]
+    pub const fn new(centre: Vec3A, radius: f32, material: Material) -> Self {
+        Self {
+            centre,
+            radius,
+            material,
+        }
+    }
+}
+
 fields! {
     /// A horizontal rectangle, visible from above and from below.
     pub struct Plane in "" {
@@ -193,6 +221,19 @@ fields! {
         half_z: f32, in EXTENT;
         /// The surface.
         material: Material;
+    }
+}
+
+impl Plane {
+    /// A rectangle by its centre and half its extents along x and z.
+    #[must_use]
+    pub const fn new(centre: Vec3A, half_x: f32, half_z: f32, material: Material) -> Self {
+        Self {
+            centre,
+            half_x,
+            half_z,
+            material,
+        }
     }
 }
 
@@ -245,6 +286,16 @@ impl Light {
 
     /// A black, invisible point.
     pub const DARK: Self = Self::STANDARD;
+
+    /// An invisible point at a position, in a colour times its brightness.
+    #[must_use]
+    pub const fn new(position: Vec3A, colour: Vec3A) -> Self {
+        Self {
+            position,
+            colour,
+            ..Self::DARK
+        }
+    }
 
     /// The factor on lengths: parallel rays come from far away.
     fn far(&self) -> f32 {

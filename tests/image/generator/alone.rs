@@ -17,11 +17,7 @@ const IMAGED: Material = Material {
 impl Near {
     /// Adds a sphere and a lamp, and has the floor show its shadow.
     fn light(&mut self, centre: Vec3A, radius: f32, lamp: Vec3A) {
-        let matt = Material {
-            colour: Vec3A::splat(0.7),
-            kd: 1.0,
-            ..Material::BLACK
-        };
+        let matt = Material::matt(Vec3A::splat(0.7), 1.0);
         let scene = &mut self.scene;
         scene.ambient = Vec3A::splat(0.1);
         scene.background = vec3a(0.1, 0.15, 0.3);
@@ -34,21 +30,14 @@ impl Near {
                 ..matt
             },
         });
-        scene.lights.push(Light {
-            position: lamp,
-            colour: Vec3A::splat(0.73),
-            ..Light::DARK
-        });
+        scene.lights.push(Light::new(lamp, Vec3A::splat(0.73)));
     }
 
     /// Makes the floor a mirror that is black but for images.
     fn mirror(&mut self) {
         self.scene.ambient = Vec3A::ONE;
         self.scene.background = Vec3A::ZERO;
-        self.scene.planes[0].material = Material {
-            kr: 0.5,
-            ..Material::BLACK
-        };
+        self.scene.planes[0].material = Material::mirror(0.5);
     }
 
     /// The floor alone.
@@ -111,11 +100,9 @@ pub fn image(random: &mut Random) -> Near {
     };
     let material = IMAGED;
     if random.below(2) == 0 {
-        near.scene.spheres.push(Sphere {
-            centre,
-            radius: size.max(MIN_LENGTH),
-            material,
-        });
+        near.scene
+            .spheres
+            .push(Sphere::new(centre, size.max(MIN_LENGTH), material));
     } else {
         let thin = power(random, -2.0, 0.0);
         let turn = [Quat::IDENTITY, tilt(random)][random.below(2)];
@@ -132,12 +119,7 @@ pub fn image(random: &mut Random) -> Near {
 
 /// A camera that looks along -z, a step to the side and a step up.
 fn ahead(eye: Vec3A, right: f32, up: f32, field_of_view: f32) -> Camera {
-    Camera {
-        eye,
-        look_at: eye + vec3a(right, up, -1.0),
-        up: Vec3A::Y,
-        field_of_view,
-    }
+    Camera::new(eye, eye + vec3a(right, up, -1.0), field_of_view)
 }
 
 /// A sphere whose shadow on a plane at some height is thin or a few pixels wide.

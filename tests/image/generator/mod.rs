@@ -72,32 +72,22 @@ fn material() -> impl Strategy<Value = Material> {
 
 /// A sphere near the origin.
 pub fn sphere() -> impl Strategy<Value = Sphere> {
-    (point(4.0, 3.0), 0.2_f32..1.5, material()).prop_map(|(centre, radius, material)| Sphere {
-        centre,
-        radius,
-        material,
-    })
+    (point(4.0, 3.0), 0.2_f32..1.5, material())
+        .prop_map(|(centre, radius, material)| Sphere::new(centre, radius, material))
 }
 
 /// A rectangle below the origin.
 fn plane() -> impl Strategy<Value = Plane> {
     ((-2.0_f32..0.0, 1.0_f32..20.0, 1.0_f32..20.0), material()).prop_map(
-        |((y, half_x, half_z), material)| Plane {
-            centre: vec3a(0.3, y, -0.2),
-            half_x,
-            half_z,
-            material,
-        },
+        |((y, half_x, half_z), material)| Plane::new(vec3a(0.3, y, -0.2), half_x, half_z, material),
     )
 }
 
 /// A point light.
 fn light() -> impl Strategy<Value = Light> {
     (point(8.0, 9.0), colour(), 0.05_f32..0.4).prop_map(|(position, colour, radius)| Light {
-        position,
-        colour,
         drawn_radius: radius,
-        ..Light::DARK
+        ..Light::new(position, colour)
     })
 }
 
@@ -224,11 +214,8 @@ fn block() -> impl Strategy<Value = Block> {
         painted(),
     )
         .prop_map(|(centre, half, ([x, y, z], w), shape, material)| Block {
-            centre,
-            half: fitting(shape, Vec3A::from(half)),
             axes: Mat3A::from_quat(Quat::from_xyzw(x, y, z, w).normalize()),
-            shape,
-            material,
+            ..Block::new(shape, centre, fitting(shape, Vec3A::from(half)), material)
         })
 }
 
@@ -245,8 +232,6 @@ fn any_light() -> impl Strategy<Value = Light> {
             |((position, colour), (radius, parallel), [size, glow], spot)| {
                 let position = Vec3A::from(position);
                 Light {
-                    position,
-                    colour,
                     drawn_radius: radius,
                     parallel,
                     diameter: size,
@@ -256,7 +241,7 @@ fn any_light() -> impl Strategy<Value = Light> {
                         cos_outer: dark,
                         cos_inner: dark + soft,
                     }),
-                    ..Light::DARK
+                    ..Light::new(position, colour)
                 }
             },
         )

@@ -89,12 +89,7 @@ pub(super) fn empty(random: &mut Random) -> (Near, f32) {
         camera: camera(random, floor, distance),
         background: Vec3A::splat(10.0 / 255.0),
         ambient: Vec3A::ONE,
-        planes: List::of(&[Plane {
-            centre: vec3a(0.0, floor, 0.0),
-            half_x: 1e5,
-            half_z: 1e5,
-            material: paint(0),
-        }]),
+        planes: List::of(&[Plane::new(vec3a(0.0, floor, 0.0), 1e5, 1e5, paint(0))]),
         ..Scene::default()
     };
     (
@@ -183,10 +178,8 @@ pub fn contact(random: &mut Random) -> Near {
 /// A camera that looks down from some height.
 fn above(height: f32, field_of_view: f32) -> Camera {
     Camera {
-        eye: Vec3A::Y * height,
-        look_at: Vec3A::ZERO,
         up: Vec3A::NEG_Z,
-        field_of_view,
+        ..Camera::new(Vec3A::Y * height, Vec3A::ZERO, field_of_view)
     }
 }
 
@@ -201,12 +194,7 @@ fn risen(
         scene: Scene {
             camera,
             ambient: Vec3A::ONE,
-            planes: List::of(&[Plane {
-                centre: Vec3A::ZERO,
-                half_x: 500.0,
-                half_z: 500.0,
-                material: paint(0),
-            }]),
+            planes: List::of(&[Plane::new(Vec3A::ZERO, 500.0, 500.0, paint(0))]),
             spheres: List::of(spheres),
             blocks: List::of(blocks),
             ..Scene::default()

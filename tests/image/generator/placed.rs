@@ -97,12 +97,7 @@ fn camera() -> impl Strategy<Value = Camera> {
     ];
     (eye, direction, 0.2_f32..2.0).prop_map(|(eye, direction, field_of_view)| {
         let eye = Vec3A::from(eye);
-        Camera {
-            eye,
-            look_at: eye + direction + vec3a(0.01, 0.0, 0.0),
-            up: Vec3A::Y,
-            field_of_view,
-        }
+        Camera::new(eye, eye + direction + vec3a(0.01, 0.0, 0.0), field_of_view)
     })
 }
 
@@ -173,19 +168,13 @@ impl Placed {
         let lights = balls.split_off(balls.len() - self.lights.min(balls.len()));
         let spheres: Vec<Sphere> = balls
             .iter()
-            .map(|&(centre, radius)| Sphere {
-                centre,
-                radius,
-                material: material(next(), self.step),
-            })
+            .map(|&(centre, radius)| Sphere::new(centre, radius, material(next(), self.step)))
             .collect();
         let lights: Vec<Light> = lights
             .iter()
             .map(|&(position, radius)| Light {
-                position,
                 drawn_radius: radius,
-                colour: colour(next(), self.step),
-                ..Light::DARK
+                ..Light::new(position, colour(next(), self.step))
             })
             .collect();
         let planes: Vec<Plane> = self

@@ -43,12 +43,7 @@ pub fn floor(random: &mut Random, look_at: Vec3A, material: Material) -> Scene {
             up: Vec3A::Y,
             field_of_view: random.between(0.6, 1.0),
         },
-        planes: List::of(&[Plane {
-            centre: Vec3A::ZERO,
-            half_x: 20.0,
-            half_z: 20.0,
-            material,
-        }]),
+        planes: List::of(&[Plane::new(Vec3A::ZERO, 20.0, 20.0, material)]),
         ..Scene::default()
     }
 }

@@ -17,64 +17,19 @@ use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::estimate::Estimate;
 use eightfold_lab::truth::film::Sampling;
 use eightfold_lab::truth::render::Picture;
-use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A};
-use eightfold_tracer::scene::{Block, Camera, List, Material, Plane, Scene, Shape, Sphere};
+use eightfold_tracer::glam::{DVec3, Vec3A};
+use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene};
 use rayon::ThreadPoolBuilder;
 
 /// A white surface that scatters all light diffusely.
-const WHITE: Material = Material {
-    colour: Vec3A::ONE,
-    kd: 1.0,
-    ..Material::BLACK
-};
+const WHITE: Material = Material::matt(Vec3A::ONE, 1.0);
 
 /// How far the numbers of a scene, of 32 bits, are off those that are known in closed form.
 const ROUNDING: f64 = 1e-6;
 
-/// An upright camera.
-fn camera(eye: Vec3A, look_at: Vec3A, field_of_view: f32) -> Camera {
-    Camera {
-        eye,
-        look_at,
-        up: Vec3A::Y,
-        field_of_view,
-    }
-}
-
-fn sphere(centre: Vec3A, radius: f32, material: Material) -> Sphere {
-    Sphere {
-        centre,
-        radius,
-        material,
-    }
-}
-
-fn plane(centre: Vec3A, half_x: f32, half_z: f32, material: Material) -> Plane {
-    Plane {
-        centre,
-        half_x,
-        half_z,
-        material,
-    }
-}
-
-/// A box along the axes of the scene.
-fn cuboid(centre: Vec3A, half: Vec3A, material: Material) -> Block {
-    Block {
-        centre,
-        half,
-        axes: Mat3A::IDENTITY,
-        shape: Shape::Box,
-        material,
-    }
-}
-
 /// A picture of one pixel: what is seen at the point that the camera looks at, by so many paths.
 fn seen(scene: &Scene, effects: Effects, paths: usize) -> Estimate {
-    let size = Size {
-        width: 1,
-        height: 1,
-    };
+    let size = Size::new(1, 1);
     drawn(scene, size, effects, paths)[0]
 }
 
@@ -112,8 +67,8 @@ fn assert_near(estimate: Estimate, known: DVec3, most: f64) {
 /// A floor of a material at y = 0, of which the camera sees the origin from the side.
 fn floor(material: Material) -> Scene {
     Scene {
-        camera: camera(Vec3A::new(4.0, 0.6, 0.0), Vec3A::ZERO, 0.01),
-        planes: List::of(&[plane(Vec3A::ZERO, 1e4, 1e4, material)]),
+        camera: Camera::new(Vec3A::new(4.0, 0.6, 0.0), Vec3A::ZERO, 0.01),
+        planes: List::of(&[Plane::new(Vec3A::ZERO, 1e4, 1e4, material)]),
         ..Scene::default()
     }
 }

@@ -9,10 +9,7 @@ use eightfold_lab::views::{Seen, Subject, Viewer, pops, views};
 use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 
-const SIZE: Size = Size {
-    width: 96,
-    height: 72,
-};
+const SIZE: Size = Size::new(96, 72);
 
 /// A frame of the model scene.
 fn model(time: f32, quality: &Quality) -> Vec<u32> {

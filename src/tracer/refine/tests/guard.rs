@@ -24,12 +24,7 @@ fn scene() -> impl Strategy<Value = Scene> {
         (vector(6.0, 4.5..9.0), 1.0_f32..8.0),
     )
         .prop_map(|(eye, look_at, (centre, radius), (lamp, far))| Scene {
-            camera: Camera {
-                eye,
-                look_at,
-                up: Vec3A::Y,
-                field_of_view: 1.0,
-            },
+            camera: Camera::new(eye, look_at, 1.0),
             spheres: List::of(&[Sphere {
                 centre,
                 radius,

@@ -117,11 +117,7 @@ fn unit(d: DVec3) -> Vec3A {
 /// A scene with one sphere.
 fn one_sphere(centre: Vec3A, radius: f32, material: Material) -> Scene {
     Scene {
-        spheres: List::of(&[Sphere {
-            centre,
-            radius,
-            material,
-        }]),
+        spheres: List::of(&[Sphere::new(centre, radius, material)]),
         ..Scene::default()
     }
 }

@@ -33,16 +33,10 @@ const GLASS: Material = Material {
 /// The model scene of the repository's measurements at rest: four spheres of plastic, of glass and that mirror, over a floor, with
 /// two lamps.
 pub fn model() -> Scene {
-    let sphere = |x, y, z, material| Sphere {
-        centre: vec3a(x, y, z),
-        radius: y,
-        material,
-    };
+    let sphere = |x, y, z, material| Sphere::new(vec3a(x, y, z), y, material);
     let lamp = |x, y, z, brightness| Light {
-        position: vec3a(x, y, z),
-        colour: Vec3A::splat(brightness),
         drawn_radius: 0.15,
-        ..Light::DARK
+        ..Light::new(vec3a(x, y, z), Vec3A::splat(brightness))
     };
     Scene {
         camera: Camera {

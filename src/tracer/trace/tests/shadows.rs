@@ -47,10 +47,8 @@ impl Property for OwnShadow {
             let lamp = from(random.direction(), lamp_at);
             let mut scene = one_sphere(centre.as_vec3a(), r as f32, PAPER);
             scene.lights = List::of(&[Light {
-                position: lamp,
-                colour: Vec3A::ONE,
                 drawn_radius: 0.0,
-                ..Light::DARK
+                ..Light::new(lamp, Vec3A::ONE)
             }]);
             if self.is_inside && number % 2 == 0 {
                 // Neither a box beyond the sphere makes a difference, nor a lamp's size, if all of it is within.

@@ -1,14 +1,14 @@
 //! A room with mirrors is as bright as paths say that find its lamp by chance alone: no direction is chosen for the lamp's sake, no
 //! light is followed from it, and there are no photons and no closed forms.
 
-use super::{camera, cuboid, drawn, plane, sphere};
+use super::drawn;
 use eightfold_lab::arguments::Size;
 use eightfold_lab::sampler::{Sampler, Sequence, cosine_hemisphere, seed_of};
 use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::surface::Bounce;
 use eightfold_lab::truth::world::World;
 use eightfold_tracer::glam::{Vec3A, vec3a};
-use eightfold_tracer::scene::{Light, List, Material, Scene};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 
 /// The side of the picture, in pixels.
 const SIDE: usize = 16;
@@ -21,32 +21,28 @@ const MOST_BOUNCES: usize = 40;
 
 /// A room of grey walls with a ball and a box that mirror, under a lamp that is large, so that chance finds it.
 fn room() -> Scene {
-    let grey = Material {
-        colour: Vec3A::splat(0.7),
-        kd: 1.0,
-        ..Material::BLACK
-    };
-    let mirror = Material {
-        kr: 0.9,
-        ..Material::BLACK
-    };
-    let wall = |centre, half| cuboid(centre, half, grey);
+    let grey = Material::matt(Vec3A::splat(0.7), 1.0);
+    let mirror = Material::mirror(0.9);
+    let wall = |centre, half| Block::new(Shape::Box, centre, half, grey);
     Scene {
-        camera: camera(vec3a(0.0, 2.0, 7.4), 1.5 * Vec3A::Y, 0.5),
+        camera: Camera::new(vec3a(0.0, 2.0, 7.4), 1.5 * Vec3A::Y, 0.5),
         background: Vec3A::splat(0.1),
-        spheres: List::of(&[sphere(vec3a(-1.0, 0.75, -0.6), 0.75, mirror)]),
-        planes: List::of(&[0.0, 4.0].map(|y| plane(y * Vec3A::Y, 2.2, 2.2, grey))),
+        spheres: List::of(&[Sphere::new(vec3a(-1.0, 0.75, -0.6), 0.75, mirror)]),
+        planes: List::of(&[0.0, 4.0].map(|y| Plane::new(y * Vec3A::Y, 2.2, 2.2, grey))),
         blocks: List::of(&[
             wall(vec3a(-2.2, 2.0, 0.0), vec3a(0.05, 2.0, 2.2)),
             wall(vec3a(2.2, 2.0, 0.0), vec3a(0.05, 2.0, 2.2)),
             wall(vec3a(0.0, 2.0, -2.2), vec3a(2.2, 2.0, 0.05)),
-            cuboid(vec3a(1.0, 0.8, -0.6), vec3a(0.6, 0.8, 0.3), mirror),
+            Block::new(
+                Shape::Box,
+                vec3a(1.0, 0.8, -0.6),
+                vec3a(0.6, 0.8, 0.3),
+                mirror,
+            ),
         ]),
         lights: List::of(&[Light {
-            position: vec3a(0.0, 3.2, 0.3),
-            colour: Vec3A::splat(0.4),
             diameter: 1.0,
-            ..Light::DARK
+            ..Light::new(vec3a(0.0, 3.2, 0.3), Vec3A::splat(0.4))
         }]),
         ..Scene::default()
     }
@@ -95,10 +91,7 @@ fn a_room_with_mirrors_is_as_bright_as_by_paths_that_find_the_lamp_by_chance() {
             by_chance += radiance(&world, x, y, &mut sampler) / PATHS as f64;
         }
     }
-    let size = Size {
-        width: SIDE,
-        height: SIDE,
-    };
+    let size = Size::new(SIDE, SIDE);
     let effects = Effects {
         falloff: true,
         ..Effects::TRUTH

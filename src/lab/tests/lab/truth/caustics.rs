@@ -1,11 +1,11 @@
 //! Light by way of mirrors and glass: what it gives is known in closed form, or by all directions one after another.
 
-use super::{ROUNDING, WHITE, assert_near, cuboid, drawn, plane, seen, sphere};
+use super::{ROUNDING, WHITE, assert_near, drawn, seen};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::estimate::Estimate;
 use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, dvec3, vec3a};
-use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use std::f64::consts::{PI, TAU};
 
 /// Light that comes to a surface from lamps, and no other.
@@ -13,22 +13,14 @@ pub const OF_LAMPS: Effects = Effects {
     indirect: false,
     ..Effects::TRUTH
 };
-const SIZE: Size = Size {
-    width: 21,
-    height: 21,
-};
-pub const MIRROR: Material = Material {
-    kr: 0.9,
-    ..Material::BLACK
-};
+const SIZE: Size = Size::new(21, 21);
+pub const MIRROR: Material = Material::mirror(0.9);
 const LAMP: DVec3 = dvec3(2.0, 2.0, 0.3);
 
 fn lamp(size: f32) -> Light {
     Light {
-        position: LAMP.as_vec3a(),
-        colour: Vec3A::ONE,
         diameter: size,
-        ..Light::DARK
+        ..Light::new(LAMP.as_vec3a(), Vec3A::ONE)
     }
 }
 
@@ -46,8 +38,9 @@ pub fn plate(mirror: Material, size: f32) -> Scene {
             up: Vec3A::Z,
             field_of_view: 2.0 * (HALF as f32 / (HEIGHT as f32 - 0.05)).atan(),
         },
-        planes: List::of(&[plane(Vec3A::ZERO, 2.5, 2.5, mirror)]),
-        blocks: List::of(&[cuboid(
+        planes: List::of(&[Plane::new(Vec3A::ZERO, 2.5, 2.5, mirror)]),
+        blocks: List::of(&[Block::new(
+            Shape::Box,
             vec3a(0.0, HEIGHT as f32 + half.y, 0.0),
             half,
             Material { kd: 0.5, ..WHITE },
@@ -115,13 +108,11 @@ fn a_plate_above_a_mirror_is_lit_by_the_lamp_below_to_its_corners() {
 fn two_mirrors_show_a_lamp_as_their_images_do() {
     // A second mirror, upright, at x = -2: by either, and by both.
     let mut scene = plate(MIRROR, 0.3);
-    scene.blocks.push(cuboid(
+    scene.blocks.push(Block::new(
+        Shape::Box,
         vec3a(-2.5, 0.0, 0.0),
         vec3a(0.5, 9.0, 9.0),
-        Material {
-            kr: 0.6,
-            ..Material::BLACK
-        },
+        Material::mirror(0.6),
     ));
     let known = |i: usize| {
         let by = |image: DVec3, share: f64| {
@@ -141,18 +132,13 @@ fn ball(material: Material, size: f32, p: DVec3, n: DVec3) -> Scene {
     let (p, n) = (p.as_vec3a(), n.as_vec3a());
     Scene {
         camera: Camera {
-            eye: p + 0.001 * n,
-            look_at: p,
             up: n.any_orthonormal_vector(),
-            field_of_view: 0.001,
+            ..Camera::new(p + 0.001 * n, p, 0.001)
         },
-        spheres: List::of(&[sphere(Vec3A::ZERO, 0.5, material)]),
+        spheres: List::of(&[Sphere::new(Vec3A::ZERO, 0.5, material)]),
         blocks: List::of(&[Block {
-            centre: p - 0.002 * n,
-            half: Vec3A::splat(0.002),
             axes: Mat3A::from_cols(n, n.any_orthonormal_pair().0, n.any_orthonormal_pair().1),
-            shape: Shape::Box,
-            material: WHITE,
+            ..Block::new(Shape::Box, p - 0.002 * n, Vec3A::splat(0.002), WHITE)
         }]),
         lights: List::of(&[lamp(size)]),
         ..Scene::default()

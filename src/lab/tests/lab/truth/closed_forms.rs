@@ -1,10 +1,10 @@
 //! Light of the surroundings: what is seen is known in closed form.
 
-use super::{WHITE, assert_near, cuboid, drawn, floor, plane, seen, sphere};
+use super::{WHITE, assert_near, drawn, floor, seen};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::truth::effects::Effects;
 use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, vec3a};
-use eightfold_tracer::scene::{Block, Camera, List, Material, Scene, Shape};
+use eightfold_tracer::scene::{Block, Camera, List, Material, Plane, Scene, Shape, Sphere};
 use std::f64::consts::TAU;
 
 /// A surface that keeps all light, in a way of its own.
@@ -21,7 +21,7 @@ fn keeping(kd: f32, kr: f32, kt: f32) -> Material {
 #[test]
 fn nothing_is_seen_in_a_white_furnace() {
     // Whatever takes no light looks like its surroundings if these are the same everywhere.
-    let sphere = |x: f32, material| sphere(vec3a(x, 0.2, 0.3 * x), 0.6, material);
+    let sphere = |x: f32, material| Sphere::new(vec3a(x, 0.2, 0.3 * x), 0.6, material);
     let block = |z, shape| Block {
         centre: vec3a(0.7, 0.1, z),
         half: Vec3A::splat(0.4),
@@ -45,7 +45,7 @@ fn nothing_is_seen_in_a_white_furnace() {
             block(-1.4, Shape::Cylinder),
             block(-2.6, Shape::Capsule),
         ]),
-        planes: List::of(&[plane(
+        planes: List::of(&[Plane::new(
             vec3a(0.0, -0.5, 0.0),
             2.0,
             2.0,
@@ -53,10 +53,7 @@ fn nothing_is_seen_in_a_white_furnace() {
         )]),
         ..Scene::default()
     };
-    let size = Size {
-        width: 16,
-        height: 12,
-    };
+    let size = Size::new(16, 12);
     let background = scene.background.as_dvec3();
     let all = drawn(&scene, size, Effects::TRUTH, 256);
     for estimate in &all {
@@ -75,7 +72,7 @@ fn nothing_is_seen_in_a_white_furnace() {
 fn a_white_sphere_in_a_uniform_sky_is_as_bright_as_the_sky() {
     let scene = Scene {
         background: Vec3A::splat(0.5),
-        spheres: List::of(&[sphere(Vec3A::ZERO, 0.3, WHITE)]),
+        spheres: List::of(&[Sphere::new(Vec3A::ZERO, 0.3, WHITE)]),
         ..Scene::default()
     };
     // Every path ends in the sky after one bounce.
@@ -89,7 +86,7 @@ fn a_sphere_on_black_ground_gets_the_sky_that_it_faces() {
         let normal = vec3a((1.0 - height * height).sqrt(), height, 0.0);
         let mut scene = floor(Material::BLACK);
         scene.background = Vec3A::splat(0.8);
-        scene.spheres = List::of(&[sphere(vec3a(0.0, 1.0, 0.0), 1.0, WHITE)]);
+        scene.spheres = List::of(&[Sphere::new(vec3a(0.0, 1.0, 0.0), 1.0, WHITE)]);
         scene.camera.look_at = vec3a(0.0, 1.0, 0.0) + normal;
         scene.camera.eye = scene.camera.look_at + 0.1 * normal;
         scene.camera.up = Vec3A::Z;
@@ -126,7 +123,7 @@ fn a_rectangle_hides_its_form_factor_of_the_sky() {
         let factor = 4.0 * corner_factor(half_x / height, half_z / height);
         let mut scene = floor(WHITE);
         let (half_x, half_z) = (half_x as f32, half_z as f32);
-        scene.planes.push(plane(
+        scene.planes.push(Plane::new(
             vec3a(0.0, height as f32, 0.0),
             half_x,
             half_z,
@@ -134,7 +131,8 @@ fn a_rectangle_hides_its_form_factor_of_the_sky() {
         ));
         assert_hides(&mut scene, factor);
         let mut scene = floor(WHITE);
-        scene.blocks.push(cuboid(
+        scene.blocks.push(Block::new(
+            Shape::Box,
             vec3a(0.0, height as f32 + 1e-4, 0.0),
             vec3a(half_x, 1e-4, half_z),
             Material::BLACK,
@@ -151,7 +149,7 @@ fn a_rectangle_to_the_side_hides_the_difference_of_two_corners() {
     scene.camera.eye.x = -4.0;
     scene
         .planes
-        .push(plane(vec3a(1.5, 1.0, 0.0), 0.5, 0.5, Material::BLACK));
+        .push(Plane::new(vec3a(1.5, 1.0, 0.0), 0.5, 0.5, Material::BLACK));
     assert_hides(&mut scene, factor);
 }
 
@@ -159,14 +157,12 @@ fn a_rectangle_to_the_side_hides_the_difference_of_two_corners() {
 fn a_disc_hides_its_form_factor_of_the_sky() {
     for (radius, height) in [(0.5_f32, 1.0_f32), (1.2, 0.7), (0.3, 2.0)] {
         let mut scene = floor(WHITE);
-        scene.blocks.push(Block {
-            shape: Shape::Cylinder,
-            ..cuboid(
-                vec3a(0.0, height + 1e-4, 0.0),
-                vec3a(radius, 1e-4, radius),
-                Material::BLACK,
-            )
-        });
+        scene.blocks.push(Block::new(
+            Shape::Cylinder,
+            vec3a(0.0, height + 1e-4, 0.0),
+            vec3a(radius, 1e-4, radius),
+            Material::BLACK,
+        ));
         let (radius2, height2) = (f64::from(radius).powi(2), f64::from(height).powi(2));
         assert_hides(&mut scene, radius2 / (radius2 + height2));
     }
@@ -186,7 +182,7 @@ fn light_between_two_surfaces_is_that_of_the_series() {
         haze,
         ..Scene::default()
     };
-    scene.spheres.push(sphere(
+    scene.spheres.push(Sphere::new(
         Vec3A::ZERO,
         radius,
         Material {

@@ -2,7 +2,6 @@
 //! what is lit, too.
 
 use super::caustics::{GLASS, HALF, MIRROR, OF_LAMPS, plate};
-use super::sphere;
 use eightfold_lab::arguments::{Part, Size};
 use eightfold_lab::sampler::{MAX_POINTS, Sampler, Sequence, around, disc, seed_of};
 use eightfold_lab::truth::REPLICATIONS;
@@ -13,7 +12,7 @@ use eightfold_lab::truth::surface::Bounce;
 use eightfold_lab::truth::world::World;
 use eightfold_oracle::geometry::{Ray, width};
 use eightfold_tracer::glam::{DVec2, DVec3, EulerRot, Mat3A, Vec3A, dvec2, dvec3, vec3a};
-use eightfold_tracer::scene::{Block, List, Material, Scene, Shape, Waves};
+use eightfold_tracer::scene::{Block, List, Material, Scene, Shape, Sphere, Waves};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -165,10 +164,7 @@ fn places(film: &Film, known: &[Vec<f64>]) -> [Place; 3] {
 /// The plate with [`FEW`] samples a pixel, and with the most that are asked for.
 fn films(scene: &Scene, most: usize) -> Vec<Film> {
     assert_eq!(scene.validate(), Ok(()));
-    let size = Size {
-        width: SIDE,
-        height: SIDE,
-    };
+    let size = Size::new(SIDE, SIDE);
     let sampling = Sampling {
         count: most / REPLICATIONS,
         sequence: Sequence::Sobol,
@@ -218,11 +214,8 @@ fn above_block(centre: Vec3A, half: Vec3A, turn: f32, shape: Shape, material: Ma
         blocks: List::of(&[
             plate(MIRROR, 0.0).blocks[0],
             Block {
-                centre,
-                half,
                 axes: Mat3A::from_euler(EulerRot::XYZ, turn, 0.4 * turn, 0.3 * turn),
-                shape,
-                material,
+                ..Block::new(shape, centre, half, material)
             },
         ]),
         ..plate(MIRROR, 0.0)
@@ -288,7 +281,7 @@ fn by_waves() -> Case {
 
 fn by_ball_and_mirror() -> Case {
     let mut scene = above_mirror(vec3a(0.45, 0.0, 0.0), 0.5);
-    scene.spheres = List::of(&[sphere(vec3a(1.2, 1.0, 0.18), 0.35, GLASS)]);
+    scene.spheres = List::of(&[Sphere::new(vec3a(1.2, 1.0, 0.18), 0.35, GLASS)]);
     Case {
         name: "a ball and a mirror".into(),
         scene,

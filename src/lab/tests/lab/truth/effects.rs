@@ -10,10 +10,7 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::glam::DVec3;
 use eightfold_tracer::scene::{Material, Scene};
 
-const SIZE: Size = Size {
-    width: 40,
-    height: 30,
-};
+const SIZE: Size = Size::new(40, 30);
 
 /// The same scene without the effects that the oracle and the path tracer have each in its own way: penumbrae and tints.
 fn with_points(mut scene: Scene) -> Scene {

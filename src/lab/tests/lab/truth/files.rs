@@ -18,10 +18,7 @@ use std::path::Path;
 use std::process::Output;
 
 /// The size of the pictures.
-const SIZE: Size = Size {
-    width: 24,
-    height: 18,
-};
+const SIZE: Size = Size::new(24, 18);
 
 fn sampling(count: usize) -> Sampling {
     Sampling {

@@ -1,9 +1,9 @@
 //! Lamps as spheres that shine: what a surface gets of them, directly and by way of a mirror.
 
-use super::{WHITE, assert_near, cuboid, floor, seen, sphere};
+use super::{WHITE, assert_near, floor, seen};
 use eightfold_lab::truth::effects::Effects;
 use eightfold_tracer::glam::{DVec3, Vec3A, dvec3, vec3a};
-use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Spot};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape, Sphere, Spot};
 use std::f64::consts::{PI, TAU};
 
 const COLOUR: Vec3A = vec3a(0.9, 0.6, 0.3);
@@ -11,10 +11,8 @@ const COLOUR: Vec3A = vec3a(0.9, 0.6, 0.3);
 /// A lamp of a diameter.
 fn lamp(position: Vec3A, size: f32) -> Light {
     Light {
-        position,
-        colour: COLOUR,
         diameter: size,
-        ..Light::DARK
+        ..Light::new(position, COLOUR)
     }
 }
 
@@ -114,10 +112,7 @@ fn a_spotlight_is_dark_beside_its_cone() {
 
 #[test]
 fn a_lamp_is_seen_in_a_mirror_as_it_is_but_for_what_the_mirror_takes() {
-    let mirror = Material {
-        kr: 0.8,
-        ..Material::BLACK
-    };
+    let mirror = Material::mirror(0.8);
     let mut light = lamp(vec3a(-4.0, 0.6, 0.0), 0.0);
     light.drawn_radius = 0.2;
     let scene = lit(mirror, light);
@@ -138,13 +133,11 @@ fn a_lamp_is_seen_in_a_mirror_as_it_is_but_for_what_the_mirror_takes() {
 #[test]
 fn a_mirror_lights_a_surface_like_the_lamp_behind_it() {
     // The lamp at x = -1 is hidden by a block; its image in the wall at x = 2 is at x = 5.
-    let wall = cuboid(
+    let wall = Block::new(
+        Shape::Box,
         vec3a(3.0, 2.0, 0.0),
         vec3a(1.0, 50.0, 50.0),
-        Material {
-            kr: 0.7,
-            ..Material::BLACK
-        },
+        Material::mirror(0.7),
     );
     let block = Block {
         centre: vec3a(-0.4, 0.9, 0.0),
@@ -179,7 +172,7 @@ fn a_sphere_hides_the_share_of_a_lamp_that_its_disc_covers() {
     // A sphere right before the lamp's centre: both are discs about the same middle. By solid angle, weighted by the cosine.
     let (lamp_radius, radius) = (1.0_f32, 0.3_f32);
     let mut scene = lit(WHITE, lamp(vec3a(0.0, 6.0, 0.0), 2.0 * lamp_radius));
-    scene.spheres = List::of(&[sphere(vec3a(0.0, 3.0, 0.0), radius, Material::BLACK)]);
+    scene.spheres = List::of(&[Sphere::new(vec3a(0.0, 3.0, 0.0), radius, Material::BLACK)]);
     let hidden = (radius / 3.0).powi(2) / (lamp_radius / 6.0).powi(2);
     let known = (1.0 - f64::from(hidden)) * COLOUR.as_dvec3();
     assert_near(seen(&scene, Effects::TRUTH, 4096), known, 0.02);

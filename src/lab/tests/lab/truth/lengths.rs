@@ -1,6 +1,6 @@
 //! Scenes of any size, and lamps within a sphere: the same by the path tracer, the oracle and the library.
 
-use super::{WHITE, assert_near, camera, cuboid, drawn, plane, seen, sphere};
+use super::{WHITE, assert_near, drawn, seen};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::error::Difference;
 use eightfold_lab::threaded_renderer::ThreadedRenderer;
@@ -10,13 +10,10 @@ use eightfold_oracle::Oracle;
 use eightfold_oracle::frame::Frame;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, vec3a};
-use eightfold_tracer::scene::{Block, Light, List, Material, Scene, Shape};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use eightfold_window::cpu;
 
-const SIZE: Size = Size {
-    width: 64,
-    height: 48,
-};
+const SIZE: Size = Size::new(64, 48);
 
 /// A scene with all shapes, a mirror, glass and two lamps, of which all lengths are multiplied by a factor.
 fn scene(factor: f32) -> Scene {
@@ -36,28 +33,21 @@ fn scene(factor: f32) -> Scene {
         index: 1.4,
         ..matt
     };
-    let sphere = |centre: Vec3A, material| sphere(centre, 0.7 * factor, material);
+    let sphere = |centre: Vec3A, material| Sphere::new(centre, 0.7 * factor, material);
     let block = |centre: Vec3A, shape| Block {
-        centre,
-        half: at(0.4, 0.6, 0.4),
         axes: Mat3A::from_rotation_y(0.5),
-        shape,
-        material: matt,
+        ..Block::new(shape, centre, at(0.4, 0.6, 0.4), matt)
     };
-    let lamp = |position: Vec3A| Light {
-        position,
-        colour: Vec3A::splat(0.5),
-        ..Light::DARK
-    };
+    let lamp = |position: Vec3A| Light::new(position, Vec3A::splat(0.5));
     Scene {
-        camera: camera(at(0.3, 1.6, 5.0), at(0.0, 0.6, 0.0), 0.8),
+        camera: Camera::new(at(0.3, 1.6, 5.0), at(0.0, 0.6, 0.0), 0.8),
         background: vec3a(0.1, 0.2, 0.3),
         ambient: Vec3A::splat(0.1),
         spheres: List::of(&[
             sphere(at(-1.1, 0.7, 0.2), mirror),
             sphere(at(0.4, 0.7, 0.9), glass),
         ]),
-        planes: List::of(&[plane(
+        planes: List::of(&[Plane::new(
             Vec3A::ZERO,
             3.0 * factor,
             3.0 * factor,
@@ -126,16 +116,19 @@ fn a_dome_is_lit_from_within_by_lamps_of_any_size_that_it_contains() {
     let radius = 20.0;
     for size in [0.0, 0.5, 10.0] {
         let lamp = Light {
-            position: vec3a(0.0, 6.0, 0.0),
-            colour: vec3a(0.9, 0.6, 0.3),
             diameter: size,
-            ..Light::DARK
+            ..Light::new(vec3a(0.0, 6.0, 0.0), vec3a(0.9, 0.6, 0.3))
         };
         let scene = Scene {
-            camera: camera(Vec3A::ZERO, Vec3A::NEG_Z, 0.001),
-            spheres: List::of(&[sphere(Vec3A::ZERO, radius, WHITE)]),
+            camera: Camera::new(Vec3A::ZERO, Vec3A::NEG_Z, 0.001),
+            spheres: List::of(&[Sphere::new(Vec3A::ZERO, radius, WHITE)]),
             // Nobody sees it, and it is in nobody's way.
-            blocks: List::of(&[cuboid(vec3a(60.0, 0.0, 0.0), vec3a(3.0, 5.0, 2.0), WHITE)]),
+            blocks: List::of(&[Block::new(
+                Shape::Box,
+                vec3a(60.0, 0.0, 0.0),
+                vec3a(3.0, 5.0, 2.0),
+                WHITE,
+            )]),
             lights: List::of(&[lamp]),
             ..Scene::default()
         };
@@ -156,13 +149,11 @@ fn a_dome_is_lit_from_within_by_lamps_of_any_size_that_it_contains() {
 #[test]
 fn a_lamp_that_a_dome_does_not_contain_does_not_light_it_from_within() {
     let scene = Scene {
-        camera: camera(Vec3A::ZERO, Vec3A::NEG_Z, 0.001),
-        spheres: List::of(&[sphere(Vec3A::ZERO, 20.0, WHITE)]),
+        camera: Camera::new(Vec3A::ZERO, Vec3A::NEG_Z, 0.001),
+        spheres: List::of(&[Sphere::new(Vec3A::ZERO, 20.0, WHITE)]),
         lights: List::of(&[Light {
-            position: vec3a(0.0, 30.0, 0.0),
-            colour: Vec3A::ONE,
             diameter: 1.0,
-            ..Light::DARK
+            ..Light::new(vec3a(0.0, 30.0, 0.0), Vec3A::ONE)
         }]),
         ..Scene::default()
     };

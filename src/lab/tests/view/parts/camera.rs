@@ -5,10 +5,7 @@ use eightfold_lab::view::camera::{View, orbit, pan, zoom};
 use eightfold_tracer::glam::{DVec3, dvec2};
 use eightfold_tracer::scene::Scene;
 
-const SIZE: Size = Size {
-    width: 320,
-    height: 240,
-};
+const SIZE: Size = Size::new(320, 240);
 
 fn camera() -> eightfold_tracer::scene::Camera {
     eightfold::show::model_scene(2.0).camera

@@ -12,10 +12,7 @@ fn lines_break_between_words_where_the_room_ends() {
 
 #[test]
 fn a_panel_darkens_its_corner_alone_and_shows_its_colours() {
-    let size = Size {
-        width: 200,
-        height: 100,
-    };
+    let size = Size::new(200, 100);
     let rows = [Row {
         mark: Mark::Colour(0x00ff_0000),
         words: "red".to_owned(),
