@@ -7,7 +7,6 @@ use crate::generator::{config, rich, sketch, sphere};
 use crate::refinement::{assert_as_refined, bare};
 use eightfold::show;
 use eightfold_oracle::frame::Frame;
-use eightfold_oracle::squares::Squares;
 use eightfold_tracer::Quality;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -40,11 +39,7 @@ proptest! {
     fn any_scene_is_refined_by_the_rules(sketch in sketch(vec(sphere(), 0..12), 2)) {
         let scene = sketch.scene();
         for quality in [Quality::THESIS, Quality::DEFAULT].map(bare) {
-            let squares = Squares::new(&scene, &quality, 96, 72);
-            for isa in cpu::instruction_sets() {
-                let drawn = draw(isa, 1, &scene, &quality, 96, 72);
-                assert_as_refined(&drawn, &squares, isa.name);
-            }
+            assert_as_refined(&scene, &quality, [96, 72], "any scene");
         }
     }
 
@@ -56,13 +51,10 @@ proptest! {
     ) {
         let scene = show::model_scene(time);
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
-        let thesis = bare(Quality::THESIS);
-        let squares = Squares::new(&scene, &thesis, width, height);
         for isa in cpu::instruction_sets() {
             let drawn = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, width, height);
             assert_as_traced(&drawn, &frame, isa.name);
-            let drawn = draw(isa, 2, &scene, &thesis, width, height);
-            assert_as_refined(&drawn, &squares, isa.name);
         }
+        assert_as_refined(&scene, &bare(Quality::THESIS), [width, height], "the model scene");
     }
 }

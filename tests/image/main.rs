@@ -26,6 +26,7 @@ mod probes;
 mod ranges;
 mod refinement;
 mod reflected;
+mod rounding;
 mod sameness;
 mod shadows_shown;
 mod shipped;

@@ -1,6 +1,6 @@
 //! A whole picture, traced by the oracle.
 
-use super::{Oracle, Traced, pixel};
+use super::{Oracle, Traced, pixel, pixel_like};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 use std::thread::available_parallelism;
@@ -55,6 +55,14 @@ impl Frame {
     /// The picture as `0x00RRGGBB` pixels, row by row.
     pub fn picture(&self) -> Vec<u32> {
         self.map_pixels(|x, y| pixel(self.at(x, y).colour, self.dither, x, y))
+    }
+
+    /// The picture, with the pixels that were drawn where rounding decides, see [`pixel_like`].
+    pub fn picture_like(&self, drawn: &[u32]) -> Vec<u32> {
+        self.map_pixels(|x, y| {
+            let drawn = drawn[y * self.width + x];
+            pixel_like(drawn, self.at(x, y).colour, self.dither, x, y)
+        })
     }
 
     /// Which pixels lie on silhouettes: the ray trees of the 3x3 pixels around them differ, so that the smallest rounding error

@@ -167,10 +167,37 @@ fn bodies(scene: &Scene) -> Vec<Body> {
 /// In which order the pixels of a square of 4x4 are rounded up as a colour gets brighter, by the film's dither: the last one first.
 const ORDER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
 
+/// How near to each other, in output steps, numbers are whose order rounding may change.
+///
+/// The sum of a tree's nodes may be off by 1/100 of a step, a corner of a square is cut off to 1/128, and the last pixel of a filled
+/// square is off by 8/256 at most.
+const TIE: f64 = 1.0 / 16.0;
+
 /// A colour as the pixel (x, y), `0x00RRGGBB`, with a film's dither.
 pub fn pixel(colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
+    let [red, green, blue] = steps(colour, dither, x, y).map(|step| step.floor() as u32);
+    red << 16 | green << 8 | blue
+}
+
+/// A colour as the pixel (x, y) that is nearest to the one drawn: where a channel is as good as half-way between two steps, both
+/// are right, and a picture may be full of it.
+pub fn pixel_like(drawn: u32, colour: DVec3, dither: f32, x: usize, y: usize) -> u32 {
+    let steps = steps(colour, dither, x, y);
+    let channels = [16, 8, 0].into_iter().zip(steps);
+    channels.fold(0, |pixel, (shift, step)| {
+        let [least, most] = bytes(step);
+        pixel | (drawn >> shift & 0xff).clamp(least, most) << shift
+    })
+}
+
+/// The channels of a colour at the pixel (x, y) in output steps, of which the fraction is cut off.
+fn steps(colour: DVec3, dither: f32, x: usize, y: usize) -> [f64; 3] {
     let share = (f64::from(ORDER[y % 4][x % 4]) + 0.5) / 16.0;
     let threshold = 0.5 + f64::from(dither) * (share - 0.5);
-    let byte = |c: f64| (c.clamp(0.0, 1.0) * 255.0 + threshold).floor() as u32;
-    byte(colour.x) << 16 | byte(colour.y) << 8 | byte(colour.z)
+    (colour.clamp(DVec3::ZERO, DVec3::ONE) * 255.0 + threshold).to_array()
+}
+
+/// The least and the greatest byte that rounding may make of a channel.
+fn bytes(step: f64) -> [u32; 2] {
+    [step - TIE, step + TIE].map(|step| step.clamp(0.0, 255.0).floor() as u32)
 }

@@ -1,14 +1,17 @@
 //! Adaptive squares, as the thesis describes them: recursive, one square at a time. Coordinates are pixels of the picture.
 
-use super::{Object, Oracle, Traced, pixel};
+use super::{Object, Oracle, TIE, Traced, bytes, pixel_like, steps};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Film, Scene};
 use glam::DVec3;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The largest width and height of a tile in pixels. A tile has as many whole squares as fit in. Points on the border between two
 /// tiles are traced by both.
 pub const TILE: [usize; 2] = [512, 32];
+
+/// Squares that are not filled: where they begin, and their side.
+pub type Splits = HashSet<[usize; 3]>;
 
 /// A picture drawn by adaptive squares.
 pub struct Squares<'a> {
@@ -21,20 +24,33 @@ pub struct Squares<'a> {
     averaged: HashMap<(usize, usize), Traced>,
     /// How crowded the current tile is, 0 to 1.
     crowding: f64,
-    /// The picture as `0x00RRGGBB` pixels, row by row.
-    pub picture: Vec<u32>,
+    /// The squares that another drawing of the picture split. This one follows it where rounding decides: a single square changes what
+    /// is allowed all over a crowded tile.
+    splits: &'a Splits,
+    /// Where it did.
+    ties: Vec<[usize; 3]>,
+    /// The colours of the picture, row by row.
+    colours: Vec<DVec3>,
 }
 
 impl<'a> Squares<'a> {
-    /// Draws a picture.
-    pub fn new(scene: &'a Scene, quality: &'a Quality, width: usize, height: usize) -> Self {
+    /// Draws a picture as another drawing did that split some squares.
+    pub fn new(
+        scene: &'a Scene,
+        quality: &'a Quality,
+        splits: &'a Splits,
+        width: usize,
+        height: usize,
+    ) -> Self {
         let mut squares = Self {
             oracle: Oracle::new(scene, quality, width, height),
             points: 0,
             traced: HashMap::new(),
             averaged: HashMap::new(),
             crowding: 0.0,
-            picture: vec![0; width * height],
+            splits,
+            ties: Vec::new(),
+            colours: vec![DVec3::ZERO; width * height],
         };
         let [tile_width, tile_height] = TILE.map(|side| side / quality.square * quality.square);
         for top in (0..height).step_by(tile_height) {
@@ -56,6 +72,22 @@ impl<'a> Squares<'a> {
     /// The number of points traced.
     pub fn points(&self) -> usize {
         self.points
+    }
+
+    /// Whether it would be the same for a drawing that split other squares.
+    pub fn follows(&self, splits: &Splits) -> bool {
+        let mut ties = self.ties.iter();
+        ties.all(|tie| splits.contains(tie) == self.splits.contains(tie))
+    }
+
+    /// The picture as `0x00RRGGBB` pixels, row by row, with those that were drawn where rounding decides, see [`pixel_like`].
+    pub fn picture_like(&self, drawn: &[u32]) -> Vec<u32> {
+        let Oracle { scene, width, .. } = self.oracle;
+        let pixels = drawn.iter().zip(&self.colours).enumerate();
+        let pixels = pixels.map(|(i, (&drawn, &colour))| {
+            pixel_like(drawn, colour, scene.film.dither, i % width, i / width)
+        });
+        pixels.collect()
     }
 
     /// The averaged or traced point at (x, y).
@@ -126,10 +158,15 @@ impl<'a> Squares<'a> {
             return true;
         }
         let corners = self.corners(x, y, side);
-        let [a, others @ ..] = corners;
-        let rounded = |point: &Traced| pixel(point.colour, 0.0, 0, 0);
-        let flat = others.iter().all(|b| rounded(b) == rounded(&a));
-        let is_filled = flat || spread(&corners) <= self.allowed(&corners, side);
+        let excess = spread(&corners) - self.allowed(&corners, side);
+        let [may_be_flat, is_flat] = flat(&corners);
+        let may_be = may_be_flat || excess <= TIE;
+        let is_sure = is_flat || excess < -TIE;
+        let square = [x, y, side];
+        if may_be && !is_sure {
+            self.ties.push(square);
+        }
+        let is_filled = may_be && (is_sure || !self.splits.contains(&square));
         if is_filled {
             self.fill(x, y, side, corners);
         }
@@ -200,8 +237,7 @@ impl<'a> Squares<'a> {
 
     /// Draws a pixel.
     fn put(&mut self, x: usize, y: usize, colour: DVec3) {
-        let dither = self.oracle.scene.film.dither;
-        self.picture[y * self.oracle.width + x] = pixel(colour, dither, x, y);
+        self.colours[y * self.oracle.width + x] = colour;
     }
 
     /// Interpolates a square's colours between its corners.
@@ -220,6 +256,18 @@ impl<'a> Squares<'a> {
 /// A point's colour, clamped to 0 to 1.
 fn shown(point: Traced) -> DVec3 {
     point.colour.clamp(DVec3::ZERO, DVec3::ONE)
+}
+
+/// Whether corners may be the same pixel by rounding, and whether they are for sure.
+fn flat(corners: &[Traced; 4]) -> [bool; 2] {
+    let bytes = corners.map(|corner| steps(corner.colour, 0.0, 0, 0).map(bytes));
+    let (mut may_be, mut is_sure) = (true, true);
+    for channel in 0..3 {
+        let [least, most] = [0, 1].map(|end| bytes.map(|bytes| bytes[channel][end]));
+        may_be &= least.into_iter().max() <= most.into_iter().min();
+        is_sure &= least.into_iter().min() == most.into_iter().max();
+    }
+    [may_be, is_sure]
 }
 
 /// The largest difference between two corners in a channel, in 255ths.
