@@ -13,13 +13,12 @@ use core::{
     slice::from_raw_parts_mut,
 };
 
-use super::{
-    memory::pixels,
-    xext::{XShmSegmentInfo, Xext},
-};
+use x11_dl::{xlib, xshm::XShmSegmentInfo};
+
+use super::{memory::pixels, xext::Xext};
 use crate::{
     screen::MOST_PIXELS,
-    x11::{self, Toplevel, types as xlib},
+    x11::{self, Toplevel},
 };
 
 /// Two frames in turns, and how they come to the window.

@@ -2,12 +2,13 @@
 
 use core::ffi::c_uint;
 
+use x11_dl::xlib::XKeyEvent;
+
 use crate::{
     keyboard,
     x11::{
         Xlib,
         keys::{COMMAND, by_layout, is_letter},
-        types::XKeyEvent,
     },
 };
 

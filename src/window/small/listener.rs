@@ -2,10 +2,12 @@
 
 use core::mem::take;
 
+use x11_dl::xlib;
+
 use crate::{
     input::{self, Action, Button, Input, Mouse},
     keyboard::Press,
-    x11::{self, Toplevel, Xlib, types as xlib},
+    x11::{self, Toplevel, Xlib},
 };
 
 /// Takes note of what is done at a window.

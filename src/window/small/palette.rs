@@ -5,7 +5,9 @@ use core::{
     mem::zeroed,
 };
 
-use crate::x11::{Toplevel, types as xlib};
+use x11_dl::xlib;
+
+use crate::x11::Toplevel;
 
 /// The pixels that the table is for: three bits of red, three of green, and two of blue.
 const MASKS: [c_ulong; 3] = [0xe0, 0x1c, 0x03];
@@ -24,7 +26,9 @@ pub unsafe fn set_palette(top: &Toplevel, image: *mut xlib::XImage) -> Result<()
     // SAFETY: zero is a value of a colour; display and window are there, and the table outlives the call.
     unsafe {
         let visual = (*(x.XDefaultScreenOfDisplay)(display)).root_visual;
-        if (*image).depth != 8 || !xlib::is_changeable((*visual).class) {
+        // The class's numbers are odd where pixels are numbers in a table that can be changed (`GrayScale`, `PseudoColor`), or three in
+        // three (`DirectColor`).
+        if (*image).depth != 8 || (*visual).class & 1 == 0 {
             return Err("X display without colours");
         }
         [(*image).red_mask, (*image).green_mask, (*image).blue_mask] = MASKS;

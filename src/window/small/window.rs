@@ -5,13 +5,15 @@ use core::{
     mem::zeroed,
 };
 
+use x11_dl::xlib;
+
 use super::{blit::Frames, keys::pressed, listener::Listener, palette::set_palette};
 use crate::{
     input::Input,
     keyboard,
     loading::why_not_loaded,
     screen::{Next, Screen},
-    x11::{self, Place, Toplevel, Xlib, types as xlib},
+    x11::{self, Place, Toplevel, Xlib},
 };
 
 /// A window that shows frames, with keys: F for the whole screen, W for the window, H for numbers over the
@@ -166,7 +168,7 @@ impl Screen for Window {
                         self.size = (side(event.configure.width), side(event.configure.height));
                     }
                     xlib::ClientMessage
-                        if event.client_message.data.longs[0] as xlib::Atom == self.delete =>
+                        if event.client_message.data.get_long(0) as xlib::Atom == self.delete =>
                     {
                         return Next::End(0);
                     }

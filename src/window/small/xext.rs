@@ -2,22 +2,14 @@
 
 #![allow(non_snake_case, reason = "Xlib's own names")]
 
-use core::ffi::{c_char, c_int, c_uint};
+use core::ffi::{c_int, c_uint};
 
-use crate::{
-    loading::{Table, loaded},
-    x11::types::{Bool, Display, Drawable, GC, Status, XID, XImage},
+use x11_dl::{
+    xlib::{Bool, Display, Drawable, GC, Status, XImage},
+    xshm::XShmSegmentInfo,
 };
 
-/// A segment of memory, as both sides know it.
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct XShmSegmentInfo {
-    pub shmseg: XID,
-    pub shmid: c_int,
-    pub shmaddr: *mut c_char,
-    pub readOnly: Bool,
-}
+use crate::loading::{Table, loaded};
 
 loaded! {
     /// The functions that are looked up in libXext.

@@ -2,7 +2,7 @@
 
 use core::ffi::c_ulong;
 
-use super::types::XImage;
+use x11_dl::xlib::XImage;
 
 /// The masks of a frame's pixels, `0x00RRGGBB`.
 pub const MASKS: [c_ulong; 3] = [0xff_0000, 0xff00, 0xff];

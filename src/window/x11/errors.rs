@@ -5,7 +5,9 @@ use core::{
     sync::atomic::{AtomicBool, Ordering::Relaxed},
 };
 
-use super::{functions::Xlib, types as xlib};
+use x11_dl::xlib;
+
+use super::functions::Xlib;
 use crate::line;
 
 /// Set when the server no longer knows the window.

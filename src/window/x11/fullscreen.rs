@@ -9,7 +9,9 @@ use core::{
     slice::from_raw_parts,
 };
 
-use super::{Toplevel, types as xlib};
+use x11_dl::xlib;
+
+use super::Toplevel;
 
 /// Position on the screen, and size.
 #[derive(Clone, Copy)]
@@ -106,10 +108,10 @@ impl Toplevel {
             message.message_type = self.atom(c"_NET_WM_STATE");
             message.format = 32;
             // Add or remove, this state, no second one; from an application.
-            let [change, state, _, source, _] = &mut message.data.longs;
-            *change = c_long::from(fullscreen);
-            *state = self.atom(c"_NET_WM_STATE_FULLSCREEN") as c_long;
-            *source = 1;
+            message.data.set_long(0, c_long::from(fullscreen));
+            let state = self.atom(c"_NET_WM_STATE_FULLSCREEN") as c_long;
+            message.data.set_long(1, state);
+            message.data.set_long(3, 1);
             (self.x.XSendEvent)(
                 self.display,
                 self.root,

@@ -7,7 +7,8 @@ use core::{
     ops::Deref,
 };
 
-use super::types::*;
+use x11_dl::xlib::*;
+
 use crate::loading::{Table, loaded};
 
 loaded! {

@@ -2,10 +2,9 @@
 
 use core::ffi::{c_int, c_uint};
 
-use super::{
-    functions::Xlib,
-    types::{ControlMask, Mod1Mask, Mod4Mask, XKeyEvent},
-};
+use x11_dl::xlib::{ControlMask, Mod1Mask, Mod4Mask, XKeyEvent};
+
+use super::functions::Xlib;
 use crate::keyboard;
 
 /// Modifiers that make a key a command to somebody else: Ctrl, Alt, and the one with the desktop's sign.

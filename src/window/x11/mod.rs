@@ -5,9 +5,6 @@ mod errors;
 mod fullscreen;
 mod functions;
 pub mod keys;
-#[cfg(target_pointer_width = "64")]
-mod layout;
-pub mod types;
 
 use core::{
     ffi::{CStr, c_int, c_uint},
@@ -15,12 +12,13 @@ use core::{
     ptr::{null, null_mut},
 };
 
+use x11_dl::xlib;
+
 pub use colours::{MASKS, masks, with_masks};
 pub use errors::is_closed;
 pub use fullscreen::Place;
 pub use functions::Xlib;
 pub use keys::typed;
-use types as xlib;
 
 /// Opens the display that the environment names, or says why not.
 pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {

@@ -5,12 +5,13 @@ use core::mem::zeroed;
 use std::env;
 
 use raw_window_handle::{HasWindowHandle, RawWindowHandle};
+use x11_dl::xlib;
 
 use super::wayland;
 use crate::{
     line,
     loading::why_not_loaded,
-    x11::{self, Toplevel, Xlib, types as xlib},
+    x11::{self, Toplevel, Xlib},
 };
 
 /// The variable that names the Wayland display.
