@@ -6,6 +6,9 @@ use proptest::prelude::*;
 const SECOND: u64 = 1_000_000_000;
 const RUNGS: usize = Quality::LADDER.len();
 
+/// The number of frames after a step in which a governor finds out what that saved.
+const COMPARED: usize = 8;
+
 /// A simulated machine that plays a show.
 struct Machine {
     governor: Governor,
@@ -69,10 +72,15 @@ impl Machine {
         }
     }
 
-    /// Runs until the rung is stable, and clears the list of steps.
+    /// Runs until the rung is stable, and what the step to it saved is known, and clears the list of steps.
     fn settle(&mut self) {
         self.run(10 * SECOND);
-        self.changes.clear();
+        while !self.changes.is_empty() {
+            self.changes.clear();
+            for _ in 0..COMPARED {
+                self.frame(1.0);
+            }
+        }
     }
 
     /// The time until the first step after a change of the load.
@@ -190,7 +198,8 @@ proptest! {
             show.run(15 * 60);
             let rung = show.governor.rung();
             let psnr = show.psnr(rung);
-            prop_assert!(rung == 0 || psnr > target - 1.5, "{psnr} of {target}");
+            // Two of a thousand are held to 2 dB alone, as the doc of [`AccuracyGovernor`] says.
+            prop_assert!(rung == 0 || psnr > target - 2.0, "{psnr} of {target}");
             // A rung that was too inaccurate before is not tried as long as there is little room.
             prop_assert!(rung + 1 == RUNGS || psnr < target + 6.0, "{psnr} of {target}");
             if finest < target {
@@ -336,5 +345,24 @@ proptest! {
             machine.frame(if i % every == 0 { factor } else { 1.0 });
         }
         prop_assert!(machine.changes.is_empty(), "{:?}", machine.changes);
+    }
+}
+
+/// Times alone cannot tell a load that gets lighter with a step down from a step that saved as much. After the latter the finer rung
+/// would be too slow, and is not tried in vain.
+#[test]
+fn a_load_that_gets_lighter_as_a_step_is_taken_counts_as_saved_by_it() {
+    let ratios = [1.239_9, 2.313_5, 1.179_1, 1.410_8, 1.1, 1.1];
+    for (frames, leads_up) in [(0, false), (COMPARED, true)] {
+        let mut machine = Machine::new(224, ratios, 4.43, 0.021);
+        while machine.governor.rung() < 5 {
+            machine.frame(1.0);
+        }
+        for _ in 0..frames {
+            machine.frame(1.0);
+        }
+        machine.changes.clear();
+        let reaction = machine.reaction(0.67 / machine.shares[4]);
+        assert_eq!(reaction.is_some_and(|time| time <= SECOND / 2), leads_up);
     }
 }

@@ -31,7 +31,8 @@ const COMPARED: u64 = 8;
 /// would leave a sixth of the time unused. How long frames would take there is estimated from what the step down saved.
 ///
 /// Under a constant load it stays on one rung, even if the times vary. When the load changes, it takes its first step within half
-/// a second, or within two frames if these are longer.
+/// a second, or within two frames if these are longer. If it gets lighter within eight frames of a step down, that counts as saved by
+/// the step, since times alone cannot tell them apart: then it may stay where it is until the load changes again.
 ///
 /// All times are in nanoseconds.
 ///
