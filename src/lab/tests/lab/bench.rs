@@ -2,7 +2,7 @@
 
 mod trouble;
 
-use super::{cells, lab, printed, render};
+use super::{cells, lab, printed, render, said};
 use eightfold_lab::measure::Way;
 use eightfold_lab::scenes::SceneName;
 use eightfold_scene_file::SceneFile;
@@ -20,9 +20,8 @@ fn documented(part: &str) -> Vec<&'static str> {
 
 /// Runs a short bench with small frames. Returns its table and its rows.
 fn bench(more: &str) -> (String, Vec<Value>) {
-    let few = "bench --frames 3 --views 2 --json -".split(' ');
-    let output = lab(&few.chain(more.split(' ')).collect::<Vec<_>>());
-    let table = String::from_utf8(output.stderr).expect("text");
+    let output = lab(&format!("bench --frames 3 --views 2 --json - {more}"));
+    let table = said(&output);
     assert!(output.status.success(), "{table}");
     (table, serde_json::from_slice(&output.stdout).expect("JSON"))
 }
@@ -237,11 +236,8 @@ fn marks_of_the_method_are_no_errors() {
 #[test]
 fn errors_are_those_of_the_pictures_that_render_draws() {
     let picture = |quality| {
-        let output = render(
-            Path::new("-"),
-            &["--jagged", "--time", "2.5", "--quality", quality],
-        );
-        read_png(&output.stdout).1
+        let more = format!("--jagged --time 2.5 --quality {quality}");
+        read_png(&render(Path::new("-"), &more).stdout).1
     };
     let (mut squares, mut over_8) = (0.0, 0);
     let (a, b) = (picture("exhaustive"), picture("default"));

@@ -8,42 +8,38 @@ mod parts;
 mod sound;
 mod trouble;
 
-use super::lab;
+use super::{lab, said};
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use std::process::Output;
 
 /// `lab capture` of small frames.
 fn capture(arguments: &str) -> Output {
-    lab(&flags(arguments))
+    lab(&line(arguments))
 }
 
-/// The words of a command line, with defaults: the model scene and small frames.
-pub fn flags(arguments: &str) -> Vec<&str> {
-    let mut words = vec!["capture"];
-    words.extend(arguments.split_whitespace());
-    if !words.contains(&"--size") {
-        words.extend(["--size", "48x32"]);
-    }
-    if !words.contains(&"--scene") {
-        words.extend(["--scene", "model"]);
-    }
+/// A command line with defaults: the model scene and small frames.
+pub fn line(arguments: &str) -> String {
+    let mut defaults = vec![("--size", "48x32"), ("--scene", "model")];
     // Without AVX2 the instruction set has to be named.
     #[cfg(target_arch = "x86_64")]
-    if !is_x86_feature_detected!("avx2") && !words.contains(&"--isa") {
-        words.extend(["--isa", "sse2"]);
+    if !is_x86_feature_detected!("avx2") {
+        defaults.push(("--isa", "sse2"));
     }
-    words
+    defaults.retain(|(flag, _)| !arguments.contains(flag));
+    let defaults = defaults
+        .iter()
+        .map(|(flag, word)| format!(" {flag} {word}"));
+    format!("capture {arguments}{}", defaults.collect::<String>())
 }
 
-/// Captures into a file or a folder, which a flag names.
+/// Captures into a file or a folder, which a flag names. Returns what is said of it.
 #[track_caller]
-fn captured(flag: &str, target: &Path, more: &str) -> Output {
-    let target = target.to_str().expect("a plain name");
-    let output = capture(&format!("{flag} {target} {more}"));
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{more}: {errors}");
-    output
+fn captured(flag: &str, target: &Path, more: &str) -> String {
+    let output = capture(&format!("{flag} {} {more}", target.display()));
+    let said = said(&output);
+    assert!(output.status.success(), "{more}: {said}");
+    said
 }
 
 /// The names and contents of a folder's files, sorted by name.

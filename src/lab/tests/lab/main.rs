@@ -18,25 +18,34 @@ mod trade;
 mod truth;
 mod views;
 
-use eightfold_stage::reader::read_png;
+use eightfold_stage::{reader::read_png, texts};
 use std::path::Path;
 #[cfg(target_os = "linux")]
 use std::process::Child;
 use std::process::{Command, Output};
 
-fn lab(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args(arguments)
-        .output()
-        .expect("the lab starts")
+/// The lab with the words of a line, of which `""` is an empty one.
+fn command(line: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lab"));
+    command.args(line.split_whitespace().map(|word| word.trim_matches('"')));
+    command
+}
+
+/// Runs the lab with the words of a line.
+fn lab(line: &str) -> Output {
+    command(line).output().expect("the lab starts")
+}
+
+/// The text that a command prints on standard error.
+fn said(output: &Output) -> String {
+    texts(output).1
 }
 
 /// The text that the lab prints on standard output, for the words of a line, without an error.
 #[track_caller]
 fn printed(line: &str) -> String {
-    let output = lab(&line.split_whitespace().collect::<Vec<_>>());
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{line}: {errors}");
+    let output = lab(line);
+    assert!(output.status.success(), "{line}: {}", said(&output));
     String::from_utf8(output.stdout).expect("text")
 }
 
@@ -50,15 +59,17 @@ fn cells(text: &str) -> Vec<Vec<&str>> {
 }
 
 /// Runs `lab render` with a small frame.
-fn render(out: &Path, more: &[&str]) -> Output {
-    let out = out.to_str().expect("a plain name");
-    lab(&[&["render", "--size", "40x30", "--out", out], more].concat())
+fn render(out: &Path, more: &str) -> Output {
+    lab(&format!(
+        "render --size 40x30 --out {} {more}",
+        out.display()
+    ))
 }
 
 /// Asserts that a command failed with an exit code, and printed one line that contains some words, and no temporary name.
 #[track_caller]
 fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
-    let text = String::from_utf8_lossy(&output.stderr);
+    let text = said(output);
     assert_eq!(output.status.code(), Some(code), "{text}");
     assert_eq!(text.trim_end().lines().count(), 1, "{text}");
     assert!(!text.contains(".lab-"), "{text}");
@@ -72,8 +83,8 @@ fn assert_one_line(output: &Output, code: i32, words: &[&str]) {
 fn a_frame_is_written_whole() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("frame.png");
-    let output = render(&file, &[]);
-    let said = String::from_utf8_lossy(&output.stderr);
+    let output = render(&file, "");
+    let said = said(&output);
     assert!(
         output.status.success() && output.stdout.is_empty(),
         "{said}"
@@ -93,12 +104,8 @@ fn a_frame_is_written_whole() {
 fn a_file_is_called_as_it_was_asked_for_whether_it_is_there_or_not() {
     let folder = tempfile::tempdir().unwrap();
     for _ in 0..2 {
-        let output = Command::new(env!("CARGO_BIN_EXE_lab"))
-            .args(["render", "--size", "40x30", "--out", "x.png"])
-            .current_dir(folder.path())
-            .output()
-            .unwrap();
-        let said = String::from_utf8_lossy(&output.stderr);
+        let mut render = command("render --size 40x30 --out x.png");
+        let said = said(&render.current_dir(folder.path()).output().unwrap());
         assert!(said.starts_with("wrote x.png, in "), "{said}");
     }
 }
@@ -134,17 +141,15 @@ fn signal(process: &str, name: &str) -> bool {
 #[test]
 fn commands_without_results_so_far_end_on_a_signal_with_one_line() {
     let folder = tempfile::tempdir().unwrap();
-    for command in [
+    for line in [
         "render --size 3840x2160 --quality exhaustive --threads 1 --out x.png",
         "figures --size 3840x2160 --quality exhaustive --out figures",
         "sound --wav x.wav --spectrogram x.png",
         "scene --export show --fps 1000 --out x.ron",
         "bench --stages --frames 100000",
     ] {
-        let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
-        let lab = lab.args(command.split(' ')).current_dir(folder.path());
-        let child = start(lab);
-        assert!(signal(&child.id().to_string(), "INT"), "{command}");
+        let child = start(command(line).current_dir(folder.path()));
+        assert!(signal(&child.id().to_string(), "INT"), "{line}");
         let output = child.wait_with_output().unwrap();
         assert_one_line(&output, 130, &["stopped at once"]);
     }
@@ -157,49 +162,43 @@ fn commands_without_results_so_far_end_on_a_signal_with_one_line() {
 fn standard_output_gets_the_same_bytes_as_a_file() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("frame.png");
-    render(&file, &["--time", "3.5", "--threads", "1"]);
-    let output = render(Path::new("-"), &["--time", "3.5", "--threads", "3"]);
+    render(&file, "--time 3.5 --threads 1");
+    let output = render(Path::new("-"), "--time 3.5 --threads 3");
     assert!(output.status.success() && output.stderr.is_empty());
     assert_eq!(output.stdout, std::fs::read(&file).unwrap());
 }
 
 #[test]
 fn every_choice_changes_the_picture() {
-    let picture = |more: &[&str]| {
-        let output = render(Path::new("-"), more);
-        assert!(output.status.success(), "{more:?}");
+    let picture = |more: &str| {
+        let output = lab(&format!("render --out - {more}"));
+        assert!(output.status.success(), "{more}");
         output.stdout
     };
-    let plain = picture(&[]);
+    let plain = picture("--size 40x30");
     for more in [
-        ["--quality", "exhaustive"],
-        ["--time", "-1"],
-        ["--scene", "field:20"],
-        ["--scene", "show:finale"],
-        ["--size", "41x30"],
+        "--size 40x30 --quality exhaustive",
+        "--size 40x30 --time -1",
+        "--size 40x30 --scene field:20",
+        "--size 40x30 --scene show:finale",
+        "--size 40x30 --jagged",
+        "--size 41x30",
     ] {
-        // A flag cannot be given twice, and `render` sets the size.
-        let changed = if more[0] == "--size" {
-            lab(&["render", "--size", "41x30", "--out", "-"]).stdout
-        } else {
-            picture(&more)
-        };
-        assert_ne!(changed, plain, "{more:?}");
+        assert_ne!(picture(more), plain, "{more}");
     }
-    assert_ne!(picture(&["--jagged"]), plain);
-    assert_eq!(picture(&["--scene", "model", "--time", "0"]), plain);
+    assert_eq!(picture("--size 40x30 --scene model --time 0"), plain);
 }
 
 #[test]
 fn a_file_that_cannot_be_written_is_named_in_one_line() {
     let folder = tempfile::tempdir().unwrap();
     let no_folder = folder.path().join("missing/frame.png");
-    assert_one_line(&render(&no_folder, &[]), 1, &["missing/frame.png"]);
-    assert_one_line(&render(folder.path(), &[]), 1, &["cannot write"]);
-    assert_one_line(&render(Path::new(""), &[]), 2, &["--out"]);
-    assert_one_line(&render(Path::new(".."), &[]), 1, &["cannot write"]);
+    assert_one_line(&render(&no_folder, ""), 1, &["missing/frame.png"]);
+    assert_one_line(&render(folder.path(), ""), 1, &["cannot write"]);
+    assert_one_line(&lab("render --out \"\""), 2, &["--out"]);
+    assert_one_line(&render(Path::new(".."), ""), 1, &["cannot write"]);
     let long = folder.path().join("x".repeat(300));
-    assert_one_line(&render(&long, &[]), 1, &["cannot write"]);
+    assert_one_line(&render(&long, ""), 1, &["cannot write"]);
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
@@ -224,7 +223,7 @@ fn a_closed_standard_output_is_named_in_one_line() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_named_in_one_line() {
-    let output = render(Path::new("/dev/full"), &[]);
+    let output = render(Path::new("/dev/full"), "");
     assert_one_line(&output, 1, &["/dev/full", "No space left"]);
 }
 

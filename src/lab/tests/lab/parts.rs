@@ -1,7 +1,7 @@
 //! Pictures that are drawn in parts, by separate processes and on several machines, have the same bytes as those drawn in one go.
 
-use super::capture::{files, flags, write_program};
-use super::{assert_one_line, printed};
+use super::capture::{self, files, write_program};
+use super::{assert_one_line, command, printed, said};
 use eightfold_stage::lacks;
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -13,8 +13,8 @@ const TRUTH: &str = "truth --scene model --size 24x18 --samples 2048 --without c
 
 /// The lab in a folder.
 fn lab_in(folder: &Path, line: &str) -> Command {
-    let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
-    lab.args(line.split_whitespace()).current_dir(folder);
+    let mut lab = command(line);
+    lab.current_dir(folder);
     lab
 }
 
@@ -26,8 +26,7 @@ fn run_in(folder: &Path, line: &str) -> Output {
 #[track_caller]
 fn draw_in(folder: &Path, line: &str) {
     let output = run_in(folder, line);
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{line}: {said}");
+    assert!(output.status.success(), "{line}: {}", said(&output));
 }
 
 #[test]
@@ -110,7 +109,7 @@ fn the_recipes_for_many_machines_draw_the_whole() {
     let truth = "truth --scene examples/scenes/room.ron --samples 1024";
     assert_eq!(recipes.matches(truth).count(), 2, "{recipes}");
     let few = "truth --scene examples/scenes/room.ron --samples 8 --size 16x32 --without caustics";
-    let capture = flags("--fps 1 --size 16x12 --scene show").join(" ");
+    let capture = capture::line("--fps 1 --size 16x12 --scene show");
     let recipes = recipes.replace(truth, few).replace("capture", &capture);
 
     let folder = tempfile::tempdir().expect("a folder");
@@ -154,8 +153,7 @@ fn the_recipes_for_many_machines_draw_the_whole() {
                 .env("SHELL", "/bin/sh")
                 .env("MACHINES", folder.path().join("machines"));
             let output = shell.output().expect("a shell");
-            let said = String::from_utf8_lossy(&output.stderr);
-            assert!(output.status.success(), "{line}: {said}");
+            assert!(output.status.success(), "{line}: {}", said(&output));
         }
         places.push(place);
     }

@@ -1,6 +1,6 @@
 //! `lab release` packs the intro and its text file, which names all flags.
 
-use super::{assert_one_line, lab};
+use super::{assert_one_line, lab, printed};
 use eightfold_lab::cargo;
 use eightfold_stage::{intro, run};
 use std::fs;
@@ -33,9 +33,7 @@ fn text(path: &Path) -> &str {
 fn the_intro_for_both_systems_and_its_nfo_are_in_the_zip() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("eightfold.zip");
-    let output = lab(&["release", "--out", text(&out)]);
-    let said = String::from_utf8_lossy(&output.stdout);
-    assert!(output.status.success(), "{said}");
+    let said = printed(&format!("release --out {}", out.display()));
     let intro = fs::read(intro()).unwrap();
     let windows = fs::read(cargo::intro_for_windows().unwrap()).unwrap();
     let zip = fs::read(&out).unwrap();
@@ -61,8 +59,13 @@ fn a_program_over_the_limit_is_no_release() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name| folder.path().join(name);
     let (linux, windows, out) = (path("linux"), path("windows"), path("out.zip"));
-    let programs = ["--intro", text(&linux), "--windows", text(&windows)];
-    let release = || lab(&[&["release", "--out", text(&out)], &programs[..]].concat());
+    let release = || {
+        let names = [&out, &linux, &windows].map(|path| text(path));
+        let [out, linux, windows] = names;
+        lab(&format!(
+            "release --out {out} --intro {linux} --windows {windows}"
+        ))
+    };
     for program in [&linux, &windows] {
         fs::write(&linux, vec![7; 65_536]).unwrap();
         fs::write(&windows, vec![8; 65_536]).unwrap();

@@ -1,6 +1,6 @@
 //! `lab report` rewrites the marked parts of a file, and nothing else.
 
-use super::{assert_one_line, lab};
+use super::{assert_one_line, lab, said};
 use eightfold_stage::{lacks, reader::read_png};
 use std::fs;
 use std::path::Path;
@@ -41,9 +41,8 @@ const TIMED: [&str; 7] = [
 ];
 
 fn report(folder: &Path) -> Output {
-    let folder = folder.to_str().expect("a plain name");
-    let small = ["--size", "64x48", "--frames", "2"];
-    lab(&[&["report", "--folder", folder], &small[..]].concat())
+    let folder = folder.display();
+    lab(&format!("report --folder {folder} --size 64x48 --frames 2"))
 }
 
 /// The text without rules and spaces, with all cells of those columns replaced.
@@ -81,7 +80,7 @@ fn the_marked_parts_are_rewritten_and_a_second_time_changes_timings_only() {
     let folder = folder.path();
     let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
     let output = report(folder);
-    let error = String::from_utf8_lossy(&output.stderr);
+    let error = said(&output);
     assert!(
         output.status.success() && output.stdout.is_empty(),
         "{error}"

@@ -81,7 +81,7 @@ fn an_exported_scene_gives_the_same_picture() {
     let file = file.to_str().expect("a plain name");
     printed(&format!("scene --export show:machine --fps 2 --out {file}"));
     let picture = |scene| {
-        let output = render(Path::new("-"), &["--scene", scene, "--time", "3.5"]);
+        let output = render(Path::new("-"), &format!("--scene {scene} --time 3.5"));
         assert!(output.status.success());
         read_png(&output.stdout)
     };
@@ -208,11 +208,8 @@ fn what_may_have_no_end_is_not_read() {
     std::thread::spawn(move || fs::write(writer, ""));
     for file in [&pipe, &device] {
         let name = file.to_str().expect("UTF-8");
-        assert_one_line(
-            &lab(&["bench", "--scene", name]),
-            2,
-            &["cannot read", name, "not a regular file"],
-        );
+        let output = lab(&format!("bench --scene {name}"));
+        assert_one_line(&output, 2, &["cannot read", name, "not a regular file"]);
     }
 }
 
@@ -290,7 +287,7 @@ fn two_motions_of_one_number_are_no_rust() {
     let part = "(of: \"camera.eye[1]\", keys: [(0.0, 1.0)])";
     let text = format!("(motions: [(of: \"camera.eye\", {keys}), {part}])");
     fs::write(&file, text).expect("it can be written");
-    let output = lab(&["scene", "--rust", file.to_str().expect("a plain name")]);
+    let output = lab(&format!("scene --rust {}", file.display()));
     assert_one_line(&output, 1, &["camera.eye and camera.eye[1] move the same"]);
 }
 
@@ -315,15 +312,17 @@ fn bad_input_is_named_in_one_line() {
     let name = file.to_str().expect("a plain name");
     fs::write(&file, "Scene(\n    haze: -1.0,\n)\n").expect("it can be written");
     for command in ["bench", "trade", "figures", "view"] {
+        let output = lab(&format!("{command} --scene {name}"));
         assert_one_line(
-            &lab(&[command, "--scene", name]),
+            &output,
             2,
             &["bad.ron:2:11: haze is -1, and takes 0 to 1000"],
         );
     }
+    let bench = |name: &str| lab(&format!("bench --scene {name}"));
     let none = folder.path().join("none.ron");
     let none = none.to_str().expect("a plain name");
-    assert_one_line(&lab(&["bench", "--scene", none]), 2, &["cannot read", none]);
+    assert_one_line(&bench(none), 2, &["cannot read", none]);
     fs::write(&file, b"Scene() // \xe9").expect("it can be written");
-    assert_one_line(&lab(&["bench", "--scene", name]), 2, &[name, "not UTF-8"]);
+    assert_one_line(&bench(name), 2, &[name, "not UTF-8"]);
 }

@@ -1,29 +1,17 @@
 //! `lab sound` prints the levels and writes its files.
 
-use super::{lab, read_png};
+use super::{printed, read_png};
 use eightfold::show;
 use eightfold::sound::{RATE, SONG_LENGTH};
 
 #[test]
 fn every_bar_has_a_row_and_files_are_whole() {
     let folder = tempfile::tempdir().unwrap();
-    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    let (wav, waveform, spectrogram) = (
-        file("song.wav"),
-        file("waveform.png"),
-        file("spectrogram.png"),
-    );
-    let output = lab(&[
-        "sound",
-        "--wav",
-        &wav,
-        "--waveform",
-        &waveform,
-        "--spectrogram",
-        &spectrogram,
-    ]);
-    assert!(output.status.success());
-    let text = String::from_utf8(output.stdout).unwrap();
+    let file = |name: &str| folder.path().join(name).display().to_string();
+    let [wav, waveform, spectrogram] = ["song.wav", "waveform.png", "spectrogram.png"].map(file);
+    let text = printed(&format!(
+        "sound --wav {wav} --waveform {waveform} --spectrogram {spectrogram}"
+    ));
     let rows = text.lines().filter(|line| line.starts_with("| ")).count();
     assert_eq!(rows, show::BARS as usize + 2, "{text}");
     for word in ["title", "finale", "LUFS", "of one core"] {

@@ -1,12 +1,12 @@
 //! `lab study` makes one page of all that is measured of a scene.
 
-use super::lab;
+use super::{command, lab, said};
 use base64::{Engine, prelude::BASE64_STANDARD};
 use eightfold_stage::reader::read_png;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 fn scene() -> String {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes");
@@ -18,11 +18,12 @@ fn scene() -> String {
 fn the_page_has_every_measurement_inside_and_the_command_above_it() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("first.html");
-    let out_name = out.to_str().expect("a plain name");
     let scene = scene();
-    let small = ["--size", "64x48", "--frames", "2", "--out", out_name];
-    let output = lab(&[&["study", &scene], &small[..]].concat());
-    let said = String::from_utf8_lossy(&output.stderr);
+    let output = lab(&format!(
+        "study {scene} --size 64x48 --frames 2 --out {}",
+        out.display()
+    ));
+    let said = said(&output);
     assert!(
         output.status.success() && output.stdout.is_empty(),
         "{said}"
@@ -70,8 +71,7 @@ fn the_page_has_every_measurement_inside_and_the_command_above_it() {
 fn a_study_that_is_stopped_leaves_nothing_behind() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("model.html");
-    let mut child = Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args(["study", "model", "--out"])
+    let mut child = command("study model --out")
         .arg(&out)
         .env("TMPDIR", folder.path())
         .stderr(Stdio::piped())

@@ -1,6 +1,6 @@
 //! `lab trade` writes all its files, and its figures are consistent. No test depends on measured times.
 
-use super::{assert_one_line, cells, lab, printed};
+use super::{assert_one_line, cells, command, lab, printed};
 use anyhow::Result;
 use eightfold_lab::error::Difference;
 use eightfold_lab::measure::Run;
@@ -12,7 +12,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
@@ -144,10 +144,7 @@ fn assert_ends_early(signal: &str, code: i32) {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("trade");
     // So many frames would take far too long.
-    let lab = Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args([
-            "trade", "--quick", "--size", "48x36", "--frames", "100000", "--out",
-        ])
+    let lab = command("trade --quick --size 48x36 --frames 100000 --out")
         .arg(&out)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -192,9 +189,7 @@ fn all_rows_are_antialiased_if_that_was_asked_for() {
 #[test]
 fn frames_in_which_nothing_differs_are_an_error() {
     // The show fades out to black.
-    let flags = ["trade", "--ladder", "--scene", "show", "--frames", "1"];
-    let end = ["--size", "48x36", "--time-from", "115.99"];
-    let output = lab(&[&flags[..], &end[..]].concat());
+    let output = lab("trade --ladder --scene show --frames 1 --size 48x36 --time-from 115.99");
     assert_one_line(&output, 1, &["the same", "--time-from"]);
 }
 

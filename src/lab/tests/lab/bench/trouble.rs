@@ -1,22 +1,17 @@
 //! Bad input, files that cannot be written and full disks lead to one line of explanation.
 
 use super::number;
-use crate::{assert_one_line, cells, lab};
+use crate::{assert_one_line, cells, command, lab};
 use serde_json::Value;
-use std::process::Command;
+use std::mem::take;
 
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_costs_the_json_but_not_the_table() {
-    let small = "bench --size 8x8 --frames 1 --json /dev/full".split(' ');
-    let output = lab(&small.collect::<Vec<_>>());
-    assert_eq!(output.status.code(), Some(1));
-    let text = String::from_utf8_lossy(&output.stderr);
-    assert!(
-        text.lines().count() == 1 && text.contains("/dev/full"),
-        "{text}"
-    );
-    assert_eq!(cells(&String::from_utf8_lossy(&output.stdout)).len(), 1 + 3);
+    let mut output = lab("bench --size 8x8 --frames 1 --json /dev/full");
+    let table = String::from_utf8(take(&mut output.stdout)).unwrap();
+    assert_one_line(&output, 1, &["/dev/full"]);
+    assert_eq!(cells(&table).len(), 1 + 3);
 }
 
 #[cfg(target_os = "linux")]
@@ -24,10 +19,8 @@ fn a_full_disk_costs_the_json_but_not_the_table() {
 fn after_a_signal_the_figures_are_those_of_the_frames_until_then() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("bench.json");
-    let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
-    let lab =
-        lab.args("bench --threads 3 --frames 100000 --size 32x24 --size 48x36 --json".split(' '));
-    let bench = crate::start(lab.arg(&file));
+    let line = "bench --threads 3 --frames 100000 --size 32x24 --size 48x36 --json";
+    let bench = crate::start(command(line).arg(&file));
     // Its own, the one that hears signals, and two that draw.
     eightfold_stage::wait_for("threads that draw", || {
         let threads = std::fs::read_dir(format!("/proc/{}/task", bench.id()));
@@ -35,7 +28,7 @@ fn after_a_signal_the_figures_are_those_of_the_frames_until_then() {
     });
     assert!(crate::signal(&bench.id().to_string(), "INT"));
     let mut output = bench.wait_with_output().unwrap();
-    let table = String::from_utf8(std::mem::take(&mut output.stdout)).unwrap();
+    let table = String::from_utf8(take(&mut output.stdout)).unwrap();
     assert_one_line(&output, 130, &["stopped early"]);
     let rows: Vec<Value> = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
     assert_eq!(rows.len(), 6);

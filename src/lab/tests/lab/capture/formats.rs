@@ -17,7 +17,7 @@ fn pixels(rgb: &[u8]) -> Vec<u32> {
 /// The same frames, drawn by `lab render`.
 fn rendered(times: &[&str], size: &str) -> Vec<u32> {
     let picture = |time: &&str| {
-        let output = lab(&["render", "--size", size, "--time", time, "--out", "-"]);
+        let output = lab(&format!("render --size {size} --time {time} --out -"));
         read_png(&output.stdout).1
     };
     times.iter().flat_map(picture).collect()
@@ -46,8 +46,7 @@ fn without_a_range_it_is_the_whole_show() {
         captured("--png", folder.path(), &more);
         assert_eq!(files(folder.path()).len(), seconds as usize);
         // An end beyond the scene's end stands for that.
-        let output = captured("--png", folder.path(), &format!("{more} --to 99999"));
-        let said = String::from_utf8(output.stderr).unwrap();
+        let said = captured("--png", folder.path(), &format!("{more} --to 99999"));
         let kept = format!("0 frames drawn, {seconds} kept");
         assert!(said.contains(&kept), "{said}");
     }
@@ -60,14 +59,13 @@ fn it_is_the_show_unless_asked_otherwise() {
     if !is_x86_feature_detected!("avx2") {
         return;
     }
-    let captured = |more: &[&str]| {
-        let fixed = ["capture", "--sheet", "-", "--size", "48x32", "--fps", "1"];
-        let range = ["--from", "20", "--to", "21", "--frames", "1"];
-        lab(&[&fixed[..], &range, more].concat()).stdout
+    let captured = |more: &str| {
+        let one = "capture --sheet - --size 48x32 --fps 1 --from 20 --to 21 --frames 1";
+        lab(&format!("{one} {more}")).stdout
     };
-    let show = captured(&[]);
-    assert!(!show.is_empty() && show == captured(&["--scene", "show"]));
-    assert!(show != captured(&["--scene", "model"]));
+    let show = captured("");
+    assert!(!show.is_empty() && show == captured("--scene show"));
+    assert!(show != captured("--scene model"));
 }
 
 #[test]
@@ -102,12 +100,7 @@ fn a_supersampled_pixel_is_the_mean_of_its_parts() {
     captured("--png", folder.path(), more);
     let (_, bytes) = &files(folder.path())[0];
     let (_, mean) = read_png(bytes);
-    let exhaustive = ["--quality", "exhaustive"];
-    let twice = lab(&[
-        &["render", "--size", "96x64", "--out", "-"][..],
-        &exhaustive,
-    ]
-    .concat());
+    let twice = lab("render --size 96x64 --out - --quality exhaustive");
     let (width, twice) = read_png(&twice.stdout);
     let far = (0..mean.len()).filter(|i| {
         let (x, y) = (2 * (i % 48), 2 * (i / 48));
@@ -126,8 +119,7 @@ fn a_sheet_shows_frames_spread_evenly() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("sheet.png");
     let more = "--frames 6 --fps 4 --from 8 --to 32 --size 48x32";
-    let output = captured("--sheet", &file, more);
-    let said = String::from_utf8(output.stderr).unwrap();
+    let said = captured("--sheet", &file, more);
     assert!(
         said.contains("frames 10 14 18 22 26 30, row by row"),
         "{said}"
@@ -160,7 +152,6 @@ fn a_sheet_shows_frames_spread_evenly() {
     captions.dedup();
     assert_eq!(captions.len(), 6);
     // The default is 24 frames of 320 by 240.
-    let output = lab(&["capture", "--sheet", "-"]);
-    let (width, sheet) = read_png(&output.stdout);
+    let (width, sheet) = read_png(&lab("capture --sheet -").stdout);
     assert_eq!((width, sheet.len() / width), (8 + 6 * 328, 8 + 4 * 266));
 }

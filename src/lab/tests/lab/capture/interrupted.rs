@@ -1,20 +1,19 @@
 //! A signal that asks for the end leaves no part of a file and no other program behind.
 
-use super::{files, flags, write_ffmpeg};
-use crate::{assert_one_line, signal};
+use super::{files, line, write_ffmpeg};
+use crate::{assert_one_line, command, signal};
 use eightfold_stage::reader::read_png;
 use std::fs;
 use std::os::unix::process::CommandExt;
 use std::path::Path;
-use std::process::{Child, Command};
+use std::process::Child;
 use std::thread::sleep;
 use std::time::Duration;
 
 /// Starts a capture of far too many frames as a group of processes, with the programs of a folder before others.
 fn start(arguments: &str, programs: &Path) -> Child {
     let path = format!("{}:/usr/bin:/bin", programs.display());
-    let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
-    let lab = lab.args(flags(&format!("--to 100000 {arguments}")));
+    let mut lab = command(&line(&format!("--to 100000 {arguments}")));
     crate::start(lab.env("PATH", path).process_group(0))
 }
 

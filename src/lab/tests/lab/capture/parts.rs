@@ -1,30 +1,23 @@
 //! Parts of a capture equal the whole, and existing frames are kept.
 
-use super::{captured, files, flags};
+use super::{captured, files, line};
+use crate::command;
 use eightfold_stage::reader::read_png;
 use std::fs;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 #[test]
 fn two_halves_are_the_whole_bit_for_bit() {
     let folder = tempfile::tempdir().unwrap();
     let (whole, halves) = (folder.path().join("whole"), folder.path().join("halves"));
     for what in ["", "--supersample 2 --quality thesis --fps 24000/1001"] {
-        captured(
-            "--png",
-            &whole,
-            &format!("--from 3 --to 12 --threads 3 {what}"),
-        );
-        captured(
-            "--png",
-            &halves,
-            &format!("--from 7 --to 12 --threads 1 {what}"),
-        );
-        captured(
-            "--png",
-            &halves,
-            &format!("--from 3 --to 7 --threads 2 {what}"),
-        );
+        for (folder, more) in [
+            (&whole, "--from 3 --to 12 --threads 3"),
+            (&halves, "--from 7 --to 12 --threads 1"),
+            (&halves, "--from 3 --to 7 --threads 2"),
+        ] {
+            captured("--png", folder, &format!("{more} {what}"));
+        }
         let whole = files(&whole);
         assert_eq!(whole.len(), 9);
         assert_eq!(whole[0].0, "frame-000003.png");
@@ -37,7 +30,7 @@ fn two_halves_are_the_whole_bit_for_bit() {
 fn machines_with_avx2_and_with_avx512_draw_the_same_bytes() {
     if !is_x86_feature_detected!("avx2") {
         // On other machines the instruction set has to be named.
-        let output = super::lab(&["capture", "--sheet", "-"]);
+        let output = super::lab("capture --sheet -");
         return crate::assert_one_line(&output, 2, &["--isa", "sse2"]);
     }
     let folder = tempfile::tempdir().unwrap();
@@ -63,8 +56,7 @@ fn frames_that_are_there_whole_are_kept() {
     turned[middle] ^= 4;
     fs::write(path(3), turned).unwrap();
     let before = fs::metadata(path(4)).unwrap().modified().unwrap();
-    let output = captured("--png", folder.path(), "--to 6");
-    let said = String::from_utf8(output.stderr).unwrap();
+    let said = captured("--png", folder.path(), "--to 6");
     assert!(said.contains("3 frames drawn, 3 kept"), "{said}");
     assert!(files(folder.path()) == whole);
     assert_eq!(fs::metadata(path(4)).unwrap().modified().unwrap(), before);
@@ -81,8 +73,7 @@ fn frames_of_another_capture_are_not_kept() {
         "--scene field:9",
         "--supersample 3",
     ] {
-        let output = captured("--png", folder.path(), &format!("--to 2 {other}"));
-        let said = String::from_utf8(output.stderr).unwrap();
+        let said = captured("--png", folder.path(), &format!("--to 2 {other}"));
         assert!(said.contains("2 frames drawn, 0 kept"), "{other}: {said}");
     }
 }
@@ -104,8 +95,7 @@ fn frames_of_a_scene_file_are_kept_until_it_says_something_else_at_their_time() 
     };
     let more = format!("--scene {} --fps 1", scene.display());
     let png = |what: &str| {
-        let output = captured("--png", &path("frames"), &more);
-        let said = String::from_utf8(output.stderr).unwrap();
+        let said = captured("--png", &path("frames"), &more);
         assert!(said.contains(what), "{said}");
     };
     write(1.0, 1.0);
@@ -126,8 +116,7 @@ fn three_parts_one_of_them_killed_and_run_again_are_the_whole() {
     let part = |number| format!("{more} --part {number}/3");
     captured("--png", &killed, &part(3));
     let second = part(2);
-    let mut capture = Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args(flags(&format!("--png {} {second}", killed.display())))
+    let mut capture = command(&line(&format!("--png {} {second}", killed.display())))
         .stderr(Stdio::null())
         .spawn()
         .unwrap();

@@ -22,7 +22,7 @@ const FPS: usize = 60;
 fn the_sound_of_frames_is_their_part_of_the_soundtrack() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
-    let song = lab(&["sound", "--wav", "-"]).stdout;
+    let song = lab("sound --wav -").stdout;
     // The machine begins at 56 s. If a frame begins between two samples, its sound begins with the second one.
     for (more, from, to) in [
         (

@@ -1,7 +1,7 @@
 //! Bad input, full disks and closed pipes lead to one line of explanation and no broken files.
 
-use super::{capture, files, flags, write_ffmpeg};
-use crate::assert_one_line;
+use super::{capture, files, line, write_ffmpeg};
+use crate::{assert_one_line, command};
 use eightfold_stage::lacks;
 use std::fs;
 use std::io::Read;
@@ -12,7 +12,9 @@ fn limited(kib: u32, arguments: &str) -> Output {
     let script = format!("trap '' XFSZ; ulimit -f {kib}; exec \"$0\" \"$@\"");
     let mut sh = Command::new("bash");
     sh.args(["-c", &script]).arg(env!("CARGO_BIN_EXE_lab"));
-    sh.args(flags(arguments)).output().expect("bash runs")
+    sh.args(line(arguments).split_whitespace())
+        .output()
+        .expect("bash runs")
 }
 
 #[test]
@@ -94,8 +96,7 @@ fn a_video_on_a_full_disk_is_named_in_one_line_and_leaves_no_broken_file() {
 
 #[test]
 fn a_pipe_that_is_closed_is_named_in_one_line() {
-    let mut capture = Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args(flags("--audio - --scene show --to 600"))
+    let mut capture = command(&line("--audio - --scene show --to 600"))
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
@@ -131,8 +132,7 @@ fn what_cannot_be_written_is_named_in_one_line() {
 fn without_ffmpeg_it_says_how_to_get_it() {
     let folder = tempfile::tempdir().unwrap();
     let video = folder.path().join("show.mp4");
-    let output = Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args(flags(&format!("--video {} --to 2", video.display())))
+    let output = command(&line(&format!("--video {} --to 2", video.display())))
         .env("PATH", folder.path())
         .output()
         .unwrap();
@@ -146,8 +146,7 @@ fn a_video_that_ffmpeg_cannot_make_is_named_in_one_line() {
     let folder = tempfile::tempdir().unwrap();
     write_ffmpeg(folder.path(), "echo 'no such encoder' >&2; exit 3");
     let video = folder.path().join("show.mp4");
-    let output = Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args(flags(&format!("--video {} --to 99", video.display())))
+    let output = command(&line(&format!("--video {} --to 99", video.display())))
         .env("PATH", folder.path())
         .output()
         .unwrap();

@@ -1,6 +1,6 @@
 //! `lab truth` writes whole files, whose bytes depend on nothing but its arguments, and goes on where it was interrupted.
 
-use crate::{assert_one_line, lab};
+use crate::{assert_one_line, command, lab, printed, said};
 use eightfold_lab::arguments::{Part, Size};
 use eightfold_lab::sampler::Sequence;
 use eightfold_lab::scenes::SceneName;
@@ -15,7 +15,7 @@ use eightfold_stage::reader::read_png;
 use rayon::ThreadPoolBuilder;
 use std::fs;
 use std::path::Path;
-use std::process::Output;
+use std::process::{Output, Stdio};
 
 /// The size of the pictures.
 const SIZE: Size = Size::new(24, 18);
@@ -30,10 +30,11 @@ fn sampling(count: usize) -> Sampling {
 }
 
 /// `lab truth` of a small picture of the model scene.
-fn truth(out: &Path, more: &[&str]) -> Output {
-    let out = out.to_str().expect("a plain name");
-    let fixed = ["truth", "--size", "24x18", "--samples", "16", "--out", out];
-    lab(&[&fixed[..], more].concat())
+fn truth(out: &Path, more: &str) -> Output {
+    let out = out.display();
+    lab(&format!(
+        "truth --size 24x18 --samples 16 --out {out} {more}"
+    ))
 }
 
 #[test]
@@ -41,16 +42,9 @@ fn it_writes_a_picture_its_radiance_and_its_intervals() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name);
     let (exr, interval) = (path("truth.exr"), path("interval.png"));
-    let output = truth(
-        &path("truth.png"),
-        &[
-            "--exr",
-            exr.to_str().expect("a plain name"),
-            "--interval",
-            interval.to_str().expect("a plain name"),
-        ],
-    );
-    let said = String::from_utf8_lossy(&output.stderr);
+    let more = format!("--exr {} --interval {}", exr.display(), interval.display());
+    let output = truth(&path("truth.png"), &more);
+    let said = said(&output);
     assert!(output.status.success(), "{said}");
     assert!(
         said.contains("16 samples a pixel: 95 % intervals of +-"),
@@ -78,20 +72,20 @@ fn it_writes_a_picture_its_radiance_and_its_intervals() {
 
 #[test]
 fn the_bytes_depend_on_seed_and_samples_and_not_on_threads() {
-    let picture = |more: &[&str]| {
+    let picture = |more: &str| {
         // Photons take most of the time, and have no part in this.
-        let output = truth(Path::new("-"), &[more, &["--without", "caustics"]].concat());
+        let output = truth(Path::new("-"), &format!("{more} --without caustics"));
         assert!(output.status.success());
         output.stdout
     };
-    let plain = picture(&["--threads", "1"]);
-    assert_eq!(plain, picture(&["--threads", "3"]));
-    assert_ne!(plain, picture(&["--seed", "1"]));
-    assert_ne!(plain, picture(&["--time", "1"]));
+    let plain = picture("--threads 1");
+    assert_eq!(plain, picture("--threads 3"));
+    assert_ne!(plain, picture("--seed 1"));
+    assert_ne!(plain, picture("--time 1"));
     for effect in ["indirect", "soft-shadows", "surfaces"] {
-        assert_ne!(plain, picture(&["--without", effect]), "{effect}");
+        assert_ne!(plain, picture(&format!("--without {effect}")));
     }
-    assert_ne!(plain, picture(&["--with", "falloff"]));
+    assert_ne!(plain, picture("--with falloff"));
 }
 
 #[test]
@@ -148,7 +142,7 @@ fn a_damaged_film_is_refused_in_one_line() {
     ] {
         fs::write(&name, &damaged).expect("it is written");
         assert_one_line(
-            &truth(&out, &[]),
+            &truth(&out, ""),
             1,
             &["truth.png.unfinished is damaged", "delete it"],
         );
@@ -188,18 +182,15 @@ fn pixels(estimates: &[Estimate]) -> Vec<u32> {
 #[cfg(unix)]
 #[test]
 fn after_ctrl_c_the_same_command_goes_on() {
-    use std::process::{Command, Stdio};
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("truth.png");
-    let name = out.to_str().expect("a plain name");
     // Without photons, most of the time goes to what is drawn row by row.
     let line = "truth --size 64x48 --samples 128 --without caustics --out";
-    let arguments: Vec<&str> = line.split(' ').chain([name]).collect();
     let kept = state::beside(&out, None);
     let mut runs = 0;
     loop {
-        let run = Command::new(env!("CARGO_BIN_EXE_lab"))
-            .args(&arguments)
+        let run = command(line)
+            .arg(&out)
             .stderr(Stdio::piped())
             .spawn()
             .expect("the lab starts");
@@ -219,7 +210,7 @@ fn after_ctrl_c_the_same_command_goes_on() {
         }
     }
     assert!(!kept.exists());
-    let whole = lab(&line.split(' ').chain(["-"]).collect::<Vec<_>>());
+    let whole = lab(&format!("{line} -"));
     assert!(fs::read(&out).expect("a file") == whole.stdout);
 }
 
@@ -227,7 +218,7 @@ fn after_ctrl_c_the_same_command_goes_on() {
 #[cfg(unix)]
 #[track_caller]
 fn assert_one_line_with(output: &Output, code: i32, words: &[&str]) {
-    let said = String::from_utf8_lossy(&output.stderr);
+    let said = said(output);
     assert_eq!(output.status.code(), Some(code), "{said}");
     let last = said.lines().last().expect("a line");
     assert!(words.iter().all(|word| last.contains(word)), "{said}");
@@ -236,18 +227,10 @@ fn assert_one_line_with(output: &Output, code: i32, words: &[&str]) {
 #[test]
 fn effects_are_a_table_and_pictures_and_squares_cost_little() {
     let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().to_str().expect("a plain name");
-    let output = lab(&[
-        "truth",
-        "--size",
-        "48x36",
-        "--samples",
-        "8",
-        "--effects",
-        path,
-    ]);
-    assert!(output.status.success(), "{output:?}");
-    let table = String::from_utf8(output.stdout).expect("text");
+    let table = printed(&format!(
+        "truth --size 48x36 --samples 8 --effects {}",
+        folder.path().display()
+    ));
     let psnr = |title: &str| -> f64 {
         let row = table.lines().find(|line| line.contains(title));
         let number = row.and_then(|row| row.split('|').nth(2)?.strip_suffix(" dB "));
