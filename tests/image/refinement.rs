@@ -252,13 +252,13 @@ fn crowded_pictures_have_42_db() {
     }
 }
 
-/// Measured: six of the 48 have less than 42 dB, and the worst 38.3 dB. Without keys that tell points of such mirrors apart it would be
-/// 26, and 35.7 dB.
+/// Two scenes of each count and shares. Measured: four of the 24 have less than 42 dB, and the worst 38.8 dB. Of 48 it was six; without
+/// keys that tell points of such mirrors apart it would be 26 of these, and 35.7 dB.
 #[test]
 #[ignore = "many scenes by chance"]
 fn crowds_of_mirrors_and_glass_have_42_db_but_for_few() {
     let mut all = Vec::new();
-    for seed in 0..48 {
+    for seed in 0..24 {
         let count = [70, 130, 200, 320][seed as usize % 4];
         let shares = [[0.2, 0.2], [0.5, 0.2], [0.0, 0.6]][seed as usize / 4 % 3];
         let scene = crowded(&mut Random(seed), count, shares);
@@ -267,5 +267,5 @@ fn crowds_of_mirrors_and_glass_have_42_db_but_for_few() {
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     let below = all.partition_point(|&(psnr, _)| psnr < 42.0);
     println!("{below} below 42 dB, the worst {:.2?}", &all[..8]);
-    assert!(below <= 7 && all[0].0 >= 38.0, "{below}, {:?}", all[0]);
+    assert!(below <= 5 && all[0].0 >= 38.0, "{below}, {:?}", all[0]);
 }
