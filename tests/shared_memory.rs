@@ -1,6 +1,6 @@
 //! The memory that the intro shares with the X server: where the system or the server behaves as in a container.
 
-use eightfold_stage::{DISPLAY, Process, Server, intro, lacks, run, wait_for};
+use eightfold_stage::{DISPLAY, Process, Server, intro, needs, run, wait_for};
 use std::{
     env, fs,
     path::{Path, PathBuf},
@@ -51,9 +51,7 @@ fn segments(process: &Process) -> usize {
 
 #[test]
 fn a_server_that_does_not_share_memory_gets_the_frames_all_the_same() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     let folder = tempfile::tempdir().expect("a folder");
     build(folder.path(), "libXext.so.6", YES_AND_NOTHING);
     let server = Server::start(320, 240);
@@ -63,9 +61,7 @@ fn a_server_that_does_not_share_memory_gets_the_frames_all_the_same() {
 
 #[test]
 fn no_shared_memory_is_left() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     let folder = tempfile::tempdir().expect("a folder");
     let library = build(folder.path(), "no_addresses.so", NO_ADDRESSES);
     let server = Server::start(320, 240);

@@ -75,7 +75,7 @@ fn bad_arguments_are_named_in_one_line() {
         (&["--loop", "--seconds", "1", "--size", "1x"], "--size WxH"),
     ];
     for (arguments, named) in bad {
-        let (output, _) = run(headless().args(*arguments));
+        let (output, _) = run(headless("").args(*arguments));
         let (said, errors) = texts(&output);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {errors}");
         assert_eq!(said, "", "{arguments:?}");
@@ -88,7 +88,7 @@ fn bad_arguments_are_named_in_one_line() {
 #[test]
 fn help_and_version_are_printed() {
     let qualities = qualities();
-    let (output, help) = run(headless().arg("--help"));
+    let (output, help) = run(&mut headless("--help"));
     assert_eq!(output.status.code(), Some(0));
     for option in [
         "--size",
@@ -109,8 +109,8 @@ fn help_and_version_are_printed() {
     ] {
         assert!(help.contains(option), "{option}: {help}");
     }
-    assert_eq!(run(headless().arg("-h")).1, help);
-    let (output, version) = run(headless().arg("--version"));
+    assert_eq!(run(&mut headless("-h")).1, help);
+    let (output, version) = run(&mut headless("--version"));
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(
         version,
@@ -120,7 +120,7 @@ fn help_and_version_are_printed() {
 
 #[test]
 fn the_help_tells_the_length_of_the_show() {
-    let (output, _) = run(headless().arg("--help"));
+    let (output, _) = run(&mut headless("--help"));
     let (help, _) = texts(&output);
     assert!(help.contains(&format!("({}, the show)", show::LENGTH)));
     assert!(help.contains(&format!("from 0 to below {},", show::LENGTH)));
@@ -134,19 +134,15 @@ fn the_last_moment_of_the_show_is_the_last_that_can_be_still() {
         (show::LENGTH.to_string(), 2),
         (format!("{}.000000001", show::LENGTH), 2),
     ] {
-        let (output, _) = run(headless().args(["--still", &time, "--size", "8x6"]));
-        assert_eq!(
-            output.status.code(),
-            Some(code),
-            "{time}: {}",
-            texts(&output).1
-        );
+        let (output, _) = run(&mut headless(&format!("--still {time} --size 8x6")));
+        let (_, errors) = texts(&output);
+        assert_eq!(output.status.code(), Some(code), "{time}: {errors}");
     }
 }
 
 #[test]
 fn every_option_has_its_effect() {
-    let said = |options: &str| run(headless().args(options.split(' '))).1;
+    let said = |options: &str| run(&mut headless(options)).1;
     assert!(said("--seconds 0.3 --threads 1").contains("threads 1"));
     assert!(said("--seconds .3 --size 1x1").contains(", 1x1,"));
     assert!(said("--seconds=.3 --size=2x3").contains(", 2x3,"));
@@ -170,12 +166,12 @@ fn every_option_has_its_effect() {
 #[test]
 fn instruction_sets_of_the_cpu_can_be_chosen_and_others_are_refused() {
     let here: Vec<&str> = cpu::shipped().map(|isa| isa.name).collect();
-    let (_, help) = run(headless().arg("--help"));
+    let (_, help) = run(&mut headless("--help"));
     let line = format!("instruction sets of this CPU: {}\n", here.join(" "));
     assert!(help.contains(&line), "{help}");
     for &name in cpu::NAMES {
-        let (output, said) =
-            run(headless().args(["--isa", name, "--seconds", "0.2", "--size", "64x48"]));
+        let options = format!("--isa {name} --seconds 0.2 --size 64x48");
+        let (output, said) = run(&mut headless(&options));
         let (_, errors) = texts(&output);
         if here.contains(&name) {
             assert!(said.contains(&format!(", {name}, ")), "{said}");

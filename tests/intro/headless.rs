@@ -1,7 +1,7 @@
 //! Without a display and without a terminal the intro plays, says so, and ends with the right exit code.
 
 use eightfold::sound::Synthesizer;
-use eightfold_stage::{DISPLAY, Process, Server, headless, intro, lacks, qualities, run, texts};
+use eightfold_stage::{DISPLAY, Process, Server, headless, intro, needs, qualities, run, texts};
 use std::{
     fs,
     path::Path,
@@ -10,27 +10,24 @@ use std::{
     time::{Duration, Instant},
 };
 
+/// What is said where there is neither a display nor a terminal.
+const NO_SCREEN: &str = "eightfold: no X display; playing without a screen\n";
+
 #[test]
 fn without_display_and_terminal_it_plays_without_a_screen() {
     let start = Instant::now();
-    let (output, _) =
-        run(headless().args(["--seconds", "0.5", "--size", "320x200", "--threads", "3"]));
+    let (output, _) = run(&mut headless("--seconds 0.5 --size 320x200 --threads 3"));
     let (said, errors) = texts(&output);
     assert_eq!(output.status.code(), Some(0), "{errors}");
     assert!(start.elapsed() >= Duration::from_millis(500));
-    assert_eq!(
-        errors,
-        "eightfold: no X display; playing without a screen\n"
-    );
+    assert_eq!(errors, NO_SCREEN);
     assert_eq!(said.lines().count(), 1, "{said}");
     assert!(said.contains("320x200, threads 3"), "{said}");
 }
 
 #[test]
 fn the_soundtrack_is_played() {
-    if lacks(&["libasound.so.2"]) {
-        return;
-    }
+    needs!(&["libasound.so.2"]);
     let folder = tempfile::tempdir().unwrap();
     let (configuration, out) = (
         folder.path().join("asound.conf"),
@@ -46,10 +43,7 @@ fn the_soundtrack_is_played() {
     let (output, _) = run(command
         .env_remove("DISPLAY")
         .env("ALSA_CONFIG_PATH", &configuration));
-    assert_eq!(
-        texts(&output).1,
-        "eightfold: no X display; playing without a screen\n"
-    );
+    assert_eq!(texts(&output).1, NO_SCREEN);
     let heard = fs::read(out).unwrap();
     let mut samples = vec![[0.0; 2]; heard.len() / 8];
     assert!(
@@ -86,9 +80,7 @@ fn without_a_sound_device_it_says_so_in_one_line() {
 #[test]
 fn a_display_that_cannot_be_opened_counts_as_none() {
     for display in ["", ":54321", "nonsense", "localhost:54321"] {
-        let (output, _) = run(headless()
-            .args(["--seconds", "0.1"])
-            .env("DISPLAY", display));
+        let (output, _) = run(headless("--seconds 0.1").env("DISPLAY", display));
         let (_, errors) = texts(&output);
         assert_eq!(output.status.code(), Some(0), "{display}: {errors}");
         assert!(
@@ -103,9 +95,8 @@ fn a_library_that_can_not_be_loaded_is_told_as_it_is() {
     let folder = tempfile::tempdir().unwrap();
     let library = folder.path().join("libX11.so.6");
     fs::write(&library, "not a library").unwrap();
-    let (output, _) = run(headless()
-        .args(["--seconds", "0.1", "--size", "64x48"])
-        .env("LD_LIBRARY_PATH", folder.path()));
+    let mut intro = headless("--seconds 0.1 --size 64x48");
+    let (output, _) = run(intro.env("LD_LIBRARY_PATH", folder.path()));
     let why = format!("{}: file too short", library.display());
     assert_eq!(
         texts(&output).1,
@@ -127,11 +118,8 @@ fn a_standard_output_that_takes_nothing_is_an_error() {
         for output in [">&-", "> /dev/full"] {
             let (code, errors) = shell(&format!("INTRO {options} {output}"));
             assert_eq!(code, Some(1), "{options} {output}: {errors}");
-            assert_eq!(
-                errors.matches("can't write").count(),
-                1,
-                "{options} {output}: {errors}"
-            );
+            let told = errors.matches("can't write").count();
+            assert_eq!(told, 1, "{options} {output}: {errors}");
         }
         // A pipe without a reader.
         let (code, errors) = shell(&format!("INTRO {options} | true; exit ${{PIPESTATUS[0]}}"));
@@ -145,9 +133,7 @@ fn a_standard_output_that_takes_nothing_is_an_error() {
 
 #[test]
 fn what_opens_the_display_takes_no_number_of_a_closed_stream() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     let server = Server::start(320, 240);
     let (code, _) = shell(&format!(
         "DISPLAY={} INTRO --seconds 0.2 <&- >&- 2>&-",
@@ -168,10 +154,7 @@ fn it_reserves_little_address_space() {
             "ulimit -v {limit}; ALSA_CONFIG_PATH={} INTRO {sound} --seconds 0.2 --threads 2 > /dev/null",
             configuration.display()
         ));
-        assert_eq!(
-            errors,
-            "eightfold: no X display; playing without a screen\n"
-        );
+        assert_eq!(errors, NO_SCREEN);
         assert_eq!(code, Some(0));
     }
 }
@@ -181,7 +164,7 @@ fn the_report_says_how_long_each_rung_was_used() {
     let names = qualities();
     // The rungs in the report, and the time for which each was used.
     let used = |options: &str| {
-        let (_, said) = run(headless().args(options.split(' ')));
+        let (_, said) = run(&mut headless(options));
         let names = names.split(' ');
         let rungs = names.filter_map(|name| {
             let (_, rest) = said.split_once(&format!(", {name} "))?;
@@ -216,7 +199,7 @@ fn the_report_says_how_long_each_rung_was_used() {
 
 #[test]
 fn it_uses_no_time_while_it_waits_for_the_next_frame() {
-    let intro = Process::start(headless().args(["--seconds", "5", "--size", "16x16"]));
+    let intro = Process::start(&mut headless("--seconds 5 --size 16x16"));
     let stat = Path::new("/proc").join(intro.0.id().to_string());
     // User time and system time, in hundredths of a second.
     let used = || -> u32 {
@@ -242,11 +225,8 @@ fn a_small_stack_is_enough_or_told_in_one_line() {
                 format!("ulimit -s {kilobytes}; exec INTRO --silent {options} --size 64x48");
             let (code, errors) = shell(&format!("{limited} > /dev/null"));
             assert_eq!(code, Some(expected), "{limited}: {errors}");
-            assert_eq!(
-                errors.contains("of stack"),
-                expected != 0,
-                "{limited}: {errors}"
-            );
+            let is_told = errors.contains("of stack");
+            assert_eq!(is_told, expected != 0, "{limited}: {errors}");
         }
     }
 }

@@ -1,11 +1,11 @@
 //! `--still` writes one frame of the show. `tests/image/shipped.rs` compares such frames with the library's and the oracle's.
 
-use eightfold_stage::{headless, intro, lacks, reader::read_ppm, run, texts, tool};
+use eightfold_stage::{headless, intro, needs, reader::read_ppm, run, texts, tool};
 use std::{env, process::Command};
 
 /// The frame that the intro writes with some options: its width and its pixels.
 fn still(options: &str) -> (usize, Vec<u32>) {
-    let (output, _) = run(headless().args(options.split(' ')));
+    let (output, _) = run(&mut headless(options));
     let (_, errors) = texts(&output);
     assert!(output.status.success(), "{options}: {errors}");
     assert_eq!(errors, "", "{options}");
@@ -66,9 +66,7 @@ fn what_can_not_be_written_is_an_error_in_one_line() {
 
 #[test]
 fn a_terminal_is_refused() {
-    if lacks(&["script"]) {
-        return;
-    }
+    needs!(&["script"]);
     let command = format!("{} --still 2; echo code $?", intro().display());
     let (_, said) = run(tool("script").args(["-q", "-c", &command, "/dev/null"]));
     let lines: Vec<&str> = said.lines().map(str::trim_end).collect();

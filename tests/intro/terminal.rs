@@ -1,6 +1,6 @@
 //! Without a display the intro plays in a terminal (tmux), and restores it at the end.
 
-use eightfold_stage::{intro, lacks, run, tool, try_for, wait_for};
+use eightfold_stage::{intro, needs, run, tool, try_for, wait_for};
 use std::{
     env, fs,
     path::PathBuf,
@@ -19,8 +19,8 @@ struct Terminal {
 }
 
 impl Terminal {
-    /// Starts the intro with options in a terminal of the given size. After its end the terminal shows whether its mode was
-    /// restored, and the exit code.
+    /// Starts the intro with options in a terminal of the given size, and waits until it shows a picture. After its end the terminal
+    /// shows whether its mode was restored, and the exit code.
     fn play(columns: usize, rows: usize, options: &str) -> Terminal {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let name = format!(
@@ -38,20 +38,12 @@ impl Terminal {
              [ \"$before\" = \"$(stty -g)\" ] && echo mode restored; echo code $code; sleep 60",
             intro().display()
         );
-        let (columns, rows) = (columns.to_string(), rows.to_string());
-        terminal.tmux(&[
-            "new-session",
-            "-d",
-            "-x",
-            &columns,
-            "-y",
-            &rows,
-            "sh",
-            "-c",
-            &script,
-        ]);
+        let (x, y) = (columns.to_string(), rows.to_string());
+        let size = ["-x", &x, "-y", &y];
+        terminal.tmux(&[&["new-session", "-d"], &size[..], &["sh", "-c", &script]].concat());
         terminal.shell = terminal.value("pane_pid");
         terminal.reader = terminal.value("pid");
+        terminal.wait_for_picture(columns, rows);
         terminal
     }
 
@@ -85,26 +77,26 @@ impl Terminal {
         });
     }
 
-    /// Waits until the intro has ended, and checks that the terminal is restored.
-    fn wait_for_end(&self, code: i32) {
+    /// Waits until the intro has ended, and checks that the terminal's mode is restored. Returns what the terminal shows.
+    fn ended(&self, code: i32) -> String {
         let text = wait_for("the end", || {
             let text = self.text();
             text.contains("code ").then_some(text)
         });
         assert!(text.contains(&format!("code {code}")), "{text}");
         assert!(text.contains("mode restored"), "{text}");
-        assert!(
-            text.contains("no X display; playing in the terminal"),
-            "{text}"
-        );
+        text
+    }
+
+    /// Waits until the intro has ended, and checks that the terminal is restored, and what was said.
+    fn wait_for_end(&self, code: i32) {
+        let text = self.ended(code);
+        let fallback = "no X display; playing in the terminal";
+        assert!(text.contains(fallback), "{text}");
         assert!(text.contains("; playing silently"), "not wiped out: {text}");
         assert!(text.contains("frames in"), "the report: {text}");
-        let flags = self.tmux(&[
-            "display",
-            "-p",
-            "#{alternate_on} #{cursor_flag} #{wrap_flag}",
-        ]);
-        assert_eq!(flags.trim(), "0 1 1", "alternate screen, cursor, wrapping");
+        let flags = ["alternate_on", "cursor_flag", "wrap_flag"].map(|flag| self.value(flag));
+        assert_eq!(flags, ["0", "1", "1"]);
     }
 
     /// Sends a signal to the intro.
@@ -135,11 +127,8 @@ impl Drop for Terminal {
 
 #[test]
 fn it_plays_in_a_terminal_of_any_size() {
-    if lacks(&["tmux", "pkill"]) {
-        return;
-    }
+    needs!(&["tmux", "pkill"]);
     let terminal = Terminal::play(80, 24, "");
-    terminal.wait_for_picture(80, 24);
     assert!(
         terminal.text().contains("\x1b[38;2;"),
         "24-bit colours: {:?}",
@@ -156,9 +145,7 @@ fn it_plays_in_a_terminal_of_any_size() {
 
 #[test]
 fn a_terminal_wider_than_any_frame_shows_a_part() {
-    if lacks(&["script"]) {
-        return;
-    }
+    needs!(&["script"]);
     let play = format!(
         "stty cols 65535 rows 2; {} --silent --seconds 0.5",
         intro().display()
@@ -173,11 +160,8 @@ fn a_terminal_wider_than_any_frame_shows_a_part() {
 
 #[test]
 fn it_moves() {
-    if lacks(&["tmux", "pkill"]) {
-        return;
-    }
+    needs!(&["tmux", "pkill"]);
     let terminal = Terminal::play(80, 24, "");
-    terminal.wait_for_picture(80, 24);
     let before = terminal.text();
     wait_for("another frame", || {
         (terminal.text() != before).then_some(())
@@ -186,12 +170,9 @@ fn it_moves() {
 
 #[test]
 fn escape_and_control_c_end_it_and_other_keys_do_not() {
-    if lacks(&["tmux", "pkill"]) {
-        return;
-    }
+    needs!(&["tmux", "pkill"]);
     for key in ["Escape", "C-c"] {
         let terminal = Terminal::play(60, 20, "");
-        terminal.wait_for_picture(60, 20);
         terminal.tmux(&["send-keys", "Up", "F5", "x", "Home", "C-z", "C-s"]);
         sleep(Duration::from_millis(300));
         terminal.tmux(&["send-keys", "M-x"]);
@@ -205,9 +186,7 @@ fn escape_and_control_c_end_it_and_other_keys_do_not() {
 
 #[test]
 fn signals_end_it_with_the_terminal_restored() {
-    if lacks(&["tmux", "pkill"]) {
-        return;
-    }
+    needs!(&["tmux", "pkill"]);
     for (name, number) in [
         ("TERM", 15),
         ("HUP", 1),
@@ -222,7 +201,6 @@ fn signals_end_it_with_the_terminal_restored() {
         ("RTMIN+30", 64),
     ] {
         let terminal = Terminal::play(60, 20, "");
-        terminal.wait_for_picture(60, 20);
         terminal.signal(name);
         terminal.wait_for_end(128 + number);
     }
@@ -230,28 +208,18 @@ fn signals_end_it_with_the_terminal_restored() {
 
 #[test]
 fn a_mistake_of_its_own_leaves_the_terminal_restored() {
-    if lacks(&["tmux", "pkill"]) {
-        return;
-    }
+    needs!(&["tmux", "pkill"]);
     for (name, number) in [("SEGV", 11), ("ABRT", 6)] {
         let terminal = Terminal::play(60, 20, "");
-        terminal.wait_for_picture(60, 20);
         terminal.signal(name);
-        let text = wait_for("the end", || {
-            let text = terminal.text();
-            text.contains("code ").then_some(text)
-        });
-        assert!(text.contains(&format!("code {}", 128 + number)), "{text}");
-        assert!(text.contains("mode restored"), "{text}");
+        terminal.ended(128 + number);
         assert_eq!(terminal.value("alternate_on"), "0");
     }
 }
 
 #[test]
 fn a_terminal_that_knows_no_colours_gets_none() {
-    if lacks(&["script"]) {
-        return;
-    }
+    needs!(&["script"]);
     let play = format!("{} --silent --seconds 0.2 --size 64x48", intro().display());
     let mut script = tool("script");
     let script = script.args(["--quiet", "--return", "--command", &play, "/dev/null"]);
@@ -264,11 +232,8 @@ fn a_terminal_that_knows_no_colours_gets_none() {
 
 #[test]
 fn it_takes_the_terminal_again_after_a_stop() {
-    if lacks(&["tmux", "pkill"]) {
-        return;
-    }
+    needs!(&["tmux", "pkill"]);
     let terminal = Terminal::play(60, 20, "");
-    terminal.wait_for_picture(60, 20);
     let tty = terminal.value("pane_tty");
     // Where nobody reads, it is stopped in the middle of a frame.
     terminal.signal_reader("STOP");
@@ -290,22 +255,16 @@ fn it_takes_the_terminal_again_after_a_stop() {
 
 #[test]
 fn it_ends_by_itself_in_a_terminal() {
-    if lacks(&["tmux", "pkill"]) {
-        return;
-    }
+    needs!(&["tmux", "pkill"]);
     let terminal = Terminal::play(60, 20, "--seconds 1");
-    terminal.wait_for_picture(60, 20);
     terminal.wait_for_end(0);
     assert!(terminal.text().contains("60x40"), "the picture's size");
 }
 
 #[test]
 fn keys_come_from_the_terminal_where_standard_input_is_none() {
-    if lacks(&["tmux", "pkill"]) {
-        return;
-    }
+    needs!(&["tmux", "pkill"]);
     let terminal = Terminal::play(60, 20, "< /dev/null");
-    terminal.wait_for_picture(60, 20);
     terminal.tmux(&["send-keys", "Escape"]);
     terminal.wait_for_end(0);
 }
@@ -313,12 +272,9 @@ fn keys_come_from_the_terminal_where_standard_input_is_none() {
 #[test]
 #[ignore = "it waits"]
 fn a_terminal_that_nobody_reads_does_not_keep_it_from_ending() {
-    if lacks(&["tmux", "pkill", "pgrep"]) {
-        return;
-    }
+    needs!(&["tmux", "pkill", "pgrep"]);
     for (options, signal) in [("", Some("TERM")), ("", Some("HUP")), ("--seconds 4", None)] {
         let terminal = Terminal::play(200, 50, options);
-        terminal.wait_for_picture(200, 50);
         let intro = run(tool("pgrep").args(["-P", &terminal.shell, "eightfold"])).1;
         let intro = PathBuf::from("/proc").join(intro.trim());
         terminal.signal_reader("STOP");

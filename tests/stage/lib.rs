@@ -60,10 +60,11 @@ pub fn qualities() -> String {
     [&Quality::NAMES[..], &others].concat().join(" ")
 }
 
-/// A command that starts the intro without a display and without sound.
-pub fn headless() -> Command {
+/// A command that starts the intro with some options, without a display and without sound.
+pub fn headless(options: &str) -> Command {
     let mut command = Command::new(linked_intro());
     command.env_remove("DISPLAY").arg("--silent");
+    command.args(options.split_whitespace());
     command
 }
 
@@ -227,12 +228,12 @@ impl Server {
     }
 
     /// Starts the intro on this display, and waits until its window is visible and has the focus.
-    pub fn play(&self, options: &[&str]) -> Process {
+    pub fn play(&self, options: &str) -> Process {
         wait_for("the last window to go", || {
             self.window().is_none().then_some(())
         });
         let mut command = Command::new(intro());
-        command.arg("--silent").args(options);
+        command.arg("--silent").args(options.split(' '));
         let intro = self.open(&mut command, || self.window());
         if self.gives_focus {
             wait_for("keys to go to the window", || {
@@ -336,9 +337,7 @@ pub fn on_displays(servers: &[&[&str]], work: fn()) {
     if env::var_os(INSIDE).is_some() {
         return work();
     }
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     for arguments in servers {
         let server = Server::start_with(1280, 1024, arguments);
         let output = Command::new(env::current_exe().expect("this program"))

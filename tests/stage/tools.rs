@@ -45,6 +45,16 @@ pub fn lacks(tools: &[&str]) -> bool {
     true
 }
 
+/// Ends a test, which returns nothing, that [lacks] a tool.
+#[macro_export]
+macro_rules! needs {
+    ($($tools:expr),+) => {
+        if $($crate::lacks($tools))||+ {
+            return;
+        }
+    };
+}
+
 /// The tools that are missing, each with its Debian package.
 pub fn missing() -> impl Iterator<Item = (&'static str, &'static str)> {
     let tools = PACKAGES.lines().filter_map(|line| line.split_once(' '));
@@ -54,7 +64,7 @@ pub fn missing() -> impl Iterator<Item = (&'static str, &'static str)> {
 /// A command that runs a tool of `tools.txt`.
 ///
 /// # Panics
-/// If the tool is missing. Tests check that with [`lacks`].
+/// If the tool is missing. Tests say by [`needs!`] which they need.
 pub fn tool(name: &str) -> Command {
     let package = package(name);
     assert!(

@@ -1,16 +1,14 @@
 //! How it ends, and how time passes.
 
-use super::{SCREEN, end_by_escape, servers};
-use eightfold_stage::{DISPLAY, Server, lacks, run};
+use super::{end_by_escape, on_screen, servers};
+use eightfold_stage::{DISPLAY, Server, needs, run};
 use std::{process::Command, thread::sleep, time::Duration};
 
 #[test]
 fn escape_ends_it_at_once() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     for (manager, server) in servers() {
-        let intro = server.play(&["--seconds", "60"]);
+        let intro = server.play("--seconds 60");
         let output = end_by_escape(&server, intro);
         assert_eq!(output.lines().count(), 1, "{manager}: {output}");
         for word in ["frames in", "fps", "worst second", "1024x768", "threads"] {
@@ -21,17 +19,14 @@ fn escape_ends_it_at_once() {
 
 #[test]
 fn closing_the_window_ends_it_at_once() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let [_, _, width, height] = SCREEN.map(|side| side as usize);
-    let server = Server::start_managed(width, height);
+    needs!(DISPLAY);
+    let server = on_screen(Server::start_managed);
     // By the window manager's message, and by force.
     for (tool, words) in [
         ("wmctrl", "-c Eightfold"),
         ("xdotool", "search --name Eightfold windowclose"),
     ] {
-        let intro = server.play(&["--seconds", "60"]);
+        let intro = server.play("--seconds 60");
         sleep(Duration::from_millis(300));
         run(server.tool(tool).args(words.split(' ')));
         let (time, code, output, errors) = intro.end();
@@ -44,11 +39,9 @@ fn closing_the_window_ends_it_at_once() {
 
 #[test]
 fn the_end_of_the_server_is_an_error_and_no_crash() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     for (manager, mut server) in servers() {
-        let intro = server.play(&["--seconds", "60"]);
+        let intro = server.play("--seconds 60");
         sleep(Duration::from_millis(300));
         server.kill();
         let (_, code, output, errors) = intro.end();
@@ -59,11 +52,9 @@ fn the_end_of_the_server_is_an_error_and_no_crash() {
 
 #[test]
 fn it_ends_by_itself() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     for (manager, server) in servers() {
-        let intro = server.play(&["--seconds", "1.5", "--size", "64x48"]);
+        let intro = server.play("--seconds 1.5 --size 64x48");
         let (time, code, output, errors) = intro.end();
         assert_eq!(code, Some(0), "{manager}: {errors}");
         assert!(time > Duration::from_millis(500), "{manager}: {time:?}");
@@ -73,13 +64,11 @@ fn it_ends_by_itself() {
 
 #[test]
 fn the_show_waits_while_the_process_is_stopped() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     /// How long it is stopped, in seconds.
     const STOP: f64 = 2.0;
     let server = Server::start(320, 240);
-    let intro = server.play(&["--size", "64x48", "--seconds", "3"]);
+    let intro = server.play("--size 64x48 --seconds 3");
     let tell = |signal: &str| {
         let (output, _) = run(Command::new("sh")
             .arg("-c")
@@ -103,19 +92,17 @@ fn the_show_waits_while_the_process_is_stopped() {
 
 #[test]
 fn frames_are_at_most_sixty_a_second_unless_uncapped() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     let server = Server::start(320, 240);
-    let frames = |options: &[&str]| {
-        let intro = server.play(&[&["--size", "64x48", "--seconds", "2"], options].concat());
+    let frames = |options: &str| {
+        let intro = server.play(options);
         let (_, _, output, _) = intro.end();
         let frames = output.split(' ').next().expect("a number of frames");
         frames.parse::<u32>().expect("a number")
     };
-    let capped = frames(&[]);
+    let capped = frames("--size 64x48 --seconds 2");
     assert!(capped <= 121, "{capped} frames in 2 s");
-    let uncapped = frames(&["--uncapped"]);
+    let uncapped = frames("--size 64x48 --seconds 2 --uncapped");
     // On a machine that is too slow for 60 frames per second the test proves nothing.
     assert!(uncapped > 121 || capped < 110, "{uncapped} frames in 2 s");
 }

@@ -1,16 +1,14 @@
 //! Keys, and the whole screen.
 
-use super::{SCREEN, end_by_escape, servers};
-use eightfold_stage::{DISPLAY, Server, lacks, run, wait_for};
+use super::{SCREEN, end_by_escape, on_screen, servers};
+use eightfold_stage::{DISPLAY, Server, needs, run, wait_for};
 use std::{thread::sleep, time::Duration};
 
 #[test]
 fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     for (manager, server) in servers() {
-        let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+        let intro = server.play("--size 640x400 --seconds 60");
         server.xdotool("search --name Eightfold windowmove 123 77");
         sleep(Duration::from_millis(300));
         let window = server.window().expect("a window");
@@ -32,11 +30,8 @@ fn taps_on_f_and_w_go_to_the_whole_screen_and_back() {
 
 #[test]
 fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_in_the_usa() {
-    if lacks(DISPLAY) || lacks(&["setxkbmap"]) {
-        return;
-    }
-    let [_, _, width, height] = SCREEN.map(|side| side as usize);
-    let server = Server::start(width, height);
+    needs!(DISPLAY, &["setxkbmap"]);
+    let server = on_screen(Server::start);
     // Places of keys, by their numbers: those of F and W in the USA, and that of W in France; right Alt, and left Ctrl.
     let [f, usual_w, french_w, alt, control] = [41, 25, 52, 108, 37];
     let tap = |place: u32| server.xdotool(&format!("key {place}"));
@@ -52,7 +47,7 @@ fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_i
         run(server
             .tool("setxkbmap")
             .args(["-layout", layout, "-option", "grp:switch"]));
-        let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+        let intro = server.play("--size 640x400 --seconds 60");
         let window = server.window().expect("a window");
         server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
         server.xdotool(&format!("keydown {control} key {f} keyup {control}"));
@@ -73,12 +68,9 @@ fn keys_are_where_the_layout_has_them_and_without_latin_letters_where_they_are_i
 
 #[test]
 fn a_window_manager_that_never_heard_of_fullscreen_does_not_keep_it_from_the_whole_screen() {
-    if lacks(DISPLAY) || lacks(&["twm"]) {
-        return;
-    }
-    let [_, _, width, height] = SCREEN.map(|side| side as usize);
-    let server = Server::start_with_twm(width, height);
-    let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+    needs!(DISPLAY, &["twm"]);
+    let server = on_screen(Server::start_with_twm);
+    let intro = server.play("--size 640x400 --seconds 60");
     let window = server.window().expect("a window");
     server.xdotool(&format!("mousemove {} {}", window[0] + 20, window[1] + 20));
     for _ in 0..2 {
@@ -93,12 +85,9 @@ fn a_window_manager_that_never_heard_of_fullscreen_does_not_keep_it_from_the_who
 
 #[test]
 fn h_shows_numbers_over_the_picture_and_hides_them() {
-    if lacks(DISPLAY) {
-        return;
-    }
-    let [_, _, width, height] = SCREEN.map(|side| side as usize);
-    let server = Server::start(width, height);
-    let intro = server.play(&["--size", "640x400", "--seconds", "60"]);
+    needs!(DISPLAY);
+    let server = on_screen(Server::start);
+    let intro = server.play("--size 640x400 --seconds 60");
     let [left, top, ..] = server.window().expect("a window");
     server.xdotool(&format!("mousemove {} {}", left + 20, top + 300));
     // The title's sky is dark there for seconds.
@@ -119,11 +108,9 @@ fn h_shows_numbers_over_the_picture_and_hides_them() {
 
 #[test]
 fn it_can_start_over_the_whole_screen() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     for (manager, server) in servers() {
-        let intro = server.play(&["--fullscreen", "--size", "640x400", "--seconds", "60"]);
+        let intro = server.play("--fullscreen --size 640x400 --seconds 60");
         server.wait_for_window(SCREEN);
         assert_covered(&server, manager);
         server.xdotool("key w");

@@ -10,11 +10,16 @@ use std::time::Duration;
 /// The size of the screen: larger than the window, with another aspect ratio.
 const SCREEN: [i32; 4] = [0, 0, 1280, 800];
 
-fn servers() -> [(&'static str, Server); 2] {
+/// A server that has it.
+fn on_screen(start: fn(usize, usize) -> Server) -> Server {
     let [_, _, width, height] = SCREEN.map(|side| side as usize);
+    start(width, height)
+}
+
+fn servers() -> [(&'static str, Server); 2] {
     [
-        ("no window manager", Server::start(width, height)),
-        ("openbox", Server::start_managed(width, height)),
+        ("no window manager", on_screen(Server::start)),
+        ("openbox", on_screen(Server::start_managed)),
     ]
 }
 

@@ -3,7 +3,7 @@
 use super::{end_by_escape, servers};
 use eightfold::show;
 use eightfold_lab::{error::Difference, threaded_renderer::ThreadedRenderer};
-use eightfold_stage::{DISPLAY, Process, Server, intro, is_portable, lacks, run, wait_for};
+use eightfold_stage::{DISPLAY, Process, Server, intro, is_portable, needs, run, wait_for};
 use eightfold_tracer::{Quality, scene::Scene};
 use eightfold_window::cpu;
 use std::{
@@ -14,11 +14,9 @@ use std::{
 
 #[test]
 fn the_window_has_its_title_and_size_and_shows_the_frame() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     for (manager, server) in servers() {
-        let intro = server.play(&["--seconds", "60"]);
+        let intro = server.play("--seconds 60");
         let window = server.window().expect("a window");
         assert_eq!(window[2..], [1024, 768], "{manager}");
         let mut xprop = server.tool("xprop");
@@ -41,9 +39,7 @@ fn the_window_has_its_title_and_size_and_shows_the_frame() {
 #[test]
 #[ignore = "many X servers are started"]
 fn the_frame_has_its_colours_by_pixels_of_any_depth() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     // A screenshot rounds ten bits down to eight. Steps of five bits are 8 of 255, and of 8 bits two are blue: 85 of 255.
     let depths: &[(u32, f64)] = if is_portable() {
         &[(30, 1.2)]
@@ -59,9 +55,7 @@ fn the_frame_has_its_colours_by_pixels_of_any_depth() {
 
 #[test]
 fn the_environment_does_not_keep_the_window_from_opening() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     let server = Server::start(320, 240);
     for (variable, value) in [
         ("XMODIFIERS", "@im=nobody"),
@@ -83,8 +77,7 @@ fn the_environment_does_not_keep_the_window_from_opening() {
 /// dark, which changes much from one to the next. The mean difference may be so much of 255.
 fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
     let start = Instant::now();
-    let words = "--size 200x150 --seconds 60 --quality default";
-    let intro = server.play(&words.split(' ').collect::<Vec<_>>());
+    let intro = server.play("--size 200x150 --seconds 60 --quality default");
     sleep(Duration::from_millis(1500));
     let shot = server.window_screenshot();
     let difference = difference_to_show(&shot, 200, start.elapsed());
@@ -97,11 +90,9 @@ fn assert_shows_a_frame(server: &Server, which: &str, tolerance: f64) {
 
 #[test]
 fn the_window_can_have_any_size() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     for (manager, server) in servers() {
-        let intro = server.play(&["--seconds", "60"]);
+        let intro = server.play("--seconds 60");
         for [width, height] in [[1, 1], [333, 77], [2, 500], [701, 3], [640, 480]] {
             let size = format!("search --name Eightfold windowsize {width} {height}");
             server.xdotool(&size);
@@ -121,11 +112,9 @@ fn the_window_can_have_any_size() {
 
 #[test]
 fn a_window_beyond_the_largest_picture_is_filled() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     let server = Server::start(4100, 2200);
-    let intro = server.play(&["--fullscreen", "--seconds", "60"]);
+    let intro = server.play("--fullscreen --seconds 60");
     server.wait_for_window([0, 0, 4100, 2200]);
     sleep(Duration::from_millis(1000));
     for [x, y] in [[0, 0], [4099, 0], [0, 2199], [4099, 2199], [2000, 1100]] {
@@ -140,9 +129,7 @@ fn a_window_beyond_the_largest_picture_is_filled() {
 
 #[test]
 fn a_display_that_frames_can_not_be_shown_on_is_as_good_as_none() {
-    if lacks(DISPLAY) {
-        return;
-    }
+    needs!(DISPLAY);
     // `minifb` has pixels of 32 bits alone.
     let (arguments, why): (&[&str], _) = if is_portable() {
         (

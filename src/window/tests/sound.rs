@@ -2,7 +2,7 @@
 //!
 //! A process reads ALSA's configuration once, so each scene is this program, started again.
 
-use eightfold_stage::{allocations::Counting, lacks};
+use eightfold_stage::{allocations::Counting, needs};
 use eightfold_window::sound::{Player, RATE, Source};
 use std::{
     env, fs,
@@ -186,9 +186,7 @@ fn main() {
     if env::var_os("EIGHTFOLD_SOUND_SCENE").is_some() {
         return play();
     }
-    if lacks(&["libasound.so.2"]) {
-        return;
-    }
+    needs!(&["libasound.so.2"]);
     let folder = env::temp_dir().join(format!("eightfold-sound-{}", std::process::id()));
     fs::create_dir(&folder).unwrap();
     let scenes: [Named; 6] = [

@@ -2,7 +2,7 @@
 
 use super::capture::{self, files, write_program};
 use super::{assert_one_line, command, printed, said};
-use eightfold_stage::lacks;
+use eightfold_stage::needs;
 use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::Path;
@@ -94,9 +94,7 @@ fn parts_that_are_not_those_of_one_picture_are_refused_in_one_line() {
 
 #[test]
 fn the_recipes_for_many_machines_draw_the_whole() {
-    if lacks(&["parallel", "rsync"]) {
-        return;
-    }
+    needs!(&["parallel", "rsync"]);
     let page = include_str!("../../../../docs/lab.md");
     let (_, section) = page.split_once("\n## Many machines").expect("a section");
     let lines = section.lines().take_while(|line| !line.starts_with("## "));

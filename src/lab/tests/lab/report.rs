@@ -1,7 +1,7 @@
 //! `lab report` rewrites the marked parts of a file, and nothing else.
 
 use super::{assert_one_line, lab, said};
-use eightfold_stage::{lacks, reader::read_png};
+use eightfold_stage::{needs, reader::read_png};
 use std::fs;
 use std::path::Path;
 use std::process::Output;
@@ -134,9 +134,7 @@ fn the_marked_parts_are_rewritten_and_a_second_time_changes_timings_only() {
 
 #[test]
 fn the_moving_picture_has_all_its_frames_and_begins_again() {
-    if lacks(&["ffmpeg"]) {
-        return;
-    }
+    needs!(&["ffmpeg"]);
     let folder = folder(&[(
         "README.md",
         "<!-- lab report moving -->\n<!-- lab report end -->",

@@ -4,7 +4,7 @@ use super::{captured, files};
 use crate::lab;
 use eightfold::show;
 use eightfold_lab::error::{Difference, worst_channel};
-use eightfold_stage::{lacks, reader::read_png, run, tool};
+use eightfold_stage::{needs, reader::read_png, run, tool};
 use std::fs;
 use std::ops::Range;
 
@@ -70,9 +70,7 @@ fn it_is_the_show_unless_asked_otherwise() {
 
 #[test]
 fn a_video_has_all_frames_and_their_colours() {
-    if lacks(&["ffmpeg"]) {
-        return;
-    }
+    needs!(&["ffmpeg"]);
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     for name in ["show.mp4", "show.mkv"] {

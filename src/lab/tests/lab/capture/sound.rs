@@ -7,7 +7,7 @@ use eightfold::show::{
     grid::{self, BAR},
 };
 use eightfold::sound::{RATE, SONG_LENGTH};
-use eightfold_stage::{lacks, run, tool};
+use eightfold_stage::{needs, run, tool};
 use std::fs;
 use std::path::Path;
 
@@ -111,9 +111,7 @@ fn flash(brightness: &[f64], around: f64) -> f64 {
 /// In the machine the lights flash on the kick, and there are no cuts.
 #[test]
 fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
-    if lacks(&["ffmpeg"]) {
-        return;
-    }
+    needs!(&["ffmpeg"]);
     let folder = tempfile::tempdir().unwrap();
     let video = folder.path().join("machine.mp4");
     // Two bars from the second bar of the machine, captured from a quarter of a second before.
@@ -148,9 +146,7 @@ fn a_flash_in_a_video_lies_within_a_frame_of_the_kick_that_is_heard() {
 /// Two scenes begin with a kick and a cut.
 #[test]
 fn picture_and_sound_of_a_video_are_in_step() {
-    if lacks(&["ffmpeg"]) {
-        return;
-    }
+    needs!(&["ffmpeg"]);
     let folder = tempfile::tempdir().unwrap();
     for (name, bar) in [
         ("model.mp4", show::cut("model")),

@@ -2,7 +2,7 @@
 
 use super::{capture, files, line, write_ffmpeg};
 use crate::{assert_one_line, command};
-use eightfold_stage::lacks;
+use eightfold_stage::needs;
 use std::fs;
 use std::io::Read;
 use std::process::{Command, Output, Stdio};
@@ -84,9 +84,7 @@ fn a_full_disk_is_named_in_one_line_and_leaves_no_broken_file() {
 
 #[test]
 fn a_video_on_a_full_disk_is_named_in_one_line_and_leaves_no_broken_file() {
-    if lacks(&["ffmpeg"]) {
-        return;
-    }
+    needs!(&["ffmpeg"]);
     let folder = tempfile::tempdir().unwrap();
     let video = folder.path().join("show.mp4");
     let output = limited(1, &format!("--video {} --to 9", video.display()));
