@@ -1,13 +1,17 @@
 //! The common ground of a frame's phases: how it is drawn, what it shows, and who listens.
 
 use crate::picture::{Frame, Probing, TILE_HEIGHT};
-use crate::prepare::{VisibleGroups, World};
+use crate::prepare::{self, VisibleGroups, World};
 use crate::quality::Quality;
 use crate::scene::camera::pixels;
 use crate::scene::{Method, Scene};
 use crate::trace::{Batch, Kernel, Tracer};
 use fearless_simd::Level;
 use glam::Vec2;
+
+/// The largest squares of scenes with a crowd of mirrors and glass: slits of light between shadows, and strips of images in mirrors,
+/// are as narrow there as the crowd is dense.
+const CROWD_SQUARE: usize = 4;
 
 /// How a frame is drawn: all that is settled before its first band.
 pub(crate) struct FramePlan {
@@ -23,6 +27,8 @@ pub(crate) struct FramePlan {
     pub finished: usize,
     /// The side in pixels up to which squares are filled with one colour, see [`Method::coarse`]: below 2, none are.
     pub coarse: usize,
+    /// Whether no two points of a strong mirror or glass have one key, since a crowd of them shows each other.
+    pub glitters: bool,
     /// How far samples are off the centres of their pixels, in pixels.
     pub offset: Vec2,
     /// Which pixels are probed.
@@ -48,13 +54,19 @@ impl FramePlan {
         let coarse = method.coarse as usize;
         let is_coarse = coarse >= 2;
         let tolerance = scene.film.tolerance;
+        let glitters = quality.key_weight > 0.0 && prepare::is_crowd(scene);
+        let square = if glitters {
+            quality.square.min(CROWD_SQUARE)
+        } else {
+            quality.square
+        };
         let quality = Quality {
             // The largest squares are as large as the coarse ones.
             square: if is_coarse {
                 let side = 1 << coarse.min(Quality::MAX_SQUARE).ilog2();
-                quality.square.max(side)
+                square.max(side)
             } else {
-                quality.square
+                square
             },
             tolerance_agreeing: quality.tolerance_agreeing * tolerance,
             tolerance_differing: quality.tolerance_differing * tolerance,
@@ -70,6 +82,7 @@ impl FramePlan {
             size,
             finished,
             coarse,
+            glitters,
             offset: frame.offset,
             probing: frame.probing,
         }

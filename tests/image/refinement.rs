@@ -252,20 +252,37 @@ fn crowded_pictures_have_42_db() {
     }
 }
 
-/// Two scenes of each count and shares. Measured: four of the 24 have less than 42 dB, and the worst 38.8 dB. Of 48 it was six; without
-/// keys that tell points of such mirrors apart it would be 26 of these, and 35.7 dB.
+/// The PSNR of crowded scenes by chance, the worst first: by their numbers of spheres and blocks, and their shares of glass and mirrors.
+fn psnr_of_crowds(counts: &[[usize; 2]], shares: &[[f32; 2]]) -> Vec<f64> {
+    let mut all = Vec::new();
+    for &count in counts {
+        for &shares in shares {
+            let scene = crowded(&mut Random(all.len() as u64), count, shares);
+            all.push(psnr(&scene, [640, 480]));
+        }
+    }
+    all.sort_by(f64::total_cmp);
+    println!("{all:.1?}");
+    all
+}
+
+/// Measured: 42.7 dB and more. By squares of 8 one in eight of such scenes is below 42 dB, and without keys that tell points of such
+/// mirrors apart one in three.
 #[test]
 #[ignore = "many scenes by chance"]
-fn crowds_of_mirrors_and_glass_have_42_db_but_for_few() {
-    let mut all = Vec::new();
-    for seed in 0..24 {
-        let count = [70, 130, 200, 320][seed as usize % 4];
-        let shares = [[0.2, 0.2], [0.5, 0.2], [0.0, 0.6]][seed as usize / 4 % 3];
-        let scene = crowded(&mut Random(seed), count, shares);
-        all.push((psnr(&scene, [640, 480]), seed));
-    }
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let below = all.partition_point(|&(psnr, _)| psnr < 42.0);
-    println!("{below} below 42 dB, the worst {:.2?}", &all[..8]);
-    assert!(below <= 5 && all[0].0 >= 38.0, "{below}, {:?}", all[0]);
+fn crowds_of_mirrors_and_glass_have_42_db() {
+    let counts = [[16, 32], [0, 64], [20, 64], [70, 64], [130, 64], [320, 64]];
+    let shares = [[0.2, 0.2], [0.5, 0.2], [0.0, 0.6], [0.4, 0.4]];
+    let all = psnr_of_crowds(&counts, &shares);
+    assert!(all[0] >= 42.0, "{} dB", all[0]);
+}
+
+/// Slits of light between the shadows of blocks are lost there, where all corners of a square are dark. Measured: six of the 48 have
+/// less than 42 dB, and the worst 33.6 dB.
+#[test]
+#[ignore = "many scenes by chance"]
+fn crowds_without_mirrors_have_42_db_but_for_few() {
+    let all = psnr_of_crowds(&[[20, 64]], &[[0.0; 2]; 48]);
+    let below = all.partition_point(|&psnr| psnr < 42.0);
+    assert!(below <= 7 && all[0] >= 33.0, "{below}, {} dB", all[0]);
 }

@@ -2,7 +2,7 @@
 
 use super::{Object, Oracle, TIE, Traced, bytes, pixel_like, steps};
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Film, Scene};
+use eightfold_tracer::scene::{Film, Material, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 
@@ -12,6 +12,21 @@ pub const TILE: [usize; 2] = [512, 32];
 
 /// Squares that are not filled: where they begin, and their side.
 pub type Splits = HashSet<[usize; 3]>;
+
+/// Whether what a mirror or a glass shows matters.
+fn shows_much(material: &Material) -> bool {
+    material.kr + material.kt >= 0.3
+}
+
+/// Whether a quality heeds that a scene has a crowd of mirrors and glass: then it is drawn by smaller squares.
+fn has_crowd(scene: &Scene, quality: &Quality) -> bool {
+    let spheres = scene.spheres.iter().map(|sphere| &sphere.material);
+    let blocks = scene.blocks.iter().map(|block| &block.material);
+    let strong = spheres
+        .chain(blocks)
+        .filter(|material| shows_much(material));
+    quality.key_weight > 0.0 && strong.count() >= 12
+}
 
 /// A picture drawn by adaptive squares.
 pub struct Squares<'a> {
@@ -52,16 +67,21 @@ impl<'a> Squares<'a> {
             ties: Vec::new(),
             colours: vec![DVec3::ZERO; width * height],
         };
-        let [tile_width, tile_height] = TILE.map(|side| side / quality.square * quality.square);
+        let square = if has_crowd(scene, quality) {
+            quality.square.min(4)
+        } else {
+            quality.square
+        };
+        let [tile_width, tile_height] = TILE.map(|side| side / square * square);
         for top in (0..height).step_by(tile_height) {
             for left in (0..width).step_by(tile_width) {
                 let mut all = Vec::new();
-                for y in (top..height.min(top + tile_height)).step_by(quality.square) {
-                    for x in (left..width.min(left + tile_width)).step_by(quality.square) {
+                for y in (top..height.min(top + tile_height)).step_by(square) {
+                    for x in (left..width.min(left + tile_width)).step_by(square) {
                         all.push((x, y));
                     }
                 }
-                squares.draw_tile(&all, quality.square);
+                squares.draw_tile(&all, square);
                 squares.points += squares.traced.drain().count();
                 squares.averaged.clear();
             }
@@ -120,9 +140,8 @@ impl<'a> Squares<'a> {
             Object::Block(_) => true,
             Object::Plane(_) | Object::Light(_) | Object::Background => false,
         };
-        let is_strong = object.material(scene).is_some_and(|m| m.kr + m.kt >= 0.3);
-        let is_crowd = scene.spheres.len() + scene.blocks.len() >= 130;
-        quality.key_weight > 0.0 && is_crowd && is_small && is_strong
+        let is_strong = object.material(scene).is_some_and(shows_much);
+        has_crowd(scene, quality) && is_small && is_strong
     }
 
     /// Draws a tile by all its squares of a side.

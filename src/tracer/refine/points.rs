@@ -166,7 +166,6 @@ impl<O: Observer> Tile<'_, O> {
             ..
         } = &mut *self.worker;
         let has_patterns = world.has_patterns();
-        let is_shown = plan.quality.key_weight > 0.0;
         for (i, &target) in targets[..batch.points.len()].iter().enumerate() {
             let target = target as usize;
             let mut sample = batch.results.sample(i);
@@ -181,7 +180,7 @@ impl<O: Observer> Tile<'_, O> {
                 pyramid.put_layers(target, batch.results.layers(i));
             }
             let mut key = batch.results.key(i);
-            if is_shown && sample.object().is_some_and(|id| world.glitters(id)) {
+            if plan.glitters && sample.object().is_some_and(|id| world.glitters(id)) {
                 // No other point's.
                 key = (y << 16 | x) as u32;
             }

@@ -2,9 +2,7 @@
 
 use super::fitting;
 use super::seeded::Random;
-use eightfold_tracer::scene::{
-    Block, Camera, Light, List, MAX_BLOCKS, Material, Plane, Scene, Shape, Sphere,
-};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 use glam::{EulerRot, Mat3A, Vec3A, vec3a};
 
 /// Half the side of the cube that the things are in, above a floor.
@@ -39,8 +37,8 @@ fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     }
 }
 
-/// So many spheres, and as many blocks as there may be, before a sky.
-pub fn crowded(random: &mut Random, spheres: usize, shares: [f32; 2]) -> Scene {
+/// So many spheres and blocks before a sky.
+pub fn crowded(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2]) -> Scene {
     let mut scene = Scene {
         camera: Camera {
             eye: vec3a(
@@ -71,7 +69,7 @@ pub fn crowded(random: &mut Random, spheres: usize, shares: [f32; 2]) -> Scene {
             material: material(random, shares),
         });
     }
-    for _ in 0..MAX_BLOCKS {
+    for _ in 0..blocks {
         let shape = [Shape::Box, Shape::Cylinder, Shape::Capsule][random.below(3)];
         let half = random.vector(vec3a(0.05, 0.3, 0.05), vec3a(0.3, 2.0, 0.5));
         let [a, b, c] = [0; 3].map(|_| random.between(0.0, 6.0));
