@@ -6,6 +6,7 @@ use crate::error::{Difference, worst_channel};
 use crate::generator::near::seeds;
 use crate::generator::seeded::scene;
 use eightfold::show;
+use eightfold_oracle::squares::largest;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Mat3A, Vec3A, vec3a};
 use eightfold_tracer::scene::{Block, Material, Scene, Shape};
@@ -119,7 +120,7 @@ fn the_point_between_two_pixels_is_traced_wherever_they_differ() {
         });
         let is_edge = |i: usize, j: usize| worst_channel(plain.pixels[i], plain.pixels[j]) >= 20;
         // Points between two bands, of whole squares in at most 32 rows, and between two stretches of 64 columns are traced for each.
-        let band = width * (32 - 32 % quality.square);
+        let band = width * (32 - 32 % largest(&scene, &quality));
         let points = (0..width * height).map(|i| {
             let right = i % width + 1 < width && is_edge(i, i + 1);
             let below = i + width < width * height && is_edge(i, i + width);

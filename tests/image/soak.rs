@@ -9,6 +9,7 @@ use crate::error::Difference;
 use crate::generator::seeded::{Random, corrupt, quality, scene};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
+use eightfold_oracle::squares::largest;
 use eightfold_tracer::{Counts, Quality};
 use std::env;
 use std::time::{Duration, Instant};
@@ -76,7 +77,8 @@ fn hold(renderers: &mut Renderers, seed: u64, case: u64) -> Option<Difference> {
     };
     assert_eq!(bare(counts), bare(again), "{what}");
 
-    let corners = |side: usize| (side.next_multiple_of(quality.square) + 1) as u64;
+    let square = largest(&scene, &quality);
+    let corners = |side: usize| (side.next_multiple_of(square) + 1) as u64;
     // Antialiasing takes a point to the right of a pixel and one below; where two parts of a picture meet, both take it.
     let middles = if quality.antialias {
         3 * (width * height) as u64
@@ -103,8 +105,8 @@ fn hold(renderers: &mut Renderers, seed: u64, case: u64) -> Option<Difference> {
     renderers
         .exhaustive
         .draw(level, &scene, &every, width, &mut others);
-    for y in (0..height).step_by(quality.square) {
-        for x in (0..width).step_by(quality.square) {
+    for y in (0..height).step_by(square) {
+        for x in (0..width).step_by(square) {
             let i = y * width + x;
             let is_same = quality.antialias || pixels[i] == others[i];
             assert!(is_same, "{what}: ({x}, {y})");

@@ -18,7 +18,7 @@ fn shows_much(material: &Material) -> bool {
     material.kr + material.kt >= 0.3
 }
 
-/// Whether a quality heeds that a scene has a crowd of mirrors and glass: then it is drawn by smaller squares.
+/// Whether a quality heeds that a scene has a crowd of mirrors and glass.
 fn has_crowd(scene: &Scene, quality: &Quality) -> bool {
     let spheres = scene.spheres.iter().map(|sphere| &sphere.material);
     let blocks = scene.blocks.iter().map(|block| &block.material);
@@ -26,6 +26,15 @@ fn has_crowd(scene: &Scene, quality: &Quality) -> bool {
         .chain(blocks)
         .filter(|material| shows_much(material));
     quality.key_weight > 0.0 && strong.count() >= 12
+}
+
+/// The side of the largest squares that a scene is drawn by: smaller ones than the quality's where it has a crowd.
+pub fn largest(scene: &Scene, quality: &Quality) -> usize {
+    if has_crowd(scene, quality) {
+        quality.square.min(4)
+    } else {
+        quality.square
+    }
 }
 
 /// A picture drawn by adaptive squares.
@@ -67,11 +76,7 @@ impl<'a> Squares<'a> {
             ties: Vec::new(),
             colours: vec![DVec3::ZERO; width * height],
         };
-        let square = if has_crowd(scene, quality) {
-            quality.square.min(4)
-        } else {
-            quality.square
-        };
+        let square = largest(scene, quality);
         let [tile_width, tile_height] = TILE.map(|side| side / square * square);
         for top in (0..height).step_by(tile_height) {
             for left in (0..width).step_by(tile_width) {
