@@ -6,7 +6,7 @@ use crate::refinement::{assert_as_refined, bare};
 use eightfold_oracle::frame::Frame;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
-use glam::{Vec3A, vec3a};
+use glam::vec3a;
 
 fn hold(scene: &Scene) {
     let frame = Frame::new(scene, &Quality::EXHAUSTIVE, 96, 72);
@@ -15,32 +15,6 @@ fn hold(scene: &Scene) {
     }
     for quality in [Quality::THESIS, Quality::DEFAULT].map(bare) {
         assert_as_refined(scene, &quality, [96, 72], &format!("{quality:?}"));
-    }
-}
-
-fn camera(eye: [f32; 3], look_at: [f32; 3], field_of_view: f32) -> Camera {
-    Camera {
-        eye: eye.into(),
-        look_at: look_at.into(),
-        up: Vec3A::Y,
-        field_of_view,
-    }
-}
-
-fn sphere(centre: [f32; 3], radius: f32, material: Material) -> Sphere {
-    Sphere {
-        centre: centre.into(),
-        radius,
-        material,
-    }
-}
-
-fn floor(y: f32, half: [f32; 2], material: Material) -> Plane {
-    Plane {
-        centre: vec3a(0.3, y, -0.2),
-        half_x: half[0],
-        half_z: half[1],
-        material,
     }
 }
 
@@ -75,25 +49,40 @@ fn a_square_on_the_limit_may_change_what_is_allowed_all_over_a_crowded_tile() {
         ..Material::BLACK
     };
     hold(&Scene {
-        camera: camera(
-            [11.196_411, 3.599_415_5, 3.818_215_6],
-            [0.265_278_37, 0.974_821_2, -0.447_315_5],
+        camera: Camera::new(
+            vec3a(11.196_411, 3.599_415_5, 3.818_215_6),
+            vec3a(0.265_278_37, 0.974_821_2, -0.447_315_5),
             0.978_380_56,
         ),
         background: vec3a(0.204_868_7, 0.468_858_1, 0.658_795_7),
         spheres: List::of(&[
-            sphere([3.912_933_8, 1.408_549_7, 2.006_606_3], 1.363_227_5, mirror),
-            sphere([2.370_852_5, 0.2, 2.803_644_7], 1.433_409_2, glass),
+            Sphere::new(
+                vec3a(3.912_933_8, 1.408_549_7, 2.006_606_3),
+                1.363_227_5,
+                mirror,
+            ),
+            Sphere::new(vec3a(2.370_852_5, 0.2, 2.803_644_7), 1.433_409_2, glass),
         ]),
         planes: List::of(&[
-            floor(-0.066_204_83, [15.633_017, 7.145_592_7], plain),
-            floor(-1.871_376_3, [14.940_671, 14.567_095], Material::BLACK),
+            Plane::new(
+                vec3a(0.3, -0.066_204_83, -0.2),
+                15.633_017,
+                7.145_592_7,
+                plain,
+            ),
+            Plane::new(
+                vec3a(0.3, -1.871_376_3, -0.2),
+                14.940_671,
+                14.567_095,
+                Material::BLACK,
+            ),
         ]),
         lights: List::of(&[Light {
-            position: vec3a(6.236_529, 3.809_735_5, 7.417_129),
-            colour: vec3a(0.461_459_55, 0.517_563_5, 0.0),
             drawn_radius: 0.05,
-            ..Light::DARK
+            ..Light::new(
+                vec3a(6.236_529, 3.809_735_5, 7.417_129),
+                vec3a(0.461_459_55, 0.517_563_5, 0.0),
+            )
         }]),
         ..Scene::default()
     });
@@ -117,26 +106,31 @@ fn a_corner_on_a_silhouette_may_change_a_square_of_a_small_picture() {
         ..Material::BLACK
     };
     hold(&Scene {
-        camera: camera(
-            [1.790_249_8, 4.780_583_4, -10.066_627],
-            [0.520_800_6, 0.769_196_7, -0.584_437_67],
+        camera: Camera::new(
+            vec3a(1.790_249_8, 4.780_583_4, -10.066_627),
+            vec3a(0.520_800_6, 0.769_196_7, -0.584_437_67),
             0.441_956_64,
         ),
         background: vec3a(0.0, 0.881_862_04, 0.354_252_43),
         ambient: vec3a(0.0, 0.139_217_5, 0.0),
         spheres: List::of(&[
-            sphere(
-                [-2.295_154_6, 2.073_152_3, 3.863_216],
+            Sphere::new(
+                vec3a(-2.295_154_6, 2.073_152_3, 3.863_216),
                 0.897_744_54,
                 Material::BLACK,
             ),
-            sphere(
-                [-1.590_936_5, 1.594_831_6, 0.343_345_14],
+            Sphere::new(
+                vec3a(-1.590_936_5, 1.594_831_6, 0.343_345_14),
                 1.255_829_5,
                 glass,
             ),
         ]),
-        planes: List::of(&[floor(0.0, [4.936_214, 12.063_99], mirror)]),
+        planes: List::of(&[Plane::new(
+            vec3a(0.3, 0.0, -0.2),
+            4.936_214,
+            12.063_99,
+            mirror,
+        )]),
         ..Scene::default()
     });
 }

@@ -233,7 +233,7 @@ impl Server {
             self.window().is_none().then_some(())
         });
         let mut command = Command::new(intro());
-        command.arg("--silent").args(options.split(' '));
+        command.arg("--silent").args(options.split_whitespace());
         let intro = self.open(&mut command, || self.window());
         if self.gives_focus {
             wait_for("keys to go to the window", || {
