@@ -83,6 +83,7 @@ functions! {
     fn LoadCursorA(program: Handle, name: usize) -> Handle;
     fn MonitorFromWindow(window: Handle, otherwise: u32) -> Handle;
     fn PeekMessageA(message: *mut Message, window: Handle, first: u32, last: u32, flags: u32) -> i32;
+    fn PostMessageA(window: Handle, message: u32, first: usize, second: isize) -> i32;
     fn PostThreadMessageA(thread: u32, message: u32, first: usize, second: isize) -> i32;
     fn RegisterClassA(class: *const Class) -> u16;
     fn SetClassLongPtrA(window: Handle, what: i32, value: Handle) -> Handle;

@@ -14,9 +14,9 @@ use super::{
     functions::{
         CreateCursor, CreateWindowExA, DispatchMessageA, GetClientRect, GetCurrentThreadId, GetDC,
         GetKeyState, GetMessageA, GetMonitorInfoA, GetWindowLongPtrA, GetWindowPlacement,
-        LoadCursorA, MonitorFromWindow, PeekMessageA, PostThreadMessageA, RegisterClassA,
-        SetClassLongPtrA, SetProcessDpiAwarenessContext, SetWindowLongPtrA, SetWindowPlacement,
-        SetWindowPos, StretchDIBits, default_procedure,
+        LoadCursorA, MonitorFromWindow, PeekMessageA, PostMessageA, PostThreadMessageA,
+        RegisterClassA, SetClassLongPtrA, SetProcessDpiAwarenessContext, SetWindowLongPtrA,
+        SetWindowPlacement, SetWindowPos, StretchDIBits, default_procedure,
     },
     memory::pixels,
     threads::{spawn, wait, wake},
@@ -70,17 +70,13 @@ const COPY: u32 = 0x00cc_0020;
 
 /// A window that shows frames, with keys: F for the whole screen, W for the window, H for numbers over the picture, Esc to end.
 ///
-/// It has a thread of its own, so that it answers while a frame is drawn, and frames are drawn while it is moved. Windows itself
-/// treats all messages, and keys are handed on before. It goes away with the process, or when it is closed; then it has no size any
-/// more.
+/// It has a thread of its own, so that it answers while a frame is drawn, and frames are drawn while it is moved. That thread alone
+/// changes its size, Windows itself treats all messages, and keys are handed on before. It goes away with the process, or when it is
+/// closed; then it has no size any more.
 pub struct Window {
     window: Handle,
     context: Handle,
     size: (usize, usize),
-    /// Where the window was before it covered the screen.
-    before: Option<Placement>,
-    /// The pointers over the window and over the whole screen.
-    pointers: [Handle; 2],
     pixels: &'static mut [u32],
     drawn: (usize, usize),
 }
@@ -89,6 +85,8 @@ pub struct Window {
 struct Opening {
     title: *const c_char,
     size: (i32, i32),
+    /// The pointers over the window and over the whole screen.
+    pointers: [Handle; 2],
     /// The thread that keys are for.
     thread: u32,
     /// The window, or null if there is none, once it is done.
@@ -116,11 +114,20 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
         opening.window.store(window, Relaxed);
         opening.is_done.store(1, Release);
         wake(&opening.is_done);
+        let mut cover = Cover {
+            window,
+            before: None,
+            pointers: opening.pointers,
+        };
         let mut message = zeroed();
         while GetMessageA(&mut message, none, 0, 0) > 0 {
             // With Ctrl they are no keys of the intro's; with Alt they come as other messages.
             if message.message == KEY_DOWN && GetKeyState(CONTROL_KEY) >= 0 {
-                PostThreadMessageA(opening.thread, KEY_DOWN, message.first, 0);
+                match message.first {
+                    F_KEY => cover.set(true),
+                    W_KEY => cover.set(false),
+                    key => _ = PostThreadMessageA(opening.thread, KEY_DOWN, key, 0),
+                }
             }
             DispatchMessageA(&message);
         }
@@ -128,71 +135,20 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     none
 }
 
-/// The inside of a window, unless it has been closed.
-fn inside(window: Handle) -> Option<Rectangle> {
-    let mut inside = Rectangle::default();
-    // SAFETY: it may be asked of any window, and there is room for the answer.
-    let is_there = unsafe { GetClientRect(window, &mut inside) } != 0;
-    is_there.then_some(inside)
+/// A window that covers the whole screen, or does not.
+///
+/// All of it is for the window's own thread: where another changes style and size, Wine, which meanwhile hears from the window
+/// manager, may take the answer to the first change for one to the second, and keep the size from before.
+struct Cover {
+    window: Handle,
+    /// Where the window was before it covered the screen.
+    before: Option<Placement>,
+    pointers: [Handle; 2],
 }
 
-impl Window {
-    /// Opens a window whose inside has a size in pixels.
-    ///
-    /// # Errors
-    /// If there is no desktop to open it on.
-    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
-        const NONE: &str = "no window on this desktop";
-        // SAFETY: zero is a value of every field that is not named, and what is pointed to outlives the calls.
-        let (pointers, thread) = unsafe {
-            SetProcessDpiAwarenessContext(PER_MONITOR_AWARE_V2);
-            let arrow = LoadCursorA(null_mut(), ARROW);
-            let class = Class {
-                style: OWN_DC,
-                procedure: default_procedure(),
-                cursor: arrow,
-                name: CLASS.as_ptr().cast(),
-                ..zeroed()
-            };
-            RegisterClassA(&class);
-            // As large as pointers are everywhere; what is below all of its pixels stays as it is.
-            let (keep, invert) = ([0xff_u8; 4 * 32], [0_u8; 4 * 32]);
-            let (keep, invert) = (keep.as_ptr(), invert.as_ptr());
-            let nothing = CreateCursor(null_mut(), 0, 0, 32, 32, keep, invert);
-            ([arrow, nothing], GetCurrentThreadId())
-        };
-        let opening = Box::leak(Box::new(Opening {
-            title: title.as_ptr(),
-            size: (width as i32, height as i32),
-            thread,
-            window: AtomicPtr::new(null_mut()),
-            is_done: AtomicU32::new(0),
-        }));
-        // SAFETY: it stays, and all of it that changes is atomic; the title outlives the wait.
-        unsafe { spawn(window_main, (&raw mut *opening).cast()) }.ok_or(NONE)?;
-        while opening.is_done.load(Acquire) == 0 {
-            wait(&opening.is_done, 0);
-        }
-        let window = opening.window.load(Relaxed);
-        if window.is_null() {
-            return Err(NONE);
-        }
-        let mut window = Window {
-            window,
-            // SAFETY: it may be asked of any window.
-            context: unsafe { GetDC(window) },
-            size: (0, 0),
-            before: None,
-            pointers,
-            pixels: pixels(),
-            drawn: (0, 0),
-        };
-        window.look();
-        Ok(window)
-    }
-
-    /// Goes to the whole of its monitor without a frame and hides the pointer, or back to the window where it was and as it was.
-    pub fn set_fullscreen(&mut self, on: bool) {
+impl Cover {
+    /// Covers the monitor that the window is on, without a frame or pointer, or goes back to where it was, as it was.
+    fn set(&mut self, on: bool) {
         if on == self.before.is_some() {
             return;
         }
@@ -231,6 +187,76 @@ impl Window {
     fn place(&self, [x, y, width, height]: [i32; 4], flags: u32) {
         // SAFETY: the window exists, or it does nothing.
         unsafe { SetWindowPos(self.window, null_mut(), x, y, width, height, flags) };
+    }
+}
+
+/// The inside of a window, unless it has been closed.
+fn inside(window: Handle) -> Option<Rectangle> {
+    let mut inside = Rectangle::default();
+    // SAFETY: it may be asked of any window, and there is room for the answer.
+    let is_there = unsafe { GetClientRect(window, &mut inside) } != 0;
+    is_there.then_some(inside)
+}
+
+impl Window {
+    /// Opens a window whose inside has a size in pixels.
+    ///
+    /// # Errors
+    /// If there is no desktop to open it on.
+    pub fn open(title: &CStr, width: usize, height: usize) -> Result<Window, &'static str> {
+        const NONE: &str = "no window on this desktop";
+        // SAFETY: zero is a value of every field that is not named, and what is pointed to outlives the calls.
+        let (pointers, thread) = unsafe {
+            SetProcessDpiAwarenessContext(PER_MONITOR_AWARE_V2);
+            let arrow = LoadCursorA(null_mut(), ARROW);
+            let class = Class {
+                style: OWN_DC,
+                procedure: default_procedure(),
+                cursor: arrow,
+                name: CLASS.as_ptr().cast(),
+                ..zeroed()
+            };
+            RegisterClassA(&class);
+            // As large as pointers are everywhere; what is below all of its pixels stays as it is.
+            let (keep, invert) = ([0xff_u8; 4 * 32], [0_u8; 4 * 32]);
+            let (keep, invert) = (keep.as_ptr(), invert.as_ptr());
+            let nothing = CreateCursor(null_mut(), 0, 0, 32, 32, keep, invert);
+            ([arrow, nothing], GetCurrentThreadId())
+        };
+        let opening = Box::leak(Box::new(Opening {
+            title: title.as_ptr(),
+            size: (width as i32, height as i32),
+            pointers,
+            thread,
+            window: AtomicPtr::new(null_mut()),
+            is_done: AtomicU32::new(0),
+        }));
+        // SAFETY: it stays, and all of it that changes is atomic; the title outlives the wait.
+        unsafe { spawn(window_main, (&raw mut *opening).cast()) }.ok_or(NONE)?;
+        while opening.is_done.load(Acquire) == 0 {
+            wait(&opening.is_done, 0);
+        }
+        let window = opening.window.load(Relaxed);
+        if window.is_null() {
+            return Err(NONE);
+        }
+        let mut window = Window {
+            window,
+            // SAFETY: it may be asked of any window.
+            context: unsafe { GetDC(window) },
+            size: (0, 0),
+            pixels: pixels(),
+            drawn: (0, 0),
+        };
+        window.look();
+        Ok(window)
+    }
+
+    /// Goes to the whole of its monitor without a frame and hides the pointer, or back to the window where it was and as it was.
+    pub fn set_fullscreen(&mut self, on: bool) {
+        let key = if on { F_KEY } else { W_KEY };
+        // SAFETY: it may be posted to any window.
+        unsafe { PostMessageA(self.window, KEY_DOWN, key, 0) };
     }
 
     /// Finds the size of its inside. False if the window has been closed.
@@ -292,8 +318,6 @@ impl Screen for Window {
                 match message.first {
                     _ if message.message != KEY_DOWN => {}
                     ESCAPE_KEY => return Next::End(0),
-                    F_KEY => self.set_fullscreen(true),
-                    W_KEY => self.set_fullscreen(false),
                     H_KEY => next = next.toggled(),
                     _ => {}
                 }
