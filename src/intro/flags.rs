@@ -13,7 +13,7 @@ pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 /// The keys, as `--help` lists them.
 const KEYS: &str = "keys: F fullscreen, W window, H numbers, Esc end";
 
-/// The options that flags set, in the order of [`FLAGS`].
+/// The options that flags set.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Switch {
     Size,
@@ -47,124 +47,41 @@ pub struct Flag {
 }
 
 /// All flags. [`Options`](super::options::Options) documents what they set.
-pub const FLAGS: &[Flag] = &[
-    Flag {
-        switch: Switch::Size,
-        name: "--size",
-        value: "WxH",
-        help: "size of the window or the frame, 1x1 to 3840x2160 (1024x768)",
-    },
-    Flag {
-        switch: Switch::Fullscreen,
-        name: "--fullscreen",
-        value: "",
-        help: "start in fullscreen",
-    },
-    Flag {
-        switch: Switch::Threads,
-        name: "--threads",
-        value: "N",
-        help: "threads that trace, 1 to 64 (one for each processor)",
-    },
-    Flag {
-        switch: Switch::Isa,
-        name: "--isa",
-        value: "NAME",
-        help: "instruction set to trace with (the best of this CPU):",
-    },
-    Flag {
-        switch: Switch::Seconds,
-        name: "--seconds",
-        value: "S",
-        help: "seconds until the end, above 0, such as 7.5 (116, the show)",
-    },
-    Flag {
-        switch: Switch::Loop,
-        name: "--loop",
-        value: "",
-        help: "start again instead of ending",
-    },
-    Flag {
-        switch: Switch::Fps,
-        name: "--fps",
-        value: "N",
-        help: "frames a second to hold, 1 to 1000 (60)",
-    },
-    Flag {
-        switch: Switch::Psnr,
-        name: "--psnr",
-        value: "DB",
-        help: "accuracy to hold if no rate is named, in dB, 1 to 99",
-    },
-    Flag {
-        switch: Switch::Quality,
-        name: "--quality",
-        value: "NAME",
-        help: "keep to one quality (whichever holds the frame rate):",
-    },
-    Flag {
-        switch: Switch::Exhaustive,
-        name: "--exhaustive",
-        value: "",
-        help: "trace every pixel, as --quality exhaustive does",
-    },
-    Flag {
-        switch: Switch::Uncapped,
-        name: "--uncapped",
-        value: "",
-        help: "draw frames without a pause, at default quality unless one is named",
-    },
-    Flag {
-        switch: Switch::Hud,
-        name: "--hud",
-        value: "",
-        help: "show frames a second, points traced, and dB against exhaustive ones",
-    },
-    Flag {
-        switch: Switch::Silent,
-        name: "--silent",
-        value: "",
-        help: "play no sound",
-    },
-    Flag {
-        switch: Switch::Still,
-        name: "--still",
-        value: "S",
-        help: "write the frame at S seconds, from 0 to below 116, to standard output as PPM",
-    },
-    Flag {
-        switch: Switch::Help,
-        name: "--help",
-        value: "",
-        help: "print this help",
-    },
-    Flag {
-        switch: Switch::Version,
-        name: "--version",
-        value: "",
-        help: "print the version",
-    },
+#[rustfmt::skip]
+const FLAGS: &[Flag] = &[
+    flag(Switch::Size, "--size", "WxH", "size of the window or the frame, 1x1 to 3840x2160 (1024x768)"),
+    flag(Switch::Fullscreen, "--fullscreen", "", "start in fullscreen"),
+    flag(Switch::Threads, "--threads", "N", "threads that trace, 1 to 64 (one for each processor)"),
+    flag(Switch::Isa, "--isa", "NAME", "instruction set to trace with (the best of this CPU):"),
+    flag(Switch::Seconds, "--seconds", "S", "seconds until the end, above 0, such as 7.5 (116, the show)"),
+    flag(Switch::Loop, "--loop", "", "start again instead of ending"),
+    flag(Switch::Fps, "--fps", "N", "frames a second to hold, 1 to 1000 (60)"),
+    flag(Switch::Psnr, "--psnr", "DB", "accuracy to hold if no rate is named, in dB, 1 to 99"),
+    flag(Switch::Quality, "--quality", "NAME", "keep to one quality (whichever holds the frame rate):"),
+    flag(Switch::Exhaustive, "--exhaustive", "", "trace every pixel, as --quality exhaustive does"),
+    flag(Switch::Uncapped, "--uncapped", "", "draw frames without a pause, at default quality unless one is named"),
+    flag(Switch::Hud, "--hud", "", "show frames a second, points traced, and dB against exhaustive ones"),
+    flag(Switch::Silent, "--silent", "", "play no sound"),
+    flag(Switch::Still, "--still", "S", "write the frame at S seconds, from 0 to below 116, to standard output as PPM"),
+    flag(Switch::Help, "--help", "", "print this help"),
+    flag(Switch::Version, "--version", "", "print the version"),
 ];
+
+/// A row of [`FLAGS`].
+const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'static str) -> Flag {
+    Flag {
+        switch,
+        name,
+        value,
+        help,
+    }
+}
 
 /// The width, in characters, of the column with the flags and their values in `--help`.
 const COLUMN: usize = 16;
 
-// The table fits the enumeration, the column and the show's length, which two of the flags tell.
-const _: () = {
-    assert!(show::LENGTH == 116.0);
-    assert!(FLAGS.len() == Switch::Version as usize + 1);
-    let mut i = 0;
-    while i < FLAGS.len() {
-        let flag = &FLAGS[i];
-        assert!(
-            flag.switch as usize == i,
-            "a flag for each switch, in order"
-        );
-        assert!(flag.name.len() + flag.value.len() <= COLUMN);
-        assert!(!flag.help.is_empty());
-        i += 1;
-    }
-};
+// Each switch has a flag, and two of these tell the show's length.
+const _: () = assert!(FLAGS.len() == Switch::Version as usize + 1 && show::LENGTH == 116.0);
 
 impl Flag {
     /// The flag of a given name; `-h` stands for `--help`.
