@@ -19,16 +19,16 @@
 //! - Only the offsets of jumps to such an instruction change, and they lead to such a call as well. Nothing moves, so all other
 //!   addresses, in jump tables, relocations or anywhere else, are right as they are.
 //!
-//! All that needs to know where instructions begin. [`Reader`] finds that out from the first byte of the code on. If there were
-//! data between instructions, or an instruction that it does not know the length of, it would lose its way: then functions, or what
-//! jumps and calls lead to, would not be where it sees instructions begin. Of these the intro has some thousands in 160 kB; if a
-//! single one is elsewhere, nothing is changed.
+//! All that needs to know where instructions begin. [`Reader`](crate::model::Reader) finds that out from the first byte of the code
+//! on. If there were data between instructions, or an instruction that it does not know the length of, it would lose its way: then
+//! functions, or what jumps and calls lead to, would not be where it sees instructions begin. Of these the intro has some thousands
+//! in 160 kB; if a single one is elsewhere, nothing is changed.
 
 use std::{collections::HashSet, ops::Range};
 
 use crate::{
     elf::{Section, number},
-    model::Reader,
+    new_model,
 };
 
 /// The instruction that does nothing.
@@ -150,7 +150,7 @@ fn is_set_up(instruction: &[u8]) -> bool {
 /// elsewhere.
 fn instructions(program: &[u8], code: &Code<'_>) -> Option<Vec<usize>> {
     let range = code.code.range.clone();
-    let mut reader = Reader::default();
+    let reader = &mut new_model().reader;
     let mut instructions = vec![range.start];
     for place in range {
         reader.read(program[place].into());

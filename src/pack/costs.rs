@@ -33,20 +33,3 @@ impl Coder for Meter {
         bit
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::costs;
-    use crate::pack;
-
-    #[test]
-    fn costs_add_up_to_what_is_packed() {
-        let bytes: Vec<u8> = (0..5000_u32).map(|i| (i * i / 77) as u8).collect();
-        let bits: f32 = costs(&bytes).iter().sum();
-        let packed = pack(&bytes).len() as f32;
-        assert!(
-            (packed - bits / 8.0 - 8.0).abs() < 8.0,
-            "{bits} bits, {packed} bytes"
-        );
-    }
-}

@@ -78,7 +78,7 @@ use encoder::Encoder;
 pub use executable::{
     System, Version, pack_executable, strip, unpack_executable, unpacked_executable,
 };
-use model::{Model, Reader};
+use model::Model;
 
 /// Why a program can't be packed, or not be built as it should be.
 pub type Error = Box<dyn error::Error>;
@@ -109,7 +109,7 @@ fn encode(bytes: &[u8]) -> Vec<u8> {
 /// Bytes of a program with addresses in place of the offsets in its instructions.
 fn with_addresses(bytes: &[u8]) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
-    let mut reader = Reader::default();
+    let reader = &mut new_model().reader;
     for i in 0..bytes.len() {
         reader.read(bytes[i].into());
         if let Some(offset) = reader.ended_offset() {

@@ -28,6 +28,16 @@ pub(super) struct Shot {
 }
 
 impl Act {
+    /// One without captions, on a set of its own.
+    pub const fn new(set: &'static Set, shots: &'static [Shot]) -> Act {
+        Act {
+            set,
+            set_since: 0,
+            shots,
+            captions: &[],
+        }
+    }
+
     /// Its length in bars: that of its shots.
     pub const fn bars(&self) -> u32 {
         let (mut bars, mut i) = (0, 0);

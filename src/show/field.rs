@@ -60,8 +60,6 @@ fn material(random: &mut Random) -> Material {
             ks: 0.5,
             exponent: 40.0,
             kr: 0.2,
-            kt: 0.0,
-            index: 1.0,
             ..Material::BLACK
         }
     } else if kind < 0.8 {
@@ -71,8 +69,6 @@ fn material(random: &mut Random) -> Material {
             ks: 0.8,
             exponent: 80.0,
             kr: 0.7,
-            kt: 0.0,
-            index: 1.0,
             ..Material::BLACK
         }
     } else {

@@ -120,24 +120,6 @@ pub struct Reader {
     fields: [[u16; FIELDS]; FIELD_FEATURES.len()],
 }
 
-impl Default for Reader {
-    fn default() -> Reader {
-        Reader {
-            place: 0,
-            offset: 0,
-            displacement: 0,
-            operand: 0,
-            next: [0; FIELD_FEATURES.len()],
-            matching: 0,
-            features: [0; FEATURES],
-            bytes: [0; BYTES],
-            places: [0; 1 << PLACES],
-            targets: [0; TARGETS],
-            fields: [[0; FIELDS]; FIELD_FEATURES.len()],
-        }
-    }
-}
-
 impl Reader {
     /// A feature of the next byte.
     #[inline(always)]
@@ -383,7 +365,8 @@ impl Reader {
 
 #[cfg(test)]
 mod tests {
-    use super::{DESTINATION, FAR, KIND, OPCODE, Reader, START, TARGET, before};
+    use super::{DESTINATION, FAR, KIND, OPCODE, START, TARGET, before};
+    use crate::new_model;
 
     /// Instructions with every kind of field, as an assembler writes them; the second is how many bytes each has.
     const CODE: [(&[u8], &str); 16] = [
@@ -416,7 +399,7 @@ mod tests {
 
     #[test]
     fn instructions_end_where_an_assembler_ends_them() {
-        let mut reader = Reader::default();
+        let reader = &mut new_model().reader;
         for (bytes, name) in CODE {
             for (i, &byte) in bytes.iter().enumerate() {
                 reader.read(byte.into());
@@ -428,7 +411,7 @@ mod tests {
 
     #[test]
     fn offsets_are_where_an_assembler_puts_them() {
-        let mut reader = Reader::default();
+        let reader = &mut new_model().reader;
         let mut offsets = Vec::new();
         for &byte in CODE.iter().flat_map(|(bytes, _)| bytes.iter()) {
             reader.read(byte.into());
@@ -439,7 +422,7 @@ mod tests {
 
     /// A feature of an instruction, once it was read.
     fn feature_of(instruction: &[u8], feature: usize) -> u32 {
-        let mut reader = Reader::default();
+        let reader = &mut new_model().reader;
         for &byte in instruction {
             reader.read(byte.into());
         }
@@ -480,7 +463,7 @@ mod tests {
     fn where_jumps_lead_to_is_known_ahead() {
         // `je` by three bytes; `jmp` to the address 12, as the packer has it; two times `nop`.
         let code = [0x74, 3, 0xe9, 12, 0, 0, 0, 0x90, 0x90];
-        let mut reader = Reader::default();
+        let reader = &mut new_model().reader;
         let distances = code.map(|byte| {
             reader.read(byte);
             reader.feature(TARGET)

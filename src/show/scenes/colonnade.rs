@@ -9,12 +9,7 @@ use eightfold_tracer::scene::{Light, Spot};
 use glam::vec3a;
 
 /// The scene as a record.
-pub(in crate::show) const ACT: Act = Act {
-    set: &SET,
-    set_since: 0,
-    shots: SHOTS,
-    captions: &[],
-};
+pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
 
 static SET: Set = Set {
     background: vec3a(0.78, 0.50, 0.36),

@@ -7,10 +7,9 @@ use crate::show::path::key;
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act {
-    set: &model::SET,
     set_since: model::ACT.bars(),
-    shots: SHOTS,
     captions: CAPTIONS,
+    ..Act::new(&model::SET, SHOTS)
 };
 
 #[rustfmt::skip]

@@ -9,12 +9,7 @@ use eightfold_tracer::scene::{Film, Light, Material, Pattern, Scene};
 use glam::{Vec3A, vec3a};
 
 /// The scene as a record.
-pub(in crate::show) const ACT: Act = Act {
-    set: &SET,
-    set_since: 0,
-    shots: SHOTS,
-    captions: &[],
-};
+pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
 
 static SET: Set = Set {
     background: vec3a(0.30, 0.20, 0.34),

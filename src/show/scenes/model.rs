@@ -11,12 +11,7 @@ use eightfold_tracer::scene::{Film, Light};
 use glam::{Vec3A, vec3a};
 
 /// The scene as a record.
-pub(in crate::show) const ACT: Act = Act {
-    set: &SET,
-    set_since: 0,
-    shots: SHOTS,
-    captions: &[],
-};
+pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
 
 /// The set of this scene, of the method scene, and of measurements.
 pub(in crate::show) static SET: Set = Set {

@@ -11,12 +11,7 @@ use eightfold_tracer::scene::{CopperBar, Light, Material, Scene, Sphere};
 use glam::{Vec3A, vec3a};
 
 /// The scene as a record.
-pub(in crate::show) const ACT: Act = Act {
-    set: &SET,
-    set_since: 0,
-    shots: SHOTS,
-    captions: &[],
-};
+pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
 
 static SET: Set = Set {
     background: vec3a(0.15, 0.38, 0.55),

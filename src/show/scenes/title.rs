@@ -13,10 +13,8 @@ use glam::{Vec2, Vec3A, vec3a};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act {
-    set: &SET,
-    set_since: 0,
-    shots: SHOTS,
     captions: CAPTIONS,
+    ..Act::new(&SET, SHOTS)
 };
 
 static SET: Set = Set {

@@ -111,42 +111,22 @@ impl State {
     }
 }
 
-/// The number of a key that somebody listens to.
+/// The number of a key: a digit's and a letter's from their places in `minifb`'s list, which has them in order.
 fn number(key: Key) -> c_uint {
-    let letter = match key {
-        Key::Escape => return keyboard::ESCAPE,
-        Key::Home => return keyboard::HOME,
-        Key::Left => return keyboard::LEFT,
-        Key::Right => return keyboard::RIGHT,
-        Key::F1 => return keyboard::F1,
-        Key::Delete => return keyboard::DELETE,
-        Key::C => b'c',
-        Key::D => b'd',
-        Key::E => b'e',
-        Key::F => b'f',
-        Key::H => b'h',
-        Key::L => b'l',
-        Key::M => b'm',
-        Key::P => b'p',
-        Key::S => b's',
-        Key::V => b'v',
-        Key::W => b'w',
-        Key::Y => b'y',
-        Key::Z => b'z',
-        Key::Space => b' ',
-        Key::Slash => b'/',
-        Key::Key1 => b'1',
-        Key::Key2 => b'2',
-        Key::Key3 => b'3',
-        Key::Key4 => b'4',
-        Key::Key5 => b'5',
-        Key::Key6 => b'6',
-        Key::Key7 => b'7',
-        Key::Key8 => b'8',
-        Key::Key9 => b'9',
+    let character = match (key, key as u8) {
+        (Key::Escape, _) => return keyboard::ESCAPE,
+        (Key::Home, _) => return keyboard::HOME,
+        (Key::Left, _) => return keyboard::LEFT,
+        (Key::Right, _) => return keyboard::RIGHT,
+        (Key::F1, _) => return keyboard::F1,
+        (Key::Delete, _) => return keyboard::DELETE,
+        (Key::Space, _) => b' ',
+        (Key::Slash, _) => b'/',
+        (_, digit @ 0..10) => b'0' + digit,
+        (_, letter @ 10..36) => b'a' + letter - 10,
         _ => return keyboard::NONE,
     };
-    letter.into()
+    character.into()
 }
 
 #[cfg(test)]
