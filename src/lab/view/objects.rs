@@ -65,7 +65,8 @@ impl Picked {
     /// The paths of the lengths that are its size in the file.
     pub fn size_paths(self) -> Vec<String> {
         let fields: &[&str] = match self.kind {
-            Kind::Sphere | Kind::Light => &["radius"],
+            Kind::Sphere => &["radius"],
+            Kind::Light => &["drawn_radius"],
             Kind::Plane => &["half_x", "half_z"],
             Kind::Block => &["half"],
         };

@@ -54,6 +54,15 @@ fn the_wheel_resizes_what_is_picked_under_it() {
 }
 
 #[test]
+fn the_wheel_resizes_a_light_that_is_drawn() {
+    let lit = SCENE.replace("(4.0, 6.0, 4.0)", "(0.0, 1.75, 3.0), drawn_radius: 0.5");
+    let Some(edit) = Edit::new(&lit) else { return };
+    edit.view.click(1, BALL);
+    edit.view.click(4, BALL);
+    assert_eq!(edit.save(), lit.replace("radius: 0.5", "radius: 0.525"));
+}
+
+#[test]
 fn m_steps_through_the_materials() {
     let Some(edit) = Edit::new(SCENE) else { return };
     edit.view.click(1, BALL);
