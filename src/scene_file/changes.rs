@@ -34,19 +34,14 @@ impl SceneFile {
             return changes;
         };
         changes.push((path.to_owned(), each(value, &f)));
+        let first_index = |rest: &str| match rest {
+            "" => Some(0),
+            _ => rest.strip_prefix('[')?.strip_suffix(']')?.parse().ok(),
+        };
         for (m, motion) in self.motions.iter().enumerate() {
-            let first = match motion.of.strip_prefix(path) {
-                Some("") => 0,
-                Some(rest) => {
-                    let index = rest
-                        .strip_prefix('[')
-                        .and_then(|rest| rest.strip_suffix(']'));
-                    match index.and_then(|index| index.parse::<usize>().ok()) {
-                        Some(index) => index,
-                        None => continue,
-                    }
-                }
-                None => continue,
+            let rest = motion.of.strip_prefix(path);
+            let Some(first): Option<usize> = rest.and_then(first_index) else {
+                continue;
             };
             for (k, (_, numbers)) in motion.keys.iter().enumerate() {
                 let value = each(*numbers, |i, number| f(first + i, number));

@@ -144,8 +144,8 @@ impl<'de> DeserializeSeed<'de> for Seed<'_> {
                 tree::value(Place::Shape(&mut shape))
             }
             Place::Struct(fields) => Struct { fields, file: None }.deserialize(from)?,
-            Place::Optional(items) => from.deserialize_option(Optional(items))?,
-            Place::List(items) => from.deserialize_seq(Sequence(items))?,
+            Place::Optional(items) => from.deserialize_option(Several(items))?,
+            Place::List(items) => from.deserialize_seq(Several(items))?,
         })
     }
 }
@@ -166,14 +166,14 @@ impl<'de> DeserializeSeed<'de> for Item<'_> {
     }
 }
 
-/// A struct that may be there.
-struct Optional<'a>(&'a mut dyn Items);
+/// Structs in a list, or one that may be there.
+struct Several<'a>(&'a mut dyn Items);
 
-impl<'de> Visitor<'de> for Optional<'_> {
+impl<'de> Visitor<'de> for Several<'_> {
     type Value = Value;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a struct or None")
+        f.write_str("a list")
     }
 
     fn visit_none<E>(self) -> Result<Value, E> {
@@ -182,17 +182,6 @@ impl<'de> Visitor<'de> for Optional<'_> {
 
     fn visit_some<D: Deserializer<'de>>(self, from: D) -> Result<Value, D::Error> {
         Item(self.0).deserialize(from)
-    }
-}
-
-/// Structs in a list.
-struct Sequence<'a>(&'a mut dyn Items);
-
-impl<'de> Visitor<'de> for Sequence<'_> {
-    type Value = Value;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a list")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Value, A::Error> {
@@ -215,6 +204,7 @@ impl<'de> Visitor<'de> for Materials {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Value, A::Error> {
+        // In the order of their names.
         let mut table = BTreeMap::new();
         while let Some(name) = map.next_key::<String>()? {
             let material = map.next_value_seed(Struct {

@@ -28,19 +28,16 @@ pub fn text_of(name: &str, length: f32, mut scenes: Vec<(f32, Scene)>) -> Result
         tracks.push((path, vec![value.clone()]))
     });
     for (tree, time) in trees.zip(&times[1..]) {
-        let mut track = tracks.iter_mut();
+        let (mut track, mut is_alike) = (tracks.iter_mut(), true);
         leaves(
             &tree,
             String::new(),
             &mut |path, value| match track.next() {
                 Some((known, values)) if *known == path => values.push(value.clone()),
-                _ => {}
+                _ => is_alike = false,
             },
         );
-        if tracks
-            .iter()
-            .any(|(_, values)| values.len() != frame_count(&times, *time))
-        {
+        if !is_alike || track.next().is_some() {
             bail!("{name} has other objects at {time} s than before: a scene file can't say that");
         }
     }
@@ -51,11 +48,6 @@ pub fn text_of(name: &str, length: f32, mut scenes: Vec<(f32, Scene)>) -> Result
         }
     }
     Ok(ron_text::text(first, &motions))
-}
-
-/// The number of frames up to a time.
-fn frame_count(times: &[f32], time: f32) -> usize {
-    times.partition_point(|&known| known <= time)
 }
 
 /// The motion of a value through the times of the frames, without the keys between equal ones.

@@ -1,11 +1,11 @@
 //! A scene file as Rust source: a function of the time, for an intro of one's own.
 
-use super::motion::{Between, Motion, Numbers};
+use super::motion::Motion;
 use super::tree::{self, TURN};
 use super::{SceneFile, path, ron_text};
 use anyhow::{Result, bail};
 use eightfold_tracer::scene::{Fields, Items, Material, Scene, Value as Place};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -66,16 +66,6 @@ pub fn rust(file: &SceneFile) -> Result<String> {
 
 /// The text before imports and before the functions that interpolate.
 const UNUSED: &str = "#[allow(unused, reason = \"not every scene needs all of it\")]";
-
-/// The function that interpolates a motion.
-fn function(motion: &Motion) -> &'static str {
-    match motion.between {
-        Between::Linear => "linear",
-        Between::Smooth => "smooth",
-        Between::Spline => "spline",
-        Between::Hold => "hold",
-    }
-}
 
 /// Whether two motions move a number that is the same, or a part of the other's.
 fn overlap(a: &Motion, b: &Motion) -> bool {
@@ -187,25 +177,18 @@ impl Printer<'_> {
 
 /// A motion as a call of the function that interpolates it.
 fn moved(motion: &Motion) -> String {
-    let keys = motion
-        .keys
-        .iter()
-        .map(|&(time, value)| format!("({time:?}, {})", numbers(value)));
+    let still = Printer { motions: &[] };
+    let keys = motion.keys.iter();
+    let keys =
+        keys.map(|(time, value)| format!("({time:?}, {})", still.numbers("", &json!(value))));
     let keys = keys.collect::<Vec<_>>().join(", ");
     let time = match motion.period() {
         Some(period) => format!("time.rem_euclid({period:?})"),
         None => "time".to_owned(),
     };
-    format!("{}(&[{keys}], {time})", function(motion))
-}
-
-fn numbers(numbers: Numbers) -> String {
-    let vector = |[x, y, z]: [f32; 3]| format!("vec3a({x:?}, {y:?}, {z:?})");
-    match numbers {
-        Numbers::One(number) => format!("{number:?}"),
-        Numbers::Three(numbers) => vector(numbers),
-        Numbers::Nine(axes) => format!("Mat3A::from_cols({})", axes.map(vector).join(", ")),
-    }
+    // The functions have the names of the ways.
+    let function = format!("{:?}", motion.between).to_lowercase();
+    format!("{function}(&[{keys}], {time})")
 }
 
 /// A material's name as that of a variable.
