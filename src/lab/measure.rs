@@ -4,6 +4,7 @@ use crate::arguments::{Size, processors};
 use crate::error::Difference;
 use crate::interrupt;
 use crate::missed::Visible;
+use crate::progress;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{percentile, real_time, thread_time};
@@ -12,6 +13,7 @@ use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Counts, Quality};
 use eightfold_window::cpu::Isa;
 use eightfold_window::pool::Pool;
+use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 /// The plan of a measurement.
@@ -98,18 +100,19 @@ const COLOUR: u32 = 0x0012_3456;
 const STRIP: usize = 16;
 
 impl Plan {
-    /// How often [`Plan::measure`] calls back.
-    pub fn steps(&self) -> usize {
+    /// How often [`Plan::measure`] tells of its progress.
+    fn steps(&self) -> usize {
         let frames: usize = self.shots.iter().map(|shot| shot.times.len()).sum();
         let views: usize = self.shots.iter().map(|shot| shot.views.len()).sum();
         self.sizes.len() * (self.threads.len() * (self.shots.len() + frames) + views)
     }
 
-    /// Draws all frames in all ways in all settings. Calls `step` now and then, while no time is taken.
+    /// Draws all frames in all ways in all settings, with a progress bar, which is drawn while no time is taken.
     ///
     /// All settings take turns frame by frame, and the ways of a setting, so that a machine whose speed drifts
     /// hits them alike. After Ctrl-C the rest of the frames is left out; the first of each is always drawn.
-    pub fn measure(&self, mut step: impl FnMut()) -> Vec<Setting> {
+    pub fn measure(&self) -> Vec<Setting> {
+        let bar = progress::bar(self.steps());
         let threads = self.threads.iter();
         let mut renderers: Vec<_> = threads.map(|&count| ThreadedRenderer::new(count)).collect();
         let canvases = self.sizes.iter();
@@ -118,7 +121,7 @@ impl Plan {
         let mut draw = |setting: &mut Setting, time: f32| {
             let [canvas, renderer] = setting.at;
             setting.draw(self, &mut renderers[renderer], &mut canvases[canvas], time);
-            step();
+            bar.inc(1);
         };
         for setting in &mut settings {
             // Frames that warm up memory and threads, and do not count.
@@ -141,13 +144,14 @@ impl Plan {
         let count = self.sizes.len() * self.shots.len();
         let mut renderer = ThreadedRenderer::new(processors());
         for i in 0..count {
-            let seen = self.look(&settings[i], &mut renderer, &mut step);
+            let seen = self.look(&settings[i], &mut renderer, &bar);
             for setting in settings.iter_mut().skip(i).step_by(count) {
                 for (run, seen) in setting.runs.iter_mut().zip(&seen) {
                     run.seen = seen.clone();
                 }
             }
         }
+        bar.finish_and_clear();
         settings
     }
 
@@ -185,7 +189,7 @@ impl Plan {
         &self,
         setting: &Setting,
         renderer: &mut ThreadedRenderer,
-        step: &mut impl FnMut(),
+        bar: &ProgressBar,
     ) -> Vec<Seen> {
         let shot = &self.shots[setting.shot];
         let ways = self.ways.iter();
@@ -204,7 +208,7 @@ impl Plan {
                 })
                 .collect();
             viewer.look(view, &mut subjects);
-            step();
+            bar.inc(1);
         }
         if interrupt::is_stopped() {
             seen.fill(Seen::default());
@@ -214,6 +218,15 @@ impl Plan {
 }
 
 impl Way {
+    /// A quality with shadows as they are.
+    pub fn new(name: &str, quality: Quality) -> Self {
+        Self {
+            name: name.to_owned(),
+            quality,
+            hard_shadows: false,
+        }
+    }
+
     /// The scene of a time.
     pub fn scene(&self, scene: SceneName, time: f32) -> Scene {
         let mut scene = scene.without_overlay(time);

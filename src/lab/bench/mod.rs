@@ -90,11 +90,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let text = format!("{}\n\n{tables}", machine());
         return output::write(Path::new("-"), text.as_bytes());
     }
-    let bar = progress::bar(plan.steps());
-    let settings = plan.measure(|| bar.inc(1));
+    let settings = plan.measure();
     let rows = settings.iter().flat_map(|setting| Row::of(&plan, setting));
     let rows: Vec<Row> = rows.collect();
-    bar.finish_and_clear();
 
     let (what, table) = match arguments.scene {
         SceneName::Show => ("show, each scene in", table::of_show(&rows)),

@@ -144,11 +144,11 @@ fn table(plan: &Plan, shot: &Shot, size: Size, way: &Way, stand: &mut Stand, cos
         let (mut whole, mut least) = (f64::INFINITY, [f64::INFINITY; STAGES]);
         for _ in 0..REPEATS {
             // Which bands are taken first depends on the frame before.
-            stand.draw(&before, quality, width, &mut picture, ());
-            let draw = || stand.draw(&scene, quality, width, &mut picture, ());
+            stand.draw(&before, quality, width, &mut picture, (), None);
+            let draw = || stand.draw(&scene, quality, width, &mut picture, (), None);
             whole = whole.min(1e3 * real_time(draw).1);
             let clock = Clock::new();
-            stand.draw(&scene, quality, width, &mut picture, &clock);
+            stand.draw(&scene, quality, width, &mut picture, &clock, Some(&clock));
             clock.begin(OTHER);
             for (least, time) in least.iter_mut().zip(clock.times(cost)) {
                 *least = least.min(time);
@@ -179,17 +179,18 @@ struct Stand {
 
 impl Stand {
     /// Draws a frame, band by band, while an observer looks on.
-    fn draw<O: StageObserver>(
+    fn draw(
         &mut self,
         scene: &Scene,
         quality: &Quality,
         width: usize,
         pixels: &mut [u32],
-        observer: O,
+        observer: impl Observer,
+        clock: Option<&Clock>,
     ) {
         let mut thread = OneThread {
             worker: &mut self.worker,
-            observer,
+            clock,
         };
         let frame = whole(width, pixels);
         let counts = self
@@ -200,32 +201,19 @@ impl Stand {
 }
 
 /// The caller's thread, whose work between bands is told.
-struct OneThread<'a, O> {
+struct OneThread<'a> {
     worker: &'a mut Worker,
-    observer: O,
+    clock: Option<&'a Clock>,
 }
 
-impl<O: StageObserver> Threads for OneThread<'_, O> {
+impl Threads for OneThread<'_> {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
+        let clock = self.clock;
+        let other = || clock.inspect(|clock| clock.begin(OTHER));
         for band in bands {
-            self.observer.other();
+            other();
             job(self.worker, band);
         }
-        self.observer.other();
-    }
-}
-
-/// An observer that hears of the work between tiles, too.
-trait StageObserver: Observer {
-    fn other(self);
-}
-
-impl StageObserver for () {
-    fn other(self) {}
-}
-
-impl StageObserver for &Clock {
-    fn other(self) {
-        self.begin(OTHER);
+        other();
     }
 }

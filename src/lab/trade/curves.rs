@@ -53,11 +53,7 @@ fn ways(antialias: bool) -> Vec<Way> {
     let has_curve = ["exhaustive", "thesis", "finest", "default", "fastest"];
     NamedQuality::all()
         .filter(|quality| has_curve.contains(&quality.name))
-        .map(|quality| Way {
-            name: quality.name.to_owned(),
-            quality: quality.antialiased(antialias).quality,
-            hard_shadows: false,
-        })
+        .map(|quality| Way::new(quality.name, quality.antialiased(antialias).quality))
         .collect()
 }
 
@@ -80,52 +76,48 @@ fn plan(scenes: &[SceneName], time: f32, sizes: Vec<Size>, isa: Isa, antialias: 
     }
 }
 
-/// The plan of [`by_resolution`].
-pub fn resolution_plan(of: &Plan, quick: bool, antialias: bool) -> Plan {
+/// For each quality but the exhaustive one, the speed-up relative to that by the number of pixels.
+pub fn by_resolution(of: &Plan, quick: bool, antialias: bool) -> Vec<Curve> {
     let shot = &of.shots[0];
     let sizes = sizes(of.sizes[0], quick);
-    plan(&[shot.scene], shot.times[0], sizes, of.isa, antialias)
-}
-
-/// The plan of [`by_objects`]. A single sphere comes first.
-pub fn objects_plan(of: &Plan, quick: bool, antialias: bool) -> Plan {
-    let fields: Vec<SceneName> = objects(quick)
-        .iter()
-        .map(|&n| SceneName::Field(n))
-        .collect();
-    let time = of.shots[0].times[0];
-    plan(&fields, time, of.sizes.clone(), of.isa, antialias)
-}
-
-/// For each quality but the first, the speed-up relative to the first by the number of pixels.
-pub fn by_resolution(plan: &Plan, settings: &[Setting]) -> Vec<Curve> {
-    let of = |way: usize| {
-        let point = |setting: &Setting| {
+    let plan = plan(&[shot.scene], shot.times[0], sizes, of.isa, antialias);
+    let settings = plan.measure();
+    let curve = |way: usize| {
+        curve(&plan, way, &settings, |setting| {
             let [exhaustive, own] = [0, way].map(|way| setting.runs[way].quartile());
             (setting.size.area() as f64, exhaustive / own)
-        };
-        settings.iter().map(point).collect()
+        })
     };
-    let curves = (1..plan.ways.len()).map(|way| Curve {
-        name: plan.ways[way].name.clone(),
-        points: of(way),
-    });
-    curves.collect()
+    (1..plan.ways.len()).map(curve).collect()
 }
 
 /// For each quality, the time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one sphere.
-pub fn by_objects(plan: &Plan, settings: &[Setting]) -> Vec<Curve> {
+pub fn by_objects(of: &Plan, quick: bool, antialias: bool) -> Vec<Curve> {
+    // A single sphere comes first.
+    let counts = objects(quick);
+    let fields: Vec<SceneName> = counts.iter().map(|&n| SceneName::Field(n)).collect();
+    let time = of.shots[0].times[0];
+    let plan = plan(&fields, time, of.sizes.clone(), of.isa, antialias);
+    let settings = plan.measure();
     let unit = settings[0].runs[0].quartile();
-    let of = |way: usize| {
-        let point = |setting: &Setting| match plan.shots[setting.shot].scene {
-            SceneName::Field(count) => Some((count as f64, setting.runs[way].quartile() / unit)),
-            _ => None,
-        };
-        settings.iter().filter_map(point).collect()
+    let curve = |way: usize| {
+        curve(&plan, way, &settings, |setting| {
+            let count = counts[setting.shot] as f64;
+            (count, setting.runs[way].quartile() / unit)
+        })
     };
-    let curves = (0..plan.ways.len()).map(|way| Curve {
+    (0..plan.ways.len()).map(curve).collect()
+}
+
+/// The curve of a way through a point for each setting.
+fn curve(
+    plan: &Plan,
+    way: usize,
+    settings: &[Setting],
+    point: impl Fn(&Setting) -> (f64, f64),
+) -> Curve {
+    Curve {
         name: plan.ways[way].name.clone(),
-        points: of(way),
-    });
-    curves.collect()
+        points: settings.iter().map(point).collect(),
+    }
 }

@@ -8,11 +8,11 @@ mod table;
 
 use crate::arguments::{self, Size};
 use crate::interrupt::Stopped;
-use crate::measure::{Plan, Shot, Way};
+use crate::measure::{Plan, Shot};
 use crate::scenes::{self, SceneName};
 use crate::timing::{evenly_spaced, machine};
 use crate::views::views;
-use crate::{interrupt, output, progress};
+use crate::{interrupt, output};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use curves::Curve;
@@ -21,7 +21,6 @@ use outcome::{Outcome, mark_front};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
-use sweep::Point;
 
 /// Turns every dial of the quality, and measures what that gains in speed and costs in accuracy
 ///
@@ -108,21 +107,13 @@ impl Trade {
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     interrupt::listen();
-    let mut points = if arguments.ladder {
-        sweep::named()
-    } else {
-        sweep::points(arguments.quick)
-    };
-    for point in &mut points {
-        point.antialias(arguments.antialias);
-    }
-    let plan = plan(arguments, &points)?;
+    let plan = plan(arguments)?;
     let folder = &arguments.out;
     if !arguments.ladder {
         fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
         output::check(&folder.join("trade.json"))?;
     }
-    let trade = measure(arguments, &plan, points);
+    let trade = measure(arguments, &plan);
     if trade.complete {
         check(&trade.points, arguments.ladder)?;
     }
@@ -160,7 +151,7 @@ pub fn check(points: &[Outcome], all: bool) -> Result<()> {
 }
 
 /// The plan of the frames of all points.
-fn plan(arguments: &Arguments, points: &[Point]) -> Result<Plan> {
+fn plan(arguments: &Arguments) -> Result<Plan> {
     arguments::check_span(arguments.time_from, arguments.time_to)?;
     let (width, height, frames) = if arguments.quick {
         (512, 384, 9)
@@ -176,11 +167,13 @@ fn plan(arguments: &Arguments, points: &[Point]) -> Result<Plan> {
     let times = (0..frames).map(|i| evenly_spaced(from, to, i, frames));
     // The next scene of the show has no part in this one.
     let end = scene.start().map(|_| scene.length());
-    let ways = points.iter().map(|point| Way {
-        name: point.name.clone(),
-        quality: point.quality,
-        hard_shadows: false,
-    });
+    let qualities = if arguments.ladder {
+        sweep::named()
+    } else {
+        sweep::qualities(arguments.quick)
+    };
+    let ways = qualities.into_iter();
+    let ways = ways.map(|quality| sweep::way(quality, arguments.antialias));
     Ok(Plan {
         shots: vec![Shot {
             scene,
@@ -197,30 +190,22 @@ fn plan(arguments: &Arguments, points: &[Point]) -> Result<Plan> {
     })
 }
 
-fn measure(arguments: &Arguments, plan: &Plan, points: Vec<Point>) -> Trade {
+fn measure(arguments: &Arguments, plan: &Plan) -> Trade {
     let Arguments {
         quick, antialias, ..
     } = *arguments;
-    let resolution = curves::resolution_plan(plan, quick, antialias);
-    let objects = curves::objects_plan(plan, quick, antialias);
-    let mut steps = plan.steps();
-    if !arguments.ladder {
-        steps += resolution.steps() + objects.steps();
-    }
-    let bar = progress::bar(steps);
-    let settings = plan.measure(|| bar.inc(1));
+    let settings = plan.measure();
     let has_curves = || !arguments.ladder && !interrupt::is_stopped();
     let (mut by_resolution, mut by_objects) = (Vec::new(), Vec::new());
     if has_curves() {
-        by_resolution = curves::by_resolution(&resolution, &resolution.measure(|| bar.inc(1)));
+        by_resolution = curves::by_resolution(plan, quick, antialias);
     }
     if has_curves() {
-        by_objects = curves::by_objects(&objects, &objects.measure(|| bar.inc(1)));
+        by_objects = curves::by_objects(plan, quick, antialias);
     }
-    bar.finish_and_clear();
     let (size, shot, runs) = (plan.sizes[0], &plan.shots[0], &settings[0].runs);
-    let rows = points.into_iter().zip(runs);
-    let rows = rows.map(|(point, run)| Outcome::of(point, size.area(), run, &runs[0]));
+    let rows = plan.ways.iter().zip(runs);
+    let rows = rows.map(|(way, run)| Outcome::of(way, size.area(), run, &runs[0]));
     let mut rows: Vec<Outcome> = rows.collect();
     mark_front(&mut rows);
     Trade {

@@ -1,8 +1,8 @@
 //! The results for a point.
 
-use super::sweep::Point;
+use super::sweep::{dials, has_keys};
 use crate::accuracy::Accuracy;
-use crate::measure::Run;
+use crate::measure::{Run, Way};
 use eightfold_tracer::Quality;
 use serde::Serialize;
 
@@ -11,8 +11,6 @@ use serde::Serialize;
 pub struct Outcome {
     pub name: String,
     pub dials: String,
-    /// The dials that vary in the series that it belongs to.
-    pub sweep: &'static str,
     #[serde(flatten, with = "Dials")]
     pub quality: Quality,
     /// Whether keys are compared.
@@ -52,14 +50,13 @@ impl AsRef<Accuracy> for Outcome {
 }
 
 impl Outcome {
-    /// The results for a point with at least one frame of `area` pixels, beside exhaustive frames.
-    pub fn of(point: Point, area: usize, run: &Run, exhaustive: &Run) -> Self {
+    /// The results for a way with at least one frame of `area` pixels, beside exhaustive frames.
+    pub fn of(way: &Way, area: usize, run: &Run, exhaustive: &Run) -> Self {
         Self {
-            keys: point.has_keys(),
-            name: point.name,
-            dials: point.dials,
-            sweep: point.sweep,
-            quality: point.quality,
+            keys: has_keys(&way.quality),
+            name: way.name.clone(),
+            dials: dials(&way.quality),
+            quality: way.quality,
             speedup: exhaustive.quartile() / run.quartile(),
             accuracy: Accuracy::of(area, run),
             missed_objects: run.missed as f64 / run.differences.len() as f64,

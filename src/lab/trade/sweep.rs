@@ -1,22 +1,11 @@
 //! The points to measure: each dial by itself, then combinations of those that save time.
 
 use crate::arguments::NamedQuality;
+use crate::measure::Way;
 use eightfold_tracer::Quality;
 
-/// A quality to measure.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Point {
-    /// Its name, or its dials if it has none.
-    pub name: String,
-    /// Its dials in words, see [`dials`].
-    pub dials: String,
-    /// The dials that vary in the series that it belongs to.
-    pub sweep: &'static str,
-    pub quality: Quality,
-}
-
 /// Sides of squares: powers of two, some between them, and 17, whose squares are split directly into pixels.
-pub const SQUARES: [usize; 13] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 17, 20, 24, 32];
+const SQUARES: [usize; 13] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 17, 20, 24, 32];
 /// Tolerances around the default of 7.
 const TOLERANCES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 5.5, 9.0, 14.0, 18.0, 26.0, 40.0, 64.0];
 /// Tolerances for agreeing and for differing keys.
@@ -55,71 +44,60 @@ const HIGHLIGHTS: [f32; 6] = [
 const CONTRIBUTIONS: [f32; 9] = [0.0, 0.003, 0.01, 0.015, 0.02, 0.04, 0.06, 0.1, 0.2];
 
 /// The named qualities, the exhaustive one first.
-pub fn named() -> Vec<Point> {
-    let named = NamedQuality::all();
-    named
-        .map(|NamedQuality { quality, .. }| Point::new("named", quality))
-        .collect()
+pub fn named() -> Vec<Quality> {
+    NamedQuality::all().map(|named| named.quality).collect()
 }
 
-/// All points, the exhaustive one first. With `quick` there are fewer combinations.
-pub fn points(quick: bool) -> Vec<Point> {
-    let mut points = named();
-    let mut add = |sweep, quality| {
-        if !points.iter().any(|point| point.quality == quality) {
-            points.push(Point::new(sweep, quality));
+/// All qualities, the exhaustive one first. With `quick` there are fewer combinations.
+pub fn qualities(quick: bool) -> Vec<Quality> {
+    let mut all = named();
+    for quality in single_dials().into_iter().chain(together(quick)) {
+        if !all.contains(&quality) {
+            all.push(quality);
         }
-    };
-    for (sweep, quality) in single_dials() {
-        add(sweep, quality);
     }
-    for quality in together(quick) {
-        add("together", quality);
-    }
-    points
+    all
 }
 
 /// Variations of single dials of the default quality, and of those that concern keys of the rules of 2008.
-fn single_dials() -> Vec<(&'static str, Quality)> {
+fn single_dials() -> Vec<Quality> {
     let (played, thesis) = (Quality::DEFAULT, Quality::THESIS);
     let mut dials = Vec::new();
-    let mut turn = |sweep, mut quality, change: &dyn Fn(&mut Quality)| {
+    let mut turn = |mut quality, change: &dyn Fn(&mut Quality)| {
         change(&mut quality);
-        dials.push((sweep, quality));
+        dials.push(quality);
     };
     for square in SQUARES {
-        turn("square", played, &|it| it.square = square);
-        turn("square, thesis", thesis, &|it| it.square = square);
+        turn(played, &|it| it.square = square);
+        turn(thesis, &|it| it.square = square);
     }
     for quality in [played, thesis] {
-        turn("guard", quality, &|it| it.guarded = false);
+        turn(quality, &|it| it.guarded = false);
     }
     for depths in COMPARED {
-        turn("key", thesis, &|it| (it.key_depth, it.state_depth) = depths);
+        turn(thesis, &|it| (it.key_depth, it.state_depth) = depths);
     }
     for highlight in HIGHLIGHTS {
-        turn("highlight", thesis, &|it| it.highlight = highlight);
+        turn(thesis, &|it| it.highlight = highlight);
     }
     for tolerances in KEYED {
-        turn("tolerance, thesis", thesis, &|it| {
+        turn(thesis, &|it| {
             (it.tolerance_agreeing, it.tolerance_differing) = tolerances;
         });
     }
     for tolerance in TOLERANCES {
         let quality = within(8, tolerance, &played);
-        turn("tolerance", quality, &|_| {});
-        turn("colours alone", quality, &|it| {
-            it.tolerance_differing = tolerance
-        });
+        turn(quality, &|_| {});
+        turn(quality, &|it| it.tolerance_differing = tolerance);
     }
     for tolerance in [0.0, 3.0, 5.0, 10.0, 16.0] {
-        turn("side", played, &|it| it.tolerance_side = tolerance);
+        turn(played, &|it| it.tolerance_side = tolerance);
     }
     for depth in 0..=Quality::MAX_DEPTH {
-        turn("depth", played, &|it| it.depth = depth);
+        turn(played, &|it| it.depth = depth);
     }
     for least in CONTRIBUTIONS {
-        turn("contribution", played, &|it| it.least_contribution = least);
+        turn(played, &|it| it.least_contribution = least);
     }
     dials
 }
@@ -170,33 +148,19 @@ fn within(square: usize, tolerance: f32, quality: &Quality) -> Quality {
     }
 }
 
-impl Point {
-    pub fn new(sweep: &'static str, quality: Quality) -> Self {
-        let dials = dials(&quality);
-        let known = NamedQuality::all().find(|known| known.quality == quality);
-        Self {
-            name: known.map_or_else(|| dials.clone(), |known| known.name.to_owned()),
-            dials,
-            sweep,
-            quality,
-        }
-    }
-
-    /// Turns antialiasing on or off.
-    pub fn antialias(&mut self, antialias: bool) {
-        self.quality.antialias = antialias;
-        if antialias {
-            self.dials += ", antialiased";
-        }
-    }
-
-    /// Whether keys are compared.
-    pub fn has_keys(&self) -> bool {
-        has_keys(&self.quality)
-    }
+/// The way of a quality, by its name, or by its dials if it has none; with antialiasing, or without.
+pub fn way(quality: Quality, antialias: bool) -> Way {
+    let known = NamedQuality::all().find(|known| known.quality == quality);
+    let quality = Quality {
+        antialias,
+        ..quality
+    };
+    let name = known.map_or_else(|| dials(&quality), |known| known.name.to_owned());
+    Way::new(&name, quality)
 }
 
-fn has_keys(quality: &Quality) -> bool {
+/// Whether keys are compared.
+pub fn has_keys(quality: &Quality) -> bool {
     quality.square > 1 && quality.tolerance_agreeing != quality.tolerance_differing
 }
 
@@ -235,6 +199,9 @@ pub fn dials(quality: &Quality) -> String {
     }
     if quality.least_contribution != Quality::EXHAUSTIVE.least_contribution {
         words.push(format!("contribution {}", quality.least_contribution));
+    }
+    if quality.antialias {
+        words.push("antialiased".to_owned());
     }
     words.join(", ")
 }

@@ -287,11 +287,7 @@ fn a_file_gets_the_json_and_standard_output_the_table() {
 
 #[test]
 fn a_frame_of_a_scene_file_is_timed_without_reading_what_the_file_says() {
-    let way = Way {
-        name: String::new(),
-        quality: Quality::THESIS,
-        hard_shadows: false,
-    };
+    let way = Way::new("thesis", Quality::THESIS);
     let file = SceneFile::parse("room.ron", "Scene()").expect("a scene");
     let file = SceneName::File(Box::leak(Box::new(file)));
     assert!(way.made_before(file, 0.0).is_some());
