@@ -129,22 +129,16 @@ impl Part {
         self.file.path()
     }
 
+    /// Writes to it. By itself a [`NamedTempFile`] puts its path behind every error.
+    pub fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.file.as_file_mut().write_all(bytes)
+    }
+
     /// Gives a complete file its name, once it is on the disk.
     pub fn persist(self, path: &Path) -> io::Result<()> {
         self.file.as_file().sync_all()?;
         self.file.persist(path)?;
         Ok(())
-    }
-}
-
-/// As to its file: by itself a [`NamedTempFile`] puts its path behind every error.
-impl Write for Part {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.as_file_mut().write(bytes)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.as_file_mut().flush()
     }
 }
 

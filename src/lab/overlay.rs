@@ -44,13 +44,6 @@ impl FrameTrace {
         }
     }
 
-    /// Empties the record.
-    pub fn clear(&mut self) {
-        for count in self.rays.iter_mut().chain(&mut self.squares) {
-            *count.get_mut() = 0;
-        }
-    }
-
     /// For each pixel, the number of rays, shadow rays included, of the point traced there; 0 if none was.
     pub fn rays(&self) -> impl Iterator<Item = u32> {
         self.rays.iter().map(|rays| rays.load(Relaxed))

@@ -139,11 +139,12 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     };
     let speed_sizes = all(" --size 1024x768 --size 1920x1080");
     let show_sizes = all(" --size 1280x720");
-    let part = |name, command: String, flag, pictures, is_printed| Part {
+    let part = |name, command: String, flag, pictures: &'static [_]| Part {
         name,
         step: Step::new(&command, flag, pictures),
-        is_printed,
+        is_printed: pictures.is_empty(),
     };
+    let printed = |name, command| part(name, command, "", &[]);
     // Enough frames for the front to be the same one next time, in some minutes. Where few are asked for, all is to be quick.
     let plan = if arguments.frames.is_some() {
         " --quick"
@@ -162,29 +163,20 @@ fn parts(arguments: &Arguments) -> Vec<Part> {
     let ladder = format!("trade --ladder{size}{frames}");
     let trade = format!("trade{plan}{size}{frames}");
     vec![
-        part("moving", moving, "--video", &MOVING, false),
-        part("sheet", sheet, "--sheet", &SHEET, false),
-        part("show", show, "", &[], true),
-        part("speed", speed, "", &[], true),
-        part("ladder", ladder, "", &[], true),
-        part("missed", format!("missed{size}{seeds}"), "", &[], true),
-        part("trade", trade, "--out", &TRADE, false),
-        part(
-            "figures",
-            format!("figures{size}"),
-            "--out",
-            &[FIGURES],
-            false,
-        ),
-        part("size", "size --functions 10".to_owned(), "", &[], true),
-        part(
-            "windows",
-            "size --windows --functions 5".to_owned(),
-            "",
-            &[],
-            true,
-        ),
-        part("sound", "sound".to_owned(), "--waveform", &WAVEFORM, true),
+        part("moving", moving, "--video", &MOVING),
+        part("sheet", sheet, "--sheet", &SHEET),
+        printed("show", show),
+        printed("speed", speed),
+        printed("ladder", ladder),
+        printed("missed", format!("missed{size}{seeds}")),
+        part("trade", trade, "--out", &TRADE),
+        part("figures", format!("figures{size}"), "--out", &[FIGURES]),
+        printed("size", "size --functions 10".to_owned()),
+        printed("windows", "size --windows --functions 5".to_owned()),
+        Part {
+            is_printed: true,
+            ..part("sound", "sound".to_owned(), "--waveform", &WAVEFORM)
+        },
     ]
 }
 

@@ -6,12 +6,9 @@ use eightfold_tracer::scene::{MAX_SPHERES, Method, Scene};
 use std::fmt;
 use std::str::FromStr;
 
-/// The names of the show's scenes, which begin at [`show::CUTS`].
-pub const SHOW_SCENES: [&str; show::CUTS.len()] = show::NAMES;
-
 /// The ways to name a scene, for `--help` and for errors.
 pub fn takes() -> String {
-    let parts = SHOW_SCENES.map(|part| format!("show:{part}")).join(", ");
+    let parts = show::NAMES.map(|part| format!("show:{part}")).join(", ");
     format!(
         "model, field:N for N small spheres, 1 to {MAX_SPHERES}, show, one of its scenes: {parts}, or a scene file, FILE{SUFFIX}"
     )
@@ -22,7 +19,7 @@ pub fn takes() -> String {
 pub enum SceneName {
     /// The whole show.
     Show,
-    /// A scene of the show, as an index in [`SHOW_SCENES`].
+    /// A scene of the show, as an index in [`show::NAMES`].
     ShowScene(usize),
     /// The model scene.
     Model,
@@ -90,7 +87,7 @@ impl SceneName {
     /// For the show, all its scenes in order; otherwise this scene alone.
     pub fn split(self) -> Vec<Self> {
         match self {
-            Self::Show => (0..SHOW_SCENES.len()).map(Self::ShowScene).collect(),
+            Self::Show => (0..show::NAMES.len()).map(Self::ShowScene).collect(),
             _ => vec![self],
         }
     }
@@ -105,7 +102,7 @@ impl FromStr for SceneName {
         }
         let part = name
             .strip_prefix("show:")
-            .and_then(|name| SHOW_SCENES.iter().position(|part| *part == name));
+            .and_then(|name| show::NAMES.iter().position(|part| *part == name));
         let count = name.strip_prefix("field:").map(str::parse::<usize>);
         match (name, part, count) {
             ("show", ..) => Ok(Self::Show),
@@ -121,7 +118,7 @@ impl fmt::Display for SceneName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Show => write!(f, "show"),
-            Self::ShowScene(part) => write!(f, "show:{}", SHOW_SCENES[*part]),
+            Self::ShowScene(part) => write!(f, "show:{}", show::NAMES[*part]),
             Self::Model => write!(f, "model"),
             Self::Field(count) => write!(f, "field:{count}"),
             Self::File(file) => f.write_str(&file.name),

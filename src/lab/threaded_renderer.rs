@@ -1,10 +1,12 @@
 //! Where frames are drawn: the tracer's memory, and threads that share the work.
 
+use crate::arguments::Size;
 use eightfold_tracer::observe::Observer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{
     Band, Counts, Frame, Job, Level, Memory, Probing, Quality, Renderer, Threads, Worker,
 };
+use eightfold_window::cpu;
 use eightfold_window::pool::Pool;
 
 /// Memory for one frame at a time, and threads that start once.
@@ -96,6 +98,14 @@ impl ThreadedRenderer {
             .with_offset(x, y)
             .with_probes(count, seed)
     }
+}
+
+/// Draws one frame by the best instruction set of this machine, on so many threads.
+pub fn drawn(threads: usize, scene: &Scene, quality: &Quality, size: Size) -> Vec<u32> {
+    let mut pixels = vec![0; size.area()];
+    let level = cpu::best().level;
+    ThreadedRenderer::new(threads).draw(level, scene, quality, size.width, &mut pixels);
+    pixels
 }
 
 /// A frame `width` pixels wide that fills `pixels`.

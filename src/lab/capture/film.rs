@@ -93,7 +93,7 @@ impl Film {
             Samples::Spread(exposure) => format!("{exposure:?}"),
         };
         format!(
-            "eightfold {}: scene {} ({:016x}), frame {frame} at {} fps, {}, {:?}, {samples}, {lanes}",
+            "eightfold {}: scene {} ({:08x}), frame {frame} at {} fps, {}, {:?}, {samples}, {lanes}",
             env!("CARGO_PKG_VERSION"),
             self.scene,
             self.contents(frame),
@@ -103,17 +103,19 @@ impl Film {
         )
     }
 
-    /// A number for all that the scenes of a frame have in them: several while the shutter is open.
-    fn contents(&self, frame: usize) -> u64 {
+    /// The checksum of all that the scenes of a frame have in them: several while the shutter is open.
+    fn contents(&self, frame: usize) -> u32 {
         let moments = match self.samples {
             Samples::Spread(exposure) if exposure.shutter > 0.0 => exposure.samples,
             _ => 1,
         };
         let still = self.scene.at(self.time(frame));
-        (0..moments).fold(FNV_START, |hash, index| {
+        let mut hash = crc32fast::Hasher::new();
+        for index in 0..moments {
             let (scene, _) = self.picture(frame, index, &still);
-            fnv(hash, &format!("{scene:?}"))
-        })
+            hash.update(format!("{scene:?}").as_bytes());
+        }
+        hash.finalize()
     }
 
     /// Draws a frame as `0x00RRGGBB` pixels, row by row: the mean of its pictures as they would be shown.
@@ -181,12 +183,3 @@ impl Canvas {
         }
     }
 }
-
-/// The hash of a text that follows what has the hash so far (Fowler, Noll and Vo: FNV-1a of 64 bits). It is the same on any machine.
-fn fnv(hash: u64, text: &str) -> u64 {
-    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
-    text.bytes().fold(hash, step)
-}
-
-/// The hash of nothing.
-const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;

@@ -1,9 +1,8 @@
 //! Measures the loudness, bar by bar.
 
-use crate::scenes::SHOW_SCENES;
 use anyhow::Result;
 use ebur128::{EbuR128, Mode};
-use eightfold::show::{BARS, CUTS};
+use eightfold::show::{BARS, CUTS, NAMES};
 use eightfold::sound::{RATE, SONG_LENGTH};
 use std::fmt::Write;
 
@@ -52,7 +51,7 @@ pub fn markdown(samples: &[[f32; 2]]) -> Result<String> {
         let scene = CUTS
             .iter()
             .position(|&cut| cut == bar)
-            .map_or("", |cut| SHOW_SCENES[cut]);
+            .map_or("", |cut| NAMES[cut]);
         writeln!(
             text,
             "| {bar:3} | {scene:>9} | {:9.1} | {:5.1} |",

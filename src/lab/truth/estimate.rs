@@ -12,46 +12,16 @@ const _: () = assert!(REPLICATIONS == 8, "STUDENT is that of 7 degrees of freedo
 /// the radius from an edge of the light or farther.
 const BLUR: f64 = 3.0;
 
-/// Mean and variance of numbers that come one by one, each channel for itself (Welford, 1962).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Welford {
-    count: u32,
-    mean: DVec3,
-    /// The sum of squared differences from the mean.
-    squares: DVec3,
-}
-
-impl Welford {
-    /// Adds a number.
-    pub fn add(&mut self, number: DVec3) {
-        self.count += 1;
-        let before = number - self.mean;
-        self.mean += before / f64::from(self.count);
-        self.squares += before * (number - self.mean);
+/// The mean of numbers, and the variance of that without bias, 0 of a single one, each channel for itself (Welford, 1962).
+pub fn mean_and_variance(numbers: impl IntoIterator<Item = DVec3>) -> (DVec3, DVec3) {
+    let (mut count, mut mean, mut squares) = (0.0, DVec3::ZERO, DVec3::ZERO);
+    for number in numbers {
+        count += 1.0;
+        let before = number - mean;
+        mean += before / count;
+        squares += before * (number - mean);
     }
-
-    /// The mean; 0 without any numbers.
-    pub fn mean(&self) -> DVec3 {
-        self.mean
-    }
-
-    /// The variance of the numbers, without bias; 0 of fewer than two.
-    pub fn variance(&self) -> DVec3 {
-        self.squares / f64::from(self.count.saturating_sub(1).max(1))
-    }
-
-    /// The variance of the mean.
-    pub fn variance_of_mean(&self) -> DVec3 {
-        self.variance() / f64::from(self.count.max(1))
-    }
-}
-
-impl FromIterator<DVec3> for Welford {
-    fn from_iter<T: IntoIterator<Item = DVec3>>(numbers: T) -> Self {
-        let mut all = Self::default();
-        numbers.into_iter().for_each(|number| all.add(number));
-        all
-    }
+    (mean, squares / f64::max(count - 1.0, 1.0) / count)
 }
 
 /// The samples of a pixel so far.
@@ -81,10 +51,10 @@ impl Estimate {
     pub fn of(pixel: &Pixel, count: usize) -> Self {
         let count = count.max(1) as f64;
         let means = pixel.sums.iter().map(|sum| sum / count);
-        let all: Welford = means.collect();
+        let (mean, variance) = mean_and_variance(means);
         Self {
-            mean: all.mean(),
-            variance: all.variance_of_mean(),
+            mean,
+            variance,
             blur: pixel.blur.abs() / (REPLICATIONS as f64 * count),
         }
     }

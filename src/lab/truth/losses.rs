@@ -10,11 +10,10 @@ use crate::figures::sheet::{Figure, sheet};
 use crate::flip::Flip;
 use crate::markdown::decibels;
 use crate::overlay::draw_error;
-use crate::threaded_renderer::ThreadedRenderer;
+use crate::threaded_renderer::drawn;
 use crate::{output, picture};
 use anyhow::{Context, Result};
 use eightfold_tracer::Quality;
-use eightfold_window::cpu;
 use rayon::ThreadPool;
 use std::fs;
 use std::path::Path;
@@ -24,12 +23,12 @@ const LEAST_WIDTH: usize = 400;
 /// The error in a channel, in steps of 1/255, that is shown in white.
 const ERROR_SHOWN: u32 = 64;
 
-/// The effects of the truth that are switched off one by one: their names in [`Effects::NAMES`], and what takes their place.
-const LEFT_OUT: [(&str, &str); 4] = [
-    ("indirect", "Indirect light: ambient light instead"),
-    ("caustics", "Caustics: tinted shadows instead"),
-    ("soft-shadows", "Soft shadows: lamps as points instead"),
-    ("surfaces", "Kept energy: plain coefficients instead"),
+/// What takes the place of each effect of the truth, in the order of [`Effects::NAMES`], as they are switched off one by one.
+const LEFT_OUT: [&str; 4] = [
+    "Indirect light: ambient light instead",
+    "Caustics: tinted shadows instead",
+    "Soft shadows: lamps as points instead",
+    "Kept energy: plain coefficients instead",
 ];
 
 /// Two pictures that are compared.
@@ -83,7 +82,8 @@ fn losses(
     whole: &[u32],
     draw: &impl Fn(&str, Effects) -> Result<Vec<Estimate>>,
 ) -> Result<Vec<Loss>> {
-    let exhaustive = real_time(truth, &Quality::EXHAUSTIVE);
+    let real_time = |quality| drawn(processors(), truth.scene, &quality, truth.size);
+    let exhaustive = real_time(Quality::EXHAUSTIVE);
     let loss = |name, title, with: &[u32], without| Loss {
         name,
         title,
@@ -92,9 +92,8 @@ fn losses(
     };
     let all = "All of it: the real-time model";
     let mut losses = vec![loss("real-time", all, whole, exhaustive.clone())];
-    for (name, title) in LEFT_OUT {
-        let effect = Effects::NAMES.iter().position(|known| *known == name);
-        let effects = Effects::TRUTH.with(effect.context("an effect's name")?, false);
+    for (effect, title) in LEFT_OUT.into_iter().enumerate() {
+        let (name, effects) = (Effects::NAMES[effect], Effects::TRUTH.with(effect, false));
         losses.push(loss(name, title, whole, pixels(&draw(name, effects)?)));
     }
     let falloff = Effects {
@@ -109,24 +108,10 @@ fn losses(
     losses.push(loss("edges", title, &smooth, exhaustive));
     // Both with smooth edges.
     let [traced, filled] = [Quality::DEFAULT.reference(), Quality::DEFAULT];
-    let [traced, filled] = [traced, filled].map(|quality| real_time(truth, &quality));
+    let [traced, filled] = [traced, filled].map(real_time);
     let title = "Every pixel traced: adaptive squares instead";
     losses.push(loss("squares", title, &traced, filled));
     Ok(losses)
-}
-
-/// The picture by the library.
-fn real_time(picture: &Picture<'_>, quality: &Quality) -> Vec<u32> {
-    let mut pixels = vec![0; picture.size.area()];
-    let threads = processors();
-    ThreadedRenderer::new(threads).draw(
-        cpu::best().level,
-        picture.scene,
-        quality,
-        picture.size.width,
-        &mut pixels,
-    );
-    pixels
 }
 
 /// The pictures of the sheet: the truth, the model, and then each difference.

@@ -119,9 +119,15 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         scene: &scene,
         size: arguments.size,
         effects: Effects::chosen(&arguments.with, &arguments.without)?,
-        sampling: sampling(arguments),
+        sampling: Sampling {
+            count: arguments.samples.div_ceil(REPLICATIONS),
+            sequence: Sequence::Sobol,
+            seed: arguments.seed,
+            is_antialiased: true,
+        },
     };
-    let pool = pool(arguments)?;
+    let pool = ThreadPoolBuilder::new().num_threads(arguments.threads);
+    let pool = pool.build().context("cannot start threads")?;
     if let Some(folder) = &arguments.effects {
         let name = format!("{} at {} s", arguments.scene, arguments.time);
         losses::run(&picture, &name, &pool, folder)
@@ -205,23 +211,6 @@ pub fn undress(scene: &mut Scene) {
     for light in scene.lights.iter_mut() {
         light.glow = 0.0;
     }
-}
-
-fn sampling(arguments: &Arguments) -> Sampling {
-    Sampling {
-        count: arguments.samples.div_ceil(REPLICATIONS),
-        sequence: Sequence::Sobol,
-        seed: arguments.seed,
-        is_antialiased: true,
-    }
-}
-
-/// The threads that draw.
-fn pool(arguments: &Arguments) -> Result<ThreadPool> {
-    let pool = ThreadPoolBuilder::new()
-        .num_threads(arguments.threads)
-        .build();
-    pool.context("cannot start threads")
 }
 
 /// Parses a number of samples.

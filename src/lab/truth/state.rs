@@ -13,7 +13,6 @@ use anyhow::{Context, Result, bail, ensure};
 use eightfold_tracer::glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// The first line of a file.

@@ -21,9 +21,6 @@ pub struct FrameViewer {
     exhaustive: Vec<u32>,
     /// Whether `exhaustive` has been drawn for this picture.
     has_exhaustive: bool,
-    trace: FrameTrace,
-    trace_size: Size,
-    scratch: Vec<u32>,
     pub figures: Figures,
 }
 
@@ -47,9 +44,6 @@ impl FrameViewer {
             picture: Vec::new(),
             exhaustive: Vec::new(),
             has_exhaustive: false,
-            trace: FrameTrace::new(0, 0),
-            trace_size: Size::new(0, 0),
-            scratch: Vec::new(),
             figures: Figures::default(),
         }
     }
@@ -103,26 +97,16 @@ impl FrameViewer {
             Overlay::Error => return draw_error(&mut self.picture, &self.exhaustive, MOST_ERROR),
             Overlay::Points | Overlay::Squares | Overlay::Heat => {}
         }
-        if self.trace_size == size {
-            self.trace.clear();
-        } else {
-            self.trace = FrameTrace::new(size.width, size.height);
-            self.trace_size = size;
-        }
-        self.scratch.resize(size.area(), 0);
+        // Drawn anew, with what tells how, and not shown.
+        let trace = FrameTrace::new(size.width, size.height);
+        let mut pixels = vec![0; size.area()];
         let (level, quality) = (self.isa.level, &controls.quality.quality);
-        self.renderer.draw_observed(
-            level,
-            scene,
-            quality,
-            size.width,
-            &mut self.scratch,
-            &self.trace,
-        );
+        self.renderer
+            .draw_observed(level, scene, quality, size.width, &mut pixels, &trace);
         match controls.overlay {
-            Overlay::Points => self.trace.draw_points(&mut self.picture),
-            Overlay::Squares => self.trace.draw_squares(&mut self.picture),
-            _ => self.trace.draw_heat(&mut self.picture, MOST_RAYS),
+            Overlay::Points => trace.draw_points(&mut self.picture),
+            Overlay::Squares => trace.draw_squares(&mut self.picture),
+            _ => trace.draw_heat(&mut self.picture, MOST_RAYS),
         }
     }
 }

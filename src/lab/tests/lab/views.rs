@@ -4,7 +4,7 @@ use eightfold::show;
 use eightfold_lab::arguments::Size;
 use eightfold_lab::error::worst_channel;
 use eightfold_lab::flip::{Flip, Flips};
-use eightfold_lab::threaded_renderer::ThreadedRenderer;
+use eightfold_lab::threaded_renderer::{ThreadedRenderer, drawn};
 use eightfold_lab::views::{Seen, Subject, Viewer, pops, views};
 use eightfold_tracer::Quality;
 use eightfold_window::cpu;
@@ -13,10 +13,7 @@ const SIZE: Size = Size::new(96, 72);
 
 /// A frame of the model scene.
 fn model(time: f32, quality: &Quality) -> Vec<u32> {
-    let mut pixels = vec![0; SIZE.area()];
-    let scene = show::model_scene(time);
-    ThreadedRenderer::new(1).draw(cpu::best().level, &scene, quality, SIZE.width, &mut pixels);
-    pixels
+    drawn(1, &show::model_scene(time), quality, SIZE)
 }
 
 /// The share of pixels that can be told apart.

@@ -5,7 +5,7 @@ use super::caustics::{GLASS, HALF, MIRROR, OF_LAMPS, plate};
 use eightfold_lab::arguments::{Part, Size};
 use eightfold_lab::sampler::{MAX_POINTS, Sampler, Sequence, around, disc, seed_of};
 use eightfold_lab::truth::REPLICATIONS;
-use eightfold_lab::truth::estimate::Welford;
+use eightfold_lab::truth::estimate::mean_and_variance;
 use eightfold_lab::truth::film::{Film, Sampling};
 use eightfold_lab::truth::photons::Caustics;
 use eightfold_lab::truth::surface::Bounce;
@@ -157,9 +157,9 @@ fn places(film: &Film, known: &[Vec<f64>]) -> [Place; 3] {
     let is_near = |at: usize| usize::from(!(RIM..SIDE - RIM).contains(&at));
     let mut places = <[Place; 3]>::default();
     for (i, found) in film.estimates().iter().enumerate() {
-        let known: Welford = known.iter().map(|known| DVec3::splat(known[i])).collect();
-        let noise = known.variance_of_mean().x.sqrt();
-        let known = known.mean().x;
+        let known = known.iter().map(|known| DVec3::splat(known[i]));
+        let (known, variance) = mean_and_variance(known);
+        let (known, noise) = (known.x, variance.x.sqrt());
         let place = &mut places[is_near(i % SIDE) + is_near(i / SIDE)];
         let half = found.half_interval().x;
         place.count += 1.0;

@@ -3,7 +3,7 @@
 use super::{WHITE, assert_near, drawn, seen};
 use eightfold_lab::arguments::Size;
 use eightfold_lab::error::Difference;
-use eightfold_lab::threaded_renderer::ThreadedRenderer;
+use eightfold_lab::threaded_renderer;
 use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::estimate::Estimate;
 use eightfold_oracle::Oracle;
@@ -11,7 +11,6 @@ use eightfold_oracle::frame::Frame;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, vec3a};
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
-use eightfold_window::cpu;
 
 const SIZE: Size = Size::new(64, 48);
 
@@ -79,17 +78,8 @@ fn a_scene_of_any_size_gives_one_picture_by_paths_by_the_oracle_and_by_the_libra
         );
         frame.picture()
     };
-    let by_library = |factor| {
-        let mut pixels = vec![0; SIZE.area()];
-        ThreadedRenderer::new(1).draw(
-            cpu::best().level,
-            &scene(factor),
-            &Quality::EXHAUSTIVE,
-            SIZE.width,
-            &mut pixels,
-        );
-        pixels
-    };
+    let by_library =
+        |factor| threaded_renderer::drawn(1, &scene(factor), &Quality::EXHAUSTIVE, SIZE);
     let (model, truth, oracle) = (
         by_paths(1.0, Effects::NONE),
         by_paths(1.0, Effects::TRUTH),
