@@ -1,6 +1,6 @@
 //! Bad input is named in one line. Commands parse sizes, scenes, qualities, times and counts alike.
 
-use super::{assert_one_line, lab};
+use super::{assert_one_line, capture, lab};
 use eightfold_tracer::Quality;
 
 /// Command lines, and what the line says that each leads to.
@@ -112,9 +112,21 @@ fn what_cannot_be_written_is_named_before_anything_is_done() {
         ("bench --frames 100000 --json FOLDER", "cannot write FOLDER"),
         ("trade --out FILE", "cannot make FILE"),
         ("figures --out FILE", "cannot make FILE"),
+        ("capture --png FILE/x --to 30", "cannot make FILE/x"),
+        (
+            "capture --video FILE/x.mp4 --to 30",
+            "cannot write FILE/x.mp4",
+        ),
+        ("capture --sheet FILE/x --to 30", "cannot write FILE/x"),
+        ("capture --audio FILE/x --scene show", "cannot write FILE/x"),
+        ("capture --audio FOLDER --scene show", "cannot write FOLDER"),
     ] {
         let [line, words] =
             [line, words].map(|text| text.replace("FILE", file).replace("FOLDER", folder_name));
+        let line = match line.strip_prefix("capture ") {
+            Some(arguments) => capture::line(arguments),
+            None => line,
+        };
         assert_one_line(&lab(&line), 1, &words.split(' ').collect::<Vec<_>>());
     }
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);

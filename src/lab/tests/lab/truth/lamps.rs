@@ -3,7 +3,7 @@
 use super::{WHITE, assert_near, floor, seen};
 use eightfold_lab::truth::effects::Effects;
 use eightfold_tracer::glam::{DVec3, Vec3A, dvec3, vec3a};
-use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape, Sphere, Spot};
+use eightfold_tracer::scene::{Camera, Light, List, Material, Scene, Sphere, Spot};
 use std::f64::consts::{PI, TAU};
 
 const COLOUR: Vec3A = vec3a(0.9, 0.6, 0.3);
@@ -128,43 +128,6 @@ fn a_lamp_is_seen_in_a_mirror_as_it_is_but_for_what_the_mirror_takes() {
     };
     let known = COLOUR.as_dvec3();
     assert_near(seen(&direct, Effects::TRUTH, 8), known, 1e-9);
-}
-
-#[test]
-fn a_mirror_lights_a_surface_like_the_lamp_behind_it() {
-    // The lamp at x = -1 is hidden by a block; its image in the wall at x = 2 is at x = 5.
-    let wall = Block::new(
-        Shape::Box,
-        vec3a(3.0, 2.0, 0.0),
-        vec3a(1.0, 50.0, 50.0),
-        Material::mirror(0.7),
-    );
-    let block = Block {
-        centre: vec3a(-0.4, 0.9, 0.0),
-        half: vec3a(0.4, 0.1, 2.0),
-        material: Material::BLACK,
-        ..wall
-    };
-    let mut scene = lit(WHITE, lamp(vec3a(-1.0, 2.4, 0.0), 1.6));
-    scene.blocks = List::of(&[wall, block]);
-    scene.camera.eye = vec3a(0.1, 0.3, 0.8);
-    let image = dvec3(5.0, 2.4, 0.0);
-    let known = 0.7 * image.normalize().y * COLOUR.as_dvec3();
-    let effects = Effects {
-        indirect: false,
-        ..Effects::TRUTH
-    };
-    assert_near(seen(&scene, effects, 256), known, 0.01);
-    // A point of light in its stead has the same image.
-    scene.lights[0].diameter = 0.0;
-    assert_near(seen(&scene, effects, 8), known, 1e-9);
-    scene.lights[0].diameter = 1.6;
-    // That is all of its light there.
-    let dark = Effects {
-        caustics: false,
-        ..effects
-    };
-    assert_near(seen(&scene, dark, 256), DVec3::ZERO, 1e-9);
 }
 
 #[test]

@@ -45,33 +45,3 @@ fn time_stands_still_while_paused_and_goes_round() {
     controls.advance(0.25);
     assert_eq!(controls.frame, 0.25);
 }
-
-#[test]
-fn digits_choose_the_quality_of_their_number_if_there_is_one() {
-    let all: Vec<NamedQuality> = NamedQuality::all().collect();
-    let mut controls = controls(0.0);
-    for (digit, quality) in ('1'..='9').zip(&all) {
-        controls.press(Press::Character(digit));
-        assert_eq!(controls.quality, *quality);
-    }
-    for digit in ('1'..='9').skip(all.len()) {
-        let before = controls.quality;
-        controls.press(Press::Character(digit));
-        assert_eq!(controls.quality, before);
-    }
-}
-
-#[test]
-fn the_key_of_an_overlay_removes_it() {
-    let mut controls = controls(0.0);
-    for (key, overlay) in [
-        ('p', Overlay::Points),
-        ('s', Overlay::Squares),
-        ('h', Overlay::Heat),
-        ('e', Overlay::Error),
-        ('e', Overlay::None),
-    ] {
-        controls.press(Press::Character(key));
-        assert_eq!(controls.overlay, overlay);
-    }
-}
