@@ -41,22 +41,12 @@ fn scene(time: f32) -> Scene {
     scene.camera.eye = vec3a(4.0 - 0.8 * time, 2.0, -6.0);
     scene.background = vec3a(0.1, 0.12, 0.2);
     scene.exposure = (LENGTH - time).clamp(0.0, 1.0);
-    scene.spheres.push(Sphere {
-        centre: vec3a(0.0, 0.7 + 3.0 * beat * (1.0 - beat), 0.0),
-        radius: 0.7,
-        material,
-    });
-    scene.planes.push(Plane {
-        half_x: 12.0,
-        half_z: 12.0,
-        material,
-        ..Plane::default()
-    });
-    scene.lights.push(Light {
-        position: vec3a(4.0, 7.0, -4.0),
-        colour: Vec3A::splat(1.2 - 0.6 * beat),
-        ..Light::DARK
-    });
+    let ball = vec3a(0.0, 0.7 + 3.0 * beat * (1.0 - beat), 0.0);
+    scene.spheres.push(Sphere::new(ball, 0.7, material));
+    let floor = Plane::new(Vec3A::ZERO, 12.0, 12.0, material);
+    scene.planes.push(floor);
+    let lamp = Light::new(vec3a(4.0, 7.0, -4.0), Vec3A::splat(1.2 - 0.6 * beat));
+    scene.lights.push(lamp);
     scene
 }
 

@@ -24,11 +24,7 @@ fn scene() -> Scene {
         tint: vec3a(0.6, 0.8, 0.9),
         ..plastic
     };
-    let sphere = |x, z, material| Sphere {
-        centre: vec3a(x, 1.0, z),
-        radius: 1.0,
-        material,
-    };
+    let sphere = |x, z, material| Sphere::new(vec3a(x, 1.0, z), 1.0, material);
     Scene {
         camera: Camera {
             eye: vec3a(-2.0, 2.5, -7.0),

@@ -11,30 +11,18 @@ const FRAMES: usize = 20;
 
 /// A field of spheres; the camera flies over it along z.
 fn scene(z: f32) -> Scene {
-    let material = Material {
-        colour: vec3a(0.9, 0.6, 0.3),
-        kd: 0.8,
-        ..Material::BLACK
-    };
+    let material = Material::matt(vec3a(0.9, 0.6, 0.3), 0.8);
     let mut scene = Scene::default();
     scene.camera.eye = vec3a(0.0, 2.0, z - 4.0);
     scene.camera.look_at = vec3a(0.0, 0.5, z);
-    scene.spheres = List::of(&std::array::from_fn::<_, 40, _>(|i| Sphere {
-        centre: vec3a((i % 4) as f32 - 1.5, 0.3, (i / 4) as f32),
-        radius: 0.3,
-        material,
+    scene.spheres = List::of(&std::array::from_fn::<_, 40, _>(|i| {
+        let centre = vec3a((i % 4) as f32 - 1.5, 0.3, (i / 4) as f32);
+        Sphere::new(centre, 0.3, material)
     }));
-    scene.planes.push(Plane {
-        half_x: 30.0,
-        half_z: 30.0,
-        material,
-        ..Plane::default()
-    });
-    scene.lights.push(Light {
-        position: vec3a(-4.0, 5.0, -6.0),
-        colour: Vec3A::splat(0.9),
-        ..Light::DARK
-    });
+    let floor = Plane::new(Vec3A::ZERO, 30.0, 30.0, material);
+    scene.planes.push(floor);
+    let lamp = Light::new(vec3a(-4.0, 5.0, -6.0), Vec3A::splat(0.9));
+    scene.lights.push(lamp);
     scene
 }
 

@@ -95,12 +95,7 @@ fn catmull_rom(u: f32) -> [f32; 4] {
 /// A camera that looks at a point from an angle, a distance and a height as those of a [`Key`].
 pub(super) fn orbit(look_at: Vec3A, angle: f32, distance: f32, height: f32) -> Camera {
     let away = vec3a(distance * sin(angle), height, -distance * cos(angle));
-    Camera {
-        eye: look_at + away,
-        look_at,
-        up: Vec3A::Y,
-        field_of_view: core::f32::consts::FRAC_PI_4,
-    }
+    Camera::new(look_at + away, look_at, core::f32::consts::FRAC_PI_4)
 }
 
 #[cfg(test)]

@@ -114,11 +114,7 @@ impl Prop {
 /// Adds a sphere.
 #[inline(never)]
 pub(super) fn add_sphere(centre: Vec3A, radius: f32, material: &Material, scene: &mut Scene) {
-    scene.spheres.push(Sphere {
-        centre,
-        radius,
-        material: *material,
-    });
+    scene.spheres.push(Sphere::new(centre, radius, *material));
 }
 
 /// Adds a rod, round at its ends, whose axis goes from one point to another one; `side` is a direction square to it.

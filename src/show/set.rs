@@ -51,11 +51,7 @@ const PACE: f32 = 0.1;
 
 /// An invisible point light, whose shadows are hard.
 pub(super) const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {
-    Light {
-        position: Vec3A::from_array(position),
-        colour: Vec3A::from_array(colour),
-        ..Light::DARK
-    }
+    Light::new(Vec3A::from_array(position), Vec3A::from_array(colour))
 }
 
 /// An invisible light whose rays are parallel.
@@ -77,12 +73,12 @@ impl Set {
         scene.film = self.film;
         // Set the floor, and the waves on it.
         scene.planes.clear();
-        scene.planes.push(Plane {
-            centre: Vec3A::ZERO,
-            half_x: self.floor_half,
-            half_z: self.floor_half,
-            material: *self.floor,
-        });
+        scene.planes.push(Plane::new(
+            Vec3A::ZERO,
+            self.floor_half,
+            self.floor_half,
+            *self.floor,
+        ));
         scene.water = Waves::CALM;
         if self.swell > 0.0 {
             scene.water = Waves {

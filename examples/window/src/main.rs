@@ -17,17 +17,10 @@ fn scene(time: f32) -> Scene {
     let mut scene = Scene::default();
     scene.camera.eye = vec3a(0.0, 3.0, -9.0);
     scene.background = vec3a(0.1, 0.12, 0.2);
-    scene.planes.push(Plane {
-        half_x: 10.0,
-        half_z: 10.0,
-        material,
-        ..Plane::default()
-    });
-    scene.lights.push(Light {
-        position: vec3a(-4.0, 7.0, -5.0),
-        colour: Vec3A::splat(0.9),
-        ..Light::DARK
-    });
+    let floor = Plane::new(Vec3A::ZERO, 10.0, 10.0, material);
+    scene.planes.push(floor);
+    let lamp = Light::new(vec3a(-4.0, 7.0, -5.0), Vec3A::splat(0.9));
+    scene.lights.push(lamp);
     for i in 0..12 {
         let angle = i as f32 * TAU / 12.0 + 0.5 * time;
         let (sin, cos) = angle.sin_cos();

@@ -3,7 +3,7 @@
 use super::*;
 use crate::lanes::*;
 use crate::prepare::{Prepared, rectangle};
-use crate::scene::{Camera, Light, List, Plane, Scene, Sphere};
+use crate::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{DVec3, Vec2, Vec3A};
 use proptest::strategy::ValueTree;
 
@@ -25,17 +25,8 @@ fn scene() -> impl Strategy<Value = Scene> {
     )
         .prop_map(|(eye, look_at, (centre, radius), (lamp, far))| Scene {
             camera: Camera::new(eye, look_at, 1.0),
-            spheres: List::of(&[Sphere {
-                centre,
-                radius,
-                ..Sphere::default()
-            }]),
-            planes: List::of(&[Plane {
-                centre: Vec3A::ZERO,
-                half_x: 1e3,
-                half_z: 1e3,
-                ..Plane::default()
-            }]),
+            spheres: List::of(&[Sphere::new(centre, radius, Material::BLACK)]),
+            planes: List::of(&[Plane::new(Vec3A::ZERO, 1e3, 1e3, Material::BLACK)]),
             lights: List::of(&[Light {
                 position: lamp * Vec3A::new(far, 1.0, far),
                 ..Light::DARK

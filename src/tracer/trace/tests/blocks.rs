@@ -104,12 +104,8 @@ impl Property for Blocks {
                     p - 2.0 * hit_error * n
                 };
                 for _ in 0..RAYS / lanes::<S>() {
-                    let mut ways = [Vec3A::ZERO; MAX_LANES];
-                    for way in &mut ways {
-                        let any = random.direction().as_vec3a();
-                        let side = if is_leaving { 1.0 } else { -1.0 };
-                        *way = if any.dot(n) * side < 0.0 { -any } else { any };
-                    }
+                    let side = if is_leaving { n } else { -n };
+                    let ways = [(); MAX_LANES].map(|()| random.direction_from(side));
                     let next = super::hits(simd, scene.world(), &packet(simd, from, &ways));
                     for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                         let is_hit = next.object.as_slice()[i] == 0;
@@ -178,11 +174,7 @@ impl Property for FarBlocks {
                 continue;
             }
             for _ in 0..MANY_RAYS / lanes::<S>() {
-                let mut ways = [Vec3A::ZERO; MAX_LANES];
-                for way in &mut ways {
-                    let any = random.direction().as_vec3a();
-                    *way = if any.dot(n) < 0.0 { -any } else { any };
-                }
+                let ways = [(); MAX_LANES].map(|()| random.direction_from(n));
                 let next = hits(simd, scene.world(), &packet(simd, p, &ways));
                 for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                     let is_hit = next.object.as_slice()[i] == 0;

@@ -107,6 +107,12 @@ impl Random {
             }
         }
     }
+
+    /// A direction from a surface, on the side that its normal points to.
+    fn direction_from(&mut self, n: Vec3A) -> Vec3A {
+        let any = self.direction().as_vec3a();
+        if any.dot(n) < 0.0 { -any } else { any }
+    }
 }
 
 /// A normalised direction in f32.
@@ -162,20 +168,13 @@ fn prepared(scene: &Scene) -> Ready {
 /// A packet of rays with a common origin. Lanes beyond the slice repeat its last direction.
 #[inline(always)]
 fn packet<S: Isa>(simd: S, o: Vec3A, d: &[Vec3A]) -> Rays<S> {
-    let mut columns = [[0.0; MAX_LANES]; 3];
-    for i in 0..MAX_LANES {
-        let d = d[i.min(d.len() - 1)];
-        for (column, c) in columns.iter_mut().zip(d.to_array()) {
-            column[i] = c;
-        }
-    }
-    let [x, y, z] = &columns;
+    let d = |i: usize| d[i.min(d.len() - 1)];
     Rays {
         o: Vec3x::splat(simd, o),
         d: Vec3x {
-            x: F::<S>::from_slice(simd, &x[..lanes::<S>()]),
-            y: F::<S>::from_slice(simd, &y[..lanes::<S>()]),
-            z: F::<S>::from_slice(simd, &z[..lanes::<S>()]),
+            x: F::<S>::from_fn(simd, |i| d(i).x),
+            y: F::<S>::from_fn(simd, |i| d(i).y),
+            z: F::<S>::from_fn(simd, |i| d(i).z),
         },
         weight: splat(simd, 1.0),
         slot_path: Rays::slot_paths(simd, 0),

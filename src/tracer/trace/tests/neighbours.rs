@@ -25,29 +25,22 @@ fn outcomes<S: Isa>(
     packet: &[Ray],
     batch: &mut Batch,
 ) -> [Outcome; MAX_LANES] {
-    let mut columns = [[0.0; MAX_LANES]; 7];
-    for (i, (o, d, weight)) in packet.iter().enumerate() {
-        let numbers = [o.x, o.y, o.z, d.x, d.y, d.z, *weight];
-        for (column, number) in columns.iter_mut().zip(numbers) {
-            column[i] = number;
-        }
-    }
-    let [ox, oy, oz, dx, dy, dz, weight] = &columns;
-    let n = lanes::<S>();
+    let row = |number: fn(&Ray) -> f32| F::<S>::from_fn(simd, |i| number(&packet[i]));
     let rays = Rays {
         o: Vec3x {
-            x: F::<S>::from_slice(simd, &ox[..n]),
-            y: F::<S>::from_slice(simd, &oy[..n]),
-            z: F::<S>::from_slice(simd, &oz[..n]),
+            x: row(|ray| ray.0.x),
+            y: row(|ray| ray.0.y),
+            z: row(|ray| ray.0.z),
         },
         d: Vec3x {
-            x: F::<S>::from_slice(simd, &dx[..n]),
-            y: F::<S>::from_slice(simd, &dy[..n]),
-            z: F::<S>::from_slice(simd, &dz[..n]),
+            x: row(|ray| ray.1.x),
+            y: row(|ray| ray.1.y),
+            z: row(|ray| ray.1.z),
         },
-        weight: F::<S>::from_slice(simd, &weight[..n]),
+        weight: row(|ray| ray.2),
         slot_path: Rays::slot_paths(simd, 0),
     };
+    let n = lanes::<S>();
     let hit = hits(simd, world, &rays);
     let tracer = Tracer {
         isa: simd,
@@ -130,10 +123,7 @@ impl Property for Neighbours {
         let scene = prepared(&self.scene);
         let mut batch = Box::new(Batch::new());
         for _ in 0..self.packets / lanes::<S>() {
-            let mut rays = [(Vec3A::ZERO, Vec3A::Z, 1.0); MAX_LANES];
-            for place in &mut rays {
-                *place = ray(&mut random);
-            }
+            let rays = [(); MAX_LANES].map(|()| ray(&mut random));
             let together = outcomes(simd, scene.world(), &rays[..lanes::<S>()], &mut batch);
             for (i, &one) in rays.iter().enumerate().take(lanes::<S>()) {
                 let at = random.bits() as usize % lanes::<S>();

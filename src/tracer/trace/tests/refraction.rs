@@ -13,9 +13,6 @@ const LENGTH2: f64 = 4.0 * f32::EPSILON as f64;
 const fn glass(index: f32) -> Material {
     Material {
         colour: Vec3A::ONE,
-        kd: 0.0,
-        ks: 0.0,
-        exponent: 1.0,
         kr: 0.1,
         kt: 0.85,
         index,
@@ -127,10 +124,8 @@ impl Property for Lengths {
             // In the middle, on the surface, or far out.
             let at = [0.0, 0.5, 1.0, 2.0, 1e3][random.bits() as usize % 5];
             let o = (random.direction() * (radius * at)).as_vec3a();
-            let mut ways = [Vec3A::ZERO; MAX_LANES];
-            for way in &mut ways {
-                *way = unit(random.direction() * radius - o.as_dvec3());
-            }
+            let mut ways =
+                [(); MAX_LANES].map(|()| unit(random.direction() * radius - o.as_dvec3()));
             // Straight at the middle: a cosine of 1, or by rounding above.
             ways[0] = unit(if at == 0.0 { DVec3::ONE } else { -o.as_dvec3() });
             let rays = packet(simd, o, &ways);

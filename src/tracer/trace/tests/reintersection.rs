@@ -56,10 +56,7 @@ impl Property for Spheres {
             // Two roundings of the largest coordinate: about the error of the hit.
             let off = f64::from(f32::EPSILON) * largest;
             for _ in 0..RAYS / lanes::<S>() {
-                let mut ways = [Vec3A::ZERO; MAX_LANES];
-                for way in &mut ways {
-                    *way = random.direction().as_vec3a();
-                }
+                let ways = [(); MAX_LANES].map(|()| random.direction().as_vec3a());
                 let hit = hits(simd, scene.world(), &packet(simd, p, &ways));
                 for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                     let cosine = way.as_dvec3().dot(outward);
@@ -111,22 +108,19 @@ impl Property for Planes {
             let o = random.vector(-8.0, 8.0);
             let (o, d) = (o.as_vec3a(), unit(aim - o));
             let scene = prepared(&Scene {
-                planes: List::of(&[Plane {
-                    centre: centre.as_vec3a(),
-                    half_x: half_x as f32,
-                    half_z: half_z as f32,
-                    material: Material::default(),
-                }]),
+                planes: List::of(&[Plane::new(
+                    centre.as_vec3a(),
+                    half_x as f32,
+                    half_z as f32,
+                    Material::default(),
+                )]),
                 ..Scene::default()
             });
             let Some((p, _, _)) = hit_by(simd, scene.world(), o, d) else {
                 continue;
             };
             for _ in 0..RAYS / lanes::<S>() {
-                let mut ways = [Vec3A::ZERO; MAX_LANES];
-                for way in &mut ways {
-                    *way = random.direction().as_vec3a();
-                }
+                let mut ways = [(); MAX_LANES].map(|()| random.direction().as_vec3a());
                 // Also along the plane, with both signs of zero.
                 ways[0].y = if rays % 2 == 0 { 0.0 } else { -0.0 };
                 let hit = hits(simd, scene.world(), &packet(simd, p, &ways));

@@ -52,12 +52,7 @@ pub fn model() -> Scene {
             sphere(2.2, 1.0, 0.3, PLASTIC),
             sphere(0.6, 0.5, -1.6, GLASS),
         ]),
-        planes: List::of(&[Plane {
-            half_x: 12.0,
-            half_z: 12.0,
-            material: PLASTIC,
-            ..Plane::default()
-        }]),
+        planes: List::of(&[Plane::new(Vec3A::ZERO, 12.0, 12.0, PLASTIC)]),
         lights: List::of(&[lamp(-4.0, 6.0, -4.0, 0.9), lamp(5.0, 5.0, -2.0, 0.4)]),
         ..Scene::default()
     }
@@ -70,11 +65,11 @@ pub fn rows(count: usize) -> Scene {
     for i in 0..count {
         let [column, row] = [i % 18, i / 18].map(|cell| 0.9 * (cell as f32 - 9.0));
         let radius = 0.2 + 0.02 * (i % 7) as f32;
-        scene.spheres.push(Sphere {
-            centre: vec3a(column, radius, row),
+        scene.spheres.push(Sphere::new(
+            vec3a(column, radius, row),
             radius,
-            material: [PLASTIC, PLASTIC, MIRROR, PLASTIC, GLASS][i % 5],
-        });
+            [PLASTIC, PLASTIC, MIRROR, PLASTIC, GLASS][i % 5],
+        ));
     }
     scene
 }

@@ -9,16 +9,7 @@ use crate::trace::{Batch, Tracer};
 const SPHERES: usize = 20_000;
 
 /// A white, diffuse material: its brightness is the cosine of the angle to the light.
-const PAPER: Material = Material {
-    colour: Vec3A::ONE,
-    kd: 1.0,
-    ks: 0.0,
-    exponent: 1.0,
-    kr: 0.0,
-    kt: 0.0,
-    index: 1.0,
-    ..Material::BLACK
-};
+const PAPER: Material = Material::matt(Vec3A::ONE, 1.0);
 
 struct OwnShadow {
     is_inside: bool,
@@ -46,10 +37,7 @@ impl Property for OwnShadow {
             }
             let lamp = from(random.direction(), lamp_at);
             let mut scene = one_sphere(centre.as_vec3a(), r as f32, PAPER);
-            scene.lights = List::of(&[Light {
-                drawn_radius: 0.0,
-                ..Light::new(lamp, Vec3A::ONE)
-            }]);
+            scene.lights = List::of(&[Light::new(lamp, Vec3A::ONE)]);
             if self.is_inside && number % 2 == 0 {
                 // Neither a box beyond the sphere makes a difference, nor a lamp's size, if all of it is within.
                 scene.blocks = List::of(&[Block {
@@ -60,10 +48,8 @@ impl Property for OwnShadow {
                 scene.lights[0].diameter = (1.9 * (1.0 - lamp_at).max(0.0) * r) as f32;
             }
             let scene = prepared(&scene);
-            let mut ways = [Vec3A::ZERO; MAX_LANES];
-            for way in &mut ways {
-                *way = unit(from(random.direction(), 0.99).as_dvec3() - eye.as_dvec3());
-            }
+            let ways = [(); MAX_LANES]
+                .map(|()| unit(from(random.direction(), 0.99).as_dvec3() - eye.as_dvec3()));
             let rays = packet(simd, eye, &ways);
             let hit = hits(simd, scene.world(), &rays);
             let active = first(simd, lanes::<S>());
