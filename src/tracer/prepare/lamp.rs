@@ -13,7 +13,6 @@ pub(crate) struct Lamp {
     /// See [`Light::shadow_position`].
     pub position: Vec3A,
     pub colour: Vec3A,
-    is_plain: bool,
     /// Whether it is a spotlight.
     pub is_cone: bool,
     /// The spotlight's cone, or one that is bright in all directions.
@@ -26,6 +25,9 @@ pub(crate) struct Lamp {
     pub max_penumbra: f32,
     /// See [`Light::is_point`].
     pub is_point: bool,
+    /// The first object that is listed where it may hide some of it: before are the spheres, if it is a point, whose shadows are hard, so
+    /// that a faster test decides.
+    pub listed_from: ObjectId,
     /// The shadow cones of the [`super::Tree`]'s solid nodes, in the same order.
     pub shadow_cones: [ShadowCone; MAX_NODES],
 }
@@ -83,7 +85,6 @@ impl Lamp {
     pub const ZERO: Self = Self {
         position: Vec3A::ZERO,
         colour: Vec3A::ZERO,
-        is_plain: false,
         is_cone: false,
         cone: Spot {
             aim: Vec3A::ZERO,
@@ -94,21 +95,16 @@ impl Lamp {
         glow2: 0.0,
         max_penumbra: 0.0,
         is_point: false,
+        listed_from: ObjectId::FIRST,
         shadow_cones: [ShadowCone::ZERO; MAX_NODES],
     };
 
-    /// Whether it is a point light and all solids are spheres: then shadows are hard, and a faster test decides.
-    #[inline(always)]
-    pub fn is_plain(&self) -> bool {
-        self.is_plain
-    }
-
-    /// Prepares a light, and the shadows of the tree's solid nodes.
-    pub fn set(&mut self, light: &Light, nodes: &[BvhNode], has_blocks: bool) {
+    /// Prepares a light of a scene with so many spheres, and the shadows of the tree's solid nodes.
+    pub fn set(&mut self, light: &Light, nodes: &[BvhNode], spheres: usize) {
         self.position = light.shadow_position();
         self.colour = Vec3A::from_array(light.colour.to_array().map(bounded));
         self.is_point = light.is_point();
-        self.is_plain = self.is_point && !has_blocks;
+        self.listed_from = ObjectId::new(spheres * usize::from(self.is_point));
         self.is_cone = light.spot.is_some();
         self.cone = light.spot.unwrap_or(ALL_BRIGHT);
         self.diameter = light.shadow_diameter();

@@ -246,7 +246,7 @@ impl Prepared {
             self.surfaces[i] = Surface::numbers(&object, material, scene);
         }
         for (lamp, light) in self.lamps.iter_mut().zip(scene.lights.iter()) {
-            lamp.set(light, self.tree.solid_nodes(), !scene.blocks.is_empty());
+            lamp.set(light, self.tree.solid_nodes(), scene.spheres.len());
         }
         for (rectangle, plane) in self.planes.iter_mut().zip(scene.planes.iter()) {
             *rectangle = Rectangle {

@@ -7,7 +7,7 @@ use crate::scene::MAX_SOLIDS;
 pub(super) struct Blockers {
     /// Whose shadow cones the packet meets.
     pub(super) casters: Casters,
-    /// Those of them that may hide some of a lamp that is not [plain](crate::prepare::Lamp::is_plain), by an exact test.
+    /// Those of them that may hide some of the lamp, by an exact test.
     pub solids: Candidates,
 }
 

@@ -17,8 +17,8 @@ pub(super) struct ShadowRays<S: Isa> {
 }
 
 impl Blockers {
-    /// Finds what is between points and a lamp. Returns the rays that are blocked; if the lamp is not [plain](Lamp::is_plain), only
-    /// planes block, and solids that may hide some of it are listed.
+    /// Finds what is between points and a lamp. Returns the rays that planes block or, if the lamp is a point, spheres. Other solids that
+    /// may hide some of it are listed.
     ///
     /// A bound's shadow cone contains those of all solids below it, so skipping it loses nothing. Below a lowest bound that is met,
     /// all solids are tested, without a branch that could be predicted wrongly.
@@ -42,7 +42,7 @@ impl Blockers {
             }
             i += 1;
             for cone in &cones[i..i + usize::from(bound.solids)] {
-                if lamp.is_plain() {
+                if cone.object < lamp.listed_from {
                     blocked |= rays.meet_sphere(simd, cone);
                 } else {
                     casters.push_if(i, rays.start_inside(simd, cone).any_true());

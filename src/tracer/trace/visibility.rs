@@ -67,7 +67,7 @@ impl<'a, S: Isa> Visibility<'a, S> {
         let l = to_light.scaled(splat::<S>(simd, 1.0) / distance);
         let nl = point.n.dot(l);
         let mut facing = point.solid & nl.simd_gt(distance * self.least);
-        if !lamp.is_plain() {
+        if !lamp.is_point {
             let inward: F<S> = -l.dot(Vec3x::splat(simd, lamp.cone.aim));
             facing &= inward.simd_gt(splat(simd, lamp.cone.cos_outer));
         }
@@ -82,7 +82,7 @@ impl<'a, S: Isa> Visibility<'a, S> {
         };
         let mut lit = facing & !blockers.find(simd, world, lamp, &rays);
         let mut colour = Vec3x::splat(simd, lamp.colour);
-        if !lamp.is_plain() && (lamp.is_cone || !blockers.solids.is_empty()) {
+        if lamp.is_cone || !blockers.solids.is_empty() {
             let rays = ShadowRays {
                 distance: lit.select(distance, splat(simd, 0.0)),
                 ..rays
