@@ -24,8 +24,9 @@ pub struct Quality {
     pub tolerance_side: f32,
     /// Whether a square is also split if an object, the shadow of a sphere on a plane, an image in a flat first plane, or a highlight
     /// may be visible in it that none of its corners shows. Then no object is missed that tracing every pixel would show, nor an image
-    /// of 2x2 pixels that no other one hides, unless it is a cylinder's or a capsule's; and hardly ever such a shadow, or a highlight
-    /// of five pixels (see [`limits`](crate::limits)). All named qualities are guarded,
+    /// of 2x2 pixels that no other one hides, unless it is a cylinder's or a capsule's; nor such a shadow, but for one that is dark
+    /// only where it would be so without it; and hardly ever a highlight of five pixels (see [`limits`](crate::limits)). All named
+    /// qualities are guarded,
     /// [`Quality::THESIS`] included. The original rules of 2008, which miss objects between corners, are
     /// `Quality { guarded: false, ..Quality::THESIS }`.
     pub guarded: bool,

@@ -1,13 +1,15 @@
-//! Every shadow of a sphere on a plane is shown in a pixel at least, and few of the shadows' pixels are lit.
+//! Every shadow of a sphere on a plane is shown in a pixel at least, if it darkens one by two steps of 255, and few of the shadows' pixels
+//! are lit.
 //!
-//! Measured: of the pixels of small spheres' shadows 0.27 % are lit by the finest quality, 0.33 % by the default quality and 0.13
+//! Measured: of the pixels of small spheres' shadows 0.21 % are lit by the finest quality, 0.35 % by the default quality and 0.14
 //! % by the rules of 2008; the largest patches have 16, 16 and 9 pixels. Without the guard 4 to 10 % are lit, in patches of 78 to
 //! 125 pixels.
 
-use crate::cpu;
+use crate::cpu::{self, Isa};
 use crate::drawn::{draw, jagged, named};
-use crate::generator::alone::{shadow, thin_shadows};
-use crate::generator::near::seeds;
+use crate::error::worst_channel;
+use crate::generator::alone::{shadow, shadow_beside_a_dark_corner, thin_shadows};
+use crate::generator::near::{Near, seeds};
 use crate::generator::seeded::{Random, floor};
 use crate::refinement::bare;
 use crate::wrong_pixels::largest_patch;
@@ -137,31 +139,55 @@ fn every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some() {
 /// The pixel of the random scenes' floors in shadow: 0.1 of 0.7.
 const DARK: u32 = 0x12_1212;
 
+/// A shadow counts if it darkens a pixel by so many steps of 255: one may be rounding.
+const STEPS: u32 = 2;
+
+/// Whether some qualities show at a pixel at least the only shadow in a scene's picture; `None` if it darkens no pixel by [`STEPS`].
+fn is_shown(isa: Isa, near: &Near, qualities: impl IntoIterator<Item = Quality>) -> Option<bool> {
+    let draw = |scene, quality| draw(isa, 2, scene, &quality, near.width, near.height).pixels;
+    let floor = near.without_spheres();
+    let lit = draw(&floor, Quality::EXHAUSTIVE);
+    let exhaustive = draw(&near.scene, Quality::EXHAUSTIVE);
+    let shaded: Vec<usize> = (0..lit.len())
+        .filter(|&i| exhaustive[i] == DARK && lit[i] != DARK)
+        .collect();
+    let counts = |&i: &usize| worst_channel(lit[i], DARK) >= STEPS;
+    let is_shown = |quality| {
+        let drawn = draw(&near.scene, jagged(quality));
+        shaded.iter().any(|&i| drawn[i] == DARK)
+    };
+    shaded
+        .iter()
+        .any(counts)
+        .then(|| qualities.into_iter().all(is_shown))
+}
+
 #[test]
 #[ignore = "many scenes by chance"]
 fn every_shadow_is_shown_however_thin_and_however_near_its_sphere_is_to_the_plane_or_the_lamp() {
     let mut shadows = 0;
-    let scenes = thin_shadows().into_iter();
+    // The first one darkens a single pixel, by a step. The second one's place was once rounded otherwise beside a box.
+    let known = [7890, 444].map(|seed| shadow(&mut Random(7919 * seed + 13)));
+    let scenes = known.into_iter().chain(thin_shadows());
     for near in scenes.chain(seeds(400).map(|mut random| shadow(&mut random))) {
-        let floor = near.without_solids();
-        for isa in cpu::instruction_sets() {
-            let draw =
-                |scene, quality| draw(isa, 2, scene, &quality, near.width, near.height).pixels;
-            let lit = draw(&floor, Quality::EXHAUSTIVE);
-            let exhaustive = draw(&near.scene, Quality::EXHAUSTIVE);
-            let shaded: Vec<usize> = (0..lit.len())
-                .filter(|&i| exhaustive[i] == DARK && lit[i] != DARK)
-                .collect();
-            if shaded.is_empty() {
-                continue;
-            }
-            shadows += 1;
-            for quality in named() {
-                let drawn = draw(&near.scene, jagged(quality));
-                let is_shown = shaded.iter().any(|&i| drawn[i] == DARK);
-                assert!(is_shown, "{} {quality:?} {:?}", isa.name, near.scene);
+        for near in [near, near.glaring(), near.glaring().with_box()] {
+            for isa in cpu::instruction_sets() {
+                if let Some(is_shown) = is_shown(isa, &near, named()) {
+                    assert!(is_shown, "{} {:?}", isa.name, near.scene);
+                    shadows += 1;
+                }
             }
         }
     }
-    assert!(shadows > 300, "{shadows}");
+    println!("{shadows} shadows");
+    assert!(shadows > 1000, "{shadows}");
+}
+
+#[test]
+fn a_shadow_may_be_shown_where_it_makes_no_difference() {
+    let near = shadow_beside_a_dark_corner();
+    for isa in cpu::instruction_sets() {
+        assert_eq!(is_shown(isa, &near.glaring(), named()), Some(true));
+        assert_eq!(is_shown(isa, &near, [Quality::DEFAULT]), Some(false));
+    }
 }

@@ -3,6 +3,22 @@
 //! The cone of a lamp about a sphere does not depend on the plane, and the linear map from the camera's rays to the lamp's rays
 //! (see `cone`) does not depend on the sphere. Both are stored, and combined when a shadow is needed: storing all combinations
 //! would take more memory than everything else. What is stored of each is a rectangle around it in the picture.
+//!
+//! # What rounding does
+//!
+//! All pixels of a shadow are inside of its cone, and what is inside for sure (see [`RoundCone::unsure`]) is dark. Let `h` be the
+//! sphere's hit error and `e` the same share, `HIT_ERROR`, of its distance from the lamp. Shadow rays meet a sphere whose radius is
+//! smaller by `h + e` (see `ShadowCone::r2`), the cone is about one that is larger by `h`, and what is sure is inside of one that is
+//! smaller by `2 h + 3 e`: `2 h + e` outside and `h + 2 e` inside are left for errors. These are, at the sphere:
+//!
+//! - The vector from the lamp, and the perpendicular that is computed of it: some 2^-24 of the distance from the lamp, less than
+//!   `e / 2`.
+//! - The point on the plane, by its coordinates: less than `h / 3` by those of the sphere, and `e / 3` by the way from it, as what
+//!   moves the far end of a ray from the lamp by a share of that way moves its part at the sphere by less. (Points are computed from
+//!   the plane's centre. One that is much farther from the eye than all this is not allowed for.)
+//! - The point on the plane, by its distance from the eye: some 2^-24 of it. A side's `ROUNDING` is 1e-5 of that distance there, as
+//!   its terms are scaled by the way from the lamp to the eye's mirror image, which is longer than the eye is high.
+//! - The cone's own terms: below `ROUNDING`, and `WIDE` is for the cosine.
 
 use super::cone::{Cone, RoundCone};
 use super::{ObjectId, Prepared};

@@ -48,8 +48,8 @@
 //!
 //! The same holds for the shadows that spheres throw on planes by the light of lamps that are points: a shadow on a plane is
 //! a cone as seen from the lamp, and has an outline like an object's. A square that shows the plane at a corner, and may
-//! show a shadow, is filled only where one of its corners lies in the shadow on the plane. There is an exception that has no bound
-//! yet: of 5,081 shadows that were made to be missed, two of a single pixel were (see `limits`).
+//! show a shadow, is filled only where one of its corners lies in the shadow on the plane (`prepare::shadow` tells why rounding spoils
+//! neither). That corner is dark. It may be as dark without the shadow: see `limits`.
 //!
 //! And it holds for what the first plane mirrors: an image in a plane is what the eye's own image behind the plane sees of the
 //! object, so it has the outline that the object has for a camera mirrored in the plane, in the same place of the picture. A square

@@ -40,13 +40,33 @@ impl Near {
         self.scene.planes[0].material = Material::mirror(0.5);
     }
 
-    /// The floor alone.
-    pub fn without_solids(&self) -> Scene {
+    /// The floor, without what throws shadows on it.
+    pub fn without_spheres(&self) -> Scene {
         Scene {
             spheres: List::of(&[]),
-            blocks: List::of(&[]),
             ..self.scene
         }
+    }
+
+    /// The same by lamps so bright that a shadow is seen wherever it falls.
+    pub fn glaring(mut self) -> Self {
+        for light in self.scene.lights.iter_mut() {
+            light.colour *= 1e6;
+        }
+        self
+    }
+
+    /// The same with a box that the floor hides, and whose shadow, too.
+    pub fn with_box(mut self) -> Self {
+        let (eye, floor) = (self.scene.camera.eye, self.scene.planes[0].centre);
+        let below = vec3a(0.0, 100.0 * (floor.y - eye.y).signum(), 0.0);
+        self.scene.blocks.push(Block {
+            centre: floor + below,
+            half: Vec3A::ONE,
+            material: Material::BLACK,
+            ..Block::default()
+        });
+        self
     }
 }
 
@@ -193,6 +213,18 @@ pub fn thin_shadows() -> [Near; 4] {
             [640, 40],
         ),
     ]
+}
+
+/// A shadow that crosses a low lamp's patch of light beside a corner that is as good as dark, shadow or not.
+pub fn shadow_beside_a_dark_corner() -> Near {
+    let eye = 69.381_966 * Vec3A::Y;
+    cast(
+        Camera::new(eye, vec3a(0.627_962_1, 69.081_96, 0.738_625_3), 0.6),
+        (0.0, 1e5, 1e5),
+        (vec3a(129.031_11, 0.025_655_242, 175.488_1), 0.018_169),
+        vec3a(129.063_11, 0.025_757_164, 175.602_97),
+        [97, 203],
+    )
 }
 
 /// The image of a thin box in the corner of a picture that is nearly all around.

@@ -10,6 +10,7 @@ use eightfold_tracer::scene::{
 use glam::{EulerRot, Mat3A, Quat, Vec3A, vec3a};
 
 /// A scene, and the size of its picture.
+#[derive(Clone, Copy)]
 pub struct Near {
     pub scene: Scene,
     pub width: usize,
