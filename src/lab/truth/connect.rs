@@ -122,8 +122,7 @@ impl Connections {
             world,
             here,
             bsdf,
-            has_extents: effects.soft_shadows,
-            keeps_energy: effects.surfaces,
+            effects,
         };
         let images = self.images.iter();
         let mut sum: DVec3 = images
@@ -191,8 +190,7 @@ struct Point<'a> {
     world: &'a World,
     here: Ray,
     bsdf: &'a Bsdf,
-    has_extents: bool,
-    keeps_energy: bool,
+    effects: &'a Effects,
 }
 
 impl Point<'_> {
@@ -202,7 +200,7 @@ impl Point<'_> {
         if image.mirrors[0].1.height(p) <= 0.0 {
             return DVec3::ZERO;
         }
-        let arriving = if self.has_extents {
+        let arriving = if self.effects.soft_shadows {
             image.lamp.sample(self.here, u)
         } else {
             image.lamp.from_centre(p)
@@ -228,7 +226,7 @@ impl Point<'_> {
         }
         // Part of a lamp's sphere may be behind the mirror.
         let left = arriving.distance - travelled;
-        if left < 0.0 && !self.has_extents {
+        if left < 0.0 && !self.effects.soft_shadows {
             return DVec3::ZERO;
         }
         share * light * self.world.passing(ray, left, false)
@@ -237,7 +235,7 @@ impl Point<'_> {
     /// The light of a point of a lamp, chosen by `u`, by way of what is round.
     fn by_round(&self, round: &(usize, Round), bounce: Bounce, lamp: &Lamp, u: DVec2) -> DVec3 {
         let index = round.0;
-        let (o, normal) = lamp.point(self.has_extents, u);
+        let (o, normal) = lamp.point(self.effects.soft_shadows, u);
         let Some(plan) = self.plan(o, round, bounce) else {
             return DVec3::ZERO;
         };
@@ -258,7 +256,7 @@ impl Point<'_> {
                 let density = 1.0 / self.cone(index);
                 weight = 1.0 / (1.0 / weight + lamp.area() * density);
             }
-            let power = lamp.power(ray.o - travelled * d, self.has_extents);
+            let power = lamp.power(ray.o - travelled * d, self.effects.soft_shadows);
             Some(weight * scattered * power * self.world.passing(ray.turned(d), distance, false))
         };
         plan.roots().into_iter().filter_map(light).sum()
@@ -281,7 +279,11 @@ impl Point<'_> {
             let radiance = lamp.radiance(ray.o - travelled * ray.d);
             Some(scattered * radiance * self.world.passing(ray, t, false) / density)
         };
-        self.has_extents.then(light).flatten().unwrap_or_default()
+        self.effects
+            .soft_shadows
+            .then(light)
+            .flatten()
+            .unwrap_or_default()
     }
 
     /// The plane of the ways by what is round to a point of a lamp; `None` if the surface faces away from a sphere.
@@ -324,7 +326,7 @@ impl Point<'_> {
         if !std::ptr::eq(body, &world.bodies[index]) {
             return None;
         }
-        let bsdf = world.surface(body, *ray, &met, self.keeps_energy);
+        let bsdf = world.surface(body, *ray, &met, self.effects.surfaces);
         let (d, share) = bsdf.bounced(bounce)?;
         *ray = ray.moved(met.t).turned(d);
         Some((met.t, share))

@@ -4,7 +4,7 @@ use super::REPLICATIONS;
 use super::effects::Effects;
 use super::estimate::{Estimate, Pixel};
 use super::path::PathTracer;
-use super::photons::{Caustics, Emission, Photons};
+use super::photons::{Caustics, Photons};
 use super::world::World;
 use crate::arguments::{Part, Size};
 use crate::interrupt;
@@ -140,13 +140,8 @@ fn photons(
         }
         // Other seeds than those of the pixels.
         let part = (index * REPLICATIONS + replication) as u64;
-        let emission = Emission {
-            sequence: sampling.sequence,
-            seed: seed_of(!sampling.seed, part),
-            index,
-            has_extents: effects.soft_shadows,
-        };
-        Photons::emit(world, caustics, &emission, effects.surfaces)
+        let seed = seed_of(!sampling.seed, part);
+        Photons::emit(world, caustics, effects, sampling.sequence, seed, index)
     };
     (0..REPLICATIONS).into_par_iter().map(of).collect()
 }

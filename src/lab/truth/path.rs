@@ -41,9 +41,7 @@ struct Path {
     /// The density with which a rough surface has chosen its direction; `None` at the eye, and behind mirrors and glass.
     density: Option<f64>,
     /// The light that it has found.
-    light: DVec3,
-    /// How much more of it there is than by narrower discs of photons.
-    blur: DVec3,
+    found: Blurred,
 }
 
 impl PathTracer<'_> {
@@ -54,8 +52,7 @@ impl PathTracer<'_> {
             throughput: DVec3::splat(self.world.brightness),
             scatters: 0,
             density: None,
-            light: DVec3::ZERO,
-            blur: DVec3::ZERO,
+            found: Blurred::default(),
         };
         let mut bounces = 0;
         while self.advance(&mut path, sampler) {
@@ -68,10 +65,7 @@ impl PathTracer<'_> {
                 path.throughput /= survival;
             }
         }
-        Blurred {
-            light: path.light,
-            blur: path.blur,
-        }
+        path.found
     }
 
     /// Follows a path to the next body. Returns whether it goes on.
@@ -82,7 +76,7 @@ impl PathTracer<'_> {
         if path.scatters > 0 {
             self.meet_lamps(path, t);
         } else if let Some(seen) = self.seen_lamp(path.ray, t) {
-            path.light += path.throughput * seen;
+            path.found.light += path.throughput * seen;
             return false;
         }
         // A path that was scattered and goes on only for the lamp that it may meet finds no other light.
@@ -93,23 +87,23 @@ impl PathTracer<'_> {
             DVec3::ZERO
         };
         let Some((body, met)) = nearest else {
-            path.light += behind;
+            path.found.light += behind;
             return false;
         };
         let clear = world.transmittance(t);
-        path.light += (1.0 - clear) * behind;
+        path.found.light += (1.0 - clear) * behind;
         path.throughput *= clear;
 
         let bsdf = world.surface(body, path.ray, &met, self.effects.surfaces);
         if !self.effects.indirect && is_lit {
-            path.light += path.throughput * world.ambient * world.paint(body, path.ray, &met);
+            path.found.light += path.throughput * world.ambient * world.paint(body, path.ray, &met);
         }
         path.ray = path.ray.moved(t);
         if is_lit && bsdf.is_rough() {
             let caustics = self.caustics(path.ray, &bsdf, path.scatters > 0, sampler);
             let direct = self.direct(path.ray, &bsdf, sampler);
-            path.light += path.throughput * (direct + caustics.light);
-            path.blur += path.throughput * caustics.blur;
+            path.found.light += path.throughput * (direct + caustics.light);
+            path.found.blur += path.throughput * caustics.blur;
         }
         self.scatter(path, &bsdf, sampler)
     }
@@ -191,7 +185,7 @@ impl PathTracer<'_> {
             };
             let weight = power(density, lamp.density(path.ray.o));
             let radiance = lamp.radiance(path.ray.o);
-            path.light += weight * path.throughput * passing * radiance;
+            path.found.light += weight * path.throughput * passing * radiance;
         }
     }
 

@@ -13,6 +13,7 @@
 
 use super::aim::{Aim, Reach};
 use super::connect::{Connections, Event, Gap};
+use super::effects::Effects;
 use super::lamp::Lamp;
 use super::surface::Bsdf;
 use super::world::{Body, World};
@@ -81,16 +82,6 @@ pub struct Photons {
     narrower: f64,
 }
 
-/// How photons are sent out.
-pub struct Emission {
-    pub sequence: Sequence,
-    pub seed: u32,
-    /// How many samples had photons before.
-    pub index: usize,
-    /// Whether lamps with an extent send them from all of it; otherwise from their centres.
-    pub has_extents: bool,
-}
-
 impl RTreeObject for Photon {
     type Envelope = AABB<[f64; 3]>;
 
@@ -111,12 +102,15 @@ impl Photons {
         }
     }
 
-    /// Sends photons from every lamp to every body that mirrors or lets light through.
+    /// Sends photons from every lamp to every body that mirrors or lets light through, by points of a sequence with a seed. So many
+    /// samples, `index`, had photons before.
     pub fn emit(
         world: &World,
         caustics: &Caustics,
-        emission: &Emission,
-        keeps_energy: bool,
+        effects: Effects,
+        sequence: Sequence,
+        seed: u32,
+        index: usize,
     ) -> Self {
         let mut photons = Vec::new();
         let count = PHOTONS / caustics.beams.len().max(1);
@@ -126,18 +120,17 @@ impl Photons {
                 connections: &caustics.connections,
                 lamp: &world.lamps[beam.lamp],
                 target: &world.bodies[beam.target],
-                keeps_energy,
-                has_extents: emission.has_extents,
+                effects,
             };
-            let seed = seed_of(emission.seed, beam.part(world));
+            let seed = seed_of(seed, beam.part(world));
             for photon in 0..count {
-                let mut sampler = Sampler::new(emission.sequence, photon, seed);
+                let mut sampler = Sampler::new(sequence, photon, seed);
                 let (u, weight) = beam.aim.choose(&mut sampler);
                 flight.send(u, weight / count as f64, &mut sampler, &mut photons);
             }
         }
         // The variance of the mean falls by the number of samples to the power of 2/3, and so does the squared error by the blur.
-        let narrower = (emission.index as f64 + 1.0).powf(-1.0 / 6.0);
+        let narrower = (index as f64 + 1.0).powf(-1.0 / 6.0);
         widen(&mut photons, world);
         Self {
             tree: RTree::bulk_load(photons),
@@ -264,8 +257,7 @@ impl Caustics {
                 connections: &connections,
                 lamp: &world.lamps[lamp],
                 target: &world.bodies[target],
-                keeps_energy: true,
-                has_extents: true,
+                effects: Effects::TRUTH,
             };
             let aim = Aim::new(|corner, side| flight.tried(corner, side));
             Beam { lamp, target, aim }
@@ -297,8 +289,7 @@ struct Flight<'a> {
     connections: &'a Connections,
     lamp: &'a Lamp,
     target: &'a Body,
-    keeps_energy: bool,
-    has_extents: bool,
+    effects: Effects,
 }
 
 impl Flight<'_> {
@@ -325,7 +316,9 @@ impl Flight<'_> {
     ) -> Reach {
         let target = self.target;
         // Choose a ray from the lamp within the cone around the target.
-        let (o, normal) = self.lamp.point(self.has_extents, sampler.next_2d());
+        let (o, normal) = self
+            .lamp
+            .point(self.effects.soft_shadows, sampler.next_2d());
         let width = target.shape.width_from(o);
         let axis = (target.shape.centre() - o).normalize_or(DVec3::Y);
         let start = around(axis, 1.0 - u.x * width, u.y);
@@ -351,7 +344,7 @@ impl Flight<'_> {
             if bounce > 0 {
                 travelled += met.t;
             }
-            let bsdf = self.world.surface(body, ray, &met, self.keeps_energy);
+            let bsdf = self.world.surface(body, ray, &met, self.effects.surfaces);
             let next = ray.moved(met.t);
             // Leave a photon where no connection finds the way.
             let gap = if bounce > 0 {
@@ -369,7 +362,7 @@ impl Flight<'_> {
                     p: next.o,
                     n: bsdf.n,
                     d: -ray.d,
-                    power: solid_angle * self.lamp.power(unfolded, self.has_extents),
+                    power: solid_angle * self.lamp.power(unfolded, self.effects.soft_shadows),
                     radius: 0.0,
                     gap,
                     body: self.world.index(body),

@@ -3,7 +3,7 @@
 use super::drawn;
 use eightfold_lab::arguments::Size;
 use eightfold_lab::scenes::SceneName;
-use eightfold_lab::truth::effects::{Effects, effect};
+use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::{estimate::Estimate, undress};
 use eightfold_oracle::Oracle;
 use eightfold_tracer::Quality;
@@ -109,16 +109,4 @@ fn without_effects_mirrors_and_glass_are_those_of_the_model() {
         let allowed = 4.0 * error + 0.002;
         assert!(mean.abs().cmple(allowed).all(), "{name}: {mean}, {error}");
     }
-}
-
-#[test]
-fn effects_have_names() {
-    for (i, name) in Effects::NAMES.iter().enumerate() {
-        assert_eq!(effect(name), Ok(i));
-        assert_ne!(Effects::NONE.with(i, true), Effects::NONE);
-        assert_ne!(Effects::chosen(&[i], &[]).ok(), Some(Effects::NONE));
-    }
-    let all_off = Effects::chosen(&[], &[0, 1, 2, 3]).expect("a choice");
-    assert_eq!(all_off, Effects::NONE);
-    assert!(Effects::chosen(&[1], &[1]).is_err());
 }
