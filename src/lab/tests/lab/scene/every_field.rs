@@ -32,52 +32,6 @@ pub fn scene(time: f32) -> Scene {
         },
         ..Material::default()
     };
-    let material_material_002 = Material {
-        colour: vec3a(7.337328, 4.2816, 1.225872),
-        kd: 0.61701447,
-        ks: 0.3114416,
-        exponent: 8.25282,
-        metallic: 0.50029606,
-        anisotropy: 0.1947232,
-        kr: 0.6891504,
-        fresnel: 0.38357762,
-        kt: 0.87800485,
-        index: 5.9381037,
-        tint: vec3a(0.2668592, 0.76128644, 0.4557136),
-        pattern: Pattern {
-            waves: vec3a(1.5014079, 6.44568, 3.389952),
-            depth: 0.8334225,
-            edge: 5.2784963,
-            balance: -0.5554464,
-            warp: 7.16704,
-            grain: 4.111312,
-            ..Pattern::default()
-        },
-        ..Material::default()
-    };
-    let material_material_003 = Material {
-        colour: vec3a(2.05248, 6.996752, 3.9410238),
-        kd: 0.8885296,
-        ks: 0.5829568,
-        exponent: 3.4964561,
-        metallic: 0.77181125,
-        anisotropy: 0.4662384,
-        kr: 0.1606656,
-        fresnel: 0.65509284,
-        kt: 0.34952,
-        index: 8.517499,
-        tint: vec3a(0.53837436, 0.23280162, 0.7272288),
-        pattern: Pattern {
-            waves: vec3a(4.21656, 1.160832, 6.105104),
-            depth: 0.3049376,
-            edge: 7.9936485,
-            balance: -0.012416005,
-            warp: 1.882192,
-            grain: 6.8264647,
-            ..Pattern::default()
-        },
-        ..Material::default()
-    };
     Scene {
         camera: Camera {
             eye: spline(
@@ -132,7 +86,7 @@ pub fn scene(time: f32) -> Scene {
                     centre: vec3a(3.2319365, -2.87952, 7.0090256),
                     half_x: 5.4487844,
                     half_z: 2.3930562,
-                    material: material_material_002,
+                    material: material_material_001,
                 },
             ],
         ),
@@ -158,7 +112,7 @@ pub fn scene(time: f32) -> Scene {
                             vec3a(0.47942555, -0.2593434, 0.83838665),
                         ) * Mat3A::from_euler(EulerRot::YXZ, turn.y, turn.x, turn.z)
                     },
-                    material: material_material_003,
+                    material: material_material_001,
                 },
             ],
         ),
