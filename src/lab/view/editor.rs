@@ -130,8 +130,7 @@ impl Editor {
                 self.document.scene.changed(&path, scaled)
             })
             .collect();
-        let text = self.document.text().to_owned();
-        self.set(&text, &changes, Some(Step::Resize(object.index)))
+        self.set(&changes, Some(Step::Resize(object.index)))
     }
 
     /// Gives the picked object the next material of the table.
@@ -146,8 +145,7 @@ impl Editor {
         let at = names.iter().position(|name| *name == material);
         let next = names[(at.unwrap_or(0) + 1) % names.len()];
         let changes = [(format!("{}.material", object.path()), json!(next))];
-        let text = self.document.text().to_owned();
-        self.set(&text, &changes, None)
+        self.set(&changes, None)
     }
 
     /// Deletes the picked object.
@@ -185,7 +183,8 @@ impl Editor {
         let grain = grain(view.pixel * view.depth(centre).abs());
         let way = (axis * half * 2.0 * BESIDE / grain).round() * grain;
         let changes = file.changed(&copy.centre_path(), |i, number| number + way[i]);
-        self.set(&text, &changes, None)?;
+        let text = edit::set(&text, &changes).ok_or(NOT_IN_TEXT)?;
+        self.document.change(text, None)?;
         self.picked = Some(copy);
         Ok(())
     }
@@ -206,8 +205,7 @@ impl Editor {
             ("camera.eye".to_owned(), vector(eye)),
             ("camera.look_at".to_owned(), vector(look_at)),
         ];
-        let text = self.document.text().to_owned();
-        self.set(&text, &changes, None)
+        self.set(&changes, None)
     }
 
     /// Goes back before the last step, or does it again.
@@ -228,14 +226,9 @@ impl Editor {
         self.picked = self.picked.filter(is_there);
     }
 
-    /// Takes a text with other values.
-    fn set(
-        &mut self,
-        text: &str,
-        changes: &[(String, Value)],
-        step: Option<Step>,
-    ) -> Result<(), String> {
-        let text = edit::set(text, changes).ok_or(NOT_IN_TEXT)?;
+    /// Takes the text with other values.
+    fn set(&mut self, changes: &[(String, Value)], step: Option<Step>) -> Result<(), String> {
+        let text = edit::set(self.document.text(), changes).ok_or(NOT_IN_TEXT)?;
         self.document.change(text, step)
     }
 }

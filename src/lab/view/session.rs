@@ -35,6 +35,7 @@ pub struct Session {
 }
 
 /// The panels of text over the picture.
+#[derive(Default)]
 struct Panels {
     has_keys: bool,
     has_colours: bool,
@@ -66,13 +67,9 @@ impl Session {
             workspace,
             rate,
             panels: Panels {
-                has_keys: false,
                 has_colours: true,
                 has_hint,
-                told: Panel::default(),
-                keys: Panel::default(),
-                colours: Panel::default(),
-                picked: Panel::default(),
+                ..Panels::default()
             },
             is_end_asked: false,
         }
@@ -115,8 +112,9 @@ impl Session {
                 (counted_from, shown) = (now, 0);
             }
             shown += 1;
-            let is_retitled = is_due || is_new && measure || self.is_outdated(&title);
-            if is_retitled {
+            // A title must not be wrong about changes that are not saved.
+            let is_outdated = self.workspace.is_unsaved() != title.contains(UNSAVED);
+            if is_due || is_new && measure || is_outdated {
                 title = self.title(fps);
                 if let Ok(title) = CString::new(title.as_str()) {
                     self.window.set_title(&title);
@@ -206,11 +204,6 @@ impl Session {
         let overlay = self.controls.overlay;
         self.panels.show(workspace, overlay, time, canvas, size);
         is_new
-    }
-
-    /// Whether a title is wrong about changes that are not saved.
-    fn is_outdated(&self, title: &str) -> bool {
-        self.workspace.is_unsaved() != title.contains(UNSAVED)
     }
 
     /// The title: what is shown, how fast it is drawn, and its error.

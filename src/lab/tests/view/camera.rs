@@ -7,8 +7,8 @@ const WAY: [[i32; 2]; 3] = [BALL, [190, 125], [220, 140]];
 
 #[test]
 fn buttons_and_the_wheel_move_the_camera_and_v_takes_it_back() {
-    let Some(view) = View::new(&[]) else { return };
-    let picture = rendered(&["--time", "2", "--quality", "default"]);
+    let Some(view) = View::new("") else { return };
+    let picture = rendered("--time 2");
     view.assert_shows("the picture", |shot| shot == picture);
     let mut others = Vec::new();
     let gestures: [&dyn Fn(); 4] = [

@@ -68,9 +68,10 @@ fn a_window_that_is_asked_to_close_asks_once() {
     if is_portable() {
         return;
     }
-    let Some(edit) = Edit::changed_on(Server::start_managed) else {
+    let Some(edit) = Edit::on(Server::start_managed, "scene.ron", SCENE) else {
         return;
     };
+    edit.change();
     let before = edit.view.settled_shot();
     let close = || run(edit.view.server.tool("wmctrl").args(["-c", "Eightfold"]));
     close();

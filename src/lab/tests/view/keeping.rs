@@ -1,7 +1,7 @@
 //! A file beside the scene file holds what is not saved.
 
 use crate::stage::{BALL, Edit, SCENE, blue, letters, read};
-use eightfold_stage::wait_for;
+use eightfold_stage::{Server, wait_for};
 use std::fs;
 use std::path::Path;
 
@@ -64,7 +64,7 @@ fn what_could_not_be_kept_is_kept_as_soon_as_it_can_be() {
 fn a_file_that_cannot_be_is_not_named_at_the_end() {
     // A name has up to 255 bytes.
     let name = format!("{}.ron", "n".repeat(245));
-    let Some(edit) = Edit::named(&name, SCENE) else {
+    let Some(edit) = Edit::on(Server::start, &name, SCENE) else {
         return;
     };
     edit.view.click(1, BALL);

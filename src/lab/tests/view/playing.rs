@@ -1,12 +1,12 @@
 //! Keys select what is seen: time, quality, what a frame is made of.
 
 use crate::stage::{SIZE, View, is_bright, rendered as rendered_by, window};
-use eightfold_stage::{reader::read_png, run, wait_for};
+use eightfold_stage::{run, wait_for};
 use std::process::Command;
 
 /// The picture of the model scene that `lab render` draws.
 fn rendered(time: &str, quality: &str) -> Vec<u32> {
-    rendered_by(&["--time", time, "--quality", quality])
+    rendered_by(&format!("--time {time} --quality {quality}"))
 }
 
 /// The percentage in front of a word of the title, as a fraction.
@@ -18,7 +18,7 @@ fn number(title: &str, unit: &str) -> f64 {
 
 #[test]
 fn it_shows_the_picture_of_the_moment_and_says_how_right_it_is() {
-    let Some(view) = View::new(&[]) else { return };
+    let Some(view) = View::new("") else { return };
     let picture = rendered("2", "default");
     view.assert_shows("the picture", |shot| shot == picture);
     view.wait("fps, ");
@@ -34,20 +34,17 @@ fn it_shows_the_picture_of_the_moment_and_says_how_right_it_is() {
 
 #[test]
 fn it_is_the_show_unless_asked_otherwise() {
-    let Some(view) = View::of(&["--time", "20", "--paused"]) else {
+    let Some(view) = View::of("--time 20") else {
         return;
     };
-    let (output, _) = run(Command::new(env!("CARGO_BIN_EXE_lab"))
-        .args(["render", "--size", "320x240", "--out", "-"])
-        .args(["--scene", "show", "--time", "20"]));
-    let picture = read_png(&output.stdout).1;
+    let picture = rendered_by("--scene show --time 20");
     assert!(picture != rendered("20", "default"));
     view.assert_shows("the picture", |shot| shot == picture);
 }
 
 #[test]
 fn time_is_under_control() {
-    let Some(view) = View::new(&["--fps", "50"]) else {
+    let Some(view) = View::new("--fps 50") else {
         return;
     };
     let before = rendered("2", "default");
@@ -72,7 +69,7 @@ fn time_is_under_control() {
 
 #[test]
 fn digits_choose_qualities() {
-    let Some(view) = View::new(&[]) else { return };
+    let Some(view) = View::new("") else { return };
     for (key, quality) in [("2", "thesis"), ("1", "exhaustive"), ("9", "fastest")] {
         view.press(key, quality);
         let picture = rendered("2", quality);
@@ -84,7 +81,7 @@ fn digits_choose_qualities() {
 
 #[test]
 fn letters_show_what_a_frame_is_made_of() {
-    let Some(view) = View::new(&["--quality", "thesis"]) else {
+    let Some(view) = View::new("--quality thesis") else {
         return;
     };
     let picture = rendered("2", "thesis");
@@ -137,7 +134,7 @@ fn letters_show_what_a_frame_is_made_of() {
 
 #[test]
 fn a_legend_tells_what_colours_stand_for() {
-    let Some(view) = View::new(&["--quality", "thesis"]) else {
+    let Some(view) = View::new("--quality thesis") else {
         return;
     };
     let [width, height] = SIZE.map(|side| side as usize);
@@ -169,7 +166,7 @@ fn a_legend_tells_what_colours_stand_for() {
 
 #[test]
 fn the_keys_are_shown_over_the_picture() {
-    let Some(view) = View::new(&[]) else { return };
+    let Some(view) = View::new("") else { return };
     let picture = rendered("2", "default");
     view.assert_shows("the picture", |shot| shot == picture);
     view.key("question");
@@ -185,7 +182,7 @@ fn the_keys_are_shown_over_the_picture() {
 
 #[test]
 fn the_keys_are_listed_and_escape_ends_it() {
-    let Some(view) = View::new(&[]) else { return };
+    let Some(view) = View::new("") else { return };
     view.server.xdotool("key question");
     // The title of a later frame was set after that of an earlier one.
     view.press("1", "exhaustive");
@@ -201,7 +198,7 @@ fn the_keys_are_listed_and_escape_ends_it() {
 
 #[test]
 fn a_larger_window_has_a_larger_picture() {
-    let Some(view) = View::new(&[]) else { return };
+    let Some(view) = View::new("") else { return };
     let size = format!("windowsize {} 400 300", view.id());
     view.server.xdotool(&size);
     wait_for("the size", || {

@@ -70,18 +70,20 @@ fn lab() -> &'static Path {
 
 impl View {
     /// Starts the model scene with a pause after 2 s: time has no part in what is seen. `None` without what a display needs.
-    pub fn new(options: &[&str]) -> Option<View> {
-        View::of(&[&["--scene", "model", "--time", "2", "--paused"], options].concat())
+    pub fn new(options: &str) -> Option<View> {
+        View::of(&format!("--scene model --time 2 {options}"))
     }
 
-    pub fn of(options: &[&str]) -> Option<View> {
+    /// Starts with a pause.
+    pub fn of(options: &str) -> Option<View> {
         (!lacks(DISPLAY)).then(|| View::on(Server::start(640, 480), options))
     }
 
-    fn on(server: Server, options: &[&str]) -> View {
+    fn on(server: Server, options: &str) -> View {
         let mut lab = Command::new(lab());
-        lab.args(["view", "--size", "320x240"]);
-        let process = server.open(lab.args(options), || window(&server));
+        lab.args(["view", "--size", "320x240", "--paused"]);
+        lab.args(options.split_whitespace());
+        let process = server.open(&mut lab, || window(&server));
         let view = View { server, process };
         view.point([9, 9]);
         view
@@ -89,8 +91,7 @@ impl View {
 
     /// Opens a scene file, and takes the hint away by a click on nothing.
     pub fn of_file(server: Server, file: &Path) -> View {
-        let name = file.to_str().expect("UTF-8");
-        let view = View::on(server, &["--scene", name, "--paused"]);
+        let view = View::on(server, &format!("--scene {}", file.display()));
         view.click(1, NOTHING);
         view
     }
@@ -192,41 +193,37 @@ impl View {
 impl Edit {
     /// Starts with [`SCENE`], or another text, and waits until it is seen. `None` without what a display needs.
     pub fn new(text: &str) -> Option<Edit> {
-        Edit::named("scene.ron", text)
+        Edit::on(Server::start, "scene.ron", text)
     }
 
-    /// The same in a file of a given name.
-    pub fn named(name: &str, text: &str) -> Option<Edit> {
-        (!lacks(DISPLAY)).then(|| Edit::on(Server::start(640, 480), name, text))
-    }
-
-    fn on(server: Server, name: &str, text: &str) -> Edit {
+    /// The same on a server of some kind, in a file of a given name.
+    pub fn on(server: fn(usize, usize) -> Server, name: &str, text: &str) -> Option<Edit> {
+        if lacks(DISPLAY) {
+            return None;
+        }
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join(name);
         fs::write(&file, text).expect("it is written");
-        let view = View::of_file(server, &file);
+        let view = View::of_file(server(640, 480), &file);
         let edit = Edit { view, file, folder };
         edit.assert_shows_file();
-        edit
+        Some(edit)
     }
 
     /// Starts with [`SCENE`], and changes it to [`blue`], which is not saved.
     pub fn changed() -> Option<Edit> {
-        Edit::changed_on(Server::start)
+        let edit = Edit::new(SCENE)?;
+        edit.change();
+        Some(edit)
     }
 
-    /// The same on a server of some kind.
-    pub fn changed_on(server: fn(usize, usize) -> Server) -> Option<Edit> {
-        if lacks(DISPLAY) {
-            return None;
-        }
-        let edit = Edit::on(server(640, 480), "scene.ron", SCENE);
-        edit.view.click(1, BALL);
-        edit.view.press("m", "not saved");
+    /// Changes [`SCENE`] to [`blue`], and waits until that is kept.
+    pub fn change(&self) {
+        self.view.click(1, BALL);
+        self.view.press("m", "not saved");
         wait_for("the file of what is not saved", || {
-            edit.unsaved().exists().then_some(())
+            self.unsaved().exists().then_some(())
         });
-        Some(edit)
     }
 
     pub fn text(&self) -> String {
@@ -273,8 +270,7 @@ impl Edit {
 
     /// The picture of the file, as `lab render` draws it.
     pub fn picture(&self) -> Vec<u32> {
-        let name = self.file.to_str().expect("UTF-8");
-        rendered(&["--scene", name, "--time", "0", "--quality", "default"])
+        rendered(&format!("--scene {}", self.file.display()))
     }
 
     /// Picks nothing, and asserts that the window shows what the file says.
@@ -315,9 +311,9 @@ pub fn read(file: &Path) -> String {
 }
 
 /// The picture that `lab render` draws.
-pub fn rendered(options: &[&str]) -> Vec<u32> {
+pub fn rendered(options: &str) -> Vec<u32> {
     let (output, _) = run(Command::new(env!("CARGO_BIN_EXE_lab"))
         .args(["render", "--size", "320x240", "--out", "-"])
-        .args(options));
+        .args(options.split_whitespace()));
     read_png(&output.stdout).1
 }
