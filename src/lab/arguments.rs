@@ -1,5 +1,6 @@
 //! Arguments that several commands share: sizes, qualities, threads, instruction sets, times.
 
+use anyhow::{bail, ensure};
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::cpu::{self, Isa};
 use std::fmt;
@@ -16,14 +17,7 @@ const MAX_FRAMES: usize = 100_000;
 /// An error in the command line that the parser cannot find, such as flags that contradict each other. It holds the message: the
 /// flag and what it takes.
 #[derive(Debug)]
-pub struct BadInput(String);
-
-impl BadInput {
-    /// The error with a message.
-    pub fn error(line: String) -> anyhow::Error {
-        Self(line).into()
-    }
-}
+pub struct BadInput(pub String);
 
 impl fmt::Display for BadInput {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -89,15 +83,6 @@ impl NamedQuality {
         name: "thesis",
         quality: Quality::THESIS,
     };
-    /// The default quality without the guard against missed objects. It serves to measure what the guard costs, and cannot be
-    /// asked for by name.
-    pub const UNGUARDED: Self = Self {
-        name: "unguarded",
-        quality: Quality {
-            guarded: false,
-            ..Quality::DEFAULT
-        },
-    };
 
     /// The same quality with antialiasing, or without.
     pub fn antialiased(mut self, antialias: bool) -> Self {
@@ -149,11 +134,8 @@ impl Part {
 
     /// Checks that no part is empty, if there are so many frames or rows.
     pub fn check(self, length: usize, items: &str) -> anyhow::Result<()> {
-        if self.count > length {
-            return Err(BadInput::error(format!(
-                "--part {self} takes no more parts than there are {items}: {length}"
-            )));
-        }
+        let what = format!("--part {self} takes no more parts than there are {items}: {length}");
+        ensure!(self.count <= length, BadInput(what));
         Ok(())
     }
 
@@ -254,12 +236,22 @@ pub fn png_file(name: &str) -> Result<PathBuf, String> {
     }
 }
 
+/// Each item the first time that it comes.
+pub fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
+    let mut distinct = Vec::new();
+    for item in items {
+        if !distinct.contains(&item) {
+            distinct.push(item);
+        }
+    }
+    distinct
+}
+
 /// Checks that the last frame's time is not before the first's.
 pub fn check_span(from: f32, to: Option<f32>) -> anyhow::Result<()> {
-    match to {
-        Some(to) if to < from => Err(BadInput::error(format!(
-            "--time-to: {to} s is before --time-from, {from} s"
-        ))),
-        _ => Ok(()),
+    if let Some(to) = to.filter(|&to| to < from) {
+        let what = format!("--time-to: {to} s is before --time-from, {from} s");
+        bail!(BadInput(what));
     }
+    Ok(())
 }

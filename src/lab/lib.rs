@@ -39,3 +39,4 @@ pub mod truth;
 pub mod view;
 pub mod views;
 pub mod wav;
+pub mod way;

@@ -8,9 +8,9 @@ use crate::progress;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{percentile, real_time, thread_time};
-use crate::views::{Seen, Subject, Viewer};
-use eightfold_tracer::scene::Scene;
-use eightfold_tracer::{Counts, Quality};
+use crate::views::{Seen, Viewer};
+use crate::way::Way;
+use eightfold_tracer::Counts;
 use eightfold_window::cpu::Isa;
 use eightfold_window::pool::Pool;
 use indicatif::ProgressBar;
@@ -31,16 +31,6 @@ pub struct Plan {
     pub has_samples: bool,
     /// Whether objects are counted that a frame misses.
     pub has_missed: bool,
-}
-
-/// How a frame is drawn.
-#[derive(Clone, PartialEq)]
-pub struct Way {
-    /// Its name in tables.
-    pub name: String,
-    pub quality: Quality,
-    /// Whether lamps throw shadows as points do, whatever their size.
-    pub hard_shadows: bool,
 }
 
 /// The frames of a scene.
@@ -192,56 +182,16 @@ impl Plan {
         bar: &ProgressBar,
     ) -> Vec<Seen> {
         let shot = &self.shots[setting.shot];
-        let ways = self.ways.iter();
-        let scenes: Vec<_> = ways
-            .map(|way| move |time| way.scene(shot.scene, time))
-            .collect();
         let mut seen = vec![Seen::default(); self.ways.len()];
         let mut viewer = Viewer::new(renderer, self.isa, setting.size, self.has_samples);
         for view in &shot.views {
-            let each = self.ways.iter().zip(&scenes).zip(&mut seen);
-            let mut subjects: Vec<Subject<'_>> = each
-                .map(|((way, scene), seen)| Subject {
-                    quality: &way.quality,
-                    scene,
-                    seen,
-                })
-                .collect();
-            viewer.look(view, &mut subjects);
+            viewer.look(view, shot.scene, &self.ways, &mut seen);
             bar.inc(1);
         }
         if interrupt::is_stopped() {
             seen.fill(Seen::default());
         }
         seen
-    }
-}
-
-impl Way {
-    /// A quality with shadows as they are.
-    pub fn new(name: &str, quality: Quality) -> Self {
-        Self {
-            name: name.to_owned(),
-            quality,
-            hard_shadows: false,
-        }
-    }
-
-    /// The scene of a time.
-    pub fn scene(&self, scene: SceneName, time: f32) -> Scene {
-        let mut scene = scene.without_overlay(time);
-        if self.hard_shadows {
-            for light in scene.lights.iter_mut() {
-                light.diameter = 0.0;
-            }
-        }
-        scene
-    }
-
-    /// The scene of a time, if it takes no part in the time of a frame: what a scene file says is put together before, as no
-    /// program does that in each frame.
-    pub fn made_before(&self, scene: SceneName, time: f32) -> Option<Scene> {
-        matches!(scene, SceneName::File(_)).then(|| self.scene(scene, time))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Writes results: a file appears whole, or not at all.
 
 use anyhow::{Context, Result};
+use serde::Serialize;
 use std::env;
 use std::fs::{self, File, Permissions};
 use std::io::{self, Write};
@@ -23,6 +24,13 @@ pub fn write(name: &Path, bytes: &[u8]) -> Result<()> {
     write_file(name, bytes).with_context(|| cannot_write(name))?;
     note(name);
     Ok(())
+}
+
+/// Writes a value as lines of JSON.
+pub fn write_json(name: &Path, value: &impl Serialize) -> Result<()> {
+    let mut json = serde_json::to_vec_pretty(value)?;
+    json.push(b'\n');
+    write(name, &json)
 }
 
 fn write_file(name: &Path, bytes: &[u8]) -> io::Result<()> {

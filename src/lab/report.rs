@@ -5,7 +5,7 @@
 use crate::arguments::{self, BadInput, Size};
 use crate::subcommand::{FIGURES, FRONT, Picture, RESOLUTION, SQUARES, Step};
 use crate::{interrupt, output};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -64,13 +64,13 @@ pub fn run(arguments: &Arguments) -> Result<()> {
              figures, size, windows or sound",
             arguments.folder.display()
         );
-        return Err(BadInput::error(line));
+        bail!(BadInput(line));
     }
     for page in &pages {
         for part in parts.iter().filter(|part| page.has(part)) {
             if let Err(why) = replaced(&page.text, &part.begin(), "") {
                 let line = format!("--folder: {}: {why}", page.path.display());
-                return Err(BadInput::error(line));
+                bail!(BadInput(line));
             }
         }
         output::check(&page.path)?;
@@ -82,7 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let printed = part.measure(&docs)?;
         for page in pages.iter_mut().filter(|page| page.has(part)) {
             let body = part.body(&printed, page.link);
-            page.text = replaced(&page.text, &part.begin(), &body).map_err(BadInput::error)?;
+            page.text = replaced(&page.text, &part.begin(), &body).map_err(BadInput)?;
         }
     }
     for page in &pages {

@@ -4,7 +4,7 @@ use crate::arguments::BadInput;
 use crate::output;
 use crate::rate::Rate;
 use crate::scenes::{self, SceneName};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::{ArgGroup, Args};
 use eightfold_scene_file as scene_file;
 use std::path::PathBuf;
@@ -42,9 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         (Some(name), _) => record(name, arguments.fps)?,
         (_, Some(SceneName::File(file))) => scene_file::rust(file)?,
         _ => {
-            return Err(BadInput::error(
-                "--rust takes a scene file, FILE.ron".to_owned(),
-            ));
+            bail!(BadInput("--rust takes a scene file, FILE.ron".to_owned(),));
         }
     };
     output::write(&arguments.out, text.as_bytes())

@@ -5,8 +5,10 @@ use crate::error::{Difference, worst_channel};
 use crate::flip::{Flip, Flips};
 use crate::interrupt;
 use crate::picture::Mean;
+use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::timing::{evenly_spaced, frame_time};
+use crate::way::Way;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 use eightfold_window::cpu::Isa;
@@ -19,7 +21,7 @@ const GRID: usize = 8;
 const POP: u32 = 16;
 /// ... while its reference changes by no more than this.
 const STILL: u32 = 4;
-/// Subjects whose frames are held at the same time.
+/// Ways whose frames are held at the same time.
 const GROUP: usize = 4;
 
 /// The times of different views from a first time on, spread evenly, each with those of the frames that follow it.
@@ -72,13 +74,6 @@ impl Seen {
     }
 }
 
-/// The subject of views: a quality, and the scene of each time.
-pub struct Subject<'a> {
-    pub quality: &'a Quality,
-    pub scene: &'a dyn Fn(f32) -> Scene,
-    pub seen: &'a mut Seen,
-}
-
 /// Looks at frames.
 pub struct Viewer<'a> {
     renderer: &'a mut ThreadedRenderer,
@@ -88,7 +83,7 @@ pub struct Viewer<'a> {
     references: Vec<Vec<u32>>,
     /// The view's own frame with 64 samples a pixel, if it is asked for.
     samples: Option<Vec<u32>>,
-    /// The last two frames of each subject of a group.
+    /// The last two frames of each way of a group.
     frames: Vec<[Vec<u32>; 2]>,
 }
 
@@ -111,30 +106,30 @@ impl<'a> Viewer<'a> {
         }
     }
 
-    /// Looks at a view of all subjects, the first of which is the reference. After Ctrl-C, the rest is left out.
-    pub fn look(&mut self, view: &[f32], subjects: &mut [Subject<'_>]) {
+    /// Looks at a view of a scene in all ways, the first of which is the reference. After Ctrl-C, the rest is left out.
+    pub fn look(&mut self, view: &[f32], scene: SceneName, ways: &[Way], seen: &mut [Seen]) {
         if interrupt::is_stopped() {
             return;
         }
         let (level, width) = (self.isa.level, self.size.width);
-        let reference = &subjects[0];
+        let reference = &ways[0];
         for (&time, pixels) in view.iter().zip(&mut self.references) {
-            let scene = (reference.scene)(time);
+            let scene = reference.scene(scene, time);
             self.renderer
-                .draw(level, &scene, reference.quality, width, pixels);
+                .draw(level, &scene, &reference.quality, width, pixels);
         }
-        self.sample(&(reference.scene)(view[0]));
-        for group in subjects.chunks_mut(GROUP) {
+        self.sample(&reference.scene(scene, view[0]));
+        for (ways, seen) in ways.chunks(GROUP).zip(seen.chunks_mut(GROUP)) {
             if interrupt::is_stopped() {
                 return;
             }
             for (frame, &time) in view.iter().enumerate() {
-                for (subject, frames) in group.iter().zip(&mut self.frames) {
-                    let (scene, pixels) = ((subject.scene)(time), &mut frames[frame % 2]);
+                for (way, frames) in ways.iter().zip(&mut self.frames) {
+                    let (scene, pixels) = (way.scene(scene, time), &mut frames[frame % 2]);
                     self.renderer
-                        .draw(level, &scene, subject.quality, width, pixels);
+                        .draw(level, &scene, &way.quality, width, pixels);
                 }
-                self.compare(group, frame);
+                self.compare(seen, frame);
             }
         }
     }
@@ -158,11 +153,10 @@ impl<'a> Viewer<'a> {
     }
 
     /// Compares the last frames of a group, on all threads.
-    fn compare(&mut self, group: &mut [Subject<'_>], frame: usize) {
+    fn compare(&mut self, seen: &mut [Seen], frame: usize) {
         let (width, references, samples) = (self.size.width, &self.references, &self.samples);
         let pool = &mut self.renderer.threads.pool;
-        let seen = group.iter_mut().map(|subject| &mut *subject.seen);
-        let mut each: Vec<_> = seen.zip(&self.frames).collect();
+        let mut each: Vec<_> = seen.iter_mut().zip(&self.frames).collect();
         let mut workers = vec![(); pool.threads()];
         pool.run(&mut workers, &mut each, &|(), (seen, frames)| {
             let (before, now) = (&frames[(frame + 1) % 2], &frames[frame % 2]);

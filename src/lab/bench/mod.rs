@@ -6,13 +6,15 @@ mod table;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::interrupt::{self, Stopped};
-use crate::measure::{Plan, Shot, Way};
+use crate::measure::{Plan, Shot};
 use crate::scenes::{self, SceneName};
 use crate::timing::{evenly_spaced, machine};
 use crate::views::views;
+use crate::way::Way;
 use crate::{output, progress};
 use anyhow::{Result, bail};
 use clap::Args;
+use eightfold_tracer::Quality;
 use eightfold_window::cpu::{self, Isa};
 use row::Row;
 use std::path::{Path, PathBuf};
@@ -118,7 +120,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         _ => output::write(Path::new("-"), table.as_bytes())?,
     }
     if let Some(file) = &arguments.json {
-        output::write(file, &json(&rows)?)?;
+        output::write_json(file, &rows)?;
     }
     if interrupt::is_stopped() {
         bail!(Stopped("the table holds what was measured".to_owned()));
@@ -141,7 +143,13 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
         threads.push(arguments::processors());
     }
     let others = arguments.quality.iter().copied();
-    let unguarded = arguments.unguarded.then_some(NamedQuality::UNGUARDED);
+    let unguarded = arguments.unguarded.then_some(NamedQuality {
+        name: "unguarded",
+        quality: Quality {
+            guarded: false,
+            ..Quality::DEFAULT
+        },
+    });
     let qualities = [NamedQuality::EXHAUSTIVE].into_iter().chain(others);
     let qualities = qualities.chain(unguarded);
     let ways = qualities.flat_map(|quality| {
@@ -160,7 +168,7 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
     let shots: Vec<Shot> = parts.filter_map(|part| shot(arguments, part)).collect();
     if shots.is_empty() {
         let scene = arguments.scene;
-        return Err(BadInput::error(format!(
+        bail!(BadInput(format!(
             "--time-from and --time-to take times in {scene}, 0 to {}",
             scene.length()
         )));
@@ -168,9 +176,9 @@ fn plan(arguments: &Arguments) -> Result<Plan> {
     Ok(Plan {
         shots,
         isa: arguments.isa.unwrap_or_else(cpu::best),
-        sizes: distinct(arguments.size.iter().copied()),
-        threads: distinct(threads),
-        ways: distinct(ways),
+        sizes: arguments::distinct(arguments.size.iter().copied()),
+        threads: arguments::distinct(threads),
+        ways: arguments::distinct(ways),
         is_on_processor: false,
         has_samples: true,
         has_missed: false,
@@ -197,21 +205,4 @@ fn shot(arguments: &Arguments, scene: SceneName) -> Option<Shot> {
         times: (0..arguments.frames).map(time).collect(),
         views: views(from, to, arguments.views, end),
     })
-}
-
-/// Each item the first time that it comes.
-fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
-    let mut distinct = Vec::new();
-    for item in items {
-        if !distinct.contains(&item) {
-            distinct.push(item);
-        }
-    }
-    distinct
-}
-
-fn json(rows: &[Row]) -> Result<Vec<u8>> {
-    let mut json = serde_json::to_vec_pretty(rows)?;
-    json.push(b'\n');
-    Ok(json)
 }

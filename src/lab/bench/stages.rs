@@ -2,9 +2,10 @@
 
 use super::FRAME;
 use crate::arguments::Size;
-use crate::measure::{Plan, Shot, Way};
+use crate::measure::{Plan, Shot};
 use crate::threaded_renderer::whole;
 use crate::timing::real_time;
+use crate::way::Way;
 use eightfold_tracer::observe::{Fill, Observer, Stage};
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Band, Counts, Job, Memory, Quality, Renderer, Threads, Worker};

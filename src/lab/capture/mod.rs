@@ -11,7 +11,7 @@ use crate::arguments::{self, BadInput, NamedQuality, Part, Size};
 use crate::rate::Rate;
 use crate::scenes::{self, SceneName};
 use crate::{interrupt, output};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::{ArgGroup, Args};
 use eightfold_tracer::scene::MAX_LENGTH;
 use eightfold_window::cpu::{self, Isa};
@@ -176,19 +176,19 @@ fn film(arguments: &Arguments) -> Result<Film> {
     };
     let size = arguments.size.unwrap_or(usual);
     if arguments.video.is_some() && !(size.width | size.height).is_multiple_of(2) {
-        return Err(BadInput::error(format!(
+        bail!(BadInput(format!(
             "--size {size} takes an even width and height for --video"
         )));
     }
     if arguments.audio.is_some() && arguments.scene.start().is_none() {
         let scene = arguments.scene;
-        return Err(BadInput::error(format!(
+        bail!(BadInput(format!(
             "--audio takes --scene show or one of its scenes: nothing is played to {scene}"
         )));
     }
     let outputs = [&arguments.sheet, &arguments.audio];
     if outputs.map(|name| name.as_ref().is_some_and(|name| name == "-")) == [true, true] {
-        return Err(BadInput::error(
+        bail!(BadInput(
             "--audio - takes standard output for itself".into(),
         ));
     }
@@ -209,7 +209,7 @@ fn film(arguments: &Arguments) -> Result<Film> {
 fn usual_isa() -> Result<Isa> {
     let best = cpu::best();
     if best.name == "sse2" {
-        return Err(BadInput::error(
+        bail!(BadInput(
             "--isa takes sse2 on this machine: it has no AVX2, and draws frames that differ in a few last bits".into(),
         ));
     }
@@ -221,7 +221,7 @@ fn range(arguments: &Arguments, film: &Film) -> Result<Range<usize>> {
     let length = film.length();
     let (from, to) = (arguments.from, arguments.to.unwrap_or(length).min(length));
     if from >= length {
-        return Err(BadInput::error(format!(
+        bail!(BadInput(format!(
             "--from {from} takes a frame of {}: at {} fps, 0 to {}",
             film.scene,
             film.rate,
@@ -229,7 +229,7 @@ fn range(arguments: &Arguments, film: &Film) -> Result<Range<usize>> {
         )));
     }
     if from >= to {
-        return Err(BadInput::error(format!(
+        bail!(BadInput(format!(
             "--to {to} takes a frame behind --from {from}"
         )));
     }

@@ -4,7 +4,7 @@ use super::frame_queue::FrameQueue;
 use crate::arguments::{BadInput, Size};
 use crate::bitmap::{at, bitmap, text};
 use crate::{output, picture, progress};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use plotters::prelude::*;
 use plotters::style::FontStyle;
 use std::ops::Range;
@@ -23,7 +23,7 @@ const LONGEST: usize = 16_384;
 pub fn write(queue: &FrameQueue<'_>, range: Range<usize>, count: usize, name: &Path) -> Result<()> {
     if count > range.len() {
         let length = range.len();
-        return Err(BadInput::error(format!(
+        bail!(BadInput(format!(
             "--frames {count} takes no more than there are: {length}"
         )));
     }
@@ -35,7 +35,7 @@ pub fn write(queue: &FrameQueue<'_>, range: Range<usize>, count: usize, name: &P
         height: GAP + count.div_ceil(columns) * (tile.height + CAPTION + GAP),
     };
     if sheet.width.max(sheet.height) > LONGEST {
-        return Err(BadInput::error(format!(
+        bail!(BadInput(format!(
             "--size {tile} takes less for {count} frames: a sheet of them is {sheet}, the largest {LONGEST} a side"
         )));
     }

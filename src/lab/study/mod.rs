@@ -8,7 +8,7 @@ use crate::output;
 use crate::scenes::{self, SceneName};
 use crate::subcommand::{FIGURES, FRONT, RESOLUTION, SQUARES, Step};
 use crate::timing::machine;
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::Args;
 use page::Page;
 use std::path::PathBuf;
@@ -61,7 +61,7 @@ struct Section {
 pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.scene == SceneName::Show {
         let line = "the show is no single scene: takes one of its scenes, such as show:machine";
-        return Err(BadInput::error(line.to_owned()));
+        bail!(BadInput(line.to_owned()));
     }
     output::check(&arguments.out)?;
     interrupt::listen();

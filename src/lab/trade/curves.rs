@@ -1,8 +1,9 @@
 //! Measures how speed depends on the size of the picture and on the number of objects.
 
 use crate::arguments::{NamedQuality, Size};
-use crate::measure::{Plan, Setting, Shot, Way};
+use crate::measure::{Plan, Setting, Shot};
 use crate::scenes::SceneName;
+use crate::way::Way;
 use eightfold_tracer::scene::MAX_SPHERES;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::cpu::Isa;

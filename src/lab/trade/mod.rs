@@ -1,9 +1,9 @@
 //! `lab trade`: measures what speed costs in accuracy, dial by dial.
 
 mod curves;
-pub mod outcome;
+mod outcome;
 mod plots;
-pub mod sweep;
+mod sweep;
 mod table;
 
 use crate::arguments::{self, Size};
@@ -115,7 +115,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let trade = measure(arguments, &plan);
     if trade.complete {
-        check(&trade.points, arguments.ladder)?;
+        let points = trade.points.iter();
+        let points = points.map(|row| (row.is_exact(), row.on_front));
+        check(points, arguments.ladder)?;
     }
     let table = if arguments.ladder {
         table::ladder(&trade)
@@ -135,14 +137,16 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Whether a table of these points would have something to tell: with `all` one of them all, otherwise one of the front.
-pub fn check(points: &[Outcome], all: bool) -> Result<()> {
-    if points.iter().all(Outcome::is_exact) {
+/// Whether a table of points would have something to tell, given for each whether it equals the exhaustive frames, and whether it is on
+/// the front: with `all` one of them all, otherwise one of the front.
+pub fn check(points: impl Iterator<Item = (bool, bool)> + Clone, all: bool) -> Result<()> {
+    if points.clone().all(|(is_exact, _)| is_exact) {
         bail!(
             "every setting draws the same at these times: ask for others by --time-from, --time-to or --frames"
         );
     }
-    if !all && !points.iter().any(|row| row.on_front && !row.is_exact()) {
+    let mut others = points.filter(|(is_exact, _)| !is_exact);
+    if !all && !others.any(|(_, on_front)| on_front) {
         bail!(
             "no setting differs from the exhaustive frames and keeps the rules of the front: ask for others by --time-from, --time-to, --frames or --size"
         );
@@ -225,8 +229,6 @@ fn measure(arguments: &Arguments, plan: &Plan) -> Trade {
 }
 
 fn write(folder: &Path, trade: &Trade) -> Result<()> {
-    let mut json = serde_json::to_vec_pretty(trade)?;
-    json.push(b'\n');
-    output::write(&folder.join("trade.json"), &json)?;
+    output::write_json(&folder.join("trade.json"), trade)?;
     plots::write(folder, trade)
 }

@@ -2,7 +2,8 @@
 
 use super::sweep::{dials, has_keys};
 use crate::accuracy::Accuracy;
-use crate::measure::{Run, Way};
+use crate::measure::Run;
+use crate::way::Way;
 use eightfold_tracer::Quality;
 use serde::Serialize;
 

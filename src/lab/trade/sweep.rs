@@ -1,7 +1,7 @@
 //! The points to measure: each dial by itself, then combinations of those that save time.
 
-use crate::arguments::NamedQuality;
-use crate::measure::Way;
+use crate::arguments::{NamedQuality, distinct};
+use crate::way::Way;
 use eightfold_tracer::Quality;
 
 /// Sides of squares: powers of two, some between them, and 17, whose squares are split directly into pixels.
@@ -50,13 +50,8 @@ pub fn named() -> Vec<Quality> {
 
 /// All qualities, the exhaustive one first. With `quick` there are fewer combinations.
 pub fn qualities(quick: bool) -> Vec<Quality> {
-    let mut all = named();
-    for quality in single_dials().into_iter().chain(together(quick)) {
-        if !all.contains(&quality) {
-            all.push(quality);
-        }
-    }
-    all
+    let all = [named(), single_dials(), together(quick)];
+    distinct(all.into_iter().flatten())
 }
 
 /// Variations of single dials of the default quality, and of those that concern keys of the rules of 2008.

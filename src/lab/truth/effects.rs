@@ -1,7 +1,7 @@
 //! Effects that the real-time model leaves out, each to be switched off.
 
 use crate::arguments::BadInput;
-use anyhow::Result;
+use anyhow::{Result, bail};
 
 /// The effects that a picture has beyond the real-time model. Where an effect is off, what the model has in its stead takes its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,7 +64,7 @@ impl Effects {
     /// If an effect is both on and off.
     pub fn chosen(with: &[usize], without: &[usize]) -> Result<Self> {
         if let Some(&both) = with.iter().find(|effect| without.contains(effect)) {
-            return Err(BadInput::error(format!(
+            bail!(BadInput(format!(
                 "--with {name} cannot be used with --without {name}",
                 name = Self::NAMES[both]
             )));

@@ -21,7 +21,7 @@ use crate::overlay::heat;
 use crate::sampler::{MAX_POINTS, Sequence};
 use crate::scenes::{self, SceneName};
 use crate::{interrupt, output, picture};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use clap::{ArgGroup, Args};
 use effects::Effects;
 use eightfold_tracer::glam::DVec3;
@@ -106,7 +106,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if !arguments.convergence {
         interrupt::listen();
     } else if arguments.samples <= REPLICATIONS {
-        return Err(BadInput::error(format!(
+        bail!(BadInput(format!(
             "--samples {} takes more than {REPLICATIONS} for --convergence, which compares two numbers of samples at least",
             arguments.samples
         )));

@@ -3,8 +3,9 @@
 mod trouble;
 
 use super::{cells, lab, printed, render, said};
-use eightfold_lab::measure::Way;
+use eightfold_lab::error::Difference;
 use eightfold_lab::scenes::SceneName;
+use eightfold_lab::way::Way;
 use eightfold_scene_file::SceneFile;
 use eightfold_stage::reader::read_png;
 use eightfold_tracer::Quality;
@@ -239,19 +240,11 @@ fn errors_are_those_of_the_pictures_that_render_draws() {
         let more = format!("--jagged --time 2.5 --quality {quality}");
         read_png(&render(Path::new("-"), &more).stdout).1
     };
-    let (mut squares, mut over_8) = (0.0, 0);
-    let (a, b) = (picture("exhaustive"), picture("default"));
-    for (&a, &b) in a.iter().zip(&b) {
-        let off = a.to_be_bytes().map(f64::from);
-        let off = [0, 1, 2, 3].map(|i| (off[i] - f64::from(b.to_be_bytes()[i])).abs());
-        squares += off.iter().map(|d| d * d).sum::<f64>();
-        over_8 += u32::from(off.iter().any(|&d| d > 8.0));
-    }
-    let psnr = 10.0 * (255.0 * 255.0 * (3 * a.len()) as f64 / squares).log10();
+    let difference = Difference::between(&picture("exhaustive"), &picture("default"));
     let (_, rows) = bench("--jagged --size 40x30 --time-from 2.5 --time-to 2.5 --quality default");
-    assert!((number(&rows[1], "psnr_worst_db") - psnr).abs() < 1e-6);
-    assert!((number(&rows[1], "psnr_db") - psnr).abs() < 1e-6);
-    assert_eq!(number(&rows[1], "pixels_over_8"), f64::from(over_8));
+    assert!((number(&rows[1], "psnr_worst_db") - difference.psnr).abs() < 1e-6);
+    assert!((number(&rows[1], "psnr_db") - difference.psnr).abs() < 1e-6);
+    assert_eq!(number(&rows[1], "pixels_over_8"), difference.over_8 as f64);
 }
 
 #[test]

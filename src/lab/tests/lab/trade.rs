@@ -2,11 +2,7 @@
 
 use super::{assert_one_line, cells, command, lab, printed};
 use anyhow::Result;
-use eightfold_lab::error::Difference;
-use eightfold_lab::measure::{Run, Way};
 use eightfold_lab::trade::check;
-use eightfold_lab::trade::outcome::{Outcome, mark_front};
-use eightfold_tracer::Quality;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -185,35 +181,14 @@ fn frames_in_which_nothing_differs_are_an_error() {
     assert_one_line(&output, 1, &["the same", "--time-from"]);
 }
 
-/// The check of two points: exhaustive frames of 10 milliseconds, and others whose error has this mean square and that take
-/// this long.
-fn check_beside_exhaustive(square: f64, milliseconds: f64, all: bool) -> Result<()> {
-    let run = |time, square| Run {
-        times: vec![time],
-        differences: vec![Difference {
-            square,
-            ..Difference::default()
-        }],
-        ..Run::default()
-    };
-    let exhaustive = run(10.0, 0.0);
-    let other = run(milliseconds, square);
-    let outcome = |quality, run| Outcome::of(&Way::new("", quality), 1, run, &exhaustive);
-    let mut points = [
-        outcome(Quality::EXHAUSTIVE, &exhaustive),
-        outcome(Quality::DEFAULT, &other),
-    ];
-    mark_front(&mut points);
-    check(&points, all)
-}
-
 #[test]
 fn a_table_without_a_row_is_an_error() {
+    let exhaustive = (true, true);
+    let with = |other, all| check([exhaustive, other].into_iter(), all);
     let said = |result: Result<()>| result.expect_err("no row").to_string();
-    let exact = said(check_beside_exhaustive(0.0, 1.0, true));
+    let exact = said(with((true, false), true));
     assert!(exact.starts_with("every setting draws the same"), "{exact}");
-    let slower = said(check_beside_exhaustive(2.0, 11.0, false));
-    assert!(slower.starts_with("no setting differs"), "{slower}");
-    assert!(check_beside_exhaustive(2.0, 11.0, true).is_ok());
-    assert!(check_beside_exhaustive(2.0, 9.0, false).is_ok());
+    let off = said(with((false, false), false));
+    assert!(off.starts_with("no setting differs"), "{off}");
+    assert!(with((false, false), true).is_ok() && with((false, true), false).is_ok());
 }

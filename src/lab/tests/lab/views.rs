@@ -4,8 +4,10 @@ use eightfold::show;
 use eightfold_lab::arguments::Size;
 use eightfold_lab::error::worst_channel;
 use eightfold_lab::flip::{Flip, Flips};
+use eightfold_lab::scenes::SceneName;
 use eightfold_lab::threaded_renderer::{ThreadedRenderer, drawn};
-use eightfold_lab::views::{Seen, Subject, Viewer, pops, views};
+use eightfold_lab::views::{Seen, Viewer, pops, views};
+use eightfold_lab::way::Way;
 use eightfold_tracer::Quality;
 use eightfold_window::cpu;
 
@@ -81,24 +83,17 @@ fn a_pixel_pops_that_jumps_while_its_reference_stays() {
     assert_eq!(count([dark, light], [dark, light]), 0);
 }
 
-/// Returns what is seen of two qualities of the model scene, the first of which is the reference, where time goes on by so much of its
-/// pace.
-fn seen_of(qualities: [&Quality; 2], pace: f32) -> [Seen; 2] {
-    let scene = |time: f32| show::model_scene(2.0 + pace * (time - 2.0));
+/// Returns what is seen of two qualities of the model scene, the first of which is the reference, while time goes on or stands still.
+fn seen_of(qualities: [Quality; 2], is_still: bool) -> [Seen; 2] {
+    let ways = qualities.map(|quality| Way::new("", quality));
     let mut seen = [Seen::default(), Seen::default()];
-    let mut subjects: Vec<Subject<'_>> = qualities
-        .into_iter()
-        .zip(&mut seen)
-        .map(|(quality, seen)| Subject {
-            quality,
-            scene: &scene,
-            seen,
-        })
-        .collect();
     let mut renderer = ThreadedRenderer::new(2);
     let mut viewer = Viewer::new(&mut renderer, cpu::best(), SIZE, true);
-    for view in views(2.0, 8.0, 2, None) {
-        viewer.look(&view, &mut subjects);
+    for mut view in views(2.0, 8.0, 2, None) {
+        if is_still {
+            view.fill(2.0);
+        }
+        viewer.look(&view, SceneName::Model, &ways, &mut seen);
     }
     seen
 }
@@ -109,9 +104,9 @@ fn nothing_pops_in_a_still_picture_or_where_every_pixel_is_traced() {
         tolerance_agreeing: 64.0,
         ..Quality::THESIS
     };
-    let [_, still] = seen_of([&Quality::EXHAUSTIVE, &coarse], 0.0);
+    let [_, still] = seen_of([Quality::EXHAUSTIVE, coarse], true);
     assert_eq!(still.pops(), Some(0.0));
-    let [exact, moving] = seen_of([&Quality::EXHAUSTIVE, &coarse], 1.0);
+    let [exact, moving] = seen_of([Quality::EXHAUSTIVE, coarse], false);
     assert_eq!(exact.pops(), Some(0.0));
     assert!(moving.pops().is_some_and(|pops| pops > 0.1));
     assert_eq!(Seen::default().pops(), None);
@@ -123,7 +118,7 @@ fn many_samples_are_nearer_to_antialiased_frames_and_equal_to_none() {
         antialias: true,
         ..Quality::EXHAUSTIVE
     };
-    let [jagged, smooth] = seen_of([&Quality::EXHAUSTIVE, &antialiased], 1.0);
+    let [jagged, smooth] = seen_of([Quality::EXHAUSTIVE, antialiased], false);
     assert_eq!(jagged.flips.mean(), Some(0.0));
     let psnr = [&jagged, &smooth].map(|seen| seen.psnr_to_64_db().expect("two views"));
     assert!(psnr[0] > 25.0 && psnr[1] > psnr[0] + 2.0, "{psnr:?}");
