@@ -179,15 +179,14 @@ fn main() {
     let folder = env::temp_dir().join(format!("eightfold-heard-{}", std::process::id()));
     fs::create_dir(&folder).expect("a folder");
     let library = simulated::build(&folder);
-    the_picture_is_at_most_20_ms_from_the_sound(&library);
-    println!("the picture is at most 20 ms from the sound: ok");
-    a_device_that_has_run_out_goes_on(&library);
-    println!("a device that has run out goes on: ok");
-    a_program_that_was_stopped_goes_on_where_it_was(&library);
-    println!("a program that was stopped goes on where it was: ok");
-    time_begins_when_the_device_is_open(&library);
-    println!("time begins when the device is open: ok");
-    a_device_that_does_not_open_is_given_up(&library);
-    println!("a device that does not open is given up: ok");
+    for test in [
+        the_picture_is_at_most_20_ms_from_the_sound,
+        a_device_that_has_run_out_goes_on,
+        a_program_that_was_stopped_goes_on_where_it_was,
+        time_begins_when_the_device_is_open,
+        a_device_that_does_not_open_is_given_up,
+    ] {
+        test(&library);
+    }
     fs::remove_dir_all(&folder).expect("it goes");
 }

@@ -7,7 +7,7 @@ use eightfold_window::sound::{Player, RATE, Source};
 use std::{
     env, fs,
     path::Path,
-    process::{Command, Output},
+    process::Command,
     thread,
     time::{Duration, Instant},
 };
@@ -60,52 +60,26 @@ fn play() {
     println!("{} {allocations}", played / wall);
 }
 
-/// The output of a scene.
-struct Scene {
-    /// The player's time as a share of the wall's.
-    pace: f64,
-    allocations: usize,
-    /// Lines on standard error.
-    errors: String,
-}
-
-/// This program, with a configuration of ALSA's in a folder, through a command that ends in `"$0"`.
-fn scene(folder: &Path, configuration: &str, command: &str) -> Scene {
+/// Runs this program, with a configuration of ALSA's in a folder, through a command that ends in `"$0"`. Holds its time to the wall's,
+/// and what it says to nothing, or to the one line of a show that goes on without sound, and why.
+fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
     let file = folder.join("asound.conf");
     fs::write(&file, configuration).unwrap();
-    let Output {
-        status,
-        stdout,
-        stderr,
-    } = Command::new("sh")
+    let output = Command::new("sh")
         .args(["-c", command])
         .arg(env::current_exe().unwrap())
         .env("ALSA_CONFIG_PATH", &file)
         .env("EIGHTFOLD_SOUND_SCENE", "1")
         .output()
         .unwrap();
-    let errors = String::from_utf8_lossy(&stderr).into_owned();
-    assert!(status.success(), "{errors}");
-    let said = String::from_utf8_lossy(&stdout).into_owned();
+    let [said, errors] =
+        [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+    assert!(output.status.success(), "{errors}");
+    let expected = why_silent.map(|why| format!("eightfold: {why}; playing silently\n"));
+    assert_eq!(errors, expected.unwrap_or_default());
     let (pace, allocations) = said.trim().split_once(' ').expect("two numbers");
-    let scene = Scene {
-        pace: pace.parse().unwrap(),
-        allocations: allocations.parse().unwrap(),
-        errors,
-    };
-    assert_eq!(scene.allocations, 0, "allocations while it plays");
-    scene
-}
-
-/// A test and its name.
-type Named = (&'static str, fn(&Path));
-
-/// Holds what is said to the one line of a show that goes on without sound, and why.
-fn says_silent(scene: &Scene, why: &str) {
-    assert_eq!(
-        scene.errors,
-        format!("eightfold: {why}; playing silently\n")
-    );
+    assert_eq!(allocations, "0", "allocations while it plays");
+    assert!((0.98..1.02).contains(&pace.parse().unwrap()), "{pace}");
 }
 
 const PLAIN: &str = "exec \"$0\"";
@@ -116,9 +90,7 @@ fn a_device_gets_every_sample_in_order(folder: &Path) {
         "pcm.default {{ type file, slave.pcm {{ type null }}, file \"{}\", format raw }}",
         out.display()
     );
-    let scene = scene(folder, &configuration, PLAIN);
-    assert_eq!(scene.errors, "");
-    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
+    hold(folder, &configuration, PLAIN, None);
     let bytes = fs::read(out).unwrap();
     let sides: Vec<f32> = bytes
         .chunks_exact(4)
@@ -136,24 +108,18 @@ fn a_device_gets_every_sample_in_order(folder: &Path) {
 }
 
 fn a_device_that_plays_nothing_keeps_time(folder: &Path) {
-    let scene = scene(folder, "pcm.default { type null }", PLAIN);
-    assert_eq!(scene.errors, "");
-    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
+    hold(folder, "pcm.default { type null }", PLAIN, None);
 }
 
 fn time_goes_on_without_a_device(folder: &Path) {
-    let scene = scene(folder, "", PLAIN);
-    says_silent(&scene, "no sound device");
-    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
+    hold(folder, "", PLAIN, Some("no sound device"));
 }
 
 fn time_goes_on_without_the_library(folder: &Path) {
     fs::write(folder.join("libasound.so.2"), "not a library").unwrap();
     let command = format!("LD_LIBRARY_PATH='{}' exec \"$0\"", folder.display());
-    let scene = scene(folder, "pcm.default { type null }", &command);
-    let path = folder.join("libasound.so.2");
-    says_silent(&scene, &format!("{}: file too short", path.display()));
-    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
+    let why = format!("{}/libasound.so.2: file too short", folder.display());
+    hold(folder, "pcm.default { type null }", &command, Some(&why));
 }
 
 fn time_goes_on_when_the_device_disappears(folder: &Path) {
@@ -162,13 +128,8 @@ fn time_goes_on_when_the_device_disappears(folder: &Path) {
         "pcm.default {{ type file, slave.pcm {{ type null }}, file \"{}\", format raw }}",
         folder.join("short.raw").display()
     );
-    let scene = scene(
-        folder,
-        &configuration,
-        "trap '' XFSZ; ulimit -f 375; exec \"$0\"",
-    );
-    says_silent(&scene, "sound device lost");
-    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
+    let command = "trap '' XFSZ; ulimit -f 375; exec \"$0\"";
+    hold(folder, &configuration, command, Some("sound device lost"));
     let played = fs::metadata(folder.join("short.raw")).unwrap().len();
     assert!(played > 100_000, "{played} bytes before it disappeared");
 }
@@ -177,9 +138,8 @@ fn time_goes_on_with_a_device_that_refuses_48_khz(folder: &Path) {
     // It opens, and then ALSA says "Rate doesn't match (requested 48000Hz, get 44100Hz)".
     let configuration = "pcm.nothing { type null }
         pcm.default { type share, slave { pcm nothing, rate 44100, channels 2 }, bindings { 0 0, 1 1 } }";
-    let scene = scene(folder, configuration, PLAIN);
-    says_silent(&scene, "sound device refuses 48 kHz stereo");
-    assert!((0.98..1.02).contains(&scene.pace), "{}", scene.pace);
+    let why = "sound device refuses 48 kHz stereo";
+    hold(folder, configuration, PLAIN, Some(why));
 }
 
 fn main() {
@@ -189,35 +149,15 @@ fn main() {
     needs!(&["libasound.so.2"]);
     let folder = env::temp_dir().join(format!("eightfold-sound-{}", std::process::id()));
     fs::create_dir(&folder).unwrap();
-    let scenes: [Named; 6] = [
-        (
-            "a device gets every sample in order",
-            a_device_gets_every_sample_in_order,
-        ),
-        (
-            "a device that plays nothing keeps time",
-            a_device_that_plays_nothing_keeps_time,
-        ),
-        (
-            "time goes on without a device",
-            time_goes_on_without_a_device,
-        ),
-        (
-            "time goes on when the device disappears",
-            time_goes_on_when_the_device_disappears,
-        ),
-        (
-            "time goes on with a device that refuses 48 kHz",
-            time_goes_on_with_a_device_that_refuses_48_khz,
-        ),
-        (
-            "time goes on without the library",
-            time_goes_on_without_the_library,
-        ),
-    ];
-    for (name, run) in scenes {
-        run(&folder);
-        println!("{name}: ok");
+    for test in [
+        a_device_gets_every_sample_in_order,
+        a_device_that_plays_nothing_keeps_time,
+        time_goes_on_without_a_device,
+        time_goes_on_when_the_device_disappears,
+        time_goes_on_with_a_device_that_refuses_48_khz,
+        time_goes_on_without_the_library,
+    ] {
+        test(&folder);
     }
     fs::remove_dir_all(&folder).unwrap();
 }
