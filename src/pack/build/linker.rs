@@ -18,8 +18,6 @@ const LIMIT: usize = 65_536;
 pub const STUB: &str = "stub.o";
 const SETTINGS: &str = "settings";
 const PACKED: &str = "packed";
-const LINUX: &str = "linux";
-const WINDOWS: &str = "windows";
 /// The name of the diet's object file.
 const DIET: &str = "diet.o";
 /// The name of the file with functions in the order in which they are linked.
@@ -38,35 +36,31 @@ pub struct Settings {
 }
 
 impl Settings {
+    /// Writes them as lines; the last two are empty for Linux.
     pub fn write(&self, directory: &Path) -> Result<(), Error> {
         let packed = if self.is_packed { PACKED } else { "" };
-        let mut lines = vec![&*self.linker, &*self.unpacked, packed];
-        match &self.system {
-            System::Linux => lines.push(LINUX),
-            System::Windows(Version { name, number }) => lines.extend([WINDOWS, name, number]),
-        }
+        let [name, number] = match &self.system {
+            System::Linux => ["", ""],
+            System::Windows(Version { name, number }) => [name.as_str(), number],
+        };
+        let lines = [&*self.linker, &*self.unpacked, packed, name, number];
         Ok(fs::write(directory.join(SETTINGS), lines.join("\n"))?)
     }
 
     fn read(directory: &Path) -> Result<Settings, Error> {
         let text = fs::read_to_string(directory.join(SETTINGS))?;
-        let lines: Vec<_> = text.split('\n').collect();
-        let (linker, unpacked, packed, system) = match lines[..] {
-            [linker, unpacked, packed, LINUX] => (linker, unpacked, packed, System::Linux),
-            [linker, unpacked, packed, WINDOWS, name, number] => {
-                let version = Version {
-                    name: name.into(),
-                    number: number.into(),
-                };
-                (linker, unpacked, packed, System::Windows(version))
-            }
-            _ => return Err("the settings are not those of the build script".into()),
-        };
+        let lines: Vec<_> = text.split('\n').map(String::from).collect();
+        let [linker, unpacked, packed, name, number] = <[String; 5]>::try_from(lines)
+            .map_err(|_| "the settings are not those of the build script")?;
         Ok(Settings {
-            linker: linker.into(),
-            unpacked: unpacked.into(),
+            linker,
+            unpacked,
             is_packed: packed == PACKED,
-            system,
+            system: if name.is_empty() {
+                System::Linux
+            } else {
+                System::Windows(Version { name, number })
+            },
         })
     }
 

@@ -37,9 +37,7 @@ impl Toolchain {
         let linker = linker(&flags, env::var("RUSTC_LINKER").ok(), own)?;
         Ok(Toolchain { rustc, linker })
     }
-}
 
-impl Toolchain {
     /// The linker's option for the address where a program begins.
     pub fn base(&self) -> &'static str {
         if self.linker.ends_with("lld") || self.linker.ends_with("mold") {
