@@ -52,6 +52,11 @@ pub fn draw(
     Drawn { pixels, counts }
 }
 
+/// Draws a picture by the best instruction set of the machine, on two threads.
+pub fn draw_best(scene: &Scene, quality: &Quality, width: usize, height: usize) -> Drawn {
+    draw(cpu::best(), 2, scene, quality, width, height)
+}
+
 /// Draws a picture by every instruction set of the machine, on two threads.
 pub fn draw_by_all(
     scene: &Scene,

@@ -1,7 +1,6 @@
 //! The highlights of metals and of brushed surfaces.
 
-use crate::cpu;
-use crate::drawn::{draw, jagged};
+use crate::drawn::{draw_best, jagged};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape};
 use glam::{Mat3A, Vec3A, vec3a};
@@ -38,7 +37,7 @@ fn disc(material: Material) -> Vec<[f32; 3]> {
         ..Scene::default()
     };
     let quality = jagged(Quality::EXHAUSTIVE);
-    let drawn = draw(cpu::best(), 1, &scene, &quality, SIDE, SIDE);
+    let drawn = draw_best(&scene, &quality, SIDE, SIDE);
     let channels = |pixel: &u32| [16, 8, 0].map(|shift| (pixel >> shift & 0xff) as f32 / 255.0);
     drawn.pixels.iter().map(channels).collect()
 }

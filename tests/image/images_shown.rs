@@ -5,7 +5,7 @@
 //! boxes, and 4 of 320 of cylinders and capsules; squares of other sides miss 3 more. All seven are of capsules. The bare rules miss 273.
 
 use crate::cpu;
-use crate::drawn::{draw, jagged, named, with_any_squares};
+use crate::drawn::{draw, draw_best, jagged, named, with_any_squares};
 use crate::generator::alone::{image, wide_image};
 use crate::generator::near::seeds;
 use crate::generator::seeded::{Random, floor};
@@ -116,7 +116,7 @@ fn every_image_in_a_plane_that_2x2_pixels_show_is_shown_and_the_bare_rules_miss_
     let mut missed = BTreeSet::new();
     for seed in 0..SCENES {
         let scene = scene(&mut Random(seed));
-        let draw = |quality| draw(cpu::best(), 2, &scene, &jagged(quality), WIDTH, HEIGHT).pixels;
+        let draw = |quality| draw_best(&scene, &jagged(quality), WIDTH, HEIGHT).pixels;
         let exhaustive = draw(Quality::EXHAUSTIVE);
         let images = images(&exhaustive);
         for &image in &images {

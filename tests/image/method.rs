@@ -2,7 +2,7 @@
 //! picture has squares of one colour.
 
 use crate::cpu;
-use crate::drawn::{draw, jagged};
+use crate::drawn::{draw, draw_best, jagged};
 use crate::error::worst_channel;
 use crate::overlay::FrameTrace;
 use crate::threaded_renderer::ThreadedRenderer;
@@ -83,9 +83,7 @@ fn lines_are_the_upper_and_left_sides_of_filled_squares() {
 #[test]
 fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads() {
     let (width, height) = SIZE;
-    let plain = draw(
-        cpu::best(),
-        2,
+    let plain = draw_best(
         &show::model_scene(1.0),
         &jagged(Quality::DEFAULT),
         width,
@@ -93,7 +91,7 @@ fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads
     );
     let mut scene = overlay(0.0, 0.0);
     scene.method.picture = 0.5;
-    let dimmed = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, width, height);
+    let dimmed = draw_best(&scene, &Quality::DEFAULT, width, height);
     assert_eq!(plain.counts, dimmed.counts);
     for (plain, dimmed) in plain.pixels.iter().zip(&dimmed.pixels) {
         for shift in [0, 8, 16] {
@@ -108,7 +106,7 @@ fn the_picture_is_dimmed_between_marks_by_the_same_bits_on_any_number_of_threads
         coarse: 0.0,
         front: 0.0,
     };
-    let drawn = draw(cpu::best(), 1, &scene, &Quality::DEFAULT, width, height);
+    let drawn = draw_best(&scene, &Quality::DEFAULT, width, height);
     for threads in [2, 3, 7] {
         let again = draw(
             cpu::best(),
@@ -160,9 +158,9 @@ fn squares_of_a_single_pixel_leave_the_picture_as_it_is() {
     let mut scene = show::model_scene(1.0);
     // With an overlay nothing is antialiased.
     let quality = jagged(Quality::DEFAULT);
-    let plain = draw(cpu::best(), 2, &scene, &quality, width, height);
+    let plain = draw_best(&scene, &quality, width, height);
     scene.method.coarse = 1.9;
-    let drawn = draw(cpu::best(), 2, &scene, &quality, width, height);
+    let drawn = draw_best(&scene, &quality, width, height);
     assert_eq!(plain.counts, drawn.counts);
     // An overlay that shows nothing rounds colours down.
     for (&plain, &drawn) in plain.pixels.iter().zip(&drawn.pixels) {

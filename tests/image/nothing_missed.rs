@@ -1,7 +1,7 @@
 //! Every object that tracing every pixel shows is shown by every guarded quality.
 
 use crate::cpu::{self, Isa};
-use crate::drawn::{draw, jagged, with_any_squares};
+use crate::drawn::{draw_best, jagged, with_any_squares};
 use crate::generator::config;
 use crate::generator::near::{contact, seeds, slivers};
 use crate::generator::placed::{between_corners, extreme_blocks, of_the_show, placed};
@@ -55,7 +55,7 @@ fn missed(exhaustive: &[u32], drawn: &[u32]) -> usize {
 #[test]
 fn spheres_between_corners_are_shown_and_the_bare_rules_miss_them() {
     let scene = between_corners();
-    let draw = |quality| draw(cpu::best(), 2, &scene, &quality, 320, 240).pixels;
+    let draw = |quality| draw_best(&scene, &quality, 320, 240).pixels;
     let exhaustive = draw(Quality::EXHAUSTIVE);
     for quality in qualities() {
         assert_eq!(missed(&exhaustive, &draw(quality)), 0, "{quality:?}");

@@ -1,7 +1,6 @@
 //! Patterns in filled squares are as sharp as traced ones, and take few points.
 
-use crate::cpu;
-use crate::drawn::{draw, draw_by_all, jagged};
+use crate::drawn::{draw, draw_best, draw_by_all, jagged};
 use crate::error::Difference;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
@@ -40,11 +39,11 @@ fn scene(depth: f32, marble: f32) -> Scene {
             material: material(vec3a(1.5, 0.0, 1.5), 40.0, 0.0),
             ..Plane::default()
         }]),
-        spheres: List::of(&[Sphere {
-            centre: vec3a(0.0, 0.6, -1.2),
-            radius: 0.6,
-            material: material(Vec3A::splat(3.0), 20.0, 0.0),
-        }]),
+        spheres: List::of(&[Sphere::new(
+            vec3a(0.0, 0.6, -1.2),
+            0.6,
+            material(Vec3A::splat(3.0), 20.0, 0.0),
+        )]),
         blocks: List::of(&[
             block(-1.2, Shape::Box, material(vec3a(0.0, 4.0, 0.0), 20.0, 0.0)),
             block(
@@ -122,7 +121,7 @@ fn balance_is_how_much_is_light_near_and_far() {
         // From near, 20 whole stripes are seen, each sharp; from far away a pixel shows several.
         for height in [11.83, 3000.0] {
             let scene = floor(balance, height);
-            let drawn = draw(cpu::best(), 1, &scene, &Quality::EXHAUSTIVE, 400, 400);
+            let drawn = draw_best(&scene, &Quality::EXHAUSTIVE, 400, 400);
             let sum: u32 = drawn.pixels.iter().map(|pixel| pixel & 0xff).sum();
             let mean = sum as f32 / (255.0 * 400.0 * 400.0);
             let expected = 0.5 + 0.5 * balance;

@@ -1,7 +1,6 @@
 //! The approximate penumbra of a sphere is close to the one that many shadow rays find.
 
-use crate::cpu;
-use crate::drawn::{draw, draw_by_all};
+use crate::drawn::{draw, draw_best, draw_by_all};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
 use glam::{DVec3, Vec3A, vec3a};
@@ -56,7 +55,7 @@ fn a_penumbra_is_within_a_tenth_of_what_many_rays_find() {
     };
     let size = 200;
     let raster = scene.camera;
-    let drawn = draw(cpu::best(), 1, &scene, &Quality::EXHAUSTIVE, size, size);
+    let drawn = draw_best(&scene, &Quality::EXHAUSTIVE, size, size);
     let half = (0.5 * raster.field_of_view).tan() * eye.y;
     let (mut sum, mut largest, mut count) = (0.0, 0.0_f64, 0);
     for (i, &pixel) in drawn.pixels.iter().enumerate() {

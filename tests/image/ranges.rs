@@ -1,7 +1,7 @@
 //! Arguments out of their range are refused, those at its ends are not; lengths at its ends draw what they are.
 
 use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::{draw, draw_best};
 use crate::error::Difference;
 use eightfold::show;
 use eightfold_tracer::scene::{Block, Camera, List, Scene, Shape, Sphere};
@@ -197,7 +197,7 @@ fn comparing_deeper_than_rays_go_compares_all() {
             state_depth: depth,
             ..Quality::THESIS
         };
-        draw(cpu::best(), 1, &scene, &quality, 200, 150).pixels
+        draw_best(&scene, &quality, 200, 150).pixels
     };
     let all = compare(Quality::MAX_DEPTH);
     for depth in [8, 30, 31, 32, 40, u32::MAX] {

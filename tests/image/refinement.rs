@@ -2,7 +2,7 @@
 
 use crate::accuracy::mean_of_right;
 use crate::cpu;
-use crate::drawn::{draw, draw_by_all, jagged};
+use crate::drawn::{draw, draw_best, draw_by_all, jagged};
 use crate::error::Difference;
 use crate::generator::crowded::crowded;
 use crate::generator::seeded::Random;
@@ -109,7 +109,7 @@ fn what_the_intro_plays_is_within_45_db_in_every_frame() {
         let scene = show::model_scene(second as f32);
         for quality in [Quality::DEFAULT, jagged(Quality::DEFAULT)] {
             let [exhaustive, played] = [quality.reference(), quality]
-                .map(|quality| draw(cpu::best(), 2, &scene, &quality, 1024, 768).pixels);
+                .map(|quality| draw_best(&scene, &quality, 1024, 768).pixels);
             let psnr = Difference::between(&exhaustive, &played).psnr;
             assert!(psnr >= 45.0, "{psnr} dB at {second} s by {quality:?}");
         }
@@ -191,6 +191,22 @@ fn a_point_has_the_same_bits_whatever_is_traced_beside_it() {
     }
 }
 
+/// The most points of a picture by squares of a side: those on the border between two tiles are traced by both.
+pub fn most_points(square: usize, width: usize, height: usize) -> usize {
+    let corners = |side: usize, tile: usize| -> usize {
+        let tile = tile / square * square;
+        let parts = (0..side).step_by(tile);
+        parts
+            .map(|start| (side - start).min(tile).next_multiple_of(square) + 1)
+            .sum()
+    };
+    if square == 1 {
+        width * height
+    } else {
+        corners(width, TILE[0]) * corners(height, TILE[1])
+    }
+}
+
 #[test]
 fn no_point_is_traced_twice_even_where_every_square_splits() {
     // Many spheres from above, and tolerances of 0: hardly any square is filled.
@@ -204,20 +220,8 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
             tolerance_differing: 0.0,
             ..Quality::THESIS
         };
-        let drawn = draw(cpu::best(), 2, &scene, &quality, width, height);
-        // Points on the border between two tiles are traced by both.
-        let [tile_width, tile_height] = TILE.map(|side| side / square * square);
-        let corners = |side: usize, tile: usize| -> usize {
-            let parts = (0..side).step_by(tile);
-            parts
-                .map(|start| (side - start).min(tile).next_multiple_of(square) + 1)
-                .sum()
-        };
-        let most = if square == 1 {
-            width * height
-        } else {
-            corners(width, tile_width) * corners(height, tile_height)
-        };
+        let drawn = draw_best(&scene, &quality, width, height);
+        let most = most_points(square, width, height);
         let points = drawn.counts.points as usize;
         assert!(
             points <= most,
@@ -234,7 +238,7 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
 fn psnr(scene: &Scene, [width, height]: [usize; 2]) -> f64 {
     let quality = Quality::DEFAULT;
     let [exhaustive, played] = [quality.reference(), quality]
-        .map(|quality| draw(cpu::best(), 2, scene, &quality, width, height).pixels);
+        .map(|quality| draw_best(scene, &quality, width, height).pixels);
     Difference::between(&exhaustive, &played).psnr
 }
 

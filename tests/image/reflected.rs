@@ -4,8 +4,7 @@
 //! default quality, and 0.25 % by the rules of 2008. The largest patches have 4 pixels. Without the guard 34 % are wrong, in patches
 //! of 77.
 
-use crate::cpu;
-use crate::drawn::{draw, jagged};
+use crate::drawn::{draw_best, jagged};
 use crate::wrong_pixels::{largest_patch, wrong_pixels};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene, Sphere};
@@ -16,13 +15,15 @@ const HEIGHT: usize = 240;
 
 /// Rows of spheres of several sizes above a mirror. Most reflections are a few pixels wide, some less than one.
 fn scene(turn: f32) -> Scene {
-    let sphere = |i: usize| Sphere {
-        centre: vec3a((i % 8) as f32 - 3.5, 1.5, 0.5 - (i / 8) as f32) * 1.3,
-        radius: 0.02 * 1.3_f32.powi((i * 5 % 8) as i32),
-        material: Material {
-            colour: Vec3A::splat(0.8),
-            ..Material::BLACK
-        },
+    let sphere = |i: usize| {
+        Sphere::new(
+            vec3a((i % 8) as f32 - 3.5, 1.5, 0.5 - (i / 8) as f32) * 1.3,
+            0.02 * 1.3_f32.powi((i * 5 % 8) as i32),
+            Material {
+                colour: Vec3A::splat(0.8),
+                ..Material::BLACK
+            },
+        )
     };
     let spheres: Vec<Sphere> = (0..40).map(sphere).collect();
     Scene {
@@ -54,9 +55,8 @@ fn reflections_between_corners_are_missed_by_no_more_than_is_stated() {
         let (mut reflected, mut missed, mut patch) = (0, 0, 0);
         for i in 0..12 {
             let scene = scene(0.25 * i as f32);
-            let draw = |scene: &Scene, quality| {
-                draw(cpu::best(), 2, scene, &jagged(quality), WIDTH, HEIGHT).pixels
-            };
+            let draw =
+                |scene: &Scene, quality| draw_best(scene, &jagged(quality), WIDTH, HEIGHT).pixels;
             let exhaustive = draw(&scene, Quality::EXHAUSTIVE);
             let bare = draw(&without_reflections(&scene), Quality::EXHAUSTIVE);
             let wrong = wrong_pixels(&exhaustive, &draw(&scene, quality));

@@ -6,7 +6,7 @@
 //! 125 pixels.
 
 use crate::cpu::{self, Isa};
-use crate::drawn::{draw, jagged, named};
+use crate::drawn::{draw, draw_best, jagged, named};
 use crate::error::worst_channel;
 use crate::generator::alone::{shadow, shadow_beside_a_dark_corner, thin_shadows};
 use crate::generator::near::{Near, seeds};
@@ -26,24 +26,25 @@ const SCENES: u64 = 60;
 
 /// Red spheres above a grey floor with one light. Most of their shadows are a few pixels wide.
 fn scene(random: &mut Random) -> Scene {
-    let sphere = |random: &mut Random| Sphere {
-        centre: random.vector(vec3a(-5.0, 0.5, -5.0), vec3a(5.0, 3.0, 5.0)),
-        radius: 10.0_f32.powf(random.between(-2.0, -0.3)),
-        material: Material {
-            colour: Vec3A::X,
-            ..Material::BLACK
-        },
+    let sphere = |random: &mut Random| {
+        Sphere::new(
+            random.vector(vec3a(-5.0, 0.5, -5.0), vec3a(5.0, 3.0, 5.0)),
+            10.0_f32.powf(random.between(-2.0, -0.3)),
+            Material {
+                colour: Vec3A::X,
+                ..Material::BLACK
+            },
+        )
     };
     let spheres: Vec<Sphere> = (0..32).map(|_| sphere(random)).collect();
     let grey = Material::matt(Vec3A::splat(0.8), 0.9);
     let mut scene = floor(random, Vec3A::ZERO, grey);
     scene.ambient = Vec3A::splat(0.2);
     scene.spheres = List::of(&spheres);
-    scene.lights.push(Light {
-        position: random.vector(vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0)),
-        colour: Vec3A::ONE,
-        ..Light::DARK
-    });
+    scene.lights.push(Light::new(
+        random.vector(vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0)),
+        Vec3A::ONE,
+    ));
     scene
 }
 
@@ -63,8 +64,7 @@ fn few_pixels_of_shadows_are_missed_and_their_patches_are_small() {
         let (mut shaded, mut missed, mut patch) = (0, 0, 0);
         for _ in 0..SCENES {
             let scene = scene(&mut random);
-            let draw =
-                |quality| draw(cpu::best(), 2, &scene, &jagged(quality), WIDTH, HEIGHT).pixels;
+            let draw = |quality| draw_best(&scene, &jagged(quality), WIDTH, HEIGHT).pixels;
             let exhaustive = draw(Quality::EXHAUSTIVE);
             let drawn = draw(quality);
             // A channel of lit pixels is brighter by more than 8/255.
@@ -115,7 +115,7 @@ fn every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some() {
     let mut bare_misses = 0;
     for seed in 0..SCENES {
         let scene = scene(&mut Random(seed));
-        let draw = |quality| draw(cpu::best(), 2, &scene, &jagged(quality), WIDTH, HEIGHT).pixels;
+        let draw = |quality| draw_best(&scene, &jagged(quality), WIDTH, HEIGHT).pixels;
         let exhaustive = draw(Quality::EXHAUSTIVE);
         let is_shaded = |pixels: &[u32], i: usize| pixels[i] == SHADED && exhaustive[i] == SHADED;
         let of = |pixels: Vec<u32>| {

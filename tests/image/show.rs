@@ -1,7 +1,6 @@
 //! The show consists of valid scenes that change on the grid, and its captions stay inside the picture.
 
-use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::draw_best;
 use eightfold::show::{self, grid};
 use eightfold::sound::pulse;
 use eightfold_tracer::Quality;
@@ -25,14 +24,7 @@ fn the_show_is_valid_all_along() {
 
 /// The sum of all channels of a small picture, a number of 60ths of a second after a time.
 fn brightness(time: f32, frames: f32) -> f64 {
-    let drawn = draw(
-        cpu::best(),
-        1,
-        &at(time + frames / 60.0),
-        &Quality::DEFAULT,
-        64,
-        36,
-    );
+    let drawn = draw_best(&at(time + frames / 60.0), &Quality::DEFAULT, 64, 36);
     let sums = drawn.pixels.iter().flat_map(|pixel| pixel.to_le_bytes());
     sums.map(f64::from).sum()
 }
@@ -226,7 +218,7 @@ fn captions_are_inside_the_picture_and_bright() {
                 continue;
             }
             seen = letters;
-            let drawn = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, width, height);
+            let drawn = draw_best(&scene, &Quality::DEFAULT, width, height);
             // The strokes of a letter are about twice as long as the letter is high.
             let bright = drawn.pixels.iter().filter(|&&pixel| pixel & 0xff > 0xb0);
             let bright = bright.count();
@@ -261,7 +253,7 @@ fn a_caption_tells_the_points_and_the_pixels_of_its_own_frame() {
                 captions: List::of(&[caption]),
                 ..show::model_scene(2.0)
             };
-            draw(cpu::best(), 2, &scene, &quality, width, height)
+            draw_best(&scene, &quality, width, height)
         };
         let counted = with("TRACED ####### OF $$$$$$$ PIXELS");
         let points = counted.counts.points;

@@ -1,7 +1,6 @@
 //! Waves on the first plane.
 
-use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::draw_best;
 use crate::error::Difference;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene, Sphere, Waves};
@@ -36,7 +35,7 @@ const ROUGH: Waves = Waves {
 
 fn picture(scene: &Scene) -> Vec<u32> {
     let quality = Quality::EXHAUSTIVE;
-    draw(cpu::best(), 1, scene, &quality, WIDTH, HEIGHT).pixels
+    draw_best(scene, &quality, WIDTH, HEIGHT).pixels
 }
 
 /// How many pixels differ.
@@ -71,14 +70,14 @@ fn no_wave_mirrors_what_is_below_the_water() {
 fn what_is_mirrored_moves_with_the_waves_and_comes_back() {
     let mut scene = sea(4.0, ROUGH);
     scene.ambient = Vec3A::ONE;
-    scene.spheres.push(Sphere {
-        centre: vec3a(0.0, 2.0, 4.0),
-        radius: 1.0,
-        material: Material {
+    scene.spheres.push(Sphere::new(
+        vec3a(0.0, 2.0, 4.0),
+        1.0,
+        Material {
             colour: Vec3A::X,
             ..Material::BLACK
         },
-    });
+    ));
     let mut at = |phase: f32| {
         scene.water.phase = phase;
         picture(&scene)

@@ -1,7 +1,6 @@
 //! Text that is written over a finished picture, and copper bars.
 
-use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::draw_best;
 use eightfold_tracer::glam::{Vec3A, vec3a};
 use eightfold_tracer::scene::{Caption, CopperBar, List, Scene};
 use eightfold_tracer::{Frame, Quality};
@@ -58,7 +57,7 @@ fn a_copper_bar_is_a_rod_across_the_picture_that_covers_its_share_of_it() {
             copper_bars: List::of(&[bar]),
             ..Scene::default()
         };
-        let drawn = draw(cpu::best(), 2, &scene, &Quality::DEFAULT, SIZE.0, SIZE.1);
+        let drawn = draw_best(&scene, &Quality::DEFAULT, SIZE.0, SIZE.1);
         for (y, row) in drawn.pixels.chunks(SIZE.0).enumerate() {
             assert!(row.iter().all(|pixel| *pixel == row[0]), "row {y}");
             // It is 36 rows high, and row 90 is the first below its middle.

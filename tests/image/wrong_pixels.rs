@@ -1,7 +1,6 @@
 //! In random scenes few pixels are wrong by the default quality, and they lie in small patches.
 
-use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::draw_best;
 use crate::error::worst_channel;
 use crate::generator::{config, sketch, sphere};
 use eightfold_tracer::Quality;
@@ -46,7 +45,7 @@ proptest! {
     fn wrong_pixels_are_few_and_their_patches_small(sketch in sketch(vec(sphere(), 0..12), 2)) {
         let scene = sketch.scene();
         let (width, height) = (320, 240);
-        let draw = |quality| draw(cpu::best(), 2, &scene, &quality, width, height).pixels;
+        let draw = |quality| draw_best(&scene, &quality, width, height).pixels;
         let wrong = wrong_pixels(&draw(Quality::DEFAULT.reference()), &draw(Quality::DEFAULT));
         let share = wrong.iter().filter(|&&wrong| wrong).count() as f64 / wrong.len() as f64;
         let patch = largest_patch(wrong, width);

@@ -22,14 +22,14 @@ impl Near {
         scene.ambient = Vec3A::splat(0.1);
         scene.background = vec3a(0.1, 0.15, 0.3);
         scene.planes[0].material = matt;
-        scene.spheres.push(Sphere {
+        scene.spheres.push(Sphere::new(
             centre,
-            radius: radius.max(MIN_LENGTH),
-            material: Material {
+            radius.max(MIN_LENGTH),
+            Material {
                 colour: Vec3A::X,
                 ..matt
             },
-        });
+        ));
         scene.lights.push(Light::new(lamp, Vec3A::splat(0.73)));
     }
 

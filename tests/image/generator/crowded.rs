@@ -63,11 +63,11 @@ pub fn crowded(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32;
     let place =
         |random: &mut Random| random.vector(vec3a(-REACH, 0.0, -REACH), vec3a(REACH, REACH, REACH));
     for _ in 0..spheres {
-        scene.spheres.push(Sphere {
-            centre: place(random),
-            radius: random.between(0.1, 0.4),
-            material: material(random, shares),
-        });
+        scene.spheres.push(Sphere::new(
+            place(random),
+            random.between(0.1, 0.4),
+            material(random, shares),
+        ));
     }
     for _ in 0..blocks {
         let shape = [Shape::Box, Shape::Cylinder, Shape::Capsule][random.below(3)];
@@ -82,11 +82,10 @@ pub fn crowded(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32;
         });
     }
     for _ in 0..1 + random.below(3) {
-        scene.lights.push(Light {
-            position: random.vector(vec3a(-9.0, 6.0, -9.0), vec3a(9.0, 12.0, 9.0)),
-            colour: Vec3A::splat(random.between(0.3, 1.0)),
-            ..Light::DARK
-        });
+        scene.lights.push(Light::new(
+            random.vector(vec3a(-9.0, 6.0, -9.0), vec3a(9.0, 12.0, 9.0)),
+            Vec3A::splat(random.between(0.3, 1.0)),
+        ));
     }
     scene
 }

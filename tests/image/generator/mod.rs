@@ -98,14 +98,13 @@ fn camera() -> impl Strategy<Value = Camera> {
         point(1.0, 1.0),
         0.3_f32..1.6,
     )
-        .prop_map(
-            |((angle, distance, height), look_at, field_of_view)| Camera {
-                eye: vec3a(distance * angle.sin(), height, distance * angle.cos()),
+        .prop_map(|((angle, distance, height), look_at, field_of_view)| {
+            Camera::new(
+                vec3a(distance * angle.sin(), height, distance * angle.cos()),
                 look_at,
-                up: Vec3A::Y,
                 field_of_view,
-            },
-        )
+            )
+        })
 }
 
 /// The parts of a scene of spheres and planes: it prints shorter than the scene when a test fails.

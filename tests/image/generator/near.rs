@@ -73,12 +73,11 @@ fn camera(random: &mut Random, floor: f32, distance: f32) -> Camera {
     let across = random.vector(vec3a(-1.0, 0.0, -1.0), vec3a(1.0, 0.0, 1.0));
     let away = one_of(random, [0.0, 0.0, 30.0, 1000.0]) * distance;
     let eye = vec3a(away, floor + side * distance, 0.0);
-    Camera {
+    Camera::new(
         eye,
-        look_at: eye + across + vec3a(0.01, -side * steep, 0.0),
-        up: Vec3A::Y,
-        field_of_view: one_of(random, [0.2, 0.6, 1.2, 2.6]),
-    }
+        eye + across + vec3a(0.01, -side * steep, 0.0),
+        one_of(random, [0.2, 0.6, 1.2, 2.6]),
+    )
 }
 
 /// A picture of a floor with nothing on it.
@@ -134,18 +133,14 @@ pub fn contact(random: &mut Random) -> Near {
         match random.below(4) {
             0 => {
                 let radius = (size * size + rise * rise) / (2.0 * rise.max(1e-6 * size));
-                near.scene.spheres.push(Sphere {
-                    centre: at + Vec3A::Y * (side * (rise - radius)),
-                    radius,
-                    material,
-                });
+                let centre = at + Vec3A::Y * (side * (rise - radius));
+                near.scene
+                    .spheres
+                    .push(Sphere::new(centre, radius, material));
             }
             1 => {
-                near.scene.spheres.push(Sphere {
-                    centre: at + Vec3A::Y * (side * (size - rise)),
-                    radius: size,
-                    material,
-                });
+                let centre = at + Vec3A::Y * (side * (size - rise));
+                near.scene.spheres.push(Sphere::new(centre, size, material));
             }
             kind => {
                 let shape = [Shape::Box, Shape::Cylinder, Shape::Capsule][random.below(3)];
@@ -217,11 +212,8 @@ pub fn slivers() -> [Near; 3] {
             ..Block::default()
         })
         .collect();
-    let ball = Sphere {
-        centre: vec3a(-32.237_984, -999.999_44, -32.237_984),
-        radius: 1000.0,
-        material: paint(1),
-    };
+    let centre = vec3a(-32.237_984, -999.999_44, -32.237_984);
+    let ball = Sphere::new(centre, 1000.0, paint(1));
     let rod = Block {
         centre: vec3a(-2.462_177, -7.497_565_3, -1.566_425),
         half: vec3a(0.009_698_613, 7.497_571_5, 0.009_698_613),
