@@ -46,21 +46,6 @@ fn hold(scene: &Scene, width: usize, height: usize, what: &str) {
 }
 
 #[test]
-fn the_model_scene_is_as_the_oracle_sees_it() {
-    for (time, width, height) in [
-        (0.0, 1024, 768),
-        (0.0, 64, 48),
-        (2.5, 640, 480),
-        (7.0, 333, 777),
-        (12.6, 800, 200),
-        (19.0, 320, 240),
-    ] {
-        let what = format!("{width}x{height} at {time} s");
-        hold(&show::model_scene(time), width, height, &what);
-    }
-}
-
-#[test]
 fn a_field_of_spheres_is_as_the_oracle_sees_it() {
     for (count, time) in [(4, 0.0), (64, 3.0), (256, 9.0), (320, 1.0)] {
         let what = format!("a field of {count} at {time} s");

@@ -1,7 +1,6 @@
 //! Antialiased pictures are closer to supersampled ones, and change at edges alone.
 
-use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::draw_best;
 use crate::error::{Difference, worst_channel};
 use crate::generator::near::seeds;
 use crate::generator::seeded::scene;
@@ -17,15 +16,15 @@ const FINE: usize = 8;
 const SIZE: (usize, usize) = (200, 150);
 
 /// A picture by the best instruction set, `n` times as large as [`SIZE`].
-fn picture(scene: &Scene, quality: &Quality, threads: usize, n: usize) -> Vec<u32> {
+fn picture(scene: &Scene, quality: &Quality, n: usize) -> Vec<u32> {
     let (width, height) = SIZE;
-    draw(cpu::best(), threads, scene, quality, n * width, n * height).pixels
+    draw_best(scene, quality, n * width, n * height).pixels
 }
 
 /// A picture whose pixels are the means of 8 by 8 pixels of one that is eight times as large.
 fn reference(scene: &Scene) -> Vec<u32> {
     let (width, height) = SIZE;
-    let large = picture(scene, &Quality::EXHAUSTIVE, 2, FINE);
+    let large = picture(scene, &Quality::EXHAUSTIVE, FINE);
     let mean = |i: usize, shift: u32| {
         let (left, top) = (i % width * FINE, i / width * FINE);
         let rows = large.chunks_exact(width * FINE).skip(top).take(FINE);
@@ -52,9 +51,8 @@ fn mixed_edges_are_nearer_to_many_samples_everywhere() {
         ("field", show::field(64, 2.0)),
     ] {
         let reference = reference(&scene);
-        let psnr = |quality: &Quality| {
-            Difference::between(&reference, &picture(&scene, quality, 2, 1)).psnr
-        };
+        let psnr =
+            |quality: &Quality| Difference::between(&reference, &picture(&scene, quality, 1)).psnr;
         // With squares the error between edges stays.
         for (quality, least) in [(Quality::EXHAUSTIVE, 4.0), (Quality::DEFAULT, 3.0)] {
             let [jagged, mixed] = [false, true].map(|antialias| psnr(&with(antialias, quality)));
@@ -73,7 +71,7 @@ fn what_differs_from_no_neighbour_keeps_its_bits() {
     for quality in [Quality::EXHAUSTIVE, Quality::DEFAULT] {
         let scene = show::model_scene(2.0);
         let [plain, smooth] =
-            [false, true].map(|antialias| picture(&scene, &with(antialias, quality), 2, 1));
+            [false, true].map(|antialias| picture(&scene, &with(antialias, quality), 1));
         let is_edge = |i: usize| {
             let (x, y) = (i % width, i / width);
             let beside = [
@@ -108,16 +106,8 @@ fn the_point_between_two_pixels_is_traced_wherever_they_differ() {
             ..Quality::DEFAULT
         };
         let (width, height) = (1 + random.below(600), 1 + random.below(80));
-        let [plain, smooth] = [false, true].map(|antialias| {
-            draw(
-                cpu::best(),
-                2,
-                &scene,
-                &with(antialias, quality),
-                width,
-                height,
-            )
-        });
+        let [plain, smooth] = [false, true]
+            .map(|antialias| draw_best(&scene, &with(antialias, quality), width, height));
         let is_edge = |i: usize, j: usize| worst_channel(plain.pixels[i], plain.pixels[j]) >= 20;
         // Points between two bands, of whole squares in at most 32 rows, and between two stretches of 64 columns are traced for each.
         let band = width * (32 - 32 % largest(&scene, &quality));
@@ -135,33 +125,6 @@ fn the_point_between_two_pixels_is_traced_wherever_they_differ() {
 }
 
 #[test]
-fn edges_have_the_same_bits_on_any_number_of_threads() {
-    for scene in [show::model_scene(3.0), show::field(100, 3.0)] {
-        let odd = Quality {
-            square: 17,
-            ..Quality::DEFAULT
-        };
-        for quality in [
-            Quality::EXHAUSTIVE,
-            Quality::THESIS,
-            Quality::LADDER[6],
-            odd,
-        ] {
-            let quality = with(true, quality);
-            let one = picture(&scene, &quality, 1, 1);
-            for threads in [2, 3, 7] {
-                let more = picture(&scene, &quality, threads, 1);
-                assert!(
-                    more == one,
-                    "{threads} threads, squares of {}",
-                    quality.square
-                );
-            }
-        }
-    }
-}
-
-#[test]
 fn an_edge_that_runs_between_bands_is_mixed_as_it_is_within_one() {
     // A box from side to side, of which more and more is seen. Its upper side cuts the row above the first that it covers, which
     // is then the only one that changes, in the middle of a band as at its ends.
@@ -171,7 +134,7 @@ fn an_edge_that_runs_between_bands_is_mixed_as_it_is_within_one() {
         let scene = box_up_to(row as f32 + 0.2, height);
         let [plain, smooth] = [false, true].map(|antialias| {
             let quality = with(antialias, Quality::EXHAUSTIVE);
-            draw(cpu::best(), 1, &scene, &quality, width, height).pixels
+            draw_best(&scene, &quality, width, height).pixels
         });
         let changed = |y: usize| plain[y * width..][..width] != smooth[y * width..][..width];
         let rows: Vec<usize> = (0..height).filter(|&y| changed(y)).collect();
@@ -216,7 +179,7 @@ fn captions_and_the_overlay_are_not_antialiased_as_edges() {
             .any(|caption| caption.brightness == 1.0)
     );
     let both = |scene: &Scene| {
-        [false, true].map(|antialias| picture(scene, &with(antialias, Quality::DEFAULT), 2, 1))
+        [false, true].map(|antialias| picture(scene, &with(antialias, Quality::DEFAULT), 1))
     };
     let [plain, smooth] = both(&scene);
     assert!(plain != smooth);

@@ -1,7 +1,7 @@
 //! The picture depends on the scene, the size, the quality and the instruction set, and on nothing else.
 
 use crate::cpu;
-use crate::drawn::{draw, draw_by_all};
+use crate::drawn::{draw, draw_best, draw_by_all};
 use crate::error::worst_channel;
 use crate::threaded_renderer::{ThreadedRenderer, whole};
 use eightfold::show;
@@ -9,8 +9,12 @@ use eightfold_oracle::frame::Frame;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Band, Job, Memory, Quality, Renderer, Threads, Worker};
 
-const QUALITIES: [Quality; 7] = [
+const QUALITIES: [Quality; 8] = [
     Quality::EXHAUSTIVE,
+    Quality {
+        antialias: true,
+        ..Quality::EXHAUSTIVE
+    },
     Quality::THESIS,
     Quality::DEFAULT,
     of_side(3),
@@ -59,7 +63,7 @@ fn any_order_of_bands_gives_the_same_bits() {
     let scene = show::model_scene(3.0);
     let level = cpu::best().level;
     for quality in QUALITIES {
-        let forward = draw(cpu::best(), 1, &scene, &quality, 301, 203);
+        let forward = draw_best(&scene, &quality, 301, 203);
         let mut renderer = Renderer::with_memory(level, Box::new(Memory::new()));
         let mut threads = Backwards(std::iter::repeat_with(Worker::new).take(2).collect());
         let mut pixels = vec![0; 301 * 203];
@@ -104,7 +108,7 @@ fn a_frame_does_not_depend_on_earlier_frames() {
             ..quality
         };
         for scene in &many {
-            let fresh = draw(cpu::best(), 2, scene, &quality, 301, 203);
+            let fresh = draw_best(scene, &quality, 301, 203);
             for before in &many {
                 renderer.draw(level, before, &larger, 500, &mut others);
                 let mut pixels = vec![0; 301 * 203];
