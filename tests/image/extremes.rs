@@ -136,7 +136,7 @@ fn a_million_seconds_on_the_picture_is_the_one_of_that_time() {
 }
 
 /// All numbers of a scene, with their names and ranges.
-fn numbers(scene: &mut Scene) -> Vec<(&'static str, Range, &mut f32)> {
+pub fn numbers(scene: &mut Scene) -> Vec<(&'static str, Range, &mut f32)> {
     let mut all = Vec::new();
     scene::numbers(scene, &mut |name, range, number| {
         all.push((name, range, number))

@@ -1,8 +1,7 @@
 //! Film, glow and grazing reflection do what their documentation says. That pictures with them are the oracle's is held by
 //! `any_rich_scene_is_as_the_oracle_sees_it`.
 
-use crate::cpu;
-use crate::drawn::draw;
+use crate::drawn::draw_best;
 use eightfold::show;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Vec3A, vec3a};
@@ -10,7 +9,7 @@ use eightfold_tracer::scene::{Camera, Film, Light, List, Material, Plane, Scene}
 
 /// The picture of a scene with every pixel traced, and its brightest channels.
 fn channels(scene: &Scene, width: usize, height: usize) -> Vec<u32> {
-    let drawn = draw(cpu::best(), 1, scene, &Quality::EXHAUSTIVE, width, height);
+    let drawn = draw_best(scene, &Quality::EXHAUSTIVE, width, height);
     let brightest = |pixel: &u32| {
         [16, 8, 0]
             .map(|shift| pixel >> shift & 0xff)
@@ -70,7 +69,7 @@ fn a_vignette_leaves_the_middle_and_darkens_all_sides_alike() {
 fn a_films_tolerance_is_a_share_of_the_qualitys() {
     let mut scene = show::model_scene(1.0);
     let quality = Quality::DEFAULT;
-    let seen = |scene: &Scene, quality: &Quality| draw(cpu::best(), 1, scene, quality, 160, 120);
+    let seen = |scene: &Scene, quality: &Quality| draw_best(scene, quality, 160, 120);
     let whole = seen(&scene, &quality);
     let halved = Quality {
         tolerance_agreeing: 0.5 * quality.tolerance_agreeing,
@@ -95,7 +94,7 @@ fn dither_keeps_means_between_two_steps_at_every_quality() {
     for quality in [Quality::EXHAUSTIVE, Quality::DEFAULT, Quality::THESIS] {
         for sixteenths in 0..=16 {
             let scene = empty((10.0 + sixteenths as f32 / 16.0) / 255.0, film);
-            let drawn = draw(cpu::best(), 1, &scene, &quality, width, height);
+            let drawn = draw_best(&scene, &quality, width, height);
             let at = |x: usize, y: usize| drawn.pixels[y * width + x] & 0xff;
             // Squares of 4x4 anywhere have as many pixels of the higher step as the colour has sixteenths above the lower one.
             for (left, top) in [(0, 0), (13, 7), (33, 30), (66, 42)] {
@@ -113,6 +112,24 @@ fn without_dither_all_pixels_are_rounded_alike() {
     for (light, expected) in [(10.49, 10), (10.51, 11)] {
         let picture = channels(&empty(light / 255.0, Film::PLAIN), 9, 5);
         assert!(picture.iter().all(|&value| value == expected));
+    }
+}
+
+#[test]
+fn a_dither_out_of_its_range_leaves_white_as_it_is() {
+    for dither in [1e20, f32::INFINITY] {
+        let film = Film {
+            dither,
+            ..Film::PLAIN
+        };
+        let drawn = draw_best(&empty(1.0, film), &Quality::EXHAUSTIVE, 8, 8);
+        assert!(drawn.pixels.contains(&0x00ff_ffff));
+        assert!(
+            drawn
+                .pixels
+                .iter()
+                .all(|&pixel| pixel | 0x01_0101 == 0x00ff_ffff)
+        );
     }
 }
 

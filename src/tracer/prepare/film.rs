@@ -115,8 +115,8 @@ fn dither(share: f32) -> Dither {
         let x = (rank >> 3 | rank & 2) ^ y;
         // In 128ths of a step, as samples have them, so that squares and points round alike.
         let from_half = share * (8.0 * rank as f32 - 60.0);
-        // Whatever the share is, it fits.
-        let threshold = 2 * u64::from((from_half + 64.5) as u8) * WORDS;
+        // Whatever the share is, it fits, and the brightest colour with it in a byte.
+        let threshold = 2 * u64::from((from_half + 64.5).min(127.0) as u8) * WORDS;
         dither[y][x] = threshold;
         dither[y][x + 4] = threshold;
     }

@@ -1,6 +1,7 @@
 //! Random scenes and qualities made from a seed, without a framework, for long runs.
 
 use super::fitting;
+use crate::extremes::numbers;
 use eightfold_lab::sampler::split_mix;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
@@ -74,19 +75,19 @@ pub fn scene(random: &mut Random) -> Scene {
     let most = [4, 12, 40, 320][random.below(4)];
     let smallest = [-0.5, -3.0][random.below(2)];
     for _ in 0..random.below(most + 1) {
-        scene.spheres.push(Sphere {
-            centre: scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),
-            radius: scale * 10_f32.powf(random.between(smallest, 0.2)),
-            material: material(random),
-        });
+        scene.spheres.push(Sphere::new(
+            scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),
+            scale * 10_f32.powf(random.between(smallest, 0.2)),
+            material(random),
+        ));
     }
     for _ in 0..random.below(4) {
-        scene.planes.push(Plane {
-            centre: scale * vec3a(0.0, random.between(-3.0, 1.0), 0.0),
-            half_x: scale * random.between(0.5, 20.0),
-            half_z: scale * random.between(0.5, 20.0),
-            material: material(random),
-        });
+        scene.planes.push(Plane::new(
+            scale * vec3a(0.0, random.between(-3.0, 1.0), 0.0),
+            scale * random.between(0.5, 20.0),
+            scale * random.between(0.5, 20.0),
+            material(random),
+        ));
     }
     for _ in 0..random.below(5) {
         scene.lights.push(Light {
@@ -96,12 +97,11 @@ pub fn scene(random: &mut Random) -> Scene {
             ..Light::DARK
         });
     }
-    scene.camera = Camera {
-        eye: scale * random.vector(vec3a(-9.0, -1.0, -9.0), vec3a(9.0, 7.0, 9.0)),
-        look_at: scale * random.vector(Vec3A::splat(-1.0), Vec3A::ONE),
-        up: Vec3A::Y,
-        field_of_view: random.between(0.1, 2.5),
-    };
+    scene.camera = Camera::new(
+        scale * random.vector(vec3a(-9.0, -1.0, -9.0), vec3a(9.0, 7.0, 9.0)),
+        scale * random.vector(Vec3A::splat(-1.0), Vec3A::ONE),
+        random.between(0.1, 2.5),
+    );
     if random.below(3) == 0 {
         enrich(&mut scene, random, scale);
     }
@@ -164,9 +164,9 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
     }
 }
 
-/// Replaces a random number of a scene by an invalid one.
-pub fn corrupt(scene: &mut Scene, random: &mut Random) {
-    let numbers = [
+/// Replaces a random number of a scene by an invalid one. Returns its name.
+pub fn corrupt(scene: &mut Scene, random: &mut Random) -> &'static str {
+    let invalid = [
         f32::NAN,
         f32::INFINITY,
         f32::NEG_INFINITY,
@@ -176,77 +176,11 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) {
         1e-40,
         1e20,
     ];
-    let number = numbers[random.below(numbers.len())];
-    let Scene {
-        camera,
-        spheres,
-        planes,
-        blocks,
-        lights,
-        sky,
-        haze,
-        exposure,
-        film,
-        water,
-        ..
-    } = scene;
-    let (a, b, c) = (
-        random.bits() as usize,
-        random.bits() as usize,
-        random.bits() as usize,
-    );
-    let mut fields: Vec<&mut f32> = vec![
-        &mut camera.eye[a % 3],
-        &mut camera.look_at[b % 3],
-        &mut camera.up[c % 3],
-        &mut camera.field_of_view,
-        &mut sky[a % 3],
-        haze,
-        exposure,
-        &mut film.shoulder,
-        &mut film.vignette,
-        &mut film.dither,
-        &mut film.tolerance,
-        &mut water.slope,
-        &mut water.length,
-        &mut water.phase,
-    ];
-    for block in blocks.iter_mut() {
-        let m = &mut block.material;
-        fields.extend([&mut block.centre[a % 3], &mut block.half[b % 3]]);
-        fields.extend([&mut block.axes.x_axis[c % 3], &mut m.tint[a % 3]]);
-        fields.extend([&mut m.pattern.waves[b % 3], &mut m.pattern.edge]);
-        fields.extend([&mut m.pattern.warp, &mut m.pattern.grain]);
-        fields.push(&mut m.pattern.balance);
-    }
-    for sphere in spheres.iter_mut() {
-        let m = &mut sphere.material;
-        fields.extend([&mut sphere.centre[a % 3], &mut sphere.radius]);
-        fields.extend([&mut m.colour[b % 3], &mut m.kd, &mut m.ks, &mut m.exponent]);
-        fields.extend([&mut m.kr, &mut m.fresnel, &mut m.kt, &mut m.index]);
-        fields.extend([&mut m.metallic, &mut m.anisotropy]);
-    }
-    for plane in planes.iter_mut() {
-        fields.extend([&mut plane.centre[a % 3], &mut plane.half_x]);
-        fields.extend([&mut plane.half_z, &mut plane.material.kr]);
-    }
-    for light in lights.iter_mut() {
-        fields.extend([&mut light.position[a % 3], &mut light.colour[b % 3]]);
-        fields.extend([
-            &mut light.drawn_radius,
-            &mut light.diameter,
-            &mut light.glow,
-        ]);
-        if let Some(spot) = &mut light.spot {
-            fields.extend([
-                &mut spot.aim[c % 3],
-                &mut spot.cos_outer,
-                &mut spot.cos_inner,
-            ]);
-        }
-    }
-    let i = random.below(fields.len());
-    *fields[i] = number;
+    let mut all = numbers(scene);
+    let i = random.below(all.len());
+    let (name, _, number) = all.swap_remove(i);
+    *number = invalid[random.below(invalid.len())];
+    name
 }
 
 /// A named quality, or any valid one.
