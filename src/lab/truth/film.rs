@@ -41,6 +41,14 @@ pub struct Sampling {
     pub is_antialiased: bool,
 }
 
+/// What a picture shows, and how it is sampled.
+pub struct Subject {
+    pub world: World,
+    pub caustics: Caustics,
+    pub effects: Effects,
+    pub sampling: Sampling,
+}
+
 impl Film {
     /// A film for a part of a picture's rows, without samples.
     pub fn new(size: Size, part: Part) -> Self {
@@ -66,17 +74,9 @@ impl Film {
     /// is called in. Calls `done` after each row. After Ctrl-C, the other rows are left as they are.
     ///
     /// All its rows must have `count` samples, or one less.
-    pub fn expose(
-        &mut self,
-        world: &World,
-        caustics: &Caustics,
-        effects: Effects,
-        sampling: &Sampling,
-        count: usize,
-        done: &(impl Fn() + Sync),
-    ) {
-        let width = self.width;
-        let photons = photons(world, caustics, effects, sampling, count - 1);
+    pub fn expose(&mut self, subject: &Subject, count: usize, done: &(impl Fn() + Sync)) {
+        let (width, sampling) = (self.width, subject.sampling);
+        let photons = subject.photons(count - 1);
         let rows = self.rows.par_iter_mut().enumerate();
         let rows = rows.filter(|(_, row)| row.count < count && !row.pixels.is_empty());
         rows.for_each(|(y, row)| {
@@ -87,9 +87,9 @@ impl Film {
                 let index = y * width + x;
                 for (replication, sum) in pixel.sums.iter_mut().enumerate() {
                     let tracer = PathTracer {
-                        world,
-                        connections: &caustics.connections,
-                        effects,
+                        world: &subject.world,
+                        connections: &subject.caustics.connections,
+                        effects: subject.effects,
                         photons: &photons[replication],
                     };
                     let seed = seed_of(sampling.seed, (index * REPLICATIONS + replication) as u64);
@@ -126,22 +126,26 @@ impl Film {
     }
 }
 
-/// The photons of a sample, for each replication.
-fn photons(
-    world: &World,
-    caustics: &Caustics,
-    effects: Effects,
-    sampling: &Sampling,
-    index: usize,
-) -> Vec<Photons> {
-    let of = |replication: usize| {
-        if !effects.caustics {
-            return Photons::none();
-        }
-        // Other seeds than those of the pixels.
-        let part = (index * REPLICATIONS + replication) as u64;
-        let seed = seed_of(!sampling.seed, part);
-        Photons::emit(world, caustics, effects, sampling.sequence, seed, index)
-    };
-    (0..REPLICATIONS).into_par_iter().map(of).collect()
+impl Subject {
+    /// The photons of a sample, for each replication.
+    fn photons(&self, index: usize) -> Vec<Photons> {
+        let of = |replication: usize| {
+            if !self.effects.caustics {
+                return Photons::none();
+            }
+            // Other seeds than those of the pixels.
+            let part = (index * REPLICATIONS + replication) as u64;
+            let seed = seed_of(!self.sampling.seed, part);
+            let sequence = self.sampling.sequence;
+            Photons::emit(
+                &self.world,
+                &self.caustics,
+                self.effects,
+                sequence,
+                seed,
+                index,
+            )
+        };
+        (0..REPLICATIONS).into_par_iter().map(of).collect()
+    }
 }

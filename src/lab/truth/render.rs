@@ -2,7 +2,7 @@
 
 use super::effects::Effects;
 use super::estimate::Estimate;
-use super::film::{Film, Sampling};
+use super::film::{Film, Sampling, Subject};
 use super::photons::Caustics;
 use super::world::World;
 use super::{REPLICATIONS, state};
@@ -52,17 +52,9 @@ impl Picture<'_> {
     pub fn draw(&self, pool: &ThreadPool) -> Vec<Estimate> {
         let mut film = Film::new(self.size, Part::WHOLE);
         pool.install(|| {
-            let world = self.world();
-            let caustics = self.caustics(&world);
+            let subject = self.subject();
             for count in 1..=self.sampling.count {
-                film.expose(
-                    &world,
-                    &caustics,
-                    self.effects,
-                    &self.sampling,
-                    count,
-                    &|| {},
-                );
+                film.expose(&subject, count, &|| {});
             }
         });
         film.estimates()
@@ -98,14 +90,10 @@ impl Picture<'_> {
         // The estimate of the time left must not count samples that were there already.
         bar.reset_eta();
 
-        let world = self.world();
-        let caustics = pool.install(|| self.caustics(&world));
+        let subject = pool.install(|| self.subject());
         let mut saved = Instant::now();
         for next in begun + 1..=count {
-            let done = || bar.inc(1);
-            pool.install(|| {
-                film.expose(&world, &caustics, self.effects, &self.sampling, next, &done);
-            });
+            pool.install(|| film.expose(&subject, next, &|| bar.inc(1)));
             if interrupt::is_stopped() && film.count() < count {
                 bar.finish_and_clear();
                 state::save(&name, &made, &film)?;
@@ -127,13 +115,16 @@ impl Picture<'_> {
         Ok(film)
     }
 
-    fn world(&self) -> World {
+    /// What its samples are taken of, found on the threads of the pool that it is called in.
+    pub fn subject(&self) -> Subject {
         let Size { width, height } = self.size;
-        World::new(self.scene, width, height, self.effects.falloff)
-    }
-
-    fn caustics(&self, world: &World) -> Caustics {
-        Caustics::new(world, self.effects.caustics)
+        let world = World::new(self.scene, width, height, self.effects.falloff);
+        Subject {
+            caustics: Caustics::new(&world, self.effects.caustics),
+            world,
+            effects: self.effects,
+            sampling: self.sampling,
+        }
     }
 }
 

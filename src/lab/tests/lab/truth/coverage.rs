@@ -7,7 +7,7 @@ use eightfold_lab::sampler::{MAX_POINTS, Sampler, Sequence, around, disc, seed_o
 use eightfold_lab::truth::REPLICATIONS;
 use eightfold_lab::truth::estimate::mean_and_variance;
 use eightfold_lab::truth::film::{Film, Sampling};
-use eightfold_lab::truth::photons::Caustics;
+use eightfold_lab::truth::render::Picture;
 use eightfold_lab::truth::surface::Bounce;
 use eightfold_lab::truth::world::World;
 use eightfold_oracle::geometry::{Ray, width};
@@ -176,19 +176,24 @@ fn places(film: &Film, known: &[Vec<f64>]) -> [Place; 3] {
 fn films(scene: &Scene, most: usize) -> Vec<Film> {
     assert_eq!(scene.validate(), Ok(()));
     let size = Size::new(SIDE, SIDE);
-    let sampling = Sampling {
-        count: most / REPLICATIONS,
-        sequence: Sequence::Sobol,
-        seed: 1,
-        is_antialiased: true,
+    let count = most / REPLICATIONS;
+    let picture = Picture {
+        scene,
+        size,
+        effects: OF_LAMPS,
+        sampling: Sampling {
+            count,
+            sequence: Sequence::Sobol,
+            seed: 1,
+            is_antialiased: true,
+        },
     };
-    let world = World::new(scene, SIDE, SIDE, false);
-    let caustics = Caustics::new(&world, true);
+    let subject = picture.subject();
     let mut film = Film::new(size, Part::WHOLE);
     let mut films = Vec::new();
-    for count in 1..=sampling.count {
-        film.expose(&world, &caustics, OF_LAMPS, &sampling, count, &|| {});
-        if [FEW / REPLICATIONS, sampling.count].contains(&count) {
+    for drawn in 1..=count {
+        film.expose(&subject, drawn, &|| {});
+        if [FEW / REPLICATIONS, count].contains(&drawn) {
             films.push(film.clone());
         }
     }

@@ -7,11 +7,10 @@ use eightfold_lab::scenes::SceneName;
 use eightfold_lab::truth::effects::Effects;
 use eightfold_lab::truth::estimate::Estimate;
 use eightfold_lab::truth::film::{Film, Sampling};
-use eightfold_lab::truth::photons::Caustics;
 use eightfold_lab::truth::render::Picture;
 use eightfold_lab::truth::state;
-use eightfold_lab::truth::world::World;
 use eightfold_stage::reader::read_png;
+use eightfold_tracer::scene::Scene;
 use rayon::ThreadPoolBuilder;
 use std::fs;
 use std::path::Path;
@@ -20,12 +19,18 @@ use std::process::{Output, Stdio};
 /// The size of the pictures.
 const SIZE: Size = Size::new(24, 18);
 
-fn sampling(count: usize) -> Sampling {
-    Sampling {
-        count,
-        sequence: Sequence::Sobol,
-        seed: 9,
-        is_antialiased: true,
+/// The truth of a scene by so many samples of each replication.
+fn picture(scene: &Scene, count: usize) -> Picture<'_> {
+    Picture {
+        scene,
+        size: SIZE,
+        effects: Effects::TRUTH,
+        sampling: Sampling {
+            count,
+            sequence: Sequence::Sobol,
+            seed: 9,
+            is_antialiased: true,
+        },
     }
 }
 
@@ -93,12 +98,8 @@ fn a_film_that_was_saved_goes_on_to_the_same_bits() {
     let folder = tempfile::tempdir().expect("a folder");
     let name = folder.path().join("film");
     let scene = SceneName::Model.without_overlay(1.0);
-    let world = World::new(&scene, SIZE.width, SIZE.height, false);
-    let sampling = sampling(4);
-    let caustics = Caustics::new(&world, true);
-    let expose = |film: &mut Film, count| {
-        film.expose(&world, &caustics, Effects::TRUTH, &sampling, count, &|| {});
-    };
+    let subject = picture(&scene, 4).subject();
+    let expose = |film: &mut Film, count| film.expose(&subject, count, &|| {});
     let mut whole = Film::new(SIZE, Part::WHOLE);
     (1..=4).for_each(|count| expose(&mut whole, count));
     let mut part = Film::new(SIZE, Part::WHOLE);
@@ -160,12 +161,7 @@ fn a_film_of_another_scene_does_not_go_on() {
     let mut rough = calm;
     (rough.water.slope, rough.water.length) = (0.1, 1.0);
     let [calm, rough] = [&calm, &rough].map(|scene| {
-        let picture = Picture {
-            scene,
-            size: SIZE,
-            effects: Effects::TRUTH,
-            sampling: sampling(1),
-        };
+        let picture = picture(scene, 1);
         let kept = picture.draw_resumably(&pool, &out, None, true);
         let kept = kept.expect("it is drawn").estimates();
         assert!(pixels(&kept) == pixels(&picture.draw(&pool)));
