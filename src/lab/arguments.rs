@@ -117,6 +117,11 @@ impl fmt::Display for NamedQuality {
     }
 }
 
+/// The edges of frames with antialiasing, or without, in a word.
+pub fn edges(antialias: bool) -> &'static str {
+    if antialias { "antialiased" } else { "jagged" }
+}
+
 /// A part of what a command draws, such as 2/3: the others are drawn by other processes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {

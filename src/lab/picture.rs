@@ -48,11 +48,6 @@ pub fn png(width: usize, pixels: &[u32]) -> Result<Vec<u8>, EncodingError> {
     encode(width, pixels, None)
 }
 
-/// The same as [`png()`], with a line of ASCII text that describes how the picture was made.
-pub fn png_of(width: usize, pixels: &[u32], made: &str) -> Result<Vec<u8>, EncodingError> {
-    encode(width, pixels, Some(made))
-}
-
 /// Whether these bytes are a complete PNG file with the given description: all pixels are there, and all checksums are right.
 pub fn is_whole(bytes: &[u8], made: &str) -> bool {
     let Ok(mut reader) = png::Decoder::new(Cursor::new(bytes)).read_info() else {
@@ -66,7 +61,8 @@ pub fn is_whole(bytes: &[u8], made: &str) -> bool {
     is_so && reader.next_frame(&mut vec![0; size]).is_ok() && reader.finish().is_ok()
 }
 
-fn encode(width: usize, pixels: &[u32], made: Option<&str>) -> Result<Vec<u8>, EncodingError> {
+/// The same as [`png()`], with a line of ASCII text that describes how the picture was made, if that is told.
+pub fn encode(width: usize, pixels: &[u32], made: Option<&str>) -> Result<Vec<u8>, EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, width as u32, (pixels.len() / width) as u32);
     encoder.set_color(ColorType::Rgb);

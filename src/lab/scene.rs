@@ -41,9 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let text = match (arguments.export, arguments.rust) {
         (Some(name), _) => record(name, arguments.fps)?,
         (_, Some(SceneName::File(file))) => scene_file::rust(file)?,
-        _ => {
-            bail!(BadInput("--rust takes a scene file, FILE.ron".to_owned(),));
-        }
+        _ => bail!(BadInput("--rust takes a scene file, FILE.ron".to_owned())),
     };
     output::write(&arguments.out, text.as_bytes())
 }

@@ -179,7 +179,7 @@ struct Stand {
 }
 
 impl Stand {
-    /// Draws a frame, band by band, while an observer looks on.
+    /// Draws a frame, band by band, while an observer looks on, and a clock hears of the work between bands.
     fn draw(
         &mut self,
         scene: &Scene,

@@ -43,7 +43,7 @@ pub fn write(queue: &FrameQueue<'_>, frames: Range<usize>, folder: &Path) -> Res
 /// Encodes a frame, with a description of how it was made.
 fn png(film: &Film, frame: usize, pixels: &[u32]) -> Result<Vec<u8>> {
     let made = film.describe(frame);
-    Ok(picture::png_of(film.size.width, pixels, &made)?)
+    Ok(picture::encode(film.size.width, pixels, Some(&made))?)
 }
 
 /// The frames whose files are missing, incomplete or of another film.

@@ -48,11 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let png = picture::png(width, &figure.pixels)?;
         output::write(&folder.join(format!("{}.png", figure.name)), &png)?;
     }
-    let edges = if arguments.quality.quality.antialias {
-        "antialiased"
-    } else {
-        "jagged"
-    };
+    let edges = arguments::edges(arguments.quality.quality.antialias);
     let heading = format!(
         "{} at {} s, {} quality, {edges} edges, {}",
         arguments.scene, arguments.time, arguments.quality, arguments.size

@@ -93,17 +93,6 @@ pub struct Trade {
     pub by_objects: Vec<Curve>,
 }
 
-impl Trade {
-    /// The edges of all frames, in a word.
-    fn edges(&self) -> &'static str {
-        if self.antialias {
-            "antialiased"
-        } else {
-            "jagged"
-        }
-    }
-}
-
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     interrupt::listen();

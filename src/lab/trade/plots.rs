@@ -3,6 +3,7 @@
 use super::Trade;
 use super::curves::Curve;
 use super::outcome::{Outcome, front_by_psnr};
+use crate::arguments::edges;
 use crate::plot::{Axis, COLOURS, Chart, DARK, GREY, Label, Series};
 use anyhow::Result;
 use eightfold_tracer::Quality;
@@ -42,7 +43,11 @@ fn note(trade: &Trade) -> String {
 
 /// How frames were drawn.
 fn way(trade: &Trade) -> String {
-    format!("{}, one thread, {} edges", trade.isa, trade.edges())
+    format!(
+        "{}, one thread, {} edges",
+        trade.isa,
+        edges(trade.antialias)
+    )
 }
 
 /// Where a point is in the plot of the front.
@@ -50,8 +55,7 @@ fn position(row: &Outcome) -> (f64, f64) {
     (row.speedup, row.accuracy.psnr_db)
 }
 
-fn label(row: &Outcome, text: String, is_below: bool) -> Label {
-    let (x, y) = position(row);
+fn label((x, y): (f64, f64), text: String, is_below: bool) -> Label {
     Label {
         x,
         y,
@@ -80,12 +84,12 @@ fn front(trade: &Trade) -> Chart {
         let is_below = labels
             .last()
             .is_some_and(|last| is_close(last, row) && !last.is_below);
-        labels.push(label(row, number.to_string(), is_below));
+        labels.push(label(position(row), number.to_string(), is_below));
     }
     let is_on_front = |row: &Outcome| front.iter().any(|on| std::ptr::eq(*on, row));
     let off_front = |row: &&Outcome| row.is_named() && !row.is_exact() && !is_on_front(row);
     let named = trade.points.iter().filter(off_front);
-    labels.extend(named.map(|row| label(row, row.name.clone(), true)));
+    labels.extend(named.map(|row| label(position(row), row.name.clone(), true)));
     let points = |is: &dyn Fn(&Outcome) -> bool| {
         let rows = trade.points.iter().filter(|row| !row.is_exact() && is(row));
         rows.map(position).collect::<Vec<_>>()
@@ -149,13 +153,8 @@ fn squares(trade: &Trade) -> Chart {
         .collect();
     let labels = lines.iter().flat_map(|(name, rows)| {
         rows.iter().map(move |row| {
-            let (x, y) = position(row);
-            Label {
-                x,
-                y,
-                text: format!("{:.1}x", row.speedup),
-                is_below: *name == "thesis",
-            }
+            let speed_up = format!("{:.1}x", row.speedup);
+            label(position(row), speed_up, *name == "thesis")
         })
     });
     let series = lines.iter().map(|(name, rows)| {

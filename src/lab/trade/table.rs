@@ -3,6 +3,7 @@
 use super::Trade;
 use super::outcome::{Outcome, from_the_slowest};
 use crate::accuracy::{error_columns, sample_columns, traced_column};
+use crate::arguments::edges;
 use crate::markdown::{Column, table};
 
 /// The table of the Pareto front, from the slowest point to the fastest, without those that have no error.
@@ -26,7 +27,7 @@ fn heading(trade: &Trade) -> String {
     } else {
         "; stopped early"
     };
-    let edges = trade.edges();
+    let edges = edges(trade.antialias);
     format!(
         "{}; {} scene, {}x{}, {edges} edges, {} frames from {} s to {} s{early}\n\n",
         trade.machine,

@@ -38,6 +38,9 @@ struct Loss {
     /// The one with the effect.
     with: Vec<u32>,
     without: Vec<u32>,
+    /// The cost: the difference, and the mean FLIP error.
+    difference: Difference,
+    flip: f64,
 }
 
 /// Draws all pictures of a scene, writes them and their sheet to a folder, and prints a table.
@@ -59,7 +62,7 @@ pub fn run(truth: &Picture<'_>, scene: &str, pool: &ThreadPool, folder: &Path) -
     output::write(&folder.join("truth.png"), &truth_png)?;
     let count = truth.sampling.count * super::REPLICATIONS;
     let heading = format!("{scene}, {}, {count} samples a pixel", truth.size);
-    let mut figures = figures(width, &estimates, &losses);
+    let mut figures = figures(&estimates, &losses);
     let by = LEAST_WIDTH.div_ceil(width);
     for figure in &mut figures {
         figure.pixels = enlarged(&figure.pixels, width, by);
@@ -69,7 +72,7 @@ pub fn run(truth: &Picture<'_>, scene: &str, pool: &ThreadPool, folder: &Path) -
         &folder.join("sheet.png"),
         &picture::png(sheet_width, &pixels)?,
     )?;
-    let text = format!("{heading}\n\n{}", table(width, &estimates, &losses));
+    let text = format!("{heading}\n\n{}", table(&estimates, &losses));
     for name in losses.iter().map(|loss| loss.name).chain(["truth"]) {
         render::forget(&folder.join(format!("{name}.png")));
     }
@@ -84,9 +87,11 @@ fn losses(
 ) -> Result<Vec<Loss>> {
     let real_time = |quality| drawn(processors(), truth.scene, &quality, truth.size);
     let exhaustive = real_time(Quality::EXHAUSTIVE);
-    let loss = |name, title, with: &[u32], without| Loss {
+    let loss = |name, title, with: &[u32], without: Vec<u32>| Loss {
         name,
         title,
+        difference: Difference::between(with, &without),
+        flip: Flip::between(truth.size.width, with, &without).mean(),
         with: with.to_vec(),
         without,
     };
@@ -115,7 +120,7 @@ fn losses(
 }
 
 /// The pictures of the sheet: the truth, the model, and then each difference.
-fn figures(width: usize, estimates: &[Estimate], losses: &[Loss]) -> Vec<Figure> {
+fn figures(estimates: &[Estimate], losses: &[Loss]) -> Vec<Figure> {
     let intervals = Intervals::of(estimates);
     let model = &losses[0];
     let mut all = vec![
@@ -145,8 +150,8 @@ fn figures(width: usize, estimates: &[Estimate], losses: &[Loss]) -> Vec<Figure>
     all.extend(losses.iter().map(|loss| {
         let mut pixels = loss.without.clone();
         draw_error(&mut pixels, &loss.with, ERROR_SHOWN);
-        let (difference, flip) = loss.figures(width);
-        let caption = format!("PSNR {}, FLIP {flip:.4}", decibels(difference.psnr));
+        let psnr = decibels(loss.difference.psnr);
+        let caption = format!("PSNR {psnr}, FLIP {:.4}", loss.flip);
         Figure::new(loss.name, loss.title, caption, pixels).up_to(ERROR_SHOWN)
     }));
     all
@@ -160,27 +165,18 @@ fn enlarged(pixels: &[u32], width: usize, by: usize) -> Vec<u32> {
         .collect()
 }
 
-impl Loss {
-    /// The cost: the difference, and the mean FLIP error.
-    fn figures(&self, width: usize) -> (Difference, f64) {
-        (
-            Difference::between(&self.with, &self.without),
-            Flip::between(width, &self.with, &self.without).mean(),
-        )
-    }
-}
-
 /// The table of what each effect costs, in Markdown.
-fn table(width: usize, estimates: &[Estimate], losses: &[Loss]) -> String {
+fn table(estimates: &[Estimate], losses: &[Loss]) -> String {
     let mut text = String::from(
         "| left out | PSNR | FLIP | mean | over 8/255 |\n| --- | ---: | ---: | ---: | ---: |\n",
     );
     for loss in losses {
-        let (difference, flip) = loss.figures(width);
+        let difference = loss.difference;
         text += &format!(
-            "| {} | {} | {flip:.4} | {:.2} | {:.1} % |\n",
+            "| {} | {} | {:.4} | {:.2} | {:.1} % |\n",
             loss.title,
             decibels(difference.psnr),
+            loss.flip,
             difference.mean,
             100.0 * difference.over_8 as f64 / estimates.len() as f64
         );
