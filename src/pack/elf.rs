@@ -175,17 +175,6 @@ impl Section {
     }
 }
 
-/// Where sections of these names are in the file.
-pub fn sections(file: &[u8], names: &[&str]) -> Result<Vec<Range<usize>>, Error> {
-    let file = object::File::parse(file)?;
-    let sections = names
-        .iter()
-        .filter_map(|name| file.section_by_name(name)?.file_range());
-    Ok(sections
-        .map(|(start, size)| start as usize..(start + size) as usize)
-        .collect())
-}
-
 /// A number of so many bytes; 0 if it is not there.
 pub fn number(bytes: &[u8], place: usize, size: usize) -> u64 {
     let bytes = bytes.get(place..place + size).unwrap_or_default();

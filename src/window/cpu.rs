@@ -24,7 +24,7 @@ pub const NAMES: &[&str] = &["portable"];
 /// The instruction sets that this machine has and the library has kernels for, the best first: those of [`shipped`], and AVX-512.
 pub fn instruction_sets() -> impl Iterator<Item = Isa> {
     #[cfg(target_arch = "x86_64")]
-    let wide = x86_64::avx512().map(|simd| Isa {
+    let wide = Level::new().as_avx512().map(|simd| Isa {
         name: "avx512",
         level: Level::Avx512(simd),
     });
@@ -74,7 +74,7 @@ mod x86_64 {
         asm,
         x86_64::{__cpuid, __cpuid_count},
     };
-    use fearless_simd::x86::{Avx2, Avx512};
+    use fearless_simd::x86::Avx2;
 
     /// A word with these bits set.
     const fn bits(mut numbers: &[u32]) -> u32 {
@@ -126,71 +126,13 @@ mod x86_64 {
         is_there.then(|| unsafe { Avx2::assume_supported() })
     }
 
-    /// AVX-512, where there is all that a server of the kind Ice Lake has, and ZMM registers that the system saves.
-    pub fn avx512() -> Option<Avx512> {
-        /// PCLMULQDQ, AES and RDRAND.
-        const LEAF_1_ECX: u32 = bits(&[1, 25, 30]);
-        /// AVX-512 F, DQ, IFMA, CD, BW and VL; RDSEED, ADX and SHA.
-        const LEAF_7_EBX: u32 = bits(&[16, 17, 18, 19, 21, 28, 29, 30, 31]);
-        /// AVX-512 VBMI, VBMI2, VNNI, BITALG and VPOPCNTDQ; GFNI, VAES and VPCLMULQDQ.
-        const LEAF_7_ECX: u32 = bits(&[1, 6, 8, 9, 10, 11, 12, 14]);
-        /// XSAVEOPT, XSAVEC and XSAVES.
-        const LEAF_13_EAX: u32 = bits(&[0, 1, 3]);
-        /// XMM, YMM, the masks, and both halves of ZMM.
-        const SAVED: u32 = bits(&[1, 2, 5, 6, 7]);
-        avx2()?;
-        let leaf_7 = __cpuid_count(7, 0);
-        let is_there = has(saved_registers(), SAVED)
-            && has(__cpuid(1).ecx, LEAF_1_ECX)
-            && has(leaf_7.ebx, LEAF_7_EBX)
-            && has(leaf_7.ecx, LEAF_7_ECX)
-            && has(__cpuid_count(13, 1).eax, LEAF_13_EAX);
-        // SAFETY: the processor and the system have every feature that the type stands for.
-        is_there.then(|| unsafe { Avx512::assume_supported() })
-    }
-
     #[cfg(test)]
     mod tests {
-        use std::arch::is_x86_feature_detected as detected;
+        use fearless_simd::Level;
 
         #[test]
-        fn the_instruction_sets_are_those_that_std_detects() {
-            let avx2 = detected!("avx2")
-                && detected!("bmi1")
-                && detected!("bmi2")
-                && detected!("cmpxchg16b")
-                && detected!("f16c")
-                && detected!("fma")
-                && detected!("lzcnt")
-                && detected!("movbe")
-                && detected!("popcnt")
-                && detected!("xsave");
-            assert_eq!(super::avx2().is_some(), avx2);
-            let avx512 = avx2
-                && detected!("adx")
-                && detected!("aes")
-                && detected!("avx512bitalg")
-                && detected!("avx512bw")
-                && detected!("avx512cd")
-                && detected!("avx512dq")
-                && detected!("avx512f")
-                && detected!("avx512ifma")
-                && detected!("avx512vbmi")
-                && detected!("avx512vbmi2")
-                && detected!("avx512vl")
-                && detected!("avx512vnni")
-                && detected!("avx512vpopcntdq")
-                && detected!("gfni")
-                && detected!("pclmulqdq")
-                && detected!("rdrand")
-                && detected!("rdseed")
-                && detected!("sha")
-                && detected!("vaes")
-                && detected!("vpclmulqdq")
-                && detected!("xsavec")
-                && detected!("xsaveopt")
-                && detected!("xsaves");
-            assert_eq!(super::avx512().is_some(), avx512);
+        fn avx2_is_there_where_std_detects_it() {
+            assert_eq!(super::avx2().is_some(), Level::new().as_avx2().is_some());
         }
     }
 }

@@ -12,7 +12,7 @@
 
 use std::collections::HashMap;
 
-use super::encode_both;
+use super::{Memory, encode_both};
 use crate::{
     Damaged, Error, checksum, decode, elf,
     elf::Segment,
@@ -37,20 +37,7 @@ pub fn pack(stripped: &[u8], stub: &[u8]) -> Result<Vec<u8>, Error> {
     let loader = Stub::read(stub, LOADER)?.link_anywhere()?;
     let unpacked = [stripped, &loader].concat();
     let packed = encode_both(&unpacked)?;
-    // Find the memory that the program takes.
-    let loads = segments.iter().filter(|segment| segment.kind == elf::LOAD);
-    let start = loads
-        .clone()
-        .map(|load| load.address)
-        .min()
-        .unwrap_or_default()
-        / elf::PAGE
-        * elf::PAGE;
-    let end = loads
-        .map(|load| load.address + load.size)
-        .max()
-        .unwrap_or_default();
-
+    let Memory { start, end } = Memory::of(&segments)?;
     // The file lies right behind the program, so that the heap, which begins behind both, is where it always is.
     let stub = Stub::read(stub, FIRST)?;
     let size = (HEAD + stub.size() + packed.len()) as u64;

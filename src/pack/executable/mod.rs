@@ -13,7 +13,11 @@ mod windows;
 pub use strip::strip;
 pub use version::Version;
 
-use crate::{Error, LONGEST, decode, elf, encode};
+use crate::{
+    Error, LONGEST, decode,
+    elf::{self, Segment},
+    encode,
+};
 
 /// A system that executables are made for.
 pub enum System {
@@ -21,6 +25,28 @@ pub enum System {
     Linux,
     /// Windows on x86-64, with what it shows of the program.
     Windows(Version),
+}
+
+/// Where in memory a program's segments go: from the beginning of a page to the last byte's end.
+struct Memory {
+    start: u64,
+    end: u64,
+}
+
+impl Memory {
+    /// Finds it, if the program is one that can be loaded.
+    fn of(segments: &[Segment]) -> Result<Memory, Error> {
+        let loads = segments.iter().filter(|segment| segment.kind == elf::LOAD);
+        let starts = loads.clone().map(|load| load.address);
+        let ends = loads.map(|load| load.address.saturating_add(load.size));
+        let start = starts.min().ok_or("nothing of it is loaded")? / elf::PAGE * elf::PAGE;
+        let end = ends.max().unwrap_or_default();
+        // The stub's addresses have four bytes, with a sign.
+        if end > 1 << 31 {
+            return Err("it is not linked to addresses below 2 GB".into());
+        }
+        Ok(Memory { start, end })
+    }
 }
 
 /// A packed executable of an ordinary one and the stub's object file.

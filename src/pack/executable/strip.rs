@@ -1,6 +1,10 @@
 //! Takes away of an executable what nobody reads who starts it.
 
-use crate::{Error, elf, elf::Segment, panics};
+use crate::{
+    Error,
+    elf::{self, Section, Segment},
+    panics,
+};
 
 /// Keeps what is read of an executable to start it: its headers and segments, without what only unwinding reads, or a report of a
 /// panic. That is not needed where a panic ends the process.
@@ -12,10 +16,10 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
         return Err("it is not linked to fixed addresses".into());
     }
     // Look for what only unwinding reads, and for the segments.
-    let unwinding = elf::sections(
-        program,
-        &[".eh_frame", ".eh_frame_hdr", ".gcc_except_table"],
-    )?;
+    let file = object::File::parse(program)?;
+    let range = |name| Some(Section::find(&file, name)?.range);
+    let names = [".eh_frame", ".eh_frame_hdr", ".gcc_except_table"];
+    let unwinding: Vec<_> = names.into_iter().filter_map(range).collect();
     let mut segments = elf::segments(program)?;
     // Leave out the reports of panics, and blank the sections for unwinding.
     let mut program = program.to_vec();

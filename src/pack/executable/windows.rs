@@ -22,10 +22,10 @@ use object::pe::{
     IMAGE_DIRECTORY_ENTRY_IAT, IMAGE_DIRECTORY_ENTRY_IMPORT, IMAGE_DIRECTORY_ENTRY_RESOURCE,
 };
 
-use super::{Version, encode_both};
+use super::{Memory, Version, encode_both};
 use crate::{
     Damaged, Error, checksum, decode,
-    elf::{self, PAGE, Segment, number},
+    elf::{self, PAGE, number},
     pe::{BASE_ALIGNMENT, CODE, CONSTANTS, DATA, Executable, Imports, MEMORY, Section},
     stub::{FIRST, LOADER, Stub},
 };
@@ -63,30 +63,7 @@ pub fn is_one(file: &[u8]) -> bool {
     file.starts_with(b"MZ")
 }
 
-/// Where in memory a program's segments begin and end.
-struct Memory {
-    start: u64,
-    end: u64,
-}
-
 impl Memory {
-    /// Finds it, if the program is one that can be loaded.
-    fn of(segments: &[Segment]) -> Result<Memory, Error> {
-        let loads = segments.iter().filter(|segment| segment.kind == elf::LOAD);
-        let starts = loads.clone().map(|load| load.address);
-        let ends = loads.map(|load| load.address.saturating_add(load.size));
-        let start = starts.min().ok_or("nothing of it is loaded")? / PAGE * PAGE;
-        let end = ends.max().unwrap_or_default();
-        // The stub's addresses have four bytes, with a sign.
-        if end > 1 << 31 {
-            return Err("it is not linked to addresses below 2 GB".into());
-        }
-        Ok(Memory {
-            start,
-            end: end.next_multiple_of(PAGE),
-        })
-    }
-
     /// Where an image begins that has so many bytes before the program.
     fn base(&self, size: u64) -> Result<u64, Error> {
         let base = self
@@ -139,7 +116,7 @@ pub fn pack(stripped: &[u8], stub: &[u8], version: &Version) -> Result<Vec<u8>, 
     ];
     Executable {
         base,
-        end: memory.end - base,
+        end: memory.end.next_multiple_of(PAGE) - base,
         entry,
         sections: vec![
             Section {
@@ -224,7 +201,7 @@ pub fn unpacked(program: &[u8]) -> Result<Vec<u8>, Error> {
     }
     Executable {
         base,
-        end: memory.end - base,
+        end: memory.end.next_multiple_of(PAGE) - base,
         entry,
         sections,
         directories: vec![
