@@ -96,6 +96,21 @@ cfg_select! {
     }
 }
 
+/// The instruction sets of this machine, for tests.
+#[cfg(test)]
+pub(crate) fn isas() -> impl Iterator<Item = Level> {
+    let best = Level::new();
+    #[cfg(target_arch = "x86_64")]
+    let all = [
+        best.as_sse2().map(Level::Sse2),
+        best.as_avx2().map(Level::Avx2),
+        best.as_avx512().map(Level::Avx512),
+    ];
+    #[cfg(not(target_arch = "x86_64"))]
+    let all = [Some(best)];
+    all.into_iter().flatten()
+}
+
 impl Isa for Baseline {
     const FUSES_MUL_ADD: bool = cfg!(target_arch = "aarch64");
 }

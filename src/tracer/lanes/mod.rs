@@ -11,6 +11,8 @@ mod pow;
 mod vec3x;
 
 pub(crate) use fearless_simd::prelude::*;
+#[cfg(test)]
+pub(crate) use isa::isas;
 pub(crate) use isa::{Baseline, Isa, avx2, avx512, baseline};
 pub(crate) use pow::pow;
 pub(crate) use vec3x::Vec3x;

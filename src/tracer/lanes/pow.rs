@@ -81,7 +81,7 @@ mod tests {
     extern crate std;
 
     use super::*;
-    use fearless_simd::{Level, dispatch};
+    use fearless_simd::dispatch;
 
     /// Asserts the error that [`pow`] states, for a number and an exponent per lane.
     #[inline(always)]
@@ -119,14 +119,7 @@ mod tests {
 
     #[test]
     fn powers_are_as_exact_as_stated() {
-        let best = Level::new();
-        dispatch!(best, simd => hold_everywhere(simd));
-        #[cfg(target_arch = "x86_64")]
-        for level in [
-            best.as_avx2().map(Level::Avx2),
-            best.as_sse2().map(Level::Sse2),
-        ] {
-            let Some(level) = level else { continue };
+        for level in isas() {
             dispatch!(level, simd => hold_everywhere(simd));
         }
     }

@@ -2,7 +2,8 @@
 
 use super::super::bits::Bits;
 use super::super::fill::{Canvas, Run};
-use super::{channels, isas, sample};
+use super::{channels, sample};
+use crate::lanes::isas;
 use crate::prepare::ROUND;
 use proptest::prelude::*;
 

@@ -11,23 +11,8 @@ mod verdict;
 use super::pyramid::Pyramid;
 use super::verdict::Limit;
 use crate::trace::Sample;
-use fearless_simd::Level;
 use proptest::prelude::*;
 use std::prelude::v1::*;
-
-/// The instruction sets of this machine.
-fn isas() -> impl Iterator<Item = Level> {
-    let best = Level::new();
-    #[cfg(target_arch = "x86_64")]
-    let all = [
-        best.as_sse2().map(Level::Sse2),
-        best.as_avx2().map(Level::Avx2),
-        best.as_avx512().map(Level::Avx512),
-    ];
-    #[cfg(not(target_arch = "x86_64"))]
-    let all = [Some(best)];
-    all.into_iter().flatten()
-}
 
 /// A sample of any colour, often near to others, that shows one of few objects, with a pattern or without.
 fn sample() -> impl Strategy<Value = Sample> {

@@ -2,7 +2,8 @@
 
 use super::super::bits::Bits;
 use super::super::verdict::{Rules, Verdict, growth, judge};
-use super::{isas, sample, span, two_rows};
+use super::{sample, span, two_rows};
+use crate::lanes::isas;
 use crate::quality::Quality;
 use crate::trace::Sample;
 use proptest::prelude::*;

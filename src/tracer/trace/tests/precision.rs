@@ -17,40 +17,17 @@ const SEEDS: u64 = 3;
 /// The probability with which a seed may exceed the asserted bound.
 const EXCEEDED: f64 = 1e-6;
 
-/// Bounds on the mean number of wrong rays per million.
-struct Wrong {
-    /// For a sphere at the origin, with fused multiply-add.
-    fused: f64,
-    /// ... without it.
-    unfused: f64,
-    /// For spheres up to twice as far from the origin as from the rays' origin, where the vector to the centre is rounded.
-    anywhere: f64,
-}
-
-/// The bounds for a distance.
-struct DistanceBounds {
-    /// The distance from the sphere's centre to the origin of the rays, in radii.
-    distance: f64,
-    wrong: Wrong,
-}
-
-const fn bounds(distance: f64, [fused, unfused, anywhere]: [f64; 3]) -> DistanceBounds {
-    let wrong = Wrong {
-        fused,
-        unfused,
-        anywhere,
-    };
-    DistanceBounds { distance, wrong }
-}
-
-const BOUNDS: [DistanceBounds; 7] = [
-    bounds(1e0, [3.0, 4.0, 5.0]),
-    bounds(1e1, [1.0, 1.0, 1.0]),
-    bounds(1e2, [1.0, 1.0, 2.5]),
-    bounds(1e3, [1.0, 1.0, 12.0]),
-    bounds(1e4, [1.0, 1.0, 100.0]),
-    bounds(1e5, [16.0, 20.0, 930.0]),
-    bounds(1e6, [1400.0, 1650.0, 9700.0]),
+/// Distances from the sphere's centre to the origin of the rays, in radii, and for each the bounds on the mean number of wrong rays per
+/// million: for a sphere at the origin with fused multiply-add, without it, and for spheres up to twice as far from the origin as from
+/// the rays' origin, where the vector to the centre is rounded.
+const BOUNDS: [(f64, [f64; 3]); 7] = [
+    (1e0, [3.0, 4.0, 5.0]),
+    (1e1, [1.0, 1.0, 1.0]),
+    (1e2, [1.0, 1.0, 2.5]),
+    (1e3, [1.0, 1.0, 12.0]),
+    (1e4, [1.0, 1.0, 100.0]),
+    (1e5, [16.0, 20.0, 930.0]),
+    (1e6, [1400.0, 1650.0, 9700.0]),
 ];
 
 /// The largest error of the distance of a hit, in radii, but for the outermost tenth of the sphere: as a share of the
@@ -125,15 +102,15 @@ impl Property for HitOrMiss {
     fn hold<S: Isa>(&self, simd: S, isa: &str) {
         let millions = RAYS as f64 / 1e6;
         let seeds = self.seeds as f64;
-        for DistanceBounds { distance, wrong } in &BOUNDS {
+        for (distance, [fused, unfused, anywhere]) in BOUNDS {
             let mean = match self.is_in_origin {
-                true if S::FUSES_MUL_ADD => wrong.fused,
-                true => wrong.unfused,
-                false => wrong.anywhere,
+                true if S::FUSES_MUL_ADD => fused,
+                true => unfused,
+                false => anywhere,
             };
             let (mut total, mut most, mut off) = (0, 0, 0.0_f64);
             for seed in 0..self.seeds {
-                let outcome = outcome(simd, *distance, self.is_in_origin, seed);
+                let outcome = outcome(simd, distance, self.is_in_origin, seed);
                 total += outcome.wrong;
                 most = most.max(outcome.wrong);
                 off = off.max(outcome.off);
