@@ -50,9 +50,15 @@ impl Toolchain {
 
 /// Finds the linker, by the user's flags for rustc, the C compiler that cargo calls, and the linker that rustc brings.
 fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<String, Error> {
-    // Read the flags; later ones count more.
+    // Options for code generation are `-Cname=value`, `-C name=value`, and the same with `--codegen`.
+    let flags = flags
+        .replace("--codegen=", "-C")
+        .replace("--codegen\x1f", "-C")
+        .replace("-C\x1f", "-C");
+    let options = flags.split('\x1f');
+    // Read them; later ones count more.
     let (mut compiler, mut chosen, mut own) = (compiler, None, own);
-    for (name, value) in options(flags) {
+    for (name, value) in options.filter_map(|option| option.strip_prefix("-C")?.split_once('=')) {
         match name {
             "linker" => compiler = Some(value.into()),
             "linker-flavor" if value != "gcc" && !value.ends_with("-cc") => {
@@ -86,26 +92,6 @@ fn linker(flags: &str, compiler: Option<String>, own: Option<&str>) -> Result<St
         (Some(name), _) => format!("ld.{name}"),
         (None, Some(own)) => own.into(),
         (None, None) => "ld".into(),
-    })
-}
-
-/// Options for code generation, as names and values: `-Cname=value` or `-C name=value`.
-fn options(flags: &str) -> impl Iterator<Item = (&str, &str)> {
-    let mut flags = flags.split('\x1f');
-    std::iter::from_fn(move || {
-        loop {
-            let flag = flags.next()?;
-            let option = match flag {
-                "-C" | "--codegen" => flags.next()?,
-                _ => flag
-                    .strip_prefix("-C")
-                    .or_else(|| flag.strip_prefix("--codegen="))
-                    .unwrap_or_default(),
-            };
-            if let Some(option) = option.split_once('=') {
-                return Some(option);
-            }
-        }
     })
 }
 

@@ -35,11 +35,6 @@ fn every_item_is_done_once() {
 }
 
 #[test]
-fn no_items_need_no_workers() {
-    count(&mut Pool::new(4), 0, 0);
-}
-
-#[test]
 fn without_workers_nothing_is_done() {
     let mut items = [0; 3];
     let mut workers: [(); 0] = [];
@@ -77,18 +72,6 @@ fn all_threads_take_part_in_long_work() {
         sleep(Duration::from_millis(5));
     });
     assert!(workers.iter().all(|&items| items > 0), "{workers:?}");
-}
-
-#[test]
-fn a_job_can_use_what_the_caller_has() {
-    let mut pool = Pool::new(3);
-    let words = [String::from("eight"), String::from("fold")];
-    let letters = AtomicUsize::new(0);
-    let mut items: Vec<&String> = words.iter().cycle().take(1000).collect();
-    pool.run(&mut [(), (), ()], &mut items, &|(), word| {
-        letters.fetch_add(word.len(), Relaxed);
-    });
-    assert_eq!(letters.into_inner(), 500 * 9);
 }
 
 #[test]
