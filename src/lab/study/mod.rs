@@ -10,7 +10,7 @@ use crate::subcommand::{FIGURES, FRONT, RESOLUTION, SQUARES, Step};
 use crate::timing::machine;
 use anyhow::{Result, bail};
 use clap::Args;
-use page::Page;
+use page::{escaped, figure, page, table};
 use std::path::PathBuf;
 
 /// Measures a scene in every way, and writes what comes of it as a page for a browser
@@ -65,16 +65,16 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     output::check(&arguments.out)?;
     interrupt::listen();
-    let mut page = Page::new(&format!("Study of {}", arguments.scene));
-    page.paragraph(&format!(
-        "{}. What trades accuracy for speed is measured on this scene: how fast each setting is, and how far its pictures are \
-         from those in which every pixel is traced.",
-        machine()
-    ));
+    let mut body = format!(
+        "<p>{}. What trades accuracy for speed is measured on this scene: how fast each setting is, and how far its pictures are \
+         from those in which every pixel is traced.</p>\n",
+        escaped(&machine())
+    );
     for section in sections(arguments) {
-        section.add_to(&mut page)?;
+        body += &section.html()?;
     }
-    output::write(&arguments.out, page.html().as_bytes())
+    let page = page(&format!("Study of {}", arguments.scene), &body);
+    output::write(&arguments.out, page.as_bytes())
 }
 
 fn sections(arguments: &Arguments) -> Vec<Section> {
@@ -136,16 +136,20 @@ fn sections(arguments: &Arguments) -> Vec<Section> {
 }
 
 impl Section {
-    /// Runs the command, and adds what comes of it.
-    fn add_to(&self, page: &mut Page) -> Result<()> {
+    /// Runs the command. Returns what it shows, the command itself, and what comes of it.
+    fn html(&self) -> Result<String> {
         let shown = self.step.shown("");
         eprintln!("{shown}");
         let (printed, pictures) = self.step.run()?;
-        page.section(self.title, self.says, &shown);
-        page.table(&printed);
-        for ((name, says), bytes) in self.step.pictures.iter().zip(pictures) {
-            page.figure(name, &bytes, says);
+        let [title, says, shown] = [self.title, self.says, &*shown].map(escaped);
+        let mut html =
+            format!("<h2>{title}</h2>\n<p>{says}</p>\n<pre><code>{shown}</code></pre>\n");
+        if !printed.is_empty() {
+            html += &table(&printed);
         }
-        Ok(())
+        for ((name, says), bytes) in self.step.pictures.iter().zip(pictures) {
+            html += &figure(name, &bytes, says);
+        }
+        Ok(html)
     }
 }

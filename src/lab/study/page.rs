@@ -21,72 +21,43 @@ figure { margin: 1.5rem 0; }
 figure svg, figure img { display: block; max-width: 100%; height: auto; background: white; }
 figcaption { font-size: 14px; opacity: 0.8; }";
 
-/// A page that is being written.
-pub struct Page {
-    title: String,
-    body: String,
+/// The text of a page of a title and a body.
+pub fn page(title: &str, body: &str) -> String {
+    let title = escaped(title);
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width\">\n<title>{title}</title>\n\
+         <style>\n{STYLE}\n</style>\n</head>\n<body>\n<h1>{title}</h1>\n{body}</body>\n</html>\n"
+    )
 }
 
-impl Page {
-    /// A page with a title and nothing else.
-    pub fn new(title: &str) -> Self {
-        let title = escaped(title);
-        let body = format!("<h1>{title}</h1>\n");
-        Self { title, body }
-    }
+/// Tables and what stands between them, from Markdown.
+pub fn table(markdown: &str) -> String {
+    let mut shown = String::new();
+    html::push_html(
+        &mut shown,
+        Parser::new_ext(markdown, Options::ENABLE_TABLES),
+    );
+    format!("<div class=\"scroll\">\n{shown}</div>\n")
+}
 
-    /// Adds plain text.
-    pub fn paragraph(&mut self, text: &str) {
-        self.body += &format!("<p>{}</p>\n", escaped(text));
-    }
-
-    /// Begins a section, which says what it shows and by which command it was made.
-    pub fn section(&mut self, title: &str, says: &str, command: &str) {
-        self.body += &format!("<h2>{}</h2>\n", escaped(title));
-        self.paragraph(says);
-        self.body += &format!("<pre><code>{}</code></pre>\n", escaped(command));
-    }
-
-    /// Adds tables and what stands between them, from Markdown.
-    pub fn table(&mut self, markdown: &str) {
-        if !markdown.is_empty() {
-            self.body += "<div class=\"scroll\">\n";
-            html::push_html(
-                &mut self.body,
-                Parser::new_ext(markdown, Options::ENABLE_TABLES),
-            );
-            self.body += "</div>\n";
-        }
-    }
-
-    /// Adds a plot or a picture by the bytes of its file, whose name ends in `.svg` or `.png`, and what it shows.
-    pub fn figure(&mut self, name: &str, bytes: &[u8], says: &str) {
-        let says = escaped(says);
-        let shown = if name.ends_with(".svg") {
-            let text = String::from_utf8_lossy(bytes);
-            // What stands before the drawing is for files of their own.
-            let start = text.find("<svg").unwrap_or(0);
-            text[start..].to_owned()
-        } else {
-            let data = BASE64_STANDARD.encode(bytes);
-            format!("<img alt=\"{says}\" src=\"data:image/png;base64,{data}\">")
-        };
-        self.body += &format!("<figure>{shown}<figcaption>{says}</figcaption></figure>\n");
-    }
-
-    /// The text of the file.
-    pub fn html(&self) -> String {
-        let Self { title, body } = self;
-        format!(
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-             <meta name=\"viewport\" content=\"width=device-width\">\n<title>{title}</title>\n\
-             <style>\n{STYLE}\n</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
-        )
-    }
+/// A plot or a picture by the bytes of its file, whose name ends in `.svg` or `.png`, and what it shows.
+pub fn figure(name: &str, bytes: &[u8], says: &str) -> String {
+    let says = escaped(says);
+    let shown = if name.ends_with(".svg") {
+        let text = String::from_utf8_lossy(bytes);
+        // What stands before the drawing is for files of their own.
+        let start = text.find("<svg").unwrap_or(0);
+        text[start..].to_owned()
+    } else {
+        let data = BASE64_STANDARD.encode(bytes);
+        format!("<img alt=\"{says}\" src=\"data:image/png;base64,{data}\">")
+    };
+    format!("<figure>{shown}<figcaption>{says}</figcaption></figure>\n")
 }
 
 /// Text with the marks of HTML spelt out.
-fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     let mut to = String::new();
     // Writing to a string does not fail.
     let _ = escape_html(&mut to, text);

@@ -196,15 +196,11 @@ struct Point<'a> {
 impl Point<'_> {
     /// The light of a lamp by way of flat mirrors, chosen by `u`.
     fn by_mirrors(&self, image: &Image, u: DVec2) -> DVec3 {
-        let p = self.here.o;
-        if image.mirrors[0].1.height(p) <= 0.0 {
+        if image.mirrors[0].1.height(self.here.o) <= 0.0 {
             return DVec3::ZERO;
         }
-        let arriving = if self.effects.soft_shadows {
-            image.lamp.sample(self.here, u)
-        } else {
-            image.lamp.from_centre(p)
-        };
+        let has_extent = self.effects.soft_shadows;
+        let arriving = image.lamp.sample(self.here, has_extent, u);
         let light = self.bsdf.of(arriving.d) * arriving.light;
         if light == DVec3::ZERO {
             return light;
@@ -226,7 +222,7 @@ impl Point<'_> {
         }
         // Part of a lamp's sphere may be behind the mirror.
         let left = arriving.distance - travelled;
-        if left < 0.0 && !self.effects.soft_shadows {
+        if left < 0.0 && !has_extent {
             return DVec3::ZERO;
         }
         share * light * self.world.passing(ray, left, false)

@@ -109,7 +109,7 @@ impl Lamp {
     }
 
     /// The light at `p` from its centre.
-    pub fn from_centre(&self, p: DVec3) -> Arriving {
+    fn of_centre(&self, p: DVec3) -> Arriving {
         let to_lamp = self.position - p;
         let distance = to_lamp.length();
         Arriving {
@@ -120,11 +120,12 @@ impl Lamp {
         }
     }
 
-    /// The light at the origin of a ray from a direction in which the lamp is, chosen by `u`, uniform over solid angle.
-    pub fn sample(&self, here: Ray, u: DVec2) -> Arriving {
+    /// The light at the origin of a ray from a direction in which the lamp is, chosen by `u`, uniform over solid angle; or from its
+    /// centre.
+    pub fn sample(&self, here: Ray, has_extent: bool, u: DVec2) -> Arriving {
         let p = here.o;
-        if self.radius == 0.0 {
-            return self.from_centre(p);
+        if self.radius == 0.0 || !has_extent {
+            return self.of_centre(p);
         }
         let to_lamp = self.position - p;
         let width = self.width(p);

@@ -150,11 +150,7 @@ impl PathTracer<'_> {
         let mut sum = DVec3::ZERO;
         for lamp in &self.world.lamps {
             let u = sampler.next_2d();
-            let arriving = if self.effects.soft_shadows {
-                lamp.sample(here, u)
-            } else {
-                lamp.from_centre(here.o)
-            };
+            let arriving = lamp.sample(here, self.effects.soft_shadows, u);
             let light = bsdf.of(arriving.d) * arriving.light;
             if light == DVec3::ZERO {
                 continue;
