@@ -15,8 +15,7 @@ proptest! {
     #![proptest_config(config(48))]
 
     #[test]
-    fn any_scene_is_as_the_oracle_sees_it(sketch in sketch(vec(sphere(), 0..12), 2)) {
-        let scene = sketch.scene();
+    fn any_scene_is_as_the_oracle_sees_it(scene in sketch(vec(sphere(), 0..12), 2)) {
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 96, 72);
         for isa in cpu::instruction_sets() {
             let drawn = draw(isa, 1, &scene, &Quality::EXHAUSTIVE, 96, 72);
@@ -25,8 +24,7 @@ proptest! {
     }
 
     #[test]
-    fn any_rich_scene_is_as_the_oracle_sees_it(rich in rich()) {
-        let scene = rich.scene();
+    fn any_rich_scene_is_as_the_oracle_sees_it(scene in rich()) {
         scene.validate().unwrap();
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 96, 72);
         for isa in cpu::instruction_sets() {
@@ -36,8 +34,7 @@ proptest! {
     }
 
     #[test]
-    fn any_scene_is_refined_by_the_rules(sketch in sketch(vec(sphere(), 0..12), 2)) {
-        let scene = sketch.scene();
+    fn any_scene_is_refined_by_the_rules(scene in sketch(vec(sphere(), 0..12), 2)) {
         for quality in [Quality::THESIS, Quality::DEFAULT].map(bare) {
             assert_as_refined(&scene, &quality, [96, 72], "any scene");
         }

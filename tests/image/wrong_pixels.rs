@@ -42,8 +42,7 @@ proptest! {
     #![proptest_config(config(60))]
 
     #[test]
-    fn wrong_pixels_are_few_and_their_patches_small(sketch in sketch(vec(sphere(), 0..12), 2)) {
-        let scene = sketch.scene();
+    fn wrong_pixels_are_few_and_their_patches_small(scene in sketch(vec(sphere(), 0..12), 2)) {
         let (width, height) = (320, 240);
         let draw = |quality| draw_best(&scene, &quality, width, height).pixels;
         let wrong = wrong_pixels(&draw(Quality::DEFAULT.reference()), &draw(Quality::DEFAULT));

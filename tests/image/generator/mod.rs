@@ -107,37 +107,11 @@ fn camera() -> impl Strategy<Value = Camera> {
         })
 }
 
-/// The parts of a scene of spheres and planes: it prints shorter than the scene when a test fails.
-#[derive(Clone, Debug)]
-pub struct Sketch {
-    camera: Camera,
-    background: Vec3A,
-    ambient: Vec3A,
-    spheres: Vec<Sphere>,
-    planes: Vec<Plane>,
-    lights: Vec<Light>,
-}
-
-impl Sketch {
-    /// The scene.
-    pub fn scene(&self) -> Scene {
-        Scene {
-            camera: self.camera,
-            background: self.background,
-            ambient: self.ambient,
-            spheres: List::of(&self.spheres),
-            planes: List::of(&self.planes),
-            lights: List::of(&self.lights),
-            ..Scene::default()
-        }
-    }
-}
-
 /// Spheres, which may intersect, planes and point lights.
 pub fn sketch(
     spheres: impl Strategy<Value = Vec<Sphere>>,
     planes: usize,
-) -> impl Strategy<Value = Sketch> {
+) -> impl Strategy<Value = Scene> {
     (
         camera(),
         (colour(), colour()),
@@ -146,13 +120,14 @@ pub fn sketch(
         vec(light(), 0..=4),
     )
         .prop_map(
-            |(camera, (background, ambient), spheres, planes, lights)| Sketch {
+            |(camera, (background, ambient), spheres, planes, lights)| Scene {
                 camera,
                 background,
                 ambient: 0.2 * ambient,
-                spheres,
-                planes,
-                lights,
+                spheres: List::of(&spheres),
+                planes: List::of(&planes),
+                lights: List::of(&lights),
+                ..Scene::default()
             },
         )
 }
@@ -246,40 +221,6 @@ fn any_light() -> impl Strategy<Value = Light> {
         )
 }
 
-/// The parts of a scene with objects, materials and lights of all kinds.
-#[derive(Clone, Debug)]
-pub struct Rich {
-    sketch: Sketch,
-    blocks: Vec<Block>,
-    lights: Vec<Light>,
-    floor: Material,
-    sky: Vec3A,
-    haze: f32,
-    exposure: f32,
-    film: Film,
-    water: Waves,
-}
-
-impl Rich {
-    /// The scene.
-    pub fn scene(&self) -> Scene {
-        let mut scene = self.sketch.scene();
-        if let Some(plane) = scene.planes.first_mut() {
-            plane.material = self.floor;
-        }
-        Scene {
-            blocks: List::of(&self.blocks),
-            lights: List::of(&self.lights),
-            sky: self.sky - scene.background,
-            haze: self.haze,
-            exposure: self.exposure,
-            film: self.film,
-            water: self.water,
-            ..scene
-        }
-    }
-}
-
 /// Any film, the plain one too.
 fn film() -> impl Strategy<Value = Film> {
     let any = (0.0_f32..1.0, 0.0_f32..0.5, 0.0_f32..1.0, 0.0_f32..1.0);
@@ -304,7 +245,7 @@ fn water() -> impl Strategy<Value = Waves> {
 }
 
 /// Objects, materials and lights of all kinds.
-pub fn rich() -> impl Strategy<Value = Rich> {
+pub fn rich() -> impl Strategy<Value = Scene> {
     (
         sketch(vec(painted_sphere(), 0..6), 2),
         vec(block(), 0..8),
@@ -314,16 +255,20 @@ pub fn rich() -> impl Strategy<Value = Rich> {
         (film(), water()),
     )
         .prop_map(
-            |(sketch, blocks, lights, (floor, sky), (haze, exposure), (film, water))| Rich {
-                sketch,
-                blocks,
-                lights,
-                floor,
-                sky,
-                haze,
-                exposure,
-                film,
-                water,
+            |(mut scene, blocks, lights, (floor, sky), (haze, exposure), (film, water))| {
+                if let Some(plane) = scene.planes.first_mut() {
+                    plane.material = floor;
+                }
+                Scene {
+                    blocks: List::of(&blocks),
+                    lights: List::of(&lights),
+                    sky: sky - scene.background,
+                    haze,
+                    exposure,
+                    film,
+                    water,
+                    ..scene
+                }
             },
         )
 }
