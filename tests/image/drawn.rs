@@ -4,6 +4,8 @@ use crate::cpu::{self, Isa};
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Counts, Quality};
+use std::cell::RefCell;
+use std::collections::HashMap;
 
 /// A picture and the work that it took.
 pub struct Drawn {
@@ -36,6 +38,11 @@ pub fn with_any_squares() -> impl Iterator<Item = Quality> {
     named().chain([3, 5, 12, 17].map(of_side))
 }
 
+thread_local! {
+    /// Those of a test, by their numbers of threads: to make one takes longer than a small picture.
+    static RENDERERS: RefCell<HashMap<usize, ThreadedRenderer>> = RefCell::default();
+}
+
 /// Draws a picture by one instruction set, on a number of threads.
 pub fn draw(
     isa: Isa,
@@ -46,7 +53,11 @@ pub fn draw(
     height: usize,
 ) -> Drawn {
     let mut pixels = vec![UNDRAWN; width * height];
-    let counts = ThreadedRenderer::new(threads).draw(isa.level, scene, quality, width, &mut pixels);
+    let counts = RENDERERS.with_borrow_mut(|renderers| {
+        let renderer = renderers.entry(threads);
+        let renderer = renderer.or_insert_with(|| ThreadedRenderer::new(threads));
+        renderer.draw(isa.level, scene, quality, width, &mut pixels)
+    });
     let undrawn = pixels.iter().position(|&pixel| pixel >> 24 != 0);
     assert_eq!(undrawn, None, "a pixel was left out, {width}x{height}");
     Drawn { pixels, counts }
