@@ -37,9 +37,8 @@ pub fn field(count: usize, time: f32) -> Scene {
             start + radius + room * random.fraction()
         };
         let centre = vec3a(coordinate(i % cells), radius, coordinate(i / cells));
-        scene
-            .spheres
-            .push(Sphere::new(centre, radius, material(&mut random)));
+        let material = material(&mut random);
+        scene.spheres.push(Sphere::new(centre, radius, material));
     }
     scene.camera = orbit(vec3a(0.0, 0.4, 0.0), ORBIT_SPEED * time, 11.0, 4.5);
     scene

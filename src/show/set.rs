@@ -73,12 +73,9 @@ impl Set {
         scene.film = self.film;
         // Set the floor, and the waves on it.
         scene.planes.clear();
-        scene.planes.push(Plane::new(
-            Vec3A::ZERO,
-            self.floor_half,
-            self.floor_half,
-            *self.floor,
-        ));
+        let half = self.floor_half;
+        let floor = Plane::new(Vec3A::ZERO, half, half, *self.floor);
+        scene.planes.push(floor);
         scene.water = Waves::CALM;
         if self.swell > 0.0 {
             scene.water = Waves {

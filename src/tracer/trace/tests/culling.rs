@@ -84,11 +84,9 @@ fn crowd(random: &mut Random) -> Scene {
     for _ in 0..count {
         let mut number = || random.between(-8.0, 8.0);
         let centre = DVec3::new(number(), number(), number()).as_vec3a();
-        scene.spheres.push(Sphere::new(
-            centre,
-            random.between(0.05, largest) as f32,
-            Material::BLACK,
-        ));
+        let radius = random.between(0.05, largest) as f32;
+        let sphere = Sphere::new(centre, radius, Material::BLACK);
+        scene.spheres.push(sphere);
     }
     scene.lights = List::of(&[Light {
         position: (random.direction() * random.between(1.0, 20.0)).as_vec3a(),

@@ -107,13 +107,10 @@ impl Property for Planes {
             let aim = centre + DVec3::new(half_x * x, 0.0, half_z * z);
             let o = random.vector(-8.0, 8.0);
             let (o, d) = (o.as_vec3a(), unit(aim - o));
+            let (half_x, half_z) = (half_x as f32, half_z as f32);
+            let plane = Plane::new(centre.as_vec3a(), half_x, half_z, Material::BLACK);
             let scene = prepared(&Scene {
-                planes: List::of(&[Plane::new(
-                    centre.as_vec3a(),
-                    half_x as f32,
-                    half_z as f32,
-                    Material::default(),
-                )]),
+                planes: List::of(&[plane]),
                 ..Scene::default()
             });
             let Some((p, _, _)) = hit_by(simd, scene.world(), o, d) else {
