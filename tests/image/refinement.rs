@@ -121,7 +121,7 @@ fn what_the_intro_plays_is_within_45_db_in_every_frame() {
 fn squares_are_filled_and_split_by_the_rules() {
     for quality in [Quality::THESIS, Quality::DEFAULT].map(bare) {
         for (name, scene) in scenes() {
-            assert_as_refined(&scene, &quality, [500, 300], name);
+            assert_as_refined(&scene, &quality, [300, 200], name);
         }
     }
 }

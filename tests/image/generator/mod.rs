@@ -28,6 +28,14 @@ pub fn config(cases: u32) -> ProptestConfig {
     }
 }
 
+/// The materials of all objects of a scene.
+pub fn materials(scene: &mut Scene) -> Vec<&mut Material> {
+    let spheres = scene.spheres.iter_mut().map(|s| &mut s.material);
+    let planes = scene.planes.iter_mut().map(|p| &mut p.material);
+    let blocks = scene.blocks.iter_mut().map(|b| &mut b.material);
+    spheres.chain(planes).chain(blocks).collect()
+}
+
 /// A colour.
 fn colour() -> impl Strategy<Value = Vec3A> {
     [0.0_f32..1.0, 0.0..1.0, 0.0..1.0].prop_map(Vec3A::from)

@@ -1,6 +1,6 @@
 //! Random scenes whose objects are placed by where they appear in the picture, each in its own colour.
 
-use super::{fitting, shape};
+use super::{fitting, materials, shape};
 use crate::extremes::scaled;
 use eightfold::show;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
@@ -115,6 +115,22 @@ pub(super) fn material(number: usize, step: usize) -> Material {
     }
 }
 
+/// The scene with objects and lamps of distinct colours, see [`colour`], in ambient light alone.
+fn coloured(mut scene: Scene, step: usize) -> Scene {
+    let mut numbers = 1..;
+    for (slot, number) in materials(&mut scene).into_iter().zip(&mut numbers) {
+        *slot = material(number, step);
+    }
+    for (light, number) in scene.lights.iter_mut().zip(numbers) {
+        light.colour = colour(number, step);
+    }
+    Scene {
+        background: colour(0, step),
+        ambient: Vec3A::ONE,
+        ..scene
+    }
+}
+
 /// The parts of a scene of objects with distinct colours in ambient light alone, so that each pixel tells what it shows.
 #[derive(Clone, Debug)]
 pub struct Placed {
@@ -163,52 +179,36 @@ impl Placed {
             let centre = self.camera.eye + vec3a(0.6, 0.0, 0.8) * (radius * share);
             balls.push((centre, radius));
         }
-        let mut number = 1..;
-        let mut next = || number.next().unwrap();
+        let plain = Material::default();
         let lights = balls.split_off(balls.len() - self.lights.min(balls.len()));
         let spheres: Vec<Sphere> = balls
             .iter()
-            .map(|&(centre, radius)| Sphere::new(centre, radius, material(next(), self.step)))
+            .map(|&(centre, radius)| Sphere::new(centre, radius, plain))
             .collect();
         let lights: Vec<Light> = lights
             .iter()
             .map(|&(position, radius)| Light {
                 drawn_radius: radius,
-                ..Light::new(position, colour(next(), self.step))
+                ..Light::new(position, Vec3A::ZERO)
             })
             .collect();
-        let planes: Vec<Plane> = self
-            .planes
-            .iter()
-            .map(|plane| Plane {
-                material: material(next(), self.step),
-                ..*plane
-            })
-            .collect();
-        let blocks: Vec<Block> = self
-            .blocks
-            .iter()
-            .map(|block| {
-                let (centre, radius) = self.ball(&block.placement);
-                Block {
-                    centre,
-                    half: block.half * radius,
-                    axes: Mat3A::from_quat(block.rotation),
-                    shape: block.shape,
-                    material: material(next(), self.step),
-                }
-            })
-            .collect();
+        let block = |block: &PlacedBlock| {
+            let (centre, radius) = self.ball(&block.placement);
+            Block {
+                axes: Mat3A::from_quat(block.rotation),
+                ..Block::new(block.shape, centre, block.half * radius, plain)
+            }
+        };
+        let blocks: Vec<Block> = self.blocks.iter().map(block).collect();
         let scene = Scene {
             camera: self.camera,
-            background: colour(0, self.step),
-            ambient: Vec3A::ONE,
             spheres: List::of(&spheres),
-            planes: List::of(&planes),
+            planes: List::of(&self.planes),
             blocks: List::of(&blocks),
             lights: List::of(&lights),
             ..Scene::default()
         };
+        let scene = coloured(scene, self.step);
         scaled(&scene, self.scale)
     }
 }
@@ -297,20 +297,12 @@ pub fn between_corners() -> Scene {
 pub fn of_the_show(time: f32) -> Scene {
     let mut scene = Scene::default();
     show::at(time, &mut scene);
-    let mut materials: Vec<&mut Material> = Vec::new();
-    materials.extend(scene.spheres.iter_mut().map(|sphere| &mut sphere.material));
-    materials.extend(scene.planes.iter_mut().map(|plane| &mut plane.material));
-    materials.extend(scene.blocks.iter_mut().map(|block| &mut block.material));
-    for (i, slot) in materials.into_iter().enumerate() {
-        *slot = material(1 + i, 28);
-    }
-    Scene {
+    let objects = Scene {
         camera: scene.camera,
-        background: colour(0, 28),
-        ambient: Vec3A::ONE,
         spheres: scene.spheres,
         planes: scene.planes,
         blocks: scene.blocks,
         ..Scene::default()
-    }
+    };
+    coloured(objects, 28)
 }

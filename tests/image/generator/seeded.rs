@@ -1,6 +1,6 @@
 //! Random scenes and qualities made from a seed, without a framework, for long runs.
 
-use super::fitting;
+use super::{fitting, materials};
 use crate::extremes::numbers;
 use eightfold_lab::sampler::split_mix;
 use eightfold_tracer::Quality;
@@ -122,11 +122,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
             material: material(random),
         });
     }
-    let mut materials: Vec<&mut Material> = Vec::new();
-    materials.extend(scene.spheres.iter_mut().map(|s| &mut s.material));
-    materials.extend(scene.planes.iter_mut().map(|p| &mut p.material));
-    materials.extend(scene.blocks.iter_mut().map(|b| &mut b.material));
-    for material in materials.into_iter().step_by(3) {
+    for material in materials(scene).into_iter().step_by(3) {
         material.tint = random.vector(Vec3A::ZERO, Vec3A::ONE);
         material.pattern = Pattern {
             waves: (random.vector(Vec3A::ZERO, Vec3A::splat(3.0)) / scale).min(Vec3A::splat(1e3)),
