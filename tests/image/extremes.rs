@@ -285,10 +285,6 @@ fn a_scene_is_refused_by_its_first_number_out_of_range() {
             "lights[1].colour is [1, -1, 0.5], and takes channels from 0 to 1e9",
         ),
         (
-            |scene| scene.planes[0].material.kr = 1.5,
-            "planes[0].material.kr is 1.5, and takes 0 to 1",
-        ),
-        (
             |scene| {
                 scene.camera.eye = glam::vec3a(1.0, 2.0, 3.0);
                 scene.camera.look_at = scene.camera.eye;
