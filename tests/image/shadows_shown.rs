@@ -83,6 +83,49 @@ fn few_pixels_of_shadows_are_missed_and_their_patches_are_small() {
     }
 }
 
+/// Two spheres above a grey floor, between whose shadows there is a slit of light: most are a few pixels wide, and end where the
+/// shadows meet.
+fn slit(random: &mut Random) -> Scene {
+    let grey = Material::matt(Vec3A::splat(0.8), 0.9);
+    let mut scene = floor(random, Vec3A::ZERO, grey);
+    let way =
+        vec3a(random.between(-1.0, 1.0), 0.0, random.between(-1.0, 1.0)).normalize_or(Vec3A::X);
+    let half_gap = random.between(-0.02, 0.05);
+    let sphere = |side: f32| {
+        Sphere::new(
+            Vec3A::Y * 1.5 + way * (side * (1.0 + half_gap)),
+            1.0,
+            Material::BLACK,
+        )
+    };
+    scene.ambient = Vec3A::splat(0.2);
+    scene.spheres = List::of(&[sphere(-1.0), sphere(1.0)]);
+    let lamp = random.vector(vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0));
+    scene.lights.push(Light::new(lamp, Vec3A::ONE));
+    scene
+}
+
+#[test]
+fn slits_of_light_between_shadows_are_shown_and_the_bare_rules_darken_some() {
+    // Pixels of the lit floor that are dark.
+    let (mut darkened, mut bare_darkens) = (0, 0);
+    for seed in 0..SCENES {
+        let scene = slit(&mut Random(seed));
+        let draw = |quality| draw(cpu::best(), 2, &scene, &jagged(quality), WIDTH, HEIGHT).pixels;
+        let exhaustive = draw(Quality::EXHAUSTIVE);
+        let dark = |quality| {
+            let pairs = exhaustive.iter().zip(draw(quality));
+            let is_dark = |(&lit, drawn)| drawn == SHADED && worst_channel(lit, SHADED) > 8;
+            pairs.filter(|&(lit, drawn)| is_dark((lit, drawn))).count()
+        };
+        darkened += dark(Quality::DEFAULT);
+        bare_darkens += dark(bare(Quality::DEFAULT));
+    }
+    println!("{darkened} pixels, {bare_darkens} by the bare rules");
+    assert!(darkened <= 5, "{darkened}");
+    assert!(bare_darkens > 100, "{bare_darkens}");
+}
+
 /// The indices of the spheres that shade the point of the floor that a pixel shows.
 fn casters(scene: &Scene, pixel: usize) -> Vec<usize> {
     let raster = scene.camera.raster(WIDTH, HEIGHT);

@@ -171,6 +171,8 @@ impl Outline {
 
 /// An outline, as a part of the picture is held against it.
 pub(crate) struct SeenOutline<'a> {
+    /// Where its object is seen from: of a shadow the lamp, otherwise the eye.
+    pub seen_from: Vec3A,
     bounds: ScreenBounds,
     cone: Cone,
     /// More of the sides of a box or a cylinder.
@@ -212,6 +214,7 @@ impl Prepared {
     #[inline(never)]
     pub fn outline(&self, number: usize) -> SeenOutline<'_> {
         let mut seen = SeenOutline {
+            seen_from: self.eye,
             bounds: self.screen[number],
             cone: Cone::NONE,
             ends: None,
@@ -235,7 +238,13 @@ impl Prepared {
         }
         // What a plane cuts has rays in its outline that only its part beyond would meet.
         if number > self.background() {
-            let [least, most] = self.heights(number);
+            let (object, plane, viewer) = if number < self.first_shadow {
+                (number, 0, self.eye)
+            } else {
+                self.caster(number)
+            };
+            seen.seen_from = viewer;
+            let [least, most] = self.heights(object, plane, viewer);
             if least < 0.0 {
                 seen.margin = f32::INFINITY;
             }
@@ -246,14 +255,9 @@ impl Prepared {
         seen
     }
 
-    /// How far what casts a shadow on a plane, or has an image in it, reaches from the plane towards the lamp or the eye, least and
-    /// most, and a bound on rounding more. The number is that of the shadow's or the image's outline.
-    fn heights(&self, number: usize) -> [f32; 2] {
-        let (object, plane, viewer) = if number < self.first_shadow {
-            (number, 0, self.eye)
-        } else {
-            self.caster(number)
-        };
+    /// How far an object, which casts a shadow on a plane or has an image in it, reaches from the plane towards the viewer, least and
+    /// most, and a bound on rounding more. The viewer is the shadow's lamp or, of an image, the eye.
+    fn heights(&self, object: usize, plane: usize, viewer: Vec3A) -> [f32; 2] {
         let (object, height) = (&self.outlines[object], self.planes[plane].centre.y);
         let error = object.hit_error();
         let [least, most] = [object.least.y - height, object.most.y - height];

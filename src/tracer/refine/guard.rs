@@ -7,17 +7,21 @@
 //!
 //! Which object a corner shows is known from tracing it. Whether it shows a shadow or an image on a plane is not, so there the
 //! outline tells: a corner that shows the plane and lies in the outline shows what has it, or what is in front of that.
+//!
+//! Corners that all are in shadow say nothing of light between two shadows, nor those that all show images of what is between two
+//! images: a square is left open where two outlines hold some of its corners each, but not all, unless one before them holds all.
 
 use super::area::Area;
 use super::bits::Bits;
 use super::pyramid::Pyramid;
 use crate::lanes::*;
-use crate::picture::TILE_HEIGHT;
+use crate::picture::{TILE_HEIGHT, TILE_WIDTH};
 use crate::prepare::{
     Highlight, MAX_HIGHLIGHTS, MAX_OUTLINES, ObjectId, Rect, SeenOutline, World, rectangle,
 };
 use crate::scene::camera::pixels;
 use crate::trace::Sample;
+use glam::Vec3A;
 
 /// The outlines of what may be seen in a tile although no corner has shown it so far, by number.
 pub(super) struct CoverageGuard {
@@ -32,6 +36,15 @@ const COLUMN_MARGIN: f32 = 0.02;
 
 /// All corners of a square.
 const ALL: u64 = 0b1111;
+
+/// What shadows by one lamp hold of a square's corners: one of them some, but not all; one of them all, which is convex, so that no
+/// light is between them. A bit each.
+const SOME_CORNERS: u8 = 1;
+const ALL_CORNERS: u8 = 2;
+
+/// Squares of a tile that are larger than a pixel, along x and y.
+const HELD_COLUMNS: usize = TILE_WIDTH / 2;
+const HELD_ROWS: usize = TILE_HEIGHT / 2;
 
 /// Rows of squares that an outline is narrowed to at once.
 const ROWS: usize = 4;
@@ -71,6 +84,9 @@ impl CoverageGuard {
         let &Grid { world, level, .. } = grid;
         let rows = grid.area.rows(level);
         let mut uncovered = [Bits::NONE; TILE_HEIGHT];
+        // Of the shadows by one lamp, or of all images: where one holds corners of a square, but not all, and where one holds all.
+        let mut seen_from = Vec3A::ZERO;
+        let mut held = [[0_u8; HELD_COLUMNS]; HELD_ROWS];
         let mut kept = 0;
         // Look for objects, shadows and images, outline by outline.
         for i in 0..self.count {
@@ -79,6 +95,10 @@ impl CoverageGuard {
             let object = world.outlined_object(number.into());
             let is_on_plane = object.index() != usize::from(number);
             let mut is_kept = false;
+            if outline.seen_from != seen_from {
+                held = [[0_u8; HELD_COLUMNS]; HELD_ROWS];
+                seen_from = outline.seen_from;
+            }
             // Of each row take the squares that the outline meets.
             for top in (0..rows).step_by(ROWS) {
                 let group = top..rows.min(top + ROWS);
@@ -95,7 +115,19 @@ impl CoverageGuard {
                             if shown == 0 {
                                 !uncovered[y].has(x)
                             } else {
-                                shown & grid.inside(x, y, outline) != 0
+                                let inside = shown & grid.inside(x, y, outline);
+                                let held = &mut held[y % HELD_ROWS][x % HELD_COLUMNS];
+                                // Between two shadows that hold a part of the corners each there may be light.
+                                let is_gap = inside != shown && *held == SOME_CORNERS;
+                                if inside != 0 {
+                                    *held |= if inside == shown {
+                                        ALL_CORNERS
+                                    } else {
+                                        SOME_CORNERS
+                                    };
+                                    is_kept = true;
+                                }
+                                inside != 0 && !is_gap
                             }
                         } else {
                             shown != 0 || grid.are_before(corners, object, [x, y], outline)
@@ -247,7 +279,7 @@ impl<'a> Grid<'a> {
     }
 
     /// A bit for each corner of the square (x, y) that is inside of an outline.
-    #[inline(always)]
+    #[inline(never)]
     fn inside(&self, x: usize, y: usize, outline: &SeenOutline<'_>) -> u64 {
         let [left, right] = [x, x + 1].map(|x| pixels(self.area.left + x * self.side));
         let [top, bottom] = [y, y + 1].map(|y| pixels(self.area.top + y * self.side));

@@ -51,6 +51,10 @@
 //! show a shadow, is filled only where one of its corners lies in the shadow on the plane (`prepare::shadow` tells why rounding spoils
 //! neither). That corner is dark. It may be as dark without the shadow: see `limits`.
 //!
+//! Slits of light between two such shadows by one lamp are looked for as well: a square is left open if two of the shadows hold
+//! some of its corners each, and none looked at before holds all. Corners that are all dark would fill it otherwise, and a third of
+//! the model scene's pixels that pop would lie in such squares.
+//!
 //! And it holds for what the first plane mirrors: an image in a plane is what the eye's own image behind the plane sees of the
 //! object, so it has the outline that the object has for a camera mirrored in the plane, in the same place of the picture. A square
 //! that shows the plane at a corner, and may show an image, is filled only where one of its corners lies in the image's outline
@@ -67,7 +71,7 @@
 //!
 //! Antialiasing leaves a pixel a third of what it shows at least.
 //!
-//! That is all that is guaranteed. Gaps between objects and between shadows, shadows on and of other objects, and by lamps
+//! That is all that is guaranteed. Gaps between objects, shadows on and of other objects, and by lamps
 //! that are more than points, highlights in mirrors, and what is seen in other mirrors or through glass can be missed where they fall between corners; `cargo lab missed` counts how many are. To guard the shadows of
 //! lamps with a size as well took the swarm of the show 5 % longer, for 0.06 dB. A guaranteed shadow may be smaller than it
 //! is, too: of the pixels of small spheres' shadows on a plane up to 0.4 % are lit
