@@ -281,12 +281,12 @@ fn crowds_of_mirrors_and_glass_have_42_db() {
     assert!(all[0] >= 42.0, "{} dB", all[0]);
 }
 
-/// Slits of light between the shadows of blocks are lost there, where all corners of a square are dark. Measured: six of the 48 have
-/// less than 42 dB, and the worst 33.6 dB.
+/// Slits of light between the shadows of blocks fall between the corners of squares there, and so do shadows seen along a plane.
+/// Measured: two of the 48 have less than 42 dB, the worst 37.2 dB. By squares of 8 six have, the worst 33.6 dB.
 #[test]
 #[ignore = "many scenes by chance"]
 fn crowds_without_mirrors_have_42_db_but_for_few() {
     let all = psnr_of_crowds(&[[20, 64]], &[[0.0; 2]; 48]);
     let below = all.partition_point(|&psnr| psnr < 42.0);
-    assert!(below <= 7 && all[0] >= 33.0, "{below}, {} dB", all[0]);
+    assert!(below <= 3 && all[0] >= 36.5, "{below}, {} dB", all[0]);
 }

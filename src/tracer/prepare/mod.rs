@@ -19,7 +19,7 @@ pub(crate) use film::{Dither, Film, Four};
 use highlight::Highlights;
 pub(crate) use highlight::{Highlight, MAX_HIGHLIGHTS};
 pub(crate) use lamp::{Lamp, ShadowCone};
-pub(crate) use object::{Object, ObjectId, is_crowd};
+pub(crate) use object::{Object, ObjectId, has_slits, is_crowd};
 use outline::Outline;
 pub(crate) use outline::SeenOutline;
 use screen::ScreenBounds;
