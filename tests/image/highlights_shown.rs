@@ -1,13 +1,13 @@
 //! Highlights that five pixels show are shown, on spheres, planes, cylinders and capsules in the eye's own sight.
 //!
-//! Of 10,300 patches of 3,000 scenes the named qualities missed one, of five pixels on a cylinder; without the guard the default
-//! quality would miss 709.
+//! `PROPTEST_CASES=3000` looks in more scenes: each named quality misses two at most of 10,256 on spheres and planes there, and the
+//! default quality without the guard 773.
 
 use crate::cpu;
 use crate::drawn::{draw, jagged, named};
 use crate::generator::near::power;
 use crate::generator::seeded::Random;
-use crate::generator::{fitting, materials};
+use crate::generator::{config, fitting, materials};
 use crate::missed::effects::patches;
 use crate::refinement::bare;
 use crate::wrong_pixels::wrong_pixels;
@@ -115,7 +115,7 @@ fn every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some()
         let (mut shown, mut bare_misses) = (0, 0);
         let qualities: Vec<Quality> = named().map(jagged).collect();
         let mut misses = vec![0; qualities.len()];
-        for seed in 0..100 {
+        for seed in 0..u64::from(config(100).cases) {
             let isa = isas[seed as usize % isas.len()];
             let scene = scene(&mut Random(seed), are_round_blocks);
             let draw = |scene: &Scene, quality: Quality| {
