@@ -320,7 +320,7 @@ fn by_ball_and_mirror() -> Case {
 
 #[test]
 #[ignore = "many paths of light"]
-fn intervals_hold_what_photons_blur_with_few_samples_and_many() {
+fn intervals_hold_what_photons_blur_by_glass_waves_and_a_mirror() {
     let glass = [
         (Shape::Box, 0.5),
         (Shape::Cylinder, 0.9),
@@ -331,6 +331,11 @@ fn intervals_hold_what_photons_blur_with_few_samples_and_many() {
     for case in glass.iter().chain(&others) {
         assert_covers(case, 32);
     }
+}
+
+#[test]
+#[ignore = "many paths of light"]
+fn intervals_hold_what_photons_blur_by_two_mirrors() {
     for shape in [Shape::Cylinder, Shape::Capsule] {
         assert_covers(&by_two_mirrors(shape), 128);
     }
