@@ -13,7 +13,7 @@ pub const VERSION: &str = concat!("eightfold ", env!("CARGO_PKG_VERSION"));
 /// The keys, as `--help` lists them.
 const KEYS: &str = "keys: F fullscreen, W window, H numbers, Esc end";
 
-/// The options that flags set.
+/// The options that flags set, in the order of [`FLAGS`].
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Switch {
     Size,
@@ -80,8 +80,22 @@ const fn flag(switch: Switch, name: &'static str, value: &'static str, help: &'s
 /// The width, in characters, of the column with the flags and their values in `--help`.
 const COLUMN: usize = 16;
 
-// Each switch has a flag, and two of these tell the show's length.
-const _: () = assert!(FLAGS.len() == Switch::Version as usize + 1 && show::LENGTH == 116.0);
+// The table fits the enumeration, the column and the show's length, which two of the flags tell.
+const _: () = {
+    assert!(show::LENGTH == 116.0);
+    assert!(FLAGS.len() == Switch::Version as usize + 1);
+    let mut i = 0;
+    while i < FLAGS.len() {
+        let flag = &FLAGS[i];
+        assert!(
+            flag.switch as usize == i,
+            "a flag for each switch, in order"
+        );
+        assert!(flag.name.len() + flag.value.len() <= COLUMN);
+        assert!(!flag.help.is_empty());
+        i += 1;
+    }
+};
 
 impl Flag {
     /// The flag of a given name; `-h` stands for `--help`.

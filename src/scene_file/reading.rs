@@ -173,7 +173,7 @@ impl<'de> Visitor<'de> for Several<'_> {
     type Value = Value;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a list")
+        f.write_str("a list, or a struct or None")
     }
 
     fn visit_none<E>(self) -> Result<Value, E> {

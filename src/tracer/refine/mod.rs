@@ -52,8 +52,8 @@
 //! neither). That corner is dark. It may be as dark without the shadow: see `limits`.
 //!
 //! Slits of light between two such shadows by one lamp are looked for as well: a square is left open if two of the shadows hold
-//! some of its corners each, and none looked at before holds all. Corners that are all dark would fill it otherwise, and a third of
-//! the model scene's pixels that pop would lie in such squares.
+//! some of its corners each, and none looked at before holds all. Corners that are all dark would fill it otherwise, and the slit
+//! would come and go from frame to frame.
 //!
 //! And it holds for what the first plane mirrors: an image in a plane is what the eye's own image behind the plane sees of the
 //! object, so it has the outline that the object has for a camera mirrored in the plane, in the same place of the picture. A square
