@@ -10,7 +10,7 @@ use crate::maths::sqrt;
 use crate::scene::camera::pixels;
 use crate::scene::{Block, MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene};
 use crate::shapes::{Mirror, block, plane, sphere};
-use core::{array, f32::consts::PI};
+use core::array;
 use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 
 /// The most highlights: a lamp leaves one on a sphere and on a plane, and three on a box or a cylinder.
@@ -31,12 +31,6 @@ const REACH: f32 = 3.5;
 /// without; rays of the model scene are 0.05 % more.
 const SPARE: f32 = 0.6;
 const COUNTED_DECAY: f32 = 0.75;
-
-/// The area in pixels of the smallest highlight that is looked for. One of less shows in fewer than five pixels.
-const LEAST_AREA: f32 = 4.0;
-
-/// The square of how far from a corner of a square of 8 pixels a pixel of it is at most, in pixels.
-const FARTHEST2: f32 = 0.5 * SQUARE * SQUARE;
 
 /// A highlight.
 #[derive(Clone, Copy)]
@@ -201,14 +195,11 @@ impl Prepared {
 }
 
 impl Highlight {
-    /// Whether it is large enough to be seen, and small enough to lie between corners.
+    /// Whether it is small enough to lie between corners: 4 pixels across and down from a corner u is 64 times the greater of a and
+    /// c at most. However thin it is, it shows in many pixels if it goes through their middles.
     fn is_small(&self, visible: f32) -> bool {
-        let [a, b, c] = self.decay;
-        // An ellipse has the area pi r^2 / sqrt(a c - b^2) where u is r^2, here ln x: at most (x - 1) / sqrt(x).
-        let x = self.strength / visible;
-        let area = PI * (x - 1.0);
-        let is_seen = area * area > LEAST_AREA * LEAST_AREA * (a * c - b * b) * x;
-        is_seen && self.strength * (a + c) * FARTHEST2 > visible
+        let [a, _, c] = self.decay;
+        self.strength * a.max(c) * SQUARE * SQUARE > visible
     }
 }
 
