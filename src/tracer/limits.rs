@@ -86,7 +86,7 @@
 //! | shadows of spheres on planes by point lights that darken a pixel by two steps of 255 at least, of which a named quality has no pixel that is dark | 0, but for what is named below | `every_shadow_that_a_pixel_can_show_is_shown_and_the_bare_rules_miss_some`, `every_shadow_is_shown_however_thin_and_however_near_its_sphere_is_to_the_plane_or_the_lamp` |
 //! | pixels of such shadows that the default quality draws lit, and the largest patch of them | 0.4 %, 20 | `few_pixels_of_shadows_are_missed_and_their_patches_are_small` |
 //! | pixels of random scenes with an error above 8/255 by the default quality, and the largest patch of them at 320x240 | 5 %, 512 | `wrong_pixels_are_few_and_their_patches_small` |
-//! | highlights that five pixels show in the eye's own sight, and that a named quality does not show: in the scenes of this test; `docs/accuracy.md` tells what was missed in others | 0 | `every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some` |
+//! | highlights that five pixels show in the eye's own sight, with the place that mirrors the lamp, and that a named quality does not show: in the scenes of this test | 0, and of what is cut off from that place as `docs/accuracy.md` tells | `every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some` |
 //! | PSNR of any field of up to 320 spheres by the default quality, 1024x768 | 42 dB | `crowded_pictures_have_42_db` |
 //! | PSNR of scenes by chance of 48 to 384 spheres and blocks, a third of them and more mirrors and glass, by the default quality, 640x480 | 42 dB | `crowds_of_mirrors_and_glass_have_42_db` |
 //! | scenes by chance of 20 spheres and 64 blocks without mirrors that the default quality draws below 42 dB at 640x480; the worst | 3 of 48; 36.5 dB | `crowds_without_mirrors_have_42_db_but_for_few` |
@@ -117,8 +117,11 @@
 //!   seen wherever it falls none was missed.
 //! - Images in the first plane beside others that cover a part of them: a corner that is in the outlines of both counts as showing
 //!   both.
-//! - Highlights in mirrors, on waves, and those that are seen from within a sphere, a cylinder or a capsule. Of a highlight a part of which is
-//!   hidden or in shadow: that part which does not hold its middle.
+//! - Highlights in mirrors, on waves, and those that are seen from within a sphere, a cylinder or a capsule. Of a highlight a part
+//!   of which is hidden, in shadow, on the object's own dark side, beyond an edge of a face, or on what is white without it: that
+//!   part which does not hold the place that mirrors the lamp. A corner tells of the object that it shows, not of the face, nor
+//!   whether the lamp lights it: so a slit of light between shadows, the lit rim of a sphere, or the narrow side of a flat cylinder
+//!   can lose all its highlight, whatever its length.
 //! - Reflections between the corners of squares but in the first plane without waves, and refractions: the guard does not look
 //!   for them.
 //! - The position of hits on a sphere whose radius is below the rounding error of its coordinates, about 1e-6 of the largest. No ray that

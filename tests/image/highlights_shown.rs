@@ -1,7 +1,12 @@
 //! Highlights that five pixels show are shown, on spheres, planes, cylinders and capsules in the eye's own sight.
 //!
-//! `PROPTEST_CASES=3000` looks in more scenes: each named quality misses two at most of 10,256 on spheres and planes there, and the
-//! default quality without the guard 773.
+//! A highlight counts as whole if the place that mirrors the lamp to the eye is seen, lit, in one of its pixels or next to one.
+//! What is seen of any other is cut off from that: by a shadow, the object's own included, by something in front, by an edge, or by
+//! what is white without it. It may be missed, as `limits` says.
+//!
+//! Of 3,000 scenes each, by `PROPTEST_CASES=3000`, no named quality misses a whole one of 8,758 on spheres and planes and of 6,320
+//! on cylinders and capsules; the default quality without the guard misses 753 and 461. Of the parts, 1,517 and 4,179, each misses
+//! 2 and 12 at most, all of them in the scenes of known seeds.
 
 use crate::cpu;
 use crate::drawn::{draw, jagged, named};
@@ -11,12 +16,25 @@ use crate::generator::{config, fitting, materials};
 use crate::missed::effects::patches;
 use crate::refinement::bare;
 use crate::wrong_pixels::wrong_pixels;
+use eightfold_oracle::geometry::{self, PicturePlane};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Camera, Light, Material, Plane, Scene, Shape, Sphere};
-use glam::{EulerRot, Mat3A, Vec3A, vec3a};
+use glam::{DMat2, DVec2, DVec3, EulerRot, Mat3A, Vec3A, dvec2, vec3a};
 
 const WIDTH: usize = 320;
 const HEIGHT: usize = 240;
+
+/// Seeds of scenes of spheres, and of round blocks: all in which something was missed of 7,000 and 14,000. The first two of round
+/// blocks have whole highlights, thinner than a pixel; the others have parts.
+const KNOWN: [&[u64]; 2] = [
+    &[4991, 5199],
+    &[
+        3975, 4835, 1327, 2120, 5180, 5606, 6671, 7315, 9571, 10104, 13907,
+    ],
+];
+
+/// The step by which differences from pixel to pixel are taken, in pixels.
+const NEAR: f64 = 1e-4;
 
 /// A shiny material whose highlights are of any size.
 fn shiny(random: &mut Random) -> Material {
@@ -107,15 +125,69 @@ fn made_matt(scene: Scene) -> Vec<Scene> {
     (0..materials(&mut { scene }).len()).map(matt).collect()
 }
 
+/// The shapes of a scene, in the order of [`materials`].
+fn shapes(scene: &Scene) -> Vec<geometry::Shape> {
+    let spheres = scene.spheres.iter().map(geometry::Shape::from);
+    let planes = scene.planes.iter().map(geometry::Shape::from);
+    let blocks = scene.blocks.iter().map(geometry::Shape::from);
+    spheres.chain(planes).chain(blocks).collect()
+}
+
+/// Whether some pixels that show an object, or those next to them, show a place that mirrors a lamp to the eye.
+fn hold_a_middle(scene: &Scene, shape: geometry::Shape, pixels: &[usize]) -> bool {
+    let plane = PicturePlane::new(&scene.camera, WIDTH, HEIGHT);
+    // How far the mirrored ray and the direction to the lamp are apart.
+    let apart = |at: DVec2, lamp: DVec3| {
+        let ray = plane.ray(at.x, at.y);
+        let met = shape.meet(ray, f64::INFINITY)?;
+        let mirrored = ray.d - 2.0 * ray.d.dot(met.normal) * met.normal;
+        Some(mirrored - (lamp - ray.at(met.t)).normalize())
+    };
+    // Newton's step from a pixel to where they are the same.
+    let step = |at: DVec2, lamp: DVec3| {
+        let here = apart(at, lamp)?;
+        let right = (apart(at + NEAR * DVec2::X, lamp)? - here) / NEAR;
+        let down = (apart(at + NEAR * DVec2::Y, lamp)? - here) / NEAR;
+        let across = right.dot(down);
+        let square = DMat2::from_cols_array(&[right.dot(right), across, across, down.dot(down)]);
+        Some(-square.inverse() * dvec2(right.dot(here), down.dot(here)))
+    };
+    scene.lights.iter().any(|light| {
+        let far = if light.parallel { Light::FAR } else { 1.0 };
+        let lamp = (light.position * far).as_dvec3();
+        let is_near = |step: DVec2| step.abs().max_element() <= 1.0;
+        let mut places = pixels
+            .iter()
+            .map(|i| dvec2((i % WIDTH) as f64, (i / WIDTH) as f64));
+        places.any(|at| step(at, lamp).is_some_and(is_near))
+    })
+}
+
+/// Numbers of whole highlights, and of parts of others.
+#[derive(Clone, Debug, Default)]
+struct Number {
+    whole: usize,
+    parts: usize,
+}
+
+impl Number {
+    fn add(&mut self, is_whole: bool) {
+        self.whole += usize::from(is_whole);
+        self.parts += usize::from(!is_whole);
+    }
+}
+
 #[test]
 #[ignore = "many scenes by chance"]
 fn every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some() {
     let isas: Vec<_> = cpu::instruction_sets().collect();
-    for are_round_blocks in [false, true] {
-        let (mut shown, mut bare_misses) = (0, 0);
-        let qualities: Vec<Quality> = named().map(jagged).collect();
-        let mut misses = vec![0; qualities.len()];
-        for seed in 0..u64::from(config(100).cases) {
+    let mut qualities: Vec<Quality> = named().map(jagged).collect();
+    qualities.push(bare(Quality::DEFAULT));
+    for (are_round_blocks, known) in [false, true].into_iter().zip(KNOWN) {
+        let mut shown = Number::default();
+        let mut misses = vec![Number::default(); qualities.len()];
+        let seeds = 0..u64::from(config(100).cases);
+        for seed in known.iter().copied().chain(seeds) {
             let isa = isas[seed as usize % isas.len()];
             let scene = scene(&mut Random(seed), are_round_blocks);
             let draw = |scene: &Scene, quality: Quality| {
@@ -126,31 +198,36 @@ fn every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some()
                 .iter()
                 .map(|&quality| wrong_pixels(&whole, &draw(&scene, quality)))
                 .collect();
-            let bare_wrong = wrong_pixels(&whole, &draw(&scene, bare(Quality::DEFAULT)));
-            for matt in made_matt(scene) {
+            for (matt, shape) in made_matt(scene).into_iter().zip(shapes(&scene)) {
                 let changed = wrong_pixels(&whole, &draw(&matt, Quality::EXHAUSTIVE));
                 let changed: Vec<usize> = (0..changed.len()).filter(|&i| changed[i]).collect();
                 for patch in patches(&changed, WIDTH) {
                     if patch.len() < 5 {
                         continue;
                     }
-                    shown += 1;
-                    let is_missed = |wrong: &[bool]| patch.iter().all(|&i| wrong[i]);
+                    let is_whole = hold_a_middle(&scene, shape, &patch);
+                    shown.add(is_whole);
                     for (misses, wrong) in misses.iter_mut().zip(&wrong) {
-                        *misses += usize::from(is_missed(wrong));
+                        if patch.iter().all(|&i| wrong[i]) {
+                            misses.add(is_whole);
+                        }
                     }
-                    bare_misses += usize::from(is_missed(&bare_wrong));
                 }
             }
         }
-        println!("{shown} highlights, {misses:?} missed, {bare_misses} by the bare rules");
+        let bare = misses.pop().expect("the bare rules");
+        println!("{shown:?}, {misses:?} missed, {bare:?} by the bare rules");
+        // Of parts, those of known seeds, and no more than one in 400 of all.
+        let parts = known.len() + shown.parts / 400;
         assert!(
-            misses.iter().all(|&missed| missed == 0),
-            "{misses:?} of {shown}, round blocks: {are_round_blocks}"
+            misses
+                .iter()
+                .all(|missed| missed.whole == 0 && missed.parts <= parts),
+            "{misses:?} of {shown:?}, round blocks: {are_round_blocks}"
         );
         assert!(
-            shown > 200 && 30 * bare_misses > shown,
-            "{bare_misses} of {shown}"
+            shown.whole > 200 && 30 * bare.whole > shown.whole,
+            "{bare:?} of {shown:?}"
         );
     }
 }
