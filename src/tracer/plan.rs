@@ -9,8 +9,7 @@ use crate::trace::{Batch, Kernel, Tracer};
 use fearless_simd::Level;
 use glam::Vec2;
 
-/// The largest squares of scenes with a crowd, of mirrors and glass or of blocks: slits of light between shadows, and strips of images
-/// in mirrors, are as narrow there as the crowd is dense.
+/// The largest squares of scenes with a crowd of mirrors and glass: strips of images in them are as narrow there as the crowd is dense.
 const CROWD_SQUARE: usize = 4;
 
 /// How a frame is drawn: all that is settled before its first band.
@@ -54,9 +53,8 @@ impl FramePlan {
         let coarse = method.coarse as usize;
         let is_coarse = coarse >= 2;
         let tolerance = scene.film.tolerance;
-        let heeds_crowds = quality.key_weight > 0.0;
-        let glitters = heeds_crowds && prepare::is_crowd(scene);
-        let square = if glitters || heeds_crowds && prepare::has_slits(scene) {
+        let glitters = quality.key_weight > 0.0 && prepare::is_crowd(scene);
+        let square = if glitters {
             quality.square.min(CROWD_SQUARE)
         } else {
             quality.square

@@ -35,8 +35,7 @@ pub struct Quality {
     /// The smallest weight of rays whose hit objects are part of the key, 0 to infinity; a ray's weight is the product of `kr` and
     /// `kt` along its path, and of what the air leaves. So a key tells what a mirror or a glass shows, and not what a dull floor does.
     /// If it is not 0, and a scene has twelve solids that are strong mirrors or glass, no two points of such a solid have the same key,
-    /// and squares are of 4 pixels at most: what is shown between them is as small as the crowd that it shows. They are, too, in a
-    /// scene of 48 boxes and cylinders or more: the slits of light between shadows are narrow there.
+    /// and squares are of 4 pixels at most: what is shown between them is as small as the crowd that it shows.
     pub key_weight: f32,
     /// The largest depth of rays at whose hits the lights' states are part of the key, if their objects are.
     pub state_depth: u32,

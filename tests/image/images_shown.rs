@@ -2,7 +2,7 @@
 //!
 //! Images of cylinders and capsules are the exception: their outlines are those of the boxes around them, and a corner of a square that
 //! lies in such an outline beside the block counts as showing it. Measured: the named qualities miss 0 of 358 images of spheres and
-//! boxes, and 4 of 320 of cylinders and capsules; squares of other sides miss 3 more. All seven are of capsules. The bare rules miss 273.
+//! boxes, and one of 320 of cylinders and capsules; squares of other sides miss another one. Both are of capsules. The bare rules miss 273.
 
 use crate::cpu;
 use crate::drawn::{draw, draw_best, jagged, named, with_any_squares};
@@ -139,7 +139,7 @@ fn every_image_in_a_plane_that_2x2_pixels_show_is_shown_and_the_bare_rules_miss_
     let [others, round] = shown;
     println!("{others} images of spheres and boxes, {round} of cylinders and capsules");
     println!("missed: {missed:x?} by some quality, {bare_misses} by the bare rules");
-    assert!(missed.len() <= 7, "{missed:x?}");
+    assert!(missed.len() <= 2, "{missed:x?}");
     assert!(others > 250 && round > 250 && bare_misses > 150);
 }
 

@@ -4,13 +4,14 @@ use crate::accuracy::mean_of_right;
 use crate::cpu;
 use crate::drawn::{draw, draw_best, draw_by_all, jagged};
 use crate::error::Difference;
+use crate::generator::config;
 use crate::generator::crowded::crowded;
 use crate::generator::seeded::Random;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_oracle::squares::{Splits, Squares, TILE};
 use eightfold_tracer::observe::{Fill, Observer, Split};
-use eightfold_tracer::scene::{Camera, Scene};
+use eightfold_tracer::scene::{Camera, Scene, Spot};
 use eightfold_tracer::{Counts, Quality};
 use glam::{Vec3A, vec3a};
 use std::sync::Mutex;
@@ -256,20 +257,16 @@ fn crowded_pictures_have_42_db() {
     }
 }
 
-/// The PSNR of crowded scenes by chance, the worst first: by their numbers of spheres and blocks, and their shares of glass and mirrors.
-fn psnr_of_crowds(counts: &[[usize; 2]], shares: &[[f32; 2]]) -> Vec<f64> {
-    let mut all = Vec::new();
-    for &count in counts {
-        for &shares in shares {
-            let scene = crowded(&mut Random(all.len() as u64), count, shares);
-            all.push(psnr(&scene, [640, 480]));
-        }
-    }
+/// Asserts that pictures of scenes have 42 dB.
+fn assert_42_db(scenes: impl Iterator<Item = Scene>) {
+    let mut all: Vec<f64> = scenes.map(|scene| psnr(&scene, [640, 480])).collect();
     all.sort_by(f64::total_cmp);
     println!("{all:.1?}");
-    all
+    assert!(all[0] >= 42.0, "{} dB", all[0]);
 }
 
+/// Scenes by their numbers of spheres and blocks, and their shares of glass and mirrors.
+///
 /// Measured: 43.1 dB and more. Of 48 scenes of 134 solids and more six are below 42 dB by squares of 8, and by squares of 4 sixteen
 /// without keys that tell points of such mirrors apart.
 #[test]
@@ -277,16 +274,39 @@ fn psnr_of_crowds(counts: &[[usize; 2]], shares: &[[f32; 2]]) -> Vec<f64> {
 fn crowds_of_mirrors_and_glass_have_42_db() {
     let counts = [[16, 32], [0, 64], [20, 64], [70, 64], [130, 64], [320, 64]];
     let shares = [[0.2, 0.2], [0.5, 0.2], [0.0, 0.6], [0.4, 0.4]];
-    let all = psnr_of_crowds(&counts, &shares);
-    assert!(all[0] >= 42.0, "{} dB", all[0]);
+    let kinds = counts
+        .iter()
+        .flat_map(|&count| shares.map(|shares| (count, shares)));
+    let scene = |(seed, (count, shares))| crowded(&mut Random(seed), count, shares);
+    assert_42_db((0..).zip(kinds).map(scene));
 }
 
-/// Slits of light between the shadows of blocks fall between the corners of squares there, and so do shadows seen along a plane.
-/// Measured: two of the 48 have less than 42 dB, the worst 37.2 dB. By squares of 8 six have, the worst 33.6 dB.
+/// Scenes under points, suns, balls and spotlights; `PROPTEST_CASES` is how many of each number of blocks.
+///
+/// Measured: 44.2 dB and more. Where shadows of blocks and by other lamps than points are not looked for, 28 of these 120 scenes are below
+/// 42 dB, the worst 34.4 dB. Of 200 scenes of each number of blocks two are below, 41.0 dB, for a slit of light on a block's face.
 #[test]
 #[ignore = "many scenes by chance"]
-fn crowds_without_mirrors_have_42_db_but_for_few() {
-    let all = psnr_of_crowds(&[[20, 64]], &[[0.0; 2]; 48]);
-    let below = all.partition_point(|&psnr| psnr < 42.0);
-    assert!(below <= 3 && all[0] >= 36.5, "{below}, {} dB", all[0]);
+fn crowds_without_mirrors_have_42_db() {
+    let cases = u64::from(config(24).cases);
+    let kinds = [4, 12, 24, 46, 64]
+        .into_iter()
+        .flat_map(|blocks| (0..cases).map(move |seed| (blocks, seed)));
+    assert_42_db(kinds.map(|(blocks, seed)| {
+        let mut scene = crowded(&mut Random(seed), [20, blocks], [0.0; 2]);
+        for light in scene.lights.iter_mut() {
+            let spot = Spot {
+                aim: -light.position.normalize(),
+                cos_outer: 0.7,
+                cos_inner: 0.8,
+            };
+            match seed % 4 {
+                0 => {}
+                1 => light.parallel = true,
+                2 => light.diameter = 0.5,
+                _ => light.spot = Some(spot),
+            }
+        }
+        scene
+    }));
 }

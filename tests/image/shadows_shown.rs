@@ -9,14 +9,16 @@ use crate::cpu::{self, Isa};
 use crate::drawn::{draw, draw_best, jagged, named};
 use crate::error::worst_channel;
 use crate::generator::alone::{shadow, shadow_beside_a_dark_corner, thin_shadows};
+use crate::generator::fitting;
 use crate::generator::near::{Near, seeds};
 use crate::generator::seeded::{Random, floor};
 use crate::refinement::bare;
 use crate::wrong_pixels::largest_patch;
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Light, List, Material, Scene, Sphere};
-use glam::{Vec3A, vec3a};
+use eightfold_tracer::scene::{Block, Light, List, Material, Scene, Shape, Sphere, Spot};
+use glam::{EulerRot, Mat3A, Vec3A, vec3a};
 use std::collections::BTreeSet;
+use std::mem;
 
 const WIDTH: usize = 320;
 const HEIGHT: usize = 240;
@@ -51,6 +53,11 @@ fn scene(random: &mut Random) -> Scene {
 /// The pixel of the floor in shadow: 0.2 of 0.8.
 const SHADED: u32 = 0x29_2929;
 
+/// Whether a pixel is brighter by more than 8/255.
+fn is_brighter(pixel: u32) -> bool {
+    pixel & 0xff > (SHADED & 0xff) + 8
+}
+
 #[test]
 fn few_pixels_of_shadows_are_missed_and_their_patches_are_small() {
     // The largest share of the shadows' pixels, and the largest patch in pixels.
@@ -67,10 +74,9 @@ fn few_pixels_of_shadows_are_missed_and_their_patches_are_small() {
             let draw = |quality| draw_best(&scene, &jagged(quality), WIDTH, HEIGHT).pixels;
             let exhaustive = draw(Quality::EXHAUSTIVE);
             let drawn = draw(quality);
-            // A channel of lit pixels is brighter by more than 8/255.
             let pairs = exhaustive.iter().zip(&drawn);
             let lit: Vec<bool> = pairs
-                .map(|(&a, &b)| a == SHADED && b & 0xff > (SHADED & 0xff) + 8)
+                .map(|(&a, &b)| a == SHADED && is_brighter(b))
                 .collect();
             shaded += exhaustive.iter().filter(|&&a| a == SHADED).count();
             missed += lit.iter().filter(|&&lit| lit).count();
@@ -80,6 +86,87 @@ fn few_pixels_of_shadows_are_missed_and_their_patches_are_small() {
         println!("{share:.4} of {shaded} pixels, a patch of {patch} by {quality:?}");
         assert!(share <= most, "{share} of {shaded} by {quality:?}");
         assert!(patch <= largest, "a patch of {patch} by {quality:?}");
+    }
+}
+
+/// The scene, with blocks of all shapes, turned in any way, in place of the spheres: as long as each is wide, and much thinner.
+fn with_blocks(mut scene: Scene, random: &mut Random) -> Scene {
+    for sphere in mem::take(&mut scene.spheres).iter() {
+        let shape = [Shape::Box, Shape::Cylinder, Shape::Capsule][random.below(3)];
+        let turns = [0; 3].map(|_| random.between(0.0, 6.0));
+        let thin = random.vector(Vec3A::splat(0.03), Vec3A::splat(0.3));
+        scene.blocks.push(Block {
+            centre: sphere.centre,
+            half: fitting(shape, vec3a(thin.x, 1.0, thin.z) * sphere.radius * 2.0),
+            axes: Mat3A::from_euler(EulerRot::XYZ, turns[0], turns[1], turns[2]),
+            shape,
+            material: sphere.material,
+        });
+    }
+    scene
+}
+
+/// The scene, by the light of other lamps than a point that shines in all directions: the sun, a spotlight, and a small ball.
+fn by_other_lamps(scene: Scene) -> [Scene; 3] {
+    let lamp = scene.lights[0];
+    let sun = Light {
+        parallel: true,
+        ..lamp
+    };
+    let spot = Light {
+        spot: Some(Spot {
+            aim: -Vec3A::Y,
+            cos_outer: 0.1,
+            cos_inner: 0.2,
+        }),
+        ..lamp
+    };
+    let ball = Light {
+        diameter: 0.1,
+        ..lamp
+    };
+    [sun, spot, ball].map(|lamp| {
+        let mut scene = scene;
+        scene.lights = List::of(&[lamp]);
+        scene
+    })
+}
+
+/// Blocks that are thin, and lamps whose shadows are not quite where they are looked for. Measured: of the pixels of blocks' shadows 2.1 %
+/// are lit by the default quality, by the sun 0.4 %; of spheres' 0.3 % by the sun and by a spotlight, 0.2 % by a ball. Without the guard 5
+/// to 30 % are.
+#[test]
+fn few_pixels_of_shadows_of_blocks_and_by_other_lamps_are_missed() {
+    let limits = [0.025, 0.006, 0.006, 0.004, 0.003];
+    let [mut shaded, mut missed, mut bare_missed] = [[0; 5]; 3];
+    for seed in 0..SCENES {
+        let random = &mut Random(seed);
+        let spheres = scene(random);
+        let blocks = with_blocks(spheres, random);
+        let [sun, spot, ball] = by_other_lamps(spheres);
+        let scenes = [blocks, by_other_lamps(blocks)[0], sun, spot, ball];
+        for (kind, scene) in scenes.iter().enumerate() {
+            let draw = |quality| draw_best(scene, &jagged(quality), WIDTH, HEIGHT).pixels;
+            let exhaustive = draw(Quality::EXHAUSTIVE);
+            let lit = |quality| {
+                let drawn = draw(quality);
+                let is_lit = |&i: &usize| exhaustive[i] == SHADED && is_brighter(drawn[i]);
+                (0..drawn.len()).filter(is_lit).count()
+            };
+            shaded[kind] += exhaustive.iter().filter(|&&a| a == SHADED).count();
+            missed[kind] += lit(Quality::DEFAULT);
+            bare_missed[kind] += lit(bare(Quality::DEFAULT));
+        }
+    }
+    for (kind, most) in limits.into_iter().enumerate() {
+        let share = |missed: usize| missed as f64 / shaded[kind] as f64;
+        let (share, bare_share) = (share(missed[kind]), share(bare_missed[kind]));
+        println!(
+            "{share:.4} of {} pixels, {bare_share:.4} by the bare rules",
+            shaded[kind]
+        );
+        assert!(share <= most, "{kind}: {share}");
+        assert!(bare_share >= 5.0 * most, "{kind}: {bare_share}");
     }
 }
 

@@ -30,8 +30,7 @@ fn has_crowd(scene: &Scene, quality: &Quality) -> bool {
 
 /// The side of the largest squares that a scene is drawn by: smaller ones than the quality's where it has a crowd.
 pub fn largest(scene: &Scene, quality: &Quality) -> usize {
-    let has_slits = quality.key_weight > 0.0 && scene.blocks.len() >= 48;
-    if has_slits || has_crowd(scene, quality) {
+    if has_crowd(scene, quality) {
         quality.square.min(4)
     } else {
         quality.square

@@ -19,7 +19,7 @@ pub(crate) use film::{Dither, Film, Four};
 use highlight::Highlights;
 pub(crate) use highlight::{Highlight, MAX_HIGHLIGHTS};
 pub(crate) use lamp::{Lamp, ShadowCone};
-pub(crate) use object::{Object, ObjectId, has_slits, is_crowd};
+pub(crate) use object::{Object, ObjectId, is_crowd};
 use outline::Outline;
 pub(crate) use outline::SeenOutline;
 use screen::ScreenBounds;
@@ -40,7 +40,7 @@ pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
 /// The most outlines of objects, and of their mirror images in the first plane.
 const MAX_IMAGES: usize = 2 * MAX_OBJECTS;
 
-/// The most outlines: those, and one for the shadow of each sphere on each plane by each light.
+/// The most outlines: those, and one for the shadow of each solid on each plane by each light.
 pub(crate) const MAX_OUTLINES: usize = MAX_IMAGES + MAX_PLANES * MAX_LIGHTS * MAX_SOLIDS;
 
 /// The content of a frame: the scene, and what is computed of it once.
@@ -87,7 +87,7 @@ pub(crate) struct Prepared {
     pub screen: [ScreenBounds; MAX_OUTLINES],
     /// The shadows on planes. Their outlines have the numbers from `first_shadow` up.
     shadows: Shadows,
-    first_shadow: usize,
+    pub first_shadow: usize,
     /// The number of outlines.
     pub outlined: usize,
     highlights: Highlights,

@@ -95,14 +95,6 @@ pub(crate) fn is_crowd(scene: &Scene) -> bool {
     strong.count() >= CROWD
 }
 
-/// So many boxes and cylinders are a crowd: the slits of light between their shadows are narrow. No scene of the show has more than 46.
-const CROWD_OF_BLOCKS: usize = 48;
-
-/// Whether a scene has a crowd of boxes and cylinders. Then its squares are small, too.
-pub(crate) fn has_slits(scene: &Scene) -> bool {
-    scene.blocks.len() >= CROWD_OF_BLOCKS
-}
-
 /// Whether an object of a crowd shows so much of its scene, so small, that two of its points tell nothing of what is between them.
 pub(super) fn glitters(scene: &Scene, object: &Object<'_>, material: &Material) -> bool {
     let is_small = match object {

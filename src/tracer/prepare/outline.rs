@@ -2,7 +2,7 @@
 
 use super::cone::{Cone, ROUNDING, RoundCone};
 use super::screen::{Axes, Rects, ScreenBounds};
-use super::{BvhNode, ObjectId, Prepared};
+use super::{BvhNode, MAX_IMAGES, ObjectId, Prepared, World};
 use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::scene::Block;
@@ -14,12 +14,7 @@ use glam::{Vec3A, Vec3Swizzles, Vec4};
 /// An object's outline.
 #[derive(Clone, Copy)]
 pub(crate) struct Outline {
-    /// The rays that meet it, all of them where the eye is inside, or nearly.
-    cone: Cone,
-    /// More of the sides of a box or a cylinder: the rays between those that `cone` has no room for.
-    ends: Cone,
-    /// Whether it is a box or a cylinder.
-    is_block: bool,
+    sides: Sides,
     /// Bounds of a sphere's power of the eye, distance squared minus radius squared: of two spheres the one with the smaller power
     /// is in front wherever both are, since the plane of equal powers parts what can be seen of them (Aurenhammer: Power
     /// Diagrams, SIAM Journal on Computing, 1987). Infinite around the eye, and not a number where that is not sure, and of
@@ -31,14 +26,18 @@ pub(crate) struct Outline {
     /// the last digit of its height, does so here.
     least: Vec4,
     most: Vec4,
-    /// How much of it may not show what has it: for a sphere the share of its sine, see [`RoundCone::unsure`], and for a block, whose
-    /// sides are wider by [`CORNER`], the sine of an angle.
-    unsure: f32,
 }
 
-/// How far a block's corner may be from where it is computed, as a share of its distance and size: what axes may be off, by
+/// How far a block's corner may be from where the eye sees it, as a share of its distance and size: what axes may be off, by
 /// [`Scene::validate`](crate::scene::Scene::validate), which is far more than rounding, and a tenth of a pixel.
 const CORNER: f32 = 2e-4;
+
+/// The same from a lamp, which may be a thousand times as far away: two roundings.
+const CORNER_BY_LAMP: f32 = 1e-7;
+
+/// The part of [`ROUNDING`] that is usual. That is enough for shadows that are not exact by more, and leaves something of those by lamps
+/// that are a thousand times as far away.
+const USUAL: f32 = 0.03;
 
 /// More than rounding moves a hit towards the eye, as a share of how far the object reaches from it.
 const CONTACT: f32 = 1e-6;
@@ -49,13 +48,10 @@ const TOUCHING: f32 = 4.0;
 
 impl Outline {
     pub const NONE: Self = Self {
-        cone: Cone::NONE,
-        ends: Cone::NONE,
-        is_block: false,
+        sides: Sides::NONE,
         power: [0.0; 2],
         least: Vec4::ZERO,
         most: Vec4::ZERO,
-        unsure: 0.0,
     };
 
     /// Takes in a sphere, `to` from the eye, and returns where it can be seen.
@@ -74,37 +70,16 @@ impl Outline {
         };
         let unsure = HIT_ERROR * (distance2 + radius * radius);
         self.power = [power - unsure, power + unsure];
-        self.is_block = ball.is_block;
         self.set_extent(axes, to, ball.centre, Vec4::splat(radius));
         let cone = RoundCone::around(to, radius + ball.hit_error);
-        self.cone = cone.seen_by(&axes.rows);
-        self.unsure = cone.unsure(ball.hit_error);
+        self.sides = Sides::of_ball(&axes.rows, &cone, ball.hit_error);
         cone.bounds(&axes.rows, axes.pixel)
     }
 
     /// Takes in the block that the sphere is around, `to` from the eye.
-    ///
-    /// Its sides are the planes through the eye and an edge that have all of it on one side: two for each of its axes, at
-    /// most.
     pub fn set_block(&mut self, axes: &Axes, to: Vec3A, block: &Block) {
+        self.sides = Sides::of_block(&axes.rows, to, block, CORNER);
         let inward = block.axes.transpose();
-        let slack = CORNER * (to.abs() + block.half).element_sum() + hit_error(block.centre, 0.0);
-        self.unsure = 0.0;
-        let silhouette = Silhouette::new(block.shape, inward * to, block.half + slack);
-        let has_none = silhouette.has_none;
-        for (cone, way) in [(&mut self.cone, 1.0), (&mut self.ends, -1.0)] {
-            let [x, y] = silhouette.ends(way);
-            let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
-            // The root of 3 is for the length of rays, and that of 2 because the scale has a sum for the distance of an edge.
-            self.unsure = self.unsure.max(2.5 * slack * scale.abs().max_element());
-            cone.is_flat = true;
-            for (n, axis) in cone.terms.iter_mut().zip(axes.rows) {
-                let axis = inward * axis;
-                *n = ((axis.zxy() * x - axis.yzx() * y) * scale).extend(0.0);
-            }
-            // What is no side has all rays on its inner side.
-            cone.terms[2] += Vec3A::select(has_none, Vec3A::ONE, Vec3A::ZERO).extend(1.0);
-        }
         let forward = inward * axes.rows[2];
         let own = [inward.x_axis, inward.y_axis, inward.z_axis, forward];
         let extent = own.map(|axis| {
@@ -159,41 +134,96 @@ impl Outline {
 
     /// Takes in a horizontal rectangle.
     pub fn set_rectangle(&mut self, axes: &Axes, eye: Vec3A, plane: &Rectangle) {
-        self.cone.set_flat(axes, eye, plane);
-        self.is_block = false;
+        self.sides = Sides::NONE;
+        self.sides.cone.set_flat(axes, eye, plane);
         self.power = [f32::NAN; 2];
-        self.unsure = 0.0;
         // Forward it is nowhere before or behind anything.
         let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
         self.set_extent(axes, plane.centre - eye, plane.centre, extent);
     }
 }
 
+/// The rays that meet an object, from the eye or a lamp.
+#[derive(Clone, Copy)]
+pub(super) struct Sides {
+    /// The rays that meet it, all of them where their origin is inside, or nearly.
+    cone: Cone,
+    /// More of the sides of a box or a cylinder: the rays between those that `cone` has no room for.
+    ends: Cone,
+    /// How much of it may not show what has it: for a sphere the share of its sine, see [`RoundCone::unsure`], and for a block, whose
+    /// sides are wider by [`CORNER`], the sine of an angle.
+    unsure: f32,
+}
+
+impl Sides {
+    const NONE: Self = Self {
+        cone: Cone::NONE,
+        ends: Cone::NONE,
+        unsure: 0.0,
+    };
+
+    /// The sides of a sphere around which a cone is, as the picture's rays see it that are given (see [`RoundCone::seen_by`]).
+    fn of_ball(rays: &[Vec3A; 3], cone: &RoundCone, hit_error: f32) -> Self {
+        Self {
+            cone: cone.seen_by(rays),
+            ends: Cone::NONE,
+            unsure: cone.unsure(hit_error),
+        }
+    }
+
+    /// The sides of a block, `to` from the eye or a lamp: the planes through that and an edge that have all of it on one side, two for
+    /// each of its axes, at most. They leave room for [`CORNER`], or what is given for it.
+    #[inline(never)]
+    fn of_block(rays: &[Vec3A; 3], to: Vec3A, block: &Block, corner: f32) -> Self {
+        let inward = block.axes.transpose();
+        let slack = corner * (to.abs() + block.half).element_sum() + hit_error(block.centre, 0.0);
+        let silhouette = Silhouette::new(block.shape, inward * to, block.half + slack);
+        let has_none = silhouette.has_none;
+        let mut unsure = 0.0_f32;
+        let [cone, ends] = [1.0, -1.0].map(|way| {
+            let [x, y] = silhouette.ends(way);
+            let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
+            // The root of 3 is for the length of rays, and those of 2 because the scale has a sum for the distance of an edge, and
+            // because a lamp's rays are longer than the eye's.
+            unsure = unsure.max(3.5 * slack * scale.abs().max_element());
+            let mut terms = rays.map(|ray| {
+                let ray = inward * ray;
+                ((ray.zxy() * x - ray.yzx() * y) * scale).extend(0.0)
+            });
+            // What is no side has all rays on its inner side.
+            terms[2] += Vec3A::select(has_none, Vec3A::ONE, Vec3A::ZERO).extend(1.0);
+            Cone {
+                terms,
+                is_flat: true,
+            }
+        });
+        Self { cone, ends, unsure }
+    }
+}
+
 /// An outline, as a part of the picture is held against it.
-pub(crate) struct SeenOutline<'a> {
+pub(crate) struct SeenOutline {
+    /// The object that shows it: of a shadow its plane, and of an image the first one.
+    pub shown_by: ObjectId,
     /// Where its object is seen from: of a shadow the lamp, otherwise the eye.
     pub seen_from: Vec3A,
     bounds: ScreenBounds,
-    cone: Cone,
-    /// More of the sides of a box or a cylinder.
-    ends: Option<&'a Cone>,
-    /// Of which share of its sine a round cone holds for sure what has it.
-    sure: f32,
+    sides: Sides,
     /// The most that rounding may add to a side's inequality.
     rounding: f32,
     /// How far inside of all sides points are for sure.
     margin: f32,
 }
 
-impl SeenOutline<'_> {
+impl SeenOutline {
     /// The least and the greatest u in rectangles of the picture that may show it; the least beyond the greatest where none
     /// may.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
         self.bounds.narrow(&mut rects);
-        self.cone.narrow(&mut rects, -self.rounding);
-        if let Some(ends) = self.ends {
-            ends.narrow(&mut rects, -self.rounding);
+        self.sides.cone.narrow(&mut rects, -self.rounding);
+        if self.sides.ends.is_flat {
+            self.sides.ends.narrow(&mut rects, -self.rounding);
         }
         [rects.left, rects.right]
     }
@@ -201,50 +231,53 @@ impl SeenOutline<'_> {
     /// Whether points of the picture are inside for sure.
     #[inline(always)]
     pub fn contains<S: Isa>(&self, [u, v]: [F<S>; 2]) -> M<S> {
-        let mut depth = self.cone.depth::<S>(u, v, self.sure);
-        if let Some(ends) = self.ends {
+        let Sides { cone, ends, unsure } = &self.sides;
+        let mut depth = cone.depth::<S>(u, v, 1.0 - unsure);
+        if ends.is_flat {
             depth = depth.min(ends.depth::<S>(u, v, 1.0));
         }
         depth.simd_ge(splat(u.token(), self.margin))
     }
 }
 
-impl Prepared {
+impl World<'_> {
     /// The outline of a number.
     #[inline(never)]
-    pub fn outline(&self, number: usize) -> SeenOutline<'_> {
-        let mut seen = SeenOutline {
-            seen_from: self.eye,
-            bounds: self.screen[number],
-            cone: Cone::NONE,
-            ends: None,
-            sure: 1.0,
-            rounding: ROUNDING * self.axes.reach,
-            margin: ROUNDING * self.axes.reach,
-        };
-        if number < self.first_shadow {
-            let outline = &self.outlines[number];
-            seen.cone = outline.cone;
-            if outline.is_block {
-                seen.ends = Some(&outline.ends);
-                seen.margin += outline.unsure * self.axes.reach;
-            } else {
-                seen.sure -= outline.unsure;
+    pub fn outline(self, number: usize) -> SeenOutline {
+        let (mut object, mut plane, mut seen_from) = (number, 0, self.eye);
+        let mut rounding = ROUNDING * self.axes.reach;
+        let mut sides = self.outlines[number % MAX_IMAGES].sides;
+        if number >= self.first_shadow {
+            let shadow = self.shadow(number);
+            (object, plane, seen_from) = (shadow.object, shadow.plane, shadow.lamp);
+            let rays = &shadow.seen.rays;
+            let block = object.wrapping_sub(self.scene.spheres.len());
+            sides = match self.scene.blocks.get(block) {
+                Some(block) => {
+                    Sides::of_block(rays, block.centre - seen_from, block, CORNER_BY_LAMP)
+                }
+                None => Sides::of_ball(rays, shadow.cone, self.outlines[object].hit_error()),
+            };
+            if !shadow.is_sharp {
+                rounding *= USUAL;
             }
-        } else {
-            let (cone, unsure) = self.shadow_cone(number);
-            seen.cone = cone;
-            seen.sure -= unsure;
         }
+        let mut margin = rounding;
+        if sides.ends.is_flat {
+            margin += sides.unsure * self.axes.reach;
+        }
+        let mut seen = SeenOutline {
+            shown_by: ObjectId::new(number),
+            seen_from,
+            bounds: self.screen[number],
+            sides,
+            rounding,
+            margin,
+        };
         // What a plane cuts has rays in its outline that only its part beyond would meet.
         if number > self.background() {
-            let (object, plane, viewer) = if number < self.first_shadow {
-                (number, 0, self.eye)
-            } else {
-                self.caster(number)
-            };
-            seen.seen_from = viewer;
-            let [least, most] = self.heights(object, plane, viewer);
+            seen.shown_by = ObjectId::new(self.first_plane() + plane);
+            let [least, most] = self.heights(object, plane, seen_from);
             if least < 0.0 {
                 seen.margin = f32::INFINITY;
             }
@@ -254,7 +287,9 @@ impl Prepared {
         }
         seen
     }
+}
 
+impl Prepared {
     /// How far an object, which casts a shadow on a plane or has an image in it, reaches from the plane towards the viewer, least and
     /// most, and a bound on rounding more. The viewer is the shadow's lamp or, of an image, the eye.
     fn heights(&self, object: usize, plane: usize, viewer: Vec3A) -> [f32; 2] {

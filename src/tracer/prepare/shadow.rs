@@ -1,12 +1,14 @@
-//! The shadows of spheres on planes, as cones in the picture.
+//! The shadows of solids on planes, as cones in the picture.
 //!
-//! The cone of a lamp about a sphere does not depend on the plane, and the linear map from the camera's rays to the lamp's rays
-//! (see `cone`) does not depend on the sphere. Both are stored, and combined when a shadow is needed: storing all combinations
+//! The cone of a lamp about a solid does not depend on the plane, and the linear map from the camera's rays to the lamp's rays
+//! (see `cone`) does not depend on the solid. Both are stored, and combined when a shadow is needed: storing all combinations
 //! would take more memory than everything else. What is stored of each is a rectangle around it in the picture.
+//!
+//! A lamp with a size casts the shadows of its middle here, so that what is looked for lies in the penumbra, somewhere.
 //!
 //! # What rounding does
 //!
-//! All pixels of a shadow are inside of its cone, and what is inside for sure (see [`RoundCone::unsure`]) is dark. Let `h` be the
+//! By a point light, all pixels of a sphere's shadow are inside of its cone, and what is inside for sure (see [`RoundCone::unsure`]) is dark. Let `h` be the
 //! sphere's hit error and `e` the same share, `HIT_ERROR`, of its distance from the lamp. Shadow rays meet a sphere whose radius is
 //! smaller by `h + e` (see `ShadowCone::r2`), the cone is about one that is larger by `h`, and what is sure is inside of one that is
 //! smaller by `2 h + 3 e`: `2 h + e` outside and `h + 2 e` inside are left for errors. These are, at the sphere:
@@ -20,31 +22,32 @@
 //!   its terms are scaled by the way from the lamp to the eye's mirror image, which is longer than the eye is high.
 //! - The cone's own terms: below `ROUNDING`, and `WIDE` is for the cosine.
 
-use super::cone::{Cone, RoundCone};
-use super::{ObjectId, Prepared};
+use super::Prepared;
+use super::cone::RoundCone;
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS};
 use crate::shapes::plane::Rectangle;
 use glam::Vec3A;
 
-/// The largest number of pairs of a sphere and a lamp.
+/// The largest number of pairs of a solid and a lamp.
 const MAX_CASTERS: usize = MAX_LIGHTS * MAX_SOLIDS;
 
-/// The shadows of spheres on planes.
+/// The shadows of solids on planes.
 pub(super) struct Shadows {
-    /// Pairs of a sphere and a lamp. Each casts a shadow on every plane.
+    /// Pairs of a solid and a lamp. Each casts a shadow on every plane.
     casters: [Caster; MAX_CASTERS],
     count: usize,
     /// For each plane, how each lamp and the eye see its points.
     seen: [[Projection; MAX_LIGHTS]; MAX_PLANES],
 }
 
-/// A sphere that casts shadows by the light of one lamp.
+/// A solid that casts shadows by the light of one lamp.
 #[derive(Clone, Copy)]
 struct Caster {
+    /// The cone around it, or around the bounding sphere of a block.
     cone: RoundCone,
     /// The lamp's number.
     lamp: u8,
-    /// The sphere's.
+    /// The solid's.
     object: u16,
 }
 
@@ -62,15 +65,13 @@ impl Shadows {
 }
 
 impl Prepared {
-    /// Prepares the shadows, after objects and lamps. Lamps that are not points have none, nor do spheres that contain a lamp. Spheres on the far side of a plane are left out later.
+    /// Prepares the shadows, after objects and lamps. Spheres that contain a lamp have none. Solids on the far side of a plane are left
+    /// out later.
     pub(super) fn set_shadows(&mut self) {
         self.shadows.count = 0;
         for (number, lamp) in self.lamps[..self.lamp_count].iter().enumerate() {
-            if !lamp.is_point {
-                continue;
-            }
             for node in self.tree.solid_nodes() {
-                if node.is_bound || node.is_block {
+                if node.is_bound {
                     continue;
                 }
                 // All rays are inside where the lamp is as near as rounding.
@@ -81,7 +82,8 @@ impl Prepared {
                     lamp: number as u8,
                     object: node.object.index() as u16,
                 };
-                self.shadows.count += usize::from(to.length_squared() > node.r2);
+                let is_outside = to.length_squared() > node.r2;
+                self.shadows.count += usize::from(node.is_block | is_outside);
             }
             let planes = &self.planes[..self.plane_count];
             for (plane, seen) in planes.iter().zip(&mut self.shadows.seen) {
@@ -90,44 +92,41 @@ impl Prepared {
         }
         self.outlined = self.first_shadow + self.plane_count * self.shadows.count;
         for number in self.first_shadow..self.outlined {
-            let (caster, plane) = self.shadow(number);
-            let seen = &self.shadows.seen[plane][usize::from(caster.lamp)];
-            self.screen[number] = caster.cone.bounds(&seen.normals, self.axes.pixel);
+            let shadow = self.shadow(number);
+            self.screen[number] = shadow.cone.bounds(&shadow.seen.normals, self.axes.pixel);
         }
     }
 
-    /// The object that shows what has an outline, given by its number: for a shadow, its plane, and for an image the first one.
-    pub fn outlined_object(&self, number: usize) -> ObjectId {
-        let shadow = number.saturating_sub(self.first_shadow);
-        let plane = self.first_plane() + shadow / self.shadows.count.max(1);
-        ObjectId::new(if number <= self.background() {
-            number
-        } else {
-            plane
-        })
-    }
-
-    /// A shadow, given by the number of its outline: the pair that casts it, and the number of its plane.
-    fn shadow(&self, number: usize) -> (&Caster, usize) {
+    /// A shadow, given by the number of its outline.
+    pub fn shadow(&self, number: usize) -> Shadow<'_> {
         let (shadow, count) = (number - self.first_shadow, self.shadows.count.max(1));
-        (&self.shadows.casters[shadow % count], shadow / count)
+        let caster = &self.shadows.casters[shadow % count];
+        let (plane, lamp) = (shadow / count, usize::from(caster.lamp));
+        Shadow {
+            cone: &caster.cone,
+            object: caster.object.into(),
+            plane,
+            seen: &self.shadows.seen[plane][lamp],
+            lamp: self.lamps[lamp].position,
+            is_sharp: self.lamps[lamp].is_point,
+        }
     }
+}
 
-    /// The cone of camera rays that may meet a shadow, given by the number of its outline, and the share of its sine that is not
-    /// sure, see [`RoundCone::unsure`].
-    pub(super) fn shadow_cone(&self, number: usize) -> (Cone, f32) {
-        let (&Caster { cone, lamp, object }, plane) = self.shadow(number);
-        let rays = &self.shadows.seen[plane][usize::from(lamp)].rays;
-        let error = self.outlines[usize::from(object)].hit_error();
-        (cone.seen_by(rays), cone.unsure(error))
-    }
-
-    /// The caster of a shadow, given by the number of its outline: the object's number, the plane's, and where the lamp is.
-    pub(super) fn caster(&self, number: usize) -> (usize, usize, Vec3A) {
-        let (caster, plane) = self.shadow(number);
-        let lamp = self.lamps[usize::from(caster.lamp)].position;
-        (caster.object.into(), plane, lamp)
-    }
+/// The shadow of a solid on a plane by the light of a lamp.
+pub(crate) struct Shadow<'a> {
+    /// See [`Caster::cone`].
+    pub(super) cone: &'a RoundCone,
+    /// The solid's number.
+    pub object: usize,
+    /// The plane's number.
+    pub(super) plane: usize,
+    /// How the eye and the lamp see the plane.
+    pub(super) seen: &'a Projection,
+    /// Where the lamp is.
+    pub(super) lamp: Vec3A,
+    /// Whether it is a point that shines in all directions, of whose shadows by spheres none is missed.
+    pub(super) is_sharp: bool,
 }
 
 /// The least height of the eye and of the lamp above a plane, as a share of the way from the lamp to the eye's mirror image, that
@@ -136,10 +135,10 @@ const LEAST_HEIGHT: f32 = 0.01;
 
 /// How the eye and a lamp see the points of a plane.
 #[derive(Clone, Copy)]
-struct Projection {
+pub(super) struct Projection {
     /// The linear map from the camera's rays (u, v, 1) to the lamp's rays through the points where they meet the plane, up to a
     /// factor: its columns for u, v and 1.
-    rays: [Vec3A; 3],
+    pub rays: [Vec3A; 3],
     /// The normals of the planes through the lamp that meet it where planes through the eye do whose normals are the camera's
     /// axes; zeros where rounding might turn them by more than bounds allow for.
     ///

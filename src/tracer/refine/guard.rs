@@ -9,13 +9,14 @@
 //! outline tells: a corner that shows the plane and lies in the outline shows what has it, or what is in front of that.
 //!
 //! Corners that all are in shadow say nothing of light between two shadows, nor those that all show images of what is between two
-//! images: a square is left open where two outlines hold some of its corners each, but not all, unless one before them holds all.
+//! images: a square is left open where two outlines hold some of its corners each, but not all. Where one holds all of them, which is
+//! convex, no other by the same lamp matters.
 
 use super::area::Area;
 use super::bits::Bits;
 use super::pyramid::Pyramid;
 use crate::lanes::*;
-use crate::picture::{TILE_HEIGHT, TILE_WIDTH};
+use crate::picture::TILE_HEIGHT;
 use crate::prepare::{
     Highlight, MAX_HIGHLIGHTS, MAX_OUTLINES, ObjectId, Rect, SeenOutline, World, rectangle,
 };
@@ -36,15 +37,6 @@ const COLUMN_MARGIN: f32 = 0.02;
 
 /// All corners of a square.
 const ALL: u64 = 0b1111;
-
-/// What shadows by one lamp hold of a square's corners: one of them some, but not all; one of them all, which is convex, so that no
-/// light is between them. A bit each.
-const SOME_CORNERS: u8 = 1;
-const ALL_CORNERS: u8 = 2;
-
-/// Squares of a tile that are larger than a pixel, along x and y.
-const HELD_COLUMNS: usize = TILE_WIDTH / 2;
-const HELD_ROWS: usize = TILE_HEIGHT / 2;
 
 /// Rows of squares that an outline is narrowed to at once.
 const ROWS: usize = 4;
@@ -84,19 +76,19 @@ impl CoverageGuard {
         let &Grid { world, level, .. } = grid;
         let rows = grid.area.rows(level);
         let mut uncovered = [Bits::NONE; TILE_HEIGHT];
-        // Of the shadows by one lamp, or of all images: where one holds corners of a square, but not all, and where one holds all.
         let mut seen_from = Vec3A::ZERO;
-        let mut held = [[0_u8; HELD_COLUMNS]; HELD_ROWS];
+        let mut held = [Held::NONE; TILE_HEIGHT / 2];
         let mut kept = 0;
         // Look for objects, shadows and images, outline by outline.
         for i in 0..self.count {
             let number = self.outlines[i];
             let outline = &world.outline(number.into());
-            let object = world.outlined_object(number.into());
+            let object = outline.shown_by;
             let is_on_plane = object.index() != usize::from(number);
+            let is_image = usize::from(number) < world.first_shadow;
             let mut is_kept = false;
             if outline.seen_from != seen_from {
-                held = [[0_u8; HELD_COLUMNS]; HELD_ROWS];
+                leave_open(&mut held, &mut uncovered);
                 seen_from = outline.seen_from;
             }
             // Of each row take the squares that the outline meets.
@@ -109,30 +101,19 @@ impl CoverageGuard {
                 for (row, y) in group.enumerate() {
                     open[y].for_each_in(first[row], last[row], |x| {
                         let (corners, shown) = grid.corners(x, y, object);
-                        let is_covered = if is_on_plane {
-                            // Where no corner shows the plane of a shadow or an image it cannot be seen, or is looked for itself:
-                            // then the square is open already, and so it stays for what is on the plane.
-                            if shown == 0 {
-                                !uncovered[y].has(x)
-                            } else {
+                        if is_on_plane {
+                            // Where no corner shows the plane it cannot be seen, or is looked for itself: then the square is open.
+                            if shown != 0 {
                                 let inside = shown & grid.inside(x, y, outline);
-                                let held = &mut held[y % HELD_ROWS][x % HELD_COLUMNS];
-                                // Between two shadows that hold a part of the corners each there may be light.
-                                let is_gap = inside != shown && *held == SOME_CORNERS;
-                                if inside != 0 {
-                                    *held |= if inside == shown {
-                                        ALL_CORNERS
-                                    } else {
-                                        SOME_CORNERS
-                                    };
-                                    is_kept = true;
+                                if inside == 0 && is_image {
+                                    // It may be in front of another one.
+                                    uncovered[y].set(x);
+                                } else {
+                                    held[y % (TILE_HEIGHT / 2)].add(x, inside, shown);
                                 }
-                                inside != 0 && !is_gap
                             }
-                        } else {
-                            shown != 0 || grid.are_before(corners, object, [x, y], outline)
-                        };
-                        if !is_covered {
+                            is_kept = true;
+                        } else if shown == 0 && !grid.are_before(corners, object, [x, y], outline) {
                             uncovered[y].set(x);
                             is_kept = true;
                         }
@@ -143,6 +124,7 @@ impl CoverageGuard {
             kept += usize::from(is_kept);
         }
         self.count = kept;
+        leave_open(&mut held, &mut uncovered);
         // Look for highlights in what is covered.
         for (i, &word) in self.highlights.iter().enumerate() {
             let mut rest = word;
@@ -153,6 +135,46 @@ impl CoverageGuard {
             }
         }
         open[..rows].copy_from_slice(&uncovered[..rows]);
+    }
+}
+
+/// Leaves those squares open that may show what no corner tells of, and begins with another lamp.
+#[inline(never)]
+fn leave_open(held: &mut [Held; TILE_HEIGHT / 2], open: &mut [Bits; TILE_HEIGHT]) {
+    for (held, open) in held.iter_mut().zip(open) {
+        *open |= held.open & !held.all;
+        *held = Held::NONE;
+    }
+}
+
+/// What the shadows by one lamp, or all images, hold of the corners of a row of squares, a bit for each square.
+#[derive(Clone, Copy)]
+struct Held {
+    /// One holds all of them.
+    all: Bits,
+    /// One holds some of those that show the plane.
+    some: Bits,
+    /// One may be seen, or light between two, though no corner tells.
+    open: Bits,
+}
+
+impl Held {
+    const NONE: Self = Self {
+        all: Bits::NONE,
+        some: Bits::NONE,
+        open: Bits::NONE,
+    };
+
+    /// Takes in a shadow or an image that meets a square, and the corners which that holds of those that show the plane.
+    #[inline(always)]
+    fn add(&mut self, x: usize, corners: u64, shown: u64) {
+        if corners == ALL {
+            self.all.set(x);
+        } else if corners == 0 || corners != shown && self.some.has(x) {
+            self.open.set(x);
+        } else if corners != shown {
+            self.some.set(x);
+        }
     }
 }
 
@@ -188,7 +210,7 @@ impl<'a> Grid<'a> {
     /// The first and the last square, sides included, that may show what has an outline, of each of some rows from `top`
     /// down; the first beyond the last where none may.
     #[inline(never)]
-    fn ranges(&self, outline: &SeenOutline<'_>, top: usize) -> [[i32; ROWS]; 2] {
+    fn ranges(&self, outline: &SeenOutline, top: usize) -> [[i32; ROWS]; 2] {
         let simd = baseline();
         let Area { left, top: y, .. } = *self.area;
         let size = [self.columns * self.side, self.side];
@@ -268,7 +290,7 @@ impl<'a> Grid<'a> {
         [front, others @ ..]: [usize; 4],
         object: ObjectId,
         [x, y]: [usize; 2],
-        outline: &SeenOutline<'_>,
+        outline: &SeenOutline,
     ) -> bool {
         if front == 0 || others != [front; 3] {
             return false;
@@ -280,7 +302,7 @@ impl<'a> Grid<'a> {
 
     /// A bit for each corner of the square (x, y) that is inside of an outline. Not inlined, since that takes fewer bytes.
     #[inline(never)]
-    fn inside(&self, x: usize, y: usize, outline: &SeenOutline<'_>) -> u64 {
+    fn inside(&self, x: usize, y: usize, outline: &SeenOutline) -> u64 {
         let [left, right] = [x, x + 1].map(|x| pixels(self.area.left + x * self.side));
         let [top, bottom] = [y, y + 1].map(|y| pixels(self.area.top + y * self.side));
         let simd = baseline();

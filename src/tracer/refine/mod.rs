@@ -48,12 +48,16 @@
 //!
 //! The same holds for the shadows that spheres throw on planes by the light of lamps that are points: a shadow on a plane is
 //! a cone as seen from the lamp, and has an outline like an object's. A square that shows the plane at a corner, and may
-//! show a shadow, is filled only where one of its corners lies in the shadow on the plane (`prepare::shadow` tells why rounding spoils
-//! neither). That corner is dark. It may be as dark without the shadow: see `limits`.
+//! show a shadow, is filled only where one of its corners lies in the shadow on the plane, or where all lie in another one by the same
+//! lamp (`prepare::shadow` tells why rounding spoils neither). That corner is dark. It may be as dark without the shadow: see `limits`.
 //!
-//! Slits of light between two such shadows by one lamp are looked for as well: a square is left open if two of the shadows hold
-//! some of its corners each, and none looked at before holds all. Corners that are all dark would fill it otherwise, and the slit
-//! would come and go from frame to frame.
+//! Shadows of blocks on planes, and those by all other lamps, are looked for in the same way, but not as exactly: a capsule counts as the
+//! cylinder around it, a cylinder that is seen from above as the box, and a lamp with a size as its middle. A spotlight counts where it
+//! does not shine, too. So few of them are missed.
+//!
+//! Slits of light between two shadows by one lamp are looked for as well: a square is left open if two of the shadows hold some of its
+//! corners each, and none holds all. Corners that are all dark would fill it otherwise, and the slit would come and go from frame to
+//! frame.
 //!
 //! And it holds for what the first plane mirrors: an image in a plane is what the eye's own image behind the plane sees of the
 //! object, so it has the outline that the object has for a camera mirrored in the plane, in the same place of the picture. A square
@@ -71,10 +75,9 @@
 //!
 //! Antialiasing leaves a pixel a third of what it shows at least.
 //!
-//! That is all that is guaranteed. Gaps between objects, shadows on and of other objects, and by lamps
-//! that are more than points, highlights in mirrors, and what is seen in other mirrors or through glass can be missed where they fall between corners; `cargo lab missed` counts how many are. To guard the shadows of
-//! lamps with a size as well took the swarm of the show 5 % longer, for 0.06 dB. A guaranteed shadow may be smaller than it
-//! is, too: of the pixels of small spheres' shadows on a plane up to 0.4 % are lit
+//! That is all that is guaranteed. Gaps between objects, shadows on other objects than planes, highlights in mirrors, and what is seen in
+//! other mirrors or through glass can be missed where they fall between corners; `cargo lab missed` counts how many are. A guaranteed
+//! shadow may be smaller than it is, too: of the pixels of small spheres' shadows on a plane up to 0.4 % are lit
 //! (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). The lab's bench measures how much of the picture is
 //! wrong, and how many pixels pop.
 //!
