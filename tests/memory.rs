@@ -79,6 +79,6 @@ fn nobody_else_says_how_large_it_is() {
 }
 
 #[test]
-fn sixteen_threads_take_less_than_8_mb_for_a_picture_of_any_size() {
-    const { assert!(Memory::BYTES + 16 * Worker::BYTES < 8_000_000) };
+fn sixteen_threads_take_less_than_8_mib_for_a_picture_of_any_size() {
+    const { assert!(Memory::BYTES + 16 * Worker::BYTES < 8 << 20) };
 }
