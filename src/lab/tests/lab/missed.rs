@@ -17,16 +17,17 @@ fn counts(setting: Setting, quality: Quality) -> Counts {
 
 #[test]
 #[ignore = "many scenes by chance"]
-fn every_sort_of_scene_has_small_things_of_its_kind_and_the_guarded_ones_are_not_missed() {
-    for (setting, kind, is_guarded) in [
-        (Setting::Point, Kind::PointShadow, true),
-        (Setting::SizedLamp, Kind::SizedShadow, false),
-        (Setting::Sun, Kind::SunShadow, false),
-        (Setting::Blocks, Kind::BlockShadow, false),
-        (Setting::Spheres, Kind::SolidShadow, false),
-        (Setting::Mirror, Kind::PlaneImage, true),
-        (Setting::Mirrors, Kind::OtherImage, false),
-        (Setting::Glass, Kind::Glass, false),
+fn every_sort_of_scene_has_small_things_of_its_kind_and_few_guarded_ones_are_missed() {
+    // The largest share of each kind that is missed; none of what is guarded for sure.
+    for (setting, kind, most) in [
+        (Setting::Point, Kind::PointShadow, 0.0),
+        (Setting::SizedLamp, Kind::SizedShadow, 0.04),
+        (Setting::Sun, Kind::SunShadow, 0.01),
+        (Setting::Blocks, Kind::BlockShadow, 0.03),
+        (Setting::Spheres, Kind::SolidShadow, 1.0),
+        (Setting::Mirror, Kind::PlaneImage, 0.0),
+        (Setting::Mirrors, Kind::OtherImage, 1.0),
+        (Setting::Glass, Kind::Glass, 1.0),
     ] {
         for seed in 0..20 {
             scene(setting, seed).validate().expect("it is valid");
@@ -35,10 +36,11 @@ fn every_sort_of_scene_has_small_things_of_its_kind_and_the_guarded_ones_are_not
         let of = |kind| counts.get(&kind).copied().unwrap_or_default();
         let Count { small, missed } = of(kind);
         assert!(small >= 10, "{small} of {kind:?} in {counts:?}");
-        if is_guarded {
-            assert_eq!(missed[0], 0, "{kind:?} of {setting:?}");
+        let share = missed[0] as f64 / small as f64;
+        assert!(share <= most, "{missed:?} of {small} {kind:?}");
+        if most < 1.0 {
             assert!(2 * missed[1] > small, "{missed:?} of {small} {kind:?}");
-        } else if [Kind::SizedShadow, Kind::Glass].contains(&kind) {
+        } else if kind == Kind::Glass {
             assert!(2 * missed[0] > small, "{missed:?} of {small} {kind:?}");
         }
         if [Setting::Point, Setting::Blocks].contains(&setting) {
