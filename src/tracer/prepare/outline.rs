@@ -188,7 +188,9 @@ impl Sides {
             unsure = unsure.max(3.5 * slack * scale.abs().max_element());
             let mut terms = rays.map(|ray| {
                 let ray = inward * ray;
-                ((ray.zxy() * x - ray.yzx() * y) * scale).extend(0.0)
+                let side = (ray.zxy() * x - ray.yzx() * y) * scale;
+                // Not a number within a cylinder.
+                Vec3A::select(has_none, Vec3A::ZERO, side).extend(0.0)
             });
             // What is no side has all rays on its inner side.
             terms[2] += Vec3A::select(has_none, Vec3A::ONE, Vec3A::ZERO).extend(1.0);
