@@ -84,8 +84,8 @@
 //! # Memory and threads
 //!
 //! Rendering allocates nothing. A renderer has [`Memory::BYTES`] bytes, in itself or lent by the caller, and each thread has
-//! a [`Worker`] of [`Worker::BYTES`] bytes, whatever the size of the picture: under 8 MiB with sixteen threads. Both are small enough to be
-//! made on a thread's stack and boxed, and are all zeros at first, so that a `static` takes no room in a program's file.
+//! a [`Worker`] of [`Worker::BYTES`] bytes, whatever the size of the picture: under 8 MiB with sixteen threads. Both are small enough
+//! to be made on a thread's stack and boxed, and are all zeros at first, so that a `static` takes no room in a program's file.
 //!
 //! Which threads draw is the caller's business: [`Threads`] is a trait with one method. A worker alone is the caller's thread, and
 //! [`ScopedThreads`] are those of std.

@@ -35,8 +35,8 @@ const CORNER: f32 = 2e-4;
 /// The same from a lamp, which may be a thousand times as far away: two roundings.
 const CORNER_BY_LAMP: f32 = 1e-7;
 
-/// The part of [`ROUNDING`] that is usual. That is enough for shadows that are not exact by more, and leaves something of those by lamps
-/// that are a thousand times as far away.
+/// The part of [`ROUNDING`] that is usual: some 5 roundings. That is enough for shadows that are not exact by more, and leaves something
+/// of those by lamps that are a thousand times as far away.
 const USUAL: f32 = 0.03;
 
 /// More than rounding moves a hit towards the eye, as a share of how far the object reaches from it.
@@ -248,6 +248,7 @@ impl World<'_> {
     pub fn outline(self, number: usize) -> SeenOutline {
         let (mut object, mut plane, mut seen_from) = (number, 0, self.eye);
         let mut rounding = ROUNDING * self.axes.reach;
+        // Those of a shadow, whose number may be beyond all images', replace what is taken here.
         let mut sides = self.outlines[number % MAX_IMAGES].sides;
         if number >= self.first_shadow {
             let shadow = self.shadow(number);

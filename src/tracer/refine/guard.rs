@@ -38,6 +38,9 @@ const COLUMN_MARGIN: f32 = 0.02;
 /// All corners of a square.
 const ALL: u64 = 0b1111;
 
+/// The most rows of squares in a tile: each is larger than a pixel.
+const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
+
 /// Rows of squares that an outline is narrowed to at once.
 const ROWS: usize = 4;
 
@@ -77,7 +80,7 @@ impl CoverageGuard {
         let rows = grid.area.rows(level);
         let mut uncovered = [Bits::NONE; TILE_HEIGHT];
         let mut seen_from = Vec3A::ZERO;
-        let mut held = [Held::NONE; TILE_HEIGHT / 2];
+        let mut held = [Held::NONE; SQUARE_ROWS];
         let mut kept = 0;
         // Look for objects, shadows and images, outline by outline.
         for i in 0..self.count {
@@ -109,7 +112,7 @@ impl CoverageGuard {
                                     // It may be in front of another one.
                                     uncovered[y].set(x);
                                 } else {
-                                    held[y % (TILE_HEIGHT / 2)].add(x, inside, shown);
+                                    held[y % SQUARE_ROWS].add(x, inside, shown);
                                 }
                             }
                             is_kept = true;
@@ -140,7 +143,7 @@ impl CoverageGuard {
 
 /// Leaves those squares open that may show what no corner tells of, and begins with another lamp.
 #[inline(never)]
-fn leave_open(held: &mut [Held; TILE_HEIGHT / 2], open: &mut [Bits; TILE_HEIGHT]) {
+fn leave_open(held: &mut [Held; SQUARE_ROWS], open: &mut [Bits; TILE_HEIGHT]) {
     for (held, open) in held.iter_mut().zip(open) {
         *open |= held.open & !held.all;
         *held = Held::NONE;
