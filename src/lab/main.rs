@@ -5,8 +5,8 @@
 
 use clap::{Parser, Subcommand, error::ErrorKind};
 use eightfold_lab::{
-    arguments, bench, capture, figures, interrupt, missed, output, release, render, report, scene,
-    size, sound, study, trade, truth, view,
+    arguments, bench, capture, figures, interrupt, missed, output, render, report, scene, size,
+    sound, trade, truth, view,
 };
 use std::io::{self, IsTerminal};
 use std::path::Path;
@@ -26,13 +26,11 @@ enum Command {
     Capture(capture::Arguments),
     Figures(figures::Arguments),
     Missed(missed::Arguments),
-    Release(release::Arguments),
     Render(render::Arguments),
     Report(report::Arguments),
     Scene(scene::Arguments),
     Size(size::Arguments),
     Sound(sound::Arguments),
-    Study(study::Arguments),
     Trade(trade::Arguments),
     Truth(truth::Arguments),
     View(view::Arguments),
@@ -58,13 +56,11 @@ fn run(_: eightfold_window::arguments::Arguments) -> i32 {
         Command::Capture(arguments) => capture::run(&arguments),
         Command::Figures(arguments) => figures::run(&arguments),
         Command::Missed(arguments) => missed::run(&arguments),
-        Command::Release(arguments) => release::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),
         Command::Size(arguments) => size::run(&arguments),
         Command::Sound(arguments) => sound::run(&arguments),
-        Command::Study(arguments) => study::run(&arguments),
         Command::Trade(arguments) => trade::run(&arguments),
         Command::Truth(arguments) => truth::run(&arguments),
         Command::View(arguments) => view::run(&arguments),

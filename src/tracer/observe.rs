@@ -20,38 +20,6 @@ pub trait Observer: Copy + Sync {
 
     /// The square of so many pixels a side with its upper left at (x, y) was not filled: its parts follow.
     fn split(self, _x: usize, _y: usize, _side: usize, _why: Split) {}
-
-    /// Whether it takes the time of [`Stage::Primary`], for which all points are traced twice.
-    const TIMES: bool = false;
-
-    /// From now on the thread is at work on this.
-    #[inline(always)]
-    fn stage(self, _stage: Stage) {}
-}
-
-/// A stage of the work of a thread.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// Which points a level needs, and which of them are known.
-    Points,
-    /// Tracing points without secondary rays: once more, for [`Observer::TIMES`] alone.
-    Primary,
-    /// Tracing points.
-    Tracing,
-    /// Putting traced points where the verdict and the picture want them.
-    Results,
-    /// Looking for what lies between corners.
-    Guard,
-    /// Judging squares.
-    Verdict,
-    /// Filling squares.
-    Fill,
-    /// Listing the parts of those that were not filled.
-    Split,
-    /// Antialiasing: finding edges, and mixing pixels with the points on them.
-    Edges,
-    /// Antialiasing: tracing the points on edges, with all their rays.
-    Middles,
 }
 
 /// Why a square was not filled.

@@ -1,17 +1,16 @@
 //! `lab bench`: how fast frames are drawn, and how far they are from what tracing every pixel draws.
 
 mod row;
-mod stages;
 mod table;
 
 use crate::arguments::{self, BadInput, NamedQuality, Size};
 use crate::interrupt::{self, Stopped};
 use crate::measure::{Plan, Shot};
+use crate::output;
 use crate::scenes::{self, SceneName};
 use crate::timing::{evenly_spaced, machine};
 use crate::views::views;
 use crate::way::Way;
-use crate::{output, progress};
 use anyhow::{Result, bail};
 use clap::Args;
 use eightfold_tracer::Quality;
@@ -65,9 +64,6 @@ pub struct Arguments {
     /// Instruction set [default: the best of this machine]
     #[arg(long, value_name = "NAME", value_parser = arguments::instruction_set)]
     isa: Option<Isa>,
-    /// Tells where the time of a frame goes instead, stage by stage, on one thread
-    #[arg(long, conflicts_with_all = ["threads", "json", "views"])]
-    stages: bool,
     /// File to write the figures to as JSON, or - for standard output; the table then goes to standard error
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -78,20 +74,11 @@ const FRAME: f32 = 1.0 / 60.0;
 
 /// Measures, and says how it went.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    if !arguments.stages {
-        interrupt::listen();
-    }
+    interrupt::listen();
     if let Some(file) = &arguments.json {
         output::check(file)?;
     }
     let plan = plan(arguments)?;
-    if arguments.stages {
-        let bar = progress::bar(plan.shots.len() * plan.sizes.len() * plan.ways.len());
-        let tables = stages::tables(&plan, || bar.inc(1));
-        bar.finish_and_clear();
-        let text = format!("{}\n\n{tables}", machine());
-        return output::write(Path::new("-"), text.as_bytes());
-    }
     let settings = plan.measure();
     let rows = settings.iter().flat_map(|setting| Row::of(&plan, setting));
     let rows: Vec<Row> = rows.collect();

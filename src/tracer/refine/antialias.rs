@@ -26,7 +26,7 @@
 use super::worker::{STRETCH, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
-use crate::observe::{Observer, Stage};
+use crate::observe::Observer;
 use crate::picture::{BLOCK, Band, MAX_BANDS, Picture, RoughRow, TILE_HEIGHT, TILE_WIDTH};
 use crate::plan::Context;
 use crate::prepare::rectangle;
@@ -90,7 +90,6 @@ impl Seams {
         worker: &mut Worker,
         band: &mut Band<'_>,
     ) {
-        context.observer.stage(Stage::Edges);
         let number = band.top / context.plan.band_rows();
         let is_last = band.top + band.height() == context.plan.size[1];
         let borders = Borders {
@@ -216,11 +215,7 @@ fn mix<O: Observer>(
     band: &mut Band<'_>,
 ) {
     worker.batch.begin();
-    let &Context {
-        plan,
-        world,
-        observer,
-    } = context;
+    let &Context { plan, world, .. } = context;
     let finished = plan.finished;
     let mut marks: Marks = [0; _];
     // For each row, whether the last pixel of the stretch before differs from the first of this one.
@@ -241,9 +236,7 @@ fn mix<O: Observer>(
         let rect = rectangle(left, above, start + STRETCH, top + height);
         let seen = world.visible_groups(world.axes.rect(rect));
         let traced = |worker: &mut Worker| {
-            observer.stage(Stage::Middles);
             context.trace(seen, &mut worker.batch);
-            observer.stage(Stage::Edges);
             add_middles([start, top], height, worker);
         };
         // Trace them, batch by batch.

@@ -4,7 +4,7 @@ use super::Worker;
 use super::area::Area;
 use super::fill::Canvas;
 use super::tile::Tile;
-use crate::observe::{Observer, Stage};
+use crate::observe::Observer;
 use crate::picture::{Band, TILE_HEIGHT, TILE_WIDTH};
 use crate::plan::Context;
 use crate::prepare::rectangle;
@@ -79,7 +79,6 @@ impl<O: Observer> Tile<'_, O> {
             }
         }
         self.trace_batch();
-        self.context.observer.stage(Stage::Results);
         for i in 0..self.worker.batch.points.len() {
             let (x, y) = self.worker.batch.points.pixel(i);
             let sample = self.worker.batch.results.sample(i);

@@ -6,7 +6,7 @@ use super::tile::Tile;
 use super::verdict::Limit;
 use super::worker::{CLUSTER_HEIGHT, CLUSTER_WIDTH, Worker};
 use crate::counts::Counts;
-use crate::observe::{Observer, Stage};
+use crate::observe::Observer;
 use crate::picture::TILE_WIDTH;
 use crate::plan::Context;
 use crate::quality::Quality;
@@ -20,7 +20,6 @@ impl<O: Observer> Tile<'_, O> {
     /// Finds the points of a level: the corners of all its squares, or the squares themselves where they are pixels.
     pub(super) fn find_points(&mut self, level: usize, is_first: bool) {
         let quality = &self.context.plan.quality;
-        self.context.observer.stage(Stage::Points);
         let squares = self.area.rows(level);
         let rows = squares + usize::from(level > 0);
         let parts = self.area.parts(level);
@@ -153,12 +152,7 @@ impl<O: Observer> Tile<'_, O> {
     /// Traces the points in the batch, and stores their samples in a level.
     fn trace(&mut self, level: usize) {
         self.trace_batch();
-        let Context {
-            plan,
-            world,
-            observer,
-        } = self.context;
-        observer.stage(Stage::Results);
+        let Context { plan, world, .. } = self.context;
         let Worker {
             batch,
             pyramid,
@@ -187,25 +181,11 @@ impl<O: Observer> Tile<'_, O> {
             pyramid.put(target, sample, key);
         }
         self.end_batch();
-        self.context.observer.stage(Stage::Points);
     }
 
     /// Has the batch traced.
     pub(super) fn trace_batch(&mut self) {
-        let context = self.context;
-        let batch = &mut self.worker.batch;
-        if O::TIMES {
-            context.observer.stage(Stage::Primary);
-            let counts = batch.counts;
-            let quality = Quality {
-                depth: 0,
-                ..context.plan.quality
-            };
-            context.trace_by(&quality, self.seen, batch);
-            batch.counts = counts;
-        }
-        context.observer.stage(Stage::Tracing);
-        context.trace(self.seen, batch);
+        self.context.trace(self.seen, &mut self.worker.batch);
     }
 
     /// Empties a batch whose results have been stored.

@@ -7,7 +7,7 @@ use super::fill::{Canvas, Run};
 use super::guard::Grid;
 use super::verdict::{Rules, Verdict, growth, judge};
 use super::worker::{Marks, Worker};
-use crate::observe::{Fill, Observer, Split, Stage};
+use crate::observe::{Fill, Observer, Split};
 use crate::picture::{BLOCK, BLOCK_ROWS};
 use crate::plan::Context;
 use crate::prepare::{Rect, VisibleGroups};
@@ -38,16 +38,11 @@ const CROWDED: Range<f32> = 0.7..0.9;
 impl<O: Observer> Tile<'_, O> {
     /// Draws the tile, from the largest squares down to pixels.
     pub fn draw(&mut self) {
-        let Context {
-            plan,
-            world,
-            observer,
-        } = self.context;
+        let Context { plan, world, .. } = self.context;
         let top = plan.quality.top_level();
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
         let open = if plan.quality.guarded {
-            observer.stage(Stage::Guard);
             self.worker.guard.begin(*world, &self.area, self.rect);
             Bits::first(columns)
         } else {
@@ -106,13 +101,8 @@ impl<O: Observer> Tile<'_, O> {
 
     /// Has the guard look at a level's squares.
     fn look_for_uncovered(&mut self, level: usize) {
-        let Context {
-            plan,
-            world,
-            observer,
-        } = self.context;
+        let Context { plan, world, .. } = self.context;
         if plan.quality.guarded {
-            observer.stage(Stage::Guard);
             let Worker {
                 guard,
                 marks,
@@ -127,8 +117,7 @@ impl<O: Observer> Tile<'_, O> {
 
     /// Judges a row of squares, and fills those that pass.
     fn fill_row(&mut self, level: usize, y: usize) {
-        let Context { plan, observer, .. } = self.context;
-        observer.stage(Stage::Verdict);
+        let Context { plan, .. } = self.context;
         let side = self.area.side(level);
         let marks = &mut self.worker.marks;
         let is_coarse = plan.coarse >= side;
@@ -147,7 +136,6 @@ impl<O: Observer> Tile<'_, O> {
         let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
         let rules = Rules::new(&plan.quality, self.growth(level));
         let mut verdict = judge(plan.isa, rules, &squares, above, below);
-        observer.stage(Stage::Fill);
         if is_coarse {
             verdict = Verdict::coarse(squares);
         }
@@ -226,7 +214,6 @@ impl<O: Observer> Tile<'_, O> {
 
     /// Splits a row's squares that were not filled: marks those of their parts that are in the picture.
     fn split_row(&mut self, level: usize, y: usize) {
-        self.context.observer.stage(Stage::Split);
         let part = level - 1;
         let parts = self.area.parts(part);
         let (columns, rows) = (self.area.columns(part), self.area.rows(part));

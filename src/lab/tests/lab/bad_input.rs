@@ -4,7 +4,7 @@ use super::{assert_one_line, capture, lab};
 use eightfold_tracer::Quality;
 
 /// Command lines, and what the line says that each leads to.
-const LINES: [(&str, &str); 65] = [
+const LINES: [(&str, &str); 61] = [
     ("paint", "paint"),
     ("capture --png x --part 0/3", "--part 0/3 I/N"),
     ("capture --png x --to 4 --part 2/9", "--part 2/9 frames: 4"),
@@ -53,10 +53,6 @@ const LINES: [(&str, &str); 65] = [
     ("scene --export show:end", "show:machine FILE.ron"),
     ("size --functions 0", "--functions from 1"),
     ("size --functions -3", "--functions from 1"),
-    ("study", "SCENE"),
-    ("study show", "show:machine"),
-    ("study none.ron", "cannot read none.ron"),
-    ("study model --out a.pdf", "a.pdf .html"),
     ("truth", "--out --effects --convergence"),
     ("truth --scene model", "--out --effects --convergence"),
     ("truth --out - --convergence", "--out --convergence"),
@@ -104,7 +100,6 @@ fn what_cannot_be_written_is_named_before_anything_is_done() {
     std::fs::write(&file, "").unwrap();
     let [file, folder_name] = [&file, folder.path()].map(|path| path.to_str().expect("UTF-8"));
     for (line, words) in [
-        ("study model --out FILE/a.html", "cannot write FILE/a.html"),
         ("sound --wav FILE/song.wav", "cannot write FILE/song.wav"),
         ("truth --out FILE/truth.png", "cannot write FILE/truth.png"),
         // So many frames would take far too long.

@@ -35,28 +35,6 @@ fn number(row: &Value, key: &str) -> f64 {
 }
 
 #[test]
-fn stages_are_all_told() {
-    let text = printed("bench --stages --frames 2 --size 96x64 --quality default --scene field:9");
-    // One table of every pixel traced, and one of squares.
-    for stage in [
-        "preparing",
-        "primary rays",
-        "secondary rays",
-        "finding points",
-        "guard",
-        "verdict",
-        "filling",
-        "antialiasing: finding edges",
-        "antialiasing: tracing",
-    ] {
-        let rows = text
-            .lines()
-            .filter(|line| line.starts_with('|') && line.contains(stage));
-        assert_eq!(rows.count(), 2, "{stage} in {text}");
-    }
-}
-
-#[test]
 fn every_combination_has_its_row_with_every_figure() {
     let (table, rows) = bench(
         "--scene field:9 --size 96x64 --size 50x70 --threads 1 --threads 3 \

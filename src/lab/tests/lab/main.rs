@@ -7,13 +7,11 @@ mod figures;
 mod ladder;
 mod missed;
 mod parts;
-mod release;
 mod report;
 mod sampler;
 mod scene;
 mod size;
 mod sound;
-mod study;
 mod trade;
 mod truth;
 mod views;
@@ -146,7 +144,6 @@ fn commands_without_results_so_far_end_on_a_signal_with_one_line() {
         "figures --size 3840x2160 --quality exhaustive --out figures",
         "sound --wav x.wav --spectrogram x.png",
         "scene --export show --fps 1000 --out x.ron",
-        "bench --stages --frames 100000",
     ] {
         let child = start(command(line).current_dir(folder.path()));
         assert!(signal(&child.id().to_string(), "INT"), "{line}");
