@@ -5,9 +5,10 @@
 
 use clap::{Parser, Subcommand, error::ErrorKind};
 use eightfold_lab::{
-    arguments, bench, capture, figures, interrupt, missed, output, render, report, scene, size,
-    sound, trade, truth, view,
+    arguments, bench, capture, figures, interrupt, missed, output, render, report, scene, scenes,
+    size, sound, trade, truth, view,
 };
+use std::error::Error;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 use std::time::Instant;
@@ -103,6 +104,14 @@ fn explain(error: &clap::Error) -> i32 {
         };
         let printed = output::write(Path::new("-"), text.as_bytes());
         return printed.map_or_else(|error| fail(&error), |()| 0);
+    }
+    // Editors find a mistake by the place that its line begins with.
+    let mistake = error
+        .source()
+        .and_then(|source| source.downcast_ref::<scenes::Mistake>());
+    if let Some(mistake) = mistake {
+        eprintln!("{mistake}");
+        return BAD_INPUT;
     }
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let _ = error.print();

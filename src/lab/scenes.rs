@@ -3,6 +3,7 @@
 use eightfold::show::{self, grid};
 use eightfold_scene_file::{SUFFIX, SceneFile};
 use eightfold_tracer::scene::{MAX_SPHERES, Method, Scene};
+use std::error::Error;
 use std::fmt;
 use std::str::FromStr;
 
@@ -94,11 +95,12 @@ impl SceneName {
 }
 
 impl FromStr for SceneName {
-    type Err = String;
+    type Err = Box<dyn Error + Send + Sync>;
 
-    fn from_str(name: &str) -> Result<Self, String> {
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
         if name.ends_with(SUFFIX) {
-            return Ok(Self::File(Box::leak(Box::new(SceneFile::read(name)?))));
+            let file = SceneFile::read(name).map_err(Mistake)?;
+            return Ok(Self::File(Box::leak(Box::new(file))));
         }
         let part = name
             .strip_prefix("show:")
@@ -109,8 +111,20 @@ impl FromStr for SceneName {
             ("model", ..) => Ok(Self::Model),
             (_, Some(part), _) => Ok(Self::ShowScene(part)),
             (_, _, Some(Ok(count))) if (1..=MAX_SPHERES).contains(&count) => Ok(Self::Field(count)),
-            _ => Err(format!("takes {}", takes())),
+            _ => Err(format!("takes {}", takes()).into()),
         }
+    }
+}
+
+/// The mistake in a scene file: one line that begins with its place, `FILE:LINE:COLUMN: `.
+#[derive(Debug)]
+pub struct Mistake(String);
+
+impl Error for Mistake {}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
     }
 }
 

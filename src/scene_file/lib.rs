@@ -2,12 +2,9 @@
 //!
 //! `examples/scenes` has a file for each of its features.
 
-mod changes;
 mod earlier;
-pub mod edit;
 mod keys;
 mod motion;
-mod patches;
 mod path;
 mod places;
 mod reading;

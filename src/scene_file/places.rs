@@ -51,18 +51,6 @@ impl Places {
         self.0.insert(path, start..start + written.len());
     }
 
-    /// Where a value stands, if it does.
-    pub fn get(&self, path: &str) -> Option<Range<usize>> {
-        self.0.get(path).cloned()
-    }
-
-    /// How many items a list has.
-    pub fn count(&self, list: &str) -> usize {
-        (0..)
-            .take_while(|i| self.0.contains_key(&format!("{list}[{i}]")))
-            .count()
-    }
-
     /// Where a value stands, or the nearest that it is a part of.
     pub fn find(&self, path: &str) -> Option<Range<usize>> {
         let mut path = path;

@@ -1,12 +1,54 @@
-//! Selections of the viewer with keys: time, quality and overlay.
+//! Keys of the viewer: time, quality and overlay.
 
 use crate::arguments::NamedQuality;
 use eightfold_window::input::Press;
 
+/// Frames per second: the length of a step, and the most that are shown.
+pub const FPS: f64 = 60.0;
+
 /// The number of rays of a point that is shown in white: about the largest in the model scene, where glass and mirror meet.
 pub const MOST_RAYS: u32 = 24;
-/// The error that is shown in white, in steps of 1/255: four times what the lab's tables count as large.
+/// The error that is shown in white, in steps of 1/255: four times the error that the lab's tables count as large.
 pub const MOST_ERROR: u32 = 32;
+
+/// Keys and gestures with their effects.
+pub const KEYS: [(&str, &str); 17] = [
+    ("Space", "pauses, plays on"),
+    ("Left, Right", "a frame back or on, and pauses"),
+    ("Home", "back to the start"),
+    (
+        "1 to 9",
+        "quality: exhaustive, thesis, then the finest to the fastest",
+    ),
+    ("P", "points traced, in white"),
+    ("S", "squares: the smaller, the brighter"),
+    ("H", "rays per point: black for none, white for 24 and more"),
+    (
+        "E",
+        "error against exhaustive: black for none, white for 32/255 and more",
+    ),
+    ("P, S, H, E again", "the picture"),
+    (
+        "Left drag",
+        "turns the camera about the point that it looks at",
+    ),
+    (
+        "Right drag",
+        "moves the camera sideways; so does the middle button",
+    ),
+    ("Wheel", "nearer, farther"),
+    ("V", "the scene's own camera"),
+    ("C", "prints the camera for a scene file"),
+    ("F, W", "fullscreen, window"),
+    ("?, F1", "shows and hides these keys"),
+    ("Esc", "quits"),
+];
+
+/// Returns the keys as lines for a terminal.
+pub fn help() -> String {
+    let lines = KEYS.map(|(key, effect)| format!("{key:<18}{effect}"));
+    lines.join("\n")
+}
 
 /// The overlay that is drawn over the frame, or instead of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +61,7 @@ pub enum Overlay {
 }
 
 impl Overlay {
-    /// Its name in the window's title.
+    /// Returns the name in the window's title.
     pub fn name(self) -> &'static str {
         match self {
             Self::None => "picture",
@@ -30,7 +72,7 @@ impl Overlay {
         }
     }
 
-    /// The overlay that a key selects.
+    /// Returns the overlay that a key selects.
     fn of(key: char) -> Option<Self> {
         match key {
             'p' => Some(Self::Points),
@@ -45,9 +87,9 @@ impl Overlay {
 /// The selection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Controls {
-    /// The position in the show, in frames; while it plays it lies between frames.
+    /// The position in the scene, in frames; while it plays it lies between frames.
     pub frame: f64,
-    /// The length of the show in frames. The show repeats.
+    /// The length of the scene in frames. The scene repeats.
     pub length: f64,
     pub is_paused: bool,
     pub quality: NamedQuality,
@@ -55,6 +97,11 @@ pub struct Controls {
 }
 
 impl Controls {
+    /// Returns the position in seconds.
+    pub fn time(&self) -> f32 {
+        (self.frame / FPS) as f32
+    }
+
     /// Advances by a number of frames, unless paused.
     pub fn advance(&mut self, frames: f64) {
         if !self.is_paused {
@@ -70,7 +117,7 @@ impl Controls {
             Press::Right => self.step((self.frame + 1.0).floor() % self.length.ceil()),
             Press::Home => self.frame = 0.0,
             Press::Character(key) => self.choose(key),
-            Press::Control(_) | Press::Delete | Press::Help => {}
+            _ => {}
         }
     }
 

@@ -1,38 +1,34 @@
-//! Draws the frame to look at, with an overlay, and measures it.
+//! Draws the frame with an overlay, and measures it.
 
 use super::controls::{Controls, MOST_ERROR, MOST_RAYS, Overlay};
+use super::subject::Subject;
 use crate::arguments::Size;
 use crate::error::Difference;
 use crate::overlay::{FrameTrace, draw_error};
 use crate::threaded_renderer::ThreadedRenderer;
-use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 use eightfold_window::cpu::Isa;
 use std::time::{Duration, Instant};
 
-/// The memory and threads to draw with, and the last frame.
+/// Memory and threads to draw with, and the last frame.
 pub struct FrameViewer {
     renderer: ThreadedRenderer,
     isa: Isa,
     /// The selection that the picture was drawn for.
-    drawn: Option<(Controls, [u64; 2], Size)>,
+    drawn: Option<(Controls, u64, Size)>,
     pub picture: Vec<u32>,
-    /// The exhaustive frame of the same moment.
-    exhaustive: Vec<u32>,
-    /// Whether `exhaustive` has been drawn for this picture.
-    has_exhaustive: bool,
     pub figures: Figures,
 }
 
-/// The measurements of the picture.
+/// Measurements of the picture.
 #[derive(Clone, Copy, Default)]
 pub struct Figures {
     /// The time to draw it, without the overlay.
     pub time: Duration,
     /// The number of traced points per pixel.
     pub points: f64,
-    /// The PSNR against the exhaustive frame, in dB.
-    pub psnr: f64,
+    /// The PSNR against the exhaustive frame, in dB, if it was measured.
+    pub psnr: Option<f64>,
 }
 
 impl FrameViewer {
@@ -42,63 +38,57 @@ impl FrameViewer {
             isa,
             drawn: None,
             picture: Vec::new(),
-            exhaustive: Vec::new(),
-            has_exhaustive: false,
             figures: Figures::default(),
         }
     }
 
-    /// Draws the frame of a scene that the controls select; `version` is another one for another scene. Returns false if it is the
-    /// same as before. With `measure` it measures the error, which takes an exhaustive frame.
+    /// Draws the frame that the controls select. With `measure` it measures the error, which takes an exhaustive frame. Returns false
+    /// if all of this was done before.
     pub fn draw(
         &mut self,
         controls: &Controls,
-        version: [u64; 2],
-        scene: impl FnOnce() -> Scene,
+        subject: &Subject,
         size: Size,
         measure: bool,
     ) -> bool {
-        let wanted = Some((*controls, version, size));
-        if self.drawn == wanted && (self.has_exhaustive || !measure) {
+        let wanted = Some((*controls, subject.version, size));
+        if self.drawn == wanted && (self.figures.psnr.is_some() || !measure) {
             return false;
         }
         self.drawn = wanted;
-        let scene = scene();
+        let scene = subject.at(controls.time());
         self.picture.resize(size.area(), 0);
         let start = Instant::now();
-        let quality = &controls.quality.quality;
-        let level = self.isa.level;
+        let (level, quality) = (self.isa.level, &controls.quality.quality);
         let counts = self
             .renderer
             .draw(level, &scene, quality, size.width, &mut self.picture);
-        self.figures.time = start.elapsed();
-        self.figures.points = counts.points as f64 / size.area() as f64;
-        self.has_exhaustive = measure || controls.overlay == Overlay::Error;
-        if self.has_exhaustive {
-            self.compare(&scene, &quality.reference(), size);
+        self.figures = Figures {
+            time: start.elapsed(),
+            points: counts.points as f64 / size.area() as f64,
+            psnr: None,
+        };
+        if measure || controls.overlay == Overlay::Error {
+            let mut exhaustive = vec![0; size.area()];
+            let quality = quality.reference();
+            self.renderer
+                .draw(level, &scene, &quality, size.width, &mut exhaustive);
+            self.figures.psnr = Some(Difference::between(&self.picture, &exhaustive).psnr);
+            if controls.overlay == Overlay::Error {
+                draw_error(&mut self.picture, &exhaustive, MOST_ERROR);
+            }
         }
-        self.draw_overlay(&scene, controls, size);
+        self.draw_trace(&scene, controls, size);
         true
     }
 
-    /// Draws the exhaustive frame and measures the picture's error.
-    fn compare(&mut self, scene: &Scene, quality: &Quality, size: Size) {
-        let level = self.isa.level;
-        self.exhaustive.resize(size.area(), 0);
-        self.renderer
-            .draw(level, scene, quality, size.width, &mut self.exhaustive);
-        self.figures.psnr = Difference::between(&self.picture, &self.exhaustive).psnr;
-    }
-
-    /// Draws the overlay.
-    fn draw_overlay(&mut self, scene: &Scene, controls: &Controls, size: Size) {
-        match controls.overlay {
-            Overlay::None => return,
-            Overlay::Error => return draw_error(&mut self.picture, &self.exhaustive, MOST_ERROR),
-            Overlay::Points | Overlay::Squares | Overlay::Heat => {}
+    /// Draws the overlays that show how the frame was drawn.
+    fn draw_trace(&mut self, scene: &Scene, controls: &Controls, size: Size) {
+        if matches!(controls.overlay, Overlay::None | Overlay::Error) {
+            return;
         }
-        // Drawn anew, with what tells how, and not shown.
         let trace = FrameTrace::new(size.width, size.height);
+        // The same frame again, observed.
         let mut pixels = vec![0; size.area()];
         let (level, quality) = (self.isa.level, &controls.quality.quality);
         self.renderer

@@ -1,106 +1,70 @@
-//! Changes that are not saved are not lost when it ends.
+//! The ways in which it ends.
 
-use crate::stage::{BALL, Edit, SCENE, blue, read};
-use eightfold_stage::{Process, Server, is_portable, run};
+use crate::stage::{FileView, View};
+use eightfold_stage::{Process, run};
+use std::io;
 use std::process::Command;
 
-/// Asserts that it ends with an exit code, and that the changes are in a file that it names.
+/// Asserts that it ends with an exit code. Returns its errors.
 #[track_caller]
-fn assert_ends_with_changes_kept(edit: Edit, code: i32) {
-    let (unsaved, file) = (edit.unsaved(), edit.file.clone());
-    let Edit { view, folder, .. } = edit;
-    let (_, ended, _, errors) = view.process.end();
+fn assert_ends(process: Process, code: i32) -> String {
+    let (_, ended, _, errors) = process.end();
     assert_eq!(ended, Some(code), "{errors}");
-    let name = unsaved.file_name().expect("a name").to_string_lossy();
-    assert!(errors.contains(&*name), "no {name} in {errors}");
-    assert_eq!(read(&unsaved), blue());
-    assert_eq!(read(&file), SCENE);
-    drop(folder);
-}
-
-fn is_running(process: &mut Process) -> bool {
-    process.0.try_wait().expect("it can be asked").is_none()
+    errors
 }
 
 #[test]
-fn escape_asks_once_where_something_is_not_saved() {
-    let Some(mut edit) = Edit::changed() else {
+fn escape_ends_it() {
+    let Some(view) = FileView::new() else { return };
+    view.view.key("Escape");
+    let errors = assert_ends(view.view.process, 0);
+    assert_eq!(errors, "view: the key ? lists the keys\n");
+    // It leaves no file behind.
+    let files = std::fs::read_dir(view.folder.path()).expect("a folder");
+    assert_eq!(files.count(), 1);
+}
+
+#[test]
+fn closed_window_ends_it() {
+    let Some(view) = View::new("") else { return };
+    view.server.xdotool(&format!("windowclose {}", view.id()));
+    assert_ends(view.process, 0);
+}
+
+#[test]
+fn lost_server_is_an_error() {
+    let Some(mut view) = View::new("") else {
         return;
     };
-    let before = edit.view.settled_shot();
-    edit.view.key("Escape");
-    edit.view.assert_shows("a question", |shot| shot != before);
-    assert!(is_running(&mut edit.view.process));
-    // Anything else is an answer, too.
-    edit.view.click(1, BALL);
-    edit.view.assert_shows("no question", |shot| shot == before);
-    edit.view.key("Escape");
-    edit.view.assert_shows("a question", |shot| shot != before);
-    assert!(is_running(&mut edit.view.process));
-    edit.view.key("Escape");
-    assert_ends_with_changes_kept(edit, 0);
+    view.server.kill();
+    assert_ends(view.process, 1);
 }
 
 #[test]
-fn escape_ends_it_at_once_where_all_is_saved() {
-    let Some(edit) = Edit::changed() else { return };
-    assert_eq!(edit.save(), blue());
-    edit.view.key("Escape");
-    let (_, code, _, errors) = edit.view.process.end();
-    assert_eq!(code, Some(0), "{errors}");
+fn closed_pipe_is_an_error() {
+    let Some(mut view) = View::new("") else {
+        return;
+    };
+    drop(view.process.0.stdout.take());
+    let pipe = view.process.0.stderr.take().expect("a pipe");
+    view.key("c");
+    assert_ends(view.process, 1);
+    let errors = io::read_to_string(pipe).expect("text");
     assert!(
-        errors.contains("wrote ") && errors.ends_with("scene.ron\n"),
+        errors.contains("cannot write to standard output"),
         "{errors}"
     );
 }
 
 #[test]
-fn a_window_that_is_gone_leaves_changes_in_their_file() {
-    let Some(edit) = Edit::changed() else { return };
-    let close = format!("windowclose {}", edit.view.id());
-    edit.view.server.xdotool(&close);
-    assert_ends_with_changes_kept(edit, 0);
-}
-
-#[test]
-fn a_window_that_is_asked_to_close_asks_once() {
-    // The portable backend's window closes itself.
-    if is_portable() {
-        return;
-    }
-    let Some(edit) = Edit::on(Server::start_managed, "scene.ron", SCENE) else {
-        return;
-    };
-    edit.change();
-    let before = edit.view.settled_shot();
-    let close = || run(edit.view.server.tool("wmctrl").args(["-c", "Eightfold"]));
-    close();
-    edit.view.assert_shows("a question", |shot| shot != before);
-    close();
-    assert_ends_with_changes_kept(edit, 0);
-}
-
-#[test]
-fn a_signal_leaves_changes_in_their_file() {
-    for (signal, code) in [("INT", 130), ("TERM", 143)] {
-        let Some(edit) = Edit::changed() else { return };
-        let id = edit.view.process.0.id().to_string();
-        let sent = Command::new("kill").args(["-s", signal, &id]).status();
-        assert!(sent.expect("kill runs").success());
-        assert_ends_with_changes_kept(edit, code);
-    }
-}
-
-#[test]
-fn a_server_that_dies_leaves_changes_in_their_file() {
-    let Some(mut edit) = Edit::changed() else {
-        return;
-    };
-    edit.view.server.kill();
-    let unsaved = edit.unsaved();
-    let Edit { view, folder, .. } = edit;
-    let (_, code, _, errors) = view.process.end();
-    assert_eq!(code, Some(1), "{errors}");
-    assert_eq!(read(&unsaved), blue());
-    drop(folder);
+fn missing_display_is_named_in_one_line() {
+    let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
+    let (output, _) = run(lab.arg("view").env_remove("DISPLAY"));
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{errors}");
+    assert_eq!(errors.lines().count(), 1, "{errors}");
+    assert!(
+        errors.contains("view") && errors.contains("no X display"),
+        "{errors}"
+    );
 }

@@ -1,12 +1,7 @@
-//! `lab view` shows in its window what keys select, and edits scene files by keys and mouse.
+//! `lab view` in a window: scene files that are written meanwhile, the camera, the keys, and the ways in which it ends.
 
 mod camera;
-mod disk;
-mod editing;
 mod ending;
-mod keeping;
-mod moving;
-mod parts;
-mod playing;
-mod saving;
+mod keys;
+mod reload;
 mod stage;
