@@ -8,7 +8,10 @@ use std::{
     process::Command,
 };
 
-/// The folder in which it is packed, unpacked and depended on. What was compiled there stays for the next run.
+/// The workspace.
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// The folder in which the tracer is packed, unpacked and depended on. Compiled files stay there for the next run.
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join("dependency")
 }
@@ -16,25 +19,26 @@ fn folder() -> PathBuf {
 /// Runs a command, which has to succeed. Returns its standard output.
 fn run(command: &mut Command) -> String {
     let output = command.output().expect("it starts");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{command:?}: {errors}");
-    String::from_utf8(output.stdout).expect("text")
+    assert!(output.status.success(), "{command:?}: {text}{errors}");
+    text
 }
 
-/// A command of cargo that compiles into [`folder`], in a directory.
-fn cargo(directory: &Path) -> Command {
+/// Runs cargo in a directory. It compiles into [`folder`].
+fn cargo(directory: impl AsRef<Path>, arguments: &[&str]) -> String {
     let mut command = Command::new(env!("CARGO"));
-    command
-        .current_dir(directory)
-        .env("CARGO_TARGET_DIR", folder().join("target"));
-    command
+    let command = command.current_dir(directory).args(arguments);
+    run(command.env("CARGO_TARGET_DIR", folder().join("target")))
 }
 
 /// Packs the tracer, and unpacks it. Returns where.
-fn package(root: &Path) -> PathBuf {
-    run(cargo(root)
-        .args(["package", "--package", "eightfold-tracer", "--offline"])
-        .args(["--allow-dirty", "--no-verify"]));
+fn package() -> PathBuf {
+    let package = ["package", "--package", "eightfold-tracer", "--offline"];
+    cargo(
+        ROOT,
+        &[&package[..], &["--allow-dirty", "--no-verify"]].concat(),
+    );
     let name = concat!("eightfold-tracer-", env!("CARGO_PKG_VERSION"));
     let archive = folder().join(format!("target/package/{name}.crate"));
     run(Command::new("tar")
@@ -45,152 +49,120 @@ fn package(root: &Path) -> PathBuf {
     folder().join(name)
 }
 
-/// Draws the frame of a scene that has been text.
-const PROGRAM: &str = r##"
-use eightfold_tracer::{Frame, Level, Quality, Renderer, Worker, scene::Scene};
+/// A crate with the README's example. Its tests run on threads of 2 MiB.
+const DEPENDENT: &str = r##"
+#![doc = include_str!("README.md")]
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let mut scene = Scene::default();
-    let letters = "ABC".as_bytes().try_into()?;
-    scene.captions.push(eightfold_tracer::scene::Caption { letters, ..Default::default() });
-    scene.blocks.push(Default::default());
-    scene.lights.push(eightfold_tracer::scene::Light { spot: Some(Default::default()), ..Default::default() });
-    let text = ron::to_string(&scene)?;
-    assert!(text.contains(r#"letters:"ABC""#), "{text}");
-    assert_eq!(ron::from_str::<Scene>(&text)?, scene);
-    assert_eq!(ron::from_str::<Scene>("()")?, Scene::default());
-    let refused = |text: &str| ron::from_str::<Scene>(text).unwrap_err().to_string();
-    assert!(refused("(sphere: [])").contains("sphere"));
-    let captions = format!("(captions: [{}])", ["()"; 11].join(","));
-    assert!(refused(&captions).contains("at most 10 items"));
-    let long = format!(r#"(captions: [(letters: "{}")])"#, "A".repeat(33));
-    assert!(refused(&long).contains("at most 32 letters"));
-    let quality = ron::to_string(&Quality::DEFAULT)?;
-    assert_eq!(ron::from_str::<Quality>(&quality)?, Quality::DEFAULT);
+#[cfg(test)]
+mod tests {
+    use eightfold_tracer::scene::{Block, Caption, Light, Scene};
+    use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 
-    let mut pixels = [0; 64 * 48];
-    let frame = Frame::new(64, 48, &mut pixels);
-    let mut renderer = Renderer::new(Level::baseline());
-    renderer.render(&Scene::default(), &Quality::DEFAULT, frame, &mut Worker::new())?;
-    Ok(())
+    fn scene() -> Scene {
+        let mut scene = Scene::default();
+        let letters = "ABC".as_bytes().try_into().unwrap();
+        scene.captions.push(Caption { letters, ..Caption::default() });
+        scene.blocks.push(Block::default());
+        scene.lights.push(Light { spot: Some(Default::default()), ..Light::default() });
+        scene
+    }
+
+    #[test]
+    fn a_frame_is_drawn() {
+        let mut drawer = Some((Renderer::detect(), ScopedThreads::new()));
+        let (renderer, threads) = drawer.as_mut().unwrap();
+        let mut scene = scene();
+        scene.blocks.clear();
+        scene.lights.clear();
+        let mut pixels = [0; 64 * 48];
+        let frame = Frame::new(64, 48, &mut pixels);
+        renderer.render(&scene, &Quality::DEFAULT, frame, threads).unwrap();
+        assert_ne!(pixels, [0; 64 * 48]);
+    }
+
+    #[test]
+    fn a_scene_is_written_and_read() {
+        let thread = std::thread::Builder::new().stack_size(8 << 20);
+        thread.spawn(check_text).unwrap().join().unwrap();
+    }
+
+    fn check_text() {
+        let text = ron::to_string(&scene()).unwrap();
+        assert!(text.contains(r#"letters:"ABC""#), "{text}");
+        assert_eq!(ron::from_str::<Scene>(&text).unwrap(), scene());
+        assert_eq!(ron::from_str::<Scene>("()").unwrap(), Scene::default());
+        let refused = |text: &str| ron::from_str::<Scene>(text).unwrap_err().to_string();
+        assert!(refused("(sphere: [])").contains("sphere"));
+        let captions = format!("(captions: [{}])", ["()"; 11].join(","));
+        assert!(refused(&captions).contains("at most 10 items"));
+        let long = format!(r#"(captions: [(letters: "{}")])"#, "A".repeat(33));
+        assert!(refused(&long).contains("at most 32 letters"));
+        let quality = ron::to_string(&Quality::DEFAULT).unwrap();
+        assert_eq!(ron::from_str::<Quality>(&quality).unwrap(), Quality::DEFAULT);
+    }
 }
 "##;
 
-/// The documentation in a file of the package, as that of a module: of code its comments alone, line by line.
-fn documentation(file: &Path) -> String {
-    let text = fs::read_to_string(file).expect("text");
-    if file.extension().is_some_and(|end| end == "md") {
-        return text.lines().map(|line| format!("//! {line}\n")).collect();
-    }
-    let words = |line: &str| {
-        let line = line.trim_start();
-        let words = line.strip_prefix("//!").or(line.strip_prefix("///"));
-        words.map_or("\n".into(), |words| format!("//!{words}\n"))
-    };
-    text.lines().map(words).collect()
-}
-
-/// The files of the package with examples in their documentation.
-fn files_with_examples(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let mut files = Vec::new();
-    for entry in entries {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() {
-            files.extend(files_with_examples(&path));
-        } else if path
-            .extension()
-            .is_some_and(|end| end == "rs" || end == "md")
-            && documentation(&path).contains("```")
-        {
-            files.push(path);
-        }
-    }
-    files
-}
-
+/// By the default profile, without optimisation: large values would overflow the stack.
 #[test]
 #[ignore = "libraries are compiled elsewhere"]
-fn its_package_and_its_examples_compile_elsewhere_and_need_vectors_and_functions_of_numbers_alone()
-{
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+fn dependent_without_optimisation_draws() {
+    let package = package();
+    for file in ["README.md", "LICENSE-APACHE", "LICENSE-MIT"] {
+        assert!(package.join(file).exists(), "{file}");
+    }
     let dependent = folder().join("dependent");
     fs::create_dir_all(dependent.join("src")).expect("a folder");
-    let package = package(root);
-    // Optimised as little as it may be, which compiles fast.
     let manifest = format!(
-        "[package]\nname = \"dependent\"\nedition = \"2024\"\n\n\
+        "[package]\nname = \"dependent\"\nedition = \"2024\"\n\n[workspace]\n\n\
+         [dependencies]\neightfold-tracer.path = {package:?}\n\n\
          [features]\nserde = [\"dep:ron\", \"eightfold-tracer/serde\"]\n\n\
-         [dependencies]\neightfold-tracer.path = {package:?}\n\
-         ron = {{ version = \"0.12\", optional = true }}\n\n[workspace]\n\n\
-         [profile.dev]\nopt-level = 1\ndebug = false\n",
+         [dependencies.ron]\nversion = \"0.12\"\noptional = true\n",
     );
     fs::write(dependent.join("Cargo.toml"), manifest).expect("it is written");
-    fs::write(dependent.join("src/main.rs"), PROGRAM).expect("it is written");
+    fs::write(dependent.join("src/lib.rs"), DEPENDENT).expect("it is written");
+    let copy = |from: PathBuf, to: &str| fs::copy(from, dependent.join(to)).expect("it is copied");
+    copy(package.join("README.md"), "src/README.md");
     // The same versions, which are downloaded already.
-    fs::copy(root.join("Cargo.lock"), dependent.join("Cargo.lock")).expect("it is copied");
+    copy(Path::new(ROOT).join("Cargo.lock"), "Cargo.lock");
 
-    let mut modules = String::new();
-    for (number, file) in files_with_examples(&package).iter().enumerate() {
-        let module = format!("from_{number}");
-        fs::write(
-            dependent.join(format!("src/{module}.rs")),
-            documentation(file),
-        )
-        .expect("it is written");
-        modules += &format!("pub mod {module};\n");
-    }
-    fs::write(dependent.join("src/lib.rs"), modules).expect("it is written");
-
-    let serde = ["--offline", "--features", "serde"];
-    run(cargo(&dependent).arg("run").args(serde));
-    let said = run(cargo(&dependent).args(["test", "--doc"]).args(serde));
-    assert!(said.matches("... ok").count() > 5, "{said}");
-    let tree = run(cargo(&dependent).args(["tree", "--prefix", "none", "--edges", "normal"]));
-    let name = |line: &str| line.split(' ').next().expect("a name").to_owned();
-    let crates: Vec<String> = tree.lines().map(name).collect();
-    for name in &crates {
-        let known = [
-            "dependent",
-            "eightfold-tracer",
-            "fearless_simd",
-            "glam",
-            "libm",
-        ];
-        assert!(known.contains(&name.as_str()), "{crates:?}");
-    }
-    assert!(crates.len() > 3, "{crates:?}");
-}
-
-#[test]
-fn its_package_has_sources_a_readme_and_licences() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let list = run(cargo(root)
-        .args(["package", "--package", "eightfold-tracer", "--list"])
-        .arg("--allow-dirty"));
-    let (sources, others): (Vec<&str>, Vec<&str>) =
-        list.lines().partition(|file| file.ends_with(".rs"));
-    assert!(sources.len() > 50, "{list}");
-    // Cargo's own: where it was packed, and the manifest as it was and as it is there.
-    let others: Vec<&str> = others
-        .into_iter()
-        .filter(|file| !file.starts_with(['.', 'C']))
-        .collect();
-    assert_eq!(others, ["LICENSE-APACHE", "LICENSE-MIT", "README.md"]);
+    let said = cargo(&dependent, &["test", "--offline", "--features", "serde"]);
+    assert_eq!(said.matches("... ok").count(), 3, "{said}");
+    let tree = [
+        "tree", "--prefix", "none", "--edges", "normal", "--format", "{lib}",
+    ];
+    let crates: BTreeSet<String> = cargo(&dependent, &tree).lines().map(String::from).collect();
+    let expected = [
+        "dependent",
+        "eightfold_tracer",
+        "fearless_simd",
+        "glam",
+        "libm",
+    ];
+    assert!(crates.iter().eq(&expected), "{crates:?}");
 }
 
 /// The libraries that a package's programs are linked with, each with its version and its features.
 fn libraries(package: &str) -> BTreeSet<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let tree = run(cargo(root)
-        .args(["tree", "--package", package, "--edges", "normal"])
-        .args(["--prefix", "none", "--no-dedupe", "--format", "{p} {f}"]));
-    tree.lines().map(String::from).collect()
+    let tree = [
+        "tree",
+        "--package",
+        package,
+        "--edges",
+        "normal",
+        "--prefix",
+        "none",
+    ];
+    let all = cargo(
+        ROOT,
+        &[&tree[..], &["--no-dedupe", "--format", "{p} {f}"]].concat(),
+    );
+    all.lines().map(String::from).collect()
 }
 
+/// One profile builds both, so libraries of the same features are the same file.
 #[test]
-fn the_lab_measures_the_libraries_that_the_intro_is_linked_with() {
-    // One profile builds both, so libraries of the same features are the same file.
+fn lab_is_linked_with_the_libraries_of_the_intro() {
     let (intro, lab) = (libraries("eightfold"), libraries("eightfold-lab"));
     assert!(intro.len() >= 6, "{intro:?}");
     assert!(intro.is_subset(&lab), "{:?}", intro.difference(&lab));

@@ -1,6 +1,6 @@
 //! The governors hold the frame rate and the accuracy on simulated machines, without a clock.
 
-use eightfold_tracer::{AccuracyGovernor, Governor, Probes, Quality, Renderer};
+use eightfold_tracer::{AccuracyGovernor, Frame, Governor, Probes, Quality};
 use proptest::prelude::*;
 
 const SECOND: u64 = 1_000_000_000;
@@ -133,7 +133,7 @@ impl Show {
     fn probes(&mut self) -> Probes {
         let mean = 3.0 * 255.0 * 255.0 / 10_f64.powf(self.psnr(self.governor.rung()) / 10.0);
         let mut probes = Probes::NONE;
-        for _ in 0..Renderer::PROBES {
+        for _ in 0..Frame::PROBES {
             let share = if chance(&mut self.random) < 0.02 {
                 40.0 * -(1.0 - 0.999 * chance(&mut self.random)).ln()
             } else {

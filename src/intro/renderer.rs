@@ -73,7 +73,7 @@ impl ShowRenderer {
         let seconds = ((time % SHOW_NANOSECONDS) as f64 / SECOND as f64) as f32;
         show::at(seconds, self.scene);
         let frame = Frame::new(frame.width, frame.height, &mut *frame.pixels)
-            .with_probes(Renderer::PROBES, number as u32);
+            .with_probes(Frame::PROBES, number as u32);
         self.renderer
             .render_valid(self.scene, quality, frame, &mut self.threads)
     }

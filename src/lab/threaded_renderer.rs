@@ -4,14 +4,14 @@ use crate::arguments::Size;
 use eightfold_tracer::observe::Observer;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{
-    Band, Counts, Frame, Job, Level, Memory, Probing, Quality, Renderer, Threads, Worker,
+    Band, Counts, Frame, Job, Level, Probing, Quality, Renderer, Threads, Worker,
 };
 use eightfold_window::cpu;
 use eightfold_window::pool::Pool;
 
 /// Memory for one frame at a time, and threads that start once.
 pub struct ThreadedRenderer {
-    renderer: Renderer<Box<Memory>>,
+    renderer: Renderer,
     pub threads: PoolThreads,
     /// Of the next frames.
     offset: [f32; 2],
@@ -39,10 +39,12 @@ impl ThreadedRenderer {
             threads,
             "the system has no threads to spare"
         );
-        let workers = std::iter::repeat_with(Worker::new).take(threads).collect();
         Self {
-            renderer: Renderer::with_memory(Level::baseline(), Box::new(Memory::new())),
-            threads: PoolThreads { pool, workers },
+            renderer: Renderer::new(Level::baseline()),
+            threads: PoolThreads {
+                pool,
+                workers: Worker::several(threads),
+            },
             offset: [0.0; 2],
             probing: Probing::default(),
         }

@@ -133,7 +133,7 @@ impl Governor {
     }
 }
 
-/// The fewest probes that a step of an [`AccuracyGovernor`] is decided by: 13 frames of [`Renderer::PROBES`](crate::Renderer::PROBES).
+/// The fewest probes that a step of an [`AccuracyGovernor`] is decided by: 13 frames of [`Frame::PROBES`](crate::Frame::PROBES).
 const FEWEST: u64 = 1_000;
 
 /// The most probes that it remembers, 1.7 s at 60 frames per second: then each counts half.

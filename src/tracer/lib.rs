@@ -83,17 +83,18 @@
 //!
 //! # Memory and threads
 //!
-//! Rendering allocates nothing. A renderer has [`Memory::BYTES`] bytes, in itself or lent by the caller, and each thread has
-//! a [`Worker`] of [`Worker::BYTES`] bytes, whatever the size of the picture: under 8 MiB with sixteen threads. Both are small enough
-//! to be made on a thread's stack and boxed, and are all zeros at first, so that a `static` takes no room in a program's file.
+//! Rendering allocates nothing. A renderer has a [`Memory`] of [`Memory::BYTES`] bytes, and each thread has a [`Worker`] of
+//! [`Worker::BYTES`] bytes, for pictures of any size: under 8 MiB with sixteen threads. [`Renderer::detect`], [`ScopedThreads`] and
+//! [`Worker::several`] allocate them in place: they work on the smallest stack of a thread, in unoptimised programs as well.
 //!
-//! Which threads draw is the caller's business: [`Threads`] is a trait with one method. A worker alone is the caller's thread, and
-//! [`ScopedThreads`] are those of std.
+//! [`Threads`] is a trait with one method, for threads of your own. [`ScopedThreads`] are the threads of std; a worker alone is the
+//! caller's thread.
 //!
 //! # Without std
 //!
-//! [`Renderer::detect`] and [`ScopedThreads`] are there by the feature `std`, which is on by default. With `default-features = false` the
-//! crate needs no system, and draws the same bits.
+//! With `default-features = false` the crate needs neither a system nor an allocator, and draws the same bits. The caller provides
+//! memory and workers, as a `static` for example: they are all zeros at first, which takes no room in a program's file.
+//! [`Renderer::with_memory`] borrows the memory.
 //!
 //! # Scenes as data
 //!
@@ -171,7 +172,7 @@ pub use picture::{Band, Frame, Probing};
 pub use quality::Quality;
 pub use refine::Worker;
 #[cfg(feature = "std")]
-pub use render::ScopedThreads;
+pub use render::{BoxedMemory, ScopedThreads};
 pub use render::{Error, Job, Memory, Renderer, Threads};
 
 /// The widest picture, in pixels.

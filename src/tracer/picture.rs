@@ -33,6 +33,10 @@ pub struct Probing {
 }
 
 impl<'a> Frame<'a> {
+    /// A number of probes for [`Frame::with_probes`] that takes less than 1 % of the time of a default frame of 1024x768: by AVX2,
+    /// callgrind counts 0.8 % more instructions for the model scene, 0.6 and 0.3 % more for the show at 20 and at 76 s.
+    pub const PROBES: u16 = 80;
+
     /// A frame of so many pixels in a row, and so many rows, in these pixels.
     /// [`Renderer::render`](crate::Renderer::render) says whether they fit.
     #[must_use]

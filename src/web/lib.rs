@@ -216,7 +216,7 @@ pub extern "C" fn draw(from: usize, to: usize, pass: usize, before: f64, seed: u
     done.points = before as u64;
     let mut share = Share::new(worker, from..to, pass, done);
     let mut renderer = Renderer::narrow(Level::baseline(), memory);
-    let frame = Frame::new(*width, *height, pixels).with_probes(Renderer::PROBES, seed);
+    let frame = Frame::new(*width, *height, pixels).with_probes(Frame::PROBES, seed);
     renderer.render_valid(scene, quality, frame, &mut share);
     let counts = share.counts;
     *figures = [

@@ -6,7 +6,7 @@ use crate::error::Difference;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_tracer::scene::{Method, Scene};
-use eightfold_tracer::{Probes, Quality, Renderer};
+use eightfold_tracer::{Frame, Probes, Quality};
 
 const SIZE: (usize, usize) = (200, 149);
 
@@ -71,7 +71,7 @@ fn off(probes: Probes, error: f64) -> f32 {
 #[ignore = "many frames"]
 fn the_mean_over_frames_is_the_true_error() {
     // More than a frame needs: so fewer frames tell as much.
-    const COUNT: u16 = 5 * Renderer::PROBES;
+    const COUNT: u16 = 5 * Frame::PROBES;
     for (number, scene) in scenes().enumerate() {
         for quality in QUALITIES {
             let error = error(&scene, &quality);

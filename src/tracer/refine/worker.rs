@@ -7,7 +7,7 @@ use crate::counts::Counts;
 use crate::picture::{BLOCK_ROWS, TILE_HEIGHT};
 use crate::trace::{BATCH, Batch};
 
-/// The memory that one thread works in, of fixed size, and reused from tile to tile: at most 460,000 bytes, see [`Worker::BYTES`].
+/// The memory that one thread works in, of fixed size: [`Worker::BYTES`].
 ///
 /// Alone, it renders on the caller's thread: see [`Threads`](crate::Threads).
 pub struct Worker {
@@ -22,10 +22,22 @@ pub struct Worker {
 }
 
 impl Worker {
-    /// How large a worker is, in bytes: the same for pictures of any size.
+    /// Its size in bytes, at most 460,000: the same for pictures of any size.
     pub const BYTES: usize = size_of::<Self>();
 
-    /// Empty working memory.
+    /// Allocates workers. No part of them is ever on the stack, not even in unoptimised programs.
+    #[cfg(feature = "std")]
+    #[must_use]
+    pub fn several(count: usize) -> std::vec::Vec<Self> {
+        let mut workers = std::vec::Vec::with_capacity(count);
+        for _ in 0..count {
+            // This macro writes a constant in place; `push` would copy it from the stack.
+            workers.append(&mut std::vec![const { Self::new() }]);
+        }
+        workers
+    }
+
+    /// Returns empty working memory.
     #[must_use]
     pub const fn new() -> Self {
         // Put together by the compiler: unoptimised code would make each part on the stack first.
@@ -52,6 +64,8 @@ impl Default for Worker {
         Self::new()
     }
 }
+
+const _: () = assert!(Worker::BYTES <= 460_000);
 
 /// Points are traced cluster by cluster: rays of neighbours meet the same objects. A cluster is as many points wide.
 pub(super) const CLUSTER_WIDTH: usize = 4;

@@ -13,10 +13,10 @@ use crate::refine::probe::probe;
 use crate::refine::{Worker, draw};
 use crate::scene::Scene;
 
-/// The memory that the threads share while they render a frame, of fixed size: at most 850,000 bytes, see [`Memory::BYTES`].
+/// The memory that the threads share while they render a frame, of fixed size: [`Memory::BYTES`].
 ///
-/// So `Box::new(Memory::new())` works on the stack of a thread, which it passes over on its way; it may live in a `static` as
-/// well, which takes no room in a program's file.
+/// It is too large for the stack of a thread. With the feature `std` a [`Renderer`](crate::Renderer) has it on the heap; without,
+/// it is a `static` of the caller, which takes no room in a program's file.
 pub struct Memory {
     prepared: Prepared,
     seams: Seams,
@@ -27,10 +27,10 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// How large it is, in bytes: the same for pictures of any size.
+    /// Its size in bytes, at most 850,000: the same for pictures of any size.
     pub const BYTES: usize = size_of::<Self>();
 
-    /// Empty memory.
+    /// Returns empty memory.
     #[must_use]
     pub const fn new() -> Self {
         // Put together by the compiler: unoptimised code would make each part on the stack first.
@@ -122,3 +122,5 @@ impl Default for Memory {
         Self::new()
     }
 }
+
+const _: () = assert!(Memory::BYTES <= 850_000 && Memory::BYTES + 16 * Worker::BYTES < 8 << 20);

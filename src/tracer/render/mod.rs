@@ -1,5 +1,7 @@
 //! One frame: bands of the picture, drawn by one thread or several.
 
+#[cfg(feature = "std")]
+mod boxed;
 mod error;
 mod memory;
 mod schedule;
@@ -7,6 +9,8 @@ mod schedule;
 mod scoped;
 mod threads;
 
+#[cfg(feature = "std")]
+pub use boxed::BoxedMemory;
 pub use error::Error;
 pub use memory::Memory;
 #[cfg(feature = "std")]
@@ -59,17 +63,17 @@ impl Frame<'_> {
 
 /// Renders frames.
 ///
-/// It owns its [`Memory`], or borrows it from whoever made it by [`Renderer::with_memory`]: a `Box<Memory>` keeps it off the
-/// stack, a `&'static mut Memory` needs no allocator.
+/// With the feature `std` it has its [`Memory`] on the heap. Without, it borrows a `&'static mut Memory` by
+/// [`Renderer::with_memory`].
 ///
 /// ```
 /// use eightfold_tracer::scene::Scene;
-/// use eightfold_tracer::{Frame, Level, Quality, Renderer, Worker};
+/// use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 ///
 /// let mut pixels = [0; 64 * 48];
 /// let frame = Frame::new(64, 48, &mut pixels);
-/// let mut renderer = Renderer::new(Level::baseline());
-/// let counts = renderer.render(&Scene::default(), &Quality::DEFAULT, frame, &mut Worker::new())?;
+/// let threads = &mut ScopedThreads::of(1);
+/// let counts = Renderer::detect().render(&Scene::default(), &Quality::DEFAULT, frame, threads)?;
 /// assert!(counts.points < 64 * 48, "most pixels need no ray");
 /// # Ok::<(), eightfold_tracer::Error>(())
 /// ```
@@ -82,7 +86,7 @@ impl Frame<'_> {
 /// ```
 /// # use eightfold_tracer::glam::{Vec3A, vec3a};
 /// # use eightfold_tracer::scene::{Light, List, Material, Scene, Sphere};
-/// use eightfold_tracer::{Frame, Level, Probes, Quality, Renderer, Worker};
+/// use eightfold_tracer::{Frame, Probes, Quality, Renderer, ScopedThreads};
 ///
 /// # let material = Material { colour: Vec3A::ONE, kd: 0.8, ..Material::BLACK };
 /// # let sphere = |x| Sphere { centre: vec3a(x, 0.0, 0.0), radius: 0.3, material };
@@ -93,12 +97,12 @@ impl Frame<'_> {
 ///     ..Scene::default()
 /// };
 /// let mut pixels = [0; 160 * 120];
-/// let mut renderer = Renderer::new(Level::baseline());
+/// let (mut renderer, mut threads) = (Renderer::detect(), ScopedThreads::new());
 /// let mut probes = Probes::NONE;
 /// for number in 0..30 {
 ///     scene.camera.eye.x = number as f32 / 60.0;
-///     let frame = Frame::new(160, 120, &mut pixels).with_probes(Renderer::PROBES, number);
-///     probes += renderer.render(&scene, &Quality::DEFAULT, frame, &mut Worker::new())?.probes;
+///     let frame = Frame::new(160, 120, &mut pixels).with_probes(Frame::PROBES, number);
+///     probes += renderer.render(&scene, &Quality::DEFAULT, frame, &mut threads)?.probes;
 /// }
 /// println!("{:.1} dB (±{:.1})", probes.psnr(), probes.margin());
 /// assert!(probes.psnr() > 30.0 && probes.margin() < 3.0);
@@ -109,29 +113,24 @@ impl Frame<'_> {
 ///
 /// Its pictures depend on the scene, the quality, the size, the offset and the instruction set alone: the same bits by any
 /// number of threads, whatever it has rendered before.
-pub struct Renderer<M = Memory> {
+pub struct Renderer<#[cfg(feature = "std")] M = BoxedMemory, #[cfg(not(feature = "std"))] M> {
     isa: Level,
     kernel: Kernel,
     memory: M,
 }
 
+#[cfg(feature = "std")]
 impl Renderer {
-    /// A number of probes that takes less than 1 % of a default frame of 1024x768: of its instructions by AVX2, as callgrind counts
-    /// them for four frames with probes and without, 0.8 % in the model scene, 0.6 and 0.3 % in the show at 20 and at 76 s. An
-    /// antialiased probe takes nine points, and they are far from each other.
-    pub const PROBES: u16 = 80;
-
     /// A renderer by an instruction set, with memory of its own: [`Memory::BYTES`] bytes.
     ///
     /// [`Level::baseline`] is what every processor has that the program is compiled for. [`Renderer::detect`], with the feature `std`,
     /// finds the best that this one has.
     #[must_use]
     pub fn new(level: Level) -> Self {
-        Self::with_memory(level, Memory::new())
+        Self::with_memory(level, BoxedMemory::new())
     }
 
     /// A renderer by the best instruction set that this processor has, with memory of its own.
-    #[cfg(feature = "std")]
     #[must_use]
     pub fn detect() -> Self {
         Self::new(Level::new())

@@ -39,9 +39,8 @@ impl ScopedThreads {
     /// So many threads, the caller's included; 0 counts as 1.
     #[must_use]
     pub fn of(count: usize) -> Self {
-        let workers = from_fn(|| Some(Worker::new()));
         Self {
-            workers: workers.take(count.max(1)).collect(),
+            workers: Worker::several(count.max(1)),
         }
     }
 

@@ -1,0 +1,36 @@
+//! Memory on the heap.
+
+use super::memory::Memory;
+use core::borrow::{Borrow, BorrowMut};
+use std::boxed::Box;
+use std::vec;
+
+/// A [`Memory`] on the heap. No part of it is ever on the stack, not even in unoptimised programs.
+pub struct BoxedMemory(Box<[Memory]>);
+
+impl BoxedMemory {
+    /// Allocates empty memory.
+    #[must_use]
+    pub fn new() -> Self {
+        // Unoptimised, `Box::new` and `Box::default` copy a value from the stack. This macro writes a constant in place.
+        Self(vec![const { Memory::new() }].into_boxed_slice())
+    }
+}
+
+impl Default for BoxedMemory {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Borrow<Memory> for BoxedMemory {
+    fn borrow(&self) -> &Memory {
+        &self.0[0]
+    }
+}
+
+impl BorrowMut<Memory> for BoxedMemory {
+    fn borrow_mut(&mut self) -> &mut Memory {
+        &mut self.0[0]
+    }
+}
