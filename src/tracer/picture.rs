@@ -1,6 +1,7 @@
 //! The picture: where it goes, and its parts, the bands of it that threads draw, and which blocks of these may have edges.
 
 use crate::counts::Counts;
+use crate::quality::Quality;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::ops::Range;
 use glam::{Vec2, vec2};
@@ -88,17 +89,14 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// The largest width of a tile in pixels; it has as many whole squares as fit. A row of a level's bits is then eight words, and the
-/// samples of its points stay in a core's own cache.
+/// The width of a tile in pixels. A row of a level's bits is then eight words, and the samples of its points stay in a core's own
+/// cache.
 pub(crate) const TILE_WIDTH: usize = 512;
-/// The height of the tallest tile in pixels: that of the largest square.
-pub(crate) const TILE_HEIGHT: usize = 32;
+/// The height of a tile and of a band in pixels: the side of the largest square. The picture's last band may have fewer rows.
+pub(crate) const TILE_HEIGHT: usize = Quality::MAX_SQUARE;
 
 /// Bands of the tallest picture.
-pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(FEWEST_ROWS);
-
-/// Rows of the lowest band: of one square whose side is more than half the tallest tile.
-const FEWEST_ROWS: usize = TILE_HEIGHT / 2 + 1;
+pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(TILE_HEIGHT);
 
 /// The side of a block in pixels.
 pub(crate) const BLOCK: usize = TILE_WIDTH / u64::BITS as usize;
@@ -172,8 +170,6 @@ pub(crate) struct Picture<'a> {
     pub stride: usize,
     /// From the first pixel to the last one.
     pub pixels: &'a mut [u32],
-    /// Rows of a band; the last one may have fewer.
-    pub rows: usize,
     /// Of each band, which of its blocks are rough.
     pub rough: &'a mut [Rough; MAX_BANDS],
 }
@@ -181,17 +177,13 @@ pub(crate) struct Picture<'a> {
 impl Picture<'_> {
     /// Its bands, from the top.
     pub fn bands(&mut self) -> impl ExactSizeIterator<Item = Band<'_>> {
-        let &mut Self {
-            width,
-            stride,
-            rows,
-            ..
-        } = self;
-        let parts = self.pixels.chunks_mut(rows * stride).zip(&mut *self.rough);
+        let &mut Self { width, stride, .. } = self;
+        let parts = self.pixels.chunks_mut(TILE_HEIGHT * stride);
+        let parts = parts.zip(&mut *self.rough);
         parts
             .enumerate()
             .map(move |(number, (pixels, rough))| Band {
-                top: number * rows,
+                top: number * TILE_HEIGHT,
                 width,
                 stride,
                 pixels,

@@ -1,6 +1,6 @@
 //! The common ground of a frame's phases: how it is drawn, what it shows, and who listens.
 
-use crate::picture::{Frame, Probing, TILE_HEIGHT};
+use crate::picture::{Frame, Probing};
 use crate::prepare::{self, VisibleGroups, World};
 use crate::quality::Quality;
 use crate::scene::camera::pixels;
@@ -86,11 +86,6 @@ impl FramePlan {
             probing: frame.probing,
         }
     }
-
-    /// Rows of a band, as many as whole squares fit into the tallest tile; the last one of a picture may have fewer.
-    pub fn band_rows(&self) -> usize {
-        TILE_HEIGHT / self.quality.square * self.quality.square
-    }
 }
 
 /// The context that all phases of a frame work in.
@@ -117,5 +112,3 @@ impl<O> Context<'_, O> {
         (self.plan.kernel)(&tracer, seen, batch);
     }
 }
-
-const _: () = assert!(TILE_HEIGHT == Quality::MAX_SQUARE);

@@ -11,9 +11,8 @@ use crate::flaw::{Checked, Flaw};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Quality {
-    /// The side of the largest squares in pixels, 1 to [`Quality::MAX_SQUARE`]. With 1 every pixel is traced. A square with an
-    /// even side is split into four, a square with an odd side into pixels: one of 12 into squares of 6, these into squares of 3,
-    /// and these into pixels. Powers of two are filled fastest.
+    /// The side of the largest squares in pixels: a power of two up to [`Quality::MAX_SQUARE`]. A square is split into four. With 1
+    /// every pixel is traced.
     pub square: usize,
     /// The tolerance for corners whose keys agree, 0 to infinity.
     pub tolerance_agreeing: f32,
@@ -167,8 +166,8 @@ impl Quality {
     /// The first one that is not.
     pub fn validate(&self) -> Result<(), Flaw> {
         let quality = Checked::one("quality");
-        let is_square = (1..=Self::MAX_SQUARE).contains(&self.square);
-        quality.field("square", self.square, "1 to 32", is_square)?;
+        let sides = "1, 2, 4, 8, 16 or 32";
+        quality.field("square", self.square, sides, self.is_square_drawable())?;
         let tolerance = |name, tolerance: f32| {
             quality.field(name, tolerance, "0 to infinity", tolerance >= 0.0)
         };
@@ -184,17 +183,17 @@ impl Quality {
 
     /// Whether the working memory has room for what it asks for. A tolerance out of its range is as good as some other one.
     pub(crate) fn is_drawable(&self) -> bool {
-        (1..=Self::MAX_SQUARE).contains(&self.square) && self.depth <= Self::MAX_DEPTH
+        self.is_square_drawable() && self.depth <= Self::MAX_DEPTH
     }
 
-    /// The side, in pixels, of the smallest squares that are larger than a pixel: the odd factor of `square`, or 2 if that is 1.
-    pub(crate) fn least_square(&self) -> usize {
-        (self.square >> self.square.trailing_zeros()).max(2)
+    /// Whether [`Quality::square`] is in its range.
+    fn is_square_drawable(&self) -> bool {
+        self.square.is_power_of_two() && self.square <= Self::MAX_SQUARE
     }
 
-    /// The level of the largest squares. Pixels have level 0, the smallest squares level 1.
+    /// The level of the largest squares: squares of level `n` have `1 << n` pixels a side.
     pub(crate) fn top_level(&self) -> usize {
-        (self.square / self.least_square()).ilog2() as usize + 1
+        self.square.trailing_zeros() as usize
     }
 
     /// Whether keys have to be computed.

@@ -5,7 +5,7 @@ use crate::error::{Difference, worst_channel};
 use crate::generator::near::seeds;
 use crate::generator::seeded::scene;
 use eightfold::show;
-use eightfold_oracle::squares::largest;
+use eightfold_oracle::squares::TILE;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Mat3A, Vec3A, vec3a};
 use eightfold_tracer::scene::{Block, Material, Scene, Shape};
@@ -100,7 +100,7 @@ fn the_point_between_two_pixels_is_traced_wherever_they_differ() {
     for (seed, mut random) in seeds(120).enumerate() {
         let scene = scene(&mut random);
         let quality = Quality {
-            square: [8, 8, 8, 4, 16, 17][random.below(6)],
+            square: [8, 8, 8, 4, 16, 32][random.below(6)],
             tolerance_agreeing: [7.5, 140.0, 180.0, 250.0, f32::INFINITY][random.below(5)],
             tolerance_differing: [0.0, 30.0, 140.0, 250.0][random.below(4)],
             ..Quality::DEFAULT
@@ -109,8 +109,8 @@ fn the_point_between_two_pixels_is_traced_wherever_they_differ() {
         let [plain, smooth] = [false, true]
             .map(|antialias| draw_best(&scene, &with(antialias, quality), width, height));
         let is_edge = |i: usize, j: usize| worst_channel(plain.pixels[i], plain.pixels[j]) >= 20;
-        // Points between two bands, of whole squares in at most 32 rows, and between two stretches of 64 columns are traced for each.
-        let band = width * (32 - 32 % largest(&scene, &quality));
+        // Points between two bands, and between two stretches of 64 columns are traced for each.
+        let band = width * TILE[1];
         let points = (0..width * height).map(|i| {
             let right = i % width + 1 < width && is_edge(i, i + 1);
             let below = i + width < width * height && is_edge(i, i + width);

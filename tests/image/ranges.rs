@@ -123,7 +123,7 @@ fn strides_that_do_not_fit_are_refused() {
 #[test]
 fn qualities_out_of_range_are_refused() {
     let thesis = Quality::THESIS;
-    let squares = [0, Quality::MAX_SQUARE + 1, usize::MAX];
+    let squares = [0, 3, 12, 2 * Quality::MAX_SQUARE, usize::MAX];
     let squares = squares.map(|square| Quality { square, ..thesis });
     let depths = [Quality::MAX_DEPTH + 1, u32::MAX];
     let depths = depths.map(|depth| Quality { depth, ..thesis });
@@ -133,11 +133,12 @@ fn qualities_out_of_range_are_refused() {
         assert!(panics(*quality, (64, 48), 64 * 48), "{quality:?}");
     }
     let quality = Quality {
-        square: 33,
+        square: 12,
         ..thesis
     };
     let error = quality.validate().unwrap_err();
-    assert_eq!(error.to_string(), "quality.square is 33, and takes 1 to 32");
+    let text = "quality.square is 12, and takes 1, 2, 4, 8, 16 or 32";
+    assert_eq!(error.to_string(), text);
     let quality = Quality {
         tolerance_side: f32::NAN,
         ..thesis

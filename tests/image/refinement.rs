@@ -155,7 +155,7 @@ fn what_corners_compare_follows_the_quality() {
 #[test]
 fn squares_of_every_side_follow_the_rules() {
     let scene = show::model_scene(1.0);
-    for square in 1..=Quality::MAX_SQUARE {
+    for square in [1, 2, 4, 8, 16, 32] {
         for rules in [Quality::THESIS, Quality::DEFAULT] {
             let quality = Quality {
                 square,
@@ -171,7 +171,7 @@ fn a_point_has_the_same_bits_whatever_is_traced_beside_it() {
     for (name, scene) in scenes() {
         for isa in cpu::instruction_sets() {
             let exhaustive = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, 331, 217);
-            for square in [2, 3, 4, 5, 8, 12, 16, 17, 32] {
+            for square in [2, 4, 8, 16, 32] {
                 let quality = Quality {
                     square,
                     ..Quality::THESIS
@@ -195,7 +195,6 @@ fn a_point_has_the_same_bits_whatever_is_traced_beside_it() {
 /// The most points of a picture by squares of a side: those on the border between two tiles are traced by both.
 pub fn most_points(square: usize, width: usize, height: usize) -> usize {
     let corners = |side: usize, tile: usize| -> usize {
-        let tile = tile / square * square;
         let parts = (0..side).step_by(tile);
         parts
             .map(|start| (side - start).min(tile).next_multiple_of(square) + 1)
@@ -214,7 +213,7 @@ fn no_point_is_traced_twice_even_where_every_square_splits() {
     let mut scene = show::field(320, 0.0);
     scene.camera = Camera::new(vec3a(0.0, 14.0, 0.1), Vec3A::ZERO, 0.13);
     let (width, height) = (700, 70);
-    for square in [1, 2, 3, 4, 5, 8, 12, 16, 17, 32] {
+    for square in [1, 2, 4, 8, 16, 32] {
         let quality = Quality {
             square,
             tolerance_agreeing: 0.0,

@@ -9,7 +9,7 @@ use eightfold_oracle::frame::Frame;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Band, Job, Memory, Quality, Renderer, Threads, Worker};
 
-const QUALITIES: [Quality; 8] = [
+const QUALITIES: [Quality; 7] = [
     Quality::EXHAUSTIVE,
     Quality {
         antialias: true,
@@ -17,10 +17,9 @@ const QUALITIES: [Quality; 8] = [
     },
     Quality::THESIS,
     Quality::DEFAULT,
-    of_side(3),
-    of_side(5),
-    of_side(12),
-    of_side(17),
+    of_side(2),
+    of_side(16),
+    of_side(32),
 ];
 
 /// The default quality with squares of another side.

@@ -6,8 +6,7 @@ use eightfold_tracer::scene::{Film, Material, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 
-/// The largest width and height of a tile in pixels. A tile has as many whole squares as fit in. Points on the border between two
-/// tiles are traced by both.
+/// The width and the height of a tile in pixels. Points on the border between two tiles are traced by both.
 pub const TILE: [usize; 2] = [512, 32];
 
 /// Squares that are not filled: where they begin, and their side.
@@ -77,7 +76,7 @@ impl<'a> Squares<'a> {
             colours: vec![DVec3::ZERO; width * height],
         };
         let square = largest(scene, quality);
-        let [tile_width, tile_height] = TILE.map(|side| side / square * square);
+        let [tile_width, tile_height] = TILE;
         for top in (0..height).step_by(tile_height) {
             for left in (0..width).step_by(tile_width) {
                 let mut all = Vec::new();
@@ -199,29 +198,23 @@ impl<'a> Squares<'a> {
 
     /// Draws the parts of a square.
     fn split(&mut self, x: usize, y: usize, side: usize) {
-        if side % 2 == 1 {
-            for i in 0..side * side {
-                self.check(x + i % side, y + i / side, 1);
+        let half = side / 2;
+        let [a, b, c, d] = self.corners(x, y, side);
+        for ((u, v), p, q) in [
+            ((half, 0), a, b),
+            ((0, half), a, c),
+            ((side, half), b, d),
+            ((half, side), c, d),
+        ] {
+            if (p.key == q.key || !self.has_keys())
+                && spread(&[p, q, p, q]) <= self.allowed_side(side)
+            {
+                let colour = (shown(p) + shown(q)) / 2.0;
+                self.averaged.insert((x + u, y + v), Traced { colour, ..p });
             }
-        } else {
-            let half = side / 2;
-            let [a, b, c, d] = self.corners(x, y, side);
-            for ((u, v), p, q) in [
-                ((half, 0), a, b),
-                ((0, half), a, c),
-                ((side, half), b, d),
-                ((half, side), c, d),
-            ] {
-                if (p.key == q.key || !self.has_keys())
-                    && spread(&[p, q, p, q]) <= self.allowed_side(side)
-                {
-                    let colour = (shown(p) + shown(q)) / 2.0;
-                    self.averaged.insert((x + u, y + v), Traced { colour, ..p });
-                }
-            }
-            for (u, v) in [(0, 0), (half, 0), (0, half), (half, half)] {
-                self.check(x + u, y + v, half);
-            }
+        }
+        for (u, v) in [(0, 0), (half, 0), (0, half), (half, half)] {
+            self.check(x + u, y + v, half);
         }
     }
 

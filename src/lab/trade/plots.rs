@@ -164,7 +164,7 @@ fn squares(trade: &Trade) -> Chart {
     Chart {
         title: "Error and speed by the side of the squares".to_owned(),
         note: format!(
-            "{}; the numbers are speed-ups over exhaustive frames; squares whose side is no power of two are filled pixel by pixel",
+            "{}; the numbers are speed-ups over exhaustive frames",
             note(trade)
         ),
         x: Axis::log(

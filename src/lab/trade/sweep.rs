@@ -4,8 +4,8 @@ use crate::arguments::{NamedQuality, distinct};
 use crate::way::Way;
 use eightfold_tracer::Quality;
 
-/// Sides of squares: powers of two, some between them, and 17, whose squares are split directly into pixels.
-const SQUARES: [usize; 13] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 17, 20, 24, 32];
+/// Sides of squares.
+const SQUARES: [usize; 6] = [1, 2, 4, 8, 16, 32];
 /// Tolerances around the default of 7.
 const TOLERANCES: [f32; 11] = [1.0, 2.0, 3.0, 4.0, 5.5, 9.0, 14.0, 18.0, 26.0, 40.0, 64.0];
 /// Tolerances for agreeing and for differing keys.

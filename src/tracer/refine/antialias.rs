@@ -27,7 +27,9 @@ use super::worker::{STRETCH, Worker};
 use crate::MAX_WIDTH;
 use crate::lanes::*;
 use crate::observe::Observer;
-use crate::picture::{BLOCK, Band, MAX_BANDS, Picture, RoughRow, TILE_HEIGHT, TILE_WIDTH};
+use crate::picture::{
+    BLOCK, BLOCK_ROWS, Band, MAX_BANDS, Picture, RoughRow, TILE_HEIGHT, TILE_WIDTH,
+};
 use crate::plan::Context;
 use crate::prepare::rectangle;
 use crate::trace::{BATCH, PARTS, STEP, Sample};
@@ -65,15 +67,14 @@ impl Seams {
         let &Picture {
             stride,
             ref pixels,
-            rows,
             ref rough,
             ..
         } = picture;
         // The last band has none below it.
-        let ends = (rows * stride..pixels.len()).step_by(rows * stride);
+        let ends = (TILE_HEIGHT * stride..pixels.len()).step_by(TILE_HEIGHT * stride);
         for (number, end) in ends.enumerate() {
             let (above, below) = (&pixels[end - stride..], &pixels[end..]);
-            let rough = [&rough[number][(rows - 1) / BLOCK], &rough[number + 1][0]];
+            let rough = [&rough[number][BLOCK_ROWS - 1], &rough[number + 1][0]];
             let words = finished.div_ceil(STRETCH);
             for (word, marks) in self.0[number][..words].iter_mut().enumerate() {
                 let stretch = stretch(word, finished);
@@ -90,7 +91,7 @@ impl Seams {
         worker: &mut Worker,
         band: &mut Band<'_>,
     ) {
-        let number = band.top / context.plan.band_rows();
+        let number = band.top / TILE_HEIGHT;
         let is_last = band.top + band.height() == context.plan.size[1];
         let borders = Borders {
             above: number.checked_sub(1).map(|above| &self.0[above]),

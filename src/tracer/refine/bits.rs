@@ -29,18 +29,6 @@ impl Bits {
         bits
     }
 
-    /// The bits of a divisor's multiples.
-    #[inline(always)]
-    pub fn multiples(divisor: usize) -> Self {
-        if divisor == 2 {
-            Self::EVEN
-        } else {
-            let mut bits = Self::NONE;
-            (0..TILE_WIDTH).step_by(divisor).for_each(|i| bits.set(i));
-            bits
-        }
-    }
-
     /// Sets a bit.
     #[inline(always)]
     pub fn set(&mut self, i: usize) {
@@ -77,39 +65,13 @@ impl Bits {
         bits
     }
 
-    /// The parts of some squares: for each bit so many, in a row of squares that are narrower by as much.
-    #[inline(never)]
-    pub fn parts(self, count: usize) -> Self {
-        if count == 2 {
-            self.halves()
-        } else {
-            self.many_parts(count)
-        }
-    }
-
-    /// Each bit twice.
+    /// Each bit twice: of squares, their halves in a row of the level below.
     #[inline(always)]
-    fn halves(self) -> Self {
+    pub fn halves(self) -> Self {
         let mut bits = Self::NONE;
         for (to, &word) in bits.0.as_chunks_mut::<2>().0.iter_mut().zip(&self.0) {
             *to = [word & 0xffff_ffff, word >> 32].map(|half| 3 * spread(half));
         }
-        bits
-    }
-
-    /// Each bit so many times.
-    #[inline(always)]
-    fn many_parts(self, count: usize) -> Self {
-        let mut bits = Self::NONE;
-        let parts: u64 = (1 << count) - 1;
-        self.for_each(|i| {
-            let (word, shift) = (count * i / 64, count * i % 64);
-            bits.0[word] |= parts << shift;
-            // Those beyond the word, if any: all are shifted out by 64.
-            if let Some(next) = bits.0.get_mut(word + 1) {
-                *next |= parts >> 1 >> (63 - shift);
-            }
-        });
         bits
     }
 

@@ -24,7 +24,7 @@ pub(crate) fn draw<O: Observer>(
     let width = if square == 1 {
         BATCH / TILE_HEIGHT
     } else {
-        TILE_WIDTH / square * square
+        TILE_WIDTH
     };
     for left in (0..band.width).step_by(width) {
         // Place the next tile.
@@ -34,7 +34,6 @@ pub(crate) fn draw<O: Observer>(
             right: band.width.min(left + width),
             bottom: band.top + height,
             picture: plan.size,
-            least: plan.quality.least_square(),
         };
         let rect = world.axes.rect(rectangle(
             area.left,

@@ -22,8 +22,8 @@ pub(super) struct Run<'a> {
     /// Where square number 0 begins.
     pub x: usize,
     pub y: usize,
-    /// Their side, a power of two and at least 2.
-    pub side: usize,
+    /// Their level, at least 1.
+    pub level: usize,
     /// The samples along their upper and along their lower sides.
     pub above: &'a [u64],
     pub below: &'a [u64],
@@ -45,9 +45,9 @@ impl Canvas<'_> {
 
     /// Fills squares as far as they are in the picture.
     pub fn fill(&mut self, isa: Level, run: &Run<'_>) {
-        by_isa!(isa, simd => match run.side {
-            2 => self.fill_by::<_, 1>(simd, run),
-            4 => self.fill_by::<_, 2>(simd, run),
+        by_isa!(isa, simd => match run.level {
+            1 => self.fill_by::<_, 1>(simd, run),
+            2 => self.fill_by::<_, 2>(simd, run),
             _ => self.fill_by::<_, 3>(simd, run),
         });
     }
@@ -55,8 +55,11 @@ impl Canvas<'_> {
     /// Fills squares of `1 << LOG` pixels a side, or larger ones by parts of that size.
     #[inline(always)]
     fn fill_by<S: Simd, const LOG: u32>(&mut self, simd: S, run: &Run<'_>) {
-        let log = run.side.ilog2();
-        let parts = if LOG < 3 { 1 } else { 1 << (log - LOG) };
+        let parts = if LOG < 3 {
+            1
+        } else {
+            1 << (run.level as u32 - LOG)
+        };
         let mut aside = [0; MAX_PIXELS];
         run.filled.for_each(
             #[inline(always)]
@@ -66,7 +69,7 @@ impl Canvas<'_> {
                 if run.flat.has(i) {
                     corners = [corners[0]; 4];
                 }
-                let (x, y) = (run.x + (i << log), run.y);
+                let (x, y) = (run.x + (i << run.level), run.y);
                 for part in 0..parts * parts {
                     let [i, j] = [part % parts, part / parts];
                     let corners = part_corners(corners, [i, j], parts);

@@ -195,7 +195,7 @@ pub(super) struct Grid<'a> {
 
 impl<'a> Grid<'a> {
     pub fn new(world: World<'a>, area: &'a Area, pyramid: &'a Pyramid, level: usize) -> Self {
-        let side = area.side(level);
+        let side = 1 << level;
         Self {
             world,
             area,

@@ -54,7 +54,7 @@ impl<O: Observer> Tile<'_, O> {
     fn marks(&self, y: usize) -> [u8; TILE_WIDTH] {
         let mut row = [0; TILE_WIDTH];
         for level in 0..=self.context.plan.quality.top_level() {
-            let side = self.area.side(level);
+            let side = 1 << level;
             let is_upper = y.is_multiple_of(side);
             if level > 0 {
                 self.worker.marks.filled[level][y / side].for_each(|x| {

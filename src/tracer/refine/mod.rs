@@ -1,10 +1,8 @@
 //! Which points of the picture are traced, and what becomes of the rest.
 //!
-//! Threads share the picture by bands of rows (see [`Band`](crate::Band)). A band is drawn a *tile* after the other, 512 pixels wide or as
-//! many as whole squares fill of these, and a tile by *levels*: squares of 8 pixels, then of 4, of 2, and single pixels. Squares
-//! of any other side are halved as long as their side is even, and then split into pixels: those of 12 have levels of 12, 6, 3
-//! and 1. A level is a grid of points, the corners of its squares, and a bit for each square and each point. These are its steps,
-//! each a pass over rows:
+//! Threads share the picture by bands of rows (see [`Band`](crate::Band)). A band is drawn a *tile* after the other, 512 pixels wide or
+//! fewer at the right, and a tile by *levels*: squares of 8 pixels, then of 4, of 2, and single pixels. A level is a grid of points,
+//! the corners of its squares, and a bit for each square and each point. These are its steps, each a pass over rows:
 //!
 //! ```text
 //!   squares of 8         which points?        verdict                 parts of 4           which points?
@@ -24,10 +22,8 @@
 //!    left open.
 //! 3. *Verdict* (`verdict`): the least and the greatest of each channel at the four corners of squares side by side, in vector
 //!    registers; their keys; a bit for each square that is not open and passes the [`Quality`](crate::Quality)'s rules.
-//! 4. *Fill* (`fill`): those squares are painted with colours between their corners', eight pixels at once; where their side is
-//!    no power of two, one at a time.
-//! 5. *Split*: the bits of all others, each twice in two rows, are the squares of the level below; where that has pixels, each as
-//!    often as the side is long. Only middles of halved sides are averaged.
+//! 4. *Fill* (`fill`): those squares are painted with colours between their corners', eight pixels at once.
+//! 5. *Split*: the bits of all others, each twice in two rows, are the squares of the level below.
 //!
 //! So no point of a tile is traced twice, by construction. Tiles know nothing of each other: points that two share are traced
 //! by both, with the same bits. Of the model scene at 1024x768 that is 8 % of all points, and with bands half as high it would be

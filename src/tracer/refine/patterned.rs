@@ -1,5 +1,4 @@
-//! Squares that are filled by light, a pixel at a time: those of one object with a pattern, where the light is interpolated and
-//! the pattern is seen at every pixel, and those whose side is no power of two.
+//! Squares of one object with a pattern: the light is interpolated, and the pattern is evaluated at every pixel.
 //!
 //! A traced point shows `rest + share * untextured` (see [`Layers`]). Both layers are interpolated, and the share is what the pattern
 //! leaves where the pixel's own ray meets the object, which is known. So edges of a pattern stay as sharp as traced, wherever
@@ -7,19 +6,16 @@
 
 use super::pyramid::Pyramid;
 use super::tile::Tile;
-use super::verdict::Verdict;
 use crate::lanes::*;
 use crate::observe::Observer;
 use crate::prepare::{Four, ObjectId};
-use crate::trace::{Layers, STEP, Sample, SeenPattern};
+use crate::trace::{Layers, STEP, SeenPattern};
 use fearless_simd::{f32x4, i16x8, i32x4, u16x8, u32x4};
-use glam::Vec3A;
 
 impl<O: Observer> Tile<'_, O> {
     /// Fills the square (x, y) of a level, whose corners all show one object with a pattern, unless their layers are too far
     /// apart; says whether they are not.
     pub(super) fn fill_pattern(&mut self, level: usize, [x, y]: [usize; 2], agree: bool) -> bool {
-        let side = self.area.side(level);
         let pyramid = &self.worker.pyramid;
         let indices = Pyramid::corner_indices(level, x, y);
         let corners = indices.map(|index| pyramid.layers(index));
@@ -33,39 +29,28 @@ impl<O: Observer> Tile<'_, O> {
             return false;
         }
         let corner = pyramid.sample(indices[0]);
-        self.interpolate(level, [x, y], corners, corner.object());
-        // The corner as it was traced, to the last bit.
-        let (left, top) = (self.area.left + x * side, y * side);
-        self.put(left, top, corner);
+        if let Some(object) = corner.object() {
+            let (left, top) = (self.area.left + (x << level), y << level);
+            self.interpolate(1 << level, [left, top], corners, object);
+            // The corner as it was traced, to the last bit.
+            self.put(left, top, corner);
+        }
         true
     }
 
-    /// Fills the squares of a row that passed the verdict, whatever their side is.
-    pub(super) fn fill_any(&mut self, level: usize, y: usize, verdict: &Verdict) {
-        verdict.filled.for_each(|x| {
-            let mut corners = self.worker.pyramid.corners(level, x, y);
-            if verdict.flat.has(x) {
-                corners = [corners[0]; 4];
-            }
-            self.interpolate(level, [x, y], corners.map(Layers::of), None);
-        });
-    }
-
-    /// Interpolates the corners' layers along both sides of the square (x, y) of a level, as far as it is in the picture. Where
-    /// an object is given, its pattern is seen at every pixel.
+    /// Interpolates the corners' layers along both sides of the square at (left, top) of the canvas, as far as it is in the picture, and
+    /// evaluates the object's pattern at every pixel.
     #[inline(never)]
     fn interpolate(
         &mut self,
-        level: usize,
-        [x, y]: [usize; 2],
+        side: usize,
+        [left, top]: [usize; 2],
         [a, b, c, d]: [Layers; 4],
-        object: Option<ObjectId>,
+        object: ObjectId,
     ) {
         let simd = baseline();
         let world = self.context.world;
         let film = &world.film;
-        let side = self.area.side(level);
-        let (left, top) = (self.area.left + x * side, y * side);
         let (right, bottom) = (
             self.canvas.width.min(left + side),
             self.canvas.height.min(top + side),
@@ -73,7 +58,7 @@ impl<O: Observer> Tile<'_, O> {
         let part = 1.0 / side as f32;
         let (mut first, mut step) = (a, (b - a) * part);
         let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
-        let pattern = object.map(|object| SeenPattern::new(world, object));
+        let pattern = SeenPattern::new(world, object);
         let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
         for y in top..bottom {
             let row = y * self.canvas.stride;
@@ -83,17 +68,13 @@ impl<O: Observer> Tile<'_, O> {
             let mut now = first;
             for (x, pixels) in (left..).step_by(4).zip(row.chunks_mut(4)) {
                 let at = [x as f32 + columns, splat(simd, y as f32)];
-                let shares = match &pattern {
-                    Some(pattern) => pattern.at(at).into(),
-                    None => [0.0; 4],
-                };
+                let shares: [f32; 4] = pattern.at(at).into();
                 let mut four = shares.map(|share| {
                     let light = now.rest + now.untextured * share;
                     now = now + step;
                     light.extend(0.0).to_array().simd_into(simd)
                 });
-                // Samples are exposed, layers are not.
-                if pattern.is_some() && !film.is_plain {
+                if !film.is_plain {
                     film.expose(simd, &mut four, at);
                 }
                 let four = rounded(simd, four, thresholds);
@@ -111,17 +92,6 @@ impl<O: Observer> Tile<'_, O> {
 /// The most that a number of the corners' layers spans, in output steps.
 fn span(&[a, b, c, d]: &[Layers; 4]) -> f32 {
     (a.max(b).max(c.max(d)) - a.min(b).min(c.min(d))).most()
-}
-
-impl Layers {
-    /// A sample's colour, without a pattern.
-    fn of(sample: Sample) -> Self {
-        let channel = |shift: u32| (sample.0 >> shift & 0xffff) as f32 / STEP as f32;
-        Self {
-            rest: Vec3A::new(channel(0), channel(16), channel(32)),
-            untextured: Vec3A::ZERO,
-        }
-    }
 }
 
 /// The pixels of four colours in output steps, of which the fraction is cut off after a threshold has been added: words of 128ths.

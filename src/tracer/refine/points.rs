@@ -7,9 +7,7 @@ use super::verdict::Limit;
 use super::worker::{CLUSTER_HEIGHT, CLUSTER_WIDTH, Worker};
 use crate::counts::Counts;
 use crate::observe::Observer;
-use crate::picture::TILE_WIDTH;
 use crate::plan::Context;
-use crate::quality::Quality;
 use crate::trace::BATCH;
 use core::array;
 
@@ -22,21 +20,19 @@ impl<O: Observer> Tile<'_, O> {
         let quality = &self.context.plan.quality;
         let squares = self.area.rows(level);
         let rows = squares + usize::from(level > 0);
-        let parts = self.area.parts(level);
         let limit = Limit::new(quality.tolerance_side * self.growth(level + 1));
-        let known_columns = Bits::multiples(parts);
         for y in 0..rows {
             let marks = &self.worker.marks;
             let mut points = corners(&marks.squares[level], level, y, squares);
             if !is_first && !points.is_empty() {
-                let known = if y.is_multiple_of(parts) {
-                    known_columns
+                let known = if y.is_multiple_of(2) {
+                    Bits::EVEN
                 } else {
                     Bits::NONE
                 };
                 self.take_over(level, y, points & known);
                 points = points & !known;
-                if parts == 2 && quality.tolerance_side > 0.0 {
+                if quality.tolerance_side > 0.0 {
                     let open = &self.worker.marks.open[level];
                     let middles = points & !corners(open, level, y, squares);
                     points = points & !self.average(level, y, middles, limit);
@@ -79,32 +75,35 @@ impl<O: Observer> Tile<'_, O> {
         if self.worker.batch.points.len() + CLUSTER_WIDTH * CLUSTER_HEIGHT > BATCH {
             self.trace(level);
         }
-        let side = self.area.side(level);
         let (start, stride) = if level == 0 {
             let start = top * self.canvas.stride + self.area.left + left;
             (start, self.canvas.stride)
         } else {
             (Pyramid::index(level, left, top), Pyramid::stride(level))
         };
-        let (left, top) = (self.area.left + left * side, self.area.top + top * side);
+        let (left, top) = (
+            self.area.left + (left << level),
+            self.area.top + (top << level),
+        );
         let Worker { batch, targets, .. } = &mut *self.worker;
         while cluster != 0 {
             let i = cluster.trailing_zeros() as usize;
             let (x, y) = (i % CLUSTER_WIDTH, i / CLUSTER_WIDTH);
             targets[batch.points.len() % BATCH] = (start + y * stride + x) as u32;
-            batch.points.push_pixel(left + x * side, top + y * side);
+            batch
+                .points
+                .push_pixel(left + (x << level), top + (y << level));
             cluster &= cluster - 1;
         }
     }
 
-    /// Copies points from the level above. Their indices there are these divided by the number of parts along a square's side.
+    /// Copies points from the level above, where they have half the indices.
     fn take_over(&mut self, level: usize, y: usize, points: Bits) {
         let has_patterns = self.context.world.has_patterns();
-        let parts = Divisor::new(self.area.parts(level));
-        let row = Pyramid::index(level + 1, 0, parts.divide(y));
+        let row = Pyramid::index(level + 1, 0, y / 2);
         points.for_each(|x| {
             let pyramid = &mut self.worker.pyramid;
-            let from = row + parts.divide(x);
+            let from = row + x / 2;
             let (sample, key) = (pyramid.sample(from), pyramid.key(from));
             if level == 0 {
                 self.put(self.area.left + x, y, sample);
@@ -216,30 +215,6 @@ impl<O: Observer> Tile<'_, O> {
         batch.counts = counts;
     }
 }
-
-/// Divides by a side: a multiplication, as points are divided one by one.
-#[derive(Clone, Copy)]
-pub(super) struct Divisor {
-    /// More than `2^16 / side`, by 1 at most.
-    inverse: usize,
-}
-
-impl Divisor {
-    #[inline(always)]
-    pub fn new(side: usize) -> Self {
-        Self {
-            inverse: (1 << 16) / side + 1,
-        }
-    }
-
-    /// The quotient of a number of pixels, rounded down: exact below 2^16 / [`Quality::MAX_SQUARE`], which is 2,048.
-    #[inline(always)]
-    pub fn divide(self, pixels: usize) -> usize {
-        (pixels * self.inverse) >> 16
-    }
-}
-
-const _: () = assert!(TILE_WIDTH < (1 << 16) / Quality::MAX_SQUARE);
 
 /// The corners of some rows of squares that lie in row `y` of a level's points; of pixels, the squares of that row.
 #[inline(always)]

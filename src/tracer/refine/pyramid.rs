@@ -2,11 +2,11 @@
 
 use crate::lanes::MAX_LANES;
 use crate::picture::{TILE_HEIGHT, TILE_WIDTH};
+use crate::quality::Quality;
 use crate::trace::{Layers, Sample};
 
-/// Levels of the pyramid. Level 0 has single pixels, and level `n` squares of at least `1 << n` pixels a side: where the largest
-/// has 32, they are of 1, 2, 4, 8, 16 and 32; where it has 24, of 1, 3, 6, 12 and 24.
-pub(super) const LEVELS: usize = 6;
+/// Levels of the pyramid. Level 0 has single pixels, and level `n` squares of `1 << n` pixels a side.
+pub(super) const LEVELS: usize = Quality::MAX_SQUARE.ilog2() as usize + 1;
 
 /// The grids of all levels but that of single pixels, which are drawn as they are traced.
 ///
@@ -28,7 +28,7 @@ pub(super) struct GridRow<'a> {
     pub keys: &'a [u32],
 }
 
-/// Points of a row, or more than these.
+/// Points of a row.
 const fn columns(level: usize) -> usize {
     (TILE_WIDTH >> level) + 1
 }

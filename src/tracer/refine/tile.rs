@@ -77,7 +77,7 @@ impl<O: Observer> Tile<'_, O> {
 
     /// The factor on tolerances for squares of 8, for those of a level.
     pub fn growth(&self, level: usize) -> f32 {
-        growth(self.area.side(level), self.crowding)
+        growth(1 << level, self.crowding)
     }
 
     /// The tile's words of the rough blocks of its band, once it is drawn: blocks are rough unless they are the largest squares
@@ -118,7 +118,7 @@ impl<O: Observer> Tile<'_, O> {
     /// Judges a row of squares, and fills those that pass.
     fn fill_row(&mut self, level: usize, y: usize) {
         let Context { plan, .. } = self.context;
-        let side = self.area.side(level);
+        let side = 1 << level;
         let marks = &mut self.worker.marks;
         let is_coarse = plan.coarse >= side;
         if is_coarse {
@@ -140,11 +140,7 @@ impl<O: Observer> Tile<'_, O> {
             verdict = Verdict::coarse(squares);
         }
         let patterned = self.fill_patterned(level, y, &mut verdict);
-        if side.is_power_of_two() {
-            self.fill_by_isa(level, y, &verdict);
-        } else {
-            self.fill_any(level, y, &verdict);
-        }
+        self.fill_squares(level, y, &verdict);
         if O::LISTENS {
             verdict.filled.for_each(|x| {
                 let fill = if verdict.flat.has(x) {
@@ -169,14 +165,13 @@ impl<O: Observer> Tile<'_, O> {
         }
     }
 
-    /// Fills the squares of a row that passed the verdict, whose side is a power of two.
-    fn fill_by_isa(&mut self, level: usize, y: usize, verdict: &Verdict) {
-        let side = self.area.side(level);
+    /// Fills the squares of a row that passed the verdict.
+    fn fill_squares(&mut self, level: usize, y: usize, verdict: &Verdict) {
         let pyramid = &self.worker.pyramid;
         let run = Run {
             x: self.area.left,
-            y: y * side,
-            side,
+            y: y << level,
+            level,
             above: pyramid.row(level, y).samples,
             below: pyramid.row(level, y + 1).samples,
             filled: verdict.filled,
@@ -215,16 +210,15 @@ impl<O: Observer> Tile<'_, O> {
     /// Splits a row's squares that were not filled: marks those of their parts that are in the picture.
     fn split_row(&mut self, level: usize, y: usize) {
         let part = level - 1;
-        let parts = self.area.parts(part);
         let (columns, rows) = (self.area.columns(part), self.area.rows(part));
         let marks = &mut self.worker.marks;
         let split = marks.squares[level][y] & !marks.filled[level][y];
         let (mut squares, mut open) = (Bits::NONE, Bits::NONE);
         if !split.is_empty() {
-            squares = split.parts(parts) & Bits::first(columns);
-            open = marks.open[level][y].parts(parts) & Bits::first(columns);
+            squares = split.halves() & Bits::first(columns);
+            open = marks.open[level][y].halves() & Bits::first(columns);
         }
-        for row in parts * y..rows.min(parts * y + parts) {
+        for row in 2 * y..rows.min(2 * y + 2) {
             marks.squares[part][row] = squares;
             marks.open[part][row] = open;
         }
@@ -236,15 +230,15 @@ impl<O: Observer> Tile<'_, O> {
     /// Tells the observer of squares of a row that are split.
     fn tell_split(&self, level: usize, y: usize, squares: Bits, why: Split) {
         if O::LISTENS {
-            let side = self.area.side(level);
-            let [left, top] = [self.area.left, self.area.top + y * side];
-            squares.for_each(|x| self.context.observer.split(left + x * side, top, side, why));
+            let [left, top] = [self.area.left, self.area.top + (y << level)];
+            let observer = self.context.observer;
+            squares.for_each(|x| observer.split(left + (x << level), top, 1 << level, why));
         }
     }
 
     /// Tells the observer of a square that has been drawn.
     fn tell(&self, level: usize, x: usize, y: usize, fill: Fill) {
-        let side = self.area.side(level);
+        let side = 1 << level;
         let (x, y) = (self.area.left + x * side, self.area.top + y * side);
         self.context.observer.square(x, y, side, side, fill);
     }

@@ -77,7 +77,6 @@ impl Memory {
             width,
             stride: frame.stride,
             pixels: &mut frame.pixels[..count],
-            rows: plan.band_rows(),
             rough: &mut self.rough,
         };
         let has_edges = plan.quality.antialias;

@@ -2,7 +2,7 @@
 
 use super::threads::{Job, Threads};
 use crate::counts::Counts;
-use crate::picture::{Band, MAX_BANDS, Picture};
+use crate::picture::{Band, MAX_BANDS, Picture, TILE_HEIGHT};
 
 /// Has those bands drawn first that took the most rays in the frame before, which looked much the same. So what threads take last is
 /// short, and none has to wait long for another one.
@@ -27,7 +27,6 @@ impl Schedule {
         threads: &mut dyn Threads,
     ) -> Counts {
         let mut bands = [const { Band::none() }; MAX_BANDS];
-        let rows = picture.rows;
         let parts = picture.bands();
         let count = parts.len();
         for (number, band) in parts.enumerate() {
@@ -37,7 +36,7 @@ impl Schedule {
         threads.run(bands, job);
         let mut sum = Counts::NONE;
         for band in bands {
-            self.rays[band.top / rows] = band.counts.rays;
+            self.rays[band.top / TILE_HEIGHT] = band.counts.rays;
             sum += band.counts;
         }
         sum
@@ -75,24 +74,24 @@ mod tests {
     #[test]
     fn bands_with_more_rays_are_taken_first_the_next_time() {
         const RAYS: [u64; 5] = [3, 0, 9, 3, 4];
+        const PIXELS: usize = 2 * (4 * TILE_HEIGHT + 6);
         let job = |_: &mut Worker, band: &mut Band<'_>| {
-            band.counts.rays = RAYS[band.top / 8];
+            band.counts.rays = RAYS[band.top / TILE_HEIGHT];
             band.pixels.fill(1);
         };
         let mut schedule = Schedule::new();
-        for tops in [[32, 24, 16, 8, 0], [16, 32, 24, 0, 8]] {
-            let (mut pixels, mut threads) = ([0; 38 * 2], Tops(Vec::new()));
+        for tops in [[4, 3, 2, 1, 0], [2, 4, 3, 0, 1]] {
+            let (mut pixels, mut threads) = ([0; PIXELS], Tops(Vec::new()));
             let mut picture = Picture {
                 width: 2,
                 stride: 2,
                 pixels: &mut pixels,
-                rows: 8,
                 rough: &mut [[[0; _]; _]; _],
             };
             let counts = schedule.run(&mut picture, &job, &mut threads);
-            assert_eq!(threads.0, tops);
+            assert_eq!(threads.0, tops.map(|band| band * TILE_HEIGHT));
             assert_eq!(counts.rays, 19);
-            assert_eq!(pixels, [1; 38 * 2], "each band is drawn once");
+            assert_eq!(pixels, [1; PIXELS], "each band is drawn once");
         }
     }
 }

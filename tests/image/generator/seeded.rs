@@ -183,7 +183,7 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) -> &'static str {
 pub fn quality(random: &mut Random) -> Quality {
     let named = [Quality::THESIS, Quality::DEFAULT];
     let any = Quality {
-        square: 1 + random.below(Quality::MAX_SQUARE),
+        square: 1 << random.below(6),
         tolerance_agreeing: [0.0, 9.0, f32::INFINITY][random.below(3)],
         tolerance_differing: [0.0, 4.0, f32::NAN][random.below(3)],
         tolerance_side: [0.0, 9.0][random.below(2)],

@@ -26,17 +26,9 @@ proptest! {
     }
 
     #[test]
-    fn parts_are_each_bit_so_many_times(bits in bits(), count in 2_usize..=31) {
-        let parts = is_set((bits & Bits::first(COUNT / count)).parts(count));
-        for (i, &part) in parts.iter().enumerate() {
-            prop_assert_eq!(part, i / count < COUNT / count && bits.has(i / count));
-        }
-    }
-
-    #[test]
-    fn multiples_are_what_the_divisor_divides(divisor in 2_usize..=31) {
-        for (i, &multiple) in is_set(Bits::multiples(divisor)).iter().enumerate() {
-            prop_assert_eq!(multiple, i % divisor == 0);
+    fn halves_are_each_bit_twice(bits in bits()) {
+        for (i, &half) in is_set(bits.halves()).iter().enumerate() {
+            prop_assert_eq!(half, bits.has(i / 2));
         }
     }
 

@@ -12,12 +12,12 @@ extern crate std;
 proptest! {
     #[test]
     fn filled_squares_are_interpolated_to_a_step_and_end_with_the_picture(
-        log in 1_usize..=5,
+        level in 1_usize..=5,
         corners in [[sample(), sample()], [sample(), sample()]],
         is_flat in any::<bool>(),
         (x, y) in (0_usize..40, 0_usize..40),
     ) {
-        let (width, height, side) = (50, 45, 1_usize << log);
+        let (width, height, side) = (50, 45, 1_usize << level);
         let [above, below] = corners.map(|row| row.map(|sample| sample.0));
         let mut flat = Bits::NONE;
         if is_flat {
@@ -28,7 +28,7 @@ proptest! {
             let mut pixels = [UNDRAWN; 50 * 45];
             let mut canvas = Canvas { pixels: &mut pixels, stride: width, width, height };
             let filled = Bits::first(1);
-            canvas.fill(isa, &Run { x, y, side, above: &above, below: &below, filled, flat, dither: &ROUND });
+            canvas.fill(isa, &Run { x, y, level, above: &above, below: &below, filled, flat, dither: &ROUND });
             for (i, &pixel) in pixels.iter().enumerate() {
                 let (i, j) = (i % width, i / width);
                 let is_in = (x..x + side).contains(&i) && (y..y + side).contains(&j);

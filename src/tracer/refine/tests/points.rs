@@ -1,23 +1,12 @@
 //! The points that a level needs against the corners of its squares, one by one.
 
 use super::super::bits::Bits;
-use super::super::points::{Divisor, corners};
-use crate::picture::TILE_WIDTH;
-use crate::quality::Quality;
+use super::super::points::corners;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::prelude::v1::*;
 
 extern crate std;
-
-#[test]
-fn places_in_a_tile_are_divided_by_any_side() {
-    for side in 1..=Quality::MAX_SQUARE {
-        for pixels in 0..=TILE_WIDTH + Quality::MAX_SQUARE {
-            assert_eq!(Divisor::new(side).divide(pixels), pixels / side);
-        }
-    }
-}
 
 proptest! {
     #[test]

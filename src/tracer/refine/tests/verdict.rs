@@ -30,7 +30,6 @@ proptest! {
     #[test]
     fn each_square_of_a_row_gets_the_verdict_that_it_gets_alone(
         level in 1_usize..=5,
-        side in 2_usize..=Quality::MAX_SQUARE,
         columns in proptest::collection::vec([(sample(), 0_u32..2), (sample(), 0_u32..2)], 2..17),
         squares in any::<u64>(),
         tolerance_agreeing in prop_oneof![0.0_f32..20.0, Just(f32::INFINITY)],
@@ -42,13 +41,13 @@ proptest! {
         let mut squares = Bits([squares; _]);
         squares = squares & Bits::first(count);
         for isa in isas() {
-            let rules = Rules::new(&quality, growth(side, 0.0));
+            let rules = Rules::new(&quality, growth(1 << level, 0.0));
             let (above, below) = (pyramid.row(level, 0), pyramid.row(level, 1));
             let all = judge(isa, rules, &squares, above, below);
             let Verdict { agreeing, flat, filled, patterned } = all;
             for x in 0..count {
                 let ([a, c], [b, d]) = (columns[x], columns[x + 1]);
-                let alone = verdict(&quality, side, [a, b, c, d]).map(|is| is && squares.has(x));
+                let alone = verdict(&quality, 1 << level, [a, b, c, d]).map(|is| is && squares.has(x));
                 let together = [agreeing, flat, filled, patterned].map(|bits| bits.has(x));
                 prop_assert_eq!(alone, together, "square {} by {:?}", x, isa);
             }
