@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
@@ -26,27 +26,6 @@ impl Build {
     /// Builds the intro for Windows, by an alias in `.cargo/config.toml`.
     pub fn windows() -> Result<Self> {
         Self::of(&["exe"], &[])
-    }
-
-    /// Builds a package with the portable backend, in a folder of its own: so what is there else stays as it is.
-    pub fn portable(package: &str) -> Result<Self> {
-        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-        let target = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-        let folder = target
-            .unwrap_or_else(|| Path::new(root).join("target"))
-            .join("platforms/portable");
-        let folder = folder.to_str().context("a path that is not UTF-8")?;
-        Self::of(
-            &[
-                "build",
-                "--release",
-                "--package",
-                package,
-                "--features",
-                "eightfold/portable",
-            ],
-            &[("CARGO_TARGET_DIR", folder)],
-        )
     }
 
     /// Builds what is asked for.

@@ -14,12 +14,8 @@ pub(crate) const RIGHT: c_uint = 0xff53;
 pub(crate) const F1: c_uint = 0xffbe;
 /// Delete.
 pub(crate) const DELETE: c_uint = 0xffff;
-/// The whole screen.
-pub(crate) const F: c_uint = b'f' as c_uint;
 /// The numbers over the picture.
 pub(crate) const H: c_uint = b'h' as c_uint;
-/// The window.
-pub(crate) const W: c_uint = b'w' as c_uint;
 /// No key.
 pub(crate) const NONE: c_uint = 0xff_ffff;
 

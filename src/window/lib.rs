@@ -20,10 +20,12 @@
 //! - The portable one has a window by `minifb`, and the rest by std: every other system and processor. On Linux on x86-64 it is
 //!   taken by the feature `portable`.
 //!
-//! Files and terminals are those of Unix, or those of Windows, with each. Sound is by ALSA on Linux, by `cpal` on macOS and, with the
-//! portable backend, on Windows.
+//! Files and terminals are those of Unix, or those of Windows, with each. Sound is by ALSA on Linux, by `cpal` on macOS.
 
 #![deny(missing_docs)]
+
+#[cfg(windows)]
+compile_error!("the intro for Windows is compiled on Linux, by `cargo exe`");
 
 pub mod arguments;
 #[cfg_attr(feature = "windows", path = "win64/mod.rs")]
@@ -59,14 +61,11 @@ pub mod pool;
 pub mod screen;
 pub mod sound;
 #[cfg_attr(feature = "windows", path = "system/win64.rs")]
-#[cfg_attr(all(unix, not(feature = "windows")), path = "system/unix.rs")]
-#[cfg_attr(windows, path = "system/windows.rs")]
+#[cfg_attr(not(feature = "windows"), path = "system/unix.rs")]
 mod system;
-#[cfg_attr(all(unix, not(feature = "windows")), path = "system/terminal.rs")]
-#[cfg_attr(any(windows, feature = "windows"), path = "system/no_terminal.rs")]
+#[cfg_attr(not(feature = "windows"), path = "system/terminal.rs")]
+#[cfg_attr(feature = "windows", path = "system/no_terminal.rs")]
 pub mod terminal;
-#[cfg(all(target_os = "linux", not(feature = "windows")))]
-mod x11;
 
 pub use backend::window;
 pub use system::is_signal_ignored;

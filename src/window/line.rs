@@ -127,7 +127,7 @@ pub fn terminal(file: i32) -> bool {
     system::is_terminal(file)
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
 mod tests {
     use super::{Hundredths, Printable, Tenths, Writer};
     use core::fmt::{self, Write};

@@ -19,14 +19,9 @@ use std::{
 };
 use tempfile::TempDir;
 
-/// The path of the intro, which is built if anything has changed; with the portable backend if `EIGHTFOLD_BACKEND` is `portable`.
+/// The path of the intro, which is built if anything has changed.
 pub fn intro() -> PathBuf {
-    static BUILT: LazyLock<PathBuf> =
-        LazyLock::new(|| match env::var("EIGHTFOLD_BACKEND").as_deref() {
-            Ok("portable") => portable_intro(),
-            Ok(other) => panic!("EIGHTFOLD_BACKEND is 'portable' or not set, but not '{other}'"),
-            Err(_) => cargo::intro().expect("it can be built"),
-        });
+    static BUILT: LazyLock<PathBuf> = LazyLock::new(|| cargo::intro().expect("it can be built"));
     BUILT.clone()
 }
 
@@ -34,24 +29,10 @@ pub fn intro() -> PathBuf {
 /// in a third of a second less.
 pub fn linked_intro() -> PathBuf {
     static LINKED: LazyLock<PathBuf> = LazyLock::new(|| {
-        if is_portable() {
-            return intro();
-        }
         let built = cargo::Build::release("eightfold").expect("it can be built");
         built.linked("eightfold").expect("it was linked")
     });
     LINKED.clone()
-}
-
-/// Whether [`intro`] has the portable backend.
-pub fn is_portable() -> bool {
-    env::var_os("EIGHTFOLD_BACKEND").is_some()
-}
-
-/// Builds the intro with the portable backend.
-fn portable_intro() -> PathBuf {
-    let built = cargo::Build::portable("eightfold").expect("it can be built");
-    built.program("eightfold").expect("it has the program")
 }
 
 /// The named qualities, as errors and `--help` list them.

@@ -3,7 +3,7 @@
 use super::{end_by_escape, servers};
 use eightfold::show;
 use eightfold_lab::{error::Difference, threaded_renderer::ThreadedRenderer};
-use eightfold_stage::{DISPLAY, Process, Server, intro, is_portable, needs, run, wait_for};
+use eightfold_stage::{DISPLAY, Process, Server, intro, needs, run, wait_for};
 use eightfold_tracer::{Quality, scene::Scene};
 use eightfold_window::cpu;
 use std::{
@@ -41,12 +41,7 @@ fn the_window_has_its_title_and_size_and_shows_the_frame() {
 fn the_frame_has_its_colours_by_pixels_of_any_depth() {
     needs!(DISPLAY);
     // A screenshot rounds ten bits down to eight. Steps of five bits are 8 of 255, and of 8 bits two are blue: 85 of 255.
-    let depths: &[(u32, f64)] = if is_portable() {
-        &[(30, 1.2)]
-    } else {
-        &[(30, 1.2), (16, 3.0), (15, 3.0), (8, 20.0)]
-    };
-    for &(depth, tolerance) in depths {
+    for (depth, tolerance) in [(30, 1.2), (16, 3.0), (15, 3.0), (8, 20.0)] {
         let screen = format!("1280x800x{depth}");
         let server = Server::start_with(1280, 800, &["-screen", "0", &screen]);
         assert_shows_a_frame(&server, &screen, tolerance);
@@ -130,20 +125,8 @@ fn a_window_beyond_the_largest_picture_is_filled() {
 #[test]
 fn a_display_that_frames_can_not_be_shown_on_is_as_good_as_none() {
     needs!(DISPLAY);
-    // `minifb` has pixels of 32 bits alone.
-    let (arguments, why): (&[&str], _) = if is_portable() {
-        (
-            &["-screen", "0", "320x240x16"],
-            "X display without pixels of 32 bits",
-        )
-    } else {
-        // Greys that nobody can change.
-        (
-            &["-screen", "0", "320x240x8", "-cc", "0"],
-            "X display without colours",
-        )
-    };
-    let server = Server::start_with(320, 240, arguments);
+    // Greys that nobody can change.
+    let server = Server::start_with(320, 240, &["-screen", "0", "320x240x8", "-cc", "0"]);
     let intro = Process::start(
         Command::new(intro())
             .args(["--seconds", "0.3", "--silent"])
@@ -153,7 +136,7 @@ fn a_display_that_frames_can_not_be_shown_on_is_as_good_as_none() {
     assert_eq!(code, Some(0), "{output}{errors}");
     assert_eq!(
         errors,
-        format!("eightfold: {why}; playing without a screen\n")
+        "eightfold: X display without colours; playing without a screen\n"
     );
 }
 

@@ -1,5 +1,7 @@
 //! The mouse as `minifb` tells of it: where it is and what is held, each time that it is asked.
 
+use std::env;
+
 use minifb::{Key, MouseButton, MouseMode};
 
 use crate::input::{self, Action, Button, Input};
@@ -20,8 +22,8 @@ const BUTTONS: [(MouseButton, Button); 3] = [
 ];
 
 impl Mouse {
-    /// Adds what has been done with the mouse since the last call. `notch` is what `minifb` tells of a notch of the wheel.
-    pub fn ask(&mut self, window: &minifb::Window, notch: f32, inputs: &mut Vec<Input>) {
+    /// Adds what has been done with the mouse since the last call.
+    pub fn ask(&mut self, window: &minifb::Window, inputs: &mut Vec<Input>) {
         // While a button is held the pointer counts beyond the window, too.
         let mode = if self.held.contains(&true) {
             MouseMode::Pass
@@ -62,11 +64,24 @@ impl Mouse {
         }
         // Add up parts of notches of the wheel.
         let (_, turned) = window.get_scroll_wheel().unwrap_or_default();
-        self.turned += turned / notch;
+        self.turned += turned / notch();
         let notches = self.turned.trunc();
         self.turned -= notches;
         if notches != 0.0 {
             push(Action::Wheel(notches as i32));
         }
+    }
+}
+
+/// The number that `minifb` gives for a notch of the wheel away from the hand.
+fn notch() -> f32 {
+    if cfg!(not(target_os = "linux")) {
+        1.0
+    } else if env::var_os("WAYLAND_DISPLAY").is_some_and(|name| !name.is_empty()) {
+        // Downwards is positive, in pixels.
+        -10.0
+    } else {
+        // A notch is a button on X, whose press and release each count 1.
+        2.0
     }
 }

@@ -15,11 +15,12 @@ use core::{
 
 use x11_dl::{xlib, xshm::XShmSegmentInfo};
 
-use super::{memory::pixels, xext::Xext};
-use crate::{
-    screen::MOST_PIXELS,
+use super::{
+    memory::pixels,
     x11::{self, Toplevel},
+    xext::Xext,
 };
+use crate::screen::MOST_PIXELS;
 
 /// Two frames in turns, and how they come to the window.
 pub struct Frames {

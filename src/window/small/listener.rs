@@ -4,10 +4,10 @@ use core::mem::take;
 
 use x11_dl::xlib;
 
+use super::x11::{self, Toplevel, Xlib};
 use crate::{
     input::{self, Action, Button, Input, Mouse},
     keyboard::Press,
-    x11::{self, Toplevel, Xlib},
 };
 
 /// Takes note of what is done at a window.

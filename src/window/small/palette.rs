@@ -7,7 +7,7 @@ use core::{
 
 use x11_dl::xlib;
 
-use crate::x11::Toplevel;
+use super::x11::Toplevel;
 
 /// The pixels that the table is for: three bits of red, three of green, and two of blue.
 const MASKS: [c_ulong; 3] = [0xe0, 0x1c, 0x03];

@@ -7,13 +7,17 @@ use core::{
 
 use x11_dl::xlib;
 
-use super::{blit::Frames, keys::pressed, listener::Listener, palette::set_palette};
+use super::{
+    blit::Frames,
+    listener::Listener,
+    palette::set_palette,
+    x11::{self, Place, Toplevel, Xlib, keys},
+};
 use crate::{
     input::Input,
     keyboard,
     loading::why_not_loaded,
     screen::{Next, Screen},
-    x11::{self, Place, Toplevel, Xlib},
 };
 
 /// A window that shows frames, with keys: F for the whole screen, W for the window, H for numbers over the
@@ -155,10 +159,10 @@ impl Screen for Window {
                     listener.hear(x, &event);
                 }
                 match event.type_ {
-                    xlib::KeyPress => match pressed(x, &event.key) {
+                    xlib::KeyPress => match keys::pressed(x, &event.key) {
                         keyboard::ESCAPE => return Next::End(0),
-                        keyboard::F => fullscreen = Some(true),
-                        keyboard::W => fullscreen = Some(false),
+                        keys::F => fullscreen = Some(true),
+                        keys::W => fullscreen = Some(false),
                         keyboard::H => next = next.toggled(),
                         _ => {}
                     },

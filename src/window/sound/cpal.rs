@@ -1,4 +1,4 @@
-//! Sound by `cpal`: Windows and macOS.
+//! Sound by `cpal`, on macOS.
 //!
 //! The system asks for samples when it needs them, on a thread of its own; they come from a queue that [`Device::write`] fills.
 

@@ -1,15 +1,12 @@
 //! Sound, and the time by which it is heard.
 //!
-//! A thread makes samples and gives them to ALSA or `cpal`, which want them 40 ms before they are heard; a frame that takes long
+//! A thread makes samples and gives them to the device, which wants them 40 ms before they are heard; a frame that takes long
 //! does not keep it from that. Whoever draws the picture asks for the [time](Player::time) that is heard.
 
 #[cfg_attr(feature = "windows", path = "waveout.rs")]
 #[cfg_attr(all(target_os = "linux", not(feature = "windows")), path = "alsa.rs")]
-#[cfg_attr(any(windows, target_os = "macos"), path = "cpal.rs")]
-#[cfg_attr(
-    not(any(target_os = "linux", windows, target_os = "macos")),
-    path = "none.rs"
-)]
+#[cfg_attr(target_os = "macos", path = "cpal.rs")]
+#[cfg_attr(not(any(target_os = "linux", target_os = "macos")), path = "none.rs")]
 mod device;
 mod heard;
 

@@ -1,13 +1,9 @@
 //! A running `lab view` on a display of its own.
 
-use eightfold_lab::cargo::Build;
-use eightfold_stage::{
-    DISPLAY, Process, Server, is_portable, lacks, reader::read_png, run, wait_for,
-};
+use eightfold_stage::{DISPLAY, Process, Server, lacks, reader::read_png, run, wait_for};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::LazyLock;
 use tempfile::TempDir;
 
 /// The window's size.
@@ -41,18 +37,6 @@ pub const SCENE: &str = r#"Scene(
 )
 "#;
 
-/// The lab's program; with the portable backend if the intro of these tests has it, too.
-fn lab() -> &'static Path {
-    static LAB: LazyLock<PathBuf> = LazyLock::new(|| {
-        if !is_portable() {
-            return env!("CARGO_BIN_EXE_lab").into();
-        }
-        let built = Build::portable("eightfold-lab").expect("it can be built");
-        built.program("lab").expect("it has the program")
-    });
-    &LAB
-}
-
 impl View {
     /// Starts the model scene, paused after 2 s. `None` without the tools for a display.
     pub fn new(options: &str) -> Option<View> {
@@ -65,7 +49,7 @@ impl View {
             return None;
         }
         let server = Server::start(640, 480);
-        let mut lab = Command::new(lab());
+        let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
         lab.args(["view", "--size", "320x240", "--paused"]);
         lab.args(options.split_whitespace());
         let process = server.open(&mut lab, || window(&server));
@@ -115,10 +99,9 @@ impl View {
         self.pause();
     }
 
-    /// Waits for some frames: for many where the pointer is asked for once a frame instead of being heard.
+    /// Waits for some frames.
     fn pause(&self) {
-        let milliseconds = if is_portable() { 120 } else { 40 };
-        std::thread::sleep(std::time::Duration::from_millis(milliseconds));
+        std::thread::sleep(std::time::Duration::from_millis(40));
     }
 
     /// Waits until the window shows the given picture.

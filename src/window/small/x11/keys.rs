@@ -7,8 +7,33 @@ use x11_dl::xlib::{ControlMask, Mod1Mask, Mod4Mask, XKeyEvent};
 use super::functions::Xlib;
 use crate::keyboard;
 
+/// The whole screen.
+pub const F: c_uint = b'f' as c_uint;
+/// The window.
+pub const W: c_uint = b'w' as c_uint;
+
 /// Modifiers that make a key a command to somebody else: Ctrl, Alt, and the one with the desktop's sign.
-pub const COMMAND: c_uint = ControlMask | Mod1Mask | Mod4Mask;
+const COMMAND: c_uint = ControlMask | Mod1Mask | Mod4Mask;
+
+/// The number of a key that was pressed, without Shift: by the layout, of several the one that is in use. Where that has no
+/// Latin letter, as those of other alphabets, F, H and W are those in the same place on a keyboard of the USA. [`keyboard::NONE`]
+/// with Ctrl or Alt.
+pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
+    if event.state & COMMAND != 0 {
+        return keyboard::NONE;
+    }
+    let key = by_layout(x, event);
+    if is_letter(key) {
+        return key;
+    }
+    // Places have these numbers on every Linux.
+    match event.keycode {
+        25 => W,
+        41 => F,
+        43 => keyboard::H,
+        _ => key,
+    }
+}
 
 /// The number of a key that was pressed, without Shift, and with [`keyboard::CONTROL`] if Ctrl is held. Where the layout in use has
 /// no Latin letter, it is that in the same place on a keyboard of the USA. [`keyboard::NONE`] with Alt.
@@ -46,13 +71,13 @@ const PLACES: [(c_uint, u8); 14] = [
 ];
 
 /// The number that the layout in use gives a key.
-pub fn by_layout(x: Xlib, event: &XKeyEvent) -> c_uint {
+fn by_layout(x: Xlib, event: &XKeyEvent) -> c_uint {
     let layout = ((event.state >> 13) & 3) as c_int;
     // SAFETY: the event's display is open.
     unsafe { (x.XkbKeycodeToKeysym)(event.display, event.keycode as u8, layout, 0) as c_uint }
 }
 
 /// Whether a key's number is that of a Latin letter.
-pub fn is_letter(key: c_uint) -> bool {
+fn is_letter(key: c_uint) -> bool {
     (b'a'.into()..=b'z'.into()).contains(&key)
 }

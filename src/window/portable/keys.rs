@@ -1,0 +1,46 @@
+//! Keys as `minifb` names them.
+
+use std::{cell::RefCell, ffi::c_uint, mem::take, rc::Rc};
+
+use minifb::{InputCallback, Key};
+
+use crate::keyboard;
+
+/// The keys that were pressed since the last call of [`Keys::take`]. The window and `minifb` share them: a key that is pressed and
+/// released between two frames counts.
+#[derive(Clone, Default)]
+pub struct Keys(Rc<RefCell<Vec<c_uint>>>);
+
+impl Keys {
+    /// Returns the numbers of the keys, in order.
+    pub fn take(&self) -> Vec<c_uint> {
+        take(&mut self.0.borrow_mut())
+    }
+}
+
+impl InputCallback for Keys {
+    fn add_char(&mut self, _: u32) {}
+
+    fn set_key_state(&mut self, key: Key, is_down: bool) {
+        if is_down {
+            self.0.borrow_mut().push(number(key));
+        }
+    }
+}
+
+/// The number of a key. `minifb` lists digits and letters in order.
+fn number(key: Key) -> c_uint {
+    let character = match (key, key as u8) {
+        (Key::Escape, _) => return keyboard::ESCAPE,
+        (Key::Home, _) => return keyboard::HOME,
+        (Key::Left, _) => return keyboard::LEFT,
+        (Key::Right, _) => return keyboard::RIGHT,
+        (Key::F1, _) => return keyboard::F1,
+        (Key::Space, _) => b' ',
+        (Key::Slash, _) => b'/',
+        (_, digit @ 0..10) => b'0' + digit,
+        (_, letter @ 10..36) => b'a' + letter - 10,
+        _ => return keyboard::NONE,
+    };
+    character.into()
+}
