@@ -22,8 +22,6 @@ pub struct Mouse {
     pub x: i32,
     /// Pixels of the window, from its upper edge.
     pub y: i32,
-    /// Whether Shift is held.
-    pub is_shifted: bool,
 }
 
 /// The actions of a mouse.
@@ -73,14 +71,7 @@ mod tests {
 
     #[test]
     fn moves_in_a_row_are_one_and_clicks_keep_their_order() {
-        let mouse = |action, x| {
-            Input::Mouse(Mouse {
-                action,
-                x,
-                y: 0,
-                is_shifted: false,
-            })
-        };
+        let mouse = |action, x| Input::Mouse(Mouse { action, x, y: 0 });
         let (down, up) = (Action::Down(Button::Left), Action::Up(Button::Left));
         let mut inputs = Vec::new();
         for input in [

@@ -12,31 +12,22 @@ pub(crate) const LEFT: c_uint = 0xff51;
 pub(crate) const RIGHT: c_uint = 0xff53;
 /// F1.
 pub(crate) const F1: c_uint = 0xffbe;
-/// Delete.
-pub(crate) const DELETE: c_uint = 0xffff;
 /// The numbers over the picture.
 pub(crate) const H: c_uint = b'h' as c_uint;
 /// No key.
 pub(crate) const NONE: c_uint = 0xff_ffff;
 
-/// The bit that is added to the number of a key that is pressed with Ctrl. No key of X11 has a number with this bit.
-pub(crate) const CONTROL: c_uint = 1 << 30;
-
 /// A key that the lab listens to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Press {
-    /// Space, or one of 1 to 9 and the lower-case letters c, e, h, l, m, p, s and v.
+    /// Space, or one of 1 to 9 and the lower-case letters c, e, h, p, s and v.
     Character(char),
-    /// Ctrl with one of the letters d, s, y and z.
-    Control(char),
     /// The arrow to the left.
     Left,
     /// The arrow to the right.
     Right,
     /// To the beginning.
     Home,
-    /// Delete.
-    Delete,
     /// `?`, with or without Shift, or F1, which is on every keyboard.
     Help,
 }
@@ -44,23 +35,18 @@ pub enum Press {
 impl Press {
     /// The key with this number.
     pub(crate) fn of(key: c_uint) -> Option<Press> {
-        const SLASH: c_uint = b'/' as c_uint;
-        let character = char::from_u32(key & !CONTROL);
         Some(match key {
             LEFT => Press::Left,
             RIGHT => Press::Right,
             HOME => Press::Home,
-            DELETE => Press::Delete,
-            SLASH | F1 => Press::Help,
-            _ if key & CONTROL != 0 => {
-                Press::Control(character.filter(|c| matches!(c, 'd' | 's' | 'y' | 'z'))?)
-            }
-            _ => Press::Character(character.filter(|c| {
-                matches!(
-                    c,
-                    ' ' | '1'..='9' | 'c' | 'e' | 'h' | 'l' | 'm' | 'p' | 's' | 'v'
-                )
-            })?),
+            F1 => Press::Help,
+            _ => match char::from_u32(key)? {
+                '/' => Press::Help,
+                key @ (' ' | '1'..='9' | 'c' | 'e' | 'h' | 'p' | 's' | 'v') => {
+                    Press::Character(key)
+                }
+                _ => return None,
+            },
         })
     }
 }

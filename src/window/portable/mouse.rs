@@ -2,7 +2,7 @@
 
 use std::env;
 
-use minifb::{Key, MouseButton, MouseMode};
+use minifb::{MouseButton, MouseMode};
 
 use crate::input::{self, Action, Button, Input};
 
@@ -34,16 +34,9 @@ impl Mouse {
             return;
         };
         let at = (x.floor() as i32, y.floor() as i32);
-        let is_shifted = window.is_key_down(Key::LeftShift) || window.is_key_down(Key::RightShift);
         let mut push = |action| {
             let (x, y) = at;
-            let mouse = input::Mouse {
-                action,
-                x,
-                y,
-                is_shifted,
-            };
-            input::push(inputs, Input::Mouse(mouse));
+            input::push(inputs, Input::Mouse(input::Mouse { action, x, y }));
         };
         // Note moves.
         if self.at != at {

@@ -72,7 +72,6 @@ fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent) {
         action,
         x: event.x,
         y: event.y,
-        is_shifted: event.state & xlib::ShiftMask != 0,
     };
     input::push(inputs, Input::Mouse(mouse));
 }

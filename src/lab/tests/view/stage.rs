@@ -2,7 +2,7 @@
 
 use eightfold_stage::{DISPLAY, Process, Server, lacks, reader::read_png, run, wait_for};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 use tempfile::TempDir;
 

@@ -35,38 +35,23 @@ pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     }
 }
 
-/// The number of a key that was pressed, without Shift, and with [`keyboard::CONTROL`] if Ctrl is held. Where the layout in use has
-/// no Latin letter, it is that in the same place on a keyboard of the USA. [`keyboard::NONE`] with Alt.
+/// Like [`pressed`], and all keys of [`Press`](crate::keyboard::Press) are in the same place on a keyboard of the USA where the
+/// layout has no Latin letter.
 pub fn typed(x: Xlib, event: &XKeyEvent) -> c_uint {
-    let control = match event.state & COMMAND {
-        0 => 0,
-        command if command == ControlMask => keyboard::CONTROL,
-        _ => return keyboard::NONE,
-    };
-    let key = by_layout(x, event);
-    let place = PLACES.iter().find(|(place, _)| *place == event.keycode);
-    let key = match place {
-        Some(&(_, letter)) if !is_letter(key) => letter.into(),
+    let key = pressed(x, event);
+    match PLACES.iter().find(|(place, _)| *place == event.keycode) {
+        Some(&(_, letter)) if key != keyboard::NONE && !is_letter(key) => letter.into(),
         _ => key,
-    };
-    control | key
+    }
 }
 
-/// The places of letters on a keyboard of the USA, and that of `?`, which have these numbers on every Linux.
-const PLACES: [(c_uint, u8); 14] = [
-    (25, b'w'),
+/// The places of letters other than F, H and W on a keyboard of the USA, and of `?`.
+const PLACES: [(c_uint, u8); 6] = [
     (26, b'e'),
-    (29, b'y'),
     (33, b'p'),
     (39, b's'),
-    (40, b'd'),
-    (41, b'f'),
-    (43, b'h'),
-    (46, b'l'),
-    (52, b'z'),
     (54, b'c'),
     (55, b'v'),
-    (58, b'm'),
     (61, b'/'),
 ];
 
