@@ -3,7 +3,7 @@
 
 use eightfold::show;
 use eightfold_tracer::glam::{EulerRot, Mat3A};
-use eightfold_tracer::scene::{Fields, List, Material, Scene, Shape, Value as Place};
+use eightfold_tracer::scene::{Fields, Material, Scene, Shape, Value as Place};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
@@ -151,7 +151,7 @@ fn put(fields: &mut dyn Fields, tree: &Value, materials: &Value) {
             Place::Axes(place) => *place = turned(value, &tree[TURN]),
             Place::Flag(place) => *place = value == &Value::Bool(true),
             Place::Shape(place) => *place = NamedShape::deserialize(value).unwrap_or(*place),
-            Place::Letters(letters) => *letters = List::of(word.as_bytes()),
+            Place::Letters(letters) => *letters = word.bytes().collect(),
             Place::Material(material) => put(material, &materials[word], materials),
             Place::Struct(fields) => put(fields, value, materials),
             Place::Optional(items) => {

@@ -1,7 +1,7 @@
 //! When captions of the show appear.
 
 use eightfold_tracer::maths::smooth_step;
-use eightfold_tracer::scene::{Caption, List, Scene};
+use eightfold_tracer::scene::{Caption, Scene};
 
 /// A caption and the time for which it is shown.
 pub(super) struct Line {
@@ -25,7 +25,7 @@ pub(super) fn apply(lines: &[Line], beat: f32, scene: &mut Scene) {
         let brightness = smooth_step(since.min(line.beats - since));
         if brightness > 0.0 {
             scene.captions.push(Caption {
-                letters: List::of(line.text.as_bytes()),
+                letters: line.text.bytes().collect(),
                 middle: line.middle,
                 size: line.size,
                 brightness,

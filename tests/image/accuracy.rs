@@ -121,7 +121,7 @@ fn shells(count: usize) -> Scene {
         camera: Camera::new(vec3a(0.1, 0.2, 0.3), Vec3A::X, 1.0),
         background: Vec3A::splat(0.4),
         ambient: Vec3A::splat(0.3),
-        spheres: List::of(&shells),
+        spheres: shells.iter().copied().collect(),
         ..Scene::default()
     }
 }
@@ -175,7 +175,7 @@ fn no_ray_is_lost_where_some_end_and_others_go_on_in_two() {
 #[test]
 fn a_lamp_lights_the_sphere_around_it_from_within_alone() {
     let mut scene = shells(1);
-    scene.planes = List::of(&show::model_scene(0.0).planes);
+    scene.planes = show::model_scene(0.0).planes.iter().copied().collect();
     for (lamp, eye) in [
         (vec3a(0.5, 0.7, 0.1), vec3a(0.1, 0.2, 0.3)),
         (vec3a(0.5, 0.7, 0.1), vec3a(1.0, 3.0, 7.0)),

@@ -11,7 +11,7 @@ use crate::generator::near::seeds;
 use crate::generator::seeded::{Random, floor};
 use crate::refinement::bare;
 use eightfold_tracer::Quality;
-use eightfold_tracer::scene::{Block, List, Material, Scene, Shape, Sphere};
+use eightfold_tracer::scene::{Block, Material, Scene, Shape, Sphere};
 use glam::{Mat3A, Vec3A, vec3a};
 use std::collections::BTreeSet;
 
@@ -75,8 +75,8 @@ fn scene(random: &mut Random) -> Scene {
     let mirror = Material::mirror(KR);
     Scene {
         ambient: Vec3A::ONE,
-        spheres: List::of(&spheres),
-        blocks: List::of(&blocks),
+        spheres: spheres.iter().copied().collect(),
+        blocks: blocks.iter().copied().collect(),
         ..floor(random, -Vec3A::Y, mirror)
     }
 }

@@ -93,7 +93,7 @@ fn a_dome_is_lit_from_within_whatever_the_lamps_size_and_whatever_stands_outside
         camera: Camera::default(),
         ambient: Vec3A::splat(0.5),
         spheres: List::of(&[Sphere::new(Vec3A::ZERO, 20.0, matt)]),
-        blocks: List::of(boxes),
+        blocks: boxes.iter().copied().collect(),
         lights: List::of(&[Light {
             diameter: size,
             ..Light::new(vec3a(0.1, 0.6, 0.0), Vec3A::splat(0.5))

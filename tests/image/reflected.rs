@@ -34,7 +34,7 @@ fn scene(turn: f32) -> Scene {
             field_of_view: 0.7,
         },
         ambient: Vec3A::ONE,
-        spheres: List::of(&spheres),
+        spheres: spheres.iter().copied().collect(),
         planes: List::of(&[Plane::new(Vec3A::ZERO, 20.0, 20.0, Material::mirror(0.9))]),
         ..Scene::default()
     }

@@ -42,7 +42,7 @@ fn scene(random: &mut Random) -> Scene {
     let grey = Material::matt(Vec3A::splat(0.8), 0.9);
     let mut scene = floor(random, Vec3A::ZERO, grey);
     scene.ambient = Vec3A::splat(0.2);
-    scene.spheres = List::of(&spheres);
+    scene.spheres = spheres.iter().copied().collect();
     scene.lights.push(Light::new(
         random.vector(vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0)),
         Vec3A::ONE,

@@ -244,7 +244,7 @@ fn a_caption_tells_the_points_and_the_pixels_of_its_own_frame() {
     for (width, height) in [(331, 217), (1280, 720)] {
         let with = |letters: &str| {
             let caption = Caption {
-                letters: List::of(letters.as_bytes()),
+                letters: letters.bytes().collect(),
                 middle: 0.5,
                 size: 0.05,
                 brightness: 1.0,

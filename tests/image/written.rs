@@ -10,7 +10,7 @@ const SIZE: (usize, usize) = (640, 360);
 /// A line over a black picture.
 fn written(letters: &[u8], numbers: [usize; 3]) -> Vec<u32> {
     let caption = Caption {
-        letters: List::of(letters),
+        letters: letters.iter().copied().collect(),
         middle: 0.1,
         size: 0.05,
         brightness: 1.0,

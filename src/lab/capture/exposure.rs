@@ -92,7 +92,7 @@ fn move_lamps(scene: &mut Scene, at: &[Vec2; MAX_LIGHTS]) {
     for (i, at) in at.iter().enumerate().take(scene.lights.len()) {
         let light = scene.lights[i];
         if light.diameter == 0.0
-            || (light.drawn_radius > 0.0 && !scene.lights.push(unlit(&light, target)))
+            || (light.drawn_radius > 0.0 && scene.lights.try_push(unlit(&light, target)).is_err())
         {
             continue;
         }

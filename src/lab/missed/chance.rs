@@ -157,9 +157,9 @@ fn add_hosts(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
             parallel: true,
             ..light
         }),
-        Setting::Mirror | Setting::Mirrors | Setting::Glass => false,
+        Setting::Mirror | Setting::Mirrors | Setting::Glass => {}
         _ => scene.lights.push(light),
-    };
+    }
 }
 
 /// A matt material.

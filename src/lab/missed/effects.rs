@@ -226,7 +226,8 @@ fn without(scene: &Scene, thing: Object) -> Scene {
 
 /// The items of a list but one.
 fn all_but<T: Copy + Default, const N: usize>(list: &[T], i: usize) -> List<T, N> {
-    List::of(&[&list[..i], &list[i + 1..]].concat())
+    let others = list[..i].iter().chain(&list[i + 1..]);
+    others.copied().collect()
 }
 
 /// The scene without lamps, in even light: what changes in it is no shadow.

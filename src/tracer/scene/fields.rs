@@ -136,7 +136,7 @@ impl<T: Fields + Copy + Default, const N: usize> Items for List<T, N> {
 
     fn reset(&mut self, count: usize) {
         self.clear();
-        for _ in 0..count {
+        for _ in 0..count.min(N) {
             self.push(T::default());
         }
     }

@@ -5,6 +5,23 @@ use core::ops::{Deref, DerefMut};
 
 /// Up to `N` items, stored in place. It dereferences to the slice of the items pushed, is displayed as that, and two lists are equal
 /// if those are.
+///
+/// ```
+/// use eightfold_tracer::scene::List;
+///
+/// let mut list: List<i32, 4> = List::of(&[1, 2, 3]);
+/// list.push(4);
+/// assert_eq!(list, vec![1, 2, 3, 4].into_iter().collect());
+/// let result = List::<i32, 4>::try_from(&[1, 2, 3, 4, 5][..]);
+/// assert_eq!(result.unwrap_err().to_string(), "a list has 5 items; must be 0 to 4");
+/// ```
+///
+/// An array that is too long does not compile:
+///
+/// ```compile_fail,E0080
+/// # use eightfold_tracer::scene::List;
+/// let list: List<i32, 4> = List::of(&[1, 2, 3, 4, 5]);
+/// ```
 #[derive(Clone, Copy)]
 pub struct List<T, const N: usize> {
     items: [T; N],
@@ -12,14 +29,11 @@ pub struct List<T, const N: usize> {
 }
 
 impl<T: Copy + Default, const N: usize> List<T, N> {
-    /// A list of the first `N` items of a slice; the others are left out. `try_from` takes all of them or none.
+    /// Returns a list of an array's items, which are `N` at most.
     #[must_use]
-    pub fn of(items: &[T]) -> Self {
-        let mut list = Self::default();
-        for &item in items {
-            list.push(item);
-        }
-        list
+    pub fn of<const K: usize>(items: &[T; K]) -> Self {
+        const { assert!(K <= N, "the array has more items than the list's capacity") }
+        items.iter().copied().collect()
     }
 
     /// An empty list whose unused memory holds copies of an item.
@@ -35,14 +49,26 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
         self.len = 0;
     }
 
-    /// Appends an item. Returns false, and leaves the list as it is, if the list is full.
-    pub fn push(&mut self, item: T) -> bool {
-        let Some(slot) = self.items.get_mut(self.len) else {
-            return false;
-        };
-        *slot = item;
+    /// Appends an item.
+    ///
+    /// # Panics
+    /// If the list has `N` items.
+    pub fn push(&mut self, item: T) {
+        self.items[self.len] = item;
         self.len += 1;
-        true
+    }
+
+    /// Appends an item.
+    ///
+    /// # Errors
+    /// If the list has `N` items, which stay.
+    pub fn try_push(&mut self, item: T) -> Result<(), CapacityError> {
+        let len = self.len + 1;
+        if len > N {
+            return Err(CapacityError { len, capacity: N });
+        }
+        self.push(item);
+        Ok(())
     }
 }
 
@@ -55,39 +81,46 @@ impl<T: Copy + Default, const N: usize> Default for List<T, N> {
     }
 }
 
-/// All items of a slice, or none if they are too many.
-impl<T: Copy + Default, const N: usize> TryFrom<&[T]> for List<T, N> {
-    type Error = TooMany;
-
-    fn try_from(items: &[T]) -> Result<Self, TooMany> {
-        if items.len() > N {
-            return Err(TooMany {
-                takes: N,
-                given: items.len(),
-            });
-        }
-        Ok(Self::of(items))
+/// # Panics
+/// If there are more than `N` items.
+impl<T: Copy + Default, const N: usize> FromIterator<T> for List<T, N> {
+    fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
+        let mut list = Self::default();
+        items.into_iter().for_each(|item| list.push(item));
+        list
     }
 }
 
-/// Why a slice does not become a [`List`].
+impl<T: Copy + Default, const N: usize> TryFrom<&[T]> for List<T, N> {
+    type Error = CapacityError;
+
+    fn try_from(items: &[T]) -> Result<Self, CapacityError> {
+        let (len, capacity) = (items.len(), N);
+        if len > capacity {
+            return Err(CapacityError { len, capacity });
+        }
+        Ok(items.iter().copied().collect())
+    }
+}
+
+/// Too many items for a [`List`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct TooMany {
-    /// The most items that the list takes.
-    pub takes: usize,
-    /// How many there are.
-    pub given: usize,
+pub struct CapacityError {
+    /// The number of items.
+    pub len: usize,
+    /// The largest number of items.
+    pub capacity: usize,
 }
 
-impl fmt::Display for TooMany {
+impl fmt::Display for CapacityError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { takes, given } = self;
-        write!(f, "a list takes {takes} items, and not {given}")
+        let Self { len, capacity } = self;
+        write!(f, "a list has {len} items; must be 0 to {capacity}")
     }
 }
 
-impl core::error::Error for TooMany {}
+impl core::error::Error for CapacityError {}
 
 impl<T: fmt::Debug, const N: usize> fmt::Debug for List<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -122,11 +155,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_slice_becomes_a_list_unless_it_is_longer() {
-        let list: Result<List<u8, 3>, _> = [1, 2, 3][..].try_into();
-        assert_eq!(list, Ok(List::of(&[1, 2, 3])));
-        let list: Result<List<u8, 3>, _> = [1, 2, 3, 4][..].try_into();
-        assert_eq!(list, Err(TooMany { takes: 3, given: 4 }));
-        assert_eq!(*List::<u8, 3>::of(&[1, 2, 3, 4]), [1, 2, 3]);
+    #[should_panic = "the len is 3 but the index is 3"]
+    fn list_of_too_many_items_panics() {
+        let _: List<u8, 3> = [1, 2, 3, 4].into_iter().collect();
     }
 }

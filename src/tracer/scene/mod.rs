@@ -23,7 +23,7 @@ pub use block::Block;
 pub use camera::Camera;
 pub use fields::{Field, Fields, Items, Range, Value, numbers};
 pub use film::Film;
-pub use list::{List, TooMany};
+pub use list::{CapacityError, List};
 pub use method::Method;
 pub use overlay::{Caption, CopperBar};
 pub use pattern::Pattern;

@@ -31,9 +31,8 @@ impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
         let mut list = List::default();
         while let Some(item) = items.next_element()? {
-            if !list.push(item) {
-                return Err(A::Error::invalid_length(N + 1, &self));
-            }
+            let pushed = list.try_push(item);
+            pushed.map_err(|error| A::Error::invalid_length(error.len, &self))?;
         }
         Ok(list)
     }

@@ -11,7 +11,7 @@ pub mod placed;
 pub mod seeded;
 
 use eightfold_tracer::scene::{
-    Block, Camera, Film, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
+    Block, Camera, Film, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
 };
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
@@ -132,9 +132,9 @@ pub fn sketch(
                 camera,
                 background,
                 ambient: 0.2 * ambient,
-                spheres: List::of(&spheres),
-                planes: List::of(&planes),
-                lights: List::of(&lights),
+                spheres: spheres.iter().copied().collect(),
+                planes: planes.iter().copied().collect(),
+                lights: lights.iter().copied().collect(),
                 ..Scene::default()
             },
         )
@@ -268,8 +268,8 @@ pub fn rich() -> impl Strategy<Value = Scene> {
                     plane.material = floor;
                 }
                 Scene {
-                    blocks: List::of(&blocks),
-                    lights: List::of(&lights),
+                    blocks: blocks.iter().copied().collect(),
+                    lights: lights.iter().copied().collect(),
                     sky: sky - scene.background,
                     haze,
                     exposure,

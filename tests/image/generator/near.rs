@@ -191,8 +191,8 @@ fn risen(
             camera,
             ambient: Vec3A::ONE,
             planes: List::of(&[Plane::new(Vec3A::ZERO, 500.0, 500.0, paint(0))]),
-            spheres: List::of(spheres),
-            blocks: List::of(blocks),
+            spheres: spheres.iter().copied().collect(),
+            blocks: blocks.iter().copied().collect(),
             ..Scene::default()
         },
         width,

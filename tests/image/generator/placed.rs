@@ -3,7 +3,7 @@
 use super::{fitting, materials, shape};
 use crate::extremes::scaled;
 use eightfold::show;
-use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
+use eightfold_tracer::scene::{Block, Camera, Light, Material, Plane, Scene, Shape, Sphere};
 use glam::{Mat3A, Quat, Vec3A, vec3a};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -202,10 +202,10 @@ impl Placed {
         let blocks: Vec<Block> = self.blocks.iter().map(block).collect();
         let scene = Scene {
             camera: self.camera,
-            spheres: List::of(&spheres),
-            planes: List::of(&self.planes),
-            blocks: List::of(&blocks),
-            lights: List::of(&lights),
+            spheres: spheres.iter().copied().collect(),
+            planes: self.planes.iter().copied().collect(),
+            blocks: blocks.iter().copied().collect(),
+            lights: lights.iter().copied().collect(),
             ..Scene::default()
         };
         let scene = coloured(scene, self.step);
