@@ -2,6 +2,7 @@
 
 use eightfold_tracer::{AccuracyGovernor, Frame, Governor, Probes, Quality};
 use proptest::prelude::*;
+use std::time::Duration;
 
 const SECOND: u64 = 1_000_000_000;
 const RUNGS: usize = Quality::LADDER.len();
@@ -33,7 +34,7 @@ impl Machine {
             shares[i + 1] = shares[i] / ratio;
         }
         Machine {
-            governor: Governor::new(fps),
+            governor: Governor::new(Duration::from_nanos(SECOND / fps)),
             fps,
             shares,
             load,
@@ -58,7 +59,7 @@ impl Machine {
         let chance = 2.0 * chance(&mut self.random) - 1.0;
         let time = self.cost() * (1.0 + self.noise * chance) * factor * self.budget();
         let rung = self.governor.rung();
-        self.governor.frame(time as u64);
+        self.governor.frame(Duration::from_nanos(time as u64));
         self.now += time.max(self.budget()) as u64;
         if self.governor.rung() != rung {
             self.changes.push((self.now, rung, self.governor.rung()));

@@ -1,5 +1,6 @@
 //! Playing the show on a screen, in time with its sound.
 
+use core::time::Duration;
 use eightfold::sound::Synthesizer;
 use eightfold_tracer::{AccuracyGovernor, Frame, Governor, MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::{
@@ -99,7 +100,7 @@ impl Playing<'_> {
         } else {
             SHOW_NANOSECONDS
         });
-        let mut by_rate = Governor::new(options.fps);
+        let mut by_rate = Governor::new(Duration::from_nanos(SECOND / options.fps));
         let mut by_accuracy = by_accuracy.map(|psnr| AccuracyGovernor::new(psnr as f32));
         let clock = self.player.clock();
         // The time at which the next frame should begin.
@@ -132,7 +133,7 @@ impl Playing<'_> {
             let shown = clock.time();
             match &mut by_accuracy {
                 Some(governor) => governor.frame(counts.probes),
-                None => by_rate.frame(shown - start),
+                None => by_rate.frame(Duration::from_nanos(shown - start)),
             }
             self.tally.count(shown, size, quality, counts.probes);
             // Do what the viewer asked for.

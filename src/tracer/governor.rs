@@ -5,6 +5,7 @@
 
 use crate::counts::Probes;
 use crate::quality::Quality;
+use core::time::Duration;
 
 /// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
@@ -34,21 +35,19 @@ const COMPARED: u64 = 8;
 /// a second, or within two frames if these are longer. If it gets lighter within eight frames of a step down, that counts as saved by
 /// the step, since times alone cannot tell them apart: then it may stay where it is until the load changes again.
 ///
-/// All times are in nanoseconds.
-///
 /// ```
+/// use core::time::Duration;
 /// use eightfold_tracer::{Governor, Quality};
 ///
-/// let mut governor = Governor::new(60);
+/// let mut governor = Governor::new(Duration::from_secs(1) / 60);
 /// assert_eq!(governor.quality(), &Quality::LADDER[0]);
-/// // Frames take a thirtieth of a second.
 /// for _ in 0..10 {
-///     governor.frame(33_333_333);
+///     governor.frame(Duration::from_millis(33));
 /// }
 /// assert_ne!(governor.quality(), &Quality::LADDER[0]);
 /// ```
 pub struct Governor {
-    /// The time that a frame may take.
+    /// The time that a frame may take, as all times in nanoseconds.
     budget: u64,
     /// The current rung, an index in the ladder.
     rung: usize,
@@ -67,11 +66,11 @@ pub struct Governor {
 }
 
 impl Governor {
-    /// A governor that holds a number of frames per second, at least 1. It starts on the finest rung.
+    /// Returns a governor for frames of this duration, a second at most. It starts on the finest rung.
     #[must_use]
-    pub fn new(frames_per_second: u64) -> Self {
+    pub fn new(budget: Duration) -> Self {
         Self {
-            budget: (SECOND / frames_per_second.max(1)).max(1),
+            budget: (budget.as_nanos() as u64).clamp(1, SECOND),
             rung: 0,
             late: 0,
             calm: 0,
@@ -94,10 +93,10 @@ impl Governor {
         self.rung
     }
 
-    /// Records how long the last frame took until it was shown, in nanoseconds.
-    pub fn frame(&mut self, time: u64) {
+    /// Records the time from the start of the last frame until it was shown.
+    pub fn frame(&mut self, time: Duration) {
         let budget = self.budget;
-        let time = time.min(MAX_LATENESS * budget);
+        let time = (time.as_nanos() as u64).min(MAX_LATENESS * budget);
         self.age += 1;
         self.mean = if self.age == 1 {
             time

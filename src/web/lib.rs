@@ -19,6 +19,7 @@ use eightfold_tracer::{Counts, Frame, Governor, Level, Memory, Quality, Renderer
 use inspector::Inspector;
 use share::Share;
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 /// The working memory of an instance. It is all zeros at first, so that it takes no room in the module's file.
 struct Workspace {
@@ -292,14 +293,16 @@ pub extern "C" fn play(count: usize) -> *const f32 {
 /// Has a governor hold so many frames a second from now on.
 #[unsafe(no_mangle)]
 pub extern "C" fn govern(frames_per_second: u32) {
-    state().governor = Some(Governor::new(frames_per_second.into()));
+    let budget = Duration::from_secs(1) / frames_per_second.max(1);
+    state().governor = Some(Governor::new(budget));
 }
 
 /// Tells the governor how long the last frame took, in nanoseconds. Returns the place of the next frame's quality in [`about`].
 #[unsafe(no_mangle)]
 pub extern "C" fn governed(nanoseconds: f64) -> usize {
     let mut state = state();
-    let governor = state.governor.get_or_insert_with(|| Governor::new(60));
-    governor.frame(nanoseconds as u64);
+    let budget = Duration::from_secs(1) / 60;
+    let governor = state.governor.get_or_insert_with(|| Governor::new(budget));
+    governor.frame(Duration::from_nanos(nanoseconds as u64));
     governor.rung() + 1
 }
