@@ -42,17 +42,12 @@ impl FrameViewer {
         }
     }
 
-    /// Draws the frame that the controls select. With `measure` it measures the error, which takes an exhaustive frame. Returns false
-    /// if all of this was done before.
-    pub fn draw(
-        &mut self,
-        controls: &Controls,
-        subject: &Subject,
-        size: Size,
-        measure: bool,
-    ) -> bool {
+    /// Draws the frame that the controls select. While the scene is paused, the next call measures the error, which takes an exhaustive
+    /// frame: so the picture is shown before. Returns false if all of this was done before.
+    pub fn draw(&mut self, controls: &Controls, subject: &Subject, size: Size) -> bool {
         let wanted = Some((*controls, subject.version, size));
-        if self.drawn == wanted && (self.figures.psnr.is_some() || !measure) {
+        let measure = self.drawn == wanted;
+        if measure && (self.figures.psnr.is_some() || !controls.is_paused) {
             return false;
         }
         self.drawn = wanted;

@@ -8,6 +8,8 @@ use plotters::style::FontStyle;
 const LETTERS: u32 = 14;
 const LINE: usize = 18;
 const GAP: usize = 8;
+/// The left side of the words behind keys.
+const COLUMN: usize = 128;
 
 /// White words on black at the upper edge of a picture, and their bitmap.
 #[derive(Default)]
@@ -36,37 +38,33 @@ impl Panel {
         register_fonts();
         let [bold, normal] =
             [FontStyle::Bold, FontStyle::Normal].map(|weight| text(LETTERS, weight).color(&WHITE));
-        let width = |style: &TextStyle<'_>, words: &str| {
-            let size = style.font.box_size(words);
+        let width = |words: &str| {
+            let size = normal.font.box_size(words);
             size.map_or(0, |(width, _)| width as usize)
         };
-        let widest = self.rows.iter().map(|(key, _)| width(&bold, key)).max();
-        let indent = GAP
-            + widest
-                .filter(|&widest| widest > 0)
-                .map_or(0, |widest| widest + 2 * GAP);
-        let room = self.width.saturating_sub(indent + GAP);
         // Break lines between words.
-        let mut lines: Vec<(&str, String)> = Vec::new();
+        let mut lines: Vec<(&str, usize, String)> = Vec::new();
         for (key, words) in &self.rows {
-            lines.push((key, String::new()));
+            let indent = if key.is_empty() { GAP } else { COLUMN };
+            let room = self.width.saturating_sub(indent + GAP);
+            lines.push((key, indent, String::new()));
             for word in words.split(' ') {
-                let (_, line) = lines.last_mut().expect("one was pushed");
+                let (.., line) = lines.last_mut().expect("one was pushed");
                 let longer = format!("{line} {word}");
                 if line.is_empty() {
                     word.clone_into(line);
-                } else if width(&normal, &longer) <= room {
+                } else if width(&longer) <= room {
                     *line = longer;
                 } else {
-                    lines.push(("", word.to_owned()));
+                    lines.push(("", indent, word.to_owned()));
                 }
             }
         }
         bitmap([self.width, lines.len() * LINE + GAP], 0, |area| {
-            for (i, (key, words)) in lines.iter().enumerate() {
+            for (i, (key, indent, words)) in lines.iter().enumerate() {
                 let y = GAP / 2 + i * LINE;
                 area.draw_text(key, &bold, at([GAP, y]))?;
-                area.draw_text(words, &normal, at([indent, y]))?;
+                area.draw_text(words, &normal, at([*indent, y]))?;
             }
             Ok(())
         })

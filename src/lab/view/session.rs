@@ -2,7 +2,7 @@
 
 use super::camera;
 use super::controls::{Controls, FPS, KEYS};
-use super::frame_viewer::{Figures, FrameViewer};
+use super::frame_viewer::FrameViewer;
 use super::panel::Panel;
 use super::subject::Subject;
 use crate::arguments::Size;
@@ -55,7 +55,6 @@ impl Session {
     pub fn play(&mut self) -> Result<()> {
         let mut last = Instant::now();
         let (mut counted_from, mut shown, mut fps) = (last, 0, None);
-        let mut is_still = false;
         loop {
             let now = Instant::now();
             self.take_inputs()?;
@@ -63,9 +62,7 @@ impl Session {
             self.controls.length = f64::from(self.subject.length()) * FPS;
             self.controls.advance((now - last).as_secs_f64() * FPS);
             last = now;
-            // A picture is measured after it was shown.
-            let is_new = self.draw(self.controls.is_paused && is_still);
-            is_still = !is_new;
+            let is_new = self.draw();
             if let Next::End(code) = self.window.show() {
                 ensure!(code == 0, "the window is lost");
                 return Ok(());
@@ -105,12 +102,10 @@ impl Session {
         Ok(())
     }
 
-    /// Draws the frame into the window, and words over it. Returns true unless the frame is the same as before.
-    fn draw(&mut self, measure: bool) -> bool {
+    /// Draws the frame into the window, and words over it. Returns true unless the frame and its measurements are the same as before.
+    fn draw(&mut self) -> bool {
         let size = fit(self.window.size());
-        let is_new = self
-            .viewer
-            .draw(&self.controls, &self.subject, size, measure);
+        let is_new = self.viewer.draw(&self.controls, &self.subject, size);
         let canvas = self.window.canvas(size.width, size.height);
         canvas.copy_from_slice(&self.viewer.picture);
         let row = |(key, words): (&str, &str)| (key.to_owned(), words.to_owned());
@@ -123,25 +118,20 @@ impl Session {
 
     /// Returns the title: what is shown, how fast it is drawn, and its error.
     fn title(&self, fps: f64) -> String {
-        let Controls {
-            quality,
-            overlay,
-            is_paused,
-            ..
-        } = self.controls;
-        let Figures { time, points, psnr } = self.viewer.figures;
-        let state = if is_paused { ", paused" } else { "" };
-        let error = match psnr {
+        let (controls, figures) = (&self.controls, &self.viewer.figures);
+        let state = if controls.is_paused { ", paused" } else { "" };
+        let error = match figures.psnr {
             None => String::new(),
             Some(f64::INFINITY) => ", exact".to_owned(),
             Some(psnr) => format!(", {psnr:.1} dB"),
         };
         format!(
-            "Eightfold: {quality}, {} at {:.2} s{state}; {fps:.0} fps, {:.2} ms a frame, {:.1} % traced{error}",
-            overlay.name(),
-            self.controls.time(),
-            time.as_secs_f64() * 1e3,
-            points * 1e2,
+            "Eightfold: {}, {} at {:.2} s{state}; {fps:.0} fps, {:.2} ms a frame, {:.1} % traced{error}",
+            controls.quality,
+            controls.overlay.name(),
+            controls.time(),
+            figures.time.as_secs_f64() * 1e3,
+            figures.points * 1e2,
         )
     }
 }

@@ -1,69 +1,56 @@
-//! The mouse moves the camera in every scene, and C prints it.
+//! The mouse moves the camera, and C prints it.
 
-use crate::stage::{FileView, SCENE, View, rendered};
+use crate::stage::{SCENE, View, rendered};
 use eightfold_stage::wait_for;
-use std::io::Read;
-use std::thread;
+use std::fs;
 
-/// A drag from the middle of the window.
-const WAY: [[i32; 2]; 3] = [[160, 120], [190, 125], [220, 140]];
+/// The middle of the window, where the red ball is, and the end of a drag.
+const MIDDLE: [i32; 2] = [160, 120];
+const END: [i32; 2] = [220, 140];
+const DRAG: &[[i32; 2]] = &[MIDDLE, [190, 125], END];
 
+fn is_red(shot: &[u32], [x, y]: [i32; 2]) -> bool {
+    let [_, red, _, blue] = shot[(y * 320 + x) as usize].to_be_bytes();
+    red > blue
+}
+
+/// The ball stays in the middle when the camera turns about it or comes nearer, and follows the pointer when the camera moves.
 #[test]
-fn mouse_moves_camera_and_v_resets_it() {
-    let Some(view) = View::new("") else { return };
-    let picture = rendered("--time 2");
-    view.assert_shows("the picture", |shot| shot == picture);
-    let mut others = Vec::new();
-    for (button, way) in [(1, &WAY[..]), (3, &WAY), (4, &WAY[..1]), (5, &WAY[..1])] {
+fn moved_camera_is_printed_and_reset() {
+    for (button, way, ball) in [
+        (1, DRAG, MIDDLE),
+        (2, DRAG, END),
+        (3, DRAG, END),
+        (4, &DRAG[..1], MIDDLE),
+        (5, &DRAG[..1], MIDDLE),
+    ] {
+        let Some(view) = View::of_file() else { return };
+        let before = view.shot();
         view.drag(button, way);
-        let moved = view.settled_shot();
-        assert!(moved != picture && !others.contains(&moved), "{button}");
-        others.push(moved);
-        view.key("v");
-        view.assert_shows("the picture again", |shot| shot == picture);
-    }
-}
-
-#[test]
-fn red_ball_follows_pan_and_stays_under_orbit() {
-    let Some(view) = FileView::new() else { return };
-    let is_red = |shot: &[u32], [x, y]: [i32; 2]| {
-        let [_, red, _, blue] = shot[(y * 320 + x) as usize].to_be_bytes();
-        red > blue
-    };
-    let [from, .., to] = WAY;
-    assert!(is_red(&view.view.shot(), from));
-    view.view.drag(1, &WAY);
-    let orbited = view.view.settled_shot();
-    assert!(is_red(&orbited, from) && !is_red(&orbited, [100, 120]));
-    view.view.drag(2, &WAY);
-    assert!(is_red(&view.view.settled_shot(), to));
-}
-
-#[test]
-fn printed_camera_gives_the_picture() {
-    for (button, way) in [(1, &WAY[..]), (3, &WAY), (4, &WAY[..1])] {
-        let Some(mut view) = FileView::new() else {
-            return;
-        };
-        let before = view.view.shot();
-        view.view.drag(button, way);
-        let moved = view.view.settled_shot();
-        assert!(moved != before);
-        let mut output = view.view.process.0.stdout.take().expect("a pipe");
-        view.view.key("c");
-        let reader = thread::spawn(move || {
-            let mut text = [0; 1000];
-            let length = output.read(&mut text).expect("text");
-            String::from_utf8_lossy(&text[..length]).into_owned()
+        let moved = wait_for("another picture that stays", || {
+            let shot = view.shot();
+            (shot != before && shot == view.shot()).then_some(shot)
         });
-        wait_for("a line", || reader.is_finished().then_some(()));
-        let line = reader.join().expect("it was read");
-        let (before, rest) = SCENE.split_once("camera:").expect("a camera");
-        let (_, after) = rest.split_once('\n').expect("a line");
-        view.write(&format!("{before}{line}{after}"));
-        view.view.key("v");
-        view.assert_shows_file();
-        assert!(view.view.shot() == moved);
+        assert!(is_red(&moved, ball), "{button}");
+        assert_eq!(is_red(&moved, MIDDLE), ball == MIDDLE, "{button}");
+        view.key("c");
+        view.key("v");
+        view.assert_shows("the file's camera", |shot| shot == before);
+        view.key("Escape");
+        let View {
+            process,
+            file,
+            folder,
+            ..
+        } = view;
+        let (_, _, line, _) = process.end();
+        let (start, rest) = SCENE.split_once("    camera:").expect("a camera");
+        let (_, end) = rest.split_once('\n').expect("a line");
+        fs::write(&file, format!("{start}{line}{end}")).expect("it is written");
+        assert!(
+            rendered(&format!("--scene {}", file.display())) == moved,
+            "{line}"
+        );
+        drop(folder);
     }
 }

@@ -1,146 +1,90 @@
 //! Keys select time, quality and overlay.
 
-use crate::stage::{View, bright, rendered as rendered_by, window};
+use crate::stage::{SIZE, View, bright, rendered};
+use eightfold::show;
+use eightfold_lab::overlay::{FrameTrace, draw_error};
+use eightfold_lab::threaded_renderer::ThreadedRenderer;
 use eightfold_lab::view::controls::{KEYS, MOST_ERROR, MOST_RAYS};
 use eightfold_stage::wait_for;
-
-/// The picture of the model scene that `lab render` draws.
-fn rendered(time: &str, quality: &str) -> Vec<u32> {
-    rendered_by(&format!("--time {time} --quality {quality}"))
-}
-
-/// The percentage in front of a word of the title, as a fraction.
-fn number(title: &str, unit: &str) -> f64 {
-    let (before, _) = title.split_once(unit).expect(unit);
-    let word = before.split([' ', ',']).rfind(|word| !word.is_empty());
-    word.expect("a number").parse().expect("a number")
-}
+use eightfold_tracer::Quality;
+use eightfold_window::cpu;
 
 #[test]
-fn picture_and_title_belong_to_the_moment() {
-    let Some(view) = View::new("") else { return };
-    let picture = rendered("2", "default");
-    view.assert_shows("the picture", |shot| shot == picture);
-    view.wait(" dB");
-    let title = view.title();
-    for words in ["default", "picture", "2.00 s", "paused"] {
-        assert!(title.contains(words), "{title}");
-    }
-    let traced = number(&title, " % traced");
-    assert!(traced > 1.0 && traced < 50.0, "{title}");
-    let psnr = number(&title, " dB");
-    assert!(psnr > 20.0 && psnr < 90.0, "{title}");
-}
-
-#[test]
-fn default_scene_is_the_show() {
+fn default_is_the_show_with_its_error_in_the_title() {
     let Some(view) = View::of("--time 20") else {
         return;
     };
-    let picture = rendered_by("--scene show --time 20");
-    assert!(picture != rendered("20", "default"));
+    let picture = rendered("--scene show --time 20");
     view.assert_shows("the picture", |shot| shot == picture);
+    let title = wait_for("the error", || {
+        let title = view.title();
+        title.ends_with(" dB").then_some(title)
+    });
+    let start = "Eightfold: default, picture at 20.00 s, paused; ";
+    assert!(title.starts_with(start), "{title}");
 }
 
 #[test]
-fn time_is_paused_stepped_and_reset() {
-    let Some(view) = View::new("") else {
-        return;
-    };
-    let before = rendered("2", "default");
-    view.assert_shows("the picture", |shot| shot == before);
-    view.press("Right", "at 2.02 s, paused");
-    let next = rendered(&(121.0_f64 / 60.0).to_string(), "default");
-    assert!(before != next);
-    view.assert_shows("the next frame", |shot| shot == next);
-    view.press("Left", "at 2.00 s");
-    view.assert_shows("the frame before", |shot| shot == before);
-    view.press("Home", "at 0.00 s, paused");
-    let first = rendered("0", "default");
-    view.assert_shows("the first frame", |shot| shot == first);
-    view.server.xdotool("key space");
+fn keys_select_quality_overlay_and_time() {
+    let Some(view) = View::new() else { return };
+    let at = |time: &str, quality: &str| rendered(&format!("--time {time} --quality {quality}"));
+    let [thesis, exhaustive, fastest] =
+        ["thesis", "exhaustive", "fastest"].map(|name| at("2", name));
+    let [width, height] = SIZE.map(|side| side as usize);
+    let trace = FrameTrace::new(width, height);
+    let (level, scene, mut pixels) = (cpu::best().level, show::model_scene(2.0), thesis.clone());
+    ThreadedRenderer::new(1).draw_observed(
+        level,
+        &scene,
+        &Quality::THESIS,
+        width,
+        &mut pixels,
+        &trace,
+    );
+    let [mut points, mut squares, mut heat, mut error] = [(); 4].map(|()| thesis.clone());
+    trace.draw_points(&mut points);
+    trace.draw_squares(&mut squares);
+    trace.draw_heat(&mut heat, MOST_RAYS);
+    draw_error(&mut error, &exhaustive, MOST_ERROR);
+    let first = at("0", "thesis");
+    for (key, title, picture) in [
+        ("1", "exhaustive", &exhaustive),
+        ("9", "fastest", &fastest),
+        ("2", "thesis", &thesis),
+        ("p", "points", &points),
+        ("s", "squares", &squares),
+        ("h", "heat map", &heat),
+        ("e", "error", &error),
+        ("e", "picture", &thesis),
+        (
+            "Right",
+            "at 2.02 s, paused",
+            &at(&(121.0 / 60.0).to_string(), "thesis"),
+        ),
+        ("Left", "at 2.00 s, paused", &thesis),
+        ("Home", "at 0.00 s, paused", &first),
+        ("1", "100.0 % traced, exact", &at("0", "exhaustive")),
+    ] {
+        view.press(key, title);
+        view.assert_shows(title, |shot| shot == picture);
+    }
+    view.press("space", " s; ");
     wait_for("time to go on", || {
-        let title = view.title();
-        (!title.contains("paused") && number(&title, " s;") > 0.3).then_some(())
+        (!view.title().contains("0.00 s")).then_some(())
     });
-    view.press("space", "paused");
+    view.press("space", " s, paused; ");
     assert!(view.shot() != first);
 }
 
 #[test]
-fn digits_select_qualities() {
-    let Some(view) = View::new("") else { return };
-    for (key, quality) in [("2", "thesis"), ("1", "exhaustive"), ("9", "fastest")] {
-        view.press(key, quality);
-        let picture = rendered("2", quality);
-        view.assert_shows(quality, |shot| shot == picture);
-    }
-    view.press("1", "exhaustive");
-    view.wait("100.0 % traced, exact");
-}
-
-#[test]
-fn letters_select_overlays() {
-    let Some(view) = View::new("--quality thesis") else {
-        return;
-    };
-    let picture = rendered("2", "thesis");
-    let exhaustive = rendered("2", "exhaustive");
-    let pixels = picture.len();
-    let share = |shot: &[u32], is: &dyn Fn(u32) -> bool| {
-        shot.iter().filter(|&&pixel| is(pixel)).count() as f64 / pixels as f64
-    };
-
-    view.press("p", "points");
-    view.assert_shows("the corners, white on dark", |shot| {
-        let corner = shot.iter().step_by(8).take(40);
-        corner.clone().all(|&pixel| pixel == 0x00ff_ffff) && shot[1] == (picture[1] >> 2) & 0x3f3f3f
-    });
-    let traced = number(&view.title(), " % traced") / 100.0;
-    let white = share(&view.shot(), &|pixel| pixel == 0x00ff_ffff);
-    // Some traced points lie outside of the picture.
-    assert!(
-        white <= traced + 1e-3 && white > 0.9 * traced,
-        "{white} of {traced}"
-    );
-
-    view.press("s", "squares");
-    view.assert_shows("squares of 8, each with its edge", |shot| {
-        shot[0] == shot[1]
-            && shot[8] == shot[0]
-            && shot[8 * 320 + 8] == shot[0]
-            && shot[321] != shot[0]
-    });
-    view.press("h", "heat map");
-    view.assert_shows("black where no ray began", |shot| {
-        let black = share(shot, &|pixel| pixel & 0x00f0_f0f0 == 0 && pixel & 0xff < 8);
-        shot[1] == shot[2] && black > 0.5 && black < 1.0
-    });
-    view.press("e", "error");
-    view.assert_shows("black where nothing is wrong", |shot| {
-        let black = shot[0];
-        let mut pixels = shot.iter().zip(picture.iter().zip(&exhaustive));
-        pixels.all(|(&shot, (picture, exhaustive))| (shot == black) == (picture == exhaustive))
-    });
-    view.press("1", "exhaustive");
-    view.assert_shows("no error", |shot| {
-        shot.iter().all(|&pixel| pixel == shot[0])
-    });
-    view.press("2", "thesis");
-    view.press("e", "picture");
-    view.assert_shows("the picture again", |shot| shot == picture);
-}
-
-#[test]
 fn keys_are_listed_over_the_picture() {
-    let Some(view) = View::new("") else { return };
-    let picture = rendered("2", "default");
+    let Some(view) = View::new() else { return };
+    let picture = rendered("--time 2");
     view.assert_shows("the picture", |shot| shot == picture);
     view.key("question");
-    view.assert_shows("white letters on dark", |shot| {
-        let is_dark = |pixel: &&u32| pixel.to_be_bytes().iter().all(|&channel| channel < 64);
-        let dark = shot.iter().filter(is_dark).count();
-        dark > shot.len() / 2 && bright(shot) > 500
+    view.assert_shows("white letters on black", |shot| {
+        let black = shot.iter().filter(|&&pixel| pixel == 0).count();
+        black > shot.len() / 2 && bright(shot) > 500
     });
     view.key("F1");
     view.assert_shows("the picture again", |shot| shot == picture);
@@ -151,15 +95,11 @@ fn keys_are_listed_over_the_picture() {
 
 #[test]
 fn larger_window_has_larger_picture() {
-    let Some(view) = View::new("") else { return };
-    let size = format!("windowsize {} 400 300", view.id());
+    let Some(view) = View::new() else { return };
+    let size = format!("windowsize {} 400 300", view.id);
     view.server.xdotool(&size);
-    wait_for("the size", || {
-        let [.., width, height] = window(&view.server)?;
-        ([width, height] == [400, 300]).then_some(())
-    });
     wait_for("a picture without black", || {
-        let shot = view.server.screenshot(window(&view.server)?);
+        let shot = view.server.screenshot(view.place());
         (shot.len() == 120_000 && shot.iter().all(|&pixel| pixel != 0)).then_some(())
     });
 }

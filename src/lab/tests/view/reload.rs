@@ -1,6 +1,6 @@
 //! A scene file is read again when an editor writes it.
 
-use crate::stage::{FileView, SCENE, SIZE, bright};
+use crate::stage::{SCENE, SIZE, View, bright};
 use eightfold_stage::run;
 use std::fs;
 use std::process::Command;
@@ -12,7 +12,7 @@ fn ball(radius: &str) -> String {
 
 #[test]
 fn written_file_is_shown() {
-    let Some(view) = FileView::new() else { return };
+    let Some(view) = View::of_file() else { return };
     // Two texts of the same length in a row.
     for radius in ["1.4", "0.7", "0.8"] {
         view.write(&ball(radius));
@@ -22,29 +22,23 @@ fn written_file_is_shown() {
 
 #[test]
 fn replaced_file_is_shown() {
-    let Some(view) = FileView::new() else { return };
+    let Some(view) = View::of_file() else { return };
     let [new, old] = ["new", "old"].map(|name| view.folder.path().join(name));
     fs::write(&new, ball("1.4")).expect("it is written");
     fs::rename(&new, &view.file).expect("it is replaced");
     view.assert_shows_file();
-    // With a moment without a file, and a time that is older.
+    // With a moment without a file, and then an older one.
     fs::rename(&view.file, &old).expect("it is moved away");
     view.write(&ball("0.7"));
     view.assert_shows_file();
-    fs::write(&old, ball("0.9")).expect("it is written");
-    let touched = Command::new("touch")
-        .args(["-d", "2001-01-01"])
-        .arg(&old)
-        .status();
-    assert!(touched.expect("touch runs").success());
     fs::rename(&old, &view.file).expect("it is replaced");
     view.assert_shows_file();
 }
 
 #[test]
 fn mistake_is_shown_over_last_picture() {
-    let Some(view) = FileView::new() else { return };
-    let picture = view.view.shot();
+    let Some(view) = View::of_file() else { return };
+    let picture = view.shot();
     // The words take two lines.
     let top = 60 * SIZE[0] as usize;
     for faulty in [
@@ -53,15 +47,14 @@ fn mistake_is_shown_over_last_picture() {
         SCENE.replace("\"red\")]", "\"gold\")]"),
     ] {
         view.write(&faulty);
-        view.view.assert_shows("words over the picture", |shot| {
+        view.assert_shows("words over the picture", |shot| {
             bright(&shot[..top]) > 100 && shot[top..] == picture[top..]
         });
         view.write(SCENE);
         view.assert_shows_file();
     }
     fs::remove_file(&view.file).expect("it is removed");
-    view.view
-        .assert_shows("words", |shot| bright(&shot[..top]) > 100);
+    view.assert_shows("words", |shot| bright(&shot[..top]) > 100);
     view.write(SCENE);
     view.assert_shows_file();
 }
@@ -71,9 +64,8 @@ fn mistake_at_start_begins_with_its_place() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("my.ron"), ball("-1.0")).expect("it is written");
     let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
-    let (output, _) = run(lab
-        .args(["view", "--scene", "my.ron"])
-        .current_dir(folder.path()));
+    let lab = lab.args(["view", "--scene", "my.ron"]);
+    let (output, _) = run(lab.current_dir(folder.path()));
     let errors = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{errors}");
     assert_eq!(errors.lines().count(), 1, "{errors}");

@@ -4,20 +4,19 @@ use eightfold_stage::{DISPLAY, Process, Server, lacks, reader::read_png, run, wa
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
+use std::thread::sleep;
+use std::time::Duration;
 use tempfile::TempDir;
 
 /// The window's size.
 pub const SIZE: [i32; 2] = [320, 240];
 
-/// A running `lab view` on its own X server.
+/// A running `lab view` on its own X server, and a scene file.
 pub struct View {
     pub server: Server,
     pub process: Process,
-}
-
-/// A running `lab view` of a scene file in its own folder.
-pub struct FileView {
-    pub view: View,
+    /// The window's id, for X tools.
+    pub id: String,
     pub file: PathBuf,
     pub folder: TempDir,
 }
@@ -39,8 +38,15 @@ pub const SCENE: &str = r#"Scene(
 
 impl View {
     /// Starts the model scene, paused after 2 s. `None` without the tools for a display.
-    pub fn new(options: &str) -> Option<View> {
-        View::of(&format!("--scene model --time 2 {options}"))
+    pub fn new() -> Option<View> {
+        View::of("--scene model --time 2")
+    }
+
+    /// Starts the file with [`SCENE`], and waits until it is shown.
+    pub fn of_file() -> Option<View> {
+        let view = View::of("--scene FILE")?;
+        view.assert_shows_file();
+        Some(view)
     }
 
     /// Starts paused.
@@ -48,19 +54,29 @@ impl View {
         if lacks(DISPLAY) {
             return None;
         }
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("scene.ron");
+        fs::write(&file, SCENE).expect("it is written");
+        let options = options.replace("FILE", file.to_str().expect("a plain name"));
         let server = Server::start(640, 480);
         let mut lab = Command::new(env!("CARGO_BIN_EXE_lab"));
         lab.args(["view", "--size", "320x240", "--paused"]);
         lab.args(options.split_whitespace());
-        let process = server.open(&mut lab, || window(&server));
-        let view = View { server, process };
+        let process = server.open(&mut lab, || server.geometry(&["-id", &id(&server)?]));
+        let view = View {
+            id: id(&server).expect("a window"),
+            server,
+            process,
+            file,
+            folder,
+        };
         view.point([9, 9]);
         Some(view)
     }
 
     pub fn title(&self) -> String {
         let mut xprop = self.server.tool("xprop");
-        let (_, text) = run(xprop.args(["-id", &self.id(), "_NET_WM_NAME"]));
+        let (_, text) = run(xprop.args(["-id", &self.id, "_NET_WM_NAME"]));
         text.split('"').nth(1).unwrap_or_default().to_owned()
     }
 
@@ -68,40 +84,29 @@ impl View {
     #[track_caller]
     pub fn press(&self, key: &str, words: &str) {
         self.key(key);
-        self.wait(words);
+        wait_for(words, || self.title().contains(words).then_some(()));
     }
 
     pub fn key(&self, key: &str) {
         self.server.xdotool(&format!("key {key}"));
     }
 
-    pub fn wait(&self, words: &str) {
-        wait_for(words, || self.title().contains(words).then_some(()));
-    }
-
-    /// Moves the pointer to a pixel of the window.
+    /// Moves the pointer to a pixel of the window, and waits for some frames.
     fn point(&self, [x, y]: [i32; 2]) {
-        let [left, top, ..] = window(&self.server).expect("a window");
+        let [left, top, ..] = self.place();
         let command = format!("mousemove {} {}", left + x, top + y);
         self.server.xdotool(&command);
-        self.pause();
+        sleep(Duration::from_millis(40));
     }
 
     /// Drags by a button from pixel to pixel.
     pub fn drag(&self, button: u32, way: &[[i32; 2]]) {
         self.point(way[0]);
         self.server.xdotool(&format!("mousedown {button}"));
-        self.pause();
         for &at in &way[1..] {
             self.point(at);
         }
         self.server.xdotool(&format!("mouseup {button}"));
-        self.pause();
-    }
-
-    /// Waits for some frames.
-    fn pause(&self) {
-        std::thread::sleep(std::time::Duration::from_millis(40));
     }
 
     /// Waits until the window shows the given picture.
@@ -110,49 +115,28 @@ impl View {
         wait_for(what, || is_wanted(&self.shot()).then_some(()));
     }
 
-    /// Returns the picture in the window once it has been the same for some frames.
-    pub fn settled_shot(&self) -> Vec<u32> {
-        wait_for("the same picture again", || {
-            let shot = self.shot();
-            self.pause();
-            (shot == self.shot()).then_some(shot)
-        })
-    }
-
-    pub fn shot(&self) -> Vec<u32> {
-        let [x, y, width, height] = window(&self.server).expect("a window");
-        assert_eq!([width, height], SIZE);
-        self.server.screenshot([x, y, width, height])
-    }
-
-    pub fn id(&self) -> String {
-        id(&self.server).expect("a window")
-    }
-}
-
-impl FileView {
-    /// Starts with [`SCENE`], and waits until it is seen. `None` without the tools for a display.
-    pub fn new() -> Option<FileView> {
-        let folder = tempfile::tempdir().expect("a folder");
-        let file = folder.path().join("scene.ron");
-        fs::write(&file, SCENE).expect("it is written");
-        let view = View::of(&format!("--scene {}", file.display()))?;
-        let view = FileView { view, file, folder };
-        view.assert_shows_file();
-        Some(view)
-    }
-
-    /// Writes the file as an editor does.
-    pub fn write(&self, text: &str) {
-        fs::write(&self.file, text).expect("it is written");
-    }
-
     /// Waits until the window shows the picture of the file.
     #[track_caller]
     pub fn assert_shows_file(&self) {
         let picture = rendered(&format!("--scene {}", self.file.display()));
-        self.view
-            .assert_shows("the file's picture", |shot| shot == picture);
+        self.assert_shows("the file's picture", |shot| shot == picture);
+    }
+
+    /// Writes the file in place.
+    pub fn write(&self, text: &str) {
+        fs::write(&self.file, text).expect("it is written");
+    }
+
+    pub fn shot(&self) -> Vec<u32> {
+        let [x, y, width, height] = self.place();
+        assert_eq!([width, height], SIZE);
+        self.server.screenshot([x, y, width, height])
+    }
+
+    /// Returns the place of the window on the screen, and its size.
+    pub fn place(&self) -> [i32; 4] {
+        let place = self.server.geometry(&["-id", &self.id]);
+        place.expect("a window")
     }
 }
 
@@ -162,14 +146,10 @@ fn id(server: &Server) -> Option<String> {
     found.lines().next().map(str::to_owned)
 }
 
-pub fn window(server: &Server) -> Option<[i32; 4]> {
-    server.geometry(&["-id", &id(server)?])
-}
-
 /// Returns the number of pixels as bright as letters are.
 pub fn bright(pixels: &[u32]) -> usize {
-    let is_bright = |pixel: &u32| pixel.to_be_bytes()[1..].iter().all(|&c| c > 180);
-    pixels.iter().copied().filter(is_bright).count()
+    let is_bright = |pixel: &&u32| pixel.to_be_bytes()[1..].iter().all(|&c| c > 180);
+    pixels.iter().filter(is_bright).count()
 }
 
 /// Returns the picture that `lab render` draws.
