@@ -17,31 +17,25 @@ pub fn record(range: Range<u32>) -> Vec<[f32; 2]> {
 
 /// Encodes stereo samples as a WAV file: 48 kHz, 32-bit floating point.
 pub fn wav(samples: &[[f32; 2]]) -> Vec<u8> {
-    const FLOATING_POINT: u16 = 3;
-    const CHANNELS: u16 = 2;
-    const FORMAT: u32 = 18;
-    const HEADER: u32 = 58;
-    let count = samples.len() as u32;
-    let mut bytes = Vec::with_capacity((HEADER + count * FRAME) as usize);
-    bytes.extend(b"RIFF");
-    bytes.extend((HEADER - 8 + count * FRAME).to_le_bytes());
-    bytes.extend(b"WAVEfmt ");
-    bytes.extend(FORMAT.to_le_bytes());
-    bytes.extend(FLOATING_POINT.to_le_bytes());
-    bytes.extend(CHANNELS.to_le_bytes());
-    bytes.extend(RATE.to_le_bytes());
-    bytes.extend((RATE * FRAME).to_le_bytes());
-    bytes.extend((FRAME as u16).to_le_bytes());
-    bytes.extend((8 * FRAME as u16 / CHANNELS).to_le_bytes());
-    // The size of the format's extension.
-    bytes.extend(0_u16.to_le_bytes());
-    bytes.extend(b"fact");
-    bytes.extend(4_u32.to_le_bytes());
-    bytes.extend(count.to_le_bytes());
-    bytes.extend(b"data");
-    bytes.extend((count * FRAME).to_le_bytes());
-    for channel in samples.iter().flatten() {
-        bytes.extend(channel.to_le_bytes());
-    }
-    bytes
+    let size = samples.len() as u32 * FRAME;
+    // Format 3 is floating point; its header has 16 bytes.
+    let (format, channels) = (3, 2);
+    let header = [
+        u32::from_le_bytes(*b"RIFF"),
+        36 + size,
+        u32::from_le_bytes(*b"WAVE"),
+        u32::from_le_bytes(*b"fmt "),
+        16,
+        format | channels << 16,
+        RATE,
+        RATE * FRAME,
+        FRAME | (8 * FRAME / channels) << 16,
+        u32::from_le_bytes(*b"data"),
+        size,
+    ];
+    let header = header.into_iter().flat_map(u32::to_le_bytes);
+    let samples = samples.iter().flatten();
+    header
+        .chain(samples.flat_map(|sample| sample.to_le_bytes()))
+        .collect()
 }

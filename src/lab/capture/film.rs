@@ -1,185 +1,126 @@
-//! The film: the picture for each frame number.
+//! The picture and the sound of each frame.
 
-use super::exposure::Exposure;
-use crate::arguments::{NamedQuality, Size};
+use super::Arguments;
+use crate::arguments::{Size, processors};
 use crate::interrupt::{self, Stopped};
 use crate::picture::Mean;
-use crate::rate::Rate;
 use crate::scenes::SceneName;
 use crate::threaded_renderer::ThreadedRenderer;
-use crate::wav;
+use crate::{progress, wav};
 use anyhow::{Result, bail};
 use eightfold::sound::RATE;
+use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Vec2, vec2};
-use eightfold_tracer::scene::Scene;
-use eightfold_window::cpu::Isa;
+use eightfold_tracer::scene::Camera;
+use eightfold_window::cpu;
+use std::f32::consts::TAU;
 use std::ops::Range;
 
-/// Everything that determines a frame's pixels, except its number.
+/// The pictures per frame along each axis where a frame is blurred, by default.
+const BLURRED: usize = 4;
+
+/// Draws frames by their numbers.
 pub struct Film {
-    pub scene: SceneName,
-    pub rate: Rate,
+    scene: SceneName,
+    pub fps: u32,
     pub size: Size,
-    pub quality: NamedQuality,
-    pub samples: Samples,
-    pub isa: Isa,
-}
-
-/// The pictures of which a frame is the mean.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Samples {
-    /// A sample at the centre of each of N by N parts of a pixel, 1 to [`MAX_SUPERSAMPLE`].
-    Grid(usize),
-    /// Samples over pixel, time, lens and lamps.
-    Spread(Exposure),
-}
-
-/// The most samples per pixel along each axis: 256 samples give every step of an edge in 8 bits.
-pub const MAX_SUPERSAMPLE: usize = 16;
-
-/// The working memory for a picture.
-pub struct Canvas {
+    quality: Quality,
+    /// A frame is the mean of this number squared of pictures.
+    supersample: usize,
+    shutter: f32,
+    aperture: f32,
     renderer: ThreadedRenderer,
     pixels: Vec<u32>,
 }
 
 impl Film {
-    /// The time of a frame in seconds.
-    pub fn time(&self, frame: usize) -> f32 {
-        self.rate.time(frame)
+    pub fn new(arguments: &Arguments) -> Self {
+        let usual_size = if arguments.sheet.is_some() {
+            Size::new(320, 240)
+        } else {
+            Size::new(1024, 768)
+        };
+        let is_blurred = arguments.shutter > 0.0 || arguments.aperture > 0.0;
+        let usual_count = if is_blurred { BLURRED } else { 1 };
+        let size = arguments.size.unwrap_or(usual_size);
+        Self {
+            scene: arguments.scene,
+            fps: arguments.fps,
+            size,
+            quality: arguments.quality.quality,
+            supersample: arguments.supersample.unwrap_or(usual_count),
+            shutter: arguments.shutter,
+            aperture: arguments.aperture,
+            renderer: ThreadedRenderer::new(processors()),
+            pixels: vec![0; size.area()],
+        }
     }
 
-    /// The number of frames of the scene.
-    pub fn length(&self) -> usize {
-        self.rate.frames(self.scene.length())
-    }
-
-    /// The sound of a range of frames as a WAV file; `None` if the scene has none.
+    /// Draws frames one after another, each by all threads, and passes them on.
     ///
     /// # Errors
-    /// If the command has to end meanwhile.
-    pub fn sound(&self, frames: &Range<usize>) -> Result<Option<Vec<u8>>> {
-        let Some(samples) = self.samples(frames) else {
-            return Ok(None);
-        };
-        let record = wav::record(samples);
-        if interrupt::is_stopped() {
-            bail!(Stopped("no sound is written".to_owned()));
+    /// The first error of `take`, or [`Stopped`] after Ctrl-C.
+    pub fn draw_each(
+        &mut self,
+        frames: impl ExactSizeIterator<Item = usize>,
+        mut take: impl FnMut(usize, &[u32]) -> Result<()>,
+    ) -> Result<()> {
+        let bar = progress::bar(frames.len());
+        for frame in frames {
+            let pixels = self.draw(frame);
+            if interrupt::is_stopped() {
+                bail!(Stopped("no more frames are drawn".to_owned()));
+            }
+            take(frame, pixels)?;
+            bar.inc(1);
         }
-        Ok(Some(wav::wav(&record)))
+        bar.finish_and_clear();
+        Ok(())
     }
 
-    /// The range of the soundtrack, in samples, that belongs to a range of frames; `None` if the scene has no sound.
-    fn samples(&self, frames: &Range<usize>) -> Option<Range<u32>> {
-        let start = (self.scene.start()? * RATE as f32) as u32;
-        let position = |frame: usize| {
-            let frames = frame as u64 * u64::from(self.rate.den);
-            let samples = (frames * u64::from(RATE)).div_ceil(u64::from(self.rate.num));
-            start + samples as u32
-        };
-        Some(position(frames.start)..position(frames.end))
-    }
-
-    /// A line that describes a frame: equal lines mean equal pictures.
-    ///
-    /// AVX2 and AVX-512 draw the same bits. Other instruction sets lack fused multiply-add.
-    pub fn describe(&self, frame: usize) -> String {
-        let lanes = match self.isa.name {
-            "avx512" | "avx2" => "fused",
-            other => other,
-        };
-        let samples = match self.samples {
-            Samples::Grid(n) => format!("{n}x{n} samples"),
-            Samples::Spread(exposure) => format!("{exposure:?}"),
-        };
-        format!(
-            "eightfold {}: scene {} ({:08x}), frame {frame} at {} fps, {}, {:?}, {samples}, {lanes}",
-            env!("CARGO_PKG_VERSION"),
-            self.scene,
-            self.contents(frame),
-            self.rate,
-            self.size,
-            self.quality.quality,
-        )
-    }
-
-    /// The checksum of all that the scenes of a frame have in them: several while the shutter is open.
-    fn contents(&self, frame: usize) -> u32 {
-        let moments = match self.samples {
-            Samples::Spread(exposure) if exposure.shutter > 0.0 => exposure.samples,
-            _ => 1,
-        };
-        let still = self.scene.at(self.time(frame));
-        let mut hash = crc32fast::Hasher::new();
-        for index in 0..moments {
-            let (scene, _) = self.picture(frame, index, &still);
-            hash.update(format!("{scene:?}").as_bytes());
-        }
-        hash.finalize()
-    }
-
-    /// Draws a frame as `0x00RRGGBB` pixels, row by row: the mean of its pictures as they would be shown.
-    ///
-    /// The shown colours are linear in the light up to the brightest that can be, so that this is what a camera would gather whose
-    /// film clips at every moment; a lamp brighter than white does not outshine what is beside it for the rest of the time.
-    pub fn draw<'a>(&self, frame: usize, canvas: &'a mut Canvas) -> &'a [u32] {
-        let scene = self.scene.at(self.time(frame));
-        let Canvas { renderer, pixels } = canvas;
-        pixels.resize(self.size.area(), 0);
-        let count = self.pictures();
+    /// Draws a frame as the mean of its pictures, of their colours as they are shown.
+    fn draw(&mut self, frame: usize) -> &[u32] {
+        let n = self.supersample;
         let mut mean = Mean::default();
-        for index in 0..count {
-            let (scene, offset) = self.picture(frame, index, &scene);
-            renderer.set_offset(offset.x, offset.y);
-            let (quality, width) = (&self.quality.quality, self.size.width);
-            renderer.draw(self.isa.level, &scene, quality, width, pixels);
-            if count > 1 {
-                mean.add(pixels);
-            }
+        for i in 0..n * n {
+            // Multiples of such steps are spread evenly, in the plane as well (Roberts, "The unreasonable effectiveness of
+            // quasirandom sequences", 2018), and independent of the place in the pixel.
+            let spread = |step: f32| (0.5 + i as f32 * step).fract();
+            let delay = self.shutter * spread(0.618_034);
+            let time = (frame as f64 + f64::from(delay)) / f64::from(self.fps);
+            let mut scene = self.scene.at(time as f32);
+            let lens = spread(0.754_877_7).sqrt() * Vec2::from_angle(TAU * spread(0.569_840_3));
+            let shift = self.move_camera(&mut scene.camera, 0.5 * self.aperture * lens);
+            let place = |part: usize| (part as f32 + 0.5) / n as f32 - 0.5;
+            let offset = shift + vec2(place(i % n), place(i / n));
+            self.renderer.set_offset(offset.x, offset.y);
+            let (level, width) = (cpu::best().level, self.size.width);
+            self.renderer
+                .draw(level, &scene, &self.quality, width, &mut self.pixels);
+            mean.add(&self.pixels);
         }
-        if count > 1 {
-            mean.write(pixels);
-        }
-        pixels
+        mean.write(&mut self.pixels);
+        &self.pixels
     }
 
-    /// The number of pictures of which a frame is the mean.
-    fn pictures(&self) -> usize {
-        match self.samples {
-            Samples::Grid(n) => n * n,
-            Samples::Spread(exposure) => exposure.samples,
-        }
+    /// Moves the camera to a point of the lens. Returns the offset in pixels by which the point that it looks at stays in its place.
+    fn move_camera(&self, camera: &mut Camera, lens: Vec2) -> Vec2 {
+        let sight = camera.look_at - camera.eye;
+        let forward = sight.normalize();
+        let right = forward.cross(camera.up).normalize();
+        let by = lens.x * right + lens.y * right.cross(forward);
+        camera.eye += by;
+        camera.look_at += by;
+        let pixel = 2.0 * (0.5 * camera.field_of_view).tan() / self.size.height as f32;
+        // Pixels count down, and the lens's second axis is up.
+        vec2(-lens.x, lens.y) / (sight.length() * pixel)
     }
 
-    /// The scene of one picture of a frame, which has the scene `still` at its time, and how far its samples are off the pixels'
-    /// centres.
-    fn picture(&self, frame: usize, index: usize, still: &Scene) -> (Scene, Vec2) {
-        match self.samples {
-            Samples::Grid(n) => {
-                let offset = |part: usize| (part as f32 + 0.5) / n as f32 - 0.5;
-                (*still, vec2(offset(index % n), offset(index / n)))
-            }
-            Samples::Spread(exposure) => {
-                let shot = exposure.shot(index);
-                let mut scene = if exposure.shutter > 0.0 {
-                    let delay = f64::from(shot.delay) / self.rate.hertz();
-                    self.scene.at(self.time(frame) + delay as f32)
-                } else {
-                    *still
-                };
-                let offset = exposure.aim(&shot, &mut scene, self.size.height);
-                (scene, offset)
-            }
-        }
-    }
-}
-
-impl Canvas {
-    /// Working memory for one thread.
-    pub(super) fn new() -> Self {
-        Self {
-            renderer: ThreadedRenderer::new(1),
-            pixels: Vec::new(),
-        }
+    /// Makes the sound of a range of frames, to the sample; `None` if the scene has none.
+    pub fn sound(&self, frames: &Range<usize>) -> Option<Vec<[f32; 2]>> {
+        let start = (self.scene.start()? * RATE as f32) as u32;
+        let samples = |frame: usize| (frame as u64 * u64::from(RATE)).div_ceil(self.fps.into());
+        let position = |frame| start + samples(frame) as u32;
+        Some(wav::record(position(frames.start)..position(frames.end)))
     }
 }

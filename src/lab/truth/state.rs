@@ -52,13 +52,7 @@ pub fn save(name: &Path, made: &str, film: &Film) -> Result<()> {
         }
     }
     bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
-    let write = || {
-        let mut file = output::start_for_another(name, ".part")?;
-        file.write_all(&bytes)?;
-        file.persist(name)?;
-        Ok(())
-    };
-    let written: Result<()> = write();
+    let written = output::write(name, &bytes);
     written.with_context(|| format!("cannot keep {}", name.display()))
 }
 

@@ -1,7 +1,7 @@
 //! Bad input, files that cannot be written and full disks lead to one line of explanation.
 
 use super::number;
-use crate::{assert_one_line, cells, command, lab};
+use crate::{assert_one_line, cells, command, interrupted, lab};
 use serde_json::Value;
 use std::mem::take;
 
@@ -20,14 +20,7 @@ fn after_a_signal_the_figures_are_those_of_the_frames_until_then() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("bench.json");
     let line = "bench --threads 3 --frames 100000 --size 32x24 --size 48x36 --json";
-    let bench = crate::start(command(line).arg(&file));
-    // Its own, the one that hears signals, and two that draw.
-    eightfold_stage::wait_for("threads that draw", || {
-        let threads = std::fs::read_dir(format!("/proc/{}/task", bench.id()));
-        (threads.expect("it runs").count() >= 4).then_some(())
-    });
-    assert!(crate::signal(&bench.id().to_string(), "INT"));
-    let mut output = bench.wait_with_output().unwrap();
+    let mut output = interrupted(command(line).arg(&file));
     let table = String::from_utf8(take(&mut output.stdout)).unwrap();
     assert_one_line(&output, 130, &["stopped early"]);
     let rows: Vec<Value> = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
