@@ -5,10 +5,10 @@
 
 mod camera;
 pub mod controls;
-mod frame_viewer;
+pub mod frame_viewer;
 mod panel;
 mod session;
-mod subject;
+pub mod subject;
 mod watched;
 
 use crate::arguments::{self, NamedQuality, Size};

@@ -2,9 +2,12 @@
 
 use crate::stage::{SIZE, View, bright, rendered};
 use eightfold::show;
+use eightfold_lab::arguments::{NamedQuality, Size};
 use eightfold_lab::overlay::{FrameTrace, draw_error};
+use eightfold_lab::scenes::SceneName;
 use eightfold_lab::threaded_renderer::ThreadedRenderer;
-use eightfold_lab::view::controls::{KEYS, MOST_ERROR, MOST_RAYS};
+use eightfold_lab::view::controls::{Controls, KEYS, MOST_ERROR, MOST_RAYS, Overlay};
+use eightfold_lab::view::{frame_viewer::FrameViewer, subject::Subject};
 use eightfold_stage::wait_for;
 use eightfold_tracer::Quality;
 use eightfold_window::cpu;
@@ -74,6 +77,27 @@ fn keys_select_quality_overlay_and_time() {
     });
     view.press("space", " s, paused; ");
     assert!(view.shot() != first);
+}
+
+/// A new picture does not wait for its exhaustive frame.
+#[test]
+fn paused_picture_is_measured_after_it_was_drawn() {
+    let controls = Controls {
+        frame: 0.0,
+        length: 1.0,
+        is_paused: true,
+        quality: NamedQuality::THESIS,
+        overlay: Overlay::None,
+    };
+    let subject = Subject::new(SceneName::Model);
+    let mut viewer = FrameViewer::new(1, cpu::best());
+    for (is_new, is_measured) in [(true, false), (true, true), (false, true)] {
+        let drawn = viewer.draw(&controls, &subject, Size::new(64, 48));
+        assert_eq!(
+            (drawn, viewer.figures.psnr.is_some()),
+            (is_new, is_measured)
+        );
+    }
 }
 
 #[test]
