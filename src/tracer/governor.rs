@@ -68,6 +68,7 @@ pub struct Governor {
 impl Governor {
     /// Returns a governor for frames of this duration, a second at most. It starts on the finest rung.
     #[must_use]
+    #[inline]
     pub fn new(budget: Duration) -> Self {
         Self {
             budget: (budget.as_nanos() as u64).clamp(1, SECOND),
@@ -94,6 +95,7 @@ impl Governor {
     }
 
     /// Records the time from the start of the last frame until it was shown.
+    #[inline]
     pub fn frame(&mut self, time: Duration) {
         let budget = self.budget;
         let time = (time.as_nanos() as u64).min(MAX_LATENESS * budget);
