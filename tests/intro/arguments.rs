@@ -6,7 +6,7 @@ use eightfold_window::cpu;
 
 #[test]
 #[ignore = "the intro is started many times"]
-fn bad_arguments_are_named_in_one_line() {
+fn bad_argument_is_named_in_one_line() {
     let qualities = qualities();
     let length = show::LENGTH.to_string();
     let bad: &[(&[&str], &str)] = &[
@@ -15,63 +15,38 @@ fn bad_arguments_are_named_in_one_line() {
         (&[""], "--help"),
         (&["--sizes", "10x10"], "--sizes"),
         (&["--silen"], "--silen"),
-        (&["--silent  play no sound"], "--silent  play no sound"),
         (&["--loop=1"], "--loop"),
-        (&["=", "1"], "="),
         (&["--loop\x1b[31m"], "--loop?[31m"),
         (&["--size"], "--size WxH"),
         (&["--size", "1024"], "--size WxH"),
         (&["--size", "0x10"], "--size WxH"),
-        (&["--size", "10x0"], "--size WxH"),
         (&["--size", "3841x10"], "--size WxH"),
         (&["--size", "10x2161"], "--size WxH"),
-        (&["--size", "-5x10"], "--size WxH"),
-        (&["--size", "10x10x10"], "--size WxH"),
         (&["--size", "+10x10"], "--size WxH"),
         (&["--size=10x"], "--size WxH"),
-        (&["--size="], "--size WxH"),
         (&["--size", "99999999999999999999999x1"], "--size WxH"),
         (&["--threads", "0"], "--threads N"),
         (&["--threads", "65"], "--threads N"),
-        (&["--threads", "two"], "--threads N"),
-        (&["--threads", "184467440737095516170"], "--threads N"),
-        (&["--threads"], "--threads N"),
-        (&["--seconds", "0"], "--seconds S"),
         (&["--seconds", "0.0"], "--seconds S"),
         (&["--seconds", "."], "--seconds S"),
-        (&["--seconds", ""], "--seconds S"),
         (&["--seconds", "-1"], "--seconds S"),
         (&["--seconds", "1.2.3"], "--seconds S"),
-        (&["--seconds", "nan"], "--seconds S"),
-        (&["--seconds", "inf"], "--seconds S"),
         (&["--seconds", "1e3"], "--seconds S"),
         (&["--seconds", "0.0000000001"], "--seconds S"),
-        (&["--seconds", "1000000001"], "--seconds S"),
         // 2^64 ns and 2^64 s, and one second more.
         (&["--seconds", "18446744073.709551616"], "--seconds S"),
         (&["--seconds", "18446744074.709551616"], "--seconds S"),
         (&["--seconds", "18446744073709551616"], "--seconds S"),
         (&["--seconds", "18446744073709551617"], "--seconds S"),
-        (&["--fps", "0"], "--fps N"),
         (&["--fps", "1001"], "--fps N"),
         (&["--fps", "59.9"], "--fps N"),
-        (&["--psnr", "0"], "--psnr DB"),
         (&["--psnr", "100"], "--psnr DB"),
-        (&["--psnr", "45.5"], "--psnr DB"),
-        (&["--psnr"], "--psnr DB"),
-        (&["--hud=1"], "--hud"),
         (&["--quality", "best"], "--quality NAME"),
-        (&["--quality", ""], &qualities),
         (&["--quality"], &qualities),
-        (&["--quality", "fast faster"], &qualities),
         (&["--quality", "fast", "--exhaustive"], "two qualities"),
-        (&["--exhaustive", "--quality", "thesis"], "two qualities"),
         (&["--quality", "fast", "--quality=fine"], "two qualities"),
         (&["--isa", "neon"], "avx2 sse2"),
-        (&["--isa"], "--isa NAME"),
         (&["--still", &length], "--still S"),
-        (&["--still", "-1"], "--still S"),
-        (&["--still"], "--still S"),
         (&["--loop", "--seconds", "1", "--size", "1x"], "--size WxH"),
     ];
     for (arguments, named) in bad {
@@ -87,72 +62,30 @@ fn bad_arguments_are_named_in_one_line() {
 
 #[test]
 fn help_and_version_are_printed() {
-    let qualities = qualities();
     let (output, help) = run(&mut headless("--help"));
     assert_eq!(output.status.code(), Some(0));
-    for option in [
-        "--size",
-        "--fullscreen",
-        "--threads",
-        "--isa",
-        "--seconds",
-        "--loop",
-        "--fps",
-        "--quality",
-        &qualities,
-        "--exhaustive",
-        "--uncapped",
-        "--silent",
-        "--still",
-        "--help",
-        "--version",
-    ] {
-        assert!(help.contains(option), "{option}: {help}");
+    let flags = "--size --fullscreen --threads --isa --seconds --loop --fps --psnr --quality --exhaustive --uncapped \
+                 --silent --hud --still --help --version";
+    let length = format!("({}, the show)", show::LENGTH);
+    let last = format!("from 0 to below {},", show::LENGTH);
+    for text in flags.split(' ').chain([&qualities()[..], &length, &last]) {
+        assert!(help.contains(text), "{text}: {help}");
     }
     assert_eq!(run(&mut headless("-h")).1, help);
     let (output, version) = run(&mut headless("--version"));
     assert_eq!(output.status.code(), Some(0));
-    assert_eq!(
-        version,
-        format!("eightfold {}\n", env!("CARGO_PKG_VERSION"))
-    );
+    let expected = concat!("eightfold ", env!("CARGO_PKG_VERSION"), "\n");
+    assert_eq!(version, expected);
 }
 
 #[test]
-fn the_help_tells_the_length_of_the_show() {
-    let (output, _) = run(&mut headless("--help"));
-    let (help, _) = texts(&output);
-    assert!(help.contains(&format!("({}, the show)", show::LENGTH)));
-    assert!(help.contains(&format!("from 0 to below {},", show::LENGTH)));
-}
-
-#[test]
-fn the_last_moment_of_the_show_is_the_last_that_can_be_still() {
-    let before = show::LENGTH - 1.0;
-    for (time, code) in [
-        (format!("{before}.999999999"), 0),
-        (show::LENGTH.to_string(), 2),
-        (format!("{}.000000001", show::LENGTH), 2),
-    ] {
-        let (output, _) = run(&mut headless(&format!("--still {time} --size 8x6")));
-        let (_, errors) = texts(&output);
-        assert_eq!(output.status.code(), Some(code), "{time}: {errors}");
-    }
-}
-
-#[test]
-fn every_option_has_its_effect() {
+fn option_has_its_effect() {
     let said = |options: &str| run(&mut headless(options)).1;
     assert!(said("--seconds 0.3 --threads 1").contains("threads 1"));
-    assert!(said("--seconds .3 --size 1x1").contains(", 1x1,"));
     assert!(said("--seconds=.3 --size=2x3").contains(", 2x3,"));
     assert!(said("--seconds 0.1 --seconds 0.3 --size 2x3").contains("in 0.3"));
     // A frame may last longer than the time that is left.
     assert!(said("--fps 1 --seconds 0.2 --size 16x12").contains("in 0.2"));
-    assert!(
-        said("--seconds 0.3 --size 64x48 --exhaustive --quality exhaustive --loop")
-            .contains("64x48")
-    );
     let frames = |options: &str| {
         let said = said(options);
         let (frames, _) = said.split_once(' ').expect("a number and more");
@@ -164,7 +97,7 @@ fn every_option_has_its_effect() {
 }
 
 #[test]
-fn instruction_sets_of_the_cpu_can_be_chosen_and_others_are_refused() {
+fn instruction_set_of_another_cpu_is_refused() {
     let here: Vec<&str> = cpu::shipped().map(|isa| isa.name).collect();
     let (_, help) = run(&mut headless("--help"));
     let line = format!("instruction sets of this CPU: {}\n", here.join(" "));
