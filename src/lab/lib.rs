@@ -25,7 +25,6 @@ pub mod rate;
 pub mod render;
 pub mod report;
 pub mod sampler;
-pub mod scene;
 pub mod scenes;
 pub mod sheet;
 pub mod size;

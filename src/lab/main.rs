@@ -2,8 +2,8 @@
 
 use clap::{Parser, Subcommand, error::ErrorKind};
 use eightfold_lab::{
-    arguments, bench, capture, figures, interrupt, missed, render, report, scene, scenes, size,
-    trade, truth, view,
+    arguments, bench, capture, figures, interrupt, missed, render, report, scenes, size, trade,
+    truth, view,
 };
 use std::error::Error;
 use std::process::ExitCode;
@@ -24,7 +24,6 @@ enum Command {
     Missed(missed::Arguments),
     Render(render::Arguments),
     Report(report::Arguments),
-    Scene(scene::Arguments),
     Size(size::Arguments),
     Trade(trade::Arguments),
     Truth(truth::Arguments),
@@ -46,7 +45,6 @@ fn main() -> ExitCode {
         Command::Missed(arguments) => missed::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
-        Command::Scene(arguments) => scene::run(&arguments),
         Command::Size(arguments) => size::run(&arguments),
         Command::Trade(arguments) => trade::run(&arguments),
         Command::Truth(arguments) => truth::run(&arguments),

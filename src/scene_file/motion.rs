@@ -1,119 +1,128 @@
 //! Numbers of a scene that change with time.
 
-use super::{earlier, keys};
-use serde::{Deserialize, Serialize};
-use serde_json::Value;
-use std::ops::{Add, Mul, Sub};
+use super::node::{Fault, Kind, Node};
+use serde::Deserialize;
 
-/// How one number of the scene, or one vector, changes with time.
-#[derive(Clone, Debug, Serialize, Deserialize, PartialEq)]
+/// The motion of a number of the scene, or of a vector.
+#[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Motion {
-    /// The value that changes, by its path in the file: `camera.eye`, `spheres[0].centre`, `materials["gold"].kr`.
-    #[serde(deserialize_with = "earlier::read_path")]
+    /// The path of the value in the file: `camera.eye`, `spheres[0].centre`, `materials["gold"].kr`.
     pub of: String,
-    /// The course of values between two keys.
     #[serde(default)]
-    pub between: Between,
+    between: Between,
     /// Whether it starts again after the last key.
     #[serde(default)]
-    pub repeat: bool,
-    /// Times in seconds, in order, each with the value that it has then.
-    pub keys: Vec<(f32, Numbers)>,
+    repeat: bool,
+    /// In the order of their times; one at least.
+    #[serde(skip)]
+    pub keys: Vec<Key>,
 }
 
-/// How a motion goes from key to key; see the functions of the same names in [`keys`].
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize, PartialEq)]
-pub enum Between {
+/// The course of a value from key to key.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
+enum Between {
+    /// At a constant speed.
     #[default]
     Linear,
+    /// Slow at each key, by Hermite's smooth step.
     Smooth,
+    /// Without a corner, by a Catmull-Rom spline: it passes a key at the mean speed between its neighbours.
     Spline,
+    /// The value of the last key.
     Hold,
 }
 
+/// A time in seconds, and the value at that time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Key {
+    /// The byte of the text at which it begins.
+    at: usize,
+    pub time: f32,
+    numbers: Vec<f32>,
+}
+
+/// Returns a number, or all numbers of a vector or a matrix.
+fn numbers(node: &Node) -> Result<Vec<f32>, Fault> {
+    if node.kind == Kind::List {
+        let all: Result<Vec<_>, _> = node.parts.iter().map(numbers).collect();
+        return all.map(|all| all.concat());
+    }
+    f32::deserialize(node).map(|number| vec![number])
+}
+
 impl Motion {
-    /// The value at a time. There has to be a key.
-    pub fn at(&self, time: f32) -> Numbers {
-        let time = self.period().map_or(time, |period| time.rem_euclid(period));
-        let value = match self.between {
-            Between::Linear => keys::linear,
-            Between::Smooth => keys::smooth,
-            Between::Spline => keys::spline,
-            Between::Hold => keys::hold,
+    /// Reads a motion.
+    ///
+    /// # Errors
+    /// The first mistake in it.
+    pub fn read(node: &Node) -> Result<Self, Fault> {
+        let mut node = node.clone();
+        let keys = node.take("keys");
+        let mut motion = Self::deserialize(&node)?;
+        for key in keys.iter().flat_map(|keys| &keys.parts) {
+            let [time, value] = &key.parts[..] else {
+                return Err(key.fault("key must be (seconds, value)"));
+            };
+            let (time, numbers) = (f32::deserialize(time)?, numbers(value)?);
+            let (before, count) = match motion.keys.last() {
+                Some(last) => (last.time, last.numbers.len()),
+                None => (f32::MIN, numbers.len()),
+            };
+            if !(time > before && time.is_finite()) {
+                return Err(key.fault(format!("time is {time}, must be above {before}")));
+            }
+            if numbers.len() != count {
+                return Err(key.fault(format!("key must have {count} numbers")));
+            }
+            let at = key.at;
+            motion.keys.push(Key { at, time, numbers });
+        }
+        if motion.keys.is_empty() {
+            return Err(node.fault("motion must have a key"));
+        }
+        Ok(motion)
+    }
+
+    /// Returns the numbers at a time in seconds, and the place of their key in the text.
+    pub fn at(&self, time: f32) -> (usize, Vec<f32>) {
+        let (keys, last) = (&self.keys, self.keys.len() - 1);
+        let is_repeated = self.repeat && keys[last].time > 0.0;
+        let time = if is_repeated {
+            time.rem_euclid(keys[last].time)
+        } else {
+            time
         };
-        value(&self.keys, time)
-    }
-
-    /// After how many seconds it starts again: the time of the last key, if it repeats and that is after 0.
-    pub fn period(&self) -> Option<f32> {
-        let (end, _) = self.keys.last()?;
-        (self.repeat && *end > 0.0).then_some(*end)
-    }
-}
-
-/// A number, or several, such as those of a point.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize, PartialEq)]
-#[serde(untagged)]
-pub enum Numbers {
-    One(f32),
-    Three([f32; 3]),
-    /// The axes of a block.
-    Nine([[f32; 3]; 3]),
-}
-
-impl Numbers {
-    /// The numbers of a value in a scene's tree; `None` if it is something else.
-    pub fn of(value: &Value) -> Option<Self> {
-        serde_json::from_value(value.clone()).ok()
-    }
-
-    /// Whether both have as many numbers.
-    pub fn fits(self, other: Self) -> bool {
-        std::mem::discriminant(&self) == std::mem::discriminant(&other)
-    }
-
-    /// Whether they are neither infinite nor NaN.
-    pub fn are_finite(self) -> bool {
-        match self {
-            Self::One(number) => number.is_finite(),
-            Self::Three(numbers) => numbers.iter().all(|number| number.is_finite()),
-            Self::Nine(axes) => axes.as_flattened().iter().all(|number| number.is_finite()),
-        }
-    }
-
-    /// Applies a function to each number and its counterpart.
-    fn combine(self, other: Self, f: impl Fn(f32, f32) -> f32) -> Self {
-        let three = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|i| f(a[i], b[i]));
-        match (self, other) {
-            (Self::One(a), Self::One(b)) => Self::One(f(a, b)),
-            (Self::Three(a), Self::Three(b)) => Self::Three(three(a, b)),
-            (Self::Nine(a), Self::Nine(b)) => Self::Nine([0, 1, 2].map(|i| three(a[i], b[i]))),
-            _ => self,
-        }
-    }
-}
-
-impl Add for Numbers {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        self.combine(other, |a, b| a + b)
-    }
-}
-
-impl Sub for Numbers {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self.combine(other, |a, b| a - b)
-    }
-}
-
-impl Mul<f32> for Numbers {
-    type Output = Self;
-
-    fn mul(self, factor: f32) -> Self {
-        self.combine(self, |a, _| a * factor)
+        let next = keys.partition_point(|key| key.time <= time);
+        // Before the first key and after the last one it keeps still.
+        let (i, next) = (next.saturating_sub(1), next.min(last));
+        let (start, end) = (&keys[i], &keys[next]);
+        let (before, after) = (&keys[i.saturating_sub(1)], &keys[last.min(next + 1)]);
+        let length = end.time - start.time;
+        let s = if length > 0.0 {
+            (time - start.time) / length
+        } else {
+            0.0
+        };
+        let number = |n: usize| {
+            let [a, b, c, d] = [before, start, end, after].map(|key| key.numbers[n]);
+            match self.between {
+                // To the bit: -0, too.
+                _ if s <= 0.0 => b,
+                Between::Hold => b,
+                Between::Linear => b + (c - b) * s,
+                Between::Smooth => b + (c - b) * (s * s * (3.0 - 2.0 * s)),
+                Between::Spline => {
+                    let leaving = (c - a) * (length / (end.time - before.time));
+                    let coming = (d - b) * (length / (after.time - start.time));
+                    let (s2, s3) = (s * s, s * s * s);
+                    b * (2.0 * s3 - 3.0 * s2 + 1.0)
+                        + c * (3.0 * s2 - 2.0 * s3)
+                        + leaving * (s3 - 2.0 * s2 + s)
+                        + coming * (s3 - s2)
+                }
+            }
+        };
+        (start.at, (0..start.numbers.len()).map(number).collect())
     }
 }

@@ -156,7 +156,6 @@ pub(super) static MARBLE: Material = Material {
         balance: 0.85,
         warp: 0.75,
         grain: 0.9,
-        ..Pattern::NONE
     },
     ..MATT
 };

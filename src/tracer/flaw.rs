@@ -1,24 +1,24 @@
-//! A flaw of a scene or a quality: which number, what it is, and what it may be.
+//! A number of a scene or a quality that is out of its range.
 
 use core::fmt;
 use glam::{Vec3, Vec3A};
 
 /// The first number of a [`Scene`](crate::scene::Scene) or a [`Quality`](crate::Quality) that is out of its range.
 ///
-/// It is displayed by the name that the number has in a program: `spheres[3].material.kd is 1.5, and takes 0 to 1`.
+/// It is displayed by the name that the number has in a program: `spheres[3].material.kd is 1.5, must be 0 to 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Flaw {
     /// The field of the scene that has it, such as "spheres", or "quality".
     pub object: &'static str,
-    /// Which item it is where the field is a list.
+    /// The index of the item, if the field is a list.
     pub index: Option<usize>,
-    /// The field inside of the object, such as "material.kd"; empty where the object itself is the number.
+    /// The field inside of the object, such as "material.kd"; empty if the object itself is the number.
     pub field: &'static str,
-    /// The value that is there now.
+    /// The value.
     pub found: Found,
-    /// The values that may be there.
-    pub takes: &'static str,
+    /// The values that are allowed, such as "0 to 1".
+    pub range: &'static str,
 }
 
 /// A value that is out of its range.
@@ -27,8 +27,6 @@ pub struct Flaw {
 pub enum Found {
     /// A number.
     Number(f32),
-    /// A whole number.
-    Count(usize),
     /// A point, a direction or a colour.
     Vector(Vec3),
 }
@@ -36,12 +34,6 @@ pub enum Found {
 impl From<f32> for Found {
     fn from(number: f32) -> Self {
         Self::Number(number)
-    }
-}
-
-impl From<usize> for Found {
-    fn from(count: usize) -> Self {
-        Self::Count(count)
     }
 }
 
@@ -54,9 +46,8 @@ impl From<Vec3A> for Found {
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Number(number) => write!(f, "{number}"),
-            Self::Count(count) => write!(f, "{count}"),
-            Self::Vector(vector) => write!(f, "{vector}"),
+            Self::Number(number) => number.fmt(f),
+            Self::Vector(vector) => vector.fmt(f),
         }
     }
 }
@@ -67,16 +58,33 @@ impl fmt::Display for Flaw {
         if let Some(index) = self.index {
             write!(f, "[{index}]")?;
         }
-        if !self.field.is_empty() {
-            write!(f, ".{}", self.field)?;
-        }
-        write!(f, " is {}, and takes {}", self.found, self.takes)
+        let dot = if self.field.is_empty() { "" } else { "." };
+        write!(
+            f,
+            "{dot}{} is {}, must be {}",
+            self.field, self.found, self.range
+        )
     }
 }
 
 impl core::error::Error for Flaw {}
 
-/// The thing that is checked: a scene, one of its fields, or an item of one that is a list.
+/// The numbers that a field may have, both ends included; of a vector, each component. The text says the same.
+#[derive(Clone, Copy)]
+pub(crate) struct Range(pub f32, pub f32, pub &'static str);
+
+impl Range {
+    /// Whether it contains a number, or all components of a vector.
+    pub fn holds(self, found: impl Into<Found>) -> bool {
+        let is_inside = |number| (self.0..=self.1).contains(&number);
+        match found.into() {
+            Found::Number(number) => is_inside(number),
+            Found::Vector(vector) => vector.to_array().into_iter().all(is_inside),
+        }
+    }
+}
+
+/// The struct that is checked: a field of a scene, an item of a list, or a quality.
 #[derive(Clone, Copy)]
 pub(crate) struct Checked {
     pub object: &'static str,
@@ -84,55 +92,41 @@ pub(crate) struct Checked {
 }
 
 impl Checked {
-    /// The scene itself, which has no name.
-    pub const SCENE: Self = Self {
-        object: "",
-        index: None,
-    };
-
-    /// Itself, or a field of the scene.
-    pub fn or_one(self, field: &'static str) -> Self {
-        if self.object.is_empty() {
-            Self::one(field)
-        } else {
-            self
-        }
-    }
-
-    /// A thing that stands alone.
+    /// A struct that is in no list.
     pub fn one(object: &'static str) -> Self {
-        Self {
-            object,
-            index: None,
-        }
+        let index = None;
+        Self { object, index }
     }
 
-    /// An item of a list.
-    pub fn item(object: &'static str, index: usize) -> Self {
-        Self {
-            object,
-            index: Some(index),
-        }
-    }
-
-    /// Finds a flaw in a field unless it is in its range.
+    /// Returns an error if a field is out of its range. An empty name is the object itself.
     pub fn field(
         self,
         field: &'static str,
         found: impl Into<Found>,
-        takes: &'static str,
-        is_in_range: bool,
+        range: Range,
     ) -> Result<(), Flaw> {
-        if is_in_range {
+        let found = found.into();
+        self.rule(field, found, range.holds(found), range.2)
+    }
+
+    /// Returns an error if a field does not obey a rule, such as one about several fields.
+    pub fn rule(
+        self,
+        field: &'static str,
+        found: impl Into<Found>,
+        is_obeyed: bool,
+        range: &'static str,
+    ) -> Result<(), Flaw> {
+        if is_obeyed {
             return Ok(());
         }
-        let is_number = self.object.is_empty();
+        let (Self { object, index }, found) = (self, found.into());
         Err(Flaw {
-            object: if is_number { field } else { self.object },
-            index: self.index,
-            field: if is_number { "" } else { field },
-            found: found.into(),
-            takes,
+            object,
+            index,
+            field,
+            found,
+            range,
         })
     }
 }

@@ -99,8 +99,8 @@
 //! # Scenes as data
 //!
 //! By the feature `serde` a [`Scene`](scene::Scene) and a [`Quality`] are written and read in any of serde's formats, by the names of
-//! their fields. What a text does not say of a scene is as in its default, and reading leaves to
-//! [`Scene::validate`](scene::Scene::validate) what is out of its range. JSON has no infinite numbers, as some qualities have; other
+//! their fields. Fields that a text leaves out have their defaults; objects need a place, a size and a material. Reading leaves numbers
+//! out of their ranges to [`Scene::validate`](scene::Scene::validate). JSON has no infinite numbers, as some qualities have; other
 //! formats do. (The scene files of the repository's lab have more: names for materials, and motions.)
 //!
 //! # Conventions
@@ -117,10 +117,9 @@
 //!
 //! # What later versions change
 //!
-//! A [`Scene`](scene::Scene) and all in it, and a [`Quality`], get more fields in minor versions, whose defaults leave pictures as they
-//! are. So a program writes `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT` behind those that it means, and compiles
-//! with any of them: a hidden field of no size has the compiler ask for it. [`Counts`], [`Error`] and [`Frame`] may grow as well,
-//! which the compiler holds programs to.
+//! A [`Scene`](scene::Scene), the structs in it, and a [`Quality`] get more fields in minor versions, whose defaults leave pictures as
+//! they are. End struct expressions with `..Material::BLACK`, `..Scene::default()` or `..Quality::DEFAULT`, and they compile with any
+//! minor version; a struct expression that lists all fields breaks. [`Counts`], [`Error`] and [`Frame`] are `#[non_exhaustive]`.
 //!
 //! The bits of a picture are no promise between versions, nor are the numbers of [`Quality::LADDER`]; the figures of [`limits`] are.
 //! [`glam`] and [`Level`] are those of `glam` and `fearless_simd`: where these break, so does this crate, by a new major version.

@@ -1,6 +1,6 @@
 //! The parameters that trade accuracy for speed.
 
-use crate::flaw::{Checked, Flaw};
+use crate::flaw::{Checked, Flaw, Range};
 
 /// How far a frame is refined and how far its rays are followed.
 ///
@@ -49,10 +49,6 @@ pub struct Quality {
     /// Whether edges are antialiased: where two neighbouring pixels differ by 20/255 or more in a channel, the point half-way
     /// between them is traced, and mixed into both.
     pub antialias: bool,
-    // More fields are going to come: see `fields!`.
-    #[doc(hidden)]
-    #[cfg_attr(feature = "serde", serde(skip))]
-    pub _more: (),
 }
 
 impl Quality {
@@ -75,7 +71,6 @@ impl Quality {
         depth: 5,
         least_contribution: 0.01,
         antialias: false,
-        _more: (),
     };
 
     /// The rules of the 2008 thesis: squares of 8 pixels are filled if the corners agree in the objects of the whole ray tree and
@@ -160,25 +155,31 @@ impl Quality {
         }
     }
 
-    /// Whether every parameter is in the range that its documentation says.
+    /// Checks that every parameter is in the range of its documentation.
     ///
     /// # Errors
     /// The first one that is not.
     pub fn validate(&self) -> Result<(), Flaw> {
         let quality = Checked::one("quality");
-        let sides = "1, 2, 4, 8, 16 or 32";
-        quality.field("square", self.square, sides, self.is_square_drawable())?;
-        let tolerance = |name, tolerance: f32| {
-            quality.field(name, tolerance, "0 to infinity", tolerance >= 0.0)
-        };
-        tolerance("tolerance_agreeing", self.tolerance_agreeing)?;
-        tolerance("tolerance_differing", self.tolerance_differing)?;
-        tolerance("tolerance_side", self.tolerance_side)?;
-        tolerance("key_weight", self.key_weight)?;
-        tolerance("highlight", self.highlight)?;
-        let is_depth = self.depth <= Self::MAX_DEPTH;
-        quality.field("depth", self.depth as usize, "0 to 7", is_depth)?;
-        tolerance("least_contribution", self.least_contribution)
+        let is_side = self.is_square_drawable();
+        quality.rule(
+            "square",
+            self.square as f32,
+            is_side,
+            "1, 2, 4, 8, 16 or 32",
+        )?;
+        quality.field("depth", self.depth as f32, Range(0.0, 7.0, "0 to 7"))?;
+        for (name, tolerance) in [
+            ("tolerance_agreeing", self.tolerance_agreeing),
+            ("tolerance_differing", self.tolerance_differing),
+            ("tolerance_side", self.tolerance_side),
+            ("key_weight", self.key_weight),
+            ("highlight", self.highlight),
+            ("least_contribution", self.least_contribution),
+        ] {
+            quality.field(name, tolerance, Range(0.0, f32::INFINITY, "0 to infinity"))?;
+        }
+        Ok(())
     }
 
     /// Whether the working memory has room for what it asks for. A tolerance out of its range is as good as some other one.

@@ -33,6 +33,7 @@ mod shipped;
 mod show;
 mod sizes;
 mod soak;
+mod text;
 mod water;
 mod written;
 mod wrong_pixels;

@@ -21,7 +21,6 @@ fn scene(depth: f32, marble: f32) -> Scene {
             balance: 0.0,
             warp,
             grain: 1.0,
-            ..Pattern::NONE
         },
         ..Material::BLACK
     };

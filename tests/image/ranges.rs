@@ -137,14 +137,14 @@ fn qualities_out_of_range_are_refused() {
         ..thesis
     };
     let error = quality.validate().unwrap_err();
-    let text = "quality.square is 12, and takes 1, 2, 4, 8, 16 or 32";
+    let text = "quality.square is 12, must be 1, 2, 4, 8, 16 or 32";
     assert_eq!(error.to_string(), text);
     let quality = Quality {
         tolerance_side: f32::NAN,
         ..thesis
     };
     let error = quality.validate().unwrap_err();
-    let text = "quality.tolerance_side is NaN, and takes 0 to infinity";
+    let text = "quality.tolerance_side is NaN, must be 0 to infinity";
     assert_eq!(error.to_string(), text);
     for quality in Quality::LADDER
         .iter()
@@ -159,18 +159,15 @@ fn a_scene_out_of_range_is_refused_by_the_name_of_its_number() {
     let mut scene = show::model_scene(0.0);
     scene.spheres[2].material.kd = -0.5;
     let error = refusal(&scene, &Quality::DEFAULT, (64, 48), 64 * 48).unwrap();
-    let text = "spheres[2].material.kd is -0.5, and takes 0 to 1";
+    let text = "spheres[2].material.kd is -0.5, must be 0 to 1";
     assert_eq!(error.to_string(), text);
     let mut rough = scene;
     (rough.spheres[2].material.kd, rough.water.slope) = (0.5, 0.2);
     let flaw = rough.validate().unwrap_err().to_string();
-    assert_eq!(flaw, "water.slope is 0.2, and takes 0 to 0.1");
+    assert_eq!(flaw, "water.slope is 0.2, must be 0 to 0.1");
     rough.water.slope = 0.1;
     let flaw = rough.validate().unwrap_err().to_string();
-    assert_eq!(
-        flaw,
-        "water.length is 0, and takes a length from 1e-9 to 1e9"
-    );
+    assert_eq!(flaw, "water.length is 0, must be 1e-9 to 1e9");
     let source = core::error::Error::source(&error).expect("the flaw");
     assert_eq!(source.to_string(), text);
 }

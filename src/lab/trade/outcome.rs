@@ -12,7 +12,7 @@ use serde::Serialize;
 pub struct Outcome {
     pub name: String,
     pub dials: String,
-    #[serde(flatten, with = "Dials")]
+    #[serde(flatten)]
     pub quality: Quality,
     /// Whether keys are compared.
     pub keys: bool,
@@ -24,24 +24,6 @@ pub struct Outcome {
     pub missed_objects: f64,
     /// Whether it is on the Pareto front, see [`mark_front`].
     pub on_front: bool,
-}
-
-/// How a quality is written.
-#[derive(Serialize)]
-#[serde(remote = "Quality")]
-struct Dials {
-    square: usize,
-    tolerance_agreeing: f32,
-    tolerance_differing: f32,
-    tolerance_side: f32,
-    guarded: bool,
-    key_depth: u32,
-    key_weight: f32,
-    state_depth: u32,
-    highlight: f32,
-    depth: u32,
-    least_contribution: f32,
-    antialias: bool,
 }
 
 impl AsRef<Accuracy> for Outcome {

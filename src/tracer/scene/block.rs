@@ -1,26 +1,30 @@
 //! Boxes, cylinders and capsules with any orientation.
 
-use super::validate::{EXTENTS, POINT, UNIT};
+use super::validate::{EXTENT, POINT, is_unit};
 use super::{Material, Shape};
+use crate::flaw::{Checked, Flaw};
 use glam::{Mat3A, Vec3A};
 
-fields! {
-    /// A box, a cylinder with flat ends, or a capsule, whose ends are half spheres. If its material is transparent, rays enter and leave it, refracted at each side.
-    pub struct Block in "" {
-        /// Whether it is a box, a cylinder or a capsule.
-        shape: Shape = Shape::Box;
-        /// The centre, in scene units.
-        centre: Vec3A, in POINT;
-        /// Half the extent along each of the block's own axes, [`MIN_LENGTH`](super::MIN_LENGTH) to
-        /// [`MAX_LENGTH`](super::MAX_LENGTH). A cylinder or a capsule stands along its own y axis; `half.x` is its radius, and
-        /// `half.z` has to be the same. `half.y` of a capsule, which is at least that, includes an end.
-        half: Vec3A, in EXTENTS, if |it| it.is_round() => "the same along x and z if it is round, and as much along y of a capsule";
-        /// The block's own axes in scene coordinates: three perpendicular vectors of length 1. The identity aligns it with the
-        /// scene's axes.
-        axes: Mat3A = Mat3A::IDENTITY, in UNIT;
-        /// The surface.
-        material: Material;
-    }
+/// A box, a cylinder with flat ends, or a capsule, whose ends are half spheres. If its material is transparent, rays enter and leave it, refracted at each side.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct Block {
+    /// Whether it is a box, a cylinder or a capsule.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub shape: Shape,
+    /// The centre, in scene units; coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
+    pub centre: Vec3A,
+    /// Half the extent along each of the block's own axes, [`MIN_LENGTH`](super::MIN_LENGTH) to
+    /// [`MAX_LENGTH`](super::MAX_LENGTH). A cylinder or a capsule stands along its own y axis; `half.x` is its radius, and
+    /// `half.z` has to be the same. `half.y` of a capsule, which is at least that, includes an end.
+    pub half: Vec3A,
+    /// The block's own axes in scene coordinates: three perpendicular vectors of length 1. The identity aligns it with the
+    /// scene's axes.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub axes: Mat3A,
+    /// The surface.
+    pub material: Material,
 }
 
 impl Block {
@@ -43,5 +47,22 @@ impl Block {
             Shape::Cylinder => self.half.x == self.half.z,
             Shape::Capsule => self.half.x == self.half.z && self.half.x <= self.half.y,
         }
+    }
+
+    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+        let round = "the same along x and z if it is round, and as much along y of a capsule";
+        of.field("centre", self.centre, POINT)?;
+        of.field("half", self.half, EXTENT)?;
+        of.rule("half", self.half, self.is_round(), round)?;
+        let [x, y, z] = [0, 1, 2].map(|i| self.axes.col(i));
+        for (name, axis, next) in [
+            ("axes.x_axis", x, y),
+            ("axes.y_axis", y, z),
+            ("axes.z_axis", z, x),
+        ] {
+            let is_square = is_unit(axis) && axis.dot(next).abs() < 1e-4;
+            of.rule(name, axis, is_square, "of length 1, square to the others")?;
+        }
+        self.material.check(of)
     }
 }

@@ -1,31 +1,31 @@
 //! The pinhole camera.
 
-use super::fields::Range;
 use super::validate::POINT;
+use crate::flaw::{Checked, Flaw, Range};
 use crate::maths::{cos, sin};
 use core::f32::consts::{FRAC_PI_4, PI};
 use glam::Vec3A;
 
-fields! {
-    /// A pinhole camera with square pixels. Each pixel is sampled at its centre.
-    pub struct Camera in "" {
-        /// The position of the pinhole, in scene units.
-        eye: Vec3A = Vec3A::Z, in POINT;
-        /// The point shown in the middle of the picture. It has to differ from `eye`.
-        look_at: Vec3A = Vec3A::ZERO, in POINT, if |it| it.forward() != Vec3A::ZERO => "a point that is not the eye";
-        /// The direction that is up in the picture, of any length. It must not be parallel to the line of sight.
-        up: Vec3A = Vec3A::Y, if |it| it.has_upright() => "a direction that is not along the line of sight";
-        /// Vertical field of view in radians, greater than 0 and less than pi.
-        field_of_view: f32 = FRAC_PI_4, in ANGLE;
-    }
+/// A pinhole camera with square pixels. Each pixel is sampled at its centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+pub struct Camera {
+    /// The position of the pinhole, in scene units; coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
+    pub eye: Vec3A,
+    /// The point shown in the middle of the picture, with the same range. It has to differ from `eye`.
+    pub look_at: Vec3A,
+    /// The direction that is up in the picture, of any length. It must not be parallel to the line of sight.
+    pub up: Vec3A,
+    /// Vertical field of view in radians, greater than 0 and less than pi.
+    pub field_of_view: f32,
 }
 
-/// Greater than 0 and less than pi.
-const ANGLE: Range = Range::new(
-    f32::from_bits(1),
-    PI.next_down(),
-    "radians between 0 and pi",
-);
+impl Default for Camera {
+    fn default() -> Self {
+        Self::STANDARD
+    }
+}
 
 /// The picture plane of a camera, in scene coordinates. The ray through pixel (x, y) of the picture has the direction
 /// `corner + x dx + y dy`, which is not normalised.
@@ -49,6 +49,9 @@ impl Raster {
 }
 
 impl Camera {
+    /// At (0, 0, 1), with a view of the origin.
+    pub(super) const STANDARD: Self = Self::new(Vec3A::Z, Vec3A::ZERO, FRAC_PI_4);
+
     /// An upright camera, by its place, the point that it looks at, and its vertical field of view in radians.
     #[must_use]
     pub const fn new(eye: Vec3A, look_at: Vec3A, field_of_view: f32) -> Self {
@@ -65,11 +68,22 @@ impl Camera {
         (self.look_at - self.eye).normalize_or_zero()
     }
 
-    /// Whether it is known what is up in the picture. Within a thousandth of the line of sight, rounding decides where the picture's
-    /// sides are.
-    fn has_upright(&self) -> bool {
-        let across = self.forward().cross(self.up.normalize_or_zero());
-        across.length() > 1e-3
+    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+        let forward = self.forward();
+        let has_view = forward != Vec3A::ZERO;
+        // Within a thousandth of the line of sight, rounding decides where the picture's sides are.
+        let is_upright = forward.cross(self.up.normalize_or_zero()).length() > 1e-3;
+        let angle = Range(f32::from_bits(1), PI.next_down(), "above 0 and below pi");
+        of.field("eye", self.eye, POINT)?;
+        of.field("look_at", self.look_at, POINT)?;
+        of.rule(
+            "look_at",
+            self.look_at,
+            has_view,
+            "a point that is not the eye",
+        )?;
+        of.rule("up", self.up, is_upright, "off the line of sight")?;
+        of.field("field_of_view", self.field_of_view, angle)
     }
 
     /// The picture plane, at distance 1 from the eye, of a picture of `width` by `height` pixels.

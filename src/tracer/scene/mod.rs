@@ -4,9 +4,6 @@
 //! Coordinates are right-handed with y up. Lengths are in scene units, angles in radians, colours in linear RGB with 1 as the
 //! brightest that is shown. [`Scene::validate`] checks that every number is in the range that its documentation gives.
 
-#[macro_use]
-pub(crate) mod fields;
-
 mod block;
 pub(crate) mod camera;
 mod film;
@@ -21,7 +18,6 @@ mod waves;
 
 pub use block::Block;
 pub use camera::Camera;
-pub use fields::{Field, Fields, Items, Range, Value, numbers};
 pub use film::Film;
 pub use list::{CapacityError, List};
 pub use method::Method;
@@ -30,9 +26,9 @@ pub use pattern::Pattern;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
 
-use fields::{Part, is_unit};
-use glam::Vec3A;
-use validate::{COLOUR, COSINE, EXTENT, LENGTH, POINT, SHARE, SHARES, THOUSAND, UNIT};
+use crate::flaw::{Checked, Flaw, Range};
+use glam::{Mat3A, Vec3A};
+use validate::{EXTENT, LENGTH, POINT, SHARE, SIGNED, is_unit};
 
 /// The most spheres in a scene. The show uses up to 256.
 pub const MAX_SPHERES: usize = 320;
@@ -52,64 +48,102 @@ pub const MAX_COPPER_BARS: usize = 16;
 /// The most letters in a caption. The longest in the show has 32.
 pub const MAX_LETTERS: usize = 32;
 
-const EXPOSURE: Range = Range::new(0.0, 11.0, "0 to 11");
-const EXPONENT: Range = Range::new(1.0, 1000.0, "1 to 1000");
-const INDEX: Range = Range::new(0.1, 10.0, "0.1 to 10");
-/// Those of an extent, or 0.
-const RADIUS: Range = Range::new(0.0, MAX_LENGTH, "0, or a length from 1e-9 to 1e9");
-const COS_OUTER: Range = Range {
-    takes: "a cosine of at least -1 that is below cos_inner",
-    ..COSINE
-};
+/// Everything that one frame shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+pub struct Scene {
+    /// The camera.
+    pub camera: Camera,
+    /// The colour of the background at the horizon and below.
+    pub background: Vec3A,
+    /// Added to the background at the zenith; it may be negative. For a ray whose direction, of length 1, rises by y it is
+    /// weighted by `y (2 - y)`.
+    pub sky: Vec3A,
+    /// The density of the haze, in 1 / scene units, 0 to 1000; 0 is clear air. Over a distance t a surface's light fades to the
+    /// share `1 / (1 + (haze t)^2)`, and the background makes up for the rest.
+    pub haze: f32,
+    /// The factor on all light of the picture, 0 to 11: 0 is black, 1 leaves it as it is, more brightens it.
+    pub exposure: f32,
+    /// How light becomes the picture's colours.
+    pub film: Film,
+    /// Ambient light, which reaches every surface equally.
+    pub ambient: Vec3A,
+    /// The overlay that explains the rendering method.
+    pub method: Method,
+    /// Spheres, in any order.
+    pub spheres: List<Sphere, MAX_SPHERES>,
+    /// Horizontal rectangles.
+    pub planes: List<Plane, MAX_PLANES>,
+    /// The waves on the first plane.
+    pub water: Waves,
+    /// Boxes, cylinders and capsules.
+    pub blocks: List<Block, MAX_BLOCKS>,
+    /// Lights.
+    pub lights: List<Light, MAX_LIGHTS>,
+    /// Text over the picture.
+    pub captions: List<Caption, MAX_CAPTIONS>,
+    /// Bars over the picture, behind its text.
+    pub copper_bars: List<CopperBar, MAX_COPPER_BARS>,
+}
 
-fields! {
-    /// Everything that one frame shows.
-    pub struct Scene in "" {
-        /// The camera.
-        camera: Camera = Camera::STANDARD;
-        /// The colour of the background at the horizon and below.
-        background: Vec3A = Vec3A::ZERO, in COLOUR;
-        /// Added to the background at the zenith; it may be negative. For a ray whose direction, of length 1, rises by y it is
-        /// weighted by `y (2 - y)`.
-        sky: Vec3A = Vec3A::ZERO, if |it| it.has_sky() => "what leaves the background's channels at 0 to 1e9 when it is added";
-        /// The density of the haze, in 1 / scene units, 0 to 1000; 0 is clear air. Over a distance t a surface's light fades to the
-        /// share `1 / (1 + (haze t)^2)`, and the background makes up for the rest.
-        haze: f32 = 0.0, in THOUSAND;
-        /// The factor on all light of the picture, 0 to 11: 0 is black, 1 leaves it as it is, more brightens it.
-        exposure: f32 = 1.0, in EXPOSURE;
-        /// How light becomes the picture's colours.
-        film: Film = Film::PLAIN;
-        /// Ambient light, which reaches every surface equally.
-        ambient: Vec3A = Vec3A::ZERO, in COLOUR;
-        /// The overlay that explains the rendering method.
-        method: Method = Method::PLAIN;
-        /// Spheres, in any order.
-        spheres: List<Sphere, MAX_SPHERES> = Part::ZERO;
-        /// Horizontal rectangles.
-        planes: List<Plane, MAX_PLANES> = Part::ZERO;
-        /// The waves on the first plane.
-        water: Waves = Waves::CALM;
-        /// Boxes, cylinders and capsules.
-        blocks: List<Block, MAX_BLOCKS> = Part::ZERO;
-        /// Lights.
-        lights: List<Light, MAX_LIGHTS> = Part::ZERO;
-        /// Text over the picture.
-        captions: List<Caption, MAX_CAPTIONS> = Part::ZERO;
-        /// Bars over the picture, behind its text.
-        copper_bars: List<CopperBar, MAX_COPPER_BARS> = Part::ZERO;
-        .. _more;
+impl Default for Scene {
+    fn default() -> Self {
+        Self::EMPTY
     }
 }
 
 impl Scene {
-    /// All zeros: memory for a scene that takes no space in an executable file. It is not a valid scene.
-    pub const ZEROED: Self = Self::ZERO;
+    /// Without objects. The unused memory of lists is all zeros.
+    const EMPTY: Self = {
+        let material = Material {
+            exponent: 0.0,
+            index: 0.0,
+            ..Material::BLACK
+        };
+        let block = Block {
+            axes: Mat3A::ZERO,
+            ..Block::new(Shape::Box, Vec3A::ZERO, Vec3A::ZERO, material)
+        };
+        Self {
+            camera: Camera::STANDARD,
+            background: Vec3A::ZERO,
+            sky: Vec3A::ZERO,
+            haze: 0.0,
+            exposure: 1.0,
+            film: Film::PLAIN,
+            ambient: Vec3A::ZERO,
+            method: Method::PLAIN,
+            spheres: List::over(Sphere::new(Vec3A::ZERO, 0.0, material)),
+            planes: List::over(Plane::new(Vec3A::ZERO, 0.0, 0.0, material)),
+            water: Waves::CALM,
+            blocks: List::over(block),
+            lights: List::over(Light::DARK),
+            captions: List::over(Caption::ZERO),
+            copper_bars: List::over(CopperBar::ZERO),
+        }
+    };
 
-    /// Whether the sky is a colour where it is brightest.
-    fn has_sky(&self) -> bool {
-        let zenith = self.background + self.sky;
-        zenith.to_array().into_iter().all(|c| COLOUR.holds(c))
-    }
+    /// All zeros: memory for a scene that takes no space in an executable file. It is not a valid scene.
+    pub const ZEROED: Self = Self {
+        camera: Camera {
+            eye: Vec3A::ZERO,
+            up: Vec3A::ZERO,
+            field_of_view: 0.0,
+            ..Camera::STANDARD
+        },
+        exposure: 0.0,
+        film: Film {
+            shoulder: 0.0,
+            tolerance: 0.0,
+            ..Film::PLAIN
+        },
+        method: Method {
+            picture: 0.0,
+            ..Method::PLAIN
+        },
+        ..Self::EMPTY
+    };
 
     /// The number of spheres and blocks.
     pub(crate) fn solids(&self) -> usize {
@@ -117,48 +151,67 @@ impl Scene {
     }
 }
 
-fields! {
-    /// How a surface reflects light, by Phong's model, and how it continues rays.
-    pub struct Material in "material." as Material {
-        /// The colour of the surface.
-        colour: Vec3A = Vec3A::ZERO, in COLOUR;
-        /// The diffuse coefficient, 0 to 1.
-        kd: f32 = 0.0, in SHARE;
-        /// The specular coefficient, 0 to 1.
-        ks: f32 = 0.0, in SHARE;
-        /// The exponent of the highlight, 1 to 1000. Larger exponents make smaller, sharper highlights.
-        exponent: f32 = 1.0, in EXPONENT;
-        /// How far highlights take the surface's colour, 0 to 1. Those of plastic, 0, have the light's colour, and those of metal, 1,
-        /// the light's times the surface's. What the surface mirrors keeps its colours.
-        metallic: f32 = 0.0, in SHARE;
-        /// How far fine grooves spread highlights, 0 to 1. They run in circles around the object's own y axis, which of a sphere or a
-        /// plane is the vertical, as a lathe leaves them. The cosine of Phong's model is `1 - d.d / 2`, where d is the difference
-        /// of the directions to the light and of the mirrored ray; the part of d across the grooves counts by the share
-        /// `1 - anisotropy` of its square. 1 is about the model of threads (Kajiya and Kay: Rendering Fur with Three Dimensional
-        /// Textures, SIGGRAPH 1989).
-        anisotropy: f32 = 0.0, in SHARE;
-        /// The weight of the reflected ray, 0 to 1.
-        kr: f32 = 0.0, in SHARE;
-        /// How much more it reflects at grazing angles, 0 to 1, by Schlick's approximation: at an angle with the cosine c the share
-        /// `f = fresnel (1 - c)^5` of what `kr` leaves of 1 is added to it, and the transmitted ray loses the share f. 1 is a
-        /// polished surface, 0 one that reflects the same at all angles.
-        fresnel: f32 = 0.0, in SHARE;
-        /// The weight of the transmitted ray, 0 to 1. The surface is transparent if it is above 0.
-        kt: f32 = 0.0, in SHARE;
-        /// The refractive index of the inside relative to the outside, 0.1 to 10. It matters only if `kt` is above 0.
-        index: f32 = 1.0, if |it| it.kt == 0.0 || INDEX.holds(it.index) => "0.1 to 10 where kt is above 0";
-        /// The colour of the object's shadow by lights with a [`Light::diameter`]: the share of each channel that it lets through, 0
-        /// to 1. Black casts a full shadow.
-        tint: Vec3A = Vec3A::ZERO, in SHARES;
-        /// The texture.
-        pattern: Pattern = Pattern::NONE;
-        .. _more;
+/// How a surface reflects light, by Phong's model, and how it continues rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+pub struct Material {
+    /// The colour of the surface.
+    pub colour: Vec3A,
+    /// The diffuse coefficient, 0 to 1.
+    pub kd: f32,
+    /// The specular coefficient, 0 to 1.
+    pub ks: f32,
+    /// The exponent of the highlight, 1 to 1000. Larger exponents make smaller, sharper highlights.
+    pub exponent: f32,
+    /// How far highlights take the surface's colour, 0 to 1. Those of plastic, 0, have the light's colour, and those of metal, 1,
+    /// the light's times the surface's. What the surface mirrors keeps its colours.
+    pub metallic: f32,
+    /// How far fine grooves spread highlights, 0 to 1. They run in circles around the object's own y axis, which of a sphere or a
+    /// plane is the vertical, as a lathe leaves them. The cosine of Phong's model is `1 - d.d / 2`, where d is the difference
+    /// of the directions to the light and of the mirrored ray; the part of d across the grooves counts by the share
+    /// `1 - anisotropy` of its square. 1 is about the model of threads (Kajiya and Kay: Rendering Fur with Three Dimensional
+    /// Textures, SIGGRAPH 1989).
+    pub anisotropy: f32,
+    /// The weight of the reflected ray, 0 to 1.
+    pub kr: f32,
+    /// How much more it reflects at grazing angles, 0 to 1, by Schlick's approximation: at an angle with the cosine c the share
+    /// `f = fresnel (1 - c)^5` of what `kr` leaves of 1 is added to it, and the transmitted ray loses the share f. 1 is a
+    /// polished surface, 0 one that reflects the same at all angles.
+    pub fresnel: f32,
+    /// The weight of the transmitted ray, 0 to 1. The surface is transparent if it is above 0.
+    pub kt: f32,
+    /// The refractive index of the inside relative to the outside, 0.1 to 10. It matters only if `kt` is above 0.
+    pub index: f32,
+    /// The colour of the object's shadow by lights with a [`Light::diameter`]: the share of each channel that it lets through, 0
+    /// to 1. Black casts a full shadow.
+    pub tint: Vec3A,
+    /// The texture.
+    pub pattern: Pattern,
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self::BLACK
     }
 }
 
 impl Material {
     /// Black, without highlights, reflection or transmission.
-    pub const BLACK: Self = Self::STANDARD;
+    pub const BLACK: Self = Self {
+        colour: Vec3A::ZERO,
+        kd: 0.0,
+        ks: 0.0,
+        exponent: 1.0,
+        metallic: 0.0,
+        anisotropy: 0.0,
+        kr: 0.0,
+        fresnel: 0.0,
+        kt: 0.0,
+        index: 1.0,
+        tint: Vec3A::ZERO,
+        pattern: Pattern::NONE,
+    };
 
     /// One that scatters light alone, in a colour and with a diffuse coefficient, 0 to 1.
     #[must_use]
@@ -181,21 +234,41 @@ impl Material {
     pub fn is_specular(&self) -> bool {
         self.kr + self.fresnel + self.kt > 0.0
     }
+
+    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+        of.field("material.colour", self.colour, LENGTH)?;
+        of.field("material.kd", self.kd, SHARE)?;
+        of.field("material.ks", self.ks, SHARE)?;
+        of.field(
+            "material.exponent",
+            self.exponent,
+            Range(1.0, 1000.0, "1 to 1000"),
+        )?;
+        of.field("material.metallic", self.metallic, SHARE)?;
+        of.field("material.anisotropy", self.anisotropy, SHARE)?;
+        of.field("material.kr", self.kr, SHARE)?;
+        of.field("material.fresnel", self.fresnel, SHARE)?;
+        of.field("material.kt", self.kt, SHARE)?;
+        of.field("material.index", self.index, Range(0.1, 10.0, "0.1 to 10"))?;
+        of.field("material.tint", self.tint, SHARE)?;
+        self.pattern.check(of)
+    }
 }
 
-fields! {
-    /// A sphere.
-    ///
-    /// As far as shadows are concerned it is hollow: a lamp that lies wholly within lights its inside, and nothing outside but by the
-    /// material's `tint` (see [`Light::diameter`]).
-    pub struct Sphere in "" {
-        /// The centre, in scene units.
-        centre: Vec3A, in POINT;
-        /// The radius, [`MIN_LENGTH`] to [`MAX_LENGTH`].
-        radius: f32, in EXTENT;
-        /// The surface.
-        material: Material;
-    }
+/// A sphere.
+///
+/// As far as shadows are concerned it is hollow: a lamp that lies wholly within lights its inside, and nothing outside but by the
+/// material's `tint` (see [`Light::diameter`]).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct Sphere {
+    /// The centre, in scene units.
+    pub centre: Vec3A,
+    /// The radius, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    pub radius: f32,
+    /// The surface.
+    pub material: Material,
 }
 
 impl Sphere {
@@ -208,20 +281,27 @@ impl Sphere {
             material,
         }
     }
+
+    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+        of.field("centre", self.centre, POINT)?;
+        of.field("radius", self.radius, EXTENT)?;
+        self.material.check(of)
+    }
 }
 
-fields! {
-    /// A horizontal rectangle, visible from above and from below.
-    pub struct Plane in "" {
-        /// The centre, in scene units.
-        centre: Vec3A, in POINT;
-        /// Half the extent along x, [`MIN_LENGTH`] to [`MAX_LENGTH`].
-        half_x: f32, in EXTENT;
-        /// Half the extent along z, [`MIN_LENGTH`] to [`MAX_LENGTH`].
-        half_z: f32, in EXTENT;
-        /// The surface.
-        material: Material;
-    }
+/// A horizontal rectangle, visible from above and from below.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct Plane {
+    /// The centre, in scene units.
+    pub centre: Vec3A,
+    /// Half the extent along x, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    pub half_x: f32,
+    /// Half the extent along z, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    pub half_z: f32,
+    /// The surface.
+    pub material: Material,
 }
 
 impl Plane {
@@ -234,6 +314,13 @@ impl Plane {
             half_z,
             material,
         }
+    }
+
+    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+        of.field("centre", self.centre, POINT)?;
+        of.field("half_x", self.half_x, EXTENT)?;
+        of.field("half_z", self.half_z, EXTENT)?;
+        self.material.check(of)
     }
 }
 
@@ -250,33 +337,32 @@ pub enum Shape {
     Capsule,
 }
 
-fields! {
-    /// A light whose brightness does not fall off with distance.
-    pub struct Light in "" {
-        /// The position, in scene units.
-        position: Vec3A = Vec3A::ZERO, in POINT;
-        /// The colour times the brightness, each channel from 0 up.
-        colour: Vec3A = Vec3A::ZERO, in COLOUR;
-        /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`], or 0 for a light that is invisible. The
-        /// sphere casts no shadow.
-        drawn_radius: f32 = 0.0, in RADIUS,
-            if |it| it.drawn_radius == 0.0 || EXTENT.holds(it.drawn_radius) => "0, or a length from 1e-9 to 1e9";
-        /// Whether its rays are nearly parallel, like the sun's: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and
-        /// the light is not drawn.
-        parallel: bool = false;
-        /// The diameter of the light as far as shadows are concerned, 0 to [`MAX_LENGTH`]. Above 0 the shadows of spheres have
-        /// penumbrae, and a material's `tint` colours its shadow. 0 is a point, whose shadows are hard and black. The inside of a
-        /// sphere is lit by lights that lie wholly within; one that reaches through the surface leaves it dark.
-        diameter: f32 = 0.0, in LENGTH;
-        /// The radius of the glow around it, 0 to [`MAX_LENGTH`]; 0 is none. The air shines with the light's colour, as bright as that
-        /// where a ray passes through the position, half as bright at this distance, and less by its square far away. What is before
-        /// the light is in front of the half of the glow that is behind it. Of parallel rays the radius is multiplied by
-        /// [`Light::FAR`], too, so that the glow is the sun's disc.
-        glow: f32 = 0.0, in LENGTH;
-        /// The cone of a spotlight; `None` shines in all directions.
-        spot: Option<Spot> = None;
-        .. _more;
-    }
+/// A light whose brightness does not fall off with distance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+pub struct Light {
+    /// The position, in scene units.
+    pub position: Vec3A,
+    /// The colour times the brightness, each channel from 0 up.
+    pub colour: Vec3A,
+    /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`], or 0 for a light that is invisible. The
+    /// sphere casts no shadow.
+    pub drawn_radius: f32,
+    /// Whether its rays are nearly parallel, like the sun's: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and
+    /// the light is not drawn.
+    pub parallel: bool,
+    /// The diameter of the light as far as shadows are concerned, 0 to [`MAX_LENGTH`]. Above 0 the shadows of spheres have
+    /// penumbrae, and a material's `tint` colours its shadow. 0 is a point, whose shadows are hard and black. The inside of a
+    /// sphere is lit by lights that lie wholly within; one that reaches through the surface leaves it dark.
+    pub diameter: f32,
+    /// The radius of the glow around it, 0 to [`MAX_LENGTH`]; 0 is none. The air shines with the light's colour, as bright as that
+    /// where a ray passes through the position, half as bright at this distance, and less by its square far away. What is before
+    /// the light is in front of the half of the glow that is behind it. Of parallel rays the radius is multiplied by
+    /// [`Light::FAR`], too, so that the glow is the sun's disc.
+    pub glow: f32,
+    /// The cone of a spotlight; `None` shines in all directions.
+    pub spot: Option<Spot>,
 }
 
 impl Light {
@@ -285,7 +371,15 @@ impl Light {
     pub const FAR: f32 = 1000.0;
 
     /// A black, invisible point.
-    pub const DARK: Self = Self::STANDARD;
+    pub const DARK: Self = Self {
+        position: Vec3A::ZERO,
+        colour: Vec3A::ZERO,
+        drawn_radius: 0.0,
+        parallel: false,
+        diameter: 0.0,
+        glow: 0.0,
+        spot: None,
+    };
 
     /// An invisible point at a position, in a colour times its brightness.
     #[must_use]
@@ -331,19 +425,49 @@ impl Light {
     pub(crate) fn is_point(&self) -> bool {
         self.diameter == 0.0 && !self.parallel && self.spot.is_none()
     }
+
+    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+        let is_drawable = self.drawn_radius == 0.0 || EXTENT.holds(self.drawn_radius);
+        of.field("position", self.position, POINT)?;
+        of.field("colour", self.colour, LENGTH)?;
+        of.rule(
+            "drawn_radius",
+            self.drawn_radius,
+            is_drawable,
+            "0, or 1e-9 to 1e9",
+        )?;
+        of.field("diameter", self.diameter, LENGTH)?;
+        of.field("glow", self.glow, LENGTH)?;
+        self.spot.map_or(Ok(()), |spot| spot.check(of))
+    }
 }
 
-fields! {
-    /// The cone of a spotlight, with a soft edge.
-    ///
-    /// Its brightness depends on the cosine of the angle between `aim` and the direction of the light: 0 up to `cos_outer`, 1 from
-    /// `cos_inner` on, and `s^2 (3 - 2 s)` between them, where s rises linearly from 0 to 1.
-    pub struct Spot in "spot." {
-        /// The direction in which it points, of length 1.
-        aim: Vec3A, in UNIT, if |it| is_unit(it.aim) => "a direction of length 1";
-        /// The cosine at the inner edge, up to 1.
-        cos_inner: f32, in COSINE;
-        /// The cosine at the outer edge, from -1 to below `cos_inner`.
-        cos_outer: f32, in COS_OUTER, if |it| it.cos_outer < it.cos_inner => "a cosine of at least -1 that is below cos_inner";
+/// The cone of a spotlight, with a soft edge.
+///
+/// Its brightness depends on the cosine of the angle between `aim` and the direction of the light: 0 up to `cos_outer`, 1 from
+/// `cos_inner` on, and `s^2 (3 - 2 s)` between them, where s rises linearly from 0 to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+pub struct Spot {
+    /// The direction in which it points, of length 1.
+    pub aim: Vec3A,
+    /// The cosine at the inner edge, up to 1.
+    pub cos_inner: f32,
+    /// The cosine at the outer edge, from -1 to below `cos_inner`.
+    pub cos_outer: f32,
+}
+
+impl Spot {
+    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+        let is_wider = -1.0 <= self.cos_outer && self.cos_outer < self.cos_inner;
+        of.rule("spot.aim", self.aim, is_unit(self.aim), "of length 1")?;
+        of.field("spot.cos_inner", self.cos_inner, SIGNED)?;
+        of.rule(
+            "spot.cos_outer",
+            self.cos_outer,
+            is_wider,
+            "at least -1, and below cos_inner",
+        )
     }
 }

@@ -1,8 +1,7 @@
-//! Lists as serde has them: as sequences, and letters as text.
+//! Lists in serde's formats: as sequences, and letters as text.
 
 use super::List;
 use core::fmt;
-use core::marker::PhantomData;
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 use serde::ser::{Serialize, Serializer};
 
@@ -14,27 +13,24 @@ impl<T: Serialize, const N: usize> Serialize for List<T, N> {
 
 impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Deserialize<'de> for List<T, N> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        from.deserialize_seq(Items(PhantomData))
+        from.deserialize_seq(Self::default())
     }
 }
 
-/// Reads a list from its items.
-struct Items<T, const N: usize>(PhantomData<T>);
-
-impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for Items<T, N> {
-    type Value = List<T, N>;
+/// Appends the items that are read.
+impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for List<T, N> {
+    type Value = Self;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "at most {N} items")
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Self::Value, A::Error> {
-        let mut list = List::default();
+    fn visit_seq<A: SeqAccess<'de>>(mut self, mut items: A) -> Result<Self, A::Error> {
         while let Some(item) = items.next_element()? {
-            let pushed = list.try_push(item);
+            let pushed = self.try_push(item);
             pushed.map_err(|error| A::Error::invalid_length(error.len, &self))?;
         }
-        Ok(list)
+        Ok(self)
     }
 }
 
@@ -42,10 +38,7 @@ impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for
 pub(super) mod text {
     use super::*;
 
-    pub fn serialize<S: Serializer, const N: usize>(
-        letters: &List<u8, N>,
-        to: S,
-    ) -> Result<S::Ok, S::Error> {
+    pub fn serialize<S: Serializer>(letters: &[u8], to: S) -> Result<S::Ok, S::Error> {
         let text = core::str::from_utf8(letters).map_err(serde::ser::Error::custom)?;
         to.serialize_str(text)
     }

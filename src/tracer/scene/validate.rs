@@ -1,37 +1,64 @@
-//! Which scenes are within the tracer's limits.
+//! The ranges of a scene's numbers.
 
-use super::Scene;
-use super::fields::{Part, Range};
-use crate::flaw::{Checked, Flaw};
+use super::{Block, Caption, CopperBar, Light, Plane, Scene, Sphere};
+use crate::flaw::{Checked, Flaw, Range};
+use glam::Vec3A;
 
 /// The largest coordinate and the largest extent, in scene units: their squares, times a few, stay finite in f32.
 pub const MAX_LENGTH: f32 = 1e9;
 /// The smallest radius and the smallest extent: their squares stay normal numbers.
 pub const MIN_LENGTH: f32 = 1e-9;
 
-pub(super) const POINT: Range = Range::new(-MAX_LENGTH, MAX_LENGTH, "coordinates from -1e9 to 1e9");
-pub(super) const EXTENT: Range = Range::new(MIN_LENGTH, MAX_LENGTH, "a length from 1e-9 to 1e9");
-pub(super) const EXTENTS: Range = Range::new(MIN_LENGTH, MAX_LENGTH, "lengths from 1e-9 to 1e9");
-pub(super) const LENGTH: Range = Range::new(0.0, MAX_LENGTH, "a length from 0 to 1e9");
-/// Bright lights are above 1; nothing is above what f32 can multiply.
-pub(super) const COLOUR: Range = Range::new(0.0, 1e9, "channels from 0 to 1e9");
-pub(super) const SHARE: Range = Range::new(0.0, 1.0, "0 to 1");
-pub(super) const SHARES: Range = Range::new(0.0, 1.0, "channels from 0 to 1");
-pub(super) const THOUSAND: Range = Range::new(0.0, 1e3, "0 to 1000");
-pub(super) const THOUSANDS: Range = Range::new(0.0, 1e3, "numbers from 0 to 1000");
-/// Components of directions whose length is 1 but for rounding.
-pub(super) const UNIT: Range = Range::new(-1.0001, 1.0001, "a direction of length 1");
-pub(super) const COSINE: Range = Range::new(-1.0, 1.0, "a cosine, -1 to 1");
+pub(super) const POINT: Range = Range(-MAX_LENGTH, MAX_LENGTH, "-1e9 to 1e9");
+pub(super) const EXTENT: Range = Range(MIN_LENGTH, MAX_LENGTH, "1e-9 to 1e9");
+/// Also of colours: bright lights are above 1.
+pub(super) const LENGTH: Range = Range(0.0, MAX_LENGTH, "0 to 1e9");
+pub(super) const SHARE: Range = Range(0.0, 1.0, "0 to 1");
+pub(super) const SIGNED: Range = Range(-1.0, 1.0, "-1 to 1");
+pub(super) const THOUSAND: Range = Range(0.0, 1e3, "0 to 1000");
+
+/// Whether a direction has the length 1.
+pub(super) fn is_unit(v: Vec3A) -> bool {
+    (v.length() - 1.0).abs() < 1e-4
+}
+
+/// Checks the items of a list.
+fn each<T>(
+    object: &'static str,
+    items: &[T],
+    check: fn(&T, Checked) -> Result<(), Flaw>,
+) -> Result<(), Flaw> {
+    let mut items = items.iter().enumerate();
+    items.try_for_each(|(i, item)| {
+        let index = Some(i);
+        check(item, Checked { object, index })
+    })
+}
 
 impl Scene {
-    /// Whether every number of the scene is in the range that its documentation says.
+    /// Checks that every number of the scene is in the range of its documentation.
     ///
-    /// A scene that is valid gives the picture that [`crate::limits`] promises. One that is not gives some picture, in
-    /// bounded time.
+    /// A valid scene gives the picture that [`crate::limits`] promises. An invalid one gives some picture, in bounded time.
     ///
     /// # Errors
     /// The first number that is out of its range, by the name that it has in a program.
     pub fn validate(&self) -> Result<(), Flaw> {
-        self.check(Checked::SCENE, "", Range::ANY)
+        let zenith = self.background + self.sky;
+        let sky = "at least -background, at most 1e9 - background";
+        self.camera.check(Checked::one("camera"))?;
+        Checked::one("background").field("", self.background, LENGTH)?;
+        Checked::one("sky").rule("", self.sky, LENGTH.holds(zenith), sky)?;
+        Checked::one("haze").field("", self.haze, THOUSAND)?;
+        Checked::one("exposure").field("", self.exposure, Range(0.0, 11.0, "0 to 11"))?;
+        self.film.check(Checked::one("film"))?;
+        Checked::one("ambient").field("", self.ambient, LENGTH)?;
+        self.method.check(Checked::one("method"))?;
+        each("spheres", &self.spheres, Sphere::check)?;
+        each("planes", &self.planes, Plane::check)?;
+        self.water.check(Checked::one("water"))?;
+        each("blocks", &self.blocks, Block::check)?;
+        each("lights", &self.lights, Light::check)?;
+        each("captions", &self.captions, Caption::check)?;
+        each("copper_bars", &self.copper_bars, CopperBar::check)
     }
 }

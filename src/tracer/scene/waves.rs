@@ -1,36 +1,29 @@
 //! Waves on water.
 
-use super::fields::Range;
 use super::validate::EXTENT;
+use crate::flaw::{Checked, Flaw, Range};
 
-fields! {
-    /// Waves on the first plane of a scene, which make water of a mirror. They tilt the normals by which light is reflected, and leave
-    /// the plane where it is.
-    ///
-    /// There are six, each [`Waves::SHORTER`] times as long as the one before, and of the same slope. The first goes along z, the others
-    /// in directions that are each turned by [`Waves::TURN`] radians more from z towards x. At a point u wavelengths from where a wave
-    /// is level, -1/2 to 1/2, it rises by `8 u (1 - 2 |u|)` times the slope: two arcs of parabolas, nearly a sine.
-    ///
-    /// Where a pixel sees w scene units along the water, a wave of the length l has the share `1 - w x / l` of its slope, where x is
-    /// [`Waves::PIXELS`], and none if that is negative: what is too fine to be drawn, far from the eye, is calm.
-    pub struct Waves in "" {
-        /// The steepest slope of each wave, 0 to 0.1. With 0 there are none.
-        slope: f32 = 0.0, in SLOPE;
-        /// The length of the longest wave, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH) where there are any.
-        length: f32 = 0.0, in WAVE_LENGTH, if |it| it.has_length() => "a length from 1e-9 to 1e9";
-        /// How far they have gone on, in lengths of the longest wave, -1e6 to 1e6. Each wave goes on by [`Waves::FASTER`] times as many
-        /// of its own lengths as the one before, as waves of deep water do.
-        phase: f32 = 0.0, in PHASE;
-    }
+/// Waves on the first plane of a scene, which make water of a mirror. They tilt the normals by which light is reflected, and leave
+/// the plane where it is.
+///
+/// There are six, each [`Waves::SHORTER`] times as long as the one before, and of the same slope. The first goes along z, the others
+/// in directions that are each turned by [`Waves::TURN`] radians more from z towards x. At a point u wavelengths from where a wave
+/// is level, -1/2 to 1/2, it rises by `8 u (1 - 2 |u|)` times the slope: two arcs of parabolas, nearly a sine.
+///
+/// Where a pixel sees w scene units along the water, a wave of the length l has the share `1 - w x / l` of its slope, where x is
+/// [`Waves::PIXELS`], and none if that is negative: what is too fine to be drawn, far from the eye, is calm.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+pub struct Waves {
+    /// The steepest slope of each wave, 0 to 0.1. With 0 there are none.
+    pub slope: f32,
+    /// The length of the longest wave, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH) if there are any waves; otherwise 0 as well.
+    pub length: f32,
+    /// How far they have gone on, in lengths of the longest wave, -1e6 to 1e6. Each wave goes on by [`Waves::FASTER`] times as many
+    /// of its own lengths as the one before, as waves of deep water do.
+    pub phase: f32,
 }
-
-const SLOPE: Range = Range::new(0.0, 0.1, "0 to 0.1");
-/// Those of an extent, or 0.
-const WAVE_LENGTH: Range = Range {
-    least: 0.0,
-    ..EXTENT
-};
-const PHASE: Range = Range::new(-1e6, 1e6, "-1e6 to 1e6");
 
 impl Waves {
     /// The longest wave is less than so many times as long as any: there are six.
@@ -50,15 +43,21 @@ impl Waves {
     pub const STEEPEST: f32 = 0.375;
 
     /// No waves: a flat mirror.
-    pub const CALM: Self = Self::STANDARD;
+    pub const CALM: Self = Self {
+        slope: 0.0,
+        length: 0.0,
+        phase: 0.0,
+    };
 
     /// Whether there are none.
     pub(crate) fn are_calm(&self) -> bool {
         self.slope == 0.0
     }
 
-    /// Whether the waves have a length, if there are any.
-    fn has_length(&self) -> bool {
-        EXTENT.holds(self.length) || self.are_calm() && self.length == 0.0
+    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+        let has_length = EXTENT.holds(self.length) || self.are_calm() && self.length == 0.0;
+        of.field("slope", self.slope, Range(0.0, 0.1, "0 to 0.1"))?;
+        of.rule("length", self.length, has_length, EXTENT.2)?;
+        of.field("phase", self.phase, Range(-1e6, 1e6, "-1e6 to 1e6"))
     }
 }

@@ -156,7 +156,6 @@ fn pattern() -> impl Strategy<Value = Pattern> {
                 balance,
                 warp,
                 grain,
-                ..Pattern::NONE
             },
         )
 }

@@ -1,7 +1,7 @@
 //! Random scenes and qualities made from a seed, without a framework, for long runs.
 
 use super::{fitting, materials};
-use crate::extremes::numbers;
+use crate::text::Text;
 use eightfold_lab::sampler::split_mix;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
@@ -131,7 +131,6 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
             balance: random.between(-1.0, 1.0),
             warp: random.between(0.0, 2.0),
             grain: (random.between(0.1, 3.0) / scale).min(1e3),
-            ..Pattern::NONE
         };
     }
     scene.sky = random.vector(Vec3A::ZERO, Vec3A::splat(0.5));
@@ -161,7 +160,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
 }
 
 /// Replaces a random number of a scene by an invalid one. Returns its name.
-pub fn corrupt(scene: &mut Scene, random: &mut Random) -> &'static str {
+pub fn corrupt(scene: &mut Scene, random: &mut Random) -> String {
     let invalid = [
         f32::NAN,
         f32::INFINITY,
@@ -172,11 +171,11 @@ pub fn corrupt(scene: &mut Scene, random: &mut Random) -> &'static str {
         1e-40,
         1e20,
     ];
-    let mut all = numbers(scene);
-    let i = random.below(all.len());
-    let (name, _, number) = all.swap_remove(i);
-    *number = invalid[random.below(invalid.len())];
-    name
+    let text = Text::of(scene);
+    let i = random.below(text.numbers.len());
+    let (corrupted, name) = text.scene_with(i, invalid[random.below(invalid.len())]);
+    *scene = corrupted;
+    name.to_owned()
 }
 
 /// A named quality, or any valid one.

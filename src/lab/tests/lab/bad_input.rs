@@ -4,7 +4,7 @@ use super::{assert_one_line, lab};
 use eightfold_tracer::Quality;
 
 /// Command lines, and words of the line that each leads to.
-const LINES: [(&str, &str); 52] = [
+const LINES: [(&str, &str); 50] = [
     ("paint", "paint"),
     ("render", "--out"),
     ("render --out \"\"", "--out"),
@@ -33,8 +33,6 @@ const LINES: [(&str, &str); 52] = [
     ("bench --json", "--json"),
     ("trade --time-from 5 --time-to 1", "--time-to --time-from"),
     ("missed --seeds 0", "--seeds 1 to"),
-    ("scene", "--export --rust"),
-    ("scene --export show:end", "show:machine FILE.ron"),
     ("size --functions 0", "--functions from 1"),
     ("truth --scene model", "--out --effects --convergence"),
     ("truth --out - --convergence", "--out --convergence"),

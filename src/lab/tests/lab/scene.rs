@@ -1,14 +1,7 @@
-//! Scene files say what is in them, and where something is wrong; scenes that are written and read again are the same.
+//! Scene files: motions, and mistakes by line and column.
 
-#[rustfmt::skip]
-mod every_field;
-mod fields;
-
-use super::{assert_one_line, lab, printed, render};
-use eightfold_lab::scenes::SceneName;
+use super::{assert_one_line, lab};
 use eightfold_scene_file::SceneFile;
-use eightfold_stage::reader::read_png;
-use eightfold_tracer::scene::Scene;
 use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
@@ -24,25 +17,15 @@ fn example(name: &str) -> String {
     fs::read_to_string(examples().join(name)).expect("the example is there")
 }
 
-/// The contents of a scene, to the bit.
-fn contents(scene: &Scene) -> String {
-    format!("{scene:?}")
-}
-
 #[test]
-fn every_example_is_a_scene_at_any_time() {
+fn example_is_a_scene_at_any_time() {
     let mut count = 0;
     for entry in fs::read_dir(examples()).expect("a folder") {
         let path = entry.expect("a file").path();
         let file = SceneFile::read(path.to_str().expect("a plain name")).expect("a scene");
         for step in 0..=40 {
-            let time = file.length * step as f32 / 40.0;
-            assert_eq!(
-                file.at(time).validate(),
-                Ok(()),
-                "{} at {time} s",
-                file.name
-            );
+            let valid = file.at(file.length * step as f32 / 40.0).validate();
+            assert_eq!(valid, Ok(()), "{}, step {step}", file.name);
         }
         count += 1;
     }
@@ -50,53 +33,12 @@ fn every_example_is_a_scene_at_any_time() {
 }
 
 #[test]
-fn a_scene_that_is_exported_is_the_same_at_its_frames() {
-    let names = "model field:40 show:title show:method show:machine show:finale".split(' ');
-    for name in names {
-        let name: SceneName = name.parse().expect("a scene");
-        let fps = "10".parse().expect("a rate");
-        let text = eightfold_lab::scene::record(name, fps).expect("it can be told");
-        let file = SceneFile::parse("exported.ron", &text).expect("a scene");
-        assert_eq!(file.length, name.length());
-        for frame in 0..fps.frames(name.length()) {
-            let time = fps.time(frame);
-            let (mut read, mut compiled) = (file.at(time), name.at(time));
-            // Captions that are not to be seen are told, too.
-            for scene in [&mut read, &mut compiled] {
-                let all = scene.captions;
-                scene.captions.clear();
-                for caption in all.iter().filter(|caption| caption.brightness > 0.0) {
-                    scene.captions.push(*caption);
-                }
-            }
-            assert_eq!(contents(&read), contents(&compiled), "{name} at {time} s");
-        }
-    }
-}
-
-#[test]
-fn an_exported_scene_gives_the_same_picture() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("machine.ron");
-    let file = file.to_str().expect("a plain name");
-    printed(&format!("scene --export show:machine --fps 2 --out {file}"));
-    let picture = |scene| {
-        let output = render(Path::new("-"), &format!("--scene {scene} --time 3.5"));
-        assert!(output.status.success());
-        read_png(&output.stdout)
-    };
-    assert!(picture(file) == picture("show:machine"));
-}
-
-#[test]
-fn motions_pass_their_keys() {
+fn motion_passes_its_keys() {
     let file = SceneFile::parse("motion.ron", &example("motion.ron")).expect("a scene");
     let eye = |time| file.at(time).camera.eye.to_array();
-    assert_eq!(eye(0.0), [0.0, 3.0, 8.0]);
-    assert_eq!(eye(3.0), [5.0, 2.0, 6.0]);
+    assert_eq!([eye(0.0), eye(3.0)], [[0.0, 3.0, 8.0], [5.0, 2.0, 6.0]]);
     // Before the first key and after the last one it keeps still.
-    assert_eq!(eye(-1.0), eye(0.0));
-    assert_eq!(eye(100.0), [0.0, 3.0, 8.0]);
+    assert_eq!([eye(-1.0), eye(100.0)], [eye(0.0), [0.0, 3.0, 8.0]]);
     // A spline has no corners: the speed before a key is that after it.
     let (before, at, after) = (eye(2.999), eye(3.0), eye(3.001));
     for i in 0..3 {
@@ -106,223 +48,87 @@ fn motions_pass_their_keys() {
     assert_eq!(height(0.5), 1.8);
     assert_eq!(height(0.25), 0.5 + 0.5 * 1.3);
     assert_eq!(height(4.25), height(0.25));
+    assert_eq!(file.at(4.0).camera.up.to_array(), [0.1, 1.0, 0.0]);
     let colour = |time| file.at(time).spheres[1].material.colour.x;
     assert_eq!([colour(0.999), colour(1.0), colour(2.0)], [0.2, 0.9, 0.2]);
 }
 
-/// The Rust text that the lab makes of a scene file, which is compiled as a module of these tests: `UPDATE_GOLDEN=1` writes it.
-#[track_caller]
-fn assert_is_compiled(name: &str, file: &Path) {
-    let text = printed(&format!("scene --rust {}", file.display()));
-    let made = format!("Made of {}", file.display());
-    let text = text.replace(&made, &format!("Made of {name}.ron"));
-    // The functions that interpolate are those of the lab.
-    let (scene, keys) = text.split_once("mod keys {").expect("functions");
-    assert!(keys.contains("pub fn spline<"), "{keys}");
-    let text = format!("{scene}#[path = \"../../../../scene_file/keys.rs\"]\nmod keys;\n");
-    let known = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/lab/scene/{name}.rs"));
-    if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        fs::write(&known, &text).expect("it can be written");
-    }
-    let known = fs::read_to_string(known).expect("it is there");
-    assert!(
-        text == known,
-        "tests/lab/scene/{name}.rs has to be made anew"
-    );
-}
+/// Mistakes: an example; its text, and the text in place of that; the text where the mistake is; the message.
+const MISTAKES: &str = r#"
+first | kd: 0.8, ks: 0.4 | kd: 1.8, ks: 0.4 | 1.8, ks | spheres[0].material.kd is 1.8, must be 0 to 1
+first | radius: 1.2 | radius: 2e9 | 2e9 | spheres[1].radius is 2000000000, must be 1e-9 to 1e9
+first | radius: 0.15 | radius: NaN | NaN | lights[0].drawn_radius is NaN, must be 0, or 1e-9 to 1e9
+first | (0.0, 0.8, 0.0), f | (0.0, 2.2, 7.5), f | (0.0, 2.2, 7.5), f | camera.look_at is [0, 2.2, 7.5], must be a point that is not the eye
+first | radius: 1.2 | radios: 1.2 | 1.2, m | field is radios, must be one of centre, radius, material
+first | radius: 1.2 | radius: 1, radius: 2 | (centre: (0.0, 1.2 | duplicate field `radius`
+first | radius: 1.2, | | (centre: (0.0, 1.2 | missing field `radius`
+first | lights | light | [\n        (position | field is light, must be one of camera,
+first | lights | light | [\n        (position | copper_bars, length, materials, motions
+first | "mirror") | "miror") | "miror") | material is "miror", must be in materials
+first | (0.35, 0.4, 0.5) | (0.35, 0.4) | (0.35, 0.4) | invalid length 2
+first | 12.0, half_z | twelve, half_z | twelve | invalid type: twelve, expected f32
+first | Scene( | Scene(length: 0.0, | 0.0, | length is 0, must be above 0, up to 3600
+first | radius: 1.0, m | radius: 1.0 m | material: "red" | Expected comma
+first | ambient | LONG | (0.12, 0.12, 0.14) | field is LONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONG must
+motion | spheres[0].centre | spheres[9].centre | (0.0, (0.0, 0.5 | motion is of "spheres[9].centre", must be of a value in the file
+motion | spheres[0].centre | spheres[0].radius | (0.0, (0.0, 0.5 | invalid type: sequence, expected f32
+motion | (3.0, (5.0 | (9.0, (5.0 | (6.0, (2.0 | time is 6, must be above 9
+motion | (0.5, (0.0, 1.8, 0.0)) | (0.5, 1.8) | (0.5, 1.8) | key must have 3 numbers
+motion | (1.0, (0.9, 0.8, 0.2)) | (1.0, (-0.9, 0.8, 0.2)) | (1.0, (-0.9 | material.colour is [-0.9, 0.8, 0.2], must be 0 to 1e9
+"#;
 
 #[test]
-fn what_is_wrong_is_named_by_line_column_field_and_what_it_takes() {
-    let first = example("first.ron");
-    let told = |old: &str, new: &str| {
-        assert!(first.contains(old), "{old}");
-        let spoilt = first.replacen(old, new, 1);
-        let at = spoilt.find(new).expect("it is there");
-        let error = SceneFile::parse("my.ron", &spoilt).expect_err("it is wrong");
-        let line = spoilt[..at].matches('\n').count() + 1;
-        assert!(error.starts_with(&format!("my.ron:{line}:")), "{error}");
-        assert!(!error.contains('\n'), "{error}");
-        error
-    };
-    for (old, new, says) in [
-        (
-            "kd: 0.8, ks: 0.4",
-            "kd: 1.8, ks: 0.4",
-            "materials[\"red\"].kd is 1.8, and takes 0 to 1",
-        ),
-        (
-            "radius: 1.2",
-            "radius: -1.2",
-            "spheres[1].radius is -1.2, and takes a length from 1e-9",
-        ),
-        ("radius: 1.2", "radios: 1.2", "`radios`"),
-        (
-            "material: \"mirror\"",
-            "material: \"miror\"",
-            "takes one of materials: \"floor\", \"glass\"",
-        ),
-        (
-            "look_at: (0.0, 0.8, 0.0)",
-            "look_at: (0.0, 2.2, 7.5)",
-            "a point that is not the eye",
-        ),
-        ("radius: 0.15", "radius: NaN", "takes a finite one"),
-        ("colour: (0.35, 0.4, 0.5)", "colour: (0.35, 0.4)", "3"),
-        ("half_x: 12.0", "half_x: twelve", ""),
-    ] {
-        let error = told(old, new);
+fn mistake_is_named_with_line_and_column() {
+    for row in MISTAKES.trim().lines() {
+        let row: Vec<&str> = row.split('|').map(str::trim).collect();
+        let [name, old, new, at, says] = row[..] else {
+            panic!("{row:?}");
+        };
+        let text = example(&format!("{name}.ron"));
+        assert!(text.contains(old), "{old}");
+        let text = text.replacen(old, &new.replace("LONG", &"LONG".repeat(99)), 1);
+        // A byte order mark has no column.
+        let marked = format!("\u{feff}{text}");
+        let error = SceneFile::parse("my.ron", &marked).expect_err(new);
+        let at = text.find(&at.replace("\\n", "\n")).expect(at);
+        let line = text[..at].rsplit('\n').next().expect("a line");
+        let (line, column) = (
+            text[..at].matches('\n').count() + 1,
+            line.chars().count() + 1,
+        );
+        let place = format!("my.ron:{line}:{column}: ");
+        assert!(error.starts_with(&place), "{error}, and not {place}");
         assert!(error.contains(says), "{error}");
     }
-    // To the column.
-    let error = told("radius: 1.2", "radius: 2e9");
-    let line = first
-        .lines()
-        .find(|line| line.contains("radius: 1.2"))
-        .expect("a line");
-    let column = line.find("1.2, material").expect("a number") + 1;
-    assert!(
-        error.contains(&format!(":{column}: spheres[1].radius is 2000000000")),
-        "{error}"
-    );
 }
 
 #[test]
-fn a_byte_order_mark_is_no_part_of_the_text() {
-    let first = example("first.ron");
-    let [plain, marked] = [first.clone(), format!("\u{feff}{first}")]
-        .map(|text| SceneFile::parse("first.ron", &text).expect("a scene"));
-    assert_eq!(plain, marked);
-    let error = SceneFile::parse("my.ron", "\u{feff}Scene(haze: -1.0)").expect_err("it is wrong");
-    assert!(error.starts_with("my.ron:1:13: haze is -1"), "{error}");
-}
-
-#[test]
-fn what_may_have_no_end_is_not_read() {
+fn mistake_is_one_line_of_every_command() {
     let folder = tempfile::tempdir().expect("a folder");
-    let [pipe, device] = ["pipe.ron", "device.ron"].map(|name| folder.path().join(name));
+    let file = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let [bad, text, none, pipe, device] =
+        ["bad.ron", "text.ron", "none.ron", "pipe.ron", "device.ron"].map(file);
+    fs::write(&bad, "Scene(\n    haze: -1.0,\n)\n").expect("it can be written");
+    for command in ["bench", "trade", "figures", "view", "render --out -"] {
+        let output = lab(&format!("{command} --scene {bad}"));
+        let line = format!("{bad}:2:11: haze is -1, must be 0 to 1000\n");
+        assert_eq!(String::from_utf8_lossy(&output.stderr), line, "{command}");
+        assert_eq!(output.status.code(), Some(2), "{command}");
+    }
+    fs::write(&text, b"Scene() // \xe9").expect("it can be written");
     let made = Command::new("mkfifo").arg(&pipe).status();
     assert!(made.expect("mkfifo runs").success());
     symlink("/dev/null", &device).expect("a link");
-    // One that reads the pipe is not kept waiting: it gets an empty text.
+    // A reader of the pipe is not kept waiting.
     let writer = pipe.clone();
     std::thread::spawn(move || fs::write(writer, ""));
-    for file in [&pipe, &device] {
-        let name = file.to_str().expect("UTF-8");
-        let output = lab(&format!("bench --scene {name}"));
-        assert_one_line(&output, 2, &["cannot read", name, "not a regular file"]);
-    }
-}
-
-#[test]
-fn what_is_wrong_with_a_motion_is_named() {
-    let text = example("motion.ron");
-    for (old, new, says) in [
-        (
-            "spheres[0].centre",
-            "spheres[9].centre",
-            "takes the path of a number or a vector",
-        ),
-        (
-            "spheres[0].centre",
-            "spheres[0].material",
-            "takes the path of a number or a vector",
-        ),
-        (
-            "(3.0, (5.0",
-            "(9.0, (5.0",
-            "a time that is not after the last one's",
-        ),
-        (
-            "(0.5, (0.0, 1.8, 0.0))",
-            "(0.5, 1.8)",
-            "takes as many numbers as spheres[0].centre has",
-        ),
-        (
-            "(1.0, (0.9, 0.8, 0.2))",
-            "(1.0, (-0.9, 0.8, 0.2))",
-            "is wrong at 1 s: materials[\"lamp\"].colour",
-        ),
+    for (file, why) in [
+        (&text, "not UTF-8"),
+        (&none, "No such file"),
+        (&pipe, "not a regular file"),
+        (&device, "not a regular file"),
     ] {
-        assert!(text.contains(old), "{old}");
-        let error = SceneFile::parse("my.ron", &text.replacen(old, new, 1)).expect_err(new);
-        assert!(error.contains(says), "{error}");
+        let output = lab(&format!("bench --scene {file}"));
+        assert_one_line(&output, 2, &["cannot read", file, why]);
     }
-}
-
-#[test]
-fn fields_that_are_missing_twice_or_unknown_are_told() {
-    for (fields, says) in [
-        (
-            "radius: 1, material: \"a\"",
-            "`Sphere` takes a field `centre`",
-        ),
-        (
-            "centre: (0, 0, 0), radius: 1, radius: 2, material: \"a\"",
-            "`radius` is twice in `Sphere`",
-        ),
-        (
-            "centre: (0, 0, 0), size: 1, material: \"a\"",
-            "`Sphere` has no field `size`, and takes `centre`, `radius`, `material`",
-        ),
-    ] {
-        let text = format!("(materials: {{\"a\": ()}}, spheres: [({fields})])");
-        let error = SceneFile::parse("my.ron", &text).expect_err("it is wrong");
-        assert!(
-            error.starts_with("my.ron:1:") && error.contains(says),
-            "{error}"
-        );
-    }
-    let error = SceneFile::parse("my.ron", "(motion: [])").expect_err("it is wrong");
-    assert!(
-        error.contains("`captions`, `copper_bars`, `motions`"),
-        "{error}"
-    );
-}
-
-#[test]
-fn two_motions_of_one_number_are_no_rust() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("twice.ron");
-    let keys = "keys: [(0.0, (0.0, 0.0, 9.0)), (1.0, (1.0, 0.0, 9.0))]";
-    let part = "(of: \"camera.eye[1]\", keys: [(0.0, 1.0)])";
-    let text = format!("(motions: [(of: \"camera.eye\", {keys}), {part}])");
-    fs::write(&file, text).expect("it can be written");
-    let output = lab(&format!("scene --rust {}", file.display()));
-    assert_one_line(&output, 1, &["camera.eye and camera.eye[1] move the same"]);
-}
-
-#[test]
-fn too_many_objects_are_told() {
-    let sphere = "(centre: (0.0, 0.0, 0.0), radius: 1.0, material: \"m\"),";
-    let text = format!(
-        "Scene(materials: {{\"m\": ()}}, spheres: [{}])",
-        sphere.repeat(321)
-    );
-    let error = SceneFile::parse("many.ron", &text).expect_err("too many");
-    assert!(
-        error.contains("spheres has 321, and takes up to 320"),
-        "{error}"
-    );
-}
-
-#[test]
-fn bad_input_is_named_in_one_line() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("bad.ron");
-    let name = file.to_str().expect("a plain name");
-    fs::write(&file, "Scene(\n    haze: -1.0,\n)\n").expect("it can be written");
-    for command in ["bench", "trade", "figures", "view"] {
-        let output = lab(&format!("{command} --scene {name}"));
-        assert_one_line(
-            &output,
-            2,
-            &["bad.ron:2:11: haze is -1, and takes 0 to 1000"],
-        );
-    }
-    let bench = |name: &str| lab(&format!("bench --scene {name}"));
-    let none = folder.path().join("none.ron");
-    let none = none.to_str().expect("a plain name");
-    assert_one_line(&bench(none), 2, &["cannot read", none]);
-    fs::write(&file, b"Scene() // \xe9").expect("it can be written");
-    assert_one_line(&bench(name), 2, &[name, "not UTF-8"]);
 }

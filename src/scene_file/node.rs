@@ -1,0 +1,253 @@
+//! The contents of a scene file as a tree, in which each value has its place in the text.
+
+use ron::error::SpannedError;
+use ron::value::RawValue;
+use serde::de::value::{MapDeserializer, SeqDeserializer, StrDeserializer};
+use serde::de::{self, Deserializer, Error as _, IntoDeserializer};
+use serde::de::{MapAccess, SeqAccess, Unexpected, Visitor};
+use std::fmt;
+
+/// A value of a file, or one that a motion gives.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Node {
+    /// The name of the field or of the entry, or the index of the item.
+    name: String,
+    /// The byte of the text at which the value begins.
+    pub at: usize,
+    pub kind: Kind,
+    /// The fields, entries or items.
+    pub parts: Vec<Node>,
+}
+
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Kind {
+    Number(f32),
+    /// A name, a truth value, or text in quotes, as it is written.
+    Word(String),
+    /// A list or a tuple.
+    List,
+    /// A struct or a table.
+    #[default]
+    Struct,
+}
+
+impl Node {
+    /// Reads a text in RON.
+    pub fn read(text: &str) -> Result<Self, SpannedError> {
+        let mut from = ron::Deserializer::from_str(text)?;
+        let node = from.deserialize_any(Reader(text));
+        let node = node.and_then(|node| from.end().map(|()| node));
+        node.map_err(|error| from.span_error(error))
+    }
+
+    fn new(name: String, kind: Kind) -> Self {
+        let (at, parts) = (0, Vec::new());
+        Self {
+            name,
+            at,
+            kind,
+            parts,
+        }
+    }
+
+    /// Becomes a number or a list of numbers from another place in the text.
+    pub fn set(&mut self, at: usize, numbers: &[f32]) {
+        let number = |i: usize| Self::new(i.to_string(), Kind::Number(numbers[i]));
+        (self.at, self.kind) = (at, Kind::List);
+        self.parts = (0..numbers.len()).map(number).collect();
+        if let [number] = *numbers {
+            (self.kind, self.parts) = (Kind::Number(number), Vec::new());
+        }
+    }
+
+    /// Returns a mistake at this place.
+    pub fn fault(&self, what: impl Into<String>) -> Fault {
+        let (at, what) = (Some(self.at), what.into());
+        Fault { at, what }
+    }
+
+    pub fn get(&self, name: &str) -> Option<&Self> {
+        self.parts.iter().find(|part| part.name == name)
+    }
+
+    pub fn get_mut(&mut self, name: &str) -> Option<&mut Self> {
+        self.parts.iter_mut().find(|part| part.name == name)
+    }
+
+    pub fn take(&mut self, name: &str) -> Option<Self> {
+        let i = self.parts.iter().position(|part| part.name == name)?;
+        Some(self.parts.remove(i))
+    }
+
+    /// Returns the value at a path such as `materials["gold"].colour[0]`. A field that is not there is added.
+    pub fn place(&mut self, path: &str) -> Option<&mut Self> {
+        steps(path).try_fold(self, |node, name| {
+            let is_struct = node.kind == Kind::Struct && node.name != "materials";
+            if is_struct && node.get(name).is_none() {
+                node.parts.push(Self::new(name.to_owned(), Kind::Struct));
+            }
+            node.get_mut(name)
+        })
+    }
+
+    /// Returns the value at a path, or the last one on the way to it.
+    pub fn nearest(&self, path: &str) -> &Self {
+        let found = steps(path).try_fold(self, |node, name| node.get(name).ok_or(node));
+        found.unwrap_or_else(|last| last)
+    }
+}
+
+/// The names and indices in a path.
+fn steps(path: &str) -> impl Iterator<Item = &str> {
+    let steps = path.split(['.', '[']);
+    steps.map(|step| step.trim_end_matches(']').trim_matches('"'))
+}
+
+/// Reads the values in a text.
+#[derive(Clone, Copy)]
+struct Reader<'a>(&'a str);
+
+impl Reader<'_> {
+    /// Reads a value, with the values in it.
+    fn node(self, name: String, raw: &RawValue) -> Node {
+        let text = raw.trim().get_ron();
+        let number = ron::from_str(text).map(Kind::Number);
+        let kind = number.unwrap_or_else(|_| Kind::Word(text.to_owned()));
+        let mut node = Node::new(name, kind);
+        if text.ends_with([')', ']', '}'])
+            && let Ok(mut from) = ron::Deserializer::from_str(text)
+            && let Ok(Node { kind, parts, .. }) = from.deserialize_any(self)
+        {
+            (node.kind, node.parts) = (kind, parts);
+        }
+        node.at = text.as_ptr().addr() - self.0.as_ptr().addr();
+        node
+    }
+}
+
+impl<'de> Visitor<'de> for Reader<'_> {
+    type Value = Node;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a scene")
+    }
+
+    fn visit_unit<E>(self) -> Result<Node, E> {
+        Ok(Node::default())
+    }
+
+    fn visit_some<D: Deserializer<'de>>(self, from: D) -> Result<Node, D::Error> {
+        from.deserialize_any(self)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Node, A::Error> {
+        let mut list = Node::new(String::new(), Kind::List);
+        while let Some(item) = items.next_element()? {
+            list.parts
+                .push(self.node(list.parts.len().to_string(), item));
+        }
+        Ok(list)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Node, A::Error> {
+        let mut node = Node::default();
+        while let Some((name, value)) = fields.next_entry()? {
+            node.parts.push(self.node(name, value));
+        }
+        Ok(node)
+    }
+}
+
+/// A mistake, and the byte of the text at which it is.
+#[derive(Debug)]
+pub struct Fault {
+    pub at: Option<usize>,
+    pub what: String,
+}
+
+impl std::error::Error for Fault {}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.what)
+    }
+}
+
+impl de::Error for Fault {
+    fn custom<T: fmt::Display>(what: T) -> Self {
+        let (at, what) = (None, what.to_string());
+        Self { at, what }
+    }
+
+    fn unknown_field(name: &str, known: &'static [&'static str]) -> Self {
+        // The fields that a file has beside the library's.
+        let own = match known {
+            ["camera", ..] => ", length, materials, motions",
+            ["of", ..] => ", keys",
+            ["shape", ..] => ", turn",
+            _ => "",
+        };
+        let known = known.join(", ");
+        Self::custom(format_args!("field is {name}, must be one of {known}{own}"))
+    }
+}
+
+impl<'de> IntoDeserializer<'de, Fault> for &Node {
+    type Deserializer = Self;
+
+    fn into_deserializer(self) -> Self {
+        self
+    }
+}
+
+impl<'de> Deserializer<'de> for &Node {
+    type Error = Fault;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        let value = match &self.kind {
+            Kind::Number(number) => visitor.visit_f32(*number),
+            Kind::Word(word) => match (word.as_str(), ron::from_str::<String>(word)) {
+                ("true" | "false", _) => visitor.visit_bool(word == "true"),
+                (_, Ok(text)) => visitor.visit_string(text),
+                (_, Err(_)) => Err(Fault::invalid_type(Unexpected::Other(word), &visitor)),
+            },
+            Kind::List => SeqDeserializer::new(self.parts.iter()).deserialize_any(visitor),
+            Kind::Struct => {
+                let fields = self.parts.iter().map(|part| (part.name.as_str(), part));
+                MapDeserializer::new(fields).deserialize_any(visitor)
+            }
+        };
+        value.map_err(|Fault { at, what }| {
+            let is_of = |part: &Self| what.starts_with(&format!("field is {},", part.name));
+            let part = self.parts.iter().find(|part| is_of(part));
+            let at = at.or(Some(part.unwrap_or(self).at));
+            Fault { at, what }
+        })
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        match &self.kind {
+            Kind::Word(word) if word == "None" => visitor.visit_none(),
+            _ => visitor.visit_some(self),
+        }
+    }
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        let name = match &self.kind {
+            Kind::Word(name) => name,
+            _ => "",
+        };
+        let value = visitor.visit_enum(StrDeserializer::new(name));
+        value.map_err(|fault: Fault| self.fault(fault.what))
+    }
+
+    serde::forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 u8 u16 u32 u64 f32 f64 char str string bytes byte_buf unit unit_struct
+        newtype_struct seq tuple tuple_struct map struct identifier ignored_any
+    }
+}
