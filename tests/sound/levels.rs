@@ -14,38 +14,30 @@ fn meter(samples: &[[f32; 2]]) -> (f64, f64) {
 }
 
 #[test]
-fn the_song_is_as_loud_as_music_is() {
+fn song_is_as_loud_as_music() {
     let (loudness, true_peak) = meter(song());
     assert!((-16.0..=-12.0).contains(&loudness), "{loudness} LUFS");
-    assert!(peak(song()) <= decibels(-1.0), "{}", peak(song()));
-    assert!(
-        true_peak <= decibels(-1.0).into(),
-        "{true_peak} between samples"
-    );
+    assert!(true_peak <= decibels(-1.0).into(), "{true_peak}");
 }
 
 #[test]
-fn the_song_has_a_build_a_break_and_a_climax() {
-    let loudness = |from: u32, to: u32| meter(&song()[from as usize * BAR..to as usize * BAR]).0;
-    let title = loudness(show::cut("title"), show::cut("model"));
-    let model = loudness(show::cut("model"), show::cut("method"));
-    let method = loudness(show::cut("method"), show::cut("colonnade"));
-    let colonnade = loudness(show::cut("colonnade"), show::cut("machine"));
-    let field = loudness(show::cut("swarm"), show::cut("finale"));
-    let finale = loudness(show::cut("finale"), show::BARS);
-    assert!(
-        title + 2.0 < model && model + 1.0 < method,
-        "{title} {model} {method}"
-    );
-    assert!(colonnade + 3.0 < method, "{colonnade} after {method}");
-    assert!(
-        field + 0.2 > method && finale + 3.0 < field,
-        "{method} {field} {finale}"
-    );
+fn song_has_a_build_a_break_and_a_climax() {
+    let cut = |name: &str| show::cut(name) as usize * BAR;
+    let loudness = |from: &str, to: &str| meter(&song()[cut(from)..cut(to)]).0;
+    let title = loudness("title", "model");
+    let model = loudness("model", "method");
+    let method = loudness("method", "colonnade");
+    let colonnade = loudness("colonnade", "machine");
+    let swarm = loudness("swarm", "finale");
+    let finale = meter(&song()[cut("finale")..]).0;
+    let all = [title, model, method, colonnade, swarm, finale];
+    assert!(title + 2.0 < model && model + 1.0 < method, "{all:?}");
+    assert!(colonnade + 3.0 < method, "{all:?}");
+    assert!(swarm + 0.2 > method && finale + 3.0 < swarm, "{all:?}");
 }
 
 #[test]
-fn no_bar_but_the_last_two_is_silent() {
+fn bar_before_the_last_two_is_not_silent() {
     let bars = song().chunks_exact(BAR).take(show::BARS as usize - 2);
     for (bar, samples) in bars.enumerate() {
         let (loudness, _) = meter(samples);
@@ -54,46 +46,36 @@ fn no_bar_but_the_last_two_is_silent() {
 }
 
 #[test]
-fn it_begins_and_ends_in_silence() {
-    let song = song();
-    assert!(peak(&song[..1]) < decibels(-50.0), "{}", peak(&song[..1]));
-    let end = &song[song.len() - RATE as usize / 4..];
+fn song_begins_and_ends_in_silence() {
+    assert!(peak(&song()[..1]) < decibels(-50.0));
+    let (_, end) = song().split_at(song().len() - RATE as usize / 4);
     assert!(peak(end) < decibels(-60.0), "{}", peak(end));
 }
 
 #[test]
-fn both_sides_are_centred_and_as_loud_as_each_other() {
-    let sums = [0, 1].map(|side| {
+fn both_sides_are_centred_and_equally_loud() {
+    let energies = [0, 1].map(|side| {
         let side = song().iter().map(|sample| f64::from(sample[side]));
-        (
-            side.clone().sum::<f64>(),
-            side.map(|sample| sample * sample).sum::<f64>(),
-        )
-    });
-    for (sum, _) in sums {
-        let mean = sum / song().len() as f64;
+        let mean = side.clone().sum::<f64>() / song().len() as f64;
         assert!(mean.abs() < 1e-3, "mean {mean}");
-    }
-    let ratio = sums[0].1 / sums[1].1;
-    assert!(
-        (0.8..1.25).contains(&ratio),
-        "left {ratio} times the right's energy"
-    );
+        side.map(|sample| sample * sample).sum::<f64>()
+    });
+    let ratio = energies[0] / energies[1];
+    assert!((0.8..1.25).contains(&ratio), "left to right: {ratio}");
 }
 
 /// A click would be a step much larger than those around it.
 #[test]
-fn cuts_are_no_louder_steps_than_the_music_around_them() {
+fn cut_is_no_click() {
     let song = song();
-    let step = |at: usize| {
-        (0..2)
-            .map(|side| (song[at][side] - song[at - 1][side]).abs())
-            .fold(0.0, f32::max)
+    let largest = |from: usize, to: usize| {
+        let steps = song[from - 1..to].windows(2);
+        let sides = steps.flat_map(|pair| [0, 1].map(|side| (pair[1][side] - pair[0][side]).abs()));
+        sides.fold(0.0, f32::max)
     };
     for cut in &show::CUTS[1..] {
         let at = *cut as usize * BAR;
-        let around = (at - BAR..at + BAR).map(step).fold(0.0, f32::max);
-        let here = (at - 2..at + 2).map(step).fold(0.0, f32::max);
+        let (here, around) = (largest(at - 2, at + 2), largest(at - BAR, at + BAR));
         assert!(here < 0.5 * around, "bar {cut}: {here}, {around}");
     }
 }
