@@ -1,10 +1,9 @@
 //! Arguments that several commands share: sizes, qualities, threads, instruction sets, times.
 
-use anyhow::{bail, ensure};
+use anyhow::bail;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::cpu::{self, Isa};
 use std::fmt;
-use std::ops::Range;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::thread::available_parallelism;
@@ -120,59 +119,6 @@ impl fmt::Display for NamedQuality {
 /// The edges of frames with antialiasing, or without, in a word.
 pub fn edges(antialias: bool) -> &'static str {
     if antialias { "antialiased" } else { "jagged" }
-}
-
-/// A part of what a command draws, such as 2/3: the others are drawn by other processes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Part {
-    /// From 1 to `count`.
-    pub number: usize,
-    pub count: usize,
-}
-
-impl Part {
-    /// All of it.
-    pub const WHOLE: Self = Self {
-        number: 1,
-        count: 1,
-    };
-
-    /// Checks that no part is empty, if there are so many frames or rows.
-    pub fn check(self, length: usize, items: &str) -> anyhow::Result<()> {
-        let what = format!("--part {self} takes no more parts than there are {items}: {length}");
-        ensure!(self.count <= length, BadInput(what));
-        Ok(())
-    }
-
-    /// The part of a range whose items belong together, such as frames of a video.
-    pub fn range(self, whole: &Range<usize>) -> Range<usize> {
-        let cut = |number| whole.start + whole.len() * number / self.count;
-        cut(self.number - 1)..cut(self.number)
-    }
-
-    /// Whether an item, counted from 0, is in the part that has every `count`th: so all parts take about as long.
-    pub fn has(self, item: usize) -> bool {
-        item % self.count == self.number - 1
-    }
-}
-
-impl FromStr for Part {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let numbers = text.split_once('/');
-        let numbers = numbers.and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
-        numbers
-            .filter(|&(number, count)| (1..=count).contains(&number))
-            .map(|(number, count)| Self { number, count })
-            .ok_or_else(|| "takes I/N, part I of N, such as 1/3".to_owned())
-    }
-}
-
-impl fmt::Display for Part {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}/{}", self.number, self.count)
-    }
 }
 
 /// Parses the name of an instruction set that this machine has.

@@ -34,7 +34,7 @@
 //! | bits of a ray's result that depend on its lane or on the rays beside it | 0 | `what_comes_of_a_ray_depends_on_no_neighbour` |
 //! | ... among boxes, cylinders, capsules, patterns, haze and lights of all kinds, also with invalid numbers | 0 | `what_comes_of_a_ray_depends_on_no_neighbour_where_there_is_more_than_spheres`, `what_comes_of_a_ray_depends_on_no_neighbour_whatever_numbers_make_no_sense` |
 //! | PSNR of a scene scaled by 1e-4 to 1e4 against the original | 50 dB | `a_scene_of_any_scale_gives_the_same_picture` |
-//! | ... by 1e-8 and 1e8 against the oracle at its own size, which sees them alike | 45 dB | `a_scene_of_any_size_gives_one_picture_by_paths_by_the_oracle_and_by_the_library` |
+//! | ... by 1e-8 and 1e8 against the oracle at its own size, which sees them alike | 45 dB | `scene_of_any_size_is_as_the_oracle_sees_it` |
 //!
 //! All figures that depend on random numbers were checked with 13 seeds on each instruction set. `RAY_SEED=1 cargo test
 //! -p eightfold-tracer trace` uses another seed.

@@ -66,6 +66,24 @@ fn a_scene_of_any_scale_gives_the_same_picture() {
 }
 
 #[test]
+fn scene_of_any_size_is_as_the_oracle_sees_it() {
+    // Scaled, so that its lengths stay in their range by both factors.
+    let scene = scaled(&rich(), 0.7);
+    let oracle = |scene: &Scene| Frame::new(scene, &Quality::EXHAUSTIVE, 64, 48).picture();
+    let known = oracle(&scene);
+    for factor in [1e-8, 1e8] {
+        let scene = scaled(&scene, factor);
+        assert_eq!(scene.validate(), Ok(()));
+        let by_all = draw_by_all(&scene, &Quality::EXHAUSTIVE, 64, 48);
+        let pictures = by_all.into_iter().map(|(_, drawn)| drawn.pixels);
+        for picture in pictures.chain([oracle(&scene)]) {
+            let psnr = Difference::between(&known, &picture).psnr;
+            assert!(psnr > 45.0, "times {factor}: {psnr} dB");
+        }
+    }
+}
+
+#[test]
 fn a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees() {
     let mut scene = show::model_scene(0.0);
     let glass = scene.spheres[3].material;

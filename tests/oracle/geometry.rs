@@ -133,45 +133,6 @@ pub struct Met {
     pub normal: DVec3,
 }
 
-/// A flat side of a shape.
-#[derive(Clone, Copy, Debug)]
-pub struct Face {
-    p: DVec3,
-    /// Outward, of length 1.
-    n: DVec3,
-}
-
-impl Face {
-    /// How far a point is before it.
-    pub fn height(&self, p: DVec3) -> f64 {
-        self.n.dot(p - self.p)
-    }
-
-    /// Whether a ray comes from before it, and meets its shape there.
-    pub fn is_at(&self, ray: Ray, met: Met) -> bool {
-        self.height(ray.o) > 0.0 && ray.d.dot(self.n) < 0.0 && met.normal.dot(self.n).abs() > 0.999
-    }
-
-    /// A point as it is mirrored.
-    pub fn mirrored(&self, p: DVec3) -> DVec3 {
-        p - 2.0 * self.height(p) * self.n
-    }
-
-    /// A direction as it is mirrored.
-    pub fn turned(&self, d: DVec3) -> DVec3 {
-        d - 2.0 * self.n.dot(d) * self.n
-    }
-}
-
-/// A sphere, or the side of a cylinder, of which a shape's surface is a part.
-#[derive(Clone, Copy, Debug)]
-pub struct Round {
-    pub centre: DVec3,
-    pub radius: f64,
-    /// A cylinder's axis, of length 1.
-    pub axis: Option<DVec3>,
-}
-
 impl From<&Sphere> for Shape {
     fn from(sphere: &Sphere) -> Self {
         Self::Sphere {
@@ -246,84 +207,6 @@ impl Shape {
         met.filter(|met| met.t < limit)
     }
 
-    /// Its flat sides: of a rectangle both.
-    pub fn faces(&self) -> Vec<Face> {
-        let (centre, half, axes, flat): (_, _, _, &[usize]) = match *self {
-            Self::Sphere { .. } => return Vec::new(),
-            Self::Plane { centre, .. } => (centre, DVec3::ZERO, DMat3::IDENTITY, &[1]),
-            Self::Block {
-                centre,
-                half,
-                axes,
-                shape,
-            } => {
-                let flat: &[usize] = match shape {
-                    BlockShape::Box => &[0, 1, 2],
-                    BlockShape::Cylinder => &[1],
-                    BlockShape::Capsule => &[],
-                };
-                (centre, half, axes, flat)
-            }
-        };
-        let sides = flat.iter().flat_map(|&i| [(i, -1.0), (i, 1.0)]);
-        let face = |(i, side): (usize, f64)| Face {
-            p: centre + side * half[i] * axes.col(i),
-            n: side * axes.col(i).normalize(),
-        };
-        sides.map(face).collect()
-    }
-
-    /// The spheres and the sides of cylinders that its surface is made of.
-    pub fn rounds(&self) -> Vec<Round> {
-        let ball = |centre, radius| Round {
-            centre,
-            radius,
-            axis: None,
-        };
-        match *self {
-            Self::Sphere { centre, radius } => vec![ball(centre, radius)],
-            Self::Plane { .. } => Vec::new(),
-            Self::Block {
-                centre,
-                half,
-                axes,
-                shape,
-            } => {
-                let side = Round {
-                    axis: Some(axes.y_axis.normalize()),
-                    ..ball(centre, half.x)
-                };
-                let end = (half.y - half.x) * axes.y_axis;
-                match shape {
-                    BlockShape::Box => Vec::new(),
-                    BlockShape::Cylinder => vec![side],
-                    BlockShape::Capsule => {
-                        vec![side, ball(centre - end, half.x), ball(centre + end, half.x)]
-                    }
-                }
-            }
-        }
-    }
-
-    /// Its centre.
-    pub fn centre(&self) -> DVec3 {
-        match *self {
-            Self::Sphere { centre, .. }
-            | Self::Plane { centre, .. }
-            | Self::Block { centre, .. } => centre,
-        }
-    }
-
-    /// One minus the cosine of the half angle at which a sphere around it is seen from `p`; 2, for all directions, from within that.
-    pub fn width_from(&self, p: DVec3) -> f64 {
-        let radius = match *self {
-            Self::Sphere { radius, .. } => radius,
-            Self::Plane { half_x, half_z, .. } => half_x.hypot(half_z),
-            Self::Block { half, .. } => half.length(),
-        };
-        width(radius, self.centre().distance(p))
-    }
-
     /// A point on it, from its centre along its own axes, in which patterns are painted.
     pub fn own_coordinates(&self, p: DVec3) -> DVec3 {
         match *self {
@@ -340,17 +223,6 @@ impl Shape {
             Self::Block { centre, axes, .. } => (axes.y_axis, centre),
         };
         grooves::direction(axis, p - centre, n)
-    }
-}
-
-/// One minus the cosine of the half angle at which a sphere is seen from a distance to its centre; 2 from within.
-pub fn width(radius: f64, distance: f64) -> f64 {
-    let sine2 = (radius / distance).powi(2);
-    if sine2 < 1.0 {
-        // 1 - cos, without losing digits where the angle is small.
-        sine2 / (1.0 + (1.0 - sine2).sqrt())
-    } else {
-        2.0
     }
 }
 

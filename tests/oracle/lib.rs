@@ -1,17 +1,18 @@
 //! A second ray tracer, with which the tests compare the library's pictures and the lab finds out what a pixel shows.
 //!
 //! It traces one ray at a time, recursively and in f64, by textbook formulas. It shares no code with the library, so where both
-//! agree they are right, unless both misunderstood the same rule. The lab's path tracer meets the same shapes: it takes their geometry
-//! from here.
+//! agree they are right, unless both misunderstood the same rule. The lab's path tracer takes its geometry and its shading from here.
 
 pub mod frame;
 pub mod geometry;
-pub mod grooves;
-mod light;
-pub mod pattern;
+mod grooves;
+pub mod light;
+mod pattern;
 mod shade;
 pub mod squares;
-pub mod waves;
+mod waves;
+
+pub use shade::Hit;
 
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Material, Scene};
@@ -32,6 +33,13 @@ pub struct Oracle<'a> {
 struct Body {
     object: Object,
     shape: Shape,
+}
+
+impl Body {
+    /// Whether it shows a lamp.
+    fn is_lamp(&self) -> bool {
+        matches!(self.object, Object::Light(_))
+    }
 }
 
 /// The result of tracing a point.
@@ -92,19 +100,22 @@ impl<'a> Oracle<'a> {
 
     /// The object that the centre of pixel (x, y) shows, which may lie outside the picture.
     pub fn object_at(&self, x: isize, y: isize) -> Object {
-        let nearest = self.nearest(self.primary_ray(x, y));
+        let nearest = self.nearest(self.ray(x as f64, y as f64), true);
         nearest.map_or(Object::Background, |(body, _)| body.object)
     }
 
-    /// The ray through the centre of a pixel.
-    fn primary_ray(&self, x: isize, y: isize) -> Ray {
-        self.plane.ray(x as f64, y as f64)
+    /// The ray through a point of the picture, in pixels. A pixel's coordinates are those of its centre.
+    pub fn ray(&self, x: f64, y: f64) -> Ray {
+        self.plane.ray(x, y)
     }
 
-    /// The nearest object along a ray, and where the ray meets it.
-    fn nearest(&self, ray: Ray) -> Option<(&Body, Met)> {
+    /// The nearest object along a ray, and where the ray meets it. `has_lamps` is whether the spheres that show lamps count.
+    fn nearest(&self, ray: Ray, has_lamps: bool) -> Option<(&Body, Met)> {
         let mut nearest: Option<(&Body, Met)> = None;
         for body in &self.bodies {
+            if !has_lamps && body.is_lamp() {
+                continue;
+            }
             let limit = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
             if let Some(met) = body.shape.meet(ray, limit) {
                 nearest = Some((body, met));
@@ -113,9 +124,15 @@ impl<'a> Oracle<'a> {
         nearest
     }
 
+    /// Whether no surface blocks a ray up to a distance.
+    pub fn is_free(&self, ray: Ray, distance: f64) -> bool {
+        let mut bodies = self.bodies.iter().filter(|body| !body.is_lamp());
+        bodies.all(|body| body.shape.meet(ray, distance).is_none())
+    }
+
     /// Traces the point at the centre of pixel (x, y), which may lie outside the picture.
     pub fn trace(&self, x: isize, y: isize) -> Traced {
-        let ray = self.primary_ray(x, y);
+        let ray = self.ray(x as f64, y as f64);
         let mut traced = Traced::default();
         let weight = self.scene.exposure;
         let light = f64::from(weight) * self.follow(ray, weight, 1, &mut traced);

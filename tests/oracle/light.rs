@@ -5,6 +5,23 @@ use super::{Object, Oracle};
 use eightfold_tracer::scene::{Light, Sphere};
 use glam::DVec3;
 
+/// The factor on the lengths of a light: lights with parallel rays are far away.
+pub fn reach(light: &Light) -> f64 {
+    if light.parallel {
+        f64::from(Light::FAR)
+    } else {
+        1.0
+    }
+}
+
+/// The share of a light that its cone sends in the direction `d`.
+pub fn cone(light: &Light, d: DVec3) -> f64 {
+    light.spot.map_or(1.0, |spot| {
+        let (outer, inner) = (f64::from(spot.cos_outer), f64::from(spot.cos_inner));
+        smooth((d.dot(spot.aim.as_dvec3()) - outer) / (inner - outer))
+    })
+}
+
 /// The direction and the distance of a light from a point.
 pub(super) struct ToLight {
     /// The direction, of length 1.
@@ -16,12 +33,7 @@ pub(super) struct ToLight {
 impl ToLight {
     /// From the point `p`.
     pub fn new(light: &Light, p: DVec3) -> Self {
-        let far = if light.parallel {
-            f64::from(Light::FAR)
-        } else {
-            1.0
-        };
-        let to_light = far * light.position.as_dvec3() - p;
+        let to_light = reach(light) * light.position.as_dvec3() - p;
         let distance = to_light.length();
         Self {
             l: to_light / distance,
@@ -34,14 +46,9 @@ impl Oracle<'_> {
     /// The share of a light, as a colour, that its cone and all shadows let reach the origin of a ray to it.
     pub(super) fn reaching(&self, light: &Light, to_light: &ToLight, ray: Ray) -> DVec3 {
         let ToLight { l, distance } = *to_light;
-        let cone = light.spot.map_or(1.0, |spot| {
-            let (outer, inner) = (f64::from(spot.cos_outer), f64::from(spot.cos_inner));
-            let cosine = -l.dot(spot.aim.as_dvec3());
-            smooth((cosine - outer) / (inner - outer))
-        });
         let bodies = self.bodies.iter();
         let in_its_way = bodies.filter(|body| body.shape.meet(ray, distance).is_some());
-        let mut share = DVec3::splat(cone);
+        let mut share = DVec3::splat(cone(light, -l));
         for object in in_its_way.map(|body| body.object) {
             match object {
                 Object::Block(i) if light.diameter > 0.0 => {
@@ -80,15 +87,11 @@ fn penumbra(sphere: &Sphere, p: DVec3, to_light: &ToLight, light: &Light) -> f64
     let to_centre = centre - p;
     let a = to_centre.dot(to_light.l).clamp(0.0, to_light.distance);
     let off = (to_centre - a * to_light.l).length() + error - radius;
-    let far = if light.parallel {
-        f64::from(Light::FAR)
-    } else {
-        1.0
-    };
-    let b = a * far * f64::from(light.diameter) / to_light.distance;
+    let size = reach(light) * f64::from(light.diameter);
+    let b = a * size / to_light.distance;
     let centre_to_light = to_centre - to_light.distance * to_light.l;
-    let is_dome = to_centre.length() <= radius + error
-        && centre_to_light.length() + 0.5 * far * f64::from(light.diameter) <= radius;
+    let is_dome =
+        to_centre.length() <= radius + error && centre_to_light.length() + 0.5 * size <= radius;
     if is_dome {
         return 1.0;
     }

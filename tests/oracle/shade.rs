@@ -1,11 +1,9 @@
 //! Shading by Phong's model, and secondary rays.
 
-use super::geometry::Ray;
-use super::grooves;
-use super::light::ToLight;
+use super::geometry::{Met, Ray};
+use super::light::{ToLight, reach};
 use super::pattern::reflectance;
-use super::waves;
-use super::{Object, Oracle, Traced};
+use super::{Body, Object, Oracle, Traced, grooves, waves};
 use eightfold_tracer::scene::{Light, Material};
 use glam::DVec3;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -18,18 +16,106 @@ enum State {
     Highlight,
 }
 
+/// A point of a surface, as a ray sees it.
+pub struct Hit<'a> {
+    object: Object,
+    pub material: &'a Material,
+    /// The ray from this point on, in its old direction.
+    pub ray: Ray,
+    /// The distance that the ray has travelled.
+    pub t: f64,
+    /// The normal on the side of the ray, of length 1.
+    pub n: DVec3,
+    is_inside: bool,
+    /// The direction of the grooves.
+    groove: DVec3,
+    /// The colour with its pattern.
+    pub painted: DVec3,
+}
+
+impl Hit<'_> {
+    /// The cosine of the angle of incidence.
+    fn cosine(&self) -> f64 {
+        -self.ray.d.dot(self.n)
+    }
+
+    /// Returns the share of the light from the direction `l` that the surface sends back along the ray, and the strength of its
+    /// highlight.
+    pub fn reflected(&self, l: DVec3) -> (DVec3, f64) {
+        let material = self.material;
+        let mirrored = self.ray.d + 2.0 * self.cosine() * self.n;
+        let along = grooves::cosine(mirrored, l, self.groove, material.anisotropy.into());
+        let highlight = f64::from(material.ks) * along.max(0.0).powf(f64::from(material.exponent));
+        let tint = DVec3::ONE.lerp(material.colour.as_dvec3(), material.metallic.into());
+        let diffuse = f64::from(material.kd) * self.n.dot(l) * self.painted;
+        (diffuse + highlight * tint, highlight)
+    }
+
+    /// Returns the directions of the mirrored and of the refracted ray with their coefficients.
+    pub fn bounces(&self) -> [Option<(DVec3, f32)>; 2] {
+        let Self { material, n, .. } = *self;
+        let (d, cosine) = (self.ray.d, self.cosine());
+        let gain = material.fresnel * (1.0 - cosine).powi(5) as f32;
+        let mut kr = material.kr + gain * (1.0 - material.kr);
+        let kt = material.kt * (1.0 - gain);
+        let mut refracted = None;
+        if kt > 0.0 {
+            let index = f64::from(material.index);
+            let eta = if self.is_inside { index } else { 1.0 / index };
+            let k = 1.0 - eta * eta * (1.0 - cosine * cosine);
+            if k < 0.0 {
+                kr += kt;
+            } else {
+                refracted = Some((eta * d + (eta * cosine - k.sqrt()) * n, kt));
+            }
+        }
+        [Some((d + 2.0 * cosine * n, kr)), refracted]
+    }
+}
+
 impl Oracle<'_> {
+    /// Returns the surface that a ray meets first. Lamps have none.
+    pub fn surface(&self, ray: Ray) -> Option<Hit<'_>> {
+        let (body, met) = self.nearest(ray, false)?;
+        self.hit(ray, body, met)
+    }
+
+    /// Returns the point of a surface where a ray meets a body; `None` if that shows a lamp.
+    fn hit(&self, ray: Ray, body: &Body, met: Met) -> Option<Hit<'_>> {
+        let material = body.object.material(self.scene)?;
+        let p = ray.at(met.t);
+        let normal = met.normal.normalize();
+        let is_inside = ray.d.dot(normal) > 0.0;
+        let footprint = met.t * self.plane.pixel / ray.d.dot(normal).abs();
+        let own = body.shape.own_coordinates(p);
+        let groove = body.shape.groove(p, normal);
+        let normal = match body.object {
+            Object::Plane(0) => waves::normal(&self.scene.water, p, ray.d, footprint),
+            _ => normal,
+        };
+        Some(Hit {
+            object: body.object,
+            material,
+            ray: ray.moved(met.t),
+            t: met.t,
+            n: if is_inside { -normal } else { normal },
+            is_inside,
+            groove,
+            painted: material.colour.as_dvec3() * reflectance(&material.pattern, own, footprint),
+        })
+    }
+
     /// The colour that a ray sees. `weight` is the product of the coefficients along its path. `path` identifies its node in the
     /// ray tree: 1 for a primary ray, 2 p for the reflected and 2 p + 1 for the transmitted ray of the node p.
     pub(super) fn follow(&self, ray: Ray, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         traced.rays += 1;
-        let nearest = self.nearest(ray);
+        let nearest = self.nearest(ray, true);
         let object = nearest.map_or(Object::Background, |(body, _)| body.object);
         let t = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
         let glow = self.glow(ray, t);
-        // What a single ray brings to the eye, without those that follow it.
+        // The limit on the light of a single ray, without the rays that follow it.
         let cut = |light: DVec3| light.min(DVec3::splat(2.0 / f64::from(weight)));
-        let Some(((body, met), material)) = nearest.zip(object.material(self.scene)) else {
+        let Some(hit) = nearest.and_then(|(body, met)| self.hit(ray, body, met)) else {
             self.note(object, &[], weight, path, traced);
             let light = match object {
                 Object::Light(i) => self.scene.lights[i].colour.as_dvec3(),
@@ -37,59 +123,26 @@ impl Oracle<'_> {
             };
             return cut(light + glow);
         };
-        let p = ray.at(t);
-        let normal = met.normal.normalize();
-        let own = body.shape.own_coordinates(p);
-        let inside = ray.d.dot(normal) > 0.0;
-        let footprint = t * self.plane.pixel / ray.d.dot(normal).abs();
-        let groove = body.shape.groove(p, normal);
-        let normal = match object {
-            Object::Plane(0) => waves::normal(&self.scene.water, p, ray.d, footprint),
-            _ => normal,
-        };
-        let n = if inside { -normal } else { normal };
-        let painted = material.colour.as_dvec3() * reflectance(&material.pattern, own, footprint);
-        // The transmittance of the haze.
-        let transmittance = 1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2));
-
-        let mut colour = self.scene.ambient.as_dvec3() * painted;
-        let within = match object {
-            Object::Sphere(i) if inside => Some(f64::from(self.scene.spheres[i].radius)),
-            _ => None,
-        };
+        let mut colour = self.scene.ambient.as_dvec3() * hit.painted;
         let mut states = Vec::new();
-        for i in 0..self.scene.lights.len() {
-            let (state, light) = self.lit(i, ray, t, n, groove, within, material, painted, traced);
+        for light in self.scene.lights.iter() {
+            let (state, light) = self.lit(light, &hit, traced);
             colour += light;
             states.push(state);
         }
         self.note(object, &states, weight, path, traced);
+        let transmittance = self.transmittance(t);
         let own = cut(self.behind(ray.d).lerp(colour, transmittance) + glow);
-        let secondary = self.secondary(
-            ray,
-            t,
-            n,
-            inside,
-            material,
-            weight * transmittance as f32,
-            path,
-            traced,
-        );
-        own + transmittance * secondary
+        own + transmittance * self.secondary(&hit, weight * transmittance as f32, path, traced)
     }
 
     /// The light of the air around lamps up to a distance: the sum over short steps would be the same.
     fn glow(&self, ray: Ray, t: f64) -> DVec3 {
         let mut light = DVec3::ZERO;
         for lamp in self.scene.lights.iter() {
-            let far = if lamp.parallel {
-                f64::from(Light::FAR)
-            } else {
-                1.0
-            };
-            let radius2 = (f64::from(lamp.glow) * far).powi(2);
+            let radius2 = (f64::from(lamp.glow) * reach(lamp)).powi(2);
             if radius2 > 0.0 {
-                let to_lamp = lamp.position.as_dvec3() * far - ray.o;
+                let to_lamp = lamp.position.as_dvec3() * reach(lamp) - ray.o;
                 let nearest = to_lamp.dot(ray.d);
                 let q = (to_lamp - nearest * ray.d).length_squared() + radius2;
                 let sine = |at: f64| (at - nearest) / (q + (at - nearest).powi(2)).sqrt();
@@ -101,97 +154,62 @@ impl Oracle<'_> {
     }
 
     /// The background in a direction.
-    fn behind(&self, d: DVec3) -> DVec3 {
+    pub fn behind(&self, d: DVec3) -> DVec3 {
         let rise = d.y.max(0.0);
         self.scene.background.as_dvec3() + rise * (2.0 - rise) * self.scene.sky.as_dvec3()
     }
 
+    /// The transmittance of the haze over a distance. The background makes up for the rest.
+    pub fn transmittance(&self, t: f64) -> f64 {
+        1.0 / (1.0 + (f64::from(self.scene.haze) * t).powi(2))
+    }
+
     /// The light of the transmitted and the reflected ray.
-    #[allow(clippy::too_many_arguments, reason = "a hit and its ray")]
-    fn secondary(
-        &self,
-        ray: Ray,
-        t: f64,
-        n: DVec3,
-        inside: bool,
-        material: &Material,
-        weight: f32,
-        path: u32,
-        traced: &mut Traced,
-    ) -> DVec3 {
+    fn secondary(&self, hit: &Hit<'_>, weight: f32, path: u32, traced: &mut Traced) -> DVec3 {
         let mut colour = DVec3::ZERO;
         if depth(path) == self.quality.depth {
             return colour;
         }
-        let cosine = -ray.d.dot(n);
-        let gain = material.fresnel * (1.0 - cosine).powi(5) as f32;
-        let mut kr = material.kr + gain * (1.0 - material.kr);
-        let kt = material.kt * (1.0 - gain);
-        if kt > 0.0 {
-            let index = f64::from(material.index);
-            let eta = if inside { index } else { 1.0 / index };
-            let k = 1.0 - eta * eta * (1.0 - cosine * cosine);
-            let weight = weight * kt;
-            if k < 0.0 {
-                kr += kt;
-            } else if weight >= self.quality.least_contribution {
-                let d = eta * ray.d + (eta * cosine - k.sqrt()) * n;
-                let seen = self.follow(ray.moved(t).turned(d), weight, 2 * path + 1, traced);
-                colour += f64::from(kt) * seen;
+        for (bounce, node) in hit.bounces().into_iter().zip(2 * path..) {
+            let Some((d, share)) = bounce else {
+                continue;
+            };
+            let weight = weight * share;
+            if weight >= self.quality.least_contribution {
+                let seen = self.follow(hit.ray.turned(d), weight, node, traced);
+                colour += f64::from(share) * seen;
             }
-        }
-        let weight = weight * kr;
-        if weight >= self.quality.least_contribution {
-            let d = ray.d + 2.0 * cosine * n;
-            let seen = self.follow(ray.moved(t).turned(d), weight, 2 * path, traced);
-            colour += f64::from(kr) * seen;
         }
         colour
     }
 
-    /// The state of a light where a ray hits something at the distance `t`, with normal `n` and grooves along `groove`, and the light
-    /// that it adds. `within` is the radius if the hit is on the inside of a sphere; `painted` is the colour with its pattern.
-    #[allow(clippy::too_many_arguments, reason = "a light and a hit")]
-    fn lit(
-        &self,
-        light: usize,
-        ray: Ray,
-        t: f64,
-        n: DVec3,
-        groove: DVec3,
-        within: Option<f64>,
-        material: &Material,
-        painted: DVec3,
-        traced: &mut Traced,
-    ) -> (State, DVec3) {
-        let light = &self.scene.lights[light];
-        let to_light = ToLight::new(light, ray.at(t));
+    /// The state of a light at a hit, and the light that it adds.
+    fn lit(&self, light: &Light, hit: &Hit<'_>, traced: &mut Traced) -> (State, DVec3) {
+        let to_light = ToLight::new(light, hit.ray.o);
         let l = to_light.l;
-        let nl = n.dot(l);
+        let nl = hit.n.dot(l);
         if nl <= 0.0 {
             return (State::Dark, DVec3::ZERO);
         }
         traced.shadow_rays += 1;
         // Inside a sphere, lights beyond its far side are blocked by the sphere itself.
-        let is_beyond = within.is_some_and(|radius| 2.0 * nl * radius < to_light.distance);
-        let share = self.reaching(light, &to_light, ray.moved(t).turned(l));
+        let is_beyond = match hit.object {
+            Object::Sphere(i) if hit.is_inside => {
+                2.0 * nl * f64::from(self.scene.spheres[i].radius) < to_light.distance
+            }
+            _ => false,
+        };
+        let share = self.reaching(light, &to_light, hit.ray.turned(l));
         if is_beyond || share == DVec3::ZERO {
             return (State::Dark, DVec3::ZERO);
         }
-        let r = ray.d - 2.0 * ray.d.dot(n) * n;
-        let rv = grooves::cosine(r, l, groove, material.anisotropy.into()).max(0.0);
-        let specular = f64::from(material.ks) * rv.powf(f64::from(material.exponent));
-        let highlight = DVec3::ONE.lerp(material.colour.as_dvec3(), material.metallic.into());
-        let diffuse = f64::from(material.kd) * nl * painted;
-        let state = if specular > f64::from(self.quality.highlight) {
+        let (reflected, highlight) = hit.reflected(l);
+        let state = if highlight > f64::from(self.quality.highlight) {
             State::Highlight
         } else {
             State::Lit
         };
-        (
-            state,
-            share * light.colour.as_dvec3() * (diffuse + specular * highlight),
-        )
+        (state, share * light.colour.as_dvec3() * reflected)
     }
 
     /// Adds a node of the ray tree to the hashes.

@@ -1,6 +1,6 @@
 //! Random scenes, in each of which small things show in one way.
 
-use crate::sampler::{Sampler, Sequence};
+use crate::random::Random;
 use eightfold_tracer::glam::{EulerRot, Mat3A, Vec3A, vec3a};
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 
@@ -44,19 +44,19 @@ pub const SETTINGS: [Setting; 9] = [
 const THINGS: usize = 40;
 
 /// A number from `low` to `high`.
-fn between(random: &mut Sampler, low: f32, high: f32) -> f32 {
+fn between(random: &mut Random, low: f32, high: f32) -> f32 {
     low + (high - low) * random.next_1d() as f32
 }
 
 /// A point of the box from `low` to `high`.
-fn point(random: &mut Sampler, low: Vec3A, high: Vec3A) -> Vec3A {
+fn point(random: &mut Random, low: Vec3A, high: Vec3A) -> Vec3A {
     let shares = [0; 3].map(|_| between(random, 0.0, 1.0));
     low + (high - low) * Vec3A::from_array(shares)
 }
 
 /// A scene of a setting: the same for the same seed.
 pub fn scene(setting: Setting, seed: u32) -> Scene {
-    let random = &mut Sampler::new(Sequence::Random, 0, seed);
+    let random = &mut Random::new(seed, 0);
     let mut scene = Scene {
         camera: Camera {
             eye: point(random, vec3a(-6.0, 2.0, 11.0), vec3a(6.0, 7.0, 11.0)),
@@ -74,7 +74,7 @@ pub fn scene(setting: Setting, seed: u32) -> Scene {
 }
 
 /// Adds the small things: spheres, or boxes and cylinders.
-fn add_things(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
+fn add_things(setting: Setting, random: &mut Random, scene: &mut Scene) {
     for number in 0..THINGS {
         let centre = point(random, vec3a(-5.0, 0.5, -5.0), vec3a(5.0, 3.0, 5.0));
         let is_shiny = setting == Setting::Shiny;
@@ -109,7 +109,7 @@ fn add_things(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
 }
 
 /// Adds what the things show on, in or through, and a lamp.
-fn add_hosts(setting: Setting, random: &mut Sampler, scene: &mut Scene) {
+fn add_hosts(setting: Setting, random: &mut Random, scene: &mut Scene) {
     let mirror = Material::mirror(0.8);
     let white = matt(Vec3A::splat(0.8));
     match setting {
@@ -168,7 +168,7 @@ fn matt(colour: Vec3A) -> Material {
 }
 
 /// A material with highlights of any size.
-fn shiny(material: Material, random: &mut Sampler) -> Material {
+fn shiny(material: Material, random: &mut Random) -> Material {
     Material {
         ks: between(random, 0.2, 1.0),
         exponent: 10.0_f32.powf(between(random, 1.0, 3.0)),

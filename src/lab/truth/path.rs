@@ -1,210 +1,210 @@
 //! Paths of light, followed from the eye: an unbiased estimate of the rendering equation (Kajiya, 1986).
 //!
-//! At each point of a path the light of every lamp is looked for, and the path goes on in one random direction. Both find
-//! lamps with an extent: multiple importance sampling weighs one by the other (Veach and Guibas, 1995). What lamps send by way of
-//! mirrors and glass is found in closed form (`connect`), or by `photons` where there is none.
+//! Each hit of a rough surface samples every lamp. A path that has been scattered counts a lamp that it meets only behind a mirror
+//! or glass, where no hit can sample it.
 
-use super::connect::Connections;
-use super::effects::Effects;
-use super::lamp::Lamp;
-use super::photons::{Blurred, Photons};
-use super::surface::Bsdf;
-use super::world::World;
-use crate::sampler::Sampler;
+use super::lamp::{Lamp, around};
+use crate::arguments::Size;
+use crate::random::Random;
 use eightfold_oracle::geometry::Ray;
-use eightfold_tracer::glam::DVec3;
+use eightfold_oracle::{Hit, Oracle};
+use eightfold_tracer::Quality;
+use eightfold_tracer::glam::{DVec2, DVec3};
+use eightfold_tracer::scene::Scene;
+use std::f64::consts::{PI, TAU};
 
-/// The number of bounces from which on paths may end at random.
-const FIRST_ROULETTE: u32 = 4;
-/// The largest chance to go on: paths between perfect mirrors end, too.
+/// The number of bounces before Russian roulette.
+const SURE_BOUNCES: u32 = 4;
+/// The largest probability of survival: paths between perfect mirrors end as well.
 const MAX_SURVIVAL: f64 = 0.95;
 
-/// Follows paths through a world.
-#[derive(Clone, Copy)]
+/// Follows paths through a scene.
 pub struct PathTracer<'a> {
-    pub world: &'a World,
-    /// Its ways of light that are known in closed form.
-    pub connections: &'a Connections,
-    pub effects: Effects,
-    /// The light of caustics, for this sample.
-    pub photons: &'a Photons,
+    oracle: Oracle<'a>,
+    lamps: Vec<Lamp<'a>>,
+    exposure: f64,
 }
 
-/// A path that is being followed.
-struct Path {
-    /// Its next part.
-    ray: Ray,
-    /// The share of the light along the ray that reaches the eye.
-    throughput: DVec3,
-    /// How often it was scattered by rough surfaces.
-    scatters: u32,
-    /// The density with which a rough surface has chosen its direction; `None` at the eye, and behind mirrors and glass.
-    density: Option<f64>,
-    /// The light that it has found.
-    found: Blurred,
-}
+impl<'a> PathTracer<'a> {
+    pub fn new(scene: &'a Scene, size: Size) -> Self {
+        Self {
+            // The path tracer ignores the quality.
+            oracle: Oracle::new(scene, &Quality::EXHAUSTIVE, size.width, size.height),
+            lamps: scene.lights.iter().map(Lamp::new).collect(),
+            exposure: scene.exposure.into(),
+        }
+    }
 
-impl PathTracer<'_> {
-    /// The radiance that one path finds through a point of the picture, in pixels.
-    pub fn follow(&self, x: f64, y: f64, sampler: &mut Sampler) -> Blurred {
-        let mut path = Path {
-            ray: self.world.primary_ray(x, y),
-            throughput: DVec3::splat(self.world.brightness),
-            scatters: 0,
-            density: None,
-            found: Blurred::default(),
-        };
-        let mut bounces = 0;
-        while self.advance(&mut path, sampler) {
-            bounces += 1;
-            if bounces >= FIRST_ROULETTE {
-                let survival = path.throughput.max_element().min(MAX_SURVIVAL);
-                if sampler.next_1d() >= survival {
-                    break;
+    /// Returns the radiance that one path finds through a point of the picture, in pixels.
+    pub fn follow(&self, x: f64, y: f64, random: &mut Random) -> DVec3 {
+        let mut ray = self.oracle.ray(x, y);
+        let mut found = DVec3::ZERO;
+        let mut throughput = DVec3::splat(self.exposure);
+        // The length of the path since it was scattered; `None` before.
+        let mut length: Option<f64> = None;
+        for bounce in 0.. {
+            let hit = self.oracle.surface(ray);
+            let t = hit.as_ref().map_or(f64::INFINITY, |hit| hit.t);
+            match length {
+                None => {
+                    if let Some(colour) = self.seen_lamp(ray, t) {
+                        return found + throughput * colour;
+                    }
                 }
-                path.throughput /= survival;
+                Some(length) if length > 0.0 => {
+                    let lamps = self.lamps.iter().map(|lamp| lamp.radiance(ray, length, t));
+                    found += throughput * lamps.sum::<DVec3>();
+                }
+                // The last hit has sampled the lamps.
+                Some(_) => {}
+            }
+            let behind = throughput * self.oracle.behind(ray.d);
+            let Some(hit) = hit else {
+                return found + behind;
+            };
+            let clear = self.oracle.transmittance(t);
+            found += (1.0 - clear) * behind;
+            throughput *= clear;
+
+            let surface = Surface::new(&hit);
+            found += throughput * self.direct(&surface, random);
+            let Some(next) = surface.scatter(random) else {
+                return found;
+            };
+            ray = hit.ray.turned(next.d);
+            throughput *= next.weight;
+            length = if next.is_scattered {
+                Some(0.0)
+            } else {
+                length.map(|length| length + t)
+            };
+            if bounce >= SURE_BOUNCES {
+                let survival = throughput.max_element().min(MAX_SURVIVAL);
+                if random.next_1d() >= survival {
+                    return found;
+                }
+                throughput /= survival;
             }
         }
-        path.found
+        found
     }
 
-    /// Follows a path to the next body. Returns whether it goes on.
-    fn advance(&self, path: &mut Path, sampler: &mut Sampler) -> bool {
-        let world = self.world;
-        let nearest = world.nearest(path.ray);
-        let t = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
-        if path.scatters > 0 {
-            self.meet_lamps(path, t);
-        } else if let Some(seen) = self.seen_lamp(path.ray, t) {
-            path.found.light += path.throughput * seen;
-            return false;
-        }
-        // A path that was scattered and goes on only for the lamp that it may meet finds no other light.
-        let is_lit = path.scatters == 0 || self.effects.indirect;
-        let behind = if is_lit {
-            path.throughput * world.behind(path.ray.d)
-        } else {
-            DVec3::ZERO
-        };
-        let Some((body, met)) = nearest else {
-            path.found.light += behind;
-            return false;
-        };
-        let clear = world.transmittance(t);
-        path.found.light += (1.0 - clear) * behind;
-        path.throughput *= clear;
-
-        let bsdf = world.surface(body, path.ray, &met, self.effects.surfaces);
-        if !self.effects.indirect && is_lit {
-            path.found.light += path.throughput * world.ambient * world.paint(body, path.ray, &met);
-        }
-        path.ray = path.ray.moved(t);
-        if is_lit && bsdf.is_rough() {
-            let caustics = self.caustics(path.ray, &bsdf, path.scatters > 0, sampler);
-            let direct = self.direct(path.ray, &bsdf, sampler);
-            path.found.light += path.throughput * (direct + caustics.light);
-            path.found.blur += path.throughput * caustics.blur;
-        }
-        self.scatter(path, &bsdf, sampler)
+    /// Returns the colour of the lamp that the eye sees along a ray, nearer than `limit`.
+    fn seen_lamp(&self, ray: Ray, limit: f64) -> Option<DVec3> {
+        let seen = self.lamps.iter().filter_map(|lamp| lamp.seen(ray));
+        let nearest = seen.min_by(|a, b| a.0.total_cmp(&b.0));
+        nearest
+            .filter(|&(t, _)| t < limit)
+            .map(|(_, colour)| colour)
     }
 
-    /// The light of all lamps that a surface, at which `here` starts, sends back along the path by way of mirrors and glass;
-    /// `is_scattered` is whether the path has been scattered before.
-    fn caustics(
-        &self,
-        here: Ray,
-        bsdf: &Bsdf,
-        is_scattered: bool,
-        sampler: &mut Sampler,
-    ) -> Blurred {
-        if !self.effects.caustics {
-            return Blurred::default();
-        }
-        let world = self.world;
-        let ways = self.connections;
-        let known = ways.light(world, here, bsdf, &self.effects, is_scattered, sampler);
-        let blurred = self.photons.reflected(world, here.o, bsdf, is_scattered);
-        Blurred {
-            light: known + blurred.light,
-            ..blurred
-        }
-    }
-
-    /// Has a path go on from a point of a surface. Returns whether it does.
-    fn scatter(&self, path: &mut Path, bsdf: &Bsdf, sampler: &mut Sampler) -> bool {
-        let Some(next) = bsdf.sample(sampler.next_1d(), sampler.next_2d()) else {
-            return false;
-        };
-        path.ray = path.ray.turned(next.d);
-        path.throughput *= next.weight;
-        path.density = next.density;
-        let is_scattered = next.density.is_some();
-        path.scatters += u32::from(is_scattered);
-        path.scatters == 0
-            || self.effects.indirect
-            || is_scattered && path.scatters == 1 && self.effects.soft_shadows
-    }
-
-    /// The light of all lamps that a surface, at which `here` starts, sends back along the path.
-    fn direct(&self, here: Ray, bsdf: &Bsdf, sampler: &mut Sampler) -> DVec3 {
+    /// Returns the light of all lamps that a surface sends back along the path.
+    fn direct(&self, surface: &Surface<'_>, random: &mut Random) -> DVec3 {
+        let here = surface.hit.ray;
         let mut sum = DVec3::ZERO;
-        for lamp in &self.world.lamps {
-            let u = sampler.next_2d();
-            let arriving = lamp.sample(here, self.effects.soft_shadows, u);
-            let light = bsdf.of(arriving.d) * arriving.light;
-            if light == DVec3::ZERO {
-                continue;
+        for lamp in &self.lamps {
+            let arriving = lamp.sample(here, random.next_2d());
+            let light = surface.reflected(arriving.d) * arriving.irradiance;
+            let is_free = || {
+                self.oracle
+                    .is_free(here.turned(arriving.d), arriving.distance)
+            };
+            if light != DVec3::ZERO && is_free() {
+                sum += light;
             }
-            let passing = self.passing(lamp, here.turned(arriving.d), arriving.distance);
-            let weight = arriving
-                .density
-                .map_or(1.0, |density| power(density, bsdf.density(arriving.d)));
-            sum += weight * passing * light;
         }
         sum
     }
+}
 
-    /// Adds the light of the lamps that a path meets up to the distance `t`, right after it was scattered. Lamps cast no shadows:
-    /// it passes them.
-    fn meet_lamps(&self, path: &mut Path, t: f64) {
-        let Some(density) = path.density.filter(|_| self.effects.soft_shadows) else {
-            return;
+/// A hit as the path tracer sees it: the real-time model's coefficients, scaled down where they would add energy.
+struct Surface<'a> {
+    hit: &'a Hit<'a>,
+    /// The share of the light that goes on.
+    albedo: f64,
+    scale: f64,
+    /// The probabilities of diffuse, glossy, mirrored and refracted light.
+    chances: [f64; 4],
+}
+
+/// How a path goes on.
+struct Next {
+    /// The direction, of length 1.
+    d: DVec3,
+    /// The factor on the throughput.
+    weight: DVec3,
+    /// Whether a rough surface chose the direction.
+    is_scattered: bool,
+}
+
+impl<'a> Surface<'a> {
+    fn new(hit: &'a Hit<'a>) -> Self {
+        let material = hit.material;
+        let [kd, ks, exponent] = [material.kd, material.ks, material.exponent].map(f64::from);
+        let [mirrored, refracted] = hit
+            .bounces()
+            .map(|it| it.map_or(0.0, |(_, share)| share.into()));
+        let diffuse = kd * hit.painted.max_element();
+        // Grooves spread the lobe: its directions are chosen like diffuse ones.
+        let shares = if material.anisotropy > 0.0 {
+            let band = ks * (TAU / (exponent + 0.75)).sqrt();
+            [diffuse + band, 0.0, mirrored, refracted]
+        } else {
+            [diffuse, 2.0 * ks / (exponent + 1.0), mirrored, refracted]
         };
-        for lamp in &self.world.lamps {
-            let Some(met) = lamp.meet(path.ray) else {
-                continue;
-            };
-            let passing = if met < t {
-                DVec3::ONE
-            } else {
-                self.passing(lamp, path.ray, met)
-            };
-            let weight = power(density, lamp.density(path.ray.o));
-            let radiance = lamp.radiance(path.ray.o);
-            path.found.light += weight * path.throughput * passing * radiance;
+        let sum: f64 = shares.iter().sum();
+        Self {
+            hit,
+            albedo: sum.min(1.0),
+            scale: 1.0 / sum.max(1.0),
+            chances: shares.map(|share| share / sum),
         }
     }
 
-    /// The share of a lamp's light that bodies let pass over a distance along a ray.
-    fn passing(&self, lamp: &Lamp, ray: Ray, distance: f64) -> DVec3 {
-        let is_tinted = lamp.is_tinted && !self.effects.caustics;
-        self.world.passing(ray, distance, is_tinted)
+    /// Returns the radiance along the path per irradiance of a surface that faces the direction `d`.
+    fn reflected(&self, d: DVec3) -> DVec3 {
+        if self.hit.n.dot(d) <= 0.0 {
+            return DVec3::ZERO;
+        }
+        self.scale / PI * self.hit.reflected(d).0
     }
 
-    /// The radiance of the lamp that is seen along a ray up to the distance `t`.
-    fn seen_lamp(&self, ray: Ray, t: f64) -> Option<DVec3> {
-        let seen = self
-            .world
-            .lamps
-            .iter()
-            .filter_map(|lamp: &Lamp| lamp.seen(ray));
-        let nearest = seen.min_by(|a, b| a.0.total_cmp(&b.0));
-        nearest.filter(|&(at, _)| at < t).map(|(_, colour)| colour)
+    /// Chooses how the path goes on; `None` if it ends.
+    fn scatter(&self, random: &mut Random) -> Option<Next> {
+        let (choice, u) = (random.next_1d(), random.next_2d());
+        if self.albedo == 0.0 {
+            return None;
+        }
+        let [diffuse, glossy, mirrored, _] = self.chances;
+        let [mirror, glass] = self.hit.bounces();
+        let (mirror, _) = mirror?;
+        let exponent = f64::from(self.hit.material.exponent);
+        if choice >= diffuse + glossy {
+            let is_mirrored = choice < diffuse + glossy + mirrored;
+            return Some(Next {
+                d: glass.filter(|_| !is_mirrored).map_or(mirror, |(d, _)| d),
+                weight: DVec3::splat(self.albedo),
+                is_scattered: false,
+            });
+        }
+        let d = if choice < diffuse {
+            cosine_hemisphere(self.hit.n, u)
+        } else {
+            around(mirror, u.x.powf(1.0 / (exponent + 1.0)), u.y)
+        };
+        let lobe = mirror.dot(d).max(0.0).powf(exponent);
+        let density =
+            diffuse * self.hit.n.dot(d).max(0.0) / PI + glossy * (exponent + 1.0) * lobe / TAU;
+        let reflected = self.reflected(d);
+        (reflected != DVec3::ZERO && density > 0.0).then(|| Next {
+            d,
+            weight: reflected / density,
+            is_scattered: true,
+        })
     }
 }
 
-/// The weight of a direction that was chosen with one density and could have been chosen with another: Veach's power heuristic.
-fn power(density: f64, other: f64) -> f64 {
-    let (density2, other2) = (density * density, other * other);
-    density2 / (density2 + other2)
+/// Returns a direction of the hemisphere about an axis of length 1, with a density of cosine / pi.
+fn cosine_hemisphere(axis: DVec3, u: DVec2) -> DVec3 {
+    (axis + around(axis, 1.0 - 2.0 * u.x, u.y)).normalize_or(axis)
 }

@@ -2,7 +2,7 @@
 
 use super::{fitting, materials};
 use crate::text::Text;
-use eightfold_lab::sampler::split_mix;
+use eightfold_lab::random::split_mix;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
     Block, Camera, Film, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,

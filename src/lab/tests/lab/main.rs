@@ -7,7 +7,6 @@ mod figures;
 mod ladder;
 mod missed;
 mod report;
-mod sampler;
 mod scene;
 mod size;
 mod trade;

@@ -1,74 +1,211 @@
-//! `lab truth`: pictures that are known in closed form, surfaces that keep energy, and files that are whole.
+//! `lab truth` against closed forms and the oracle.
 
-mod by_chance;
-mod caustics;
-mod closed_forms;
-mod coverage;
-mod effects;
-mod files;
-mod lamps;
-mod lengths;
-mod surfaces;
-
+use crate::{lab, said};
 use eightfold_lab::arguments::Size;
-use eightfold_lab::sampler::Sequence;
-use eightfold_lab::truth::REPLICATIONS;
-use eightfold_lab::truth::effects::Effects;
-use eightfold_lab::truth::estimate::Estimate;
-use eightfold_lab::truth::film::Sampling;
-use eightfold_lab::truth::render::Picture;
-use eightfold_tracer::glam::{DVec3, Vec3A};
-use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene};
-use rayon::ThreadPoolBuilder;
+use eightfold_lab::truth::{Comparison, Estimate, draw};
+use eightfold_oracle::Oracle;
+use eightfold_tracer::Quality;
+use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, vec3a};
+use eightfold_tracer::scene::{
+    Block, Camera, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
+};
 
-/// A white surface that scatters all light diffusely.
 const WHITE: Material = Material::matt(Vec3A::ONE, 1.0);
+const COLOUR: Vec3A = vec3a(0.9, 0.6, 0.3);
 
-/// How far the numbers of a scene, of 32 bits, are off those that are known in closed form.
-const ROUNDING: f64 = 1e-6;
-
-/// A picture of one pixel: what is seen at the point that the camera looks at, by so many paths.
-fn seen(scene: &Scene, effects: Effects, paths: usize) -> Estimate {
-    let size = Size::new(1, 1);
-    drawn(scene, size, effects, paths)[0]
-}
-
-/// A picture of the pixels' centres.
-fn drawn(scene: &Scene, size: Size, effects: Effects, paths: usize) -> Vec<Estimate> {
-    assert_eq!(scene.validate(), Ok(()));
-    let picture = Picture {
-        scene,
-        size,
-        effects,
-        sampling: Sampling {
-            count: paths / REPLICATIONS,
-            sequence: Sequence::Sobol,
-            seed: 1,
-            is_antialiased: false,
-        },
-    };
-    picture.draw(&ThreadPoolBuilder::new().build().expect("threads"))
-}
-
-/// Asserts that the mean is a known one: within 99.9 % of its distribution, which is narrower than `most`.
+/// Asserts that an estimate is within five standard errors of a closed form, and `most` at most.
 #[track_caller]
 fn assert_near(estimate: Estimate, known: DVec3, most: f64) {
-    // Student's t with 7 degrees of freedom: 5.41 standard errors, where the interval of 95 % has 2.365.
-    let allowed = estimate.half_interval().max_element() * 5.41 / 2.365;
-    let off = (estimate.mean - known).abs().max_element();
-    assert!(allowed < most, "the interval is too wide: {allowed}");
+    // The numbers of a scene have 32 bits.
+    let allowed = estimate.variance.map(f64::sqrt) * 5.0 + 1e-6;
+    let off = (estimate.mean - known).abs();
+    assert!(allowed.max_element() < most, "noise: {allowed}");
+    assert!(off.cmple(allowed).all(), "{} is not {known}", estimate.mean);
+}
+
+/// Returns the radiance of the point that the camera looks at.
+fn seen(scene: &Scene, samples: u32) -> Estimate {
+    assert_eq!(scene.validate(), Ok(()));
+    draw(scene, Size::new(1, 1), samples, 1)[0]
+}
+
+/// A white floor at y = 0 under a lamp, of which the camera sees the origin from the side.
+fn floor(lamp: Light) -> Scene {
+    Scene {
+        camera: Camera::new(vec3a(4.0, 0.6, 0.0), Vec3A::ZERO, 1e-4),
+        planes: List::of(&[Plane::new(Vec3A::ZERO, 1e4, 1e4, WHITE)]),
+        lights: List::of(&[lamp]),
+        ..Scene::default()
+    }
+}
+
+fn lamp(position: Vec3A, diameter: f32) -> Light {
+    Light {
+        diameter,
+        ..Light::new(position, COLOUR)
+    }
+}
+
+#[test]
+fn white_furnace_hides_everything() {
+    let keeping = |kd, kr, kt| Material {
+        kd,
+        kr,
+        kt,
+        index: 1.5,
+        ..WHITE
+    };
+    let sphere = |x: f32, material| Sphere::new(vec3a(x, 0.2, 0.3 * x), 0.6, material);
+    let block = |z, shape| Block {
+        axes: Mat3A::from_rotation_y(0.4),
+        ..Block::new(
+            shape,
+            vec3a(0.7, 0.1, z),
+            Vec3A::splat(0.4),
+            keeping(0.6, 0.4, 0.0),
+        )
+    };
+    let scene = Scene {
+        camera: Camera::new(vec3a(0.0, 1.0, 5.0), Vec3A::ZERO, 0.8),
+        background: vec3a(0.5, 0.25, 1.0),
+        spheres: List::of(&[
+            sphere(-1.2, WHITE),
+            sphere(0.0, keeping(0.0, 0.1, 0.9)),
+            sphere(1.2, keeping(0.0, 1.0, 0.0)),
+        ]),
+        blocks: List::of(&[
+            block(1.4, Shape::Box),
+            block(-1.4, Shape::Cylinder),
+            block(-2.6, Shape::Capsule),
+        ]),
+        planes: List::of(&[Plane::new(
+            -0.5 * Vec3A::Y,
+            2.0,
+            2.0,
+            keeping(0.7, 0.3, 0.0),
+        )]),
+        ..Scene::default()
+    };
+    for estimate in draw(&scene, Size::new(16, 12), 256, 1) {
+        assert_near(estimate, scene.background.as_dvec3(), 0.2);
+    }
+}
+
+#[test]
+fn lamp_of_any_size_gives_the_same_irradiance() {
+    let position = vec3a(1.0, 2.0, 0.5);
+    let known = f64::from(position.normalize().y) * COLOUR.as_dvec3();
+    for diameter in [0.0, 0.1, 1.0, 3.0] {
+        let sphere = lamp(position, diameter);
+        let sun = Light {
+            parallel: true,
+            ..sphere
+        };
+        let spot = Light {
+            spot: Some(Spot {
+                aim: -position.normalize(),
+                cos_outer: 0.9,
+                cos_inner: 0.98,
+            }),
+            ..sphere
+        };
+        for light in [sphere, sun, spot] {
+            assert_near(seen(&floor(light), 1024), known, 0.06);
+        }
+    }
+}
+
+#[test]
+fn ball_hides_its_share_of_the_lamp() {
+    // The ball and the lamp are discs about the same centre. The share is that of the squared sines.
+    let mut scene = floor(lamp(vec3a(0.0, 6.0, 0.0), 2.0));
+    scene
+        .spheres
+        .push(Sphere::new(vec3a(0.0, 3.0, 0.0), 0.3, Material::BLACK));
+    let hidden = (0.3_f64 / 3.0).powi(2) / (1.0_f64 / 6.0).powi(2);
+    assert_near(seen(&scene, 4096), (1.0 - hidden) * COLOUR.as_dvec3(), 0.04);
+}
+
+#[test]
+fn mirrors_add_the_images_of_the_lamp() {
+    // Walls at x = -2 and x = 2 show images at x = 4 i + 0.5 for even i, and at x = 4 i - 0.5 for odd ones, by i bounces.
+    let mut scene = floor(lamp(vec3a(0.5, 2.0, 0.0), 2.8));
+    let wall = |x: f32| {
+        let half = vec3a(0.01, 40.0, 40.0);
+        Block::new(Shape::Box, vec3a(x, 0.0, 0.0), half, Material::mirror(0.5))
+    };
+    scene.blocks = List::of(&[wall(-2.01), wall(2.01)]);
+    scene.camera.eye = vec3a(1.0, 0.6, 0.0);
+    let image = |i: i32| {
+        let x = 4.0 * f64::from(i) + if i % 2 == 0 { 0.5 } else { -0.5 };
+        0.5_f64.powi(i.abs()) * 2.0 / f64::hypot(2.0, x)
+    };
+    let cosines: f64 = (-40..=40).map(image).sum();
+    assert_near(seen(&scene, 40_000), cosines * COLOUR.as_dvec3(), 0.15);
+}
+
+#[test]
+fn lone_ball_is_as_the_oracle_sees_it() {
+    let material = Material {
+        kd: 0.6,
+        ks: 0.7,
+        exponent: 9.0,
+        anisotropy: 0.4,
+        metallic: 0.5,
+        pattern: Pattern {
+            depth: 0.8,
+            waves: Vec3A::splat(2.0),
+            ..Pattern::default()
+        },
+        ..Material::matt(COLOUR, 0.6)
+    };
+    let mut scene = floor(lamp(vec3a(4.0, 4.0, 1.0), 0.0));
+    scene.planes.clear();
+    scene.haze = 0.1;
+    scene.spheres.push(Sphere::new(Vec3A::ZERO, 1.0, material));
+    let traced = Oracle::new(&scene, &Quality::EXHAUSTIVE, 1, 1).trace(0, 0);
+    assert!(traced.colour.min_element() > 0.04, "{}", traced.colour);
+    let estimate = seen(&scene, 16);
     assert!(
-        off <= allowed + ROUNDING,
-        "{} is not {known}",
-        estimate.mean
+        (estimate.mean - traced.colour).abs().max_element() < 1e-3,
+        "{estimate:?}"
     );
 }
 
-/// A floor of a material at y = 0, of which the camera sees the origin from the side.
-fn floor(material: Material) -> Scene {
-    Scene {
-        camera: Camera::new(Vec3A::new(4.0, 0.6, 0.0), Vec3A::ZERO, 0.01),
-        planes: List::of(&[Plane::new(Vec3A::ZERO, 1e4, 1e4, material)]),
-        ..Scene::default()
+#[test]
+fn error_is_known_within_the_standard_error() {
+    let mut scene = floor(lamp(vec3a(0.0, 6.0, 0.0), 2.0));
+    // Nothing is brighter than white.
+    scene.lights[0].colour *= 0.5;
+    scene.camera = Camera::new(vec3a(0.0, 2.0, 9.0), Vec3A::ZERO, 0.6);
+    scene
+        .spheres
+        .push(Sphere::new(vec3a(0.0, 1.5, 0.0), 1.0, WHITE));
+    let size = Size::new(24, 18);
+    let grey = vec![0x0080_8080; size.area()];
+    let compare = |samples, seed| Comparison::new(&grey, &draw(&scene, size, samples, seed));
+    let fine = compare(1024, 0);
+    let ratio = compare(16, 0).noise / fine.noise;
+    assert!((7.0..9.0).contains(&ratio), "{ratio}");
+    for seed in 1..=10 {
+        let coarse = compare(16, seed);
+        // Independent noise adds to the square of the error.
+        let square = coarse.error.powi(2) - coarse.noise.powi(2);
+        let off = square.sqrt() - fine.error;
+        assert!(off.abs() < 0.2 * coarse.noise, "{coarse:?}, {fine:?}");
     }
+}
+
+#[test]
+fn truth_depends_on_its_seed_and_names_the_error() {
+    let truth = |seed| {
+        lab(&format!(
+            "truth --size 24x18 --samples 4 --out - --seed {seed}"
+        ))
+    };
+    let (first, other) = (truth(7), truth(8));
+    let said = said(&first);
+    assert!(said.contains("4 paths a pixel: error "), "{said}");
+    assert!(first.status.success() && first.stdout == truth(7).stdout);
+    assert!(first.stdout != other.stdout);
 }
