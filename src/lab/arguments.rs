@@ -1,6 +1,5 @@
 //! Arguments that several commands share: sizes, qualities, threads, instruction sets, times.
 
-use anyhow::bail;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH, Quality};
 use eightfold_window::cpu::{self, Isa};
 use std::fmt;
@@ -83,12 +82,6 @@ impl NamedQuality {
         quality: Quality::THESIS,
     };
 
-    /// The same quality with antialiasing, or without.
-    pub fn antialiased(mut self, antialias: bool) -> Self {
-        self.quality.antialias = antialias;
-        self
-    }
-
     /// All named qualities: the two that serve for comparison, then the ladder from the finest to the fastest rung.
     pub fn all() -> impl Iterator<Item = Self> {
         let ladder = Quality::NAMES.into_iter().zip(Quality::LADDER);
@@ -114,11 +107,6 @@ impl fmt::Display for NamedQuality {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)
     }
-}
-
-/// The edges of frames with antialiasing, or without, in a word.
-pub fn edges(antialias: bool) -> &'static str {
-    if antialias { "antialiased" } else { "jagged" }
 }
 
 /// Parses the name of an instruction set that this machine has.
@@ -196,13 +184,4 @@ pub fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
         }
     }
     distinct
-}
-
-/// Checks that the last frame's time is not before the first's.
-pub fn check_span(from: f32, to: Option<f32>) -> anyhow::Result<()> {
-    if let Some(to) = to.filter(|&to| to < from) {
-        let what = format!("--time-to: {to} s is before --time-from, {from} s");
-        bail!(BadInput(what));
-    }
-    Ok(())
 }

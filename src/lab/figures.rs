@@ -1,7 +1,5 @@
 //! `lab figures`: shows on one sheet how a frame comes about.
 
-pub mod sheet;
-
 use crate::arguments::{self, NamedQuality, Size};
 use crate::error::Difference;
 use crate::flip::Flip;

@@ -3,7 +3,6 @@
 //! This library has a module for each command of `cargo lab`, and the measures and file formats that these and the tests share.
 //! The program itself only parses the command line.
 
-pub mod accuracy;
 pub mod arguments;
 pub mod bench;
 pub mod bitmap;
@@ -22,10 +21,11 @@ pub mod picture;
 pub mod plot;
 pub mod progress;
 pub mod random;
-pub mod rate;
 pub mod render;
 pub mod report;
+pub mod row;
 pub mod scenes;
+pub mod seen;
 pub mod sheet;
 pub mod size;
 pub mod threaded_renderer;
@@ -33,6 +33,4 @@ pub mod timing;
 pub mod trade;
 pub mod truth;
 pub mod view;
-pub mod views;
 pub mod wav;
-pub mod way;

@@ -93,8 +93,8 @@
 //! | PSNR of scenes by chance of 20 spheres and 4 to 64 blocks without mirrors, under lamps of all kinds, by the default quality, 640x480 | 42 dB, but for what is named below | `crowds_without_mirrors_have_42_db` |
 //! | images in the first plane that 2x2 pixels show, but of cylinders and capsules, and that a named quality does not show | 0 | `every_image_in_a_plane_that_2x2_pixels_show_is_shown_and_the_bare_rules_miss_some`, `the_image_of_a_single_thing_is_shown_wherever_it_is` |
 //! | wrong pixels of small reflections in the first plane, most of them narrower than a square, and the largest patch of them | 1 %, 8 | `reflections_between_corners_are_missed_by_no_more_than_is_stated` |
-//! | pixels that change by more than 16/255 from a frame to the next while those of exhaustive frames stay within 4 | counted by `lab bench` | `a_pixel_pops_that_jumps_while_its_reference_stays` |
-//! | the guard's share of the default quality's time in the model scene | 10 % | none, since it takes a clock: `lab bench --unguarded` measures it |
+//! | pixels that change by more than 16/255 from a frame to the next while those of exhaustive frames stay within 4 | counted by `lab bench` | `pixel_that_jumps_beside_its_reference_pops` |
+//! | the guard's share of the default quality's time in the model scene | 10 % | none, since it takes a clock: `lab trade` measures it |
 //!
 //! # Approximations
 //!

@@ -9,7 +9,6 @@ use crate::arguments::{self, NamedQuality, Size};
 use crate::error::worst_channel;
 use crate::interrupt::{self, Stopped};
 use crate::scenes::{self, SceneName};
-use crate::timing::evenly_spaced;
 use crate::{output, progress};
 use anyhow::Result;
 use clap::Args;
@@ -110,9 +109,8 @@ fn groups(arguments: &Arguments) -> Vec<Group> {
 /// Frames in the middle of equal parts of a scene, or of each of the show's scenes.
 fn frames_of(name: SceneName, frames: usize) -> Group {
     let at = |part: SceneName| {
-        let half = 0.5 * part.length() / frames as f32;
-        let (from, to) = (half, part.length() - half);
-        (0..frames).map(move |frame| part.without_overlay(evenly_spaced(from, to, frame, frames)))
+        let each = part.length() / frames as f32;
+        (0..frames).map(move |frame| part.without_overlay(each * (frame as f32 + 0.5)))
     };
     Group {
         name: name.to_string(),

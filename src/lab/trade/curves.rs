@@ -1,124 +1,91 @@
-//! Measures how speed depends on the size of the picture and on the number of objects.
+//! Measures how the speed-up depends on the size of the picture and on the number of objects.
 
 use crate::arguments::{NamedQuality, Size};
-use crate::measure::{Plan, Setting, Shot};
+use crate::interrupt;
+use crate::measure::{Plan, Setting, Shot, Technique};
+use crate::row::quartile;
 use crate::scenes::SceneName;
-use crate::way::Way;
 use eightfold_tracer::scene::MAX_SPHERES;
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
-use eightfold_window::cpu::Isa;
 use serde::Serialize;
 
-/// The number of frames measured for each point of a curve.
-const ROUNDS: usize = 7;
+/// The frames of each point of a curve.
+const FRAMES: usize = 7;
+/// The sides of the pictures, as multiples of those that are asked for.
+const SCALES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 2.8];
+/// The numbers of small spheres.
+const SPHERES: [usize; 10] = [1, 2, 4, 8, 16, 32, 64, 128, 256, MAX_SPHERES];
+/// The qualities with a curve, after the exhaustive one.
+const NAMES: [&str; 4] = ["thesis", "finest", "default", "fastest"];
 
 /// A curve of a plot.
-#[derive(Clone, Serialize)]
+#[derive(Serialize)]
 pub struct Curve {
-    /// The quality's name.
+    /// The name of the quality.
     pub name: String,
-    /// The points, sorted by x.
+    /// The speed-up over exhaustive frames by a number.
     pub points: Vec<(f64, f64)>,
 }
 
-/// The sizes of a curve: those with a quarter, half, one and two times the sides, and the largest of the same aspect ratio.
-fn sizes(size: Size, quick: bool) -> Vec<Size> {
-    let Size { width, height } = size;
+/// Measures curves by the number of pixels.
+pub fn by_resolution(of: &Plan) -> Vec<Curve> {
+    let Size { width, height } = of.sizes[0];
     let scaled = |by: f64| Size {
         width: ((width as f64 * by) as usize).max(1),
         height: ((height as f64 * by) as usize).max(1),
     };
-    let most = (MAX_WIDTH as f64 / width as f64).min(MAX_HEIGHT as f64 / height as f64);
-    let mut scales: Vec<f64> = [0.25, 0.5, 1.0, 2.0]
-        .into_iter()
-        .filter(|&by| by < most)
-        .collect();
-    if !quick || scales.is_empty() {
-        scales.push(most);
+    let fits = |size: &Size| size.width <= MAX_WIDTH && size.height <= MAX_HEIGHT;
+    let sizes = SCALES.into_iter().map(scaled).filter(fits).collect();
+    curves(of, &[of.shots[0].scene], sizes, |setting| {
+        setting.size.area()
+    })
+}
+
+/// Measures curves by the number of spheres.
+pub fn by_spheres(of: &Plan) -> Vec<Curve> {
+    let fields = SPHERES.map(SceneName::Field);
+    curves(of, &fields, of.sizes.clone(), |setting| {
+        SPHERES[setting.shot]
+    })
+}
+
+/// Measures frames of some scenes at their beginning, in some sizes. Returns curves with a point for each setting; none after Ctrl-C.
+fn curves(
+    of: &Plan,
+    scenes: &[SceneName],
+    sizes: Vec<Size>,
+    x: impl Fn(&Setting) -> usize,
+) -> Vec<Curve> {
+    if interrupt::is_stopped() {
+        return Vec::new();
     }
-    scales.into_iter().map(scaled).collect()
-}
-
-/// The numbers of small spheres of a curve.
-fn objects(quick: bool) -> &'static [usize] {
-    if quick {
-        &[1, 8, 64, MAX_SPHERES]
-    } else {
-        &[1, 2, 4, 8, 16, 32, 64, 128, 256, MAX_SPHERES]
-    }
-}
-
-/// The qualities with a curve: the two that serve for comparison, and the ends and the middle of the ladder. All are antialiased,
-/// or none is.
-fn ways(antialias: bool) -> Vec<Way> {
-    let has_curve = ["exhaustive", "thesis", "finest", "default", "fastest"];
-    NamedQuality::all()
-        .filter(|quality| has_curve.contains(&quality.name))
-        .map(|quality| Way::new(quality.name, quality.antialiased(antialias).quality))
-        .collect()
-}
-
-/// The plan of frames of some scenes at one time, in some sizes.
-fn plan(scenes: &[SceneName], time: f32, sizes: Vec<Size>, isa: Isa, antialias: bool) -> Plan {
     let shots = scenes.iter().map(|&scene| Shot {
         scene,
-        times: vec![time; ROUNDS],
+        times: vec![0.0; FRAMES],
         views: Vec::new(),
     });
-    Plan {
+    let antialias = of.techniques[0].quality.antialias;
+    let named = NamedQuality::all().filter(|named| NAMES.contains(&named.name));
+    let all = [NamedQuality::EXHAUSTIVE].into_iter().chain(named);
+    let plan = Plan {
         shots: shots.collect(),
-        isa,
+        isa: of.isa,
         sizes,
         threads: vec![1],
-        ways: ways(antialias),
-        is_on_processor: true,
-        has_samples: false,
-        has_missed: false,
-    }
-}
-
-/// For each quality but the exhaustive one, the speed-up relative to that by the number of pixels.
-pub fn by_resolution(of: &Plan, quick: bool, antialias: bool) -> Vec<Curve> {
-    let shot = &of.shots[0];
-    let sizes = sizes(of.sizes[0], quick);
-    let plan = plan(&[shot.scene], shot.times[0], sizes, of.isa, antialias);
-    let settings = plan.measure();
-    let curve = |way: usize| {
-        curve(&plan, way, &settings, |setting| {
-            let [exhaustive, own] = [0, way].map(|way| setting.runs[way].quartile());
-            (setting.size.area() as f64, exhaustive / own)
-        })
+        techniques: all
+            .map(|named| Technique::named(named, antialias))
+            .collect(),
     };
-    (1..plan.ways.len()).map(curve).collect()
-}
-
-/// For each quality, the time of a frame by the number of spheres, as a multiple of that of an exhaustive frame with one sphere.
-pub fn by_objects(of: &Plan, quick: bool, antialias: bool) -> Vec<Curve> {
-    // A single sphere comes first.
-    let counts = objects(quick);
-    let fields: Vec<SceneName> = counts.iter().map(|&n| SceneName::Field(n)).collect();
-    let time = of.shots[0].times[0];
-    let plan = plan(&fields, time, of.sizes.clone(), of.isa, antialias);
     let settings = plan.measure();
-    let unit = settings[0].runs[0].quartile();
-    let curve = |way: usize| {
-        curve(&plan, way, &settings, |setting| {
-            let count = counts[setting.shot] as f64;
-            (count, setting.runs[way].quartile() / unit)
-        })
+    let curve = |i: usize| {
+        let speed_up = |setting: &Setting| quartile(&setting.runs[0]) / quartile(&setting.runs[i]);
+        let points = settings
+            .iter()
+            .map(|setting| (x(setting) as f64, speed_up(setting)));
+        Curve {
+            name: plan.techniques[i].name.clone(),
+            points: points.collect(),
+        }
     };
-    (0..plan.ways.len()).map(curve).collect()
-}
-
-/// The curve of a way through a point for each setting.
-fn curve(
-    plan: &Plan,
-    way: usize,
-    settings: &[Setting],
-    point: impl Fn(&Setting) -> (f64, f64),
-) -> Curve {
-    Curve {
-        name: plan.ways[way].name.clone(),
-        points: settings.iter().map(point).collect(),
-    }
+    (1..plan.techniques.len()).map(curve).collect()
 }

@@ -4,7 +4,7 @@ use super::{assert_one_line, lab};
 use eightfold_tracer::Quality;
 
 /// Command lines, and words of the line that each leads to.
-const LINES: [(&str, &str); 46] = [
+const LINES: [(&str, &str); 42] = [
     ("paint", "paint"),
     ("render", "--out"),
     ("render --out \"\"", "--out"),
@@ -24,14 +24,7 @@ const LINES: [(&str, &str); 46] = [
     ("bench --frames 0", "--frames 0 from 1 to"),
     ("bench --frames 1.5", "--frames 1.5 from 1 to"),
     ("bench --frames 100001", "--frames 100001 to 100000"),
-    ("bench --time-from inf", "--time-from inf seconds"),
-    ("bench --time-from 5 --time-to 1", "--time-to --time-from"),
-    (
-        "bench --scene show:machine --time-from 12",
-        "--time-from show:machine 0 to 12",
-    ),
     ("bench --json", "--json"),
-    ("trade --time-from 5 --time-to 1", "--time-to --time-from"),
     ("missed --seeds 0", "--seeds 1 to"),
     ("size --functions 0", "--functions from 1"),
     ("truth --scene model", "--out"),

@@ -8,10 +8,10 @@ mod ladder;
 mod missed;
 mod report;
 mod scene;
+mod seen;
 mod size;
 mod trade;
 mod truth;
-mod views;
 
 use eightfold_stage::{reader::read_png, texts};
 use std::path::Path;

@@ -1,0 +1,124 @@
+//! Errors as a viewer sees them: FLIP, pixels that pop, missed objects, and the distance to 64 samples per pixel.
+
+use crate::arguments::{Size, processors};
+use crate::error::{Difference, worst_channel};
+use crate::flip::{Flip, Flips};
+use crate::interrupt;
+use crate::measure::Technique;
+use crate::missed::Visible;
+use crate::picture::Mean;
+use crate::threaded_renderer::ThreadedRenderer;
+use eightfold_tracer::scene::Scene;
+use eightfold_tracer::{Level, Quality};
+use rayon::prelude::*;
+
+/// The samples of a pixel along each axis in the most accurate picture.
+const GRID: usize = 8;
+/// A pixel pops if it changes by more than this from a frame to the next, in a channel and steps of 1/255 ...
+const POP: u32 = 16;
+/// ... while its reference changes by no more than this.
+const STILL: u32 = 4;
+
+/// The errors of a technique at all views together.
+#[derive(Clone, Default)]
+pub struct Seen {
+    /// FLIP against the reference.
+    pub flips: Flips,
+    /// Pixels that popped, in the number of pairs of frames.
+    pops: usize,
+    pairs: usize,
+    /// Missed objects.
+    missed: usize,
+    /// Against 64 samples per pixel, one for each view.
+    differences_to_64: Vec<Difference>,
+    pub flips_to_64: Flips,
+}
+
+impl Seen {
+    /// Returns the mean number of pixels that pop from a frame to the next.
+    pub fn pops(&self) -> Option<f64> {
+        (self.pairs > 0).then(|| self.pops as f64 / self.pairs as f64)
+    }
+
+    /// Returns the mean number of missed objects.
+    pub fn missed(&self) -> Option<f64> {
+        let views = self.differences_to_64.len();
+        (views > 0).then(|| self.missed as f64 / views as f64)
+    }
+
+    /// Returns the PSNR against 64 samples per pixel, in dB.
+    pub fn psnr_to_64_db(&self) -> Option<f64> {
+        let differences = &self.differences_to_64;
+        (!differences.is_empty()).then(|| Difference::pooled_psnr(differences))
+    }
+}
+
+/// Returns the number of pixels that change from a frame to the next while those of the reference stay.
+pub fn pops(references: [&[u32]; 2], frames: [&[u32]; 2]) -> usize {
+    let change = |[before, after]: [&[u32]; 2], i: usize| worst_channel(before[i], after[i]);
+    let pixels = 0..frames[0].len();
+    pixels
+        .filter(|&i| change(frames, i) > POP && change(references, i) <= STILL)
+        .count()
+}
+
+/// Adds the errors of a view, whose frames in a row show `scenes`. The first technique is the reference.
+pub fn look(
+    techniques: &[Technique],
+    level: Level,
+    size: Size,
+    scenes: &[Scene],
+    seen: &mut [Seen],
+) {
+    let width = size.width;
+    let draw = |technique: &Technique, scene: &Scene, renderer: &mut ThreadedRenderer| {
+        let mut pixels = vec![0; size.area()];
+        technique.draw(renderer, level, scene, width, &mut pixels);
+        pixels
+    };
+    let mut renderer = ThreadedRenderer::new(processors());
+    let references = scenes.iter();
+    let references = references.map(|scene| draw(&techniques[0], scene, &mut renderer));
+    let references: Vec<Vec<u32>> = references.collect();
+    let samples = sampled(&mut renderer, level, size, &scenes[0]);
+    let visible = Visible::new(&scenes[0], width, size.height);
+    let each = techniques.par_iter().zip(seen);
+    each.for_each_init(
+        || ThreadedRenderer::new(1),
+        |renderer, (technique, seen)| {
+            let mut before: Vec<u32> = Vec::new();
+            for (i, scene) in scenes.iter().enumerate() {
+                if interrupt::is_stopped() {
+                    return;
+                }
+                let now = draw(technique, scene, renderer);
+                if i > 0 {
+                    let references = [&references[i - 1][..], &references[i]];
+                    seen.pops += pops(references, [&before, &now]);
+                    seen.pairs += 1;
+                } else {
+                    seen.missed += visible.missed(&references[0], &now);
+                    seen.flips.add(&Flip::between(width, &references[0], &now));
+                    seen.flips_to_64.add(&Flip::between(width, &samples, &now));
+                    seen.differences_to_64
+                        .push(Difference::between(&samples, &now));
+                }
+                before = now;
+            }
+        },
+    );
+}
+
+/// Draws a scene with 64 samples per pixel.
+fn sampled(renderer: &mut ThreadedRenderer, level: Level, size: Size, scene: &Scene) -> Vec<u32> {
+    let (mut mean, mut pixels) = (Mean::default(), vec![0; size.area()]);
+    for i in 0..GRID * GRID {
+        let place = |i: usize| (i as f32 + 0.5) / GRID as f32 - 0.5;
+        renderer.set_offset(place(i % GRID), place(i / GRID));
+        renderer.draw(level, scene, &Quality::EXHAUSTIVE, size.width, &mut pixels);
+        mean.add(&pixels);
+    }
+    renderer.set_offset(0.0, 0.0);
+    mean.write(&mut pixels);
+    pixels
+}

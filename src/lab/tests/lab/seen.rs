@@ -1,0 +1,121 @@
+//! Errors as a viewer sees them: views that differ, pixels that pop, and the distance to 64 samples per pixel.
+
+use eightfold::show;
+use eightfold_lab::arguments::Size;
+use eightfold_lab::error::worst_channel;
+use eightfold_lab::flip::{Flip, Flips};
+use eightfold_lab::measure::{Shot, Technique};
+use eightfold_lab::scenes::SceneName;
+use eightfold_lab::seen::{Seen, look, pops};
+use eightfold_lab::threaded_renderer::drawn;
+use eightfold_tracer::Quality;
+use eightfold_window::cpu;
+
+const SIZE: Size = Size::new(96, 72);
+
+#[test]
+fn views_of_the_model_scene_differ() {
+    let views = Shot::new(SceneName::Model, 1, 9).views;
+    assert_eq!(views.len(), 9);
+    let frame = |time: f32| drawn(1, &show::model_scene(time), &Quality::EXHAUSTIVE, SIZE);
+    let frames: Vec<Vec<u32>> = views.iter().map(|view| frame(view[0])).collect();
+    let share = |a: &[u32], b: &[u32]| {
+        let pairs = a.iter().zip(b);
+        let differing = pairs.filter(|&(&a, &b)| worst_channel(a, b) > 8).count();
+        differing as f64 / a.len() as f64
+    };
+    for (i, a) in frames.iter().enumerate() {
+        for b in &frames[..i] {
+            assert!(share(a, b) > 0.2, "view {i}");
+        }
+    }
+    // So the last moment has no view.
+    assert!(share(&frames[0], &frame(show::MODEL_LENGTH)) < 0.01);
+}
+
+#[test]
+fn view_is_frames_in_a_row_within_its_scene() {
+    let scene: SceneName = "show:machine".parse().unwrap();
+    // The scene has 12 s.
+    for (count, last) in [(3, 11), (720, 1)] {
+        let Shot { times, views, .. } = Shot::new(scene, 5, count);
+        assert!(times[0] == 0.0 && (times[4] - (12.0 - 1.0 / 60.0)).abs() < 1e-5);
+        assert_eq!(views.len(), count);
+        assert!((views[1][0] - 12.0 / count as f32).abs() < 1e-5);
+        assert_eq!((views[0].len(), views[count - 1].len()), (11, last));
+        for pair in views[0].windows(2) {
+            assert!((pair[1] - pair[0] - 1.0 / 60.0).abs() < 1e-6);
+        }
+    }
+}
+
+#[test]
+fn pixel_that_jumps_beside_its_reference_pops() {
+    let count = |references: [u32; 2], frames: [u32; 2]| {
+        pops(
+            [&[0, references[0]], &[0, references[1]]],
+            [&[0, frames[0]], &[0, frames[1]]],
+        )
+    };
+    let (dark, light) = (0x0040_4040, 0x0040_5140);
+    assert_eq!(count([dark, dark], [dark, light]), 1);
+    assert_eq!(count([dark, dark], [light, dark]), 1);
+    // A constant error.
+    assert_eq!(count([dark, dark], [light, light]), 0);
+    // 16 of 255.
+    assert_eq!(count([dark, dark], [dark, light - 0x100]), 0);
+    // The reference may change by 4.
+    assert_eq!(count([dark, dark + 4], [dark, light]), 1);
+    assert_eq!(count([dark, dark + 5], [dark, light]), 0);
+}
+
+/// Returns the errors of two qualities of the model scene, the first of which is the reference.
+fn seen_of(qualities: [Quality; 2], times: [f32; 2]) -> [Seen; 2] {
+    let techniques = qualities.map(|quality| Technique {
+        name: String::new(),
+        quality,
+    });
+    let mut seen = [Seen::default(), Seen::default()];
+    let scenes = times.map(show::model_scene);
+    look(&techniques, cpu::best().level, SIZE, &scenes, &mut seen);
+    seen
+}
+
+#[test]
+fn only_moving_squares_pop() {
+    let coarse = Quality {
+        tolerance_agreeing: 64.0,
+        ..Quality::THESIS
+    };
+    let [_, still] = seen_of([Quality::EXHAUSTIVE, coarse], [2.0; 2]);
+    assert_eq!(still.pops(), Some(0.0));
+    let [exact, moving] = seen_of([Quality::EXHAUSTIVE, coarse], [2.0, 2.1]);
+    assert_eq!(exact.pops(), Some(0.0));
+    assert!(moving.pops().is_some_and(|pops| pops > 0.1));
+    assert_eq!(Seen::default().pops(), None);
+}
+
+#[test]
+fn antialiased_frames_are_nearer_to_many_samples() {
+    let antialiased = Quality {
+        antialias: true,
+        ..Quality::EXHAUSTIVE
+    };
+    let [jagged, smooth] = seen_of([Quality::EXHAUSTIVE, antialiased], [2.0, 2.1]);
+    assert_eq!(jagged.flips.mean(), Some(0.0));
+    let psnr = [&jagged, &smooth].map(|seen| seen.psnr_to_64_db().expect("a view"));
+    assert!(psnr[0] > 25.0 && psnr[1] > psnr[0] + 2.0, "{psnr:?}");
+    let flip = [&jagged, &smooth].map(|seen| seen.flips_to_64.mean().expect("a view"));
+    assert!(0.0 < flip[1] && flip[1] < flip[0], "{flip:?}");
+}
+
+#[test]
+fn flip_of_pictures_is_the_mean_of_all_pixels() {
+    let mut flips = Flips::default();
+    assert_eq!(flips.mean(), None);
+    for (error, count) in [(0.25, 99), (1.0, 1)] {
+        let errors = vec![error; count];
+        flips.add(&Flip { errors });
+    }
+    assert_eq!(flips.mean(), Some(0.2575));
+}
