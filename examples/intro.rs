@@ -1,6 +1,6 @@
 //! An intro of ten seconds: a ball that jumps to a kick. Esc ends it: `cargo run --release -p eightfold-examples --bin intro`
 
-use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
 use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 use eightfold_window::screen::{Next, Screen};
@@ -32,20 +32,20 @@ impl Source for Kick {
 fn scene(time: f32) -> Scene {
     let beat = time % BEAT / BEAT;
     let material = Material {
-        colour: vec3a(1.0, 0.5, 0.1),
+        colour: vec3(1.0, 0.5, 0.1),
         kd: 0.7,
         kr: 0.2,
         ..Material::BLACK
     };
     let mut scene = Scene::default();
-    scene.camera.eye = vec3a(4.0 - 0.8 * time, 2.0, -6.0);
-    scene.background = vec3a(0.1, 0.12, 0.2);
+    scene.camera.eye = vec3(4.0 - 0.8 * time, 2.0, -6.0);
+    scene.background = vec3(0.1, 0.12, 0.2);
     scene.exposure = (LENGTH - time).clamp(0.0, 1.0);
-    let ball = vec3a(0.0, 0.7 + 3.0 * beat * (1.0 - beat), 0.0);
+    let ball = vec3(0.0, 0.7 + 3.0 * beat * (1.0 - beat), 0.0);
     scene.spheres.push(Sphere::new(ball, 0.7, material));
-    let floor = Plane::new(Vec3A::ZERO, 12.0, 12.0, material);
+    let floor = Plane::new(Vec3::ZERO, 12.0, 12.0, material);
     scene.planes.push(floor);
-    let lamp = Light::new(vec3a(4.0, 7.0, -4.0), Vec3A::splat(1.2 - 0.6 * beat));
+    let lamp = Light::new(vec3(4.0, 7.0, -4.0), Vec3::splat(1.2 - 0.6 * beat));
     scene.lights.push(lamp);
     scene
 }

@@ -1,6 +1,6 @@
 //! A still of a scene of one's own, as a PNG file: `cargo run --release -p eightfold-examples --bin still still.png`
 
-use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
 use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 use std::{env, error::Error, fs::File};
@@ -10,7 +10,7 @@ const HEIGHT: usize = 360;
 
 fn scene() -> Scene {
     let plastic = Material {
-        colour: vec3a(0.9, 0.2, 0.1),
+        colour: vec3(0.9, 0.2, 0.1),
         kd: 0.8,
         ks: 0.4,
         exponent: 40.0,
@@ -21,31 +21,31 @@ fn scene() -> Scene {
         kd: 0.05,
         kt: 0.9,
         index: 1.5,
-        tint: vec3a(0.6, 0.8, 0.9),
+        tint: vec3(0.6, 0.8, 0.9),
         ..plastic
     };
-    let sphere = |x, z, material| Sphere::new(vec3a(x, 1.0, z), 1.0, material);
+    let sphere = |x, z, material| Sphere::new(vec3(x, 1.0, z), 1.0, material);
     Scene {
         camera: Camera {
-            eye: vec3a(-2.0, 2.5, -7.0),
-            look_at: vec3a(0.0, 0.8, 0.0),
+            eye: vec3(-2.0, 2.5, -7.0),
+            look_at: vec3(0.0, 0.8, 0.0),
             ..Camera::default()
         },
-        background: vec3a(0.5, 0.6, 0.8),
-        ambient: Vec3A::splat(0.15),
+        background: vec3(0.5, 0.6, 0.8),
+        ambient: Vec3::splat(0.15),
         spheres: List::of(&[sphere(-1.2, 0.5, plastic), sphere(1.2, -0.5, glass)]),
         planes: List::of(&[Plane {
             half_x: 20.0,
             half_z: 20.0,
             material: Material {
-                colour: Vec3A::splat(0.7),
+                colour: Vec3::splat(0.7),
                 ..plastic
             },
             ..Plane::default()
         }]),
         lights: List::of(&[Light {
-            position: vec3a(-5.0, 8.0, -5.0),
-            colour: Vec3A::splat(0.9),
+            position: vec3(-5.0, 8.0, -5.0),
+            colour: Vec3::splat(0.9),
             diameter: 1.0,
             ..Light::DARK
         }]),

@@ -1,6 +1,6 @@
 //! Speed and error of each rung of the ladder, on a scene of one's own: `cargo run --release -p eightfold-examples --bin trade`
 
-use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Light, List, Material, Plane, Scene, Sphere};
 use eightfold_tracer::{Error, Frame, Quality, Renderer, Worker};
 use std::time::Instant;
@@ -11,17 +11,17 @@ const FRAMES: usize = 20;
 
 /// A field of spheres; the camera flies over it along z.
 fn scene(z: f32) -> Scene {
-    let material = Material::matt(vec3a(0.9, 0.6, 0.3), 0.8);
+    let material = Material::matt(vec3(0.9, 0.6, 0.3), 0.8);
     let mut scene = Scene::default();
-    scene.camera.eye = vec3a(0.0, 2.0, z - 4.0);
-    scene.camera.look_at = vec3a(0.0, 0.5, z);
+    scene.camera.eye = vec3(0.0, 2.0, z - 4.0);
+    scene.camera.look_at = vec3(0.0, 0.5, z);
     scene.spheres = List::of(&std::array::from_fn::<_, 40, _>(|i| {
-        let centre = vec3a((i % 4) as f32 - 1.5, 0.3, (i / 4) as f32);
+        let centre = vec3((i % 4) as f32 - 1.5, 0.3, (i / 4) as f32);
         Sphere::new(centre, 0.3, material)
     }));
-    let floor = Plane::new(Vec3A::ZERO, 30.0, 30.0, material);
+    let floor = Plane::new(Vec3::ZERO, 30.0, 30.0, material);
     scene.planes.push(floor);
-    let lamp = Light::new(vec3a(-4.0, 5.0, -6.0), Vec3A::splat(0.9));
+    let lamp = Light::new(vec3(-4.0, 5.0, -6.0), Vec3::splat(0.9));
     scene.lights.push(lamp);
     scene
 }

@@ -5,7 +5,7 @@
 mod motion;
 mod node;
 
-use eightfold_tracer::glam::{EulerRot, Mat3A};
+use eightfold_tracer::glam::{EulerRot, Mat3};
 use eightfold_tracer::scene::{Camera, Material, Scene};
 use motion::Motion;
 use node::{Fault, Kind, Node};
@@ -190,10 +190,10 @@ fn turn(block: &mut Node) -> Result<(), Fault> {
     }
     if let Some(turn) = block.take("turn") {
         let [x, y, z] = <[f32; 3]>::deserialize(&turn)?;
-        let mut axes = Mat3A::from_euler(EulerRot::YXZ, y, x, z);
+        let mut axes = Mat3::from_euler(EulerRot::YXZ, y, x, z);
         // A product with the identity would lose the signs of zeros.
         if let Some(before) = block.get("axes") {
-            axes = Mat3A::deserialize(before)? * axes;
+            axes = Mat3::deserialize(before)? * axes;
         }
         if let Some(place) = block.place("axes") {
             place.set(turn.at, &axes.to_cols_array());

@@ -5,7 +5,7 @@
 use super::model::{ORBIT_SPEED, model};
 use super::path::orbit;
 use eightfold_tracer::scene::{MAX_SPHERES, Material, Scene, Sphere};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 /// The side of a full field, in scene units. The floor's side is 24.
 const SIDE: f32 = 16.0;
@@ -36,11 +36,11 @@ pub fn field(count: usize, time: f32) -> Scene {
             let start = (cell_number as f32 - 0.5 * cells as f32) * cell;
             start + radius + room * random.fraction()
         };
-        let centre = vec3a(coordinate(i % cells), radius, coordinate(i / cells));
+        let centre = vec3(coordinate(i % cells), radius, coordinate(i / cells));
         let material = material(&mut random);
         scene.spheres.push(Sphere::new(centre, radius, material));
     }
-    scene.camera = orbit(vec3a(0.0, 0.4, 0.0), ORBIT_SPEED * time, 11.0, 4.5);
+    scene.camera = orbit(vec3(0.0, 0.4, 0.0), ORBIT_SPEED * time, 11.0, 4.5);
     scene
 }
 
@@ -48,7 +48,7 @@ pub fn field(count: usize, time: f32) -> Scene {
 fn material(random: &mut Random) -> Material {
     let kind = random.fraction();
     let mut channel = || 0.12 + 0.8 * random.fraction();
-    let colour = vec3a(channel(), channel(), channel());
+    let colour = vec3(channel(), channel(), channel());
     // Choose plastic, a mirror or glass.
     if kind < 0.6 {
         Material {
@@ -61,7 +61,7 @@ fn material(random: &mut Random) -> Material {
         }
     } else if kind < 0.8 {
         Material {
-            colour: Vec3A::splat(0.6) + 0.4 * colour,
+            colour: Vec3::splat(0.6) + 0.4 * colour,
             kd: 0.2,
             ks: 0.8,
             exponent: 80.0,
@@ -70,7 +70,7 @@ fn material(random: &mut Random) -> Material {
         }
     } else {
         Material {
-            colour: Vec3A::splat(0.95),
+            colour: Vec3::splat(0.95),
             kd: 0.05,
             ks: 0.8,
             exponent: 100.0,

@@ -1,7 +1,7 @@
 //! The materials of the show.
 
 use eightfold_tracer::scene::{Material, Pattern};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 /// The base of the others: opaque and without reflection.
 const MATT: Material = Material {
@@ -10,13 +10,13 @@ const MATT: Material = Material {
 };
 
 /// The tint of the shadow of bluish glass with transmission coefficient `kt`.
-const fn tint(kt: f32) -> Vec3A {
-    vec3a(0.65 * kt, 0.88 * kt, 1.1 * kt)
+const fn tint(kt: f32) -> Vec3 {
+    vec3(0.65 * kt, 0.88 * kt, 1.1 * kt)
 }
 
 /// The floor of the model scene.
 pub(super) static PAPER: Material = Material {
-    colour: vec3a(0.55, 0.55, 0.6),
+    colour: vec3(0.55, 0.55, 0.6),
     kd: 0.8,
     ks: 0.1,
     exponent: 10.0,
@@ -26,7 +26,7 @@ pub(super) static PAPER: Material = Material {
 
 /// Red plastic of the model scene.
 pub(super) static RED: Material = Material {
-    colour: vec3a(0.9, 0.15, 0.12),
+    colour: vec3(0.9, 0.15, 0.12),
     kd: 0.7,
     ks: 0.5,
     exponent: 40.0,
@@ -36,7 +36,7 @@ pub(super) static RED: Material = Material {
 
 /// The mirror of the model scene.
 pub(super) static MIRROR: Material = Material {
-    colour: vec3a(0.9, 0.9, 0.95),
+    colour: vec3(0.9, 0.9, 0.95),
     kd: 0.2,
     ks: 0.8,
     exponent: 80.0,
@@ -46,7 +46,7 @@ pub(super) static MIRROR: Material = Material {
 
 /// Blue plastic of the model scene.
 pub(super) static BLUE: Material = Material {
-    colour: vec3a(0.15, 0.35, 0.9),
+    colour: vec3(0.15, 0.35, 0.9),
     kd: 0.7,
     ks: 0.5,
     exponent: 40.0,
@@ -56,7 +56,7 @@ pub(super) static BLUE: Material = Material {
 
 /// Glass with faint reflections.
 pub(super) static GLASS: Material = Material {
-    colour: vec3a(0.95, 0.95, 0.95),
+    colour: vec3(0.95, 0.95, 0.95),
     kd: 0.05,
     ks: 0.8,
     exponent: 100.0,
@@ -68,7 +68,7 @@ pub(super) static GLASS: Material = Material {
 
 /// Glass without reflections: they would be faint and take a fifth of the time of a frame that the sphere fills.
 pub(super) static CRYSTAL: Material = Material {
-    colour: vec3a(0.95, 0.95, 0.95),
+    colour: vec3(0.95, 0.95, 0.95),
     kd: 0.05,
     ks: 0.8,
     exponent: 100.0,
@@ -79,7 +79,7 @@ pub(super) static CRYSTAL: Material = Material {
 
 /// Gold.
 pub(super) static GOLD: Material = Material {
-    colour: vec3a(0.98, 0.73, 0.38),
+    colour: vec3(0.98, 0.73, 0.38),
     kd: 0.45,
     ks: 0.9,
     exponent: 25.0,
@@ -100,7 +100,7 @@ pub(super) static BRASS: Material = Material {
 
 /// Silver.
 pub(super) static SILVER: Material = Material {
-    colour: vec3a(0.85, 0.88, 0.95),
+    colour: vec3(0.85, 0.88, 0.95),
     kd: 0.4,
     ks: 0.8,
     exponent: 60.0,
@@ -110,7 +110,7 @@ pub(super) static SILVER: Material = Material {
 
 /// Turned steel without reflections, which were hardly visible.
 pub(super) static STEEL: Material = Material {
-    colour: vec3a(0.55, 0.62, 0.75),
+    colour: vec3(0.55, 0.62, 0.75),
     kd: 0.4,
     ks: 0.35,
     exponent: 10.0,
@@ -121,7 +121,7 @@ pub(super) static STEEL: Material = Material {
 
 /// Scarlet plastic.
 pub(super) static SCARLET: Material = Material {
-    colour: vec3a(0.8, 0.11, 0.08),
+    colour: vec3(0.8, 0.11, 0.08),
     kd: 0.8,
     ks: 0.25,
     exponent: 25.0,
@@ -130,12 +130,12 @@ pub(super) static SCARLET: Material = Material {
 
 /// Yellow plastic with dark, level stripes.
 pub(super) static STRIPED: Material = Material {
-    colour: vec3a(0.9, 0.62, 0.1),
+    colour: vec3(0.9, 0.62, 0.1),
     kd: 0.8,
     ks: 0.4,
     exponent: 40.0,
     pattern: Pattern {
-        waves: vec3a(0.0, 2.0, 0.0),
+        waves: vec3(0.0, 2.0, 0.0),
         depth: 0.7,
         edge: 30.0,
         ..Pattern::NONE
@@ -145,12 +145,12 @@ pub(super) static STRIPED: Material = Material {
 
 /// Veined marble.
 pub(super) static MARBLE: Material = Material {
-    colour: vec3a(0.92, 0.86, 0.78),
+    colour: vec3(0.92, 0.86, 0.78),
     kd: 0.8,
     ks: 0.15,
     exponent: 20.0,
     pattern: Pattern {
-        waves: vec3a(1.0, 0.0, 0.0),
+        waves: vec3(1.0, 0.0, 0.0),
         depth: 0.5,
         edge: 3.0,
         balance: 0.85,
@@ -162,7 +162,7 @@ pub(super) static MARBLE: Material = Material {
 
 /// Sandstone.
 pub(super) static SANDSTONE: Material = Material {
-    colour: vec3a(0.62, 0.52, 0.44),
+    colour: vec3(0.62, 0.52, 0.44),
     kd: 0.8,
     ks: 0.2,
     exponent: 30.0,
@@ -171,7 +171,7 @@ pub(super) static SANDSTONE: Material = Material {
 
 /// Dark water, which mirrors lamps as it does the sky: the floor of the title, the machine and the finale.
 pub(super) static WATER: Material = Material {
-    colour: vec3a(0.2, 0.2, 0.27),
+    colour: vec3(0.2, 0.2, 0.27),
     kd: 0.8,
     ks: 0.6,
     exponent: 60.0,
@@ -182,7 +182,7 @@ pub(super) static WATER: Material = Material {
 
 /// The floor of the swarm, which reflects a little.
 pub(super) static NIGHT: Material = Material {
-    colour: vec3a(0.22, 0.24, 0.34),
+    colour: vec3(0.22, 0.24, 0.34),
     kd: 0.8,
     ks: 0.1,
     exponent: 20.0,

@@ -6,7 +6,7 @@ use super::path::orbit;
 use super::scenes;
 use crate::grid::BEAT;
 use eightfold_tracer::scene::{Method, Scene};
-use glam::vec3a;
+use glam::vec3;
 
 /// Seconds of one orbit: a full turn at 0.25 radians a second.
 pub const MODEL_LENGTH: f32 = 8.0 * core::f32::consts::PI;
@@ -17,7 +17,7 @@ pub(super) const ORBIT_SPEED: f32 = 0.25;
 /// Sets a scene to the model scene at `time` seconds. The camera's way repeats every [`MODEL_LENGTH`].
 pub fn model(time: f32, scene: &mut Scene) {
     scenes::model::SET.apply(time / BEAT, scene);
-    scene.camera = orbit(vec3a(0.0, 0.9, 0.0), ORBIT_SPEED * time, 7.5, 1.3);
+    scene.camera = orbit(vec3(0.0, 0.9, 0.0), ORBIT_SPEED * time, 7.5, 1.3);
     scene.exposure = 1.0;
     scene.method = Method::default();
     scene.captions.clear();

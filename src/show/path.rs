@@ -2,14 +2,14 @@
 
 use eightfold_tracer::maths::{cos, sin};
 use eightfold_tracer::scene::{Camera, Method, Scene};
-use glam::{FloatExt, Vec3A, Vec4, vec3a, vec4};
+use glam::{FloatExt, Vec3, Vec4, vec3, vec4};
 
 /// Where the camera is at some time of a shot, and what is drawn over the picture. Its position is relative to the point that it
 /// looks at.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Key {
     /// The point in the middle of the picture, in scene units.
-    look_at: Vec3A,
+    look_at: Vec3,
     /// The angle about the y axis in radians, at 0 the camera looks along z; the horizontal distance and the height, in scene
     /// units; the roll, as the slope of the horizon, which is lower on the left if it is positive.
     away: Vec4,
@@ -22,7 +22,7 @@ pub(super) struct Key {
 /// A key without roll and overlay.
 pub(super) const fn key(look_at: [f32; 3], angle: f32, distance: f32, height: f32) -> Key {
     Key {
-        look_at: Vec3A::from_array(look_at),
+        look_at: Vec3::from_array(look_at),
         away: vec4(angle, distance, height, 0.0),
         overlay: Vec4::Z,
         front: 0.0,
@@ -70,7 +70,7 @@ pub(super) fn film(keys: &[Key], time: f32, push: f32, scene: &mut Scene) {
     let look_at = a.look_at * wa + b.look_at * wb + c.look_at * wc + d.look_at * wd;
     let away = a.away * wa + b.away * wb + c.away * wc + d.away * wd;
     scene.camera = orbit(look_at, away.x, away.y * (1.0 - push), away.z);
-    scene.camera.up += vec3a(cos(away.x), 0.0, sin(away.x)) * away.w;
+    scene.camera.up += vec3(cos(away.x), 0.0, sin(away.x)) * away.w;
     let overlay = b.overlay.lerp(c.overlay, u);
     scene.method = Method {
         points: overlay.x,
@@ -93,8 +93,8 @@ fn catmull_rom(u: f32) -> [f32; 4] {
 }
 
 /// A camera that looks at a point from an angle, a distance and a height as those of a [`Key`].
-pub(super) fn orbit(look_at: Vec3A, angle: f32, distance: f32, height: f32) -> Camera {
-    let away = vec3a(distance * sin(angle), height, -distance * cos(angle));
+pub(super) fn orbit(look_at: Vec3, angle: f32, distance: f32, height: f32) -> Camera {
+    let away = vec3(distance * sin(angle), height, -distance * cos(angle));
     Camera::new(look_at + away, look_at, core::f32::consts::FRAC_PI_4)
 }
 

@@ -3,7 +3,7 @@
 use core::f32::consts::TAU;
 use eightfold_tracer::maths::{cos, round, sin, smooth_step};
 use eightfold_tracer::scene::{self, Block, Material, Scene, Sphere};
-use glam::{Mat3A, Vec3A, vec3a};
+use glam::{Mat3, Vec3, vec3};
 
 /// One object, or a grid of objects that are alike.
 pub(super) struct Prop {
@@ -11,9 +11,9 @@ pub(super) struct Prop {
     material: &'static Material,
     motion: Motion,
     /// The centre of the first object, in scene units.
-    centre: Vec3A,
+    centre: Vec3,
     /// The extent along the object's own axes, in scene units. A sphere's three extents are its diameter.
-    size: Vec3A,
+    size: Vec3,
     /// The number of objects along x, and of such rows along z.
     count: [u8; 2],
     /// The distance between neighbours along x and along z, in scene units.
@@ -61,8 +61,8 @@ const fn prop(shape: Shape, material: &'static Material, centre: [f32; 3], size:
         shape,
         material,
         motion: Motion::Still,
-        centre: Vec3A::from_array(centre),
-        size: Vec3A::from_array(size),
+        centre: Vec3::from_array(centre),
+        size: Vec3::from_array(size),
         count: [1, 1],
         spacing: [0.0, 0.0],
     }
@@ -96,7 +96,7 @@ impl Prop {
     /// Adds the object in a column and a row of the grid.
     fn add(&self, column: u8, row: u8, beat: f32, scene: &mut Scene) {
         let [dx, dz] = self.spacing;
-        let mut centre = self.centre + vec3a(f32::from(column) * dx, 0.0, f32::from(row) * dz);
+        let mut centre = self.centre + vec3(f32::from(column) * dx, 0.0, f32::from(row) * dz);
         if let Motion::Bouncing { phase } = self.motion {
             let sine = sin(beat * 0.5 + phase);
             centre.y += 0.4 * sine * sine;
@@ -105,7 +105,7 @@ impl Prop {
         match self.shape {
             Shape::Sphere => add_sphere(centre, half.x, self.material, scene),
             Shape::Block(shape) => {
-                add_block(shape, centre, half, Mat3A::IDENTITY, self.material, scene);
+                add_block(shape, centre, half, Mat3::IDENTITY, self.material, scene);
             }
         }
     }
@@ -113,14 +113,14 @@ impl Prop {
 
 /// Adds a sphere.
 #[inline(never)]
-pub(super) fn add_sphere(centre: Vec3A, radius: f32, material: &Material, scene: &mut Scene) {
+pub(super) fn add_sphere(centre: Vec3, radius: f32, material: &Material, scene: &mut Scene) {
     scene.spheres.push(Sphere::new(centre, radius, *material));
 }
 
 /// Adds a rod, round at its ends, whose axis goes from one point to another one; `side` is a direction square to it.
 pub(super) fn add_rod(
-    [from, to]: [Vec3A; 2],
-    side: Vec3A,
+    [from, to]: [Vec3; 2],
+    side: Vec3,
     radius: f32,
     material: &Material,
     scene: &mut Scene,
@@ -128,8 +128,8 @@ pub(super) fn add_rod(
     let way = to - from;
     let length = way.length();
     let y = way * (1.0 / length);
-    let half = vec3a(radius, 0.5 * length + radius, radius);
-    let axes = Mat3A::from_cols(y.cross(side), y, side);
+    let half = vec3(radius, 0.5 * length + radius, radius);
+    let axes = Mat3::from_cols(y.cross(side), y, side);
     let middle = (from + to) * 0.5;
     add_block(scene::Shape::Capsule, middle, half, axes, material, scene);
 }
@@ -138,9 +138,9 @@ pub(super) fn add_rod(
 #[inline(never)]
 pub(super) fn add_block(
     shape: scene::Shape,
-    centre: Vec3A,
-    half: Vec3A,
-    axes: Mat3A,
+    centre: Vec3,
+    half: Vec3,
+    axes: Mat3,
     material: &Material,
     scene: &mut Scene,
 ) {
@@ -161,6 +161,6 @@ pub(super) fn ticks(beat: f32) -> f32 {
 }
 
 /// The horizontal direction at an angle, in turns, from the z axis towards the x axis.
-pub(super) fn around(turns: f32) -> Vec3A {
-    vec3a(sin(TAU * turns), 0.0, cos(TAU * turns))
+pub(super) fn around(turns: f32) -> Vec3 {
+    vec3(sin(TAU * turns), 0.0, cos(TAU * turns))
 }

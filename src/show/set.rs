@@ -2,16 +2,16 @@
 
 use super::props::Prop;
 use eightfold_tracer::scene::{Film, Light, Material, Plane, Scene, Spot, Waves};
-use glam::Vec3A;
+use glam::Vec3;
 
 /// The set of an act, or for several in a row.
 pub(super) struct Set {
     /// See [`Scene::background`].
-    pub background: Vec3A,
+    pub background: Vec3,
     /// See [`Scene::sky`].
-    pub sky: Vec3A,
+    pub sky: Vec3,
     /// See [`Scene::ambient`].
-    pub ambient: Vec3A,
+    pub ambient: Vec3,
     /// See [`Scene::haze`].
     pub haze: f32,
     /// See [`Scene::film`].
@@ -51,7 +51,7 @@ const PACE: f32 = 0.1;
 
 /// An invisible point light, whose shadows are hard.
 pub(super) const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {
-    Light::new(Vec3A::from_array(position), Vec3A::from_array(colour))
+    Light::new(Vec3::from_array(position), Vec3::from_array(colour))
 }
 
 /// An invisible light whose rays are parallel.
@@ -74,7 +74,7 @@ impl Set {
         // Set the floor, and the waves on it.
         scene.planes.clear();
         let half = self.floor_half;
-        let floor = Plane::new(Vec3A::ZERO, half, half, *self.floor);
+        let floor = Plane::new(Vec3::ZERO, half, half, *self.floor);
         scene.planes.push(floor);
         scene.water = Waves::CALM;
         if self.swell > 0.0 {

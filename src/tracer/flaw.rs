@@ -1,7 +1,7 @@
 //! A number of a scene or a quality that is out of its range.
 
 use core::fmt;
-use glam::{Vec3, Vec3A};
+use glam::Vec3;
 
 /// The first number of a [`Scene`](crate::scene::Scene) or a [`Quality`](crate::Quality) that is out of its range.
 ///
@@ -37,9 +37,9 @@ impl From<f32> for Found {
     }
 }
 
-impl From<Vec3A> for Found {
-    fn from(vector: Vec3A) -> Self {
-        Self::Vector(vector.into())
+impl From<Vec3> for Found {
+    fn from(vector: Vec3) -> Self {
+        Self::Vector(vector)
     }
 }
 

@@ -6,24 +6,24 @@
 //! goes, and a [`Renderer`] makes it, by the best instruction set of the processor and on all of its cores:
 //!
 //! ```
-//! use eightfold_tracer::glam::{Vec3A, vec3a};
+//! use eightfold_tracer::glam::{Vec3, vec3};
 //! use eightfold_tracer::scene::{Light, List, Material, Scene, Sphere};
 //! use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 //!
 //! // The camera stands at z = 1 and looks at the origin, unless told otherwise.
 //! let scene = Scene {
 //!     spheres: List::of(&[Sphere {
-//!         centre: vec3a(0.0, 0.0, -1.0),
+//!         centre: vec3(0.0, 0.0, -1.0),
 //!         radius: 0.5,
 //!         material: Material {
-//!             colour: vec3a(1.0, 0.3, 0.1),
+//!             colour: vec3(1.0, 0.3, 0.1),
 //!             kd: 0.8,
 //!             ..Material::BLACK
 //!         },
 //!     }]),
 //!     lights: List::of(&[Light {
-//!         position: vec3a(-2.0, 3.0, 2.0),
-//!         colour: Vec3A::ONE,
+//!         position: vec3(-2.0, 3.0, 2.0),
+//!         colour: Vec3::ONE,
 //!         ..Light::DARK
 //!     }]),
 //!     ..Scene::default()

@@ -6,7 +6,7 @@ use eightfold::show::{self, grid};
 use eightfold_oracle::frame::Frame;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, Light, List, Material, Method, Scene, Sphere};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 /// Asserts that a picture is the oracle's: at most 0.02 % of the pixels, or four in a small picture, are wrong by more than 8/255,
 /// on silhouettes alone, and the mean error of the others is at most 0.01/255.
@@ -106,7 +106,7 @@ fn silhouettes_are_the_lesser_part_of_a_picture() {
 /// Concentric glass shells around the eye: every ray hits one, and is both reflected and transmitted.
 fn shells(count: usize) -> Scene {
     let glass = Material {
-        colour: Vec3A::splat(0.9),
+        colour: Vec3::splat(0.9),
         kd: 0.2,
         ks: 0.5,
         exponent: 50.0,
@@ -115,12 +115,12 @@ fn shells(count: usize) -> Scene {
         index: 1.01,
         ..Material::BLACK
     };
-    let shell = |i| Sphere::new(Vec3A::ZERO, 2.0 + 0.5 * i as f32, glass);
+    let shell = |i| Sphere::new(Vec3::ZERO, 2.0 + 0.5 * i as f32, glass);
     let shells: Vec<Sphere> = (0..count).map(shell).collect();
     Scene {
-        camera: Camera::new(vec3a(0.1, 0.2, 0.3), Vec3A::X, 1.0),
-        background: Vec3A::splat(0.4),
-        ambient: Vec3A::splat(0.3),
+        camera: Camera::new(vec3(0.1, 0.2, 0.3), Vec3::X, 1.0),
+        background: Vec3::splat(0.4),
+        ambient: Vec3::splat(0.3),
         spheres: shells.iter().copied().collect(),
         ..Scene::default()
     }
@@ -151,7 +151,7 @@ fn no_ray_is_lost_where_some_end_and_others_go_on_in_two() {
     let mut scene = shells(Quality::MAX_DEPTH as usize + 1);
     scene.lights = List::of(&[Light {
         drawn_radius: 0.15,
-        ..Light::new(vec3a(0.6, 0.2, 0.3), Vec3A::ZERO)
+        ..Light::new(vec3(0.6, 0.2, 0.3), Vec3::ZERO)
     }]);
     let quality = Quality {
         depth: Quality::MAX_DEPTH,
@@ -177,15 +177,15 @@ fn a_lamp_lights_the_sphere_around_it_from_within_alone() {
     let mut scene = shells(1);
     scene.planes = show::model_scene(0.0).planes.iter().copied().collect();
     for (lamp, eye) in [
-        (vec3a(0.5, 0.7, 0.1), vec3a(0.1, 0.2, 0.3)),
-        (vec3a(0.5, 0.7, 0.1), vec3a(1.0, 3.0, 7.0)),
-        (vec3a(3.5, 3.7, 0.1), vec3a(0.1, 0.2, 0.3)),
+        (vec3(0.5, 0.7, 0.1), vec3(0.1, 0.2, 0.3)),
+        (vec3(0.5, 0.7, 0.1), vec3(1.0, 3.0, 7.0)),
+        (vec3(3.5, 3.7, 0.1), vec3(0.1, 0.2, 0.3)),
     ] {
         scene.camera.eye = eye;
-        scene.camera.look_at = Vec3A::ZERO;
+        scene.camera.look_at = Vec3::ZERO;
         scene.lights = List::of(&[Light {
             drawn_radius: 0.1,
-            ..Light::new(lamp, Vec3A::ONE)
+            ..Light::new(lamp, Vec3::ONE)
         }]);
         hold(
             &scene,

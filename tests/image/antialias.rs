@@ -7,7 +7,7 @@ use crate::generator::seeded::scene;
 use eightfold::show;
 use eightfold_oracle::squares::TILE;
 use eightfold_tracer::Quality;
-use eightfold_tracer::glam::{Mat3A, Vec3A, vec3a};
+use eightfold_tracer::glam::{Mat3, Vec3, vec3};
 use eightfold_tracer::scene::{Block, Material, Scene, Shape};
 
 /// Samples per side of a pixel in the reference pictures.
@@ -145,19 +145,19 @@ fn an_edge_that_runs_between_bands_is_mixed_as_it_is_within_one() {
 /// A white box, lit evenly, from a height down, given in pixels of a picture that is so many high.
 fn box_up_to(row: f32, height: usize) -> Scene {
     let mut scene = Scene {
-        ambient: Vec3A::ONE,
+        ambient: Vec3::ONE,
         ..Scene::default()
     };
     // At distance 1 a pixel is so high; the centre of the picture lies between two rows.
     let pixel = 2.0 * (0.5 * scene.camera.field_of_view).tan() / height as f32;
     let top = (0.5 * height as f32 - 0.5 - row) * pixel;
     scene.blocks.push(Block {
-        centre: vec3a(0.0, top - 1.0, -0.05),
-        half: vec3a(1.0, 1.0, 0.05),
-        axes: Mat3A::IDENTITY,
+        centre: vec3(0.0, top - 1.0, -0.05),
+        half: vec3(1.0, 1.0, 0.05),
+        axes: Mat3::IDENTITY,
         shape: Shape::Box,
         material: Material {
-            colour: Vec3A::ONE,
+            colour: Vec3::ONE,
             ..Material::BLACK
         },
     });

@@ -10,7 +10,7 @@ use eightfold::show;
 use eightfold_oracle::frame::Frame;
 use eightfold_tracer::scene::{Block, Camera, Caption, List, Scene, Shape, Spot, Waves};
 use eightfold_tracer::{Counts, Quality};
-use glam::{Mat3A, Vec3A, vec3a};
+use glam::{Mat3, Vec3, vec3};
 
 const QUALITIES: [Quality; 3] = [Quality::EXHAUSTIVE, Quality::THESIS, Quality::DEFAULT];
 
@@ -101,8 +101,8 @@ fn a_camera_inside_on_and_along_a_sphere_sees_what_the_oracle_sees() {
             (1.5, false),
         ] {
             // Towards the centre, or along the surface.
-            let eye = centre + Vec3A::NEG_Z * (radius * distance);
-            let ahead = if along { Vec3A::X } else { Vec3A::Z };
+            let eye = centre + Vec3::NEG_Z * (radius * distance);
+            let ahead = if along { Vec3::X } else { Vec3::Z };
             scene.camera = Camera::new(eye, eye + ahead, 1.2);
             let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 120, 90);
             for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 120, 90) {
@@ -161,9 +161,9 @@ pub fn rich() -> Scene {
         (Shape::Capsule, 5.0),
     ] {
         scene.blocks.push(Block {
-            centre: vec3a(x, 0.8, -1.0),
-            half: vec3a(0.4, 0.8, 0.4),
-            axes: Mat3A::IDENTITY,
+            centre: vec3(x, 0.8, -1.0),
+            half: vec3(0.4, 0.8, 0.4),
+            axes: Mat3::IDENTITY,
             shape,
             material: scene.spheres[0].material,
         });
@@ -262,20 +262,20 @@ fn a_scene_is_refused_by_its_first_number_out_of_range() {
             "spheres[2].radius is 0, must be 1e-9 to 1e9",
         ),
         (
-            |scene| scene.lights[1].colour = glam::vec3a(1.0, -1.0, 0.5),
+            |scene| scene.lights[1].colour = glam::vec3(1.0, -1.0, 0.5),
             "lights[1].colour is [1, -1, 0.5], must be 0 to 1e9",
         ),
         (
             |scene| {
-                scene.camera.eye = glam::vec3a(1.0, 2.0, 3.0);
+                scene.camera.eye = glam::vec3(1.0, 2.0, 3.0);
                 scene.camera.look_at = scene.camera.eye;
             },
             "camera.look_at is [1, 2, 3], must be a point that is not the eye",
         ),
         (
             |scene| {
-                scene.camera.look_at = scene.camera.eye + glam::Vec3A::X;
-                scene.camera.up = glam::Vec3A::X;
+                scene.camera.look_at = scene.camera.eye + glam::Vec3::X;
+                scene.camera.up = glam::Vec3::X;
             },
             "camera.up is [1, 0, 0], must be off the line of sight",
         ),

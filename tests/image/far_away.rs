@@ -6,10 +6,10 @@ use eightfold::show;
 use eightfold_oracle::frame::Frame;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 /// The scene moved.
-fn moved(mut scene: Scene, by: Vec3A) -> Scene {
+fn moved(mut scene: Scene, by: Vec3) -> Scene {
     scene.camera.eye += by;
     scene.camera.look_at += by;
     for sphere in scene.spheres.iter_mut() {
@@ -35,7 +35,7 @@ fn the_further_from_the_origin_the_coarser_a_picture_is_as_stated() {
         (1e4, 41.0),
         (1e5, 31.0),
     ] {
-        let by = distance / 3.0 * vec3a(2.0, 1.0, -2.0);
+        let by = distance / 3.0 * vec3(2.0, 1.0, -2.0);
         for time in [0.0, 2.5] {
             let scene = moved(show::model_scene(time), by);
             let expected = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 240).picture();

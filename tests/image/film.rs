@@ -4,7 +4,7 @@
 use crate::drawn::draw_best;
 use eightfold::show;
 use eightfold_tracer::Quality;
-use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Camera, Film, Light, List, Material, Plane, Scene};
 
 /// The picture of a scene with every pixel traced, and its brightest channels.
@@ -22,7 +22,7 @@ fn channels(scene: &Scene, width: usize, height: usize) -> Vec<u32> {
 /// Nothing but a background.
 fn empty(background: f32, film: Film) -> Scene {
     Scene {
-        background: Vec3A::splat(background),
+        background: Vec3::splat(background),
         film,
         ..Scene::default()
     }
@@ -139,12 +139,12 @@ fn a_glow_is_as_bright_as_its_light_and_half_as_bright_at_its_radius() {
     let size: usize = 101;
     let scene = Scene {
         camera: Camera {
-            eye: vec3a(0.0, 0.0, 1000.0),
+            eye: vec3(0.0, 0.0, 1000.0),
             field_of_view: 2.0 * (0.5 * size as f32 * 1e-4).atan(),
             ..Camera::default()
         },
         lights: List::of(&[Light {
-            colour: Vec3A::splat(0.8),
+            colour: Vec3::splat(0.8),
             glow: 1.0,
             ..Light::DARK
         }]),
@@ -159,9 +159,9 @@ fn a_glow_is_as_bright_as_its_light_and_half_as_bright_at_its_radius() {
     // A wall at the light leaves the half of the glow that is before it.
     let wall = |y: f32| {
         let mut scene = scene;
-        (scene.camera.eye, scene.camera.up) = (vec3a(0.0, 1000.0, 0.0), Vec3A::Z);
+        (scene.camera.eye, scene.camera.up) = (vec3(0.0, 1000.0, 0.0), Vec3::Z);
         scene.planes.push(Plane {
-            centre: vec3a(0.0, y, 0.0),
+            centre: vec3(0.0, y, 0.0),
             half_x: 100.0,
             half_z: 100.0,
             material: Material::BLACK,
@@ -177,12 +177,12 @@ fn a_floor_with_fresnel_mirrors_more_the_lower_one_looks_along_it() {
     let seen = |height: f32, fresnel: f32| {
         let scene = Scene {
             camera: Camera {
-                eye: vec3a(0.0, height, -1.0),
+                eye: vec3(0.0, height, -1.0),
                 ..Camera::default()
             },
-            background: Vec3A::ONE,
+            background: Vec3::ONE,
             planes: List::of(&[Plane {
-                centre: Vec3A::ZERO,
+                centre: Vec3::ZERO,
                 half_x: 1e3,
                 half_z: 1e3,
                 material: Material {

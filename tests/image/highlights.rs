@@ -3,7 +3,7 @@
 use crate::drawn::{draw_best, jagged};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Scene, Shape};
-use glam::{Mat3A, Vec3A, vec3a};
+use glam::{Mat3, Vec3, vec3};
 
 /// The sides of the pictures, in pixels.
 const SIDE: usize = 101;
@@ -17,13 +17,13 @@ fn disc(material: Material) -> Vec<[f32; 3]> {
     const HEIGHT: f32 = 1000.0;
     let scene = Scene {
         camera: Camera {
-            up: -Vec3A::Z,
-            ..Camera::new(Vec3A::Y * HEIGHT, Vec3A::ZERO, SIDE as f32 / 50.0 / HEIGHT)
+            up: -Vec3::Z,
+            ..Camera::new(Vec3::Y * HEIGHT, Vec3::ZERO, SIDE as f32 / 50.0 / HEIGHT)
         },
         blocks: List::of(&[Block {
-            centre: Vec3A::ZERO,
-            half: vec3a(1.0, 0.1, 1.0),
-            axes: Mat3A::IDENTITY,
+            centre: Vec3::ZERO,
+            half: vec3(1.0, 0.1, 1.0),
+            axes: Mat3::IDENTITY,
             shape: Shape::Cylinder,
             material: Material {
                 exponent: EXPONENT,
@@ -32,7 +32,7 @@ fn disc(material: Material) -> Vec<[f32; 3]> {
         }]),
         lights: List::of(&[Light {
             parallel: true,
-            ..Light::new(vec3a(SLANT.sin(), SLANT.cos(), 0.0), Vec3A::ONE)
+            ..Light::new(vec3(SLANT.sin(), SLANT.cos(), 0.0), Vec3::ONE)
         }]),
         ..Scene::default()
     };
@@ -82,7 +82,7 @@ fn a_brushed_disc_shines_along_the_line_towards_the_lamp() {
 
 #[test]
 fn the_highlight_of_a_metal_has_its_colour() {
-    let colour = vec3a(0.9, 0.6, 0.3);
+    let colour = vec3(0.9, 0.6, 0.3);
     let seen = |metallic| {
         let all = disc(Material {
             colour,

@@ -19,7 +19,7 @@ use crate::wrong_pixels::wrong_pixels;
 use eightfold_oracle::geometry::{self, PicturePlane};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Camera, Light, Material, Plane, Scene, Shape, Sphere};
-use glam::{DMat2, DVec2, DVec3, EulerRot, Mat3A, Vec3A, dvec2, vec3a};
+use glam::{DMat2, DVec2, DVec3, EulerRot, Mat3, Vec3, dvec2, vec3};
 
 const WIDTH: usize = 320;
 const HEIGHT: usize = 240;
@@ -39,7 +39,7 @@ const NEAR: f64 = 1e-4;
 /// A shiny material whose highlights are of any size.
 fn shiny(random: &mut Random) -> Material {
     Material {
-        colour: Vec3A::splat(random.between(0.0, 0.6)),
+        colour: Vec3::splat(random.between(0.0, 0.6)),
         kd: random.between(0.0, 0.8),
         ks: random.between(0.1, 1.0),
         exponent: power(random, 0.3, 3.0),
@@ -52,32 +52,32 @@ fn shiny(random: &mut Random) -> Material {
 /// or far away.
 fn scene(random: &mut Random, are_round_blocks: bool) -> Scene {
     let mut scene = Scene {
-        ambient: Vec3A::splat(0.3),
-        background: Vec3A::splat(random.between(0.0, 0.3)),
+        ambient: Vec3::splat(0.3),
+        background: Vec3::splat(random.between(0.0, 0.3)),
         camera: Camera {
-            eye: vec3a(
+            eye: vec3(
                 random.between(-6.0, 6.0),
                 power(random, -1.5, 1.0),
                 random.between(5.0, 12.0),
             ),
-            look_at: random.vector(vec3a(-2.0, -0.6, -2.0), vec3a(2.0, 0.6, 2.0)),
-            up: Vec3A::Y,
+            look_at: random.vector(vec3(-2.0, -0.6, -2.0), vec3(2.0, 0.6, 2.0)),
+            up: Vec3::Y,
             field_of_view: random.between(0.4, 1.4),
         },
         ..Scene::default()
     };
     for _ in 0..1 + random.below(14) {
-        let at = random.vector(vec3a(-5.0, 0.0, -5.0), vec3a(5.0, 4.0, 5.0));
+        let at = random.vector(vec3(-5.0, 0.0, -5.0), vec3(5.0, 4.0, 5.0));
         let material = shiny(random);
         if are_round_blocks {
             let (radius, height) = (power(random, -1.3, 0.3), power(random, -1.5, 0.7));
             let shape = [Shape::Cylinder, Shape::Capsule][random.below(2)];
             let turns = [0; 3].map(|_| random.between(0.0, 6.0));
-            let axes = Mat3A::from_euler(EulerRot::XYZ, turns[0], turns[1], turns[2]);
+            let axes = Mat3::from_euler(EulerRot::XYZ, turns[0], turns[1], turns[2]);
             scene.blocks.push(Block {
-                centre: at + Vec3A::Y,
-                half: fitting(shape, vec3a(radius, height, radius)),
-                axes: [axes, axes, Mat3A::IDENTITY][random.below(3)],
+                centre: at + Vec3::Y,
+                half: fitting(shape, vec3(radius, height, radius)),
+                axes: [axes, axes, Mat3::IDENTITY][random.below(3)],
                 shape,
                 material,
             });
@@ -85,7 +85,7 @@ fn scene(random: &mut Random, are_round_blocks: bool) -> Scene {
             let radius = power(random, -1.3, 0.5);
             let above = [0.0, at.y][random.below(2)];
             scene.spheres.push(Sphere {
-                centre: vec3a(at.x, above + radius, at.z),
+                centre: vec3(at.x, above + radius, at.z),
                 radius,
                 material,
             });
@@ -93,7 +93,7 @@ fn scene(random: &mut Random, are_round_blocks: bool) -> Scene {
     }
     if random.below(2) == 0 {
         scene.planes.push(Plane {
-            centre: Vec3A::ZERO,
+            centre: Vec3::ZERO,
             half_x: power(random, 0.3, 2.0),
             half_z: power(random, 0.3, 2.0),
             material: shiny(random),
@@ -102,12 +102,12 @@ fn scene(random: &mut Random, are_round_blocks: bool) -> Scene {
     for _ in 0..1 + random.below(3) {
         let wide = [8.0, 8.0, 40.0][random.below(3)];
         scene.lights.push(Light {
-            position: vec3a(
+            position: vec3(
                 random.between(-wide, wide),
                 power(random, -1.5, 1.2),
                 random.between(-wide, wide),
             ),
-            colour: Vec3A::splat(random.between(0.2, 1.5)),
+            colour: Vec3::splat(random.between(0.2, 1.5)),
             parallel: random.below(7) == 0,
             ..Light::DARK
         });

@@ -12,7 +12,7 @@ use crate::generator::seeded::{Random, floor};
 use crate::refinement::bare;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Material, Scene, Shape, Sphere};
-use glam::{Mat3A, Vec3A, vec3a};
+use glam::{Mat3, Vec3, vec3};
 use std::collections::BTreeSet;
 
 const WIDTH: usize = 320;
@@ -28,9 +28,9 @@ const OBJECTS: usize = 30;
 const KR: f32 = 0.5;
 
 /// A colour of its own for each object: channels are half of the steps of 255 at least, so that no image has an object's colour.
-fn colour(number: usize) -> Vec3A {
+fn colour(number: usize) -> Vec3 {
     let channel = |digit: usize| (128 + 30 * digit) as f32 / 255.0;
-    vec3a(
+    vec3(
         channel(number % 4),
         channel(number / 4 % 4),
         channel(number / 16),
@@ -51,7 +51,7 @@ fn shape(number: usize) -> Option<Shape> {
 fn scene(random: &mut Random) -> Scene {
     let (mut spheres, mut blocks) = (Vec::new(), Vec::new());
     for number in 0..OBJECTS {
-        let centre = random.vector(vec3a(-5.0, 0.7, -5.0), vec3a(5.0, 3.0, 5.0));
+        let centre = random.vector(vec3(-5.0, 0.7, -5.0), vec3(5.0, 3.0, 5.0));
         let size = 10.0_f32.powf(random.between(-2.0, -0.5));
         let material = Material {
             colour: colour(number),
@@ -66,18 +66,18 @@ fn scene(random: &mut Random) -> Scene {
         let least = if shape == Shape::Capsule { 1.0 } else { 0.3 };
         blocks.push(Block {
             centre,
-            half: vec3a(size, size * random.between(least, 3.0), size),
-            axes: Mat3A::from_euler(glam::EulerRot::XYZ, angles[0], angles[1], angles[2]),
+            half: vec3(size, size * random.between(least, 3.0), size),
+            axes: Mat3::from_euler(glam::EulerRot::XYZ, angles[0], angles[1], angles[2]),
             shape,
             material,
         });
     }
     let mirror = Material::mirror(KR);
     Scene {
-        ambient: Vec3A::ONE,
+        ambient: Vec3::ONE,
         spheres: spheres.iter().copied().collect(),
         blocks: blocks.iter().copied().collect(),
-        ..floor(random, -Vec3A::Y, mirror)
+        ..floor(random, -Vec3::Y, mirror)
     }
 }
 

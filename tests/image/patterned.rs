@@ -6,13 +6,13 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
     Block, Camera, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere,
 };
-use glam::{Mat3A, Vec3A, vec3a};
+use glam::{Mat3, Vec3, vec3};
 
 /// A floor, a sphere, a box and a cylinder with checkers, stripes and marble that are much finer than squares. `marble` is the
 /// steepness of the marble's edges.
 fn scene(depth: f32, marble: f32) -> Scene {
-    let material = |waves: Vec3A, edge: f32, warp: f32| Material {
-        colour: vec3a(0.9, 0.8, 0.7),
+    let material = |waves: Vec3, edge: f32, warp: f32| Material {
+        colour: vec3(0.9, 0.8, 0.7),
         kd: 0.9,
         pattern: Pattern {
             waves,
@@ -25,33 +25,33 @@ fn scene(depth: f32, marble: f32) -> Scene {
         ..Material::BLACK
     };
     let block = |x: f32, shape: Shape, material: Material| Block {
-        axes: Mat3A::from_rotation_y(0.4),
-        ..Block::new(shape, vec3a(x, 1.0, 0.0), vec3a(0.7, 1.0, 0.7), material)
+        axes: Mat3::from_rotation_y(0.4),
+        ..Block::new(shape, vec3(x, 1.0, 0.0), vec3(0.7, 1.0, 0.7), material)
     };
     Scene {
-        camera: Camera::new(vec3a(0.0, 2.5, -5.0), vec3a(0.0, 0.8, 0.0), 0.8),
-        background: Vec3A::splat(0.2),
-        ambient: Vec3A::splat(0.2),
+        camera: Camera::new(vec3(0.0, 2.5, -5.0), vec3(0.0, 0.8, 0.0), 0.8),
+        background: Vec3::splat(0.2),
+        ambient: Vec3::splat(0.2),
         planes: List::of(&[Plane {
             half_x: 5.0,
             half_z: 5.0,
-            material: material(vec3a(1.5, 0.0, 1.5), 40.0, 0.0),
+            material: material(vec3(1.5, 0.0, 1.5), 40.0, 0.0),
             ..Plane::default()
         }]),
         spheres: List::of(&[Sphere::new(
-            vec3a(0.0, 0.6, -1.2),
+            vec3(0.0, 0.6, -1.2),
             0.6,
-            material(Vec3A::splat(3.0), 20.0, 0.0),
+            material(Vec3::splat(3.0), 20.0, 0.0),
         )]),
         blocks: List::of(&[
-            block(-1.2, Shape::Box, material(vec3a(0.0, 4.0, 0.0), 20.0, 0.0)),
+            block(-1.2, Shape::Box, material(vec3(0.0, 4.0, 0.0), 20.0, 0.0)),
             block(
                 1.2,
                 Shape::Cylinder,
-                material(vec3a(1.0, 2.0, 1.0), marble, 1.0),
+                material(vec3(1.0, 2.0, 1.0), marble, 1.0),
             ),
         ]),
-        lights: List::of(&[Light::new(vec3a(-3.0, 6.0, -4.0), Vec3A::ONE)]),
+        lights: List::of(&[Light::new(vec3(-3.0, 6.0, -4.0), Vec3::ONE)]),
         ..Scene::default()
     }
 }
@@ -94,17 +94,17 @@ fn patterns_without_edges_are_filled_as_light_is() {
 fn balance_is_how_much_is_light_near_and_far() {
     let floor = |balance: f32, height: f32| Scene {
         camera: Camera {
-            up: Vec3A::Z,
-            ..Camera::new(vec3a(0.01, height, 0.0), vec3a(0.01, 0.0, 0.0), 0.8)
+            up: Vec3::Z,
+            ..Camera::new(vec3(0.01, height, 0.0), vec3(0.01, 0.0, 0.0), 0.8)
         },
-        ambient: Vec3A::ONE,
+        ambient: Vec3::ONE,
         planes: List::of(&[Plane {
             half_x: 1e4,
             half_z: 1e4,
             material: Material {
-                colour: Vec3A::ONE,
+                colour: Vec3::ONE,
                 pattern: Pattern {
-                    waves: vec3a(2.0, 0.0, 0.0),
+                    waves: vec3(2.0, 0.0, 0.0),
                     depth: 1.0,
                     edge: 100.0,
                     balance,

@@ -3,13 +3,13 @@
 use crate::drawn::{draw, draw_best, draw_by_all};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Sphere};
-use glam::{DVec3, Vec3A, vec3a};
+use glam::{DVec3, Vec3, vec3};
 
-const SPHERE: Sphere = Sphere::new(vec3a(0.0, 1.5, 0.0), 0.6, Material::BLACK);
+const SPHERE: Sphere = Sphere::new(vec3(0.0, 1.5, 0.0), 0.6, Material::BLACK);
 
 const LIGHT: Light = Light {
     diameter: 1.0,
-    ..Light::new(vec3a(1.0, 6.0, 0.5), Vec3A::ONE)
+    ..Light::new(vec3(1.0, 6.0, 0.5), Vec3::ONE)
 };
 
 /// The share of the round light that is visible past the sphere from a point, by many rays.
@@ -39,14 +39,14 @@ fn a_penumbra_is_within_a_tenth_of_what_many_rays_find() {
     let floor = Plane {
         half_x: 9.0,
         half_z: 9.0,
-        material: Material::matt(Vec3A::ONE, 1.0),
+        material: Material::matt(Vec3::ONE, 1.0),
         ..Plane::default()
     };
-    let eye = vec3a(0.0, 30.0, 0.0);
+    let eye = vec3(0.0, 30.0, 0.0);
     let scene = Scene {
         camera: Camera {
-            up: Vec3A::X,
-            ..Camera::new(eye, Vec3A::ZERO, 0.2)
+            up: Vec3::X,
+            ..Camera::new(eye, Vec3::ZERO, 0.2)
         },
         spheres: List::of(&[SPHERE]),
         planes: List::of(&[floor]),
@@ -61,7 +61,7 @@ fn a_penumbra_is_within_a_tenth_of_what_many_rays_find() {
     for (i, &pixel) in drawn.pixels.iter().enumerate() {
         let coordinate = |i: usize| (i as f32 + 0.5) / size as f32 * 2.0 - 1.0;
         // In the picture z points to the right and x up.
-        let p = vec3a(
+        let p = vec3(
             -coordinate(i / size) * half,
             0.0,
             coordinate(i % size) * half,
@@ -88,21 +88,21 @@ fn a_penumbra_is_within_a_tenth_of_what_many_rays_find() {
 
 #[test]
 fn a_dome_is_lit_from_within_whatever_the_lamps_size_and_whatever_stands_outside() {
-    let matt = Material::matt(Vec3A::splat(0.5), 0.4);
+    let matt = Material::matt(Vec3::splat(0.5), 0.4);
     let dome = |size: f32, boxes: &[Block]| Scene {
         camera: Camera::default(),
-        ambient: Vec3A::splat(0.5),
-        spheres: List::of(&[Sphere::new(Vec3A::ZERO, 20.0, matt)]),
+        ambient: Vec3::splat(0.5),
+        spheres: List::of(&[Sphere::new(Vec3::ZERO, 20.0, matt)]),
         blocks: boxes.iter().copied().collect(),
         lights: List::of(&[Light {
             diameter: size,
-            ..Light::new(vec3a(0.1, 0.6, 0.0), Vec3A::splat(0.5))
+            ..Light::new(vec3(0.1, 0.6, 0.0), Vec3::splat(0.5))
         }]),
         ..Scene::default()
     };
     let outside = Block {
-        centre: vec3a(60.0, 0.0, 0.0),
-        half: vec3a(3.0, 5.0, 2.0),
+        centre: vec3(60.0, 0.0, 0.0),
+        half: vec3(3.0, 5.0, 2.0),
         material: matt,
         ..Block::default()
     };

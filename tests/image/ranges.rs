@@ -6,7 +6,7 @@ use crate::error::Difference;
 use eightfold::show;
 use eightfold_tracer::scene::{Block, Camera, List, Scene, Shape, Sphere};
 use eightfold_tracer::{Error, Frame, MAX_HEIGHT, MAX_WIDTH, Memory, Quality, Renderer, Worker};
-use glam::{Mat3A, Vec3A};
+use glam::{Mat3, Vec3};
 use std::panic::catch_unwind;
 
 /// Why a frame with so many pixels is not rendered, if it is not. Then all its pixels are as before.
@@ -192,7 +192,7 @@ fn comparing_deeper_than_rays_go_compares_all() {
 #[test]
 fn an_empty_scene_is_its_background() {
     let scene = Scene {
-        background: glam::vec3a(1.0, 0.5, 0.0),
+        background: glam::vec3(1.0, 0.5, 0.0),
         ..Scene::default()
     };
     for isa in cpu::instruction_sets() {
@@ -210,8 +210,8 @@ fn of_length(r: f32) -> Scene {
     scene.spheres = List::default();
     scene.planes = List::default();
     scene.camera = Camera::default();
-    scene.camera.eye = Vec3A::Z * r;
-    scene.camera.look_at = Vec3A::ZERO;
+    scene.camera.eye = Vec3::Z * r;
+    scene.camera.look_at = Vec3::ZERO;
     for light in scene.lights.iter_mut() {
         light.position *= 0.125 * r;
         light.drawn_radius = 0.0;
@@ -227,14 +227,14 @@ fn ends_of_the_ranges_of_lengths_draw_what_they_are() {
         let mut scene = of_length(r);
         scene
             .spheres
-            .push(Sphere::new(Vec3A::NEG_Z * r, r, material));
+            .push(Sphere::new(Vec3::NEG_Z * r, r, material));
         scene
     };
     let block = |r: f32, shape: Shape| {
         let mut scene = of_length(r);
         scene.blocks.push(Block {
-            axes: Mat3A::from_rotation_x(0.5),
-            ..Block::new(shape, Vec3A::NEG_Z * r, Vec3A::splat(r), material)
+            axes: Mat3::from_rotation_x(0.5),
+            ..Block::new(shape, Vec3::NEG_Z * r, Vec3::splat(r), material)
         });
         scene
     };

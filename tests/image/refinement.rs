@@ -13,7 +13,7 @@ use eightfold_oracle::squares::{Splits, Squares, TILE};
 use eightfold_tracer::observe::{Fill, Observer, Split};
 use eightfold_tracer::scene::{Camera, Scene, Spot};
 use eightfold_tracer::{Counts, Quality};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 use std::sync::Mutex;
 
 /// Asserts that pictures by all instruction sets are those of the oracle's squares: the number of points differs by at most 0.2 %, or
@@ -211,7 +211,7 @@ pub fn most_points(square: usize, width: usize, height: usize) -> usize {
 fn no_point_is_traced_twice_even_where_every_square_splits() {
     // Many spheres from above, and tolerances of 0: hardly any square is filled.
     let mut scene = show::field(320, 0.0);
-    scene.camera = Camera::new(vec3a(0.0, 14.0, 0.1), Vec3A::ZERO, 0.13);
+    scene.camera = Camera::new(vec3(0.0, 14.0, 0.1), Vec3::ZERO, 0.13);
     let (width, height) = (700, 70);
     for square in [1, 2, 4, 8, 16, 32] {
         let quality = Quality {

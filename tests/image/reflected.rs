@@ -8,7 +8,7 @@ use crate::drawn::{draw_best, jagged};
 use crate::wrong_pixels::{largest_patch, wrong_pixels};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene, Sphere};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 const WIDTH: usize = 320;
 const HEIGHT: usize = 240;
@@ -17,10 +17,10 @@ const HEIGHT: usize = 240;
 fn scene(turn: f32) -> Scene {
     let sphere = |i: usize| {
         Sphere::new(
-            vec3a((i % 8) as f32 - 3.5, 1.5, 0.5 - (i / 8) as f32) * 1.3,
+            vec3((i % 8) as f32 - 3.5, 1.5, 0.5 - (i / 8) as f32) * 1.3,
             0.02 * 1.3_f32.powi((i * 5 % 8) as i32),
             Material {
-                colour: Vec3A::splat(0.8),
+                colour: Vec3::splat(0.8),
                 ..Material::BLACK
             },
         )
@@ -28,14 +28,14 @@ fn scene(turn: f32) -> Scene {
     let spheres: Vec<Sphere> = (0..40).map(sphere).collect();
     Scene {
         camera: Camera {
-            eye: vec3a(8.0 * turn.sin(), 3.0, 8.0 * turn.cos()),
-            look_at: vec3a(0.0, -1.5, 0.0),
-            up: Vec3A::Y,
+            eye: vec3(8.0 * turn.sin(), 3.0, 8.0 * turn.cos()),
+            look_at: vec3(0.0, -1.5, 0.0),
+            up: Vec3::Y,
             field_of_view: 0.7,
         },
-        ambient: Vec3A::ONE,
+        ambient: Vec3::ONE,
         spheres: spheres.iter().copied().collect(),
-        planes: List::of(&[Plane::new(Vec3A::ZERO, 20.0, 20.0, Material::mirror(0.9))]),
+        planes: List::of(&[Plane::new(Vec3::ZERO, 20.0, 20.0, Material::mirror(0.9))]),
         ..Scene::default()
     }
 }

@@ -16,7 +16,7 @@ use crate::refinement::bare;
 use crate::wrong_pixels::largest_patch;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Block, Light, List, Material, Scene, Shape, Sphere, Spot};
-use glam::{EulerRot, Mat3A, Vec3A, vec3a};
+use glam::{EulerRot, Mat3, Vec3, vec3};
 use std::collections::BTreeSet;
 use std::mem;
 
@@ -30,22 +30,22 @@ const SCENES: u64 = 60;
 fn scene(random: &mut Random) -> Scene {
     let sphere = |random: &mut Random| {
         Sphere::new(
-            random.vector(vec3a(-5.0, 0.5, -5.0), vec3a(5.0, 3.0, 5.0)),
+            random.vector(vec3(-5.0, 0.5, -5.0), vec3(5.0, 3.0, 5.0)),
             10.0_f32.powf(random.between(-2.0, -0.3)),
             Material {
-                colour: Vec3A::X,
+                colour: Vec3::X,
                 ..Material::BLACK
             },
         )
     };
     let spheres: Vec<Sphere> = (0..32).map(|_| sphere(random)).collect();
-    let grey = Material::matt(Vec3A::splat(0.8), 0.9);
-    let mut scene = floor(random, Vec3A::ZERO, grey);
-    scene.ambient = Vec3A::splat(0.2);
+    let grey = Material::matt(Vec3::splat(0.8), 0.9);
+    let mut scene = floor(random, Vec3::ZERO, grey);
+    scene.ambient = Vec3::splat(0.2);
     scene.spheres = spheres.iter().copied().collect();
     scene.lights.push(Light::new(
-        random.vector(vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0)),
-        Vec3A::ONE,
+        random.vector(vec3(-6.0, 5.0, -6.0), vec3(6.0, 9.0, 6.0)),
+        Vec3::ONE,
     ));
     scene
 }
@@ -94,11 +94,11 @@ fn with_blocks(mut scene: Scene, random: &mut Random) -> Scene {
     for sphere in mem::take(&mut scene.spheres).iter() {
         let shape = [Shape::Box, Shape::Cylinder, Shape::Capsule][random.below(3)];
         let turns = [0; 3].map(|_| random.between(0.0, 6.0));
-        let thin = random.vector(Vec3A::splat(0.03), Vec3A::splat(0.3));
+        let thin = random.vector(Vec3::splat(0.03), Vec3::splat(0.3));
         scene.blocks.push(Block {
             centre: sphere.centre,
-            half: fitting(shape, vec3a(thin.x, 1.0, thin.z) * sphere.radius * 2.0),
-            axes: Mat3A::from_euler(EulerRot::XYZ, turns[0], turns[1], turns[2]),
+            half: fitting(shape, vec3(thin.x, 1.0, thin.z) * sphere.radius * 2.0),
+            axes: Mat3::from_euler(EulerRot::XYZ, turns[0], turns[1], turns[2]),
             shape,
             material: sphere.material,
         });
@@ -115,7 +115,7 @@ fn by_other_lamps(scene: Scene) -> [Scene; 3] {
     };
     let spot = Light {
         spot: Some(Spot {
-            aim: -Vec3A::Y,
+            aim: -Vec3::Y,
             cos_outer: 0.1,
             cos_inner: 0.2,
         }),
@@ -173,22 +173,21 @@ fn few_pixels_of_shadows_of_blocks_and_by_other_lamps_are_missed() {
 /// Two spheres above a grey floor, between whose shadows there is a slit of light: most are a few pixels wide, and end where the
 /// shadows meet.
 fn slit(random: &mut Random) -> Scene {
-    let grey = Material::matt(Vec3A::splat(0.8), 0.9);
-    let mut scene = floor(random, Vec3A::ZERO, grey);
-    let way =
-        vec3a(random.between(-1.0, 1.0), 0.0, random.between(-1.0, 1.0)).normalize_or(Vec3A::X);
+    let grey = Material::matt(Vec3::splat(0.8), 0.9);
+    let mut scene = floor(random, Vec3::ZERO, grey);
+    let way = vec3(random.between(-1.0, 1.0), 0.0, random.between(-1.0, 1.0)).normalize_or(Vec3::X);
     let half_gap = random.between(-0.02, 0.05);
     let sphere = |side: f32| {
         Sphere::new(
-            Vec3A::Y * 1.5 + way * (side * (1.0 + half_gap)),
+            Vec3::Y * 1.5 + way * (side * (1.0 + half_gap)),
             1.0,
             Material::BLACK,
         )
     };
-    scene.ambient = Vec3A::splat(0.2);
+    scene.ambient = Vec3::splat(0.2);
     scene.spheres = List::of(&[sphere(-1.0), sphere(1.0)]);
-    let lamp = random.vector(vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0));
-    scene.lights.push(Light::new(lamp, Vec3A::ONE));
+    let lamp = random.vector(vec3(-6.0, 5.0, -6.0), vec3(6.0, 9.0, 6.0));
+    scene.lights.push(Light::new(lamp, Vec3::ONE));
     scene
 }
 

@@ -4,7 +4,7 @@ use crate::drawn::draw_best;
 use eightfold::show::{self, grid};
 use eightfold::sound::pulse;
 use eightfold_tracer::Quality;
-use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Camera, Caption, List, Scene};
 
 /// The scene of the show at a time.
@@ -102,7 +102,7 @@ fn the_camera_jumps_on_bars_alone_and_at_every_cut() {
 }
 
 /// Whether a camera sees a ball completely in a picture of an aspect ratio.
-fn is_framed(camera: &Camera, aspect: f32, centre: Vec3A, radius: f32) -> bool {
+fn is_framed(camera: &Camera, aspect: f32, centre: Vec3, radius: f32) -> bool {
     let forward = (camera.look_at - camera.eye).normalize();
     let right = forward.cross(camera.up).normalize();
     let up = right.cross(forward);
@@ -115,7 +115,7 @@ fn is_framed(camera: &Camera, aspect: f32, centre: Vec3A, radius: f32) -> bool {
 }
 
 /// The balls about a scene's spheres, and about the corners of its blocks.
-fn balls(scene: &Scene) -> Vec<(Vec3A, f32)> {
+fn balls(scene: &Scene) -> Vec<(Vec3, f32)> {
     let spheres = scene.spheres.iter();
     let mut balls: Vec<_> = spheres
         .map(|sphere| (sphere.centre, sphere.radius))
@@ -123,7 +123,7 @@ fn balls(scene: &Scene) -> Vec<(Vec3A, f32)> {
     for block in scene.blocks.iter() {
         for corner in 0..8 {
             let sign = |axis: u32| if corner >> axis & 1 == 0 { -1.0 } else { 1.0 };
-            let corner = block.half * vec3a(sign(0), sign(1), sign(2));
+            let corner = block.half * vec3(sign(0), sign(1), sign(2));
             balls.push((block.centre + block.axes * corner, 0.0));
         }
     }
@@ -131,7 +131,7 @@ fn balls(scene: &Scene) -> Vec<(Vec3A, f32)> {
 }
 
 /// The balls about what a scene of the show is about.
-fn subject(name: &str, scene: &Scene) -> Vec<(Vec3A, f32)> {
+fn subject(name: &str, scene: &Scene) -> Vec<(Vec3, f32)> {
     let mut balls = balls(scene);
     match name {
         // What has risen out of the water, if only in part.

@@ -4,7 +4,7 @@ use crate::drawn::draw_best;
 use crate::error::Difference;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, List, Material, Plane, Scene, Sphere, Waves};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 const WIDTH: usize = 160;
 const HEIGHT: usize = 120;
@@ -12,15 +12,15 @@ const HEIGHT: usize = 120;
 /// A mirror seen from a height, under a sky that is brighter above; deep below it a black floor.
 fn sea(height: f32, waves: Waves) -> Scene {
     let mirror = Material::mirror(1.0);
-    let floor = |y: f32, material: Material| Plane::new(Vec3A::Y * y, 1e3, 1e3, material);
+    let floor = |y: f32, material: Material| Plane::new(Vec3::Y * y, 1e3, 1e3, material);
     Scene {
         camera: Camera {
-            eye: vec3a(0.0, height, -10.0),
-            look_at: Vec3A::ZERO,
+            eye: vec3(0.0, height, -10.0),
+            look_at: Vec3::ZERO,
             ..Camera::default()
         },
-        background: Vec3A::splat(0.2),
-        sky: Vec3A::splat(0.6),
+        background: Vec3::splat(0.2),
+        sky: Vec3::splat(0.6),
         planes: List::of(&[floor(0.0, mirror), floor(-0.1, Material::BLACK)]),
         water: waves,
         ..Scene::default()
@@ -69,12 +69,12 @@ fn no_wave_mirrors_what_is_below_the_water() {
 #[test]
 fn what_is_mirrored_moves_with_the_waves_and_comes_back() {
     let mut scene = sea(4.0, ROUGH);
-    scene.ambient = Vec3A::ONE;
+    scene.ambient = Vec3::ONE;
     scene.spheres.push(Sphere::new(
-        vec3a(0.0, 2.0, 4.0),
+        vec3(0.0, 2.0, 4.0),
         1.0,
         Material {
-            colour: Vec3A::X,
+            colour: Vec3::X,
             ..Material::BLACK
         },
     ));

@@ -1,7 +1,7 @@
 //! Text that is written over a finished picture, and copper bars.
 
 use crate::drawn::draw_best;
-use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Caption, CopperBar, List, Scene};
 use eightfold_tracer::{Frame, Quality};
 
@@ -49,11 +49,11 @@ fn a_copper_bar_is_a_rod_across_the_picture_that_covers_its_share_of_it() {
         let bar = CopperBar {
             middle: 0.25,
             height: 0.1,
-            colour: vec3a(1.0, 0.5, 0.0),
+            colour: vec3(1.0, 0.5, 0.0),
             brightness,
         };
         let scene = Scene {
-            background: Vec3A::ONE,
+            background: Vec3::ONE,
             copper_bars: List::of(&[bar]),
             ..Scene::default()
         };

@@ -2,7 +2,7 @@
 
 use super::grooves;
 use eightfold_tracer::scene::{Block, Camera, Plane, Shape as BlockShape, Sphere};
-use glam::{DMat3, DVec3, Mat3};
+use glam::{DMat3, DVec3};
 
 /// The rounding error of a few operations in f64, relative to the lengths in them.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -157,7 +157,7 @@ impl From<&Block> for Shape {
         Self::Block {
             centre: block.centre.as_dvec3(),
             half: block.half.as_dvec3(),
-            axes: Mat3::from(block.axes).as_dmat3(),
+            axes: block.axes.as_dmat3(),
             shape: block.shape,
         }
     }

@@ -1,6 +1,6 @@
 //! A window with a scene of one's own, by all threads: `cargo run --release --manifest-path examples/window/Cargo.toml`
 
-use eightfold_tracer::glam::{Vec3A, vec3a};
+use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Light, Material, Plane, Scene, Sphere};
 use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 use minifb::{Key, Window, WindowOptions};
@@ -9,24 +9,24 @@ use std::{error::Error, f32::consts::TAU, time::Instant};
 /// A ring of spheres that turns, over a floor that mirrors it.
 fn scene(time: f32) -> Scene {
     let material = Material {
-        colour: Vec3A::splat(0.6),
+        colour: Vec3::splat(0.6),
         kd: 0.8,
         kr: 0.2,
         ..Material::BLACK
     };
     let mut scene = Scene::default();
-    scene.camera.eye = vec3a(0.0, 3.0, -9.0);
-    scene.background = vec3a(0.1, 0.12, 0.2);
-    let floor = Plane::new(Vec3A::ZERO, 10.0, 10.0, material);
+    scene.camera.eye = vec3(0.0, 3.0, -9.0);
+    scene.background = vec3(0.1, 0.12, 0.2);
+    let floor = Plane::new(Vec3::ZERO, 10.0, 10.0, material);
     scene.planes.push(floor);
-    let lamp = Light::new(vec3a(-4.0, 7.0, -5.0), Vec3A::splat(0.9));
+    let lamp = Light::new(vec3(-4.0, 7.0, -5.0), Vec3::splat(0.9));
     scene.lights.push(lamp);
     for i in 0..12 {
         let angle = i as f32 * TAU / 12.0 + 0.5 * time;
         let (sin, cos) = angle.sin_cos();
-        let colour = vec3a(0.9, 0.08 * i as f32, 0.2);
+        let colour = vec3(0.9, 0.08 * i as f32, 0.2);
         scene.spheres.push(Sphere {
-            centre: vec3a(3.0 * cos, 0.9 + 0.4 * (3.0 * angle + time).sin(), 3.0 * sin),
+            centre: vec3(3.0 * cos, 0.9 + 0.4 * (3.0 * angle + time).sin(), 3.0 * sin),
             radius: 0.5,
             material: Material { colour, ..material },
         });

@@ -1,7 +1,7 @@
 //! Random scenes, in each of which small things show in one way.
 
 use crate::random::Random;
-use eightfold_tracer::glam::{EulerRot, Mat3A, Vec3A, vec3a};
+use eightfold_tracer::glam::{EulerRot, Mat3, Vec3, vec3};
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
 
 /// The setting of a scene, beside small, matt things and a camera.
@@ -49,9 +49,9 @@ fn between(random: &mut Random, low: f32, high: f32) -> f32 {
 }
 
 /// A point of the box from `low` to `high`.
-fn point(random: &mut Random, low: Vec3A, high: Vec3A) -> Vec3A {
+fn point(random: &mut Random, low: Vec3, high: Vec3) -> Vec3 {
     let shares = [0; 3].map(|_| between(random, 0.0, 1.0));
-    low + (high - low) * Vec3A::from_array(shares)
+    low + (high - low) * Vec3::from_array(shares)
 }
 
 /// A scene of a setting: the same for the same seed.
@@ -59,13 +59,13 @@ pub fn scene(setting: Setting, seed: u32) -> Scene {
     let random = &mut Random::new(seed, 0);
     let mut scene = Scene {
         camera: Camera {
-            eye: point(random, vec3a(-6.0, 2.0, 11.0), vec3a(6.0, 7.0, 11.0)),
-            look_at: Vec3A::ZERO,
-            up: Vec3A::Y,
+            eye: point(random, vec3(-6.0, 2.0, 11.0), vec3(6.0, 7.0, 11.0)),
+            look_at: Vec3::ZERO,
+            up: Vec3::Y,
             field_of_view: between(random, 0.6, 1.0),
         },
-        background: Vec3A::splat(0.1),
-        ambient: Vec3A::splat(0.4),
+        background: Vec3::splat(0.1),
+        ambient: Vec3::splat(0.4),
         ..Scene::default()
     };
     add_things(setting, random, &mut scene);
@@ -76,14 +76,14 @@ pub fn scene(setting: Setting, seed: u32) -> Scene {
 /// Adds the small things: spheres, or boxes and cylinders.
 fn add_things(setting: Setting, random: &mut Random, scene: &mut Scene) {
     for number in 0..THINGS {
-        let centre = point(random, vec3a(-5.0, 0.5, -5.0), vec3a(5.0, 3.0, 5.0));
+        let centre = point(random, vec3(-5.0, 0.5, -5.0), vec3(5.0, 3.0, 5.0));
         let is_shiny = setting == Setting::Shiny;
         let size = if is_shiny {
             between(random, 0.1, 0.8)
         } else {
             10.0_f32.powf(between(random, -2.0, -0.7))
         };
-        let mut material = matt(point(random, Vec3A::splat(0.3), Vec3A::ONE));
+        let mut material = matt(point(random, Vec3::splat(0.3), Vec3::ONE));
         if is_shiny {
             material = shiny(material, random);
         }
@@ -94,8 +94,8 @@ fn add_things(setting: Setting, random: &mut Random, scene: &mut Scene) {
         let [a, b, c] = [0; 3].map(|_| between(random, 0.0, 6.0));
         scene.blocks.push(Block {
             centre,
-            half: point(random, Vec3A::splat(0.5), Vec3A::splat(2.0)) * size,
-            axes: Mat3A::from_euler(EulerRot::XYZ, a, b, c),
+            half: point(random, Vec3::splat(0.5), Vec3::splat(2.0)) * size,
+            axes: Mat3::from_euler(EulerRot::XYZ, a, b, c),
             shape: Shape::Box,
             material,
         });
@@ -111,7 +111,7 @@ fn add_things(setting: Setting, random: &mut Random, scene: &mut Scene) {
 /// Adds what the things show on, in or through, and a lamp.
 fn add_hosts(setting: Setting, random: &mut Random, scene: &mut Scene) {
     let mirror = Material::mirror(0.8);
-    let white = matt(Vec3A::splat(0.8));
+    let white = matt(Vec3::splat(0.8));
     match setting {
         Setting::Point | Setting::SizedLamp | Setting::Sun | Setting::Blocks => {
             scene.planes = floor(white)
@@ -126,7 +126,7 @@ fn add_hosts(setting: Setting, random: &mut Random, scene: &mut Scene) {
             };
             for _ in 0..20 {
                 scene.spheres.push(Sphere {
-                    centre: point(random, vec3a(-6.0, -2.0, -6.0), vec3a(6.0, -0.5, 6.0)),
+                    centre: point(random, vec3(-6.0, -2.0, -6.0), vec3(6.0, -0.5, 6.0)),
                     radius: between(random, 0.7, 1.5),
                     material,
                 });
@@ -135,8 +135,8 @@ fn add_hosts(setting: Setting, random: &mut Random, scene: &mut Scene) {
         Setting::Glass => {
             scene.blocks.push(Block {
                 centre: scene.camera.eye * 0.6,
-                half: vec3a(20.0, 20.0, 0.1),
-                axes: Mat3A::IDENTITY,
+                half: vec3(20.0, 20.0, 0.1),
+                axes: Mat3::IDENTITY,
                 shape: Shape::Box,
                 material: Material {
                     kt: 0.9,
@@ -146,8 +146,8 @@ fn add_hosts(setting: Setting, random: &mut Random, scene: &mut Scene) {
             });
         }
     }
-    let position = point(random, vec3a(-6.0, 5.0, -6.0), vec3a(6.0, 9.0, 6.0));
-    let light = Light::new(position, Vec3A::splat(0.9));
+    let position = point(random, vec3(-6.0, 5.0, -6.0), vec3(6.0, 9.0, 6.0));
+    let light = Light::new(position, Vec3::splat(0.9));
     match setting {
         Setting::SizedLamp => scene.lights.push(Light {
             diameter: 0.5,
@@ -163,7 +163,7 @@ fn add_hosts(setting: Setting, random: &mut Random, scene: &mut Scene) {
 }
 
 /// A matt material.
-fn matt(colour: Vec3A) -> Material {
+fn matt(colour: Vec3) -> Material {
     Material::matt(colour, 0.8)
 }
 
@@ -179,5 +179,5 @@ fn shiny(material: Material, random: &mut Random) -> Material {
 
 /// A floor.
 fn floor<const N: usize>(material: Material) -> List<Plane, N> {
-    List::of(&[Plane::new(Vec3A::ZERO, 20.0, 20.0, material)])
+    List::of(&[Plane::new(Vec3::ZERO, 20.0, 20.0, material)])
 }

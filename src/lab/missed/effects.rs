@@ -5,7 +5,7 @@ use crate::error::worst_channel;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold_oracle::{Object, Oracle};
 use eightfold_tracer::Quality;
-use eightfold_tracer::glam::Vec3A;
+use eightfold_tracer::glam::Vec3;
 use eightfold_tracer::scene::{Light, List, Material, Scene, Waves};
 use eightfold_window::cpu;
 use rayon::prelude::*;
@@ -234,7 +234,7 @@ fn all_but<T: Copy + Default, const N: usize>(list: &[T], i: usize) -> List<T, N
 fn without_lamps(scene: &Scene) -> Scene {
     let mut scene = *scene;
     scene.lights.clear();
-    scene.ambient = Vec3A::ONE;
+    scene.ambient = Vec3::ONE;
     scene
 }
 

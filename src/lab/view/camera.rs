@@ -12,9 +12,9 @@ const NOTCH: f32 = 1.1;
 /// Rotates a camera about the point that it looks at, by angles in radians: to the left, and upwards.
 pub fn orbit(camera: &mut Camera, left: f32, upwards: f32) {
     let up = camera.up.normalize();
-    let around = Quat::from_axis_angle(up.into(), -left) * (camera.eye - camera.look_at);
+    let around = Quat::from_axis_angle(up, -left) * (camera.eye - camera.look_at);
     let right = up.cross(around).normalize();
-    let over = Quat::from_axis_angle(right.into(), -upwards) * around;
+    let over = Quat::from_axis_angle(right, -upwards) * around;
     let [before, after] = [around, over].map(|away| away.normalize().dot(up).abs());
     let is_too_steep = after > STEEPEST.max(before);
     camera.eye = camera.look_at + if is_too_steep { around } else { over };

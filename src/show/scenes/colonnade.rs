@@ -6,15 +6,15 @@ use crate::show::path::key;
 use crate::show::props::{Motion::Bouncing, Prop, cuboid, cylinder, sphere};
 use crate::show::set::{FAR, SHOW, Set, point, sun};
 use eightfold_tracer::scene::{Light, Spot};
-use glam::vec3a;
+use glam::vec3;
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
 
 static SET: Set = Set {
-    background: vec3a(0.78, 0.50, 0.36),
-    sky: vec3a(-0.62, -0.26, 0.10),
-    ambient: vec3a(0.22, 0.20, 0.27),
+    background: vec3(0.78, 0.50, 0.36),
+    sky: vec3(-0.62, -0.26, 0.10),
+    ambient: vec3(0.22, 0.20, 0.27),
     haze: 0.022,
     film: SHOW,
     floor: &material::SANDSTONE,
@@ -30,7 +30,7 @@ static SET: Set = Set {
         Light {
             diameter: 1.2,
             spot: Some(Spot {
-                aim: vec3a(0.0, -1.0, 0.0),
+                aim: vec3(0.0, -1.0, 0.0),
                 cos_outer: 0.96,
                 cos_inner: 0.98,
             }),

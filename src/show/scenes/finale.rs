@@ -7,7 +7,7 @@ use crate::show::path::key;
 use crate::show::props::{Prop, add_sphere, around, sphere};
 use crate::show::set::{FAR, SHOW, Set, point};
 use eightfold_tracer::scene::{Light, Material, Scene};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act {
@@ -16,9 +16,9 @@ pub(in crate::show) const ACT: Act = Act {
 };
 
 static SET: Set = Set {
-    background: vec3a(0.98, 0.50, 0.22),
-    sky: vec3a(-0.97, -0.44, 0.20),
-    ambient: vec3a(0.12, 0.11, 0.16),
+    background: vec3(0.98, 0.50, 0.22),
+    sky: vec3(-0.97, -0.44, 0.20),
+    ambient: vec3(0.12, 0.11, 0.16),
     haze: 0.02,
     film: SHOW,
     floor: &material::WATER,
@@ -69,8 +69,8 @@ const ARMS: u8 = 8;
 const SPHERES: u8 = 16;
 
 /// The colour of the first sphere of an arm, and what is added to it for the last: from gold to violet.
-const GOLD: Vec3A = vec3a(0.95, 0.66, 0.25);
-const TO_VIOLET: Vec3A = vec3a(-0.60, -0.58, 0.30);
+const GOLD: Vec3 = vec3(0.95, 0.66, 0.25);
+const TO_VIOLET: Vec3 = vec3(-0.60, -0.58, 0.30);
 
 /// Adds the arms, as they are `beat` beats after the act began: logarithmic spirals, which turn slowly.
 fn add(beat: f32, scene: &mut Scene) {
@@ -84,7 +84,7 @@ fn add(beat: f32, scene: &mut Scene) {
                 colour: GOLD + TO_VIOLET * (number / f32::from(SPHERES)),
                 ..material::SCARLET
             };
-            let centre = around(turns) * out + Vec3A::Y * (1.05 * radius);
+            let centre = around(turns) * out + Vec3::Y * (1.05 * radius);
             add_sphere(centre, radius, &material, scene);
             out *= 1.12;
         }

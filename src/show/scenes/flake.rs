@@ -9,15 +9,15 @@ use crate::show::props::add_sphere;
 use crate::show::set::{FAR, SHOW, Set, point};
 use eightfold_tracer::maths::smooth_step;
 use eightfold_tracer::scene::{Light, Material, Scene};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
 
 static SET: Set = Set {
-    background: vec3a(0.84, 0.76, 0.72),
-    sky: vec3a(-0.70, -0.44, -0.10),
-    ambient: vec3a(0.22, 0.24, 0.30),
+    background: vec3(0.84, 0.76, 0.72),
+    sky: vec3(-0.70, -0.44, -0.10),
+    ambient: vec3(0.22, 0.24, 0.30),
     haze: 0.025,
     film: SHOW,
     floor: &material::PAPER,
@@ -58,24 +58,17 @@ const GENERATIONS: u8 = 3;
 const BEATS: f32 = 4.0;
 
 /// The colour of the first sphere, and what is added to it for each generation: from silver to orange.
-const SILVER: Vec3A = vec3a(0.78, 0.80, 0.90);
-const TO_ORANGE: Vec3A = vec3a(0.05, -0.15, -0.27);
+const SILVER: Vec3 = vec3(0.78, 0.80, 0.90);
+const TO_ORANGE: Vec3 = vec3(0.05, -0.15, -0.27);
 
 /// Adds the flake, as it is `beat` beats after the act began.
 fn add(beat: f32, scene: &mut Scene) {
-    add_flake(Vec3A::Y * RADIUS, RADIUS, Vec3A::ZERO, 0, beat, scene);
+    add_flake(Vec3::Y * RADIUS, RADIUS, Vec3::ZERO, 0, beat, scene);
 }
 
 /// Adds a sphere of a generation, and those on it: one in each direction of an axis but downwards, and none in the direction of
 /// `back`, where it is on another itself.
-fn add_flake(
-    centre: Vec3A,
-    radius: f32,
-    back: Vec3A,
-    generation: u8,
-    beat: f32,
-    scene: &mut Scene,
-) {
+fn add_flake(centre: Vec3, radius: f32, back: Vec3, generation: u8, beat: f32, scene: &mut Scene) {
     let number = f32::from(generation);
     let material = Material {
         colour: SILVER + TO_ORANGE * number,
@@ -89,7 +82,7 @@ fn add_flake(
         return;
     }
     let radius_on = 0.5 * radius * grown;
-    for out in [Vec3A::X, Vec3A::Y, Vec3A::Z, -Vec3A::X, -Vec3A::Z] {
+    for out in [Vec3::X, Vec3::Y, Vec3::Z, -Vec3::X, -Vec3::Z] {
         if out != back {
             let centre = centre + out * (radius + radius_on);
             add_flake(centre, radius_on, -out, generation + 1, beat, scene);

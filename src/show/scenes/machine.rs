@@ -6,15 +6,15 @@ use crate::show::path::key;
 use crate::show::props::{Prop, add_block, add_rod, add_sphere, around, cylinder, ticks};
 use crate::show::set::{FAR, SHOW, Set, point};
 use eightfold_tracer::scene::{Light, Material, Scene, Shape, Spot};
-use glam::{Mat3A, Vec3A, vec3a};
+use glam::{Mat3, Vec3, vec3};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
 
 static SET: Set = Set {
-    background: vec3a(0.34, 0.18, 0.14),
-    sky: vec3a(-0.32, -0.16, -0.08),
-    ambient: vec3a(0.10, 0.11, 0.15),
+    background: vec3(0.34, 0.18, 0.14),
+    sky: vec3(-0.32, -0.16, -0.08),
+    ambient: vec3(0.10, 0.11, 0.15),
     haze: 0.03,
     film: SHOW,
     floor: &material::WATER,
@@ -30,7 +30,7 @@ static SET: Set = Set {
         Light {
             diameter: 0.8,
             spot: Some(Spot {
-                aim: vec3a(0.5, -0.9, 0.6),
+                aim: vec3(0.5, -0.9, 0.6),
                 cos_outer: 0.70,
                 cos_inner: 0.95,
             }),
@@ -94,10 +94,10 @@ static PLANETS: [Planet; 6] = [
 ];
 
 /// The axes of the ring, which leans to one side.
-const TILTED: Mat3A = Mat3A::from_cols(
-    vec3a(0.96, 0.28, 0.0),
-    vec3a(-0.28, 0.96, 0.0),
-    vec3a(0.0, 0.0, 1.0),
+const TILTED: Mat3 = Mat3::from_cols(
+    vec3(0.96, 0.28, 0.0),
+    vec3(-0.28, 0.96, 0.0),
+    vec3(0.0, 0.0, 1.0),
 );
 
 /// Adds planets and wheels, as they are `beat` beats after the act began.
@@ -108,7 +108,7 @@ fn add(beat: f32, scene: &mut Scene) {
     }
     // The ring of the last one.
     let ringed = scene.spheres[PLANETS.len() - 1].centre;
-    let ring = vec3a(0.8, 0.02, 0.8);
+    let ring = vec3(0.8, 0.02, 0.8);
     add_block(
         Shape::Cylinder,
         ringed,
@@ -118,8 +118,8 @@ fn add(beat: f32, scene: &mut Scene) {
         scene,
     );
     // Two wheels that go on by a tooth; where they meet, teeth of one stand between those of the other.
-    add_wheel(Vec3A::Y * 0.5, 1.5, 16, ticks / 16.0, scene);
-    add_wheel(vec3a(2.25, 0.5, 0.0), 0.65, 8, 0.0625 - ticks / 8.0, scene);
+    add_wheel(Vec3::Y * 0.5, 1.5, 16, ticks / 16.0, scene);
+    add_wheel(vec3(2.25, 0.5, 0.0), 0.65, 8, 0.0625 - ticks / 8.0, scene);
 }
 
 impl Planet {
@@ -131,11 +131,11 @@ impl Planet {
         // Longer arms lie below shorter ones, so that none meets another's stem.
         let low = 1.65 - 0.15 * number;
         let [hub, elbow, top] = [
-            Vec3A::Y * low,
-            place + Vec3A::Y * low,
-            place + Vec3A::Y * HEIGHT,
+            Vec3::Y * low,
+            place + Vec3::Y * low,
+            place + Vec3::Y * HEIGHT,
         ];
-        let side = Vec3A::Y.cross(out);
+        let side = Vec3::Y.cross(out);
         // The stem is a little thinner, so that its end is hidden in the arm's.
         for (ends, radius) in [([hub, elbow], ROD), ([elbow, top], 0.98 * ROD)] {
             add_rod(ends, side, radius, &material::BRASS, scene);
@@ -145,25 +145,25 @@ impl Planet {
 }
 
 /// Adds a toothed wheel about an upright axle, turned by so many turns.
-fn add_wheel(centre: Vec3A, radius: f32, teeth: u8, turns: f32, scene: &mut Scene) {
+fn add_wheel(centre: Vec3, radius: f32, teeth: u8, turns: f32, scene: &mut Scene) {
     let mut add = |shape, centre, half, axes| {
         add_block(shape, centre, half, axes, &material::BRASS, scene);
     };
-    let disc = vec3a(radius, 0.1, radius);
-    add(Shape::Cylinder, centre, disc, Mat3A::IDENTITY);
+    let disc = vec3(radius, 0.1, radius);
+    add(Shape::Cylinder, centre, disc, Mat3::IDENTITY);
     // A rim and a hub.
     for share in [0.85, 0.3] {
-        let above = centre + Vec3A::Y * (0.1 - 0.1 * share);
-        add(Shape::Cylinder, above, disc * share, Mat3A::IDENTITY);
+        let above = centre + Vec3::Y * (0.1 - 0.1 * share);
+        add(Shape::Cylinder, above, disc * share, Mat3::IDENTITY);
     }
     for tooth in 0..teeth {
         let out = around(f32::from(tooth) / f32::from(teeth) + turns);
-        let half = vec3a(0.1, 0.08, 0.12);
+        let half = vec3(0.1, 0.08, 0.12);
         add(Shape::Box, centre + out * (radius + 0.08), half, axes(out));
     }
 }
 
 /// The axes of a block whose z axis points in a horizontal direction.
-fn axes(z: Vec3A) -> Mat3A {
-    Mat3A::from_cols(Vec3A::Y.cross(z), Vec3A::Y, z)
+fn axes(z: Vec3) -> Mat3 {
+    Mat3::from_cols(Vec3::Y.cross(z), Vec3::Y, z)
 }

@@ -6,15 +6,15 @@ use crate::show::path::key;
 use crate::show::props::{Motion::Bouncing, Prop, around, cuboid, cylinder, sphere, ticks};
 use crate::show::set::{FAR, SHOW, Set, point};
 use eightfold_tracer::scene::{Film, Light, Material, Pattern, Scene};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
 
 static SET: Set = Set {
-    background: vec3a(0.30, 0.20, 0.34),
-    sky: vec3a(-0.27, -0.16, -0.16),
-    ambient: vec3a(0.20, 0.18, 0.26),
+    background: vec3(0.30, 0.20, 0.34),
+    sky: vec3(-0.27, -0.16, -0.16),
+    ambient: vec3(0.20, 0.18, 0.26),
     haze: 0.06,
     film: Film {
         // Mirrors of mirrors are dark, and full of edges.
@@ -43,9 +43,9 @@ const HALF: f32 = 5.0;
 
 /// Large tiles without reflections, of which the mirrors show many.
 static FLOOR: Material = Material {
-    colour: vec3a(0.62, 0.58, 0.62),
+    colour: vec3(0.62, 0.58, 0.62),
     pattern: Pattern {
-        waves: vec3a(0.2, 0.0, 0.2),
+        waves: vec3(0.2, 0.0, 0.2),
         depth: 0.4,
         edge: 40.0,
         ..Pattern::NONE
@@ -83,5 +83,5 @@ static SHOTS: &[Shot] = &[
 
 /// Has the light walk, `beat` beats after the act began: a step on each beat.
 fn add(beat: f32, scene: &mut Scene) {
-    scene.lights[0].position = around(0.06 * ticks(beat)) * 1.7 + Vec3A::Y * 1.9;
+    scene.lights[0].position = around(0.06 * ticks(beat)) * 1.7 + Vec3::Y * 1.9;
 }

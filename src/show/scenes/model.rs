@@ -8,16 +8,16 @@ use crate::show::path::key;
 use crate::show::props::{Motion::Bouncing, Prop, sphere};
 use crate::show::set::{Set, point};
 use eightfold_tracer::scene::{Film, Light};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
 
 /// The set of this scene, of the method scene, and of measurements.
 pub(in crate::show) static SET: Set = Set {
-    background: vec3a(0.10, 0.12, 0.20),
-    sky: Vec3A::ZERO,
-    ambient: vec3a(0.12, 0.12, 0.14),
+    background: vec3(0.10, 0.12, 0.20),
+    sky: Vec3::ZERO,
+    ambient: vec3(0.12, 0.12, 0.14),
     haze: 0.0,
     film: Film::PLAIN,
     floor: &material::PAPER,

@@ -8,15 +8,15 @@ use crate::show::set::{FAR, SHOW, Set, point};
 use core::f32::consts::TAU;
 use eightfold_tracer::maths::{cos, sin, smooth_step, sqrt};
 use eightfold_tracer::scene::{CopperBar, Light, Material, Scene, Sphere};
-use glam::{Vec3A, vec3a};
+use glam::{Vec3, vec3};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act::new(&SET, SHOTS);
 
 static SET: Set = Set {
-    background: vec3a(0.15, 0.38, 0.55),
-    sky: vec3a(-0.12, -0.33, -0.34),
-    ambient: vec3a(0.08, 0.08, 0.11),
+    background: vec3(0.15, 0.38, 0.55),
+    sky: vec3(-0.12, -0.33, -0.34),
+    ambient: vec3(0.08, 0.08, 0.11),
     haze: 0.03,
     film: SHOW,
     floor: &material::NIGHT,
@@ -58,13 +58,13 @@ const COUNT: i32 = SIDE * SIDE;
 const WIDE: i32 = 4;
 
 /// The centre of the ball and of the figure of eight, in scene units.
-const MIDDLE: Vec3A = vec3a(0.0, 2.75, 0.0);
+const MIDDLE: Vec3 = vec3(0.0, 2.75, 0.0);
 
 /// The colour of the first sphere, and what is added to it for the last: from red to blue.
-const RED: Vec3A = vec3a(0.90, 0.15, 0.10);
-const TO_BLUE: Vec3A = vec3a(-0.78, 0.17, 0.80);
+const RED: Vec3 = vec3(0.90, 0.15, 0.10);
+const TO_BLUE: Vec3 = vec3(-0.78, 0.17, 0.80);
 /// The colour of the waves' crests: darker than [`material::GOLD`], since the diffuse coefficient of plastic is larger.
-const GOLD: Vec3A = vec3a(0.85, 0.62, 0.30);
+const GOLD: Vec3 = vec3(0.85, 0.62, 0.30);
 
 /// Adds spheres and copper bars as they are `beat` beats after the act's first bar.
 fn add(beat: f32, scene: &mut Scene) {
@@ -93,18 +93,18 @@ fn add_copper_bars(beat: f32, scene: &mut Scene) {
 fn sphere(i: i32, beat: f32) -> Sphere {
     let middle = (SIDE - 1) as f32 * 0.5;
     let (column, row) = ((i % SIDE) as f32 - middle, (i / SIDE) as f32 - middle);
-    let flat = vec3a(column, 0.0, row) * 0.56;
+    let flat = vec3(column, 0.0, row) * 0.56;
     let wave = sin(0.17 * flat.length_squared() - TAU * 0.25 * beat);
-    let flat = flat + Vec3A::Y * (0.9 + 0.55 * wave);
+    let flat = flat + Vec3::Y * (0.9 + 0.55 * wave);
     // The ball: a spiral from pole to pole, on by the golden angle from each sphere to the next.
     let n = (i as f32 + 0.5) / COUNT as f32;
     let y = 1.0 - 2.0 * n;
     let out = around(0.382 * i as f32 + 0.05 * beat) * sqrt(1.0 - y * y);
-    let ball = (out + Vec3A::Y * y) * 2.4 + MIDDLE;
+    let ball = (out + Vec3::Y * y) * 2.4 + MIDDLE;
     // At the crossing the band runs 1.2 units in front of itself and 1.2 behind, so that it does not intersect itself.
     let along = (i / WIDE) as f32 * (TAU * WIDE as f32 / COUNT as f32) + 0.2 * beat;
     let across = (i % WIDE) as f32 * 0.36 - 0.54 + 1.2 * sin(along);
-    let eight = vec3a(1.4 * sin(2.0 * along), 2.3 * cos(along), across) + MIDDLE;
+    let eight = vec3(1.4 * sin(2.0 * along), 2.3 * cos(along), across) + MIDDLE;
     // A flight takes 1 / 0.3 beats, and the last sphere sets off 1.3 flights after the first.
     let to_ball = smooth_step(0.3 * beat - 1.0 - 1.3 * n);
     let to_eight = smooth_step(0.3 * beat - 4.0 - 1.3 * n);

@@ -9,7 +9,7 @@ use crate::show::set::{FAR, SHOW, Set, point};
 use eightfold_tracer::font::strokes;
 use eightfold_tracer::maths::smooth_step;
 use eightfold_tracer::scene::{Light, Scene};
-use glam::{Vec2, Vec3A, vec3a};
+use glam::{Vec2, Vec3, vec3};
 
 /// The scene as a record.
 pub(in crate::show) const ACT: Act = Act {
@@ -18,9 +18,9 @@ pub(in crate::show) const ACT: Act = Act {
 };
 
 static SET: Set = Set {
-    background: vec3a(0.26, 0.18, 0.32),
-    sky: vec3a(-0.25, -0.16, -0.26),
-    ambient: vec3a(0.10, 0.10, 0.12),
+    background: vec3(0.26, 0.18, 0.32),
+    sky: vec3(-0.25, -0.16, -0.26),
+    ambient: vec3(0.10, 0.10, 0.12),
     haze: 0.02,
     film: SHOW,
     floor: &material::WATER,
@@ -93,12 +93,12 @@ fn add(beat: f32, scene: &mut Scene) {
         let place = |on_grid: Vec2| {
             let right = ADVANCE * number + on_grid.x;
             let up = 4.0 - on_grid.y - below;
-            vec3a(0.5 * WIDTH - right, up, 0.0) * STEP + Vec3A::Y * RADIUS
+            vec3(0.5 * WIDTH - right, up, 0.0) * STEP + Vec3::Y * RADIUS
         };
         let mut radius = RADIUS;
         for (from, to) in strokes(letter) {
             let ends = [place(from), place(to)];
-            add_rod(ends, Vec3A::Z, radius, &material::BRASS, scene);
+            add_rod(ends, Vec3::Z, radius, &material::BRASS, scene);
             radius *= NARROWER;
         }
     }

@@ -2,7 +2,7 @@
 
 use super::*;
 use core::ops::{Add, Mul, Sub};
-use glam::{Vec3, Vec3A};
+use glam::Vec3;
 
 /// A vector per lane, structure of arrays.
 #[derive(Clone, Copy)]
@@ -15,17 +15,8 @@ pub(crate) struct Vec3x<S: Simd> {
 impl<S: Simd> Vec3x<S> {
     /// The same vector in every lane.
     #[inline(always)]
-    pub fn splat(simd: S, v: Vec3A) -> Self {
-        Self {
-            x: splat(simd, v.x),
-            y: splat(simd, v.y),
-            z: splat(simd, v.z),
-        }
-    }
-
-    /// The same vector, one that is not aligned, in every lane.
-    #[inline(always)]
-    pub fn splat_unaligned(simd: S, v: Vec3) -> Self {
+    pub fn splat(simd: S, v: impl Into<Vec3>) -> Self {
+        let v = v.into();
         Self {
             x: splat(simd, v.x),
             y: splat(simd, v.y),

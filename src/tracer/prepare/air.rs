@@ -2,7 +2,7 @@
 
 use super::surface::bounded;
 use crate::scene::Scene;
-use glam::Vec3A;
+use glam::{Vec3, Vec3A};
 
 /// The haze between surfaces and rays' origins, and the background behind everything. Colours are linear RGB.
 pub(crate) struct Air {
@@ -31,9 +31,9 @@ impl Air {
     /// The air of a scene.
     pub fn of(scene: &Scene) -> Self {
         Self {
-            is_clear: scene.haze == 0.0 && scene.sky == Vec3A::ZERO,
-            horizon: scene.background,
-            sky: scene.sky,
+            is_clear: scene.haze == 0.0 && scene.sky == Vec3::ZERO,
+            horizon: scene.background.into(),
+            sky: scene.sky.into(),
             haze: bounded(scene.haze),
             glows: scene.lights.iter().any(|light| light.glow > 0.0),
         }

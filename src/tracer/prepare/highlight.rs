@@ -8,10 +8,10 @@ use super::object::{self, Object, ObjectId};
 use super::{Axes, Prepared};
 use crate::maths::sqrt;
 use crate::scene::camera::pixels;
-use crate::scene::{Block, MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene};
+use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene};
 use crate::shapes::{Mirror, block, plane, sphere};
 use core::array;
-use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
+use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
 /// The most highlights: a lamp leaves one on a sphere and on a plane, and three on a box or a cylinder.
 pub(crate) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
@@ -157,18 +157,20 @@ impl Prepared {
             let bounds = self.screen[i].in_pixels(&self.axes);
             // Those of several lamps may add up.
             let visible = VISIBLE / pixels(self.lamp_count);
-            let tint = Vec3A::ONE.lerp(material.colour, material.metallic);
+            let tint = Vec3A::ONE.lerp(material.colour.into(), material.metallic);
             for lamp in &self.lamps[..self.lamp_count] {
                 let colour = tint * lamp.colour * (material.ks * self.weight * 255.0);
                 let strength = colour.max_element();
                 if strength <= visible {
                     continue;
                 }
-                let [eye, lamp] = [self.eye, lamp.position].map(|point| point - centre);
+                let [eye, lamp] =
+                    [self.eye, lamp.position].map(|point| point - Vec3A::from(centre));
                 // What of an object is nearest to the middle of a highlight beside it has most of that.
                 let mut add = |mut place: Mirror| {
-                    if let Object::Block(Block { half, axes, .. }) = object {
-                        place.p = *axes * (axes.transpose() * place.p).clamp(-*half, *half);
+                    if let Object::Block(block) = object {
+                        let (axes, half) = (Mat3A::from(block.axes), Vec3A::from(block.half));
+                        place.p = axes * (axes.transpose() * place.p).clamp(-half, half);
                     }
                     let seen = place.seen(&self.axes, eye, lamp, 0.5 * material.exponent);
                     let highlight = Highlight {

@@ -72,7 +72,7 @@ const ROUNDING: f32 = 1e-6;
 
 /// A cone that contains all directions with a margin.
 const ALL_BRIGHT: Spot = Spot {
-    aim: Vec3A::ZERO,
+    aim: Vec3::ZERO,
     cos_outer: -2.0,
     cos_inner: -1.0,
 };
@@ -87,7 +87,7 @@ impl Lamp {
         colour: Vec3A::ZERO,
         is_cone: false,
         cone: Spot {
-            aim: Vec3A::ZERO,
+            aim: Vec3::ZERO,
             cos_outer: 0.0,
             cos_inner: 0.0,
         },

@@ -226,7 +226,7 @@ impl Prepared {
     ) -> World<'a> {
         self.air = Air::of(scene);
         self.film = Film::of(&scene.film, width, height);
-        self.eye = scene.camera.eye;
+        self.eye = scene.camera.eye.into();
         self.raster = scene.camera.raster(width, height);
         self.axes.set(&self.raster, width, height);
         self.move_samples(offset);
@@ -250,7 +250,7 @@ impl Prepared {
         }
         for (rectangle, plane) in self.planes.iter_mut().zip(scene.planes.iter()) {
             *rectangle = Rectangle {
-                centre: plane.centre,
+                centre: plane.centre.into(),
                 half_x: plane.half_x,
                 half_z: plane.half_z,
             };

@@ -9,7 +9,7 @@ use crate::scene::Block;
 use crate::shapes::block::Silhouette;
 use crate::shapes::plane::Rectangle;
 use crate::shapes::sphere::{HIT_ERROR, hit_error};
-use glam::{Vec3A, Vec3Swizzles, Vec4};
+use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4};
 
 /// An object's outline.
 #[derive(Clone, Copy)]
@@ -79,15 +79,16 @@ impl Outline {
     /// Takes in the block that the sphere is around, `to` from the eye.
     pub fn set_block(&mut self, axes: &Axes, to: Vec3A, block: &Block) {
         self.sides = Sides::of_block(&axes.rows, to, block, CORNER);
-        let inward = block.axes.transpose();
+        let inward = Mat3A::from(block.axes).transpose();
+        let half = Vec3A::from(block.half);
         let forward = inward * axes.rows[2];
         let own = [inward.x_axis, inward.y_axis, inward.z_axis, forward];
         let extent = own.map(|axis| {
             // Exact along an axis of its own, and larger by what axes may be off elsewhere.
             let tilt = (axis.abs().element_sum() - 1.0).abs();
-            axis.abs().dot(block.half) + CORNER.min(4.0 * tilt) * block.half.element_sum()
+            axis.abs().dot(half) + CORNER.min(4.0 * tilt) * half.element_sum()
         });
-        self.set_extent(axes, to, block.centre, Vec4::from(extent));
+        self.set_extent(axes, to, block.centre.into(), Vec4::from(extent));
     }
 
     /// Takes in how far it reaches from its centre, `to` from the eye, along the scene's axes and forward.
@@ -175,9 +176,10 @@ impl Sides {
     /// each of its axes, at most. They leave room for [`CORNER`], or what is given for it.
     #[inline(never)]
     fn of_block(rays: &[Vec3A; 3], to: Vec3A, block: &Block, corner: f32) -> Self {
-        let inward = block.axes.transpose();
-        let slack = corner * (to.abs() + block.half).element_sum() + hit_error(block.centre, 0.0);
-        let silhouette = Silhouette::new(block.shape, inward * to, block.half + slack);
+        let inward = Mat3A::from(block.axes).transpose();
+        let half = Vec3A::from(block.half);
+        let slack = corner * (to.abs() + half).element_sum() + hit_error(block.centre.into(), 0.0);
+        let silhouette = Silhouette::new(block.shape, inward * to, half + slack);
         let has_none = silhouette.has_none;
         let mut unsure = 0.0_f32;
         let [cone, ends] = [1.0, -1.0].map(|way| {
@@ -257,7 +259,8 @@ impl World<'_> {
             let block = object.wrapping_sub(self.scene.spheres.len());
             sides = match self.scene.blocks.get(block) {
                 Some(block) => {
-                    Sides::of_block(rays, block.centre - seen_from, block, CORNER_BY_LAMP)
+                    let to = Vec3A::from(block.centre) - seen_from;
+                    Sides::of_block(rays, to, block, CORNER_BY_LAMP)
                 }
                 None => Sides::of_ball(rays, shadow.cone, self.outlines[object].hit_error()),
             };

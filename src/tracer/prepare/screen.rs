@@ -55,11 +55,8 @@ impl Axes {
     pub fn set(&mut self, raster: &Raster, width: usize, height: usize) {
         let pixel = raster.dx.length();
         let [x, y] = [width, height].map(|side| 0.5 * (pixels(side) - 1.0));
-        self.rows = [
-            raster.dx / pixel,
-            raster.dy / pixel,
-            raster.corner + raster.dx * x + raster.dy * y,
-        ];
+        let [corner, dx, dy] = [raster.corner, raster.dx, raster.dy].map(Vec3A::from);
+        self.rows = [dx / pixel, dy / pixel, corner + dx * x + dy * y];
         self.pixel = pixel;
         self.reach = (pixel * x.max(y)).max(1.0);
         self.middle = Vec4::new(x, y, x, y);

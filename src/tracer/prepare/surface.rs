@@ -3,7 +3,7 @@
 use super::object::Object;
 use crate::lanes::MAX_LANES;
 use crate::scene::{Material, Scene};
-use glam::Vec3A;
+use glam::Vec3;
 
 /// Highlights below this are not computed: 1/40 of a step of 8-bit output.
 const MIN_HIGHLIGHT: f32 = 1e-4;
@@ -117,7 +117,7 @@ impl Surface<f32> {
             Object::Sphere(sphere) => (sphere.centre, 1.0 / sphere.radius),
             Object::Plane(plane) => (plane.centre, 0.0),
             // Of a block the tracer computes the point that is hit.
-            Object::Block(_) | Object::Light(_) | Object::Background => (Vec3A::ZERO, 0.0),
+            Object::Block(_) | Object::Light(_) | Object::Background => (Vec3::ZERO, 0.0),
         };
         let highlight_start = if material.ks > MIN_HIGHLIGHT {
             root_below(MIN_HIGHLIGHT / material.ks, material.exponent)
@@ -133,7 +133,7 @@ impl Surface<f32> {
             },
             emitted: emitted.to_array(),
             diffuse: (material.colour * material.kd).to_array(),
-            highlight: Vec3A::ONE
+            highlight: Vec3::ONE
                 .lerp(material.colour, material.metallic)
                 .to_array(),
             ks: material.ks,

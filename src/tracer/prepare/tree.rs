@@ -6,7 +6,7 @@ use super::object::{self, Object, ObjectId};
 use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use crate::shapes::block;
 use crate::shapes::sphere::hit_error;
-use glam::Vec3A;
+use glam::{Vec3, Vec3A};
 
 /// The number of groups that solids are divided into. Up to so many solids have a group of their own. For each part of the
 /// picture it is known which groups it can show.
@@ -137,10 +137,10 @@ impl Tree {
                 Object::Sphere(sphere) => (sphere.centre, sphere.radius),
                 Object::Block(block) => (block.centre, block::bounding_radius(block)),
                 // No solids.
-                Object::Light(_) | Object::Plane(_) | Object::Background => (Vec3A::ZERO, 0.0),
+                Object::Light(_) | Object::Plane(_) | Object::Background => (Vec3::ZERO, 0.0),
             };
             *ball = Ball {
-                centre,
+                centre: centre.into(),
                 radius: valid_radius(radius),
                 object: id,
             };
@@ -151,7 +151,11 @@ impl Tree {
         self.solid_node_end = self.len;
         for (i, light) in scene.lights.iter().enumerate() {
             let groups = 1 << (SOLID_GROUPS + i);
-            let node = self.push(light.position, valid_radius(light.drawn_radius), groups);
+            let node = self.push(
+                light.position.into(),
+                valid_radius(light.drawn_radius),
+                groups,
+            );
             node.object = ObjectId::new(scene.solids() + i);
             // No ray hits a light that is not drawn.
             if light.parallel || light.drawn_radius == 0.0 {

@@ -84,13 +84,13 @@ impl Frame<'_> {
 /// drawn. Over some frames that tells how accurate they are, on this scene:
 ///
 /// ```
-/// # use eightfold_tracer::glam::{Vec3A, vec3a};
+/// # use eightfold_tracer::glam::{Vec3, vec3};
 /// # use eightfold_tracer::scene::{Light, List, Material, Scene, Sphere};
 /// use eightfold_tracer::{Frame, Probes, Quality, Renderer, ScopedThreads};
 ///
-/// # let material = Material { colour: Vec3A::ONE, kd: 0.8, ..Material::BLACK };
-/// # let sphere = |x| Sphere { centre: vec3a(x, 0.0, 0.0), radius: 0.3, material };
-/// # let lamp = Light { position: vec3a(-2.0, 3.0, 2.0), colour: Vec3A::ONE, ..Light::DARK };
+/// # let material = Material { colour: Vec3::ONE, kd: 0.8, ..Material::BLACK };
+/// # let sphere = |x| Sphere { centre: vec3(x, 0.0, 0.0), radius: 0.3, material };
+/// # let lamp = Light { position: vec3(-2.0, 3.0, 2.0), colour: Vec3::ONE, ..Light::DARK };
 /// let mut scene = Scene {
 ///     spheres: List::of(&[-0.4, 0.0, 0.4].map(sphere)),
 ///     lights: List::of(&[lamp]),

@@ -87,7 +87,7 @@ mod tests {
     fn any_number_of_threads_draws_every_band() {
         let mut renderer = Renderer::detect();
         let mut scene = Scene {
-            background: glam::Vec3A::ONE,
+            background: glam::Vec3::ONE,
             ..Scene::default()
         };
         scene.captions.push(Default::default());

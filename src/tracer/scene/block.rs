@@ -3,7 +3,7 @@
 use super::validate::{EXTENT, POINT, is_unit};
 use super::{Material, Shape};
 use crate::flaw::{Checked, Flaw};
-use glam::{Mat3A, Vec3A};
+use glam::{Mat3, Vec3};
 
 /// A box, a cylinder with flat ends, or a capsule, whose ends are half spheres. If its material is transparent, rays enter and leave it, refracted at each side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,15 +14,15 @@ pub struct Block {
     #[cfg_attr(feature = "serde", serde(default))]
     pub shape: Shape,
     /// The centre, in scene units; coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
-    pub centre: Vec3A,
+    pub centre: Vec3,
     /// Half the extent along each of the block's own axes, [`MIN_LENGTH`](super::MIN_LENGTH) to
     /// [`MAX_LENGTH`](super::MAX_LENGTH). A cylinder or a capsule stands along its own y axis; `half.x` is its radius, and
     /// `half.z` has to be the same. `half.y` of a capsule, which is at least that, includes an end.
-    pub half: Vec3A,
+    pub half: Vec3,
     /// The block's own axes in scene coordinates: three perpendicular vectors of length 1. The identity aligns it with the
     /// scene's axes.
     #[cfg_attr(feature = "serde", serde(default))]
-    pub axes: Mat3A,
+    pub axes: Mat3,
     /// The surface.
     pub material: Material,
 }
@@ -30,12 +30,12 @@ pub struct Block {
 impl Block {
     /// A block along the axes of the scene, by its centre and half its extents.
     #[must_use]
-    pub const fn new(shape: Shape, centre: Vec3A, half: Vec3A, material: Material) -> Self {
+    pub const fn new(shape: Shape, centre: Vec3, half: Vec3, material: Material) -> Self {
         Self {
             shape,
             centre,
             half,
-            axes: Mat3A::IDENTITY,
+            axes: Mat3::IDENTITY,
             material,
         }
     }

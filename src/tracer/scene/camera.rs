@@ -4,7 +4,7 @@ use super::validate::POINT;
 use crate::flaw::{Checked, Flaw, Range};
 use crate::maths::{cos, sin};
 use core::f32::consts::{FRAC_PI_4, PI};
-use glam::Vec3A;
+use glam::{Vec3, Vec3A};
 
 /// A pinhole camera with square pixels. Each pixel is sampled at its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,11 +12,11 @@ use glam::Vec3A;
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Camera {
     /// The position of the pinhole, in scene units; coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
-    pub eye: Vec3A,
+    pub eye: Vec3,
     /// The point shown in the middle of the picture, with the same range. It has to differ from `eye`.
-    pub look_at: Vec3A,
+    pub look_at: Vec3,
     /// The direction that is up in the picture, of any length. It must not be parallel to the line of sight.
-    pub up: Vec3A,
+    pub up: Vec3,
     /// Vertical field of view in radians, greater than 0 and less than pi.
     pub field_of_view: f32,
 }
@@ -32,45 +32,45 @@ impl Default for Camera {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Raster {
     /// The direction through the centre of the upper left pixel.
-    pub corner: Vec3A,
+    pub corner: Vec3,
     /// The step from a pixel to its right neighbour.
-    pub dx: Vec3A,
+    pub dx: Vec3,
     /// The step from a pixel to the one below it.
-    pub dy: Vec3A,
+    pub dy: Vec3,
 }
 
 impl Raster {
     /// All zeros: memory before a frame is prepared.
     pub const ZERO: Self = Self {
-        corner: Vec3A::ZERO,
-        dx: Vec3A::ZERO,
-        dy: Vec3A::ZERO,
+        corner: Vec3::ZERO,
+        dx: Vec3::ZERO,
+        dy: Vec3::ZERO,
     };
 }
 
 impl Camera {
     /// At (0, 0, 1), with a view of the origin.
-    pub(super) const STANDARD: Self = Self::new(Vec3A::Z, Vec3A::ZERO, FRAC_PI_4);
+    pub(super) const STANDARD: Self = Self::new(Vec3::Z, Vec3::ZERO, FRAC_PI_4);
 
     /// An upright camera, by its place, the point that it looks at, and its vertical field of view in radians.
     #[must_use]
-    pub const fn new(eye: Vec3A, look_at: Vec3A, field_of_view: f32) -> Self {
+    pub const fn new(eye: Vec3, look_at: Vec3, field_of_view: f32) -> Self {
         Self {
             eye,
             look_at,
-            up: Vec3A::Y,
+            up: Vec3::Y,
             field_of_view,
         }
     }
 
     /// The direction in which it looks, of length 1; 0 if there is none.
-    fn forward(&self) -> Vec3A {
+    fn forward(&self) -> Vec3 {
         (self.look_at - self.eye).normalize_or_zero()
     }
 
     pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
         let forward = self.forward();
-        let has_view = forward != Vec3A::ZERO;
+        let has_view = forward != Vec3::ZERO;
         // Within a thousandth of the line of sight, rounding decides where the picture's sides are.
         let is_upright = forward.cross(self.up.normalize_or_zero()).length() > 1e-3;
         let angle = Range(f32::from_bits(1), PI.next_down(), "above 0 and below pi");
@@ -89,17 +89,23 @@ impl Camera {
     /// The picture plane, at distance 1 from the eye, of a picture of `width` by `height` pixels.
     #[must_use]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
-        let forward = unit(self.look_at - self.eye, Vec3A::NEG_Z);
-        let right = unit(forward.cross(self.up), forward.any_orthonormal_vector());
+        let forward = unit(
+            Vec3A::from(self.look_at) - Vec3A::from(self.eye),
+            Vec3A::NEG_Z,
+        );
+        let right = unit(
+            forward.cross(self.up.into()),
+            forward.any_orthonormal_vector(),
+        );
         let up = right.cross(forward);
         let half_angle = self.field_of_view * 0.5;
         let pixel = 2.0 * sin(half_angle) / cos(half_angle) / pixels(height);
         let (dx, dy) = (right * pixel, up * -pixel);
         let half = |side: usize| 0.5 - 0.5 * pixels(side);
         Raster {
-            corner: forward + dx * half(width) + dy * half(height),
-            dx,
-            dy,
+            corner: (forward + dx * half(width) + dy * half(height)).into(),
+            dx: dx.into(),
+            dy: dy.into(),
         }
     }
 }

@@ -27,7 +27,7 @@ pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
 
 use crate::flaw::{Checked, Flaw, Range};
-use glam::{Mat3A, Vec3A};
+use glam::{Mat3, Vec3, Vec3A};
 use validate::{EXTENT, LENGTH, POINT, SHARE, SIGNED, is_unit};
 
 /// The most spheres in a scene. The show uses up to 256.
@@ -56,10 +56,10 @@ pub struct Scene {
     /// The camera.
     pub camera: Camera,
     /// The colour of the background at the horizon and below.
-    pub background: Vec3A,
+    pub background: Vec3,
     /// Added to the background at the zenith; it may be negative. For a ray whose direction, of length 1, rises by y it is
     /// weighted by `y (2 - y)`.
-    pub sky: Vec3A,
+    pub sky: Vec3,
     /// The density of the haze, in 1 / scene units, 0 to 1000; 0 is clear air. Over a distance t a surface's light fades to the
     /// share `1 / (1 + (haze t)^2)`, and the background makes up for the rest.
     pub haze: f32,
@@ -68,7 +68,7 @@ pub struct Scene {
     /// How light becomes the picture's colours.
     pub film: Film,
     /// Ambient light, which reaches every surface equally.
-    pub ambient: Vec3A,
+    pub ambient: Vec3,
     /// The overlay that explains the rendering method.
     pub method: Method,
     /// Spheres, in any order.
@@ -102,20 +102,20 @@ impl Scene {
             ..Material::BLACK
         };
         let block = Block {
-            axes: Mat3A::ZERO,
-            ..Block::new(Shape::Box, Vec3A::ZERO, Vec3A::ZERO, material)
+            axes: Mat3::ZERO,
+            ..Block::new(Shape::Box, Vec3::ZERO, Vec3::ZERO, material)
         };
         Self {
             camera: Camera::STANDARD,
-            background: Vec3A::ZERO,
-            sky: Vec3A::ZERO,
+            background: Vec3::ZERO,
+            sky: Vec3::ZERO,
             haze: 0.0,
             exposure: 1.0,
             film: Film::PLAIN,
-            ambient: Vec3A::ZERO,
+            ambient: Vec3::ZERO,
             method: Method::PLAIN,
-            spheres: List::over(Sphere::new(Vec3A::ZERO, 0.0, material)),
-            planes: List::over(Plane::new(Vec3A::ZERO, 0.0, 0.0, material)),
+            spheres: List::over(Sphere::new(Vec3::ZERO, 0.0, material)),
+            planes: List::over(Plane::new(Vec3::ZERO, 0.0, 0.0, material)),
             water: Waves::CALM,
             blocks: List::over(block),
             lights: List::over(Light::DARK),
@@ -127,8 +127,8 @@ impl Scene {
     /// All zeros: memory for a scene that takes no space in an executable file. It is not a valid scene.
     pub const ZEROED: Self = Self {
         camera: Camera {
-            eye: Vec3A::ZERO,
-            up: Vec3A::ZERO,
+            eye: Vec3::ZERO,
+            up: Vec3::ZERO,
             field_of_view: 0.0,
             ..Camera::STANDARD
         },
@@ -157,7 +157,7 @@ impl Scene {
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Material {
     /// The colour of the surface.
-    pub colour: Vec3A,
+    pub colour: Vec3,
     /// The diffuse coefficient, 0 to 1.
     pub kd: f32,
     /// The specular coefficient, 0 to 1.
@@ -185,7 +185,7 @@ pub struct Material {
     pub index: f32,
     /// The colour of the object's shadow by lights with a [`Light::diameter`]: the share of each channel that it lets through, 0
     /// to 1. Black casts a full shadow.
-    pub tint: Vec3A,
+    pub tint: Vec3,
     /// The texture.
     pub pattern: Pattern,
 }
@@ -199,7 +199,7 @@ impl Default for Material {
 impl Material {
     /// Black, without highlights, reflection or transmission.
     pub const BLACK: Self = Self {
-        colour: Vec3A::ZERO,
+        colour: Vec3::ZERO,
         kd: 0.0,
         ks: 0.0,
         exponent: 1.0,
@@ -209,13 +209,13 @@ impl Material {
         fresnel: 0.0,
         kt: 0.0,
         index: 1.0,
-        tint: Vec3A::ZERO,
+        tint: Vec3::ZERO,
         pattern: Pattern::NONE,
     };
 
     /// One that scatters light alone, in a colour and with a diffuse coefficient, 0 to 1.
     #[must_use]
-    pub const fn matt(colour: Vec3A, kd: f32) -> Self {
+    pub const fn matt(colour: Vec3, kd: f32) -> Self {
         Self {
             colour,
             kd,
@@ -264,7 +264,7 @@ impl Material {
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Sphere {
     /// The centre, in scene units.
-    pub centre: Vec3A,
+    pub centre: Vec3,
     /// The radius, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub radius: f32,
     /// The surface.
@@ -274,7 +274,7 @@ pub struct Sphere {
 impl Sphere {
     /// A sphere by its centre and radius.
     #[must_use]
-    pub const fn new(centre: Vec3A, radius: f32, material: Material) -> Self {
+    pub const fn new(centre: Vec3, radius: f32, material: Material) -> Self {
         Self {
             centre,
             radius,
@@ -295,7 +295,7 @@ impl Sphere {
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Plane {
     /// The centre, in scene units.
-    pub centre: Vec3A,
+    pub centre: Vec3,
     /// Half the extent along x, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub half_x: f32,
     /// Half the extent along z, [`MIN_LENGTH`] to [`MAX_LENGTH`].
@@ -307,7 +307,7 @@ pub struct Plane {
 impl Plane {
     /// A rectangle by its centre and half its extents along x and z.
     #[must_use]
-    pub const fn new(centre: Vec3A, half_x: f32, half_z: f32, material: Material) -> Self {
+    pub const fn new(centre: Vec3, half_x: f32, half_z: f32, material: Material) -> Self {
         Self {
             centre,
             half_x,
@@ -343,9 +343,9 @@ pub enum Shape {
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Light {
     /// The position, in scene units.
-    pub position: Vec3A,
+    pub position: Vec3,
     /// The colour times the brightness, each channel from 0 up.
-    pub colour: Vec3A,
+    pub colour: Vec3,
     /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`], or 0 for a light that is invisible. The
     /// sphere casts no shadow.
     pub drawn_radius: f32,
@@ -372,8 +372,8 @@ impl Light {
 
     /// A black, invisible point.
     pub const DARK: Self = Self {
-        position: Vec3A::ZERO,
-        colour: Vec3A::ZERO,
+        position: Vec3::ZERO,
+        colour: Vec3::ZERO,
         drawn_radius: 0.0,
         parallel: false,
         diameter: 0.0,
@@ -383,7 +383,7 @@ impl Light {
 
     /// An invisible point at a position, in a colour times its brightness.
     #[must_use]
-    pub const fn new(position: Vec3A, colour: Vec3A) -> Self {
+    pub const fn new(position: Vec3, colour: Vec3) -> Self {
         Self {
             position,
             colour,
@@ -398,7 +398,7 @@ impl Light {
 
     /// The position that shadow rays aim at.
     pub(crate) fn shadow_position(&self) -> Vec3A {
-        self.position * self.far()
+        Vec3A::from(self.position) * self.far()
     }
 
     /// The diameter at [`Light::shadow_position`].
@@ -451,7 +451,7 @@ impl Light {
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Spot {
     /// The direction in which it points, of length 1.
-    pub aim: Vec3A,
+    pub aim: Vec3,
     /// The cosine at the inner edge, up to 1.
     pub cos_inner: f32,
     /// The cosine at the outer edge, from -1 to below `cos_inner`.

@@ -3,7 +3,7 @@
 use super::validate::SHARE;
 use super::{List, MAX_LETTERS};
 use crate::flaw::{Checked, Flaw};
-use glam::Vec3A;
+use glam::Vec3;
 
 /// A line of text, centred in the picture's width.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,7 +66,7 @@ pub struct CopperBar {
     /// Its height, 0 to 1, as a share of the picture's height.
     pub height: f32,
     /// The colour of its middle; towards its sides it is darker, and black on them.
-    pub colour: Vec3A,
+    pub colour: Vec3,
     /// How much of the picture it covers: from 0, invisible, to 1, all that is behind it.
     pub brightness: f32,
 }
@@ -76,7 +76,7 @@ impl Default for CopperBar {
         Self {
             middle: 0.5,
             height: 0.05,
-            colour: Vec3A::ONE,
+            colour: Vec3::ONE,
             brightness: 1.0,
         }
     }
@@ -86,7 +86,7 @@ impl CopperBar {
     pub(super) const ZERO: Self = Self {
         middle: 0.0,
         height: 0.0,
-        colour: Vec3A::ZERO,
+        colour: Vec3::ZERO,
         brightness: 0.0,
     };
 

@@ -2,7 +2,7 @@
 
 use super::validate::{SHARE, SIGNED, THOUSAND};
 use crate::flaw::{Checked, Flaw};
-use glam::Vec3A;
+use glam::Vec3;
 
 /// A procedural texture that darkens the colour of a surface.
 ///
@@ -16,7 +16,7 @@ use glam::Vec3A;
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Pattern {
     /// Periods per scene unit along x, y and z, 0 to 1000. The pattern does not change along an axis with 0.
-    pub waves: Vec3A,
+    pub waves: Vec3,
     /// The share of the colour that the darkest points lose, 0 to 1. With 0 there is no pattern.
     pub depth: f32,
     /// The steepness of the transitions between light and dark, up to 1000: 1 is the triangle wave itself, larger values make
@@ -40,7 +40,7 @@ impl Pattern {
 
     /// No pattern: the colour is uniform.
     pub const NONE: Self = Self {
-        waves: Vec3A::ZERO,
+        waves: Vec3::ZERO,
         depth: 0.0,
         edge: 0.0,
         balance: 0.0,

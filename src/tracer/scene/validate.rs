@@ -2,7 +2,7 @@
 
 use super::{Block, Caption, CopperBar, Light, Plane, Scene, Sphere};
 use crate::flaw::{Checked, Flaw, Range};
-use glam::Vec3A;
+use glam::Vec3;
 
 /// The largest coordinate and the largest extent, in scene units: their squares, times a few, stay finite in f32.
 pub const MAX_LENGTH: f32 = 1e9;
@@ -18,7 +18,7 @@ pub(super) const SIGNED: Range = Range(-1.0, 1.0, "-1 to 1");
 pub(super) const THOUSAND: Range = Range(0.0, 1e3, "0 to 1000");
 
 /// Whether a direction has the length 1.
-pub(super) fn is_unit(v: Vec3A) -> bool {
+pub(super) fn is_unit(v: Vec3) -> bool {
     (v.length() - 1.0).abs() < 1e-4
 }
 

@@ -6,7 +6,7 @@ use super::sphere::Chord;
 use super::{Mirror, TexturePoint, capsule, cuboid, cylinder};
 use crate::lanes::*;
 use crate::scene::{Block, Shape};
-use glam::{BVec3A, Mat3A, Vec3A, Vec3Swizzles};
+use glam::{BVec3A, Mat3, Vec3, Vec3A, Vec3Swizzles};
 
 /// Added to directions along a block's axes, to avoid divisions by 0 for rays that are parallel to a side.
 const TINY: f32 = 1e-12;
@@ -16,7 +16,7 @@ const ROUNDING: f32 = 4e-6;
 
 /// A vector's components along three axes.
 #[inline(always)]
-fn along<S: Isa>(simd: S, axes: &Mat3A, v: &Vec3x<S>) -> Vec3x<S> {
+fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
     Vec3x {
         x: v.dot(Vec3x::splat(simd, axes.x_axis)),
         y: v.dot(Vec3x::splat(simd, axes.y_axis)),
@@ -46,7 +46,7 @@ pub(crate) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S
 #[inline(always)]
 fn outermost<S: Isa>(
     simd: S,
-    half: Vec3A,
+    half: Vec3,
     own: &Vec3x<S>,
     outward: impl FnOnce(Vec3x<S>) -> Vec3x<S>,
 ) -> (Vec3x<S>, F<S>) {
@@ -92,12 +92,12 @@ impl<S: Isa> BlockHit<S> {
 /// The offset from the surface at which secondary rays of a block start, in scene units: many times the rounding error of a point
 /// on it. At ten units from the origin it is 1e-4.
 pub(crate) fn hit_error(block: &Block) -> f32 {
-    1e-5 * (block.centre.abs() + block.half).element_sum()
+    1e-5 * (Vec3A::from(block.centre).abs() + Vec3A::from(block.half)).element_sum()
 }
 
 /// The radius of its bounding sphere, enlarged to cover rounding.
 pub(crate) fn bounding_radius(block: &Block) -> f32 {
-    block.half.length() * (1.0 + 1e-4)
+    Vec3A::from(block.half).length() * (1.0 + 1e-4)
 }
 
 /// The longer of its own y and z axes, along which long blocks extend, if they stand or if they lie; and the squared radius of the
@@ -106,13 +106,13 @@ pub(crate) fn bounding_radius(block: &Block) -> f32 {
 pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
     let half2 = block.half * block.half;
     if half2.y < half2.z {
-        (block.axes.z_axis, half2.x + half2.y)
+        (block.axes.z_axis.into(), half2.x + half2.y)
     } else {
         let radius2 = match block.shape {
             Shape::Box => cuboid::radius2(half2),
             Shape::Cylinder | Shape::Capsule => cylinder::radius2(half2),
         };
-        (block.axes.y_axis, radius2)
+        (block.axes.y_axis.into(), radius2)
     }
 }
 

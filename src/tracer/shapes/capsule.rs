@@ -7,14 +7,14 @@ use super::cuboid::Span;
 use super::{Mirror, cylinder, sphere};
 use crate::lanes::*;
 use crate::scene::Block;
-use glam::Vec3A;
+use glam::{Vec3, Vec3A};
 
 /// The ends of the parts of lines inside: both are where rays enter, or where they leave if they start inside.
 ///
 /// There a sphere about the core touches the surface from within: that about the point which is nearest to where the ray crosses the
 /// endless cylinder.
 #[inline(always)]
-pub(super) fn span<S: Isa>(simd: S, half: Vec3A, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
+pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     let zero = splat(simd, 0.0);
     let out = from_core(simd, half, o);
     let is_inside = out.dot(out).simd_lt(splat(simd, half.x * half.x));
@@ -40,21 +40,21 @@ pub(super) fn span<S: Isa>(simd: S, half: Vec3A, o: &Vec3x<S>, d: &Vec3x<S>) -> 
 
 /// The heights of the points of the core that are nearest to points of some heights.
 #[inline(always)]
-fn nearest<S: Isa>(simd: S, half: Vec3A, y: F<S>) -> F<S> {
+fn nearest<S: Isa>(simd: S, half: Vec3, y: F<S>) -> F<S> {
     let end = half.y - half.x;
     clamp::<S>(y, splat(simd, -end), splat(simd, end))
 }
 
 /// The ways from the core to points, and how far out these are, if the surface is at 1.
 #[inline(always)]
-pub(super) fn outward<S: Isa>(simd: S, half: Vec3A, p: &Vec3x<S>) -> (Vec3x<S>, F<S>) {
+pub(super) fn outward<S: Isa>(simd: S, half: Vec3, p: &Vec3x<S>) -> (Vec3x<S>, F<S>) {
     let way = from_core(simd, half, p);
     (way, way.dot(way).sqrt() * (1.0 / half.x))
 }
 
 /// The ways from the core to points.
 #[inline(always)]
-fn from_core<S: Isa>(simd: S, half: Vec3A, p: &Vec3x<S>) -> Vec3x<S> {
+fn from_core<S: Isa>(simd: S, half: Vec3, p: &Vec3x<S>) -> Vec3x<S> {
     Vec3x {
         y: p.y - nearest(simd, half, p.y),
         ..*p
@@ -65,7 +65,7 @@ fn from_core<S: Isa>(simd: S, half: Vec3A, p: &Vec3x<S>) -> Vec3x<S> {
 /// the side is nearest to the place that would, since a highlight goes on beyond the joint with another shape.
 #[inline(always)]
 pub(super) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, add: &mut impl FnMut(Mirror)) {
-    let (axis, half) = (block.axes.y_axis, block.half);
+    let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
     let mut side = Mirror::round(eye, lamp, axis, half.x);
     let height = side.p.dot(axis);
     let end = half.y - half.x;

@@ -3,7 +3,7 @@
 use super::Mirror;
 use crate::lanes::*;
 use crate::scene::Block;
-use glam::Vec3A;
+use glam::{Vec3, Vec3A};
 
 /// The parts of rays' lines inside of something convex.
 pub(super) struct Span<S: Isa> {
@@ -43,7 +43,7 @@ impl<S: Isa> Span<S> {
 ///
 /// A ray is inside of the box while it is inside of all slabs (Kay and Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986).
 #[inline(always)]
-pub(super) fn span<S: Isa>(simd: S, half: Vec3A, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
+pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     let upright = Span::slab(simd, o.y, d.y, half.y);
     upright
         .and(Span::slab(simd, o.x, d.x, half.x))
@@ -61,7 +61,7 @@ pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
 }
 
 /// The squared radius of the cylinder around its y axis that contains it, by the squares of its half extents.
-pub(super) fn radius2(half2: Vec3A) -> f32 {
+pub(super) fn radius2(half2: Vec3) -> f32 {
     half2.x + half2.z
 }
 
@@ -69,7 +69,7 @@ pub(super) fn radius2(half2: Vec3A) -> f32 {
 #[inline(always)]
 pub(super) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, add: &mut impl FnMut(Mirror)) {
     for side in 0..3 {
-        let axis = block.axes.col(side);
+        let axis = block.axes.col(side).into();
         add(Mirror::flat(eye, lamp, axis, block.half[side]));
     }
 }

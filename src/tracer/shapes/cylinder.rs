@@ -5,11 +5,11 @@ use super::cuboid::Span;
 use crate::lanes::*;
 use crate::maths::sqrt;
 use crate::scene::Block;
-use glam::Vec3A;
+use glam::{Vec3, Vec3A};
 
 /// The parts of lines inside: between both ends, and in the round.
 #[inline(always)]
-pub(super) fn span<S: Isa>(simd: S, half: Vec3A, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
+pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     Span::slab(simd, o.y, d.y, half.y).and(endless(simd, half.x, o, d))
 }
 
@@ -45,7 +45,7 @@ pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
 }
 
 /// The squared radius of the cylinder around its y axis that contains it, by the squares of its half extents: its own.
-pub(super) fn radius2(half2: Vec3A) -> f32 {
+pub(super) fn radius2(half2: Vec3) -> f32 {
     half2.x
 }
 
@@ -60,7 +60,7 @@ pub(super) fn touched(a: f32, b: f32, radius: f32, way: f32) -> [f32; 2] {
 /// Calls `add` with each place that may mirror a lamp to the eye, both given from the centre along the scene's axes.
 #[inline(always)]
 pub(super) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, add: &mut impl FnMut(Mirror)) {
-    let axis = block.axes.y_axis;
+    let axis = block.axes.y_axis.into();
     add(Mirror::flat(eye, lamp, axis, block.half.y));
     add(Mirror::round(eye, lamp, axis, block.half.x));
 }

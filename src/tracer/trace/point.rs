@@ -7,7 +7,7 @@ use crate::lanes::*;
 use crate::prepare::{Object, World};
 use crate::shapes::block::{self, BlockHit};
 use crate::shapes::{plane, sphere};
-use glam::Mat3A;
+use glam::Mat3;
 
 /// The largest distance of a hit from its sphere, as a share of the radius, that one Newton step reduces to rounding errors.
 const NEWTON: f32 = 1.0 / (1 << 13) as f32;
@@ -135,7 +135,7 @@ impl<S: Isa> ShadingPoint<S> {
                     Object::Sphere(_)
                     | Object::Plane(_)
                     | Object::Light(_)
-                    | Object::Background => Mat3A::IDENTITY,
+                    | Object::Background => Mat3::IDENTITY,
                 };
                 let groove = texture_point.groove(simd, &axes);
                 self.groove = Vec3x::select(same, groove, self.groove);

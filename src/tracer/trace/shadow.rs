@@ -67,7 +67,7 @@ impl<S: Isa> ShadowRays<S> {
     /// Which rays start inside of a shadow cone.
     #[inline(always)]
     fn start_inside(&self, simd: S, cone: &ShadowCone) -> M<S> {
-        let chord = self.d - Vec3x::splat_unaligned(simd, cone.axis);
+        let chord = self.d - Vec3x::splat(simd, cone.axis);
         let is_near = chord.dot(chord).simd_lt(splat(simd, cone.chord2));
         is_near & self.distance.simd_gt(splat(simd, cone.from))
     }
@@ -77,8 +77,8 @@ impl<S: Isa> ShadowRays<S> {
     #[inline(always)]
     fn are_off(&self, simd: S, cone: &ShadowCone, diameter: f32) -> M<S> {
         let &Self { d, distance, .. } = self;
-        let off = d.dot(Vec3x::splat_unaligned(simd, cone.side));
-        let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
+        let off = d.dot(Vec3x::splat(simd, cone.side));
+        let f = Vec3x::splat(simd, cone.from_lamp);
         let way = f.dot(d);
         let across = f.add_scaled(d, -way);
         // Half of the penumbra lies outside of the sphere: the lamp's radius times the ratio of the distances to the sphere and
@@ -98,7 +98,7 @@ impl<S: Isa> ShadowRays<S> {
     fn meet_sphere(&self, simd: S, cone: &ShadowCone) -> M<S> {
         let zero = splat(simd, 0.0);
         // The distance from the lamp back along the ray to the point nearest to the sphere's centre.
-        let f = Vec3x::splat_unaligned(simd, cone.from_lamp);
+        let f = Vec3x::splat(simd, cone.from_lamp);
         let way = f.dot(self.d);
         let across = f.add_scaled(self.d, -way);
         let half2 = splat(simd, cone.r2) - across.dot(across);

@@ -153,7 +153,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
 
     #[inline(always)]
     pub fn emitted(&self) -> Vec3x<S> {
-        let background = Vec3x::splat(self.simd, self.behind().emitted.into());
+        let background = Vec3x::splat(self.simd, self.behind().emitted);
         let emitted = self.vector(self.rows().emitted);
         Vec3x::select(self.is_background, background, emitted)
     }

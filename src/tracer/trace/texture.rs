@@ -7,12 +7,12 @@ use crate::scene::Pattern;
 use crate::shapes::block::{self, BlockHit};
 use crate::shapes::{TexturePoint, plane, sphere};
 use fearless_simd::f32x4;
-use glam::Mat3A;
+use glam::Mat3;
 
 impl<S: Isa> TexturePoint<S> {
     /// The directions, of length 1, of grooves around the y axis of an object that has these axes.
     #[inline(always)]
-    pub fn groove(&self, simd: S, axes: &Mat3A) -> Vec3x<S> {
+    pub fn groove(&self, simd: S, axes: &Mat3) -> Vec3x<S> {
         let [x, z] = [axes.x_axis, axes.z_axis].map(|axis| Vec3x::splat(simd, axis));
         let around = x.scaled(self.own.z).add_scaled(z, -self.own.x);
         let along = around.add_scaled(self.n, -around.dot(self.n));

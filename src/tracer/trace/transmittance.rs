@@ -45,7 +45,7 @@ pub(super) fn transmittance<S: Isa>(
         // The share given by the blocker's tint passes. NaN counts as no tint: it would spoil lanes that are not blocked.
         let mut absorbed = Vec3A::ONE;
         if lamp.diameter > 0.0 {
-            absorbed -= material.tint.max(Vec3A::ZERO).min(Vec3A::ONE);
+            absorbed -= Vec3A::from(material.tint).max(Vec3A::ZERO).min(Vec3A::ONE);
         }
         let covered = candidate.lanes(simd).select(covered, zero);
         passing = passing - (passing * Vec3x::splat(simd, absorbed)).scaled(covered);

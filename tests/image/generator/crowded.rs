@@ -3,7 +3,7 @@
 use super::fitting;
 use super::seeded::Random;
 use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
-use glam::{EulerRot, Mat3A, Vec3A, vec3a};
+use glam::{EulerRot, Mat3, Vec3, vec3};
 
 /// Half the side of the cube that the things are in, above a floor.
 const REACH: f32 = 5.0;
@@ -12,7 +12,7 @@ const REACH: f32 = 5.0;
 fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
     let kind = random.between(0.0, 1.0);
     let plastic = Material {
-        colour: random.vector(Vec3A::splat(0.05), Vec3A::ONE),
+        colour: random.vector(Vec3::splat(0.05), Vec3::ONE),
         kd: 0.8,
         ks: random.between(0.0, 1.0),
         exponent: 60.0,
@@ -41,17 +41,17 @@ fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
 pub fn crowded(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2]) -> Scene {
     let mut scene = Scene {
         camera: Camera {
-            eye: vec3a(
+            eye: vec3(
                 0.0,
                 random.between(0.6, 8.0),
                 REACH * random.between(1.0, 2.2),
             ),
-            look_at: Vec3A::Y * REACH * random.between(0.1, 0.5),
-            up: Vec3A::Y,
+            look_at: Vec3::Y * REACH * random.between(0.1, 0.5),
+            up: Vec3::Y,
             field_of_view: random.between(0.5, 1.2),
         },
-        background: random.vector(Vec3A::ZERO, Vec3A::splat(0.8)),
-        ambient: Vec3A::splat(0.2),
+        background: random.vector(Vec3::ZERO, Vec3::splat(0.8)),
+        ambient: Vec3::splat(0.2),
         planes: List::of(&[Plane {
             half_x: 20.0,
             half_z: 20.0,
@@ -61,7 +61,7 @@ pub fn crowded(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32;
         ..Scene::default()
     };
     let place =
-        |random: &mut Random| random.vector(vec3a(-REACH, 0.0, -REACH), vec3a(REACH, REACH, REACH));
+        |random: &mut Random| random.vector(vec3(-REACH, 0.0, -REACH), vec3(REACH, REACH, REACH));
     for _ in 0..spheres {
         scene.spheres.push(Sphere::new(
             place(random),
@@ -71,20 +71,20 @@ pub fn crowded(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32;
     }
     for _ in 0..blocks {
         let shape = [Shape::Box, Shape::Cylinder, Shape::Capsule][random.below(3)];
-        let half = random.vector(vec3a(0.05, 0.3, 0.05), vec3a(0.3, 2.0, 0.5));
+        let half = random.vector(vec3(0.05, 0.3, 0.05), vec3(0.3, 2.0, 0.5));
         let [a, b, c] = [0; 3].map(|_| random.between(0.0, 6.0));
         scene.blocks.push(Block {
             centre: place(random),
             half: fitting(shape, half),
-            axes: Mat3A::from_euler(EulerRot::XYZ, a, b, c),
+            axes: Mat3::from_euler(EulerRot::XYZ, a, b, c),
             shape,
             material: material(random, shares),
         });
     }
     for _ in 0..1 + random.below(3) {
         scene.lights.push(Light::new(
-            random.vector(vec3a(-9.0, 6.0, -9.0), vec3a(9.0, 12.0, 9.0)),
-            Vec3A::splat(random.between(0.3, 1.0)),
+            random.vector(vec3(-9.0, 6.0, -9.0), vec3(9.0, 12.0, 9.0)),
+            Vec3::splat(random.between(0.3, 1.0)),
         ));
     }
     scene

@@ -13,7 +13,7 @@ pub mod seeded;
 use eightfold_tracer::scene::{
     Block, Camera, Film, Light, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
 };
-use glam::{Mat3A, Quat, Vec3A, vec3a};
+use glam::{Mat3, Quat, Vec3, vec3};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -37,13 +37,13 @@ pub fn materials(scene: &mut Scene) -> Vec<&mut Material> {
 }
 
 /// A colour.
-fn colour() -> impl Strategy<Value = Vec3A> {
-    [0.0_f32..1.0, 0.0..1.0, 0.0..1.0].prop_map(Vec3A::from)
+fn colour() -> impl Strategy<Value = Vec3> {
+    [0.0_f32..1.0, 0.0..1.0, 0.0..1.0].prop_map(Vec3::from)
 }
 
 /// A point in a box about the origin, above the ground.
-fn point(half: f32, height: f32) -> impl Strategy<Value = Vec3A> {
-    (-half..half, 0.2..height, -half..half).prop_map(|(x, y, z)| vec3a(x, y, z))
+fn point(half: f32, height: f32) -> impl Strategy<Value = Vec3> {
+    (-half..half, 0.2..height, -half..half).prop_map(|(x, y, z)| vec3(x, y, z))
 }
 
 /// Plastic, mirror or glass; `kr + kt` is at most 1.
@@ -87,7 +87,7 @@ pub fn sphere() -> impl Strategy<Value = Sphere> {
 /// A rectangle below the origin.
 fn plane() -> impl Strategy<Value = Plane> {
     ((-2.0_f32..0.0, 1.0_f32..20.0, 1.0_f32..20.0), material()).prop_map(
-        |((y, half_x, half_z), material)| Plane::new(vec3a(0.3, y, -0.2), half_x, half_z, material),
+        |((y, half_x, half_z), material)| Plane::new(vec3(0.3, y, -0.2), half_x, half_z, material),
     )
 }
 
@@ -108,7 +108,7 @@ fn camera() -> impl Strategy<Value = Camera> {
     )
         .prop_map(|((angle, distance, height), look_at, field_of_view)| {
             Camera::new(
-                vec3a(distance * angle.sin(), height, distance * angle.cos()),
+                vec3(distance * angle.sin(), height, distance * angle.cos()),
                 look_at,
                 field_of_view,
             )
@@ -150,7 +150,7 @@ fn pattern() -> impl Strategy<Value = Pattern> {
     )
         .prop_map(
             |((x, y, z), (depth, edge, balance), (warp, grain))| Pattern {
-                waves: vec3a(x, y, z),
+                waves: vec3(x, y, z),
                 depth: if x + y + z > 0.0 { depth } else { 0.0 },
                 edge,
                 balance,
@@ -163,7 +163,7 @@ fn pattern() -> impl Strategy<Value = Pattern> {
 /// A material with a pattern and, if it is transparent, a tint.
 fn painted() -> impl Strategy<Value = Material> {
     (material(), pattern(), colour()).prop_map(|(material, pattern, tint)| Material {
-        tint: if material.kt > 0.0 { tint } else { Vec3A::ZERO },
+        tint: if material.kt > 0.0 { tint } else { Vec3::ZERO },
         pattern,
         // A curved mirror at a grazing angle shows patterns finer than f32 can tell.
         fresnel: 0.05 * material.fresnel,
@@ -177,11 +177,11 @@ pub fn shape() -> impl Strategy<Value = Shape> {
 }
 
 /// A block's extent that fits its shape.
-pub fn fitting(shape: Shape, half: Vec3A) -> Vec3A {
+pub fn fitting(shape: Shape, half: Vec3) -> Vec3 {
     match shape {
         Shape::Box => half,
         Shape::Cylinder => half.with_z(half.x),
-        Shape::Capsule => Vec3A::new(half.x, half.y.max(half.x), half.x),
+        Shape::Capsule => Vec3::new(half.x, half.y.max(half.x), half.x),
     }
 }
 
@@ -195,8 +195,8 @@ fn block() -> impl Strategy<Value = Block> {
         painted(),
     )
         .prop_map(|(centre, half, ([x, y, z], w), shape, material)| Block {
-            axes: Mat3A::from_quat(Quat::from_xyzw(x, y, z, w).normalize()),
-            ..Block::new(shape, centre, fitting(shape, Vec3A::from(half)), material)
+            axes: Mat3::from_quat(Quat::from_xyzw(x, y, z, w).normalize()),
+            ..Block::new(shape, centre, fitting(shape, Vec3::from(half)), material)
         })
 }
 
@@ -211,7 +211,7 @@ fn any_light() -> impl Strategy<Value = Light> {
     )
         .prop_map(
             |((position, colour), (radius, parallel), [size, glow], spot)| {
-                let position = Vec3A::from(position);
+                let position = Vec3::from(position);
                 Light {
                     drawn_radius: radius,
                     parallel,

@@ -7,7 +7,7 @@ use super::seeded::Random;
 use eightfold_tracer::scene::{
     Block, Camera, List, MIN_LENGTH, Material, Plane, Scene, Shape, Sphere,
 };
-use glam::{EulerRot, Mat3A, Quat, Vec3A, vec3a};
+use glam::{EulerRot, Mat3, Quat, Vec3, vec3};
 
 /// A scene, and the size of its picture.
 #[derive(Clone, Copy)]
@@ -54,7 +54,7 @@ pub(super) fn place(
     near: &Near,
     floor: f32,
     pixels: f32,
-) -> Option<(Vec3A, f32)> {
+) -> Option<(Vec3, f32)> {
     let raster = near.scene.camera.raster(near.width, near.height);
     let (x, y) = (
         random.between(0.0, near.width as f32),
@@ -70,12 +70,12 @@ pub(super) fn place(
 fn camera(random: &mut Random, floor: f32, distance: f32) -> Camera {
     let side = one_of(random, [1.0, 1.0, -1.0]);
     let steep = one_of(random, [1.0, 0.3, 0.03]);
-    let across = random.vector(vec3a(-1.0, 0.0, -1.0), vec3a(1.0, 0.0, 1.0));
+    let across = random.vector(vec3(-1.0, 0.0, -1.0), vec3(1.0, 0.0, 1.0));
     let away = one_of(random, [0.0, 0.0, 30.0, 1000.0]) * distance;
-    let eye = vec3a(away, floor + side * distance, 0.0);
+    let eye = vec3(away, floor + side * distance, 0.0);
     Camera::new(
         eye,
-        eye + across + vec3a(0.01, -side * steep, 0.0),
+        eye + across + vec3(0.01, -side * steep, 0.0),
         one_of(random, [0.2, 0.6, 1.2, 2.6]),
     )
 }
@@ -87,9 +87,9 @@ pub(super) fn empty(random: &mut Random) -> (Near, f32) {
     let [width, height] = size(random);
     let scene = Scene {
         camera: camera(random, floor, distance),
-        background: Vec3A::splat(10.0 / 255.0),
-        ambient: Vec3A::ONE,
-        planes: List::of(&[Plane::new(vec3a(0.0, floor, 0.0), 1e5, 1e5, paint(0))]),
+        background: Vec3::splat(10.0 / 255.0),
+        ambient: Vec3::ONE,
+        planes: List::of(&[Plane::new(vec3(0.0, floor, 0.0), 1e5, 1e5, paint(0))]),
         ..Scene::default()
     };
     (
@@ -109,9 +109,9 @@ pub fn contact(random: &mut Random) -> Near {
     let side = (near.scene.camera.eye.y - floor).signum();
     if random.below(3) == 0 {
         // On a slab.
-        let half = vec3a(1e5, one_of(random, [0.01, 1.0, 100.0]), 1e5);
+        let half = vec3(1e5, one_of(random, [0.01, 1.0, 100.0]), 1e5);
         near.scene.blocks.push(Block {
-            centre: vec3a(0.0, floor, 0.0),
+            centre: vec3(0.0, floor, 0.0),
             half,
             material: paint(0),
             ..Block::default()
@@ -133,13 +133,13 @@ pub fn contact(random: &mut Random) -> Near {
         match random.below(4) {
             0 => {
                 let radius = (size * size + rise * rise) / (2.0 * rise.max(1e-6 * size));
-                let centre = at + Vec3A::Y * (side * (rise - radius));
+                let centre = at + Vec3::Y * (side * (rise - radius));
                 near.scene
                     .spheres
                     .push(Sphere::new(centre, radius, material));
             }
             1 => {
-                let centre = at + Vec3A::Y * (side * (size - rise));
+                let centre = at + Vec3::Y * (side * (size - rise));
                 near.scene.spheres.push(Sphere::new(centre, size, material));
             }
             kind => {
@@ -147,20 +147,20 @@ pub fn contact(random: &mut Random) -> Near {
                 // A capsule is never lower than wide: this one is a ball.
                 let flat = kind == 2 && shape != Shape::Capsule;
                 let half = if flat {
-                    vec3a(size, 0.5 * rise, size)
+                    vec3(size, 0.5 * rise, size)
                 } else {
-                    vec3a(size, size, size)
+                    vec3(size, size, size)
                 };
                 let turn = [
                     Quat::IDENTITY,
                     Quat::from_rotation_y(random.between(0.0, 3.0)),
                     tilt(random),
                 ][random.below(if flat { 2 } else { 3 })];
-                let axes = Mat3A::from_quat(turn);
-                let up = axes.transpose() * Vec3A::Y;
+                let axes = Mat3::from_quat(turn);
+                let up = axes.transpose() * Vec3::Y;
                 near.scene.blocks.push(Block {
-                    centre: at + Vec3A::Y * (side * (rise - up.abs().dot(half))),
-                    half: half.max(Vec3A::splat(MIN_LENGTH)),
+                    centre: at + Vec3::Y * (side * (rise - up.abs().dot(half))),
+                    half: half.max(Vec3::splat(MIN_LENGTH)),
                     axes,
                     shape,
                     material,
@@ -174,8 +174,8 @@ pub fn contact(random: &mut Random) -> Near {
 /// A camera that looks down from some height.
 fn above(height: f32, field_of_view: f32) -> Camera {
     Camera {
-        up: Vec3A::NEG_Z,
-        ..Camera::new(Vec3A::Y * height, Vec3A::ZERO, field_of_view)
+        up: Vec3::NEG_Z,
+        ..Camera::new(Vec3::Y * height, Vec3::ZERO, field_of_view)
     }
 }
 
@@ -189,8 +189,8 @@ fn risen(
     Near {
         scene: Scene {
             camera,
-            ambient: Vec3A::ONE,
-            planes: List::of(&[Plane::new(Vec3A::ZERO, 500.0, 500.0, paint(0))]),
+            ambient: Vec3::ONE,
+            planes: List::of(&[Plane::new(Vec3::ZERO, 500.0, 500.0, paint(0))]),
             spheres: spheres.iter().copied().collect(),
             blocks: blocks.iter().copied().collect(),
             ..Scene::default()
@@ -206,23 +206,23 @@ pub fn slivers() -> [Near; 3] {
     let place = |i: usize| -52.600_563 + 28.289_38 * i as f32;
     let marks: Vec<Block> = (0..25)
         .map(|i| Block {
-            centre: vec3a(place(i / 5), 0.0005, place(i % 5)),
-            half: vec3a(2.652_129_2, 0.0005, 2.652_129_2),
+            centre: vec3(place(i / 5), 0.0005, place(i % 5)),
+            half: vec3(2.652_129_2, 0.0005, 2.652_129_2),
             material: paint(1 + i),
             ..Block::default()
         })
         .collect();
-    let centre = vec3a(-32.237_984, -999.999_44, -32.237_984);
+    let centre = vec3(-32.237_984, -999.999_44, -32.237_984);
     let ball = Sphere::new(centre, 1000.0, paint(1));
     let rod = Block {
-        centre: vec3a(-2.462_177, -7.497_565_3, -1.566_425),
-        half: vec3a(0.009_698_613, 7.497_571_5, 0.009_698_613),
+        centre: vec3(-2.462_177, -7.497_565_3, -1.566_425),
+        half: vec3(0.009_698_613, 7.497_571_5, 0.009_698_613),
         material: paint(1),
         ..Block::default()
     };
     let low = Camera {
-        look_at: vec3a(0.351_313, 0.002_777_457_2, -2.0),
-        up: Vec3A::Y,
+        look_at: vec3(0.351_313, 0.002_777_457_2, -2.0),
+        up: Vec3::Y,
         ..above(0.824_372_23, 0.585_265_76)
     };
     [

@@ -4,7 +4,7 @@ use super::{fitting, materials, shape};
 use crate::extremes::scaled;
 use eightfold::show;
 use eightfold_tracer::scene::{Block, Camera, Light, Material, Plane, Scene, Shape, Sphere};
-use glam::{Mat3A, Quat, Vec3A, vec3a};
+use glam::{Mat3, Quat, Vec3, vec3};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -38,7 +38,7 @@ fn placement() -> impl Strategy<Value = Placement> {
 struct PlacedBlock {
     placement: Placement,
     /// Half the extent along its own axes, as a share of the bounding sphere's radius.
-    half: Vec3A,
+    half: Vec3,
     rotation: Quat,
     shape: Shape,
 }
@@ -54,7 +54,7 @@ fn placed_block() -> impl Strategy<Value = PlacedBlock> {
     (placement(), (share(), share(), share()), rotation, shape()).prop_map(
         |(placement, (x, y, z), rotation, shape)| PlacedBlock {
             placement,
-            half: fitting(shape, vec3a(x, y, z)).normalize(),
+            half: fitting(shape, vec3(x, y, z)).normalize(),
             rotation,
             shape,
         },
@@ -69,8 +69,8 @@ fn extreme_block() -> impl Strategy<Value = PlacedBlock> {
             block.placement.radius = 10.0_f32.powf(pixels);
             block.placement.distance = 10.0_f32.powf(distance);
             block.half *= match block.shape {
-                Shape::Box => vec3a(1.0, thin, 1.0),
-                Shape::Cylinder | Shape::Capsule => vec3a(thin, 1.0, thin),
+                Shape::Box => vec3(1.0, thin, 1.0),
+                Shape::Cylinder | Shape::Capsule => vec3(thin, 1.0, thin),
             };
             block
         },
@@ -92,19 +92,19 @@ fn plane() -> impl Strategy<Value = Plane> {
 fn camera() -> impl Strategy<Value = Camera> {
     let eye = (-3.0_f32..3.0, -2.0_f32..2.0, -3.0_f32..3.0);
     let direction = prop_oneof![
-        3 => (-1.0_f32..1.0, -1.0_f32..1.0, -1.0_f32..1.0).prop_map(Vec3A::from),
-        1 => prop_oneof![Just(Vec3A::X), Just(Vec3A::NEG_Z), Just(vec3a(0.0, -1.0, 1e-3))],
+        3 => (-1.0_f32..1.0, -1.0_f32..1.0, -1.0_f32..1.0).prop_map(Vec3::from),
+        1 => prop_oneof![Just(Vec3::X), Just(Vec3::NEG_Z), Just(vec3(0.0, -1.0, 1e-3))],
     ];
     (eye, direction, 0.2_f32..2.0).prop_map(|(eye, direction, field_of_view)| {
-        let eye = Vec3A::from(eye);
-        Camera::new(eye, eye + direction + vec3a(0.01, 0.0, 0.0), field_of_view)
+        let eye = Vec3::from(eye);
+        Camera::new(eye, eye + direction + vec3(0.01, 0.0, 0.0), field_of_view)
     })
 }
 
 /// The colour that identifies the object of a number: colours differ by at least `step` of 255 in a channel.
-fn colour(number: usize, step: usize) -> Vec3A {
+fn colour(number: usize, step: usize) -> Vec3 {
     let digit = |unit: usize| (number / unit % 8 * step + 20) as f32 / 255.0;
-    vec3a(digit(1), digit(8), digit(64))
+    vec3(digit(1), digit(8), digit(64))
 }
 
 /// A material with that colour.
@@ -126,7 +126,7 @@ fn coloured(mut scene: Scene, step: usize) -> Scene {
     }
     Scene {
         background: colour(0, step),
-        ambient: Vec3A::ONE,
+        ambient: Vec3::ONE,
         ..scene
     }
 }
@@ -152,7 +152,7 @@ pub struct Placed {
 
 impl Placed {
     /// The centre and the radius of a bounding sphere.
-    fn ball(&self, placement: &Placement) -> (Vec3A, f32) {
+    fn ball(&self, placement: &Placement) -> (Vec3, f32) {
         let raster = self.camera.raster(self.width, self.height);
         // On the ray through a pixel's centre, so that even small objects are hit by a ray.
         let pixel = |share: f32, size: usize| (share * size as f32).floor();
@@ -170,13 +170,13 @@ impl Placed {
 
     /// The scene.
     pub fn scene(&self) -> Scene {
-        let mut balls: Vec<(Vec3A, f32)> = self
+        let mut balls: Vec<(Vec3, f32)> = self
             .spheres
             .iter()
             .map(|sphere| self.ball(sphere))
             .collect();
         for &(radius, share) in &self.around {
-            let centre = self.camera.eye + vec3a(0.6, 0.0, 0.8) * (radius * share);
+            let centre = self.camera.eye + vec3(0.6, 0.0, 0.8) * (radius * share);
             balls.push((centre, radius));
         }
         let plain = Material::default();
@@ -189,13 +189,13 @@ impl Placed {
             .iter()
             .map(|&(position, radius)| Light {
                 drawn_radius: radius,
-                ..Light::new(position, Vec3A::ZERO)
+                ..Light::new(position, Vec3::ZERO)
             })
             .collect();
         let block = |block: &PlacedBlock| {
             let (centre, radius) = self.ball(&block.placement);
             Block {
-                axes: Mat3A::from_quat(block.rotation),
+                axes: Mat3::from_quat(block.rotation),
                 ..Block::new(block.shape, centre, block.half * radius, plain)
             }
         };

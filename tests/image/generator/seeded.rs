@@ -7,7 +7,7 @@ use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
     Block, Camera, Film, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot, Waves,
 };
-use glam::{Mat3A, Quat, Vec3A, vec3a};
+use glam::{Mat3, Quat, Vec3, vec3};
 
 /// A generator of pseudorandom numbers with its state.
 pub struct Random(pub u64);
@@ -29,22 +29,22 @@ impl Random {
     }
 
     /// A vector in a box.
-    pub fn vector(&mut self, low: Vec3A, high: Vec3A) -> Vec3A {
+    pub fn vector(&mut self, low: Vec3, high: Vec3) -> Vec3 {
         let mut number = || self.between(0.0, 1.0);
-        low + (high - low) * vec3a(number(), number(), number())
+        low + (high - low) * vec3(number(), number(), number())
     }
 }
 
 /// A floor with nothing on it, and a camera some way above it.
-pub fn floor(random: &mut Random, look_at: Vec3A, material: Material) -> Scene {
+pub fn floor(random: &mut Random, look_at: Vec3, material: Material) -> Scene {
     Scene {
         camera: Camera {
-            eye: vec3a(random.between(-6.0, 6.0), random.between(2.0, 8.0), 11.0),
+            eye: vec3(random.between(-6.0, 6.0), random.between(2.0, 8.0), 11.0),
             look_at,
-            up: Vec3A::Y,
+            up: Vec3::Y,
             field_of_view: random.between(0.6, 1.0),
         },
-        planes: List::of(&[Plane::new(Vec3A::ZERO, 20.0, 20.0, material)]),
+        planes: List::of(&[Plane::new(Vec3::ZERO, 20.0, 20.0, material)]),
         ..Scene::default()
     }
 }
@@ -53,7 +53,7 @@ pub fn floor(random: &mut Random, look_at: Vec3A, material: Material) -> Scene {
 fn material(random: &mut Random) -> Material {
     let kt = [0.0, 0.0, random.between(0.1, 1.0)][random.below(3)];
     Material {
-        colour: random.vector(Vec3A::ZERO, Vec3A::ONE),
+        colour: random.vector(Vec3::ZERO, Vec3::ONE),
         kd: random.between(0.0, 1.0),
         ks: random.between(0.0, 1.0),
         exponent: 10_f32.powf(random.between(0.0, 3.0)),
@@ -68,22 +68,22 @@ fn material(random: &mut Random) -> Material {
 pub fn scene(random: &mut Random) -> Scene {
     let scale = 10_f32.powf(random.between(-3.0, 3.0));
     let mut scene = Scene {
-        background: random.vector(Vec3A::ZERO, Vec3A::ONE),
-        ambient: random.vector(Vec3A::ZERO, Vec3A::splat(0.3)),
+        background: random.vector(Vec3::ZERO, Vec3::ONE),
+        ambient: random.vector(Vec3::ZERO, Vec3::splat(0.3)),
         ..Scene::default()
     };
     let most = [4, 12, 40, 320][random.below(4)];
     let smallest = [-0.5, -3.0][random.below(2)];
     for _ in 0..random.below(most + 1) {
         scene.spheres.push(Sphere::new(
-            scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),
+            scale * random.vector(vec3(-5.0, -1.0, -5.0), vec3(5.0, 4.0, 5.0)),
             scale * 10_f32.powf(random.between(smallest, 0.2)),
             material(random),
         ));
     }
     for _ in 0..random.below(4) {
         scene.planes.push(Plane::new(
-            scale * vec3a(0.0, random.between(-3.0, 1.0), 0.0),
+            scale * vec3(0.0, random.between(-3.0, 1.0), 0.0),
             scale * random.between(0.5, 20.0),
             scale * random.between(0.5, 20.0),
             material(random),
@@ -91,15 +91,15 @@ pub fn scene(random: &mut Random) -> Scene {
     }
     for _ in 0..random.below(5) {
         scene.lights.push(Light {
-            position: scale * random.vector(vec3a(-8.0, -1.0, -8.0), vec3a(8.0, 9.0, 8.0)),
-            colour: random.vector(Vec3A::ZERO, Vec3A::splat(1.5)),
+            position: scale * random.vector(vec3(-8.0, -1.0, -8.0), vec3(8.0, 9.0, 8.0)),
+            colour: random.vector(Vec3::ZERO, Vec3::splat(1.5)),
             drawn_radius: scale * random.between(0.01, 0.5),
             ..Light::DARK
         });
     }
     scene.camera = Camera::new(
-        scale * random.vector(vec3a(-9.0, -1.0, -9.0), vec3a(9.0, 7.0, 9.0)),
-        scale * random.vector(Vec3A::splat(-1.0), Vec3A::ONE),
+        scale * random.vector(vec3(-9.0, -1.0, -9.0), vec3(9.0, 7.0, 9.0)),
+        scale * random.vector(Vec3::splat(-1.0), Vec3::ONE),
         random.between(0.1, 2.5),
     );
     if random.below(3) == 0 {
@@ -111,21 +111,21 @@ pub fn scene(random: &mut Random) -> Scene {
 /// Adds blocks, patterns, haze and lights of all kinds to a scene of a given scale.
 fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
     for _ in 0..random.below(9) {
-        let half = scale * random.vector(Vec3A::splat(0.05), Vec3A::splat(1.5));
+        let half = scale * random.vector(Vec3::splat(0.05), Vec3::splat(1.5));
         let shape = [Shape::Cylinder, Shape::Box, Shape::Capsule][random.below(3)];
-        let turn = random.vector(Vec3A::splat(-3.0), Vec3A::splat(3.0));
+        let turn = random.vector(Vec3::splat(-3.0), Vec3::splat(3.0));
         scene.blocks.push(Block {
-            centre: scale * random.vector(vec3a(-5.0, -1.0, -5.0), vec3a(5.0, 4.0, 5.0)),
+            centre: scale * random.vector(vec3(-5.0, -1.0, -5.0), vec3(5.0, 4.0, 5.0)),
             half: fitting(shape, half),
-            axes: Mat3A::from_quat(Quat::from_scaled_axis(turn.into())),
+            axes: Mat3::from_quat(Quat::from_scaled_axis(turn)),
             shape,
             material: material(random),
         });
     }
     for material in materials(scene).into_iter().step_by(3) {
-        material.tint = random.vector(Vec3A::ZERO, Vec3A::ONE);
+        material.tint = random.vector(Vec3::ZERO, Vec3::ONE);
         material.pattern = Pattern {
-            waves: (random.vector(Vec3A::ZERO, Vec3A::splat(3.0)) / scale).min(Vec3A::splat(1e3)),
+            waves: (random.vector(Vec3::ZERO, Vec3::splat(3.0)) / scale).min(Vec3::splat(1e3)),
             depth: random.between(0.1, 1.0),
             edge: random.between(0.5, 40.0),
             balance: random.between(-1.0, 1.0),
@@ -133,7 +133,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
             grain: (random.between(0.1, 3.0) / scale).min(1e3),
         };
     }
-    scene.sky = random.vector(Vec3A::ZERO, Vec3A::splat(0.5));
+    scene.sky = random.vector(Vec3::ZERO, Vec3::splat(0.5));
     scene.haze = random.between(0.0, 0.2) / scale;
     scene.exposure = random.between(0.0, 1.5);
     scene.film = Film {
@@ -152,7 +152,7 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
         light.glow = scale * [0.0, random.between(0.0, 2.0)][random.below(2)];
         light.parallel = random.below(3) == 0;
         light.spot = (random.below(2) == 0).then(|| Spot {
-            aim: -light.position.normalize_or(Vec3A::Y),
+            aim: -light.position.normalize_or(Vec3::Y),
             cos_outer: 0.6,
             cos_inner: random.between(0.61, 0.99),
         });

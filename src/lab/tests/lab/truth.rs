@@ -5,13 +5,13 @@ use eightfold_lab::arguments::Size;
 use eightfold_lab::truth::{Comparison, Estimate, draw};
 use eightfold_oracle::Oracle;
 use eightfold_tracer::Quality;
-use eightfold_tracer::glam::{DVec3, Mat3A, Vec3A, vec3a};
+use eightfold_tracer::glam::{DVec3, Mat3, Vec3, vec3};
 use eightfold_tracer::scene::{
     Block, Camera, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere, Spot,
 };
 
-const WHITE: Material = Material::matt(Vec3A::ONE, 1.0);
-const COLOUR: Vec3A = vec3a(0.9, 0.6, 0.3);
+const WHITE: Material = Material::matt(Vec3::ONE, 1.0);
+const COLOUR: Vec3 = vec3(0.9, 0.6, 0.3);
 
 /// Asserts that an estimate is within five standard errors of a closed form, and `most` at most.
 #[track_caller]
@@ -32,14 +32,14 @@ fn seen(scene: &Scene, samples: u32) -> Estimate {
 /// A white floor at y = 0 under a lamp, of which the camera sees the origin from the side.
 fn floor(lamp: Light) -> Scene {
     Scene {
-        camera: Camera::new(vec3a(4.0, 0.6, 0.0), Vec3A::ZERO, 1e-4),
-        planes: List::of(&[Plane::new(Vec3A::ZERO, 1e4, 1e4, WHITE)]),
+        camera: Camera::new(vec3(4.0, 0.6, 0.0), Vec3::ZERO, 1e-4),
+        planes: List::of(&[Plane::new(Vec3::ZERO, 1e4, 1e4, WHITE)]),
         lights: List::of(&[lamp]),
         ..Scene::default()
     }
 }
 
-fn lamp(position: Vec3A, diameter: f32) -> Light {
+fn lamp(position: Vec3, diameter: f32) -> Light {
     Light {
         diameter,
         ..Light::new(position, COLOUR)
@@ -55,19 +55,19 @@ fn white_furnace_hides_everything() {
         index: 1.5,
         ..WHITE
     };
-    let sphere = |x: f32, material| Sphere::new(vec3a(x, 0.2, 0.3 * x), 0.6, material);
+    let sphere = |x: f32, material| Sphere::new(vec3(x, 0.2, 0.3 * x), 0.6, material);
     let block = |z, shape| Block {
-        axes: Mat3A::from_rotation_y(0.4),
+        axes: Mat3::from_rotation_y(0.4),
         ..Block::new(
             shape,
-            vec3a(0.7, 0.1, z),
-            Vec3A::splat(0.4),
+            vec3(0.7, 0.1, z),
+            Vec3::splat(0.4),
             keeping(0.6, 0.4, 0.0),
         )
     };
     let scene = Scene {
-        camera: Camera::new(vec3a(0.0, 1.0, 5.0), Vec3A::ZERO, 0.8),
-        background: vec3a(0.5, 0.25, 1.0),
+        camera: Camera::new(vec3(0.0, 1.0, 5.0), Vec3::ZERO, 0.8),
+        background: vec3(0.5, 0.25, 1.0),
         spheres: List::of(&[
             sphere(-1.2, WHITE),
             sphere(0.0, keeping(0.0, 0.1, 0.9)),
@@ -78,12 +78,7 @@ fn white_furnace_hides_everything() {
             block(-1.4, Shape::Cylinder),
             block(-2.6, Shape::Capsule),
         ]),
-        planes: List::of(&[Plane::new(
-            -0.5 * Vec3A::Y,
-            2.0,
-            2.0,
-            keeping(0.7, 0.3, 0.0),
-        )]),
+        planes: List::of(&[Plane::new(-0.5 * Vec3::Y, 2.0, 2.0, keeping(0.7, 0.3, 0.0))]),
         ..Scene::default()
     };
     for estimate in draw(&scene, Size::new(16, 12), 256, 1) {
@@ -93,7 +88,7 @@ fn white_furnace_hides_everything() {
 
 #[test]
 fn lamp_of_any_size_gives_the_same_irradiance() {
-    let position = vec3a(1.0, 2.0, 0.5);
+    let position = vec3(1.0, 2.0, 0.5);
     let known = f64::from(position.normalize().y) * COLOUR.as_dvec3();
     for diameter in [0.0, 0.1, 1.0, 3.0] {
         let sphere = lamp(position, diameter);
@@ -118,10 +113,10 @@ fn lamp_of_any_size_gives_the_same_irradiance() {
 #[test]
 fn ball_hides_its_share_of_the_lamp() {
     // The ball and the lamp are discs about the same centre. The share is that of the squared sines.
-    let mut scene = floor(lamp(vec3a(0.0, 6.0, 0.0), 2.0));
+    let mut scene = floor(lamp(vec3(0.0, 6.0, 0.0), 2.0));
     scene
         .spheres
-        .push(Sphere::new(vec3a(0.0, 3.0, 0.0), 0.3, Material::BLACK));
+        .push(Sphere::new(vec3(0.0, 3.0, 0.0), 0.3, Material::BLACK));
     let hidden = (0.3_f64 / 3.0).powi(2) / (1.0_f64 / 6.0).powi(2);
     assert_near(seen(&scene, 4096), (1.0 - hidden) * COLOUR.as_dvec3(), 0.04);
 }
@@ -129,13 +124,13 @@ fn ball_hides_its_share_of_the_lamp() {
 #[test]
 fn mirrors_add_the_images_of_the_lamp() {
     // Walls at x = -2 and x = 2 show images at x = 4 i + 0.5 for even i, and at x = 4 i - 0.5 for odd ones, by i bounces.
-    let mut scene = floor(lamp(vec3a(0.5, 2.0, 0.0), 2.8));
+    let mut scene = floor(lamp(vec3(0.5, 2.0, 0.0), 2.8));
     let wall = |x: f32| {
-        let half = vec3a(0.01, 40.0, 40.0);
-        Block::new(Shape::Box, vec3a(x, 0.0, 0.0), half, Material::mirror(0.5))
+        let half = vec3(0.01, 40.0, 40.0);
+        Block::new(Shape::Box, vec3(x, 0.0, 0.0), half, Material::mirror(0.5))
     };
     scene.blocks = List::of(&[wall(-2.01), wall(2.01)]);
-    scene.camera.eye = vec3a(1.0, 0.6, 0.0);
+    scene.camera.eye = vec3(1.0, 0.6, 0.0);
     let image = |i: i32| {
         let x = 4.0 * f64::from(i) + if i % 2 == 0 { 0.5 } else { -0.5 };
         0.5_f64.powi(i.abs()) * 2.0 / f64::hypot(2.0, x)
@@ -154,15 +149,15 @@ fn lone_ball_is_as_the_oracle_sees_it() {
         metallic: 0.5,
         pattern: Pattern {
             depth: 0.8,
-            waves: Vec3A::splat(2.0),
+            waves: Vec3::splat(2.0),
             ..Pattern::default()
         },
         ..Material::matt(COLOUR, 0.6)
     };
-    let mut scene = floor(lamp(vec3a(4.0, 4.0, 1.0), 0.0));
+    let mut scene = floor(lamp(vec3(4.0, 4.0, 1.0), 0.0));
     scene.planes.clear();
     scene.haze = 0.1;
-    scene.spheres.push(Sphere::new(Vec3A::ZERO, 1.0, material));
+    scene.spheres.push(Sphere::new(Vec3::ZERO, 1.0, material));
     let traced = Oracle::new(&scene, &Quality::EXHAUSTIVE, 1, 1).trace(0, 0);
     assert!(traced.colour.min_element() > 0.04, "{}", traced.colour);
     let estimate = seen(&scene, 16);
@@ -174,13 +169,13 @@ fn lone_ball_is_as_the_oracle_sees_it() {
 
 #[test]
 fn error_is_known_within_the_standard_error() {
-    let mut scene = floor(lamp(vec3a(0.0, 6.0, 0.0), 2.0));
+    let mut scene = floor(lamp(vec3(0.0, 6.0, 0.0), 2.0));
     // Nothing is brighter than white.
     scene.lights[0].colour *= 0.5;
-    scene.camera = Camera::new(vec3a(0.0, 2.0, 9.0), Vec3A::ZERO, 0.6);
+    scene.camera = Camera::new(vec3(0.0, 2.0, 9.0), Vec3::ZERO, 0.6);
     scene
         .spheres
-        .push(Sphere::new(vec3a(0.0, 1.5, 0.0), 1.0, WHITE));
+        .push(Sphere::new(vec3(0.0, 1.5, 0.0), 1.0, WHITE));
     let size = Size::new(24, 18);
     let grey = vec![0x0080_8080; size.area()];
     let compare = |samples, seed| Comparison::new(&grey, &draw(&scene, size, samples, seed));

@@ -4,15 +4,15 @@ use super::*;
 use crate::lanes::*;
 use crate::prepare::{Prepared, World, rectangle};
 use crate::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
-use glam::{DVec3, EulerRot, Mat3A, Vec2, Vec3A};
+use glam::{DVec3, EulerRot, Mat3, Vec2, Vec3};
 use proptest::strategy::ValueTree;
 
 const WIDTH: usize = 320;
 const HEIGHT: usize = 240;
 
 /// A vector with coordinates in a range, and heights in another one.
-fn vector(across: f32, height: core::ops::Range<f32>) -> impl Strategy<Value = Vec3A> {
-    (-across..across, height, -across..across).prop_map(|(x, y, z)| Vec3A::new(x, y, z))
+fn vector(across: f32, height: core::ops::Range<f32>) -> impl Strategy<Value = Vec3> {
+    (-across..across, height, -across..across).prop_map(|(x, y, z)| Vec3::new(x, y, z))
 }
 
 /// A box, a cylinder or a capsule, turned in any way.
@@ -28,11 +28,11 @@ fn block() -> impl Strategy<Value = Block> {
             Block {
                 centre,
                 half: match shape {
-                    Shape::Box => Vec3A::new(x, y, z),
-                    Shape::Cylinder => Vec3A::new(x, y, x),
-                    Shape::Capsule => Vec3A::new(x, x + y, x),
+                    Shape::Box => Vec3::new(x, y, z),
+                    Shape::Cylinder => Vec3::new(x, y, x),
+                    Shape::Capsule => Vec3::new(x, x + y, x),
                 },
-                axes: Mat3A::from_euler(EulerRot::XYZ, a, b, c),
+                axes: Mat3::from_euler(EulerRot::XYZ, a, b, c),
                 shape,
                 material: Material::BLACK,
             }
@@ -53,9 +53,9 @@ fn scene() -> impl Strategy<Value = Scene> {
                 camera: Camera::new(eye, look_at, 1.0),
                 spheres: List::of(&[Sphere::new(centre, radius, Material::BLACK)]),
                 blocks: List::of(&[block]),
-                planes: List::of(&[Plane::new(Vec3A::ZERO, 1e3, 1e3, Material::BLACK)]),
+                planes: List::of(&[Plane::new(Vec3::ZERO, 1e3, 1e3, Material::BLACK)]),
                 lights: List::of(&[Light {
-                    position: lamp * Vec3A::new(far, 1.0, far),
+                    position: lamp * Vec3::new(far, 1.0, far),
                     ..Light::DARK
                 }]),
                 ..Scene::default()

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::scene::{Block, Shape};
-use glam::{Mat3A, Quat, Vec3A};
+use glam::{Mat3, Quat, Vec3};
 
 const BLOCKS: usize = 2000;
 /// The number of rays that leave each hit.
@@ -15,13 +15,13 @@ fn block(random: &mut Random) -> (Block, f64) {
     let mut length = || (scale * 10_f64.powf(random.between(-1.0, 1.0))) as f32;
     let (x, y, z) = (length(), length(), length());
     let shape = [Shape::Box, Shape::Cylinder, Shape::Capsule][random.bits() as usize % 3];
-    let centre = (scale * random.vector(-3.0, 1.5)).as_vec3a();
-    let [a, b, c] = random.direction().as_vec3a().to_array();
+    let centre = (scale * random.vector(-3.0, 1.5)).as_vec3();
+    let [a, b, c] = random.direction().as_vec3().to_array();
     let turn = Quat::from_xyzw(a, b, c, random.between(-1.0, 1.0) as f32);
     let block = Block {
         centre,
-        half: fitting(shape, Vec3A::new(x, y, z)),
-        axes: Mat3A::from_quat(turn.normalize()),
+        half: fitting(shape, Vec3::new(x, y, z)),
+        axes: Mat3::from_quat(turn.normalize()),
         shape,
         ..Block::default()
     };
@@ -30,17 +30,17 @@ fn block(random: &mut Random) -> (Block, f64) {
 }
 
 /// A block's extent that fits its shape.
-fn fitting(shape: Shape, half: Vec3A) -> Vec3A {
+fn fitting(shape: Shape, half: Vec3) -> Vec3 {
     match shape {
         Shape::Box => half,
         Shape::Cylinder => half.with_z(half.x),
-        Shape::Capsule => Vec3A::new(half.x, half.y.max(half.x), half.x),
+        Shape::Capsule => Vec3::new(half.x, half.y.max(half.x), half.x),
     }
 }
 
 /// The distance of a point from the nearest side; negative inside.
-fn outside(block: &Block, p: Vec3A) -> f64 {
-    let axes = glam::Mat3::from(block.axes).as_dmat3();
+fn outside(block: &Block, p: Vec3) -> f64 {
+    let axes = block.axes.as_dmat3();
     let own = axes.transpose() * (p.as_dvec3() - block.centre.as_dvec3());
     let half = block.half.as_dvec3();
     let mut out = own.abs() - half;
@@ -76,8 +76,8 @@ impl Property for Blocks {
             let half = block.half.as_dvec3();
             let mut part = || random.between(-1.0, 1.0);
             let within = DVec3::new(part(), part(), part()) * half;
-            let aim = block.centre.as_dvec3() + glam::Mat3::from(block.axes).as_dmat3() * within;
-            let o = (aim + random.direction() * (2.0 * half.length())).as_vec3a();
+            let aim = block.centre.as_dvec3() + block.axes.as_dmat3() * within;
+            let o = (aim + random.direction() * (2.0 * half.length())).as_vec3();
             let d = unit(aim - o.as_dvec3());
             let rays = packet(simd, o, &[d]);
             let hit = super::hits(simd, scene.world(), &rays);
@@ -148,12 +148,12 @@ impl Property for FarBlocks {
             let kind = i % 4;
             let (any, _) = block(&mut random);
             let mut length = || 10_f64.powf(random.between(-4.0, 4.0)) as f32;
-            let half = Vec3A::new(length(), length(), length());
+            let half = Vec3::new(length(), length(), length());
             let shape = [Shape::Box, Shape::Box, Shape::Cylinder, Shape::Capsule][kind];
             let block = Block {
-                centre: Vec3A::ZERO,
+                centre: Vec3::ZERO,
                 half: fitting(shape, half),
-                axes: if kind == 0 { Mat3A::IDENTITY } else { any.axes },
+                axes: if kind == 0 { Mat3::IDENTITY } else { any.axes },
                 shape,
                 ..any
             };
@@ -163,8 +163,8 @@ impl Property for FarBlocks {
             });
             let mut part = || random.between(-1.0, 1.0);
             let within = DVec3::new(part(), part(), part()) * block.half.as_dvec3();
-            let aim = glam::Mat3::from(block.axes).as_dmat3() * within;
-            let o = random.vector(-8.0, 8.0).as_vec3a();
+            let aim = block.axes.as_dmat3() * within;
+            let o = random.vector(-8.0, 8.0).as_vec3();
             let d = unit(aim - o.as_dvec3());
             let rays = packet(simd, o, &[d]);
             let hit = hits(simd, scene.world(), &rays);
@@ -203,7 +203,7 @@ fn what_is_round_is_its_end_seen_along_its_axis() {
         #[inline(always)]
         fn hold<S: Isa>(&self, simd: S, isa: &str) {
             for (x, t) in self.1 {
-                let rays = packet(simd, Vec3A::new(x, 0.0, -3.0), &[Vec3A::Z]);
+                let rays = packet(simd, Vec3::new(x, 0.0, -3.0), &[Vec3::Z]);
                 let hit = hits(simd, self.0, &rays);
                 assert!((hit.t.as_slice()[0] - t).abs() <= 1e-5 * t, "{isa}: {x}");
             }
@@ -221,8 +221,8 @@ fn what_is_round_is_its_end_seen_along_its_axis() {
     ] {
         let scene = prepared(&Scene {
             blocks: List::of(&[Block {
-                half: Vec3A::new(1.0, 2.0, 1.0),
-                axes: Mat3A::from_cols(Vec3A::X, Vec3A::Z, Vec3A::NEG_Y),
+                half: Vec3::new(1.0, 2.0, 1.0),
+                axes: Mat3::from_cols(Vec3::X, Vec3::Z, Vec3::NEG_Y),
                 shape,
                 ..Block::default()
             }]),

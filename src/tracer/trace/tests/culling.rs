@@ -83,20 +83,20 @@ fn crowd(random: &mut Random) -> Scene {
     let mut scene = Scene::default();
     for _ in 0..count {
         let mut number = || random.between(-8.0, 8.0);
-        let centre = DVec3::new(number(), number(), number()).as_vec3a();
+        let centre = DVec3::new(number(), number(), number()).as_vec3();
         let radius = random.between(0.05, largest) as f32;
         let sphere = Sphere::new(centre, radius, Material::BLACK);
         scene.spheres.push(sphere);
     }
     scene.lights = List::of(&[Light {
-        position: (random.direction() * random.between(1.0, 20.0)).as_vec3a(),
+        position: (random.direction() * random.between(1.0, 20.0)).as_vec3(),
         ..Light::DARK
     }]);
     scene
 }
 
 /// The directions of a packet's rays from a point to others in the crowd: from next to each other to far apart.
-fn directions(random: &mut Random, from: DVec3) -> [Vec3A; MAX_LANES] {
+fn directions(random: &mut Random, from: DVec3) -> [Vec3; MAX_LANES] {
     let to = random.direction() * random.between(0.0, 8.0);
     let apart = 10_f64.powf(random.between(-3.0, 1.0));
     [(); MAX_LANES].map(|()| unit(to + random.direction() * apart - from))
@@ -108,7 +108,7 @@ type Tally = [usize; 4];
 /// Checks the hits of a packet, and shadow rays from some way along its rays.
 #[inline(always)]
 fn check<S: Isa>(simd: S, world: World<'_>, random: &mut Random, balls: &[Ball]) -> Tally {
-    let from = (random.direction() * random.between(0.0, 15.0)).as_vec3a();
+    let from = (random.direction() * random.between(0.0, 15.0)).as_vec3();
     let rays = packet(simd, from, &directions(random, from.as_dvec3()));
     let hit = hits(simd, world, &rays);
     let lamp = &world.lamps()[0];

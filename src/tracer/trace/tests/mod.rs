@@ -24,7 +24,7 @@ use crate::scene::{List, Material, Scene, Sphere};
 use core::cell::RefCell;
 #[cfg(target_arch = "x86_64")]
 use fearless_simd::Level;
-use glam::{DVec3, Vec2, Vec3A};
+use glam::{DVec3, Vec2, Vec3};
 use std::boxed::Box;
 use std::vec::Vec;
 
@@ -109,19 +109,19 @@ impl Random {
     }
 
     /// A direction from a surface, on the side that its normal points to.
-    fn direction_from(&mut self, n: Vec3A) -> Vec3A {
-        let any = self.direction().as_vec3a();
+    fn direction_from(&mut self, n: Vec3) -> Vec3 {
+        let any = self.direction().as_vec3();
         if any.dot(n) < 0.0 { -any } else { any }
     }
 }
 
 /// A normalised direction in f32.
-fn unit(d: DVec3) -> Vec3A {
-    d.normalize().as_vec3a()
+fn unit(d: DVec3) -> Vec3 {
+    d.normalize().as_vec3()
 }
 
 /// A scene with one sphere.
-fn one_sphere(centre: Vec3A, radius: f32, material: Material) -> Scene {
+fn one_sphere(centre: Vec3, radius: f32, material: Material) -> Scene {
     Scene {
         spheres: List::of(&[Sphere::new(centre, radius, material)]),
         ..Scene::default()
@@ -167,7 +167,7 @@ fn prepared(scene: &Scene) -> Ready {
 
 /// A packet of rays with a common origin. Lanes beyond the slice repeat its last direction.
 #[inline(always)]
-fn packet<S: Isa>(simd: S, o: Vec3A, d: &[Vec3A]) -> Rays<S> {
+fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
     let d = |i: usize| d[i.min(d.len() - 1)];
     Rays {
         o: Vec3x::splat(simd, o),
@@ -206,6 +206,6 @@ fn shading_point<S: Isa>(
 
 /// The vector in a lane.
 #[inline(always)]
-fn lane<S: Isa>(v: Vec3x<S>, i: usize) -> Vec3A {
-    Vec3A::new(v.x.as_slice()[i], v.y.as_slice()[i], v.z.as_slice()[i])
+fn lane<S: Isa>(v: Vec3x<S>, i: usize) -> Vec3 {
+    Vec3::new(v.x.as_slice()[i], v.y.as_slice()[i], v.z.as_slice()[i])
 }

@@ -6,7 +6,7 @@ use crate::quality::Quality;
 use crate::scene::{Block, Light, Shape, Spot};
 use crate::trace::shade::shade;
 use crate::trace::{Batch, Tracer};
-use glam::Mat3A;
+use glam::Mat3;
 
 /// The number of packets.
 const PACKETS: usize = 20_000;
@@ -15,7 +15,7 @@ const PACKETS: usize = 20_000;
 type Outcome = [u32; 2 + 4 + 2 * 7];
 
 /// A ray: origin, direction and weight.
-type Ray = (Vec3A, Vec3A, f32);
+type Ray = (Vec3, Vec3, f32);
 
 /// The results for the rays of a packet.
 #[inline(always)]
@@ -82,7 +82,7 @@ fn ray(random: &mut Random) -> Ray {
     };
     let (from, to) = (place(9.0), place(3.0));
     (
-        from.as_vec3a(),
+        from.as_vec3(),
         unit(to - from),
         random.between(0.005, 1.0) as f32,
     )
@@ -100,8 +100,8 @@ fn nonsense(random: &mut Random) -> Ray {
         1e-42,
     ][random.bits() as usize % 6];
     match random.bits() % 8 {
-        0 => bad.0 = Vec3A::splat(number),
-        1 => bad.1 = Vec3A::splat(number),
+        0 => bad.0 = Vec3::splat(number),
+        1 => bad.1 = Vec3::splat(number),
         2 => bad.2 = number,
         i => bad.0[i as usize % 3] = number,
     }
@@ -151,14 +151,14 @@ fn rich() -> Scene {
     let mut scene = model();
     for (x, shape) in [(-1.0, Shape::Box), (1.2, Shape::Cylinder)] {
         scene.blocks.push(Block {
-            centre: Vec3A::new(x, 0.7, 2.5),
-            half: Vec3A::new(0.6, 0.7, 0.6),
-            axes: Mat3A::from_rotation_z(0.3),
+            centre: Vec3::new(x, 0.7, 2.5),
+            half: Vec3::new(0.6, 0.7, 0.6),
+            axes: Mat3::from_rotation_z(0.3),
             shape,
             material: scene.spheres[0].material,
         });
     }
-    scene.planes[0].material.pattern.waves = Vec3A::ONE;
+    scene.planes[0].material.pattern.waves = Vec3::ONE;
     scene.planes[0].material.pattern.depth = 0.5;
     scene.haze = 0.03;
     scene.lights[0].diameter = 1.0;

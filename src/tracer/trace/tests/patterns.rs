@@ -5,14 +5,14 @@ use super::*;
 use crate::prepare::ObjectId;
 use crate::scene::{Block, Pattern, Shape};
 use crate::trace::SeenPattern;
-use glam::{Mat3A, vec3a};
+use glam::{Mat3, vec3};
 
 /// The size of the picture in pixels.
 const SIZE: [usize; 2] = [320, 180];
 
 /// Checkers, fine ones far away.
 const CHECKERS: Pattern = Pattern {
-    waves: Vec3A::splat(2.0),
+    waves: Vec3::splat(2.0),
     depth: 0.7,
     edge: 20.0,
     ..Pattern::NONE
@@ -20,7 +20,7 @@ const CHECKERS: Pattern = Pattern {
 
 /// Marble whose veins have edges.
 const MARBLE: Pattern = Pattern {
-    waves: vec3a(1.0, 0.0, 0.0),
+    waves: vec3(1.0, 0.0, 0.0),
     edge: 2.0,
     balance: 0.4,
     warp: 1.5,
@@ -43,20 +43,20 @@ fn patterned(angle: f32) -> Scene {
     ] {
         scene.blocks.push(Block {
             shape,
-            centre: vec3a(x, 0.8, -3.0),
-            half: vec3a(0.6, 0.8, 0.6),
-            axes: Mat3A::from_rotation_z(0.2 * x),
+            centre: vec3(x, 0.8, -3.0),
+            half: vec3(0.6, 0.8, 0.6),
+            axes: Mat3::from_rotation_z(0.2 * x),
             material: material(pattern),
         });
     }
     scene.planes[0].material.pattern = Pattern {
-        waves: vec3a(0.4, 0.0, 0.4),
+        waves: vec3(0.4, 0.0, 0.4),
         ..CHECKERS
     };
     for sphere in scene.spheres.iter_mut() {
         sphere.material.pattern = CHECKERS;
     }
-    scene.camera.eye = vec3a(7.5 * angle.sin(), 2.2, -7.5 * angle.cos());
+    scene.camera.eye = vec3(7.5 * angle.sin(), 2.2, -7.5 * angle.cos());
     scene
 }
 

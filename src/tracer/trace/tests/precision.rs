@@ -64,13 +64,13 @@ fn outcome<S: Isa>(simd: S, distance: f64, is_in_origin: bool, seed: u64) -> Out
         let r = f64::from(radius);
         let from_origin = if is_in_origin { 0.0 } else { 2.0 };
         let from_origin = from_origin * random.between(0.0, distance * r);
-        let centre = (from_origin * random.direction()).as_vec3a();
+        let centre = (from_origin * random.direction()).as_vec3();
         let c = centre.as_dvec3();
         // Outside, at distance 1 too.
-        let o = (c + (1e-5 + distance) * r * random.direction()).as_vec3a();
+        let o = (c + (1e-5 + distance) * r * random.direction()).as_vec3();
         let scene = prepared(&one_sphere(centre, radius, Material::default()));
         for _ in 0..64 / lanes::<S>() {
-            let mut ways = [Vec3A::ZERO; MAX_LANES];
+            let mut ways = [Vec3::ZERO; MAX_LANES];
             for way in ways.iter_mut().take(lanes::<S>()) {
                 let aim = c + 1.2 * r * random.direction();
                 *way = unit(aim - o.as_dvec3());
@@ -131,7 +131,7 @@ impl Property for HitOrMiss {
 
 /// The first hit of a sphere by the very ray that f32 holds, in f64, from a start seen from the sphere's centre: the way
 /// in lengths of the direction, and how far from the middle of the sphere it passes, in radii.
-fn exact(o: DVec3, d: Vec3A, radius: f64) -> Option<(f64, f64)> {
+fn exact(o: DVec3, d: Vec3, radius: f64) -> Option<(f64, f64)> {
     let d = d.as_dvec3();
     let length = d.length();
     let d = d / length;

@@ -12,7 +12,7 @@ const LENGTH2: f64 = 4.0 * f32::EPSILON as f64;
 
 const fn glass(index: f32) -> Material {
     Material {
-        colour: Vec3A::ONE,
+        colour: Vec3::ONE,
         kr: 0.1,
         kt: 0.85,
         index,
@@ -27,7 +27,7 @@ fn scattered<S: Isa>(
     world: World<'_>,
     rays: &Rays<S>,
     batch: &mut Batch,
-) -> [[Option<(Vec3A, f32)>; MAX_LANES]; 2] {
+) -> [[Option<(Vec3, f32)>; MAX_LANES]; 2] {
     let hit = hits(simd, world, rays);
     let active = first(simd, lanes::<S>());
     batch.begin();
@@ -58,12 +58,12 @@ impl Property for CriticalAngle {
         let mut batch = Box::new(Batch::new());
         let (mut through, mut total) = (0, 0);
         for index in [1.0001, 1.1, 1.33, 1.5, 2.4, 10.0_f32] {
-            let scene = prepared(&one_sphere(Vec3A::ZERO, 1.0, glass(index)));
+            let scene = prepared(&one_sphere(Vec3::ZERO, 1.0, glass(index)));
             let sine = 1.0 / f64::from(index);
             // From a place where the angle at the sphere is that for rays along z.
             for from in -ULPS..=ULPS {
                 let x = f32::from_bits(((sine as f32).to_bits() as i32 + from) as u32);
-                let rays = packet(simd, Vec3A::new(x, 0.0, 0.0), &[Vec3A::Z]);
+                let rays = packet(simd, Vec3::new(x, 0.0, 0.0), &[Vec3::Z]);
                 let [reflected, transmitted] = scattered(simd, scene.world(), &rays, &mut batch);
                 let Some((d, weight)) = reflected[0] else {
                     panic!("{isa}: {index}, {from} roundings: nothing is reflected");
@@ -99,7 +99,7 @@ impl Property for CriticalAngle {
 }
 
 #[track_caller]
-fn assert_unit(d: Vec3A, what: &str) {
+fn assert_unit(d: Vec3, what: &str) {
     let length2 = d.as_dvec3().length_squared();
     assert!((length2 - 1.0).abs() <= LENGTH2, "{what}: {d}, {length2}");
 }
@@ -120,10 +120,10 @@ impl Property for Lengths {
         for _ in 0..20_000 {
             let radius = 10_f64.powf(random.between(-4.0, 6.0));
             let index = 10_f64.powf(random.between(-1.0, 1.0)) as f32;
-            let scene = prepared(&one_sphere(Vec3A::ZERO, radius as f32, glass(index)));
+            let scene = prepared(&one_sphere(Vec3::ZERO, radius as f32, glass(index)));
             // In the middle, on the surface, or far out.
             let at = [0.0, 0.5, 1.0, 2.0, 1e3][random.bits() as usize % 5];
-            let o = (random.direction() * (radius * at)).as_vec3a();
+            let o = (random.direction() * (radius * at)).as_vec3();
             let mut ways =
                 [(); MAX_LANES].map(|()| unit(random.direction() * radius - o.as_dvec3()));
             // Straight at the middle: a cosine of 1, or by rounding above.

@@ -11,7 +11,7 @@ const RAYS: usize = 1000;
 
 /// The hit of a ray with the only object of a scene: the point, and the normal towards the ray.
 #[inline(always)]
-fn hit_by<S: Isa>(simd: S, world: World<'_>, o: Vec3A, d: Vec3A) -> Option<(Vec3A, Vec3A, bool)> {
+fn hit_by<S: Isa>(simd: S, world: World<'_>, o: Vec3, d: Vec3) -> Option<(Vec3, Vec3, bool)> {
     let rays = packet(simd, o, &[d]);
     let hit = hits(simd, world, &rays);
     if hit.object.as_slice()[0] != 0 {
@@ -36,14 +36,14 @@ impl Property for Spheres {
         while count < SHAPES {
             let radius = 10_f64.powf(random.between(-4.0, 4.0)) as f32;
             let centre = match self.centre {
-                Some(most) => random.vector(-4.0, most).as_vec3a(),
-                None => Vec3A::ZERO,
+                Some(most) => random.vector(-4.0, most).as_vec3(),
+                None => Vec3::ZERO,
             };
             let o = random.vector(-8.0, 8.0);
             let corner = DVec3::splat(f64::from(radius));
             let [x, y, z] = [0; 3].map(|_| random.between(-1.0, 1.0));
             let aim = centre.as_dvec3() + corner * DVec3::new(x, y, z);
-            let (o, d) = (o.as_vec3a(), unit(aim - o));
+            let (o, d) = (o.as_vec3(), unit(aim - o));
             let scene = prepared(&one_sphere(centre, radius, Material::default()));
             let Some((p, n, inside)) = hit_by(simd, scene.world(), o, d) else {
                 count += usize::from(random.bits().is_multiple_of(8));
@@ -56,7 +56,7 @@ impl Property for Spheres {
             // Two roundings of the largest coordinate: about the error of the hit.
             let off = f64::from(f32::EPSILON) * largest;
             for _ in 0..RAYS / lanes::<S>() {
-                let ways = [(); MAX_LANES].map(|()| random.direction().as_vec3a());
+                let ways = [(); MAX_LANES].map(|()| random.direction().as_vec3());
                 let hit = hits(simd, scene.world(), &packet(simd, p, &ways));
                 for (i, way) in ways.iter().enumerate().take(lanes::<S>()) {
                     let cosine = way.as_dvec3().dot(outward);
@@ -106,9 +106,9 @@ impl Property for Planes {
             let [x, z] = [0; 2].map(|_| random.between(-1.0, 1.0));
             let aim = centre + DVec3::new(half_x * x, 0.0, half_z * z);
             let o = random.vector(-8.0, 8.0);
-            let (o, d) = (o.as_vec3a(), unit(aim - o));
+            let (o, d) = (o.as_vec3(), unit(aim - o));
             let (half_x, half_z) = (half_x as f32, half_z as f32);
-            let plane = Plane::new(centre.as_vec3a(), half_x, half_z, Material::BLACK);
+            let plane = Plane::new(centre.as_vec3(), half_x, half_z, Material::BLACK);
             let scene = prepared(&Scene {
                 planes: List::of(&[plane]),
                 ..Scene::default()
@@ -117,7 +117,7 @@ impl Property for Planes {
                 continue;
             };
             for _ in 0..RAYS / lanes::<S>() {
-                let mut ways = [(); MAX_LANES].map(|()| random.direction().as_vec3a());
+                let mut ways = [(); MAX_LANES].map(|()| random.direction().as_vec3());
                 // Also along the plane, with both signs of zero.
                 ways[0].y = if rays % 2 == 0 { 0.0 } else { -0.0 };
                 let hit = hits(simd, scene.world(), &packet(simd, p, &ways));

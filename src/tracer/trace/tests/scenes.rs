@@ -2,10 +2,10 @@
 
 use super::*;
 use crate::scene::{Camera, Light, Plane};
-use glam::vec3a;
+use glam::vec3;
 
 const PLASTIC: Material = Material {
-    colour: vec3a(0.9, 0.15, 0.12),
+    colour: vec3(0.9, 0.15, 0.12),
     kd: 0.7,
     ks: 0.5,
     exponent: 40.0,
@@ -26,33 +26,33 @@ const GLASS: Material = Material {
     exponent: 100.0,
     kr: 0.1,
     kt: 0.85,
-    tint: vec3a(0.55, 0.75, 0.93),
+    tint: vec3(0.55, 0.75, 0.93),
     ..PLASTIC
 };
 
 /// The model scene of the repository's measurements at rest: four spheres of plastic, of glass and that mirror, over a floor, with
 /// two lamps.
 pub fn model() -> Scene {
-    let sphere = |x, y, z, material| Sphere::new(vec3a(x, y, z), y, material);
+    let sphere = |x, y, z, material| Sphere::new(vec3(x, y, z), y, material);
     let lamp = |x, y, z, brightness| Light {
         drawn_radius: 0.15,
-        ..Light::new(vec3a(x, y, z), Vec3A::splat(brightness))
+        ..Light::new(vec3(x, y, z), Vec3::splat(brightness))
     };
     Scene {
         camera: Camera {
-            eye: vec3a(1.9, 2.2, -7.3),
-            look_at: vec3a(0.0, 0.9, 0.0),
+            eye: vec3(1.9, 2.2, -7.3),
+            look_at: vec3(0.0, 0.9, 0.0),
             ..Camera::default()
         },
-        background: vec3a(0.10, 0.12, 0.20),
-        ambient: Vec3A::splat(0.12),
+        background: vec3(0.10, 0.12, 0.20),
+        ambient: Vec3::splat(0.12),
         spheres: List::of(&[
             sphere(-2.2, 1.0, 0.5, PLASTIC),
             sphere(0.0, 1.2, 1.8, MIRROR),
             sphere(2.2, 1.0, 0.3, PLASTIC),
             sphere(0.6, 0.5, -1.6, GLASS),
         ]),
-        planes: List::of(&[Plane::new(Vec3A::ZERO, 12.0, 12.0, PLASTIC)]),
+        planes: List::of(&[Plane::new(Vec3::ZERO, 12.0, 12.0, PLASTIC)]),
         lights: List::of(&[lamp(-4.0, 6.0, -4.0, 0.9), lamp(5.0, 5.0, -2.0, 0.4)]),
         ..Scene::default()
     }
@@ -66,7 +66,7 @@ pub fn rows(count: usize) -> Scene {
         let [column, row] = [i % 18, i / 18].map(|cell| 0.9 * (cell as f32 - 9.0));
         let radius = 0.2 + 0.02 * (i % 7) as f32;
         scene.spheres.push(Sphere::new(
-            vec3a(column, radius, row),
+            vec3(column, radius, row),
             radius,
             [PLASTIC, PLASTIC, MIRROR, PLASTIC, GLASS][i % 5],
         ));

@@ -9,7 +9,7 @@ use crate::trace::{Batch, Tracer};
 const SPHERES: usize = 20_000;
 
 /// A white, diffuse material: its brightness is the cosine of the angle to the light.
-const PAPER: Material = Material::matt(Vec3A::ONE, 1.0);
+const PAPER: Material = Material::matt(Vec3::ONE, 1.0);
 
 struct OwnShadow {
     is_inside: bool,
@@ -26,7 +26,7 @@ impl Property for OwnShadow {
             let centre = random.vector(-4.0, 4.0);
             // Where rounding leaves something of it.
             let centre = centre * (1e3 * r / centre.length()).min(1.0);
-            let from = |way: DVec3, distance: f64| (centre + way * (distance * r)).as_vec3a();
+            let from = |way: DVec3, distance: f64| (centre + way * (distance * r)).as_vec3();
             let eye_at = 10_f64.powf(random.between(0.1, 3.0));
             let eye_at = if self.is_inside { 0.5 } else { eye_at };
             let eye = from(random.direction(), eye_at);
@@ -36,13 +36,13 @@ impl Property for OwnShadow {
                 continue;
             }
             let lamp = from(random.direction(), lamp_at);
-            let mut scene = one_sphere(centre.as_vec3a(), r as f32, PAPER);
-            scene.lights = List::of(&[Light::new(lamp, Vec3A::ONE)]);
+            let mut scene = one_sphere(centre.as_vec3(), r as f32, PAPER);
+            scene.lights = List::of(&[Light::new(lamp, Vec3::ONE)]);
             if self.is_inside && number % 2 == 0 {
                 // Neither a box beyond the sphere makes a difference, nor a lamp's size, if all of it is within.
                 scene.blocks = List::of(&[Block {
                     centre: from(random.direction(), 3.0),
-                    half: Vec3A::splat(r as f32),
+                    half: Vec3::splat(r as f32),
                     ..Block::default()
                 }]);
                 scene.lights[0].diameter = (1.9 * (1.0 - lamp_at).max(0.0) * r) as f32;
