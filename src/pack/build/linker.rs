@@ -9,7 +9,9 @@ use std::{
 };
 
 use super::{diet, order};
-use crate::{Error, System, Version, pack_executable, unpacked_executable};
+use crate::{
+    Error, System, Version, executable::packed_size, pack_executable, unpacked_executable,
+};
 
 /// The largest file of a 64 kB intro.
 const LIMIT: usize = 65_536;
@@ -117,17 +119,28 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
         // Without an output it was asked for its version.
         return Ok(status.code().unwrap_or(1));
     };
-    // Have it do so again with functions in a better order, if it can.
+    // Have it do so again with functions in some orders, and at last in the one that packs best, if it can.
     if settings.is_lld() {
-        let order = directory.join(ORDER);
-        fs::write(&order, order::by_likeness(&fs::read(&path)?)?.join("\n"))?;
+        let file = directory.join(ORDER);
         let mut option = OsString::from("--symbol-ordering-file=");
-        option.push(order);
+        option.push(&file);
         more.extend([option, "--no-warn-symbol-ordering".into()]);
-        let status = settings.run_linker(&more, arguments)?;
-        if !status.success() {
-            return Ok(status.code().unwrap_or(1));
+        let link = |order: &[String]| -> Result<Vec<u8>, Error> {
+            fs::write(&file, order.join("\n"))?;
+            let status = settings.run_linker(&more, arguments)?;
+            if !status.success() {
+                return Err("the linker refuses an order of functions".into());
+            }
+            Ok(fs::read(&path)?)
+        };
+        let mut best = (usize::MAX, Vec::new());
+        for order in order::by_likeness(&fs::read(&path)?)? {
+            let size = packed_size(&link(&order)?).unwrap_or(usize::MAX - 1);
+            if size < best.0 {
+                best = (size, order);
+            }
         }
+        link(&best.1)?;
     }
     // Keep the program as it was linked, under the name that cargo gives it: with libraries of other features it has another.
     let mut name = path.file_name().ok_or("no name")?.to_owned();

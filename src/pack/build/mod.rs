@@ -101,16 +101,18 @@ fn prepare(program: &str) -> Result<(), Error> {
     let for_system: &[&str] = if is_for_windows {
         &[
             // Nothing of Linux starts it.
-            "-nostartfiles",
             "-Wl,--no-dynamic-linker",
-            "-Wl,--entry=eightfold_start",
             // With room before it for the packed file, which begins where programs of Windows did before they had random addresses.
             &format!("-Wl,{}=0x420000", toolchain.base()),
         ]
     } else {
-        &[]
+        // All functions of libraries are found when it starts: what would look them up later is left out.
+        &["-Wl,-z,now"]
     };
     let for_all = [
+        // It has a beginning of its own.
+        "-nostartfiles",
+        "-Wl,--entry=eightfold_start",
         // At fixed addresses: so it needs no relocations, and the packed file has room for it.
         "-no-pie",
         // Pages of 4 KB: gaps between segments are packed, too.

@@ -61,6 +61,11 @@ pub fn pack_executable(program: &[u8], stub: &[u8], system: &System) -> Result<V
     }
 }
 
+/// How many bytes a program takes packed, without its stub.
+pub fn packed_size(program: &[u8]) -> Result<usize, Error> {
+    Ok(encode(&strip(program)?).len())
+}
+
 /// An executable for a system of what was linked, not packed. (On Linux it is one already.)
 ///
 /// # Errors

@@ -1,10 +1,16 @@
 //! Takes away of an executable what nobody reads who starts it.
 
+use std::ops::Range;
+
 use crate::{
     Error,
-    elf::{self, Section, Segment},
+    elf::{self, Section, Segment, number},
     panics,
 };
+
+/// The kind of entry of the dynamic section with flags, and the flag of a program whose functions are all found when it starts.
+const FLAGS: u64 = 30;
+const BIND_NOW: u64 = 8;
 
 /// Keeps what is read of an executable to start it: its headers and segments, without what only unwinding reads, or a report of a
 /// panic. That is not needed where a panic ends the process.
@@ -21,9 +27,20 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     let names = [".eh_frame", ".eh_frame_hdr", ".gcc_except_table"];
     let unwinding: Vec<_> = names.into_iter().filter_map(range).collect();
     let mut segments = elf::segments(program)?;
+    let lookups = [".plt", ".got.plt"].map(range);
+    let is_bound_at_start = range(".dynamic").is_some_and(|entries| {
+        let entries = program[entries].chunks_exact(16);
+        let mut fields = entries.map(|entry| [number(entry, 0, 8), number(entry, 8, 8)]);
+        fields.any(|[tag, value]| tag == FLAGS && value & BIND_NOW != 0)
+    });
     // Leave out the reports of panics, and blank the sections for unwinding.
     let mut program = program.to_vec();
     panics::simplify(&mut program)?;
+    if let [Some(calls), Some(slots)] = lookups
+        && is_bound_at_start
+    {
+        blank_lookups(&mut program, calls, slots);
+    }
     for section in &unwinding {
         let bytes = program.get_mut(section.clone());
         bytes.ok_or("a section is not in it")?.fill(0);
@@ -71,4 +88,17 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     }
     elf::set_segments(&mut stripped, &segments)?;
     Ok(stripped)
+}
+
+/// Blanks what finds a function of a library when it is first called. Entries of 16 bytes jump to an address in a slot, which at first
+/// is that of the rest of the entry: this pushes a number, and jumps to the first entry.
+fn blank_lookups(program: &mut [u8], calls: Range<usize>, slots: Range<usize>) {
+    for (i, entry) in program[calls].chunks_exact_mut(16).enumerate() {
+        match entry {
+            [0xff, 0x35, ..] if i == 0 => entry.fill(0),
+            [0xff, 0x25, _, _, _, _, rest @ ..] => rest.fill(0),
+            _ => {}
+        }
+    }
+    program[slots].fill(0);
 }

@@ -10,6 +10,7 @@ pub mod clock;
 mod listener;
 pub mod memory;
 mod palette;
+mod start;
 pub mod threads;
 pub mod window;
 mod x11;
