@@ -38,14 +38,6 @@ impl Flip {
         let sum: f64 = self.errors.iter().map(|&error| f64::from(error)).sum();
         sum / self.errors.len() as f64
     }
-
-    /// The 99th percentile over all pixels.
-    pub fn p99(&self) -> f64 {
-        let mut errors = self.errors.clone();
-        let rank = (errors.len() * 99).div_ceil(100) - 1;
-        let (_, error, _) = errors.select_nth_unstable_by(rank, f32::total_cmp);
-        f64::from(*error)
-    }
 }
 
 /// The FLIP errors of the pixels of some pictures together.

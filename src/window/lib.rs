@@ -68,4 +68,3 @@ mod system;
 pub mod terminal;
 
 pub use backend::window;
-pub use system::is_signal_ignored;

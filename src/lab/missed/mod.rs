@@ -7,7 +7,6 @@ pub mod effects;
 
 use crate::arguments::{self, NamedQuality, Size};
 use crate::error::worst_channel;
-use crate::interrupt::{self, Stopped};
 use crate::scenes::{self, SceneName};
 use crate::{output, progress};
 use anyhow::Result;
@@ -59,7 +58,6 @@ struct Group {
 
 /// Counts, and prints the table.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    interrupt::listen();
     let groups = groups(arguments);
     for scene in groups.iter().flat_map(|group| &group.scenes) {
         scene.validate()?;
@@ -71,9 +69,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     for group in &groups {
         let mut counts = Counts::new();
         for scene in &group.scenes {
-            if interrupt::is_stopped() {
-                return Err(Stopped("nothing was printed".to_owned()).into());
-            }
             counter.count(scene, arguments.quality.quality, &mut counts);
             bar.inc(1);
         }

@@ -1,6 +1,6 @@
 //! The cost of each byte of the linked program in the packed file.
 
-use super::ByteCount;
+use super::Bytes;
 use anyhow::{Context, Result, anyhow};
 use eightfold_pack::{costs, strip};
 use object::{Object, ObjectSegment};
@@ -35,27 +35,30 @@ impl Packed {
         })
     }
 
-    /// The number of bytes at these addresses in the image, and their packed size.
-    pub fn of(&self, addresses: &Range<u64>) -> (u64, f64) {
-        let (mut bytes, mut packed) = (0, 0.0);
+    /// Returns the size of the part at these addresses.
+    pub fn of(&self, addresses: &Range<u64>) -> Bytes {
+        let mut bytes = Bytes {
+            parts: 1,
+            ..Bytes::default()
+        };
         for (segment, offset) in &self.segments {
             let start = addresses.start.max(segment.start);
             let end = addresses.end.min(segment.end);
             if start < end {
                 let index = |address: u64| offset + (address - segment.start) as usize;
-                bytes += end - start;
-                packed += self.before[index(end)] - self.before[index(start)];
+                bytes.linked += end - start;
+                bytes.packed += self.before[index(end)] - self.before[index(start)];
             }
         }
-        (bytes, packed)
+        bytes
     }
 
-    /// The size of the whole image.
-    pub fn all(&self) -> ByteCount {
-        ByteCount {
-            bytes: self.before.len() as u64 - 1,
+    /// Returns the size of the whole image.
+    pub fn all(&self) -> Bytes {
+        Bytes {
+            parts: 1,
+            linked: self.before.len() as u64 - 1,
             packed: self.before.last().copied().unwrap_or_default(),
-            count: 1,
         }
     }
 }

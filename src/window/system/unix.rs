@@ -3,7 +3,7 @@
 use core::{
     ffi::{CStr, c_int, c_short},
     mem::zeroed,
-    ptr::{null, null_mut},
+    ptr::null_mut,
     sync::atomic::{AtomicU32, Ordering::Relaxed},
 };
 
@@ -63,16 +63,6 @@ pub fn heed_stops() {
 /// How often the process was stopped.
 pub fn stops() -> u32 {
     STOPS.load(Relaxed)
-}
-
-/// Whether this process ignores a signal, as it may have been started to.
-#[must_use]
-pub fn is_signal_ignored(signal: c_int) -> bool {
-    // SAFETY: zero is a value of every field, and there is room for the answer.
-    unsafe {
-        let mut action: libc::sigaction = zeroed();
-        libc::sigaction(signal, null(), &mut action) == 0 && action.sa_sigaction == libc::SIG_IGN
-    }
 }
 
 /// Starts something, such as a thread, that signals do not go to.

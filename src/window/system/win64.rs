@@ -51,12 +51,6 @@ pub fn stops() -> u32 {
     0
 }
 
-/// Whether this process ignores a signal. (Windows has none to ignore.)
-#[must_use]
-pub fn is_signal_ignored(_: i32) -> bool {
-    false
-}
-
 /// Whether a stream is a console.
 pub fn is_terminal(stream: i32) -> bool {
     // SAFETY: it may be asked of any file, and there is room for the answer.
