@@ -149,7 +149,7 @@ fn libraries(package: &str) -> BTreeSet<String> {
         "--package",
         package,
         "--edges",
-        "normal",
+        "normal,no-proc-macro",
         "--prefix",
         "none",
     ];

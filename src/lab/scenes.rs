@@ -1,11 +1,29 @@
 //! Scenes by name: the show, its scenes, the scenes that serve measurements, and scene files.
 
 use eightfold::show::{self, grid};
-use eightfold_scene_file::{SUFFIX, SceneFile};
+use eightfold_scene_file::SceneFile;
 use eightfold_tracer::scene::{MAX_SPHERES, Method, Scene};
 use std::error::Error;
-use std::fmt;
+use std::path::Path;
 use std::str::FromStr;
+use std::{fmt, fs};
+
+/// The suffix of scene files.
+const SUFFIX: &str = ".ron";
+
+/// Reads the text of a scene file.
+///
+/// # Errors
+/// One line: the file, and why it can't be read.
+pub fn text(path: &Path) -> Result<String, String> {
+    let cannot = |why: &str| format!("cannot read {}: {why}", path.display());
+    let bytes = match fs::metadata(path) {
+        // A pipe or a device may have no end, and can't be read again.
+        Ok(there) if !there.is_file() => return Err(cannot("it is not a regular file")),
+        _ => fs::read(path).map_err(|error| cannot(&error.to_string()))?,
+    };
+    String::from_utf8(bytes).map_err(|_| cannot("it is not UTF-8"))
+}
 
 /// The ways to name a scene, for `--help` and for errors.
 pub fn takes() -> String {
@@ -99,7 +117,8 @@ impl FromStr for SceneName {
 
     fn from_str(name: &str) -> Result<Self, Self::Err> {
         if name.ends_with(SUFFIX) {
-            let file = SceneFile::read(name).map_err(Mistake)?;
+            let text = text(Path::new(name)).map_err(Mistake)?;
+            let file = SceneFile::parse(name, &text).map_err(Mistake)?;
             return Ok(Self::File(Box::leak(Box::new(file))));
         }
         let part = name

@@ -11,11 +11,6 @@ use motion::Motion;
 use node::{Fault, Kind, Node};
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
-
-/// The suffix of scene files.
-pub const SUFFIX: &str = ".ron";
 
 /// The length of a scene without a `length`, in seconds.
 const LENGTH: f32 = 8.0 * std::f32::consts::PI;
@@ -25,20 +20,6 @@ const MAX_WORD: usize = 60;
 
 /// The mark that some editors put in front of a text. It takes no column.
 const BYTE_ORDER_MARK: char = '\u{feff}';
-
-/// Reads the text of a scene file.
-///
-/// # Errors
-/// One line: the file, and why it can't be read.
-pub fn text(path: &Path) -> Result<String, String> {
-    let cannot = |why: &str| format!("cannot read {}: {why}", path.display());
-    let bytes = match fs::metadata(path) {
-        // A pipe or a device may have no end, and can't be read again.
-        Ok(there) if !there.is_file() => return Err(cannot("it is not a regular file")),
-        _ => fs::read(path).map_err(|error| cannot(&error.to_string()))?,
-    };
-    String::from_utf8(bytes).map_err(|_| cannot("it is not UTF-8"))
-}
 
 /// A scene that has been read from a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,18 +34,10 @@ pub struct SceneFile {
 }
 
 impl SceneFile {
-    /// Reads a scene file.
-    ///
-    /// # Errors
-    /// One line: the file, the line, the column, the value, and its range.
-    pub fn read(name: &str) -> Result<Self, String> {
-        Self::parse(name, &text(Path::new(name))?)
-    }
-
     /// Reads a scene from the text of a file.
     ///
     /// # Errors
-    /// As [`SceneFile::read`].
+    /// One line: the file, the line, the column, the value, and its range.
     pub fn parse(name: &str, text: &str) -> Result<Self, String> {
         let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
         let mistake = |line, column, what: &str| {
@@ -90,21 +63,18 @@ impl SceneFile {
         if let Some(node) = tree.take("length") {
             length = f32::deserialize(&node)?;
             if !(length > 0.0 && length <= 3600.0) {
-                return Err(node.fault(format!("length is {length}, must be above 0, up to 3600")));
+                let what = format!("length is {length}, must be above 0, up to 3600");
+                return Err(Fault::new(node.at, what));
             }
         }
-        let motions = tree.take("motions");
-        let motions = motions
-            .iter()
-            .flat_map(|node| &node.parts)
-            .map(Motion::read);
-        let motions: Vec<Motion> = motions.collect::<Result<_, _>>()?;
+        let motions = tree.take("motions").unwrap_or_default().parts.into_iter();
+        let motions: Vec<Motion> = motions.map(Motion::read).collect::<Result<_, _>>()?;
         // A motion may move a part of it where the file leaves it out.
         if let Some(camera) = tree.get_mut("camera")
             && camera.get("up").is_none()
-            && let (at, Some(up)) = (camera.at, camera.place("up"))
+            && let Some(up) = camera.place("up", camera.at)
         {
-            up.set(at, &Camera::default().up.to_array());
+            up.set(&Camera::default().up.to_array());
         }
         if let Some(materials) = tree.get("materials") {
             BTreeMap::<String, Material>::deserialize(materials)?;
@@ -121,7 +91,7 @@ impl SceneFile {
             if let Err(flaw) = Scene::deserialize(&tree)?.validate() {
                 let what = flaw.to_string();
                 let path = what.split(' ').next().unwrap_or_default();
-                return Err(tree.nearest(path).fault(what));
+                return Err(Fault::new(tree.nearest(path).at, what));
             }
         }
         Ok(file)
@@ -129,9 +99,8 @@ impl SceneFile {
 
     /// Returns the scene at a time in seconds.
     pub fn at(&self, time: f32) -> Scene {
-        let scene = self
-            .tree_at(time)
-            .and_then(|tree| Scene::deserialize(&tree));
+        let tree = self.tree_at(time);
+        let scene = tree.and_then(|tree| Scene::deserialize(&tree));
         scene.expect("a file is a scene at all times if it is one at its keys")
     }
 
@@ -139,18 +108,13 @@ impl SceneFile {
     fn tree_at(&self, time: f32) -> Result<Node, Fault> {
         let mut tree = self.tree.clone();
         for motion in &self.motions {
+            let of = &motion.of;
+            let what = format!("motion is of {of:?}, must be of a value in the file");
             let (at, numbers) = motion.at(time);
-            let of = format!(
-                "motion is of {:?}, must be of a value in the file",
-                motion.of
-            );
-            let fault = Fault {
-                at: Some(at),
-                what: of,
-            };
-            tree.place(&motion.of).ok_or(fault)?.set(at, &numbers);
+            let place = tree.place(of, at);
+            place.ok_or(Fault::new(at, what))?.set(&numbers);
         }
-        let materials = tree.take("materials");
+        let materials = tree.take("materials").unwrap_or_default();
         for list in ["spheres", "planes", "blocks"] {
             let objects = tree.get_mut(list).map(|list| &mut list.parts);
             for object in objects.into_iter().flatten() {
@@ -158,14 +122,9 @@ impl SceneFile {
                     && let Kind::Word(_) = material.kind
                 {
                     let name = String::deserialize(&*material)?;
-                    let fault =
-                        material.fault(format!("material is {name:?}, must be in materials"));
-                    let known = materials.as_ref().and_then(|table| table.get(&name));
-                    let known = known.ok_or(fault)?;
-                    let Node {
-                        at, kind, parts, ..
-                    } = known.clone();
-                    (material.at, material.kind, material.parts) = (at, kind, parts);
+                    let what = format!("material is {name:?}, must be in materials");
+                    let fault = Fault::new(material.at, what);
+                    material.copy(materials.get(&name).ok_or(fault)?);
                 }
                 if list == "blocks" {
                     turn(object)?;
@@ -182,11 +141,8 @@ fn turn(block: &mut Node) -> Result<(), Fault> {
         && axes.parts.len() == 3
     {
         // A file has a list for each axis, and serde one for all.
-        axes.parts = axes
-            .parts
-            .iter()
-            .flat_map(|axis| axis.parts.clone())
-            .collect();
+        let numbers = axes.parts.iter().flat_map(|axis| axis.parts.clone());
+        axes.parts = numbers.collect();
     }
     if let Some(turn) = block.take("turn") {
         let [x, y, z] = <[f32; 3]>::deserialize(&turn)?;
@@ -195,8 +151,8 @@ fn turn(block: &mut Node) -> Result<(), Fault> {
         if let Some(before) = block.get("axes") {
             axes = Mat3::deserialize(before)? * axes;
         }
-        if let Some(place) = block.place("axes") {
-            place.set(turn.at, &axes.to_cols_array());
+        if let Some(place) = block.place("axes", turn.at) {
+            place.set(&axes.to_cols_array());
         }
     }
     Ok(())

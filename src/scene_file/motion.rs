@@ -56,30 +56,32 @@ impl Motion {
     ///
     /// # Errors
     /// The first mistake in it.
-    pub fn read(node: &Node) -> Result<Self, Fault> {
-        let mut node = node.clone();
+    pub fn read(mut node: Node) -> Result<Self, Fault> {
         let keys = node.take("keys");
         let mut motion = Self::deserialize(&node)?;
         for key in keys.iter().flat_map(|keys| &keys.parts) {
             let [time, value] = &key.parts[..] else {
-                return Err(key.fault("key must be (seconds, value)"));
+                return Err(Fault::new(key.at, "key must be (seconds, value)"));
             };
+            let at = key.at;
             let (time, numbers) = (f32::deserialize(time)?, numbers(value)?);
             let (before, count) = match motion.keys.last() {
                 Some(last) => (last.time, last.numbers.len()),
                 None => (f32::MIN, numbers.len()),
             };
             if !(time > before && time.is_finite()) {
-                return Err(key.fault(format!("time is {time}, must be above {before}")));
+                return Err(Fault::new(
+                    at,
+                    format!("time is {time}, must be above {before}"),
+                ));
             }
             if numbers.len() != count {
-                return Err(key.fault(format!("key must have {count} numbers")));
+                return Err(Fault::new(at, format!("key must have {count} numbers")));
             }
-            let at = key.at;
             motion.keys.push(Key { at, time, numbers });
         }
         if motion.keys.is_empty() {
-            return Err(node.fault("motion must have a key"));
+            return Err(Fault::new(node.at, "motion must have a key"));
         }
         Ok(motion)
     }
@@ -87,28 +89,21 @@ impl Motion {
     /// Returns the numbers at a time in seconds, and the place of their key in the text.
     pub fn at(&self, time: f32) -> (usize, Vec<f32>) {
         let (keys, last) = (&self.keys, self.keys.len() - 1);
-        let is_repeated = self.repeat && keys[last].time > 0.0;
-        let time = if is_repeated {
-            time.rem_euclid(keys[last].time)
-        } else {
-            time
+        let time = match self.repeat {
+            true => time.rem_euclid(keys[last].time),
+            false => time,
         };
         let next = keys.partition_point(|key| key.time <= time);
-        // Before the first key and after the last one it keeps still.
         let (i, next) = (next.saturating_sub(1), next.min(last));
         let (start, end) = (&keys[i], &keys[next]);
         let (before, after) = (&keys[i.saturating_sub(1)], &keys[last.min(next + 1)]);
         let length = end.time - start.time;
-        let s = if length > 0.0 {
-            (time - start.time) / length
-        } else {
-            0.0
-        };
+        let s = (time - start.time) / length;
         let number = |n: usize| {
             let [a, b, c, d] = [before, start, end, after].map(|key| key.numbers[n]);
             match self.between {
-                // To the bit: -0, too.
-                _ if s <= 0.0 => b,
+                // Before the first key and after the last one it keeps still.
+                _ if i == next => b,
                 Between::Hold => b,
                 Between::Linear => b + (c - b) * s,
                 Between::Smooth => b + (c - b) * (s * s * (3.0 - 2.0 * s)),

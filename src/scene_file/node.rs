@@ -40,30 +40,28 @@ impl Node {
         node.map_err(|error| from.span_error(error))
     }
 
-    fn new(name: String, kind: Kind) -> Self {
-        let (at, parts) = (0, Vec::new());
-        Self {
-            name,
-            at,
-            kind,
-            parts,
+    fn new(name: String, at: usize, kind: Kind) -> Self {
+        let mut node = Self::default();
+        (node.name, node.at, node.kind) = (name, at, kind);
+        node
+    }
+
+    /// Becomes a number or a list of numbers.
+    pub fn set(&mut self, numbers: &[f32]) {
+        let at = self.at;
+        let number = |(i, &n): (usize, _)| Self::new(i.to_string(), at, Kind::Number(n));
+        self.parts = numbers.iter().enumerate().map(number).collect();
+        self.kind = Kind::List;
+        if self.parts.len() == 1 {
+            self.kind = self.parts.remove(0).kind;
         }
     }
 
-    /// Becomes a number or a list of numbers from another place in the text.
-    pub fn set(&mut self, at: usize, numbers: &[f32]) {
-        let number = |i: usize| Self::new(i.to_string(), Kind::Number(numbers[i]));
-        (self.at, self.kind) = (at, Kind::List);
-        self.parts = (0..numbers.len()).map(number).collect();
-        if let [number] = *numbers {
-            (self.kind, self.parts) = (Kind::Number(number), Vec::new());
-        }
-    }
-
-    /// Returns a mistake at this place.
-    pub fn fault(&self, what: impl Into<String>) -> Fault {
-        let (at, what) = (Some(self.at), what.into());
-        Fault { at, what }
+    /// Becomes a copy of a value with another name.
+    pub fn copy(&mut self, other: &Self) {
+        let name = std::mem::take(&mut self.name);
+        *self = other.clone();
+        self.name = name;
     }
 
     pub fn get(&self, name: &str) -> Option<&Self> {
@@ -79,15 +77,19 @@ impl Node {
         Some(self.parts.remove(i))
     }
 
-    /// Returns the value at a path such as `materials["gold"].colour[0]`. A field that is not there is added.
-    pub fn place(&mut self, path: &str) -> Option<&mut Self> {
-        steps(path).try_fold(self, |node, name| {
+    /// Returns the value at a path such as `materials["gold"].colour[0]`, to be set at a place in the text. A field that is not there
+    /// is added.
+    pub fn place(&mut self, path: &str, at: usize) -> Option<&mut Self> {
+        let place = steps(path).try_fold(self, |node, name| {
             let is_struct = node.kind == Kind::Struct && node.name != "materials";
             if is_struct && node.get(name).is_none() {
-                node.parts.push(Self::new(name.to_owned(), Kind::Struct));
+                let field = Self::new(name.to_owned(), at, Kind::Struct);
+                node.parts.push(field);
             }
             node.get_mut(name)
-        })
+        })?;
+        place.at = at;
+        Some(place)
     }
 
     /// Returns the value at a path, or the last one on the way to it.
@@ -113,14 +115,14 @@ impl Reader<'_> {
         let text = raw.trim().get_ron();
         let number = ron::from_str(text).map(Kind::Number);
         let kind = number.unwrap_or_else(|_| Kind::Word(text.to_owned()));
-        let mut node = Node::new(name, kind);
+        let at = text.as_ptr().addr() - self.0.as_ptr().addr();
+        let mut node = Node::new(name, at, kind);
         if text.ends_with([')', ']', '}'])
             && let Ok(mut from) = ron::Deserializer::from_str(text)
             && let Ok(Node { kind, parts, .. }) = from.deserialize_any(self)
         {
             (node.kind, node.parts) = (kind, parts);
         }
-        node.at = text.as_ptr().addr() - self.0.as_ptr().addr();
         node
     }
 }
@@ -141,7 +143,7 @@ impl<'de> Visitor<'de> for Reader<'_> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Node, A::Error> {
-        let mut list = Node::new(String::new(), Kind::List);
+        let mut list = Node::new(String::new(), 0, Kind::List);
         while let Some(item) = items.next_element()? {
             list.parts
                 .push(self.node(list.parts.len().to_string(), item));
@@ -163,6 +165,13 @@ impl<'de> Visitor<'de> for Reader<'_> {
 pub struct Fault {
     pub at: Option<usize>,
     pub what: String,
+}
+
+impl Fault {
+    pub fn new(at: usize, what: impl Into<String>) -> Self {
+        let (at, what) = (Some(at), what.into());
+        Self { at, what }
+    }
 }
 
 impl std::error::Error for Fault {}
@@ -218,10 +227,11 @@ impl<'de> Deserializer<'de> for &Node {
             }
         };
         value.map_err(|Fault { at, what }| {
-            let is_of = |part: &Self| what.starts_with(&format!("field is {},", part.name));
-            let part = self.parts.iter().find(|part| is_of(part));
-            let at = at.or(Some(part.unwrap_or(self).at));
-            Fault { at, what }
+            let name = what
+                .strip_prefix("field is ")
+                .and_then(|what| what.split(',').next());
+            let part = name.and_then(|name| self.get(name));
+            Fault::new(at.unwrap_or(part.unwrap_or(self).at), what)
         })
     }
 
@@ -243,7 +253,7 @@ impl<'de> Deserializer<'de> for &Node {
             _ => "",
         };
         let value = visitor.visit_enum(StrDeserializer::new(name));
-        value.map_err(|fault: Fault| self.fault(fault.what))
+        value.map_err(|fault: Fault| Fault::new(self.at, fault.what))
     }
 
     serde::forward_to_deserialize_any! {

@@ -1,6 +1,7 @@
 //! A scene file that is read again whenever it is written.
 
-use eightfold_scene_file::{self as scene_file, SceneFile};
+use crate::scenes;
+use eightfold_scene_file::SceneFile;
 use std::path::Path;
 
 /// A scene file, and the last good scene in it.
@@ -28,7 +29,7 @@ impl Watched {
     /// writes in a row, and a file that replaces another one may be older.
     pub fn look(&mut self) -> bool {
         let name = &self.scene.name;
-        let text = scene_file::text(Path::new(name));
+        let text = scenes::text(Path::new(name));
         if self.text.as_ref() == Some(&text) {
             if self.suspect.is_some() {
                 self.fault = self.suspect.take();

@@ -5,7 +5,8 @@ use super::{Material, Shape};
 use crate::flaw::{Checked, Flaw};
 use glam::{Mat3, Vec3};
 
-/// A box, a cylinder with flat ends, or a capsule, whose ends are half spheres. If its material is transparent, rays enter and leave it, refracted at each side.
+/// A box, a cylinder with flat ends, or a capsule, whose ends are half spheres. If its material is transparent, rays enter and leave
+/// it, refracted at each side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]

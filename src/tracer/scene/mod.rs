@@ -55,10 +55,10 @@ pub const MAX_LETTERS: usize = 32;
 pub struct Scene {
     /// The camera.
     pub camera: Camera,
-    /// The colour of the background at the horizon and below.
+    /// The colour of the background at the horizon and below, 0 to 1e9 in each channel.
     pub background: Vec3,
-    /// Added to the background at the zenith; it may be negative. For a ray whose direction, of length 1, rises by y it is
-    /// weighted by `y (2 - y)`.
+    /// Added to the background at the zenith; it may be negative, and the sum is 0 to 1e9 in each channel. For a ray whose direction,
+    /// of length 1, rises by y it is weighted by `y (2 - y)`.
     pub sky: Vec3,
     /// The density of the haze, in 1 / scene units, 0 to 1000; 0 is clear air. Over a distance t a surface's light fades to the
     /// share `1 / (1 + (haze t)^2)`, and the background makes up for the rest.
@@ -67,7 +67,7 @@ pub struct Scene {
     pub exposure: f32,
     /// How light becomes the picture's colours.
     pub film: Film,
-    /// Ambient light, which reaches every surface equally.
+    /// Ambient light, which reaches every surface equally, 0 to 1e9 in each channel.
     pub ambient: Vec3,
     /// The overlay that explains the rendering method.
     pub method: Method,
@@ -156,7 +156,7 @@ impl Scene {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Material {
-    /// The colour of the surface.
+    /// The colour of the surface, 0 to 1e9 in each channel; above 1 it reflects more light than reaches it.
     pub colour: Vec3,
     /// The diffuse coefficient, 0 to 1.
     pub kd: f32,
@@ -263,9 +263,9 @@ impl Material {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Sphere {
-    /// The centre, in scene units.
+    /// The centre, in scene units; coordinates up to [`MAX_LENGTH`].
     pub centre: Vec3,
-    /// The radius, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    /// The radius in scene units, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub radius: f32,
     /// The surface.
     pub material: Material,
@@ -294,11 +294,11 @@ impl Sphere {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Plane {
-    /// The centre, in scene units.
+    /// The centre, in scene units; coordinates up to [`MAX_LENGTH`].
     pub centre: Vec3,
-    /// Half the extent along x, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    /// Half the extent along x in scene units, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub half_x: f32,
-    /// Half the extent along z, [`MIN_LENGTH`] to [`MAX_LENGTH`].
+    /// Half the extent along z in scene units, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub half_z: f32,
     /// The surface.
     pub material: Material,
@@ -342,9 +342,9 @@ pub enum Shape {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Light {
-    /// The position, in scene units.
+    /// The position, in scene units; coordinates up to [`MAX_LENGTH`].
     pub position: Vec3,
-    /// The colour times the brightness, each channel from 0 up.
+    /// The colour times the brightness, 0 to 1e9 in each channel.
     pub colour: Vec3,
     /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`], or 0 for a light that is invisible. The
     /// sphere casts no shadow.

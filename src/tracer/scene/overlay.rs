@@ -65,7 +65,7 @@ pub struct CopperBar {
     pub middle: f32,
     /// Its height, 0 to 1, as a share of the picture's height.
     pub height: f32,
-    /// The colour of its middle; towards its sides it is darker, and black on them.
+    /// The colour of its middle, 0 to 1 in each channel; towards its sides it is darker, and black on them.
     pub colour: Vec3,
     /// How much of the picture it covers: from 0, invisible, to 1, all that is behind it.
     pub brightness: f32,

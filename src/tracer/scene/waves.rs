@@ -18,7 +18,8 @@ use crate::flaw::{Checked, Flaw, Range};
 pub struct Waves {
     /// The steepest slope of each wave, 0 to 0.1. With 0 there are none.
     pub slope: f32,
-    /// The length of the longest wave, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH) if there are any waves; otherwise 0 as well.
+    /// The length of the longest wave in scene units, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH); or 0 if
+    /// `slope` is.
     pub length: f32,
     /// How far they have gone on, in lengths of the longest wave, -1e6 to 1e6. Each wave goes on by [`Waves::FASTER`] times as many
     /// of its own lengths as the one before, as waves of deep water do.

@@ -22,7 +22,9 @@ fn example_is_a_scene_at_any_time() {
     let mut count = 0;
     for entry in fs::read_dir(examples()).expect("a folder") {
         let path = entry.expect("a file").path();
-        let file = SceneFile::read(path.to_str().expect("a plain name")).expect("a scene");
+        let text = fs::read_to_string(&path).expect("text");
+        let name = path.to_str().expect("a plain name");
+        let file = SceneFile::parse(name, &text).expect("a scene");
         for step in 0..=40 {
             let valid = file.at(file.length * step as f32 / 40.0).validate();
             assert_eq!(valid, Ok(()), "{}, step {step}", file.name);
