@@ -149,6 +149,8 @@ mod picture;
 pub mod scene;
 
 // How it is drawn.
+mod coverage;
+mod grid;
 pub mod observe;
 mod overlay;
 mod plan;

@@ -1,5 +1,6 @@
 //! The common ground of a frame's phases: how it is drawn, what it shows, and who listens.
 
+use crate::coverage::Coverage;
 use crate::picture::{Frame, Probing};
 use crate::prepare::{self, VisibleGroups, World};
 use crate::quality::Quality;
@@ -92,6 +93,7 @@ impl FramePlan {
 pub(crate) struct Context<'a, O> {
     pub plan: &'a FramePlan,
     pub world: World<'a>,
+    pub coverage: &'a Coverage,
     /// Hears how the frame comes about.
     pub observer: O,
 }

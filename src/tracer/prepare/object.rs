@@ -18,7 +18,7 @@ pub(crate) enum Object<'a> {
 /// In the lanes of a packet an object is its [`ObjectId::lane`], a `u32`. In the word of a sample it is one more, in 14 bits, so
 /// that 0 stands for none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
-pub(crate) struct ObjectId(u32);
+pub(crate) struct ObjectId(u16);
 
 impl ObjectId {
     /// The object with the first number.
@@ -27,7 +27,7 @@ impl ObjectId {
     /// The object with a number below [`super::MAX_OBJECTS`].
     #[inline(always)]
     pub const fn new(number: usize) -> Self {
-        Self(number as u32)
+        Self(number as u16)
     }
 
     /// Its number, as an index in arrays of all objects.
@@ -39,7 +39,7 @@ impl ObjectId {
     /// Its number, as it stands in a lane.
     #[inline(always)]
     pub const fn lane(self) -> u32 {
-        self.0
+        self.0 as u32
     }
 }
 

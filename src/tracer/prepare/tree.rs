@@ -18,6 +18,15 @@ pub(crate) const MAX_GROUPS: usize = SOLID_GROUPS + MAX_LIGHTS;
 /// A set of groups, one bit each.
 pub(crate) type GroupSet = u64;
 
+/// The groups that rays through a part of the picture can meet.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct VisibleGroups {
+    /// Those that primary rays can meet.
+    pub directly: GroupSet,
+    /// Those that the reflections of primary rays in the first plane can meet.
+    pub mirrored: GroupSet,
+}
+
 /// The most solids below the lowest bounds.
 ///
 /// Shadow rays test all of them once the bound is met, without a branch in between. A branch that is predicted wrongly, as it
@@ -126,6 +135,18 @@ impl Tree {
     #[inline(always)]
     pub fn solid_nodes(&self) -> &[BvhNode] {
         &self.nodes[..self.solid_node_end]
+    }
+
+    /// The nodes of the solids and the lights, with their indices.
+    pub fn objects(&self) -> impl Iterator<Item = (usize, &BvhNode)> {
+        let nodes = self.nodes().iter().enumerate();
+        nodes.filter(|(_, node)| !node.is_bound)
+    }
+
+    /// The nodes of the solids alone.
+    pub fn solids(&self) -> impl Iterator<Item = (usize, &BvhNode)> {
+        let end = self.solid_node_end;
+        self.objects().take_while(move |&(i, _)| i < end)
     }
 
     /// Builds the tree of a scene.
@@ -316,6 +337,11 @@ impl BvhNode {
         let (axis, radius2) = block::bounding_cylinder(block);
         self.axis = axis;
         self.thin2 = radius2 * (1.0 + 2.0 * MARGIN);
+    }
+
+    /// The number of the group that the node of a solid or a light is in.
+    pub fn group(&self) -> usize {
+        self.groups.trailing_zeros() as usize
     }
 
     /// The number of nodes to advance by.

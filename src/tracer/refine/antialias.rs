@@ -25,13 +25,13 @@
 
 use super::worker::{STRETCH, Worker};
 use crate::MAX_WIDTH;
+use crate::coverage::rectangle;
 use crate::lanes::*;
 use crate::observe::Observer;
 use crate::picture::{
     BLOCK, BLOCK_ROWS, Band, MAX_BANDS, Picture, RoughRow, TILE_HEIGHT, TILE_WIDTH,
 };
 use crate::plan::Context;
-use crate::prepare::rectangle;
 use crate::trace::{BATCH, PARTS, STEP, Sample};
 use core::ops::Range;
 use fearless_simd::{u8x32, u32x8};
@@ -216,7 +216,7 @@ fn mix<O: Observer>(
     band: &mut Band<'_>,
 ) {
     worker.batch.begin();
-    let &Context { plan, world, .. } = context;
+    let &Context { plan, coverage, .. } = context;
     let finished = plan.finished;
     let mut marks: Marks = [0; _];
     // For each row, whether the last pixel of the stretch before differs from the first of this one.
@@ -235,7 +235,7 @@ fn mix<O: Observer>(
         // Points lie up to half a pixel outside.
         let (left, above) = (start.saturating_sub(1), top.saturating_sub(1));
         let rect = rectangle(left, above, start + STRETCH, top + height);
-        let seen = world.visible_groups(world.axes.rect(rect));
+        let seen = coverage.visible_groups(coverage.axes.rect(rect));
         let traced = |worker: &mut Worker| {
             context.trace(seen, &mut worker.batch);
             add_middles([start, top], height, worker);

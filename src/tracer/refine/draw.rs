@@ -1,13 +1,13 @@
 //! The first phase of a frame: a band's points are traced, and its squares filled.
 
 use super::Worker;
-use super::area::Area;
 use super::fill::Canvas;
 use super::tile::Tile;
+use crate::coverage::rectangle;
+use crate::grid::Area;
 use crate::observe::Observer;
 use crate::picture::{Band, TILE_HEIGHT, TILE_WIDTH};
 use crate::plan::Context;
-use crate::prepare::rectangle;
 use crate::trace::BATCH;
 
 /// Draws a band, a tile after the other.
@@ -16,7 +16,7 @@ pub(crate) fn draw<O: Observer>(
     worker: &mut Worker,
     band: &mut Band<'_>,
 ) {
-    let Context { plan, world, .. } = context;
+    let Context { plan, coverage, .. } = context;
     worker.batch.begin();
     band.rough.fill([u64::MAX; _]);
     let height = band.height();
@@ -35,7 +35,7 @@ pub(crate) fn draw<O: Observer>(
             bottom: band.top + height,
             picture: plan.size,
         };
-        let rect = world.axes.rect(rectangle(
+        let rect = coverage.axes.rect(rectangle(
             area.left,
             area.top,
             area.right.next_multiple_of(square),
@@ -43,7 +43,7 @@ pub(crate) fn draw<O: Observer>(
         ));
         let mut tile = Tile {
             context,
-            seen: world.visible_groups(rect),
+            seen: coverage.visible_groups(rect),
             area,
             crowding: 0.0,
             rect,

@@ -1,6 +1,6 @@
 //! Fills squares with colours between those of their corners.
 
-use super::bits::Bits;
+use crate::grid::Bits;
 use crate::lanes::*;
 use crate::prepare::Dither;
 use crate::trace::Sample;

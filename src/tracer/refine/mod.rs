@@ -18,8 +18,8 @@
 //!    that a level needs are shifts and ORs of its squares' bits. Those with two even numbers are known from the level above,
 //!    and a middle of a side is the mean of the side's ends if these are alike; all others are traced, in full packets, in
 //!    clusters of 4x16 points: neighbours meet the same objects.
-//! 2. *Guard* (`guard`): squares that may show an object, a shadow on a plane, or an image in one, that their corners do not are
-//!    left open.
+//! 2. *Guard* ([`coverage`](crate::coverage)): squares that may show an object, a shadow, an image or a highlight that their corners do
+//!    not are left open.
 //! 3. *Verdict* (`verdict`): the least and the greatest of each channel at the four corners of squares side by side, in vector
 //!    registers; their keys; a bit for each square that is not open and passes the [`Quality`](crate::Quality)'s rules.
 //! 4. *Fill* (`fill`): those squares are painted with colours between their corners', eight pixels at once.
@@ -32,50 +32,6 @@
 //!
 //! A square whose corners all show one object with a pattern that has edges is not filled by their colours: what the pattern
 //! is on, and what is added to that, are interpolated apart, and the pattern is seen at every pixel (see `patterned`).
-//!
-//! # What is not missed
-//!
-//! Corners do not see what lies between them. A guarded quality (see `Quality::guarded`), as all named ones are, shows every
-//! object that tracing every pixel shows, each in one pixel at least: a square is split as long as some object may be
-//! seen in it that none of its corners shows. An object that has a pixel p is in a candidate's outline around each square
-//! with p, since outlines are bounds (see `prepare::outline`), so a square with p is filled only where one of its corners
-//! that are pixels shows the object, or where all corners show one that covers the square and is in front. Averaged
-//! points count as showing what both their ends show. What a square is cleared of, its parts are, too.
-//!
-//! The same holds for the shadows that spheres throw on planes by the light of lamps that are points: a shadow on a plane is
-//! a cone as seen from the lamp, and has an outline like an object's. A square that shows the plane at a corner, and may
-//! show a shadow, is filled only where one of its corners lies in the shadow on the plane, or where all lie in another one by the same
-//! lamp (`prepare::shadow` tells why rounding spoils neither). That corner is dark. It may be as dark without the shadow: see `limits`.
-//!
-//! Shadows of blocks on planes, and those by all other lamps, are looked for in the same way, but not as exactly: a capsule counts as the
-//! cylinder around it, a cylinder that is seen from above as the box, and a lamp with a size as its middle. A spotlight counts where it
-//! does not shine, too. So few of them are missed.
-//!
-//! Slits of light between two shadows by one lamp are looked for as well: a square is left open if two of the shadows hold some of its
-//! corners each, and none holds all. Corners that are all dark would fill it otherwise, and the slit would come and go from frame to
-//! frame.
-//!
-//! And it holds for what the first plane mirrors: an image in a plane is what the eye's own image behind the plane sees of the
-//! object, so it has the outline that the object has for a camera mirrored in the plane, in the same place of the picture. A square
-//! that shows the plane at a corner, and may show an image, is filled only where one of its corners lies in the image's outline
-//! on the plane. Such a corner shows the image, or another one in front of it: an image that is partly hidden by others in the
-//! mirror can be missed. So can one that is smaller than 2x2 pixels, as corners have to be well inside of a block's outline, and, if
-//! rarely, that of a cylinder or a capsule, whose outline is that of the box around it. Images in a first plane with waves (see
-//! `Scene::water`) have no outlines: they can be missed as in any other mirror.
-//!
-//! Highlights in the eye's own sight are guarded by what they look like (see `prepare::highlight`): about the place where a lamp is
-//! mirrored, Phong's lobe is a Gaussian of the picture. A square that shows the object is left open if the lobe is visibly brighter
-//! anywhere in it than at the corners that show the object. That is no proof: the lobe is only nearly a Gaussian, and such a corner
-//! may be in shadow or on another face. Of thousands of highlights of five pixels or more that show their middles none was missed,
-//! and few parts of others (`docs/accuracy.md`).
-//!
-//! Antialiasing leaves a pixel a third of what it shows at least.
-//!
-//! That is all that is guaranteed. Gaps between objects, shadows on other objects than planes, highlights in mirrors, and what is seen in
-//! other mirrors or through glass can be missed where they fall between corners; `cargo lab missed` counts how many are. A guaranteed
-//! shadow may be smaller than it is, too: of the pixels of small spheres' shadows on a plane up to 0.4 % are lit
-//! (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). The lab's bench measures how much of the picture is
-//! wrong, and how many pixels pop.
 //!
 //! # Where the time goes
 //!
@@ -113,16 +69,12 @@ macro_rules! by_isa {
 }
 
 pub(crate) mod antialias;
-mod area;
-mod bits;
 mod draw;
 mod fill;
-mod guard;
 mod method;
 mod patterned;
 mod points;
 pub(crate) mod probe;
-mod pyramid;
 mod tile;
 mod verdict;
 mod worker;

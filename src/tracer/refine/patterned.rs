@@ -4,8 +4,8 @@
 //! leaves where the pixel's own ray meets the object, which is known. So edges of a pattern stay as sharp as traced, wherever
 //! they run between the corners.
 
-use super::pyramid::Pyramid;
 use super::tile::Tile;
+use crate::grid::Pyramid;
 use crate::lanes::*;
 use crate::observe::Observer;
 use crate::prepare::{Four, ObjectId};

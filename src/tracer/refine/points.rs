@@ -1,11 +1,10 @@
 //! Which points a level needs, and where their samples come from: the level above, the mean of two points, or tracing.
 
-use super::bits::{Bits, WORDS};
-use super::pyramid::Pyramid;
 use super::tile::Tile;
 use super::verdict::Limit;
 use super::worker::{CLUSTER_HEIGHT, CLUSTER_WIDTH, Worker};
 use crate::counts::Counts;
+use crate::grid::{Bits, Pyramid, WORDS};
 use crate::observe::Observer;
 use crate::plan::Context;
 use crate::trace::BATCH;

@@ -1,16 +1,15 @@
 //! Drawing a tile: level by level its points are traced, and its squares judged, then filled or split.
 
 use super::antialias::EDGE;
-use super::area::Area;
-use super::bits::Bits;
 use super::fill::{Canvas, Run};
-use super::guard::Grid;
 use super::verdict::{Rules, Verdict, growth, judge};
 use super::worker::{Marks, Worker};
+use crate::coverage::{Rect, Squares};
+use crate::grid::{Area, Bits};
 use crate::observe::{Fill, Observer, Split};
 use crate::picture::{BLOCK, BLOCK_ROWS};
 use crate::plan::Context;
-use crate::prepare::{Rect, VisibleGroups};
+use crate::prepare::VisibleGroups;
 use crate::scene::camera::pixels;
 use crate::trace::Sample;
 use core::array;
@@ -38,12 +37,12 @@ const CROWDED: Range<f32> = 0.7..0.9;
 impl<O: Observer> Tile<'_, O> {
     /// Draws the tile, from the largest squares down to pixels.
     pub fn draw(&mut self) {
-        let Context { plan, world, .. } = self.context;
+        let Context { plan, coverage, .. } = self.context;
         let top = plan.quality.top_level();
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
         let open = if plan.quality.guarded {
-            self.worker.guard.begin(*world, &self.area, self.rect);
+            self.worker.guard.begin(coverage, &self.area, self.rect);
             Bits::first(columns)
         } else {
             Bits::NONE
@@ -101,7 +100,12 @@ impl<O: Observer> Tile<'_, O> {
 
     /// Has the guard look at a level's squares.
     fn look_for_uncovered(&mut self, level: usize) {
-        let Context { plan, world, .. } = self.context;
+        let &Context {
+            plan,
+            world,
+            coverage,
+            ..
+        } = self.context;
         if plan.quality.guarded {
             let Worker {
                 guard,
@@ -110,8 +114,8 @@ impl<O: Observer> Tile<'_, O> {
                 ..
             } = &mut *self.worker;
             let open = &mut marks.open[level];
-            let grid = Grid::new(*world, &self.area, pyramid, level);
-            guard.look_at(&grid, &marks.squares[level], open);
+            let squares = Squares::new(world, coverage, &self.area, pyramid, level);
+            guard.look(&squares, &marks.squares[level], open);
         }
     }
 

@@ -1,7 +1,7 @@
 //! The verdict on squares: what is the same at their corners, and how far their colours are apart.
 
-use super::bits::Bits;
-use super::pyramid::GridRow;
+use crate::grid::Bits;
+use crate::grid::GridRow;
 use crate::lanes::*;
 use crate::quality::Quality;
 use crate::trace::{STEP, Sample};

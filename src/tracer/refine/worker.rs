@@ -1,9 +1,8 @@
 //! A thread's working memory.
 
-use super::bits::Bits;
-use super::guard::CoverageGuard;
-use super::pyramid::{LEVELS, Pyramid};
 use crate::counts::Counts;
+use crate::coverage::Guard;
+use crate::grid::{Bits, LEVELS, Pyramid};
 use crate::picture::{BLOCK_ROWS, TILE_HEIGHT};
 use crate::trace::{BATCH, Batch};
 
@@ -14,7 +13,7 @@ pub struct Worker {
     pub(super) batch: Batch,
     pub(super) pyramid: Pyramid,
     pub(super) marks: Marks,
-    pub(super) guard: CoverageGuard,
+    pub(super) guard: Guard,
     /// Where the batch's points go: in the pyramid, or pixels in the band.
     pub(super) targets: [u32; BATCH],
     /// The points beside the pixels of a stretch that is antialiased.
@@ -46,7 +45,7 @@ impl Worker {
                 batch: Batch::new(),
                 pyramid: Pyramid::new(),
                 marks: Marks::new(),
-                guard: CoverageGuard::new(),
+                guard: Guard::new(),
                 targets: [0; BATCH],
                 middles: NO_MIDDLES,
             }

@@ -3,6 +3,7 @@
 use super::schedule::Schedule;
 use super::threads::Threads;
 use crate::counts::Counts;
+use crate::coverage::Coverage;
 use crate::observe::Observer;
 use crate::overlay::Overlay;
 use crate::picture::{Band, Frame, MAX_BANDS, Picture, Rough};
@@ -19,6 +20,7 @@ use crate::scene::Scene;
 /// it is a `static` of the caller, which takes no room in a program's file.
 pub struct Memory {
     prepared: Prepared,
+    coverage: Coverage,
     seams: Seams,
     rough: [Rough; MAX_BANDS],
     /// Of drawing bands, and of smoothing their edges.
@@ -37,6 +39,7 @@ impl Memory {
         const {
             Self {
                 prepared: Prepared::new(),
+                coverage: Coverage::new(),
                 seams: Seams::new(),
                 rough: [[[0; _]; _]; _],
                 drawing: Schedule::new(),
@@ -67,9 +70,12 @@ impl Memory {
     ) -> Counts {
         // Prepare the scene, and divide the picture.
         let [width, height] = plan.size;
+        let world = self.prepared.prepare(scene, plan.size, plan.offset);
+        self.coverage.set(world, plan.size, plan.offset);
         let context = &Context {
             plan,
-            world: self.prepared.prepare(scene, plan.size, plan.offset),
+            world,
+            coverage: &self.coverage,
             observer,
         };
         let count = frame.count();

@@ -3,10 +3,10 @@
 //! Other coordinates are the scene's.
 
 use super::sphere::Chord;
-use super::{Mirror, TexturePoint, capsule, cuboid, cylinder};
+use super::{TexturePoint, capsule, cuboid, cylinder};
 use crate::lanes::*;
 use crate::scene::{Block, Shape};
-use glam::{BVec3A, Mat3, Vec3, Vec3A, Vec3Swizzles};
+use glam::{Mat3, Vec3, Vec3A};
 
 /// Added to directions along a block's axes, to avoid divisions by 0 for rays that are parallel to a side.
 const TINY: f32 = 1e-12;
@@ -135,61 +135,4 @@ pub(crate) fn is_off<S: Isa>(
     let beyond = chord.l2 - radius2;
     let is_off = (beyond * at_least::<S>(sine2, splat(simd, 0.0))).simd_gt(across * across);
     is_off | chord.t_mid.simd_gt(limit + radius)
-}
-
-/// The silhouette of a block from a point. Along each of its own axes, in a lane, it is a rectangle across the other two, of which an
-/// edge at either end is a side of its outline.
-pub(crate) struct Silhouette {
-    shape: Shape,
-    half: Vec3A,
-    /// The middles of the rectangles.
-    a: Vec3A,
-    b: Vec3A,
-    is_beside: BVec3A,
-    /// Along which axes the point is between its sides: there it has none.
-    pub has_none: BVec3A,
-}
-
-impl Silhouette {
-    /// That of a block whose centre and half extents along its own axes, from the point, are given.
-    pub fn new(shape: Shape, centre: Vec3A, half: Vec3A) -> Self {
-        let (a, b) = (centre.yzx(), centre.zxy());
-        let is_beside = a.abs().cmpgt(half.yzx());
-        Self {
-            shape,
-            half,
-            a,
-            b,
-            is_beside,
-            has_none: !(is_beside | b.abs().cmpgt(half.zxy())),
-        }
-    }
-
-    /// Where the rectangles end: one way round, or the other if `way` is -1.
-    pub fn ends(&self, way: f32) -> [Vec3A; 2] {
-        let &Self { a, b, half, .. } = self;
-        let (half_a, half_b) = (half.yzx(), half.zxy());
-        let is_below = Vec3A::select(self.is_beside, a * way, b).cmplt(Vec3A::ZERO);
-        let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
-        let is_left = (y * way).cmplt(Vec3A::ZERO);
-        let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
-        match self.shape {
-            Shape::Box => {}
-            // Across its axis it counts as the box around it, and a capsule as the cylinder.
-            Shape::Cylinder | Shape::Capsule => {
-                [x.y, y.y] = cylinder::touched(a.y, b.y, half.x, way)
-            }
-        }
-        [x, y]
-    }
-}
-
-/// Calls `add` with each place that may mirror a lamp to the eye, both given from the centre.
-#[inline(always)]
-pub(crate) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, mut add: impl FnMut(Mirror)) {
-    match block.shape {
-        Shape::Box => cuboid::mirrors(block, eye, lamp, &mut add),
-        Shape::Cylinder => cylinder::mirrors(block, eye, lamp, &mut add),
-        Shape::Capsule => capsule::mirrors(block, eye, lamp, &mut add),
-    }
 }

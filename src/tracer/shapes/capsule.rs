@@ -4,10 +4,9 @@
 //! It is all that is within the radius of its core: the part of the axis between the centres of both ends.
 
 use super::cuboid::Span;
-use super::{Mirror, cylinder, sphere};
+use super::cylinder;
 use crate::lanes::*;
-use crate::scene::Block;
-use glam::{Vec3, Vec3A};
+use glam::Vec3;
 
 /// The ends of the parts of lines inside: both are where rays enter, or where they leave if they start inside.
 ///
@@ -59,23 +58,4 @@ fn from_core<S: Isa>(simd: S, half: Vec3, p: &Vec3x<S>) -> Vec3x<S> {
         y: p.y - nearest(simd, half, p.y),
         ..*p
     }
-}
-
-/// Calls `add` with the places that mirror a lamp to the eye, both given from the centre along the scene's axes: on a ball, and where
-/// the side is nearest to the place that would, since a highlight goes on beyond the joint with another shape.
-#[inline(always)]
-pub(super) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, add: &mut impl FnMut(Mirror)) {
-    let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
-    let mut side = Mirror::round(eye, lamp, axis, half.x);
-    let height = side.p.dot(axis);
-    let end = half.y - half.x;
-    let past = height - height.min(end).max(-end);
-    if past != 0.0 {
-        let centre = axis * end.copysign(height);
-        let mut ball = sphere::mirror(eye - centre, lamp - centre, half.x);
-        ball.p += centre;
-        add(ball);
-        side.p -= axis * past;
-    }
-    add(side);
 }

@@ -1,9 +1,7 @@
 //! The box, in a block's own coordinates: from its centre, along its own axes.
 
-use super::Mirror;
 use crate::lanes::*;
-use crate::scene::Block;
-use glam::{Vec3, Vec3A};
+use glam::Vec3;
 
 /// The parts of rays' lines inside of something convex.
 pub(super) struct Span<S: Isa> {
@@ -63,13 +61,4 @@ pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
 /// The squared radius of the cylinder around its y axis that contains it, by the squares of its half extents.
 pub(super) fn radius2(half2: Vec3) -> f32 {
     half2.x + half2.z
-}
-
-/// Calls `add` with each place that may mirror a lamp to the eye, both given from the centre along the scene's axes.
-#[inline(always)]
-pub(super) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, add: &mut impl FnMut(Mirror)) {
-    for side in 0..3 {
-        let axis = block.axes.col(side).into();
-        add(Mirror::flat(eye, lamp, axis, block.half[side]));
-    }
 }

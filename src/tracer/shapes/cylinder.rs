@@ -1,11 +1,8 @@
 //! The cylinder with flat ends, in a block's own coordinates: from its centre, along its own axes. It stands along y.
 
-use super::Mirror;
 use super::cuboid::Span;
 use crate::lanes::*;
-use crate::maths::sqrt;
-use crate::scene::Block;
-use glam::{Vec3, Vec3A};
+use glam::Vec3;
 
 /// The parts of lines inside: between both ends, and in the round.
 #[inline(always)]
@@ -47,20 +44,4 @@ pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
 /// The squared radius of the cylinder around its y axis that contains it, by the squares of its half extents: its own.
 pub(super) fn radius2(half2: Vec3) -> f32 {
     half2.x
-}
-
-/// Where a line through the origin touches a circle about (a, b), on one side of it, or on the other if `way` is -1.
-pub(super) fn touched(a: f32, b: f32, radius: f32, way: f32) -> [f32; 2] {
-    // As shares of the way to its middle and across.
-    let along = 1.0 - radius * radius / (a * a + b * b);
-    let apart = sqrt(along - along * along);
-    [a * along + b * apart * way, b * along - a * apart * way]
-}
-
-/// Calls `add` with each place that may mirror a lamp to the eye, both given from the centre along the scene's axes.
-#[inline(always)]
-pub(super) fn mirrors(block: &Block, eye: Vec3A, lamp: Vec3A, add: &mut impl FnMut(Mirror)) {
-    let axis = block.axes.y_axis.into();
-    add(Mirror::flat(eye, lamp, axis, block.half.y));
-    add(Mirror::round(eye, lamp, axis, block.half.x));
 }

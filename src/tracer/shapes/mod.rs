@@ -16,11 +16,8 @@ pub(crate) mod block;
 mod capsule;
 mod cuboid;
 mod cylinder;
-mod mirror;
 pub(crate) mod plane;
 pub(crate) mod sphere;
-
-pub(crate) use mirror::Mirror;
 
 use crate::lanes::*;
 

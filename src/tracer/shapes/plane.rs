@@ -1,6 +1,6 @@
 //! The plane: a horizontal rectangle. Coordinates are the scene's, unless they are from its centre.
 
-use super::{Mirror, TexturePoint};
+use super::TexturePoint;
 use crate::lanes::*;
 use glam::{Vec3A, Vec3Swizzles, Vec4};
 
@@ -72,9 +72,4 @@ pub(crate) fn texture_point<S: Isa>(simd: S, out: Vec3x<S>) -> TexturePoint<S> {
         own: out * Vec3x::splat(simd, Vec3A::new(1.0, 0.0, 1.0)),
         n: Vec3x::splat(simd, Vec3A::Y),
     }
-}
-
-/// The place that may mirror a lamp to the eye, both given from the centre.
-pub(crate) fn mirror(eye: Vec3A, lamp: Vec3A) -> Mirror {
-    Mirror::flat(eye, lamp, Vec3A::Y, 0.0)
 }

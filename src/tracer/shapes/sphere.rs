@@ -1,6 +1,6 @@
 //! The sphere. Coordinates are the scene's, unless they are from its centre.
 
-use super::{Mirror, TexturePoint};
+use super::TexturePoint;
 use crate::lanes::*;
 use crate::scene::Sphere;
 use glam::Vec3A;
@@ -178,9 +178,4 @@ pub(crate) fn texture_point<S: Isa>(simd: S, sphere: &Sphere, out: Vec3x<S>) -> 
         own: out,
         n: out.scaled(splat(simd, 1.0 / sphere.radius)),
     }
-}
-
-/// The place that may mirror a lamp to the eye, both given from the centre.
-pub(crate) fn mirror(eye: Vec3A, lamp: Vec3A, radius: f32) -> Mirror {
-    Mirror::round(eye, lamp, Vec3A::ZERO, radius)
 }

@@ -32,8 +32,8 @@ impl<S: Isa> TexturePoint<S> {
         d: &Vec3x<S>,
         t: F<S>,
     ) -> F<S> {
-        // At distance 1, and seen perpendicularly, a pixel is `axes.pixel` wide.
-        let pixels = d.dot(self.n).abs() / (t * world.axes.pixel);
+        // At distance 1, and seen perpendicularly, a pixel is `pixel` wide.
+        let pixels = d.dot(self.n).abs() / (t * world.pixel);
         reflectance(simd, pattern, &self.own, pixels)
     }
 }

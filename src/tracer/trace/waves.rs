@@ -45,7 +45,7 @@ fn tilt_by<S: Isa>(simd: S, world: World<'_>, rows: &mut [PerLane; 4], count: us
         let lanes = first..first + lanes::<S>();
         let [x, z, dy, t] = [0, 1, 2, 3].map(|i| F::<S>::from_slice(simd, &rows[i][lanes.clone()]));
         let steepness = dy.abs();
-        let [slope_x, slope_z] = slopes(simd, waves, x, z, t * world.axes.pixel / steepness);
+        let [slope_x, slope_z] = slopes(simd, waves, x, z, t * world.pixel / steepness);
         let slope2 = slope_x * slope_x + slope_z * slope_z;
         let scale = at_most::<S>(steepness * Waves::STEEPEST / slope2.sqrt(), one);
         let y = one / (slope2 * scale * scale + 1.0).sqrt();

@@ -1,6 +1,6 @@
 //! Rows of bits against rows of truth values.
 
-use super::super::bits::{Bits, WORDS};
+use crate::grid::{Bits, WORDS};
 use proptest::prelude::*;
 use std::prelude::v1::*;
 

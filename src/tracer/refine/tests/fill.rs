@@ -1,8 +1,8 @@
 //! Filled squares against interpolation in real numbers.
 
-use super::super::bits::Bits;
 use super::super::fill::{Canvas, Run};
 use super::{channels, sample};
+use crate::grid::Bits;
 use crate::lanes::isas;
 use crate::prepare::ROUND;
 use proptest::prelude::*;

@@ -4,12 +4,11 @@ extern crate std;
 
 mod bits;
 mod fill;
-mod guard;
 mod points;
 mod verdict;
 
-use super::pyramid::Pyramid;
 use super::verdict::Limit;
+use crate::grid::Pyramid;
 use crate::trace::Sample;
 use proptest::prelude::*;
 use std::prelude::v1::*;

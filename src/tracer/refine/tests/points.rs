@@ -1,7 +1,7 @@
 //! The points that a level needs against the corners of its squares, one by one.
 
-use super::super::bits::Bits;
 use super::super::points::corners;
+use crate::grid::Bits;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::prelude::v1::*;

@@ -1,8 +1,8 @@
 //! The verdict on rows of squares against that on one at a time.
 
-use super::super::bits::Bits;
 use super::super::verdict::{Rules, Verdict, growth, judge};
 use super::{sample, span, two_rows};
+use crate::grid::Bits;
 use crate::lanes::isas;
 use crate::quality::Quality;
 use crate::trace::Sample;

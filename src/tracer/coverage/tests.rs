@@ -1,14 +1,17 @@
-//! Tests of what the guard looks for: outlines hold all that they are around, and little else.
+//! Outlines contain all of the objects and the shadows that they are around, and little else.
+
+extern crate std;
 
 use super::*;
 use crate::lanes::*;
-use crate::prepare::{Prepared, World, rectangle};
+use crate::prepare::Prepared;
 use crate::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
-use glam::{DVec3, EulerRot, Mat3, Vec2, Vec3};
+use glam::{DVec3, EulerRot, Mat3, Vec3};
+use proptest::prelude::*;
 use proptest::strategy::ValueTree;
+use std::prelude::v1::*;
 
-const WIDTH: usize = 320;
-const HEIGHT: usize = 240;
+const SIZE: [usize; 2] = [320, 240];
 
 /// A vector with coordinates in a range, and heights in another one.
 fn vector(across: f32, height: core::ops::Range<f32>) -> impl Strategy<Value = Vec3> {
@@ -75,19 +78,50 @@ fn within(block: &Block, way: DVec3) -> DVec3 {
     block.centre.as_dvec3() + (block.axes.as_dmat3() * own * 0.999)
 }
 
-/// The scene, prepared.
-fn prepared(scene: &Scene) -> Box<Prepared> {
-    let mut prepared = Box::new(Prepared::new());
-    prepared.prepare(scene, [WIDTH, HEIGHT], Vec2::ZERO);
-    prepared
+/// A scene's bounds, and the memory that its world is in.
+struct Bounds {
+    prepared: Box<Prepared>,
+    coverage: Box<Coverage>,
 }
 
-/// The place in the picture, in pixels, where a point is seen, if it is.
-fn seen(scene: &Prepared, point: DVec3) -> Option<[usize; 2]> {
-    let d = point - scene.eye.as_dvec3();
-    let [x, y, z] = scene.axes.rows.map(|axis| axis.as_dvec3().dot(d));
-    let pixel = f64::from(scene.axes.pixel);
-    let place = [(x, WIDTH), (y, HEIGHT)].map(|(c, side)| {
+impl Bounds {
+    fn of(scene: &Scene) -> Self {
+        let (mut prepared, mut coverage) = (Box::new(Prepared::new()), Box::new(Coverage::new()));
+        let world = prepared.prepare(scene, SIZE, Vec2::ZERO);
+        coverage.set(world, SIZE, Vec2::ZERO);
+        Self { prepared, coverage }
+    }
+
+    /// Whether an outline is listed and reaches the pixels around a place.
+    fn have(&self, scene: &Scene, [x, y]: [usize; 2], is_asked: impl Fn(Outline) -> bool) -> bool {
+        let (prepared, coverage) = (&*self.prepared, &*self.coverage);
+        let listed = coverage.outlines[..coverage.outlined].iter();
+        let Some(number) = listed.copied().position(is_asked) else {
+            return false;
+        };
+        let rect = coverage.axes.rect(rectangle(x, y, x + 1, y + 1));
+        let rects = coverage.axes.rects(baseline(), [x, y], [1, 1]);
+        let (_, region) = coverage.outline(World { scene, prepared }, number);
+        let [from, to] = region.narrow(rects);
+        coverage.screen[number].meets(rect) && from.as_slice()[0] <= to.as_slice()[0]
+    }
+
+    /// Whether the shadow of a solid reaches the pixels around a place.
+    fn have_shadow(&self, scene: &Scene, place: [usize; 2], solid: usize) -> bool {
+        self.have(
+            scene,
+            place,
+            |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == solid),
+        )
+    }
+}
+
+/// The place in the picture, in pixels, where an eye sees a point, if it does.
+fn seen(axes: &Axes, eye: Vec3, point: DVec3) -> Option<[usize; 2]> {
+    let d = point - eye.as_dvec3();
+    let [x, y, z] = axes.rows.map(|axis| axis.as_dvec3().dot(d));
+    let pixel = f64::from(axes.pixel);
+    let place = [(x, SIZE[0]), (y, SIZE[1])].map(|(c, side)| {
         let place = c / z / pixel + 0.5 * (side as f64 - 1.0);
         (place >= 0.0 && place < side as f64 - 1.0).then_some(place as usize)
     });
@@ -97,38 +131,28 @@ fn seen(scene: &Prepared, point: DVec3) -> Option<[usize; 2]> {
     }
 }
 
-/// Whether an outline reaches the pixels around a place.
-fn has(world: World<'_>, number: usize, [x, y]: [usize; 2]) -> bool {
-    let rect = world.axes.rect(rectangle(x, y, x + 1, y + 1));
-    let rects = world.axes.rects(baseline(), [x, y], [1, 1]);
-    let [from, to] = world.outline(number).narrow(rects);
-    world.screen[number].meets(rect) && from.as_slice()[0] <= to.as_slice()[0]
-}
-
 proptest! {
     #[test]
     fn a_sphere_a_block_and_their_shadows_are_within_their_outlines(
         scene in scene(),
         ways in prop::collection::vec((-1.0..1.0, -1.0..1.0, -1.0..1.0), 64),
     ) {
-        let prepared = &*prepared(&scene);
-        let world = World { scene: &scene, prepared };
+        let bounds = Bounds::of(&scene);
+        let axes = &bounds.coverage.axes;
         let (sphere, block) = (&scene.spheres[0], &scene.blocks[0]);
         let lamp = scene.lights[0].position.as_dvec3();
         for (x, y, z) in ways {
             let way = DVec3::new(x, y, z);
             let in_sphere = way.clamp_length_max(0.999) * f64::from(sphere.radius);
             let points = [sphere.centre.as_dvec3() + in_sphere, within(block, way)];
-            for (object, point) in points.into_iter().enumerate() {
-                if let Some(place) = seen(prepared, point) {
-                    prop_assert!(has(world, object, place));
+            for (solid, point) in points.into_iter().enumerate() {
+                if let Some(place) = seen(axes, scene.camera.eye, point) {
+                    let is_asked = |outline| matches!(outline, Outline::Object(id) if id.index() == solid);
+                    prop_assert!(bounds.have(&scene, place, is_asked));
                 }
                 let below = lamp + (point - lamp) * (lamp.y / (lamp.y - point.y));
-                if let Some(place) = seen(prepared, below) {
-                    let shadows = prepared.background() + 1..prepared.outlined;
-                    let shadow = shadows.clone().find(|&shadow| prepared.shadow(shadow).object == object);
-                    let shadow = shadow.expect("each of both has a shadow");
-                    prop_assert!(has(world, shadow, place), "{object}, {place:?}");
+                if let Some(place) = seen(axes, scene.camera.eye, below) {
+                    prop_assert!(bounds.have_shadow(&scene, place, solid), "{solid}, {place:?}");
                 }
             }
         }
@@ -146,12 +170,20 @@ fn bounds_of_small_shadows_are_small() {
             .expect("it has no filter")
             .current();
         scene.spheres[0].radius = 0.02;
-        let prepared = prepared(&scene);
-        let shadow = prepared.background() + 1;
-        for y in (0..HEIGHT).step_by(8) {
-            for x in (0..WIDTH).step_by(8) {
-                let rect = prepared.axes.rect(rectangle(x, y, x + 8, y + 8));
-                met += usize::from(prepared.screen[shadow].meets(rect));
+        let Coverage {
+            axes,
+            outlines,
+            screen,
+            outlined,
+            ..
+        } = &*Bounds::of(&scene).coverage;
+        let shadow = outlines[..*outlined].iter().position(
+            |outline| matches!(outline, Outline::Shadow { object, .. } if object.index() == 0),
+        );
+        for y in (0..SIZE[1]).step_by(8) {
+            for x in (0..SIZE[0]).step_by(8) {
+                let rect = axes.rect(rectangle(x, y, x + 8, y + 8));
+                met += usize::from(shadow.is_some_and(|shadow| screen[shadow].meets(rect)));
                 tried += 1;
             }
         }
@@ -159,19 +191,17 @@ fn bounds_of_small_shadows_are_small() {
     assert!(met * 100 < tried, "{met} of {tried}");
 }
 
-/// Planes beyond the first one are looked for as objects, too, and no images in the first one.
+/// Planes beyond the first one are looked for as objects, too, and not as images in it.
 #[test]
-fn each_object_has_an_outline_of_its_own() {
+fn planes_have_outlines_and_no_images() {
     let scene = Scene {
         planes: List::of(&[Plane::default(); 2]),
         ..Scene::default()
     };
-    let prepared = &*prepared(&scene);
-    let world = World {
-        scene: &scene,
-        prepared,
-    };
-    for number in 0..=world.background() {
-        assert_eq!(world.outline(number).shown_by.index(), number);
+    let coverage = Bounds::of(&scene).coverage;
+    let outlines = &coverage.outlines[..coverage.outlined];
+    for (number, outline) in outlines.iter().enumerate() {
+        assert!(matches!(outline, Outline::Object(id) if id.index() == number));
     }
+    assert_eq!(outlines.len(), 2);
 }

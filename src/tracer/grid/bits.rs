@@ -4,11 +4,11 @@ use crate::picture::TILE_WIDTH;
 use core::ops::{BitAnd, BitOr, BitOrAssign, Not};
 
 /// Words of a row: one bit for each pixel that a tile is wide.
-pub(super) const WORDS: usize = TILE_WIDTH / 64;
+pub(crate) const WORDS: usize = TILE_WIDTH / 64;
 
 /// A row of bits, number 0 in the lowest bit of the first word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Bits(pub [u64; WORDS]);
+pub(crate) struct Bits(pub [u64; WORDS]);
 
 impl Bits {
     /// No bit is set.

@@ -1,7 +1,7 @@
 //! The part of the picture that a tile covers.
 
 /// Where a tile is in the picture, in pixels.
-pub(super) struct Area {
+pub(crate) struct Area {
     pub left: usize,
     pub top: usize,
     /// The end of its pixels.

@@ -1,4 +1,4 @@
-//! The picture as the eye sees it, and rectangles of it.
+//! Conservative bounds in screen space: the camera's axes, and rectangles of the picture.
 //!
 //! In the camera's own axes a ray is (u, v, 1): u to the right, v down.
 
@@ -6,7 +6,7 @@ use crate::lanes::*;
 use crate::scene::camera::{Raster, pixels};
 use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 
-/// The camera's axes, and where its pixels are in the plane at distance 1.
+/// The camera's axes, and the positions of its pixels in the plane at distance 1.
 #[derive(Clone)]
 pub(crate) struct Axes {
     /// To the right, down, and forward.
@@ -23,66 +23,63 @@ pub(crate) type Rect = Vec4;
 
 /// Rectangles of the picture, one in each lane: the least u and v, and the greatest.
 #[derive(Clone, Copy)]
-pub(crate) struct Rects<S: Isa> {
+pub(super) struct Rects<S: Isa> {
     pub left: F<S>,
     pub top: F<S>,
     pub right: F<S>,
     pub bottom: F<S>,
 }
 
-/// The corners of a rectangle in pixels, made in a register: what is put together in memory takes longer to get back.
+/// Returns a rectangle in pixels, made in a register: a vector that is put together in memory takes longer to load.
 #[inline(always)]
 pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) -> Vec4 {
     Vec4::new(pixels(left), pixels(top), pixels(right), pixels(bottom))
 }
 
-/// A rectangle around something in the picture: the least u and v, and the greatest, these two negative.
-#[derive(Clone, Copy)]
-pub(crate) struct ScreenBounds(Vec4);
+/// A bounding rectangle in the picture: the least u and v, and the greatest, these two negative.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct ScreenBounds(Vec4);
 
 /// Pixels around a bound, far more than its rounding.
 const PIXELS_AROUND: f32 = 0.5;
 
 impl Axes {
-    pub const NONE: Self = Self {
+    /// All zeros.
+    pub const ZERO: Self = Self {
         rows: [Vec3A::ZERO; 3],
         pixel: 0.0,
         reach: 0.0,
         middle: Vec4::ZERO,
     };
 
-    /// Takes in a picture of `width` by `height` pixels.
-    pub fn set(&mut self, raster: &Raster, width: usize, height: usize) {
+    /// Returns the axes of a picture of `width` by `height` pixels, whose samples are `offset` pixels off the pixels' centres. The
+    /// raster is without this offset.
+    pub fn new(raster: &Raster, [width, height]: [usize; 2], offset: Vec2) -> Self {
         let pixel = raster.dx.length();
         let [x, y] = [width, height].map(|side| 0.5 * (pixels(side) - 1.0));
         let [corner, dx, dy] = [raster.corner, raster.dx, raster.dy].map(Vec3A::from);
-        self.rows = [dx / pixel, dy / pixel, corner + dx * x + dy * y];
-        self.pixel = pixel;
-        self.reach = (pixel * x.max(y)).max(1.0);
-        self.middle = Vec4::new(x, y, x, y);
-    }
-
-    /// Has the pixels' samples that much to the left and above.
-    pub fn move_middle(&mut self, by: Vec2) {
-        self.middle += Vec4::new(by.x, by.y, by.x, by.y);
-    }
-
-    /// Mirrors them in a horizontal plane.
-    pub fn mirror(&mut self) {
-        for row in &mut self.rows {
-            row.y = -row.y;
+        Self {
+            rows: [dx / pixel, dy / pixel, corner + dx * x + dy * y],
+            pixel,
+            reach: (pixel * x.max(y)).max(1.0),
+            middle: Vec4::new(x, y, x, y) - Vec4::from((offset, offset)),
         }
     }
 
-    /// The rectangle with these corners, in pixels.
+    /// Converts a rectangle in pixels.
     pub fn rect(&self, pixels: Vec4) -> Rect {
         (pixels - self.middle) * self.pixel
     }
 
-    /// As many rectangles below each other as there are lanes. The upper left corner of the first one, and the width and the height
-    /// of each are in pixels.
+    /// Returns a column of rectangles, one for each lane. The upper left corner of the first one, and the width and the height of
+    /// each are in pixels.
     #[inline(always)]
-    pub fn rects<S: Isa>(&self, simd: S, [left, top]: [usize; 2], size: [usize; 2]) -> Rects<S> {
+    pub(super) fn rects<S: Isa>(
+        &self,
+        simd: S,
+        [left, top]: [usize; 2],
+        size: [usize; 2],
+    ) -> Rects<S> {
         let [width, height] = size.map(pixels);
         let [x, y, ..] = self.middle.to_array();
         let left = splat(simd, pixels(left) - x);
@@ -95,19 +92,19 @@ impl Axes {
         }
     }
 
-    /// Where pixels are, u and v.
+    /// Converts positions in pixels to u and v.
     #[inline(always)]
     pub fn points<S: Isa>(&self, x: F<S>, y: F<S>) -> [F<S>; 2] {
         let [middle_x, middle_y, ..] = self.middle.to_array();
         [(x - middle_x) * self.pixel, (y - middle_y) * self.pixel]
     }
 
-    /// The place in pixels of a point (u, v).
+    /// Converts a point (u, v) to pixels.
     pub fn pixel_at(&self, u: f32, v: f32) -> Vec2 {
         self.middle.xy() + Vec2::new(u, v) / self.pixel
     }
 
-    /// The column of pixels, with its fraction, that has some u.
+    /// Converts u to a column of pixels, with its fraction.
     #[inline(always)]
     pub fn column<S: Isa>(&self, u: F<S>) -> F<S> {
         u / self.pixel + self.middle.x
@@ -121,10 +118,10 @@ impl ScreenBounds {
     /// All of the picture, and beyond.
     pub const ALL: Self = Self(Vec4::NEG_INFINITY);
 
-    /// No window, all zeros.
+    /// All zeros.
     pub const ZERO: Self = Self(Vec4::ZERO);
 
-    /// From the least to the greatest u, and from the least to the greatest v. Each pair is `(b + a) / (d + c)` and
+    /// Returns the bounds from the least to the greatest u, and from the least to the greatest v. Each pair is `(b + a) / (d + c)` and
     /// `(b - a) / (d - c)`, of a vector's a, b, c and d.
     #[inline(always)]
     pub fn around(u: Vec4, v: Vec4, pixel: f32) -> Self {
@@ -133,22 +130,22 @@ impl ScreenBounds {
         let ahead = Vec4::new(u.w, v.w, u.w, v.w) + ends(u.z, v.z);
         let across = Vec4::new(u.x, v.x, u.x, v.x) + ends(u.y, v.y);
         let slope = across / ahead - PIXELS_AROUND * pixel;
-        // A tangent that points backwards leaves the picture on its side; an eye within has none, nor what is no number.
+        // A tangent that points backwards does not bound its side of the picture, nor does NaN.
         let is_slope = ahead.cmpgt(Vec4::ZERO) & slope.cmpeq(slope);
         Self(Vec4::select(is_slope, slope, Vec4::NEG_INFINITY))
     }
 
-    /// The same in pixels.
+    /// Converts the bounds to pixels.
     pub fn in_pixels(&self, axes: &Axes) -> Vec4 {
         self.0 / axes.pixel + axes.middle * Vec4::new(1.0, 1.0, -1.0, -1.0)
     }
 
-    /// Around both.
+    /// Extends the bounds to contain others.
     pub fn join(&mut self, other: Self) {
         self.0 = self.0.min(other.0);
     }
 
-    /// Narrows rectangles to the u that they share with it, to none if they are above or below.
+    /// Narrows rectangles to the range of u that they share with the bounds; to an empty one if they are above or below.
     #[inline(always)]
     pub fn narrow<S: Isa>(&self, rects: &mut Rects<S>) {
         let simd = rects.left.token();
@@ -160,7 +157,7 @@ impl ScreenBounds {
         rects.right = is_beside.select(splat(simd, f32::NEG_INFINITY), rects.right);
     }
 
-    /// Whether it shares a point with a rectangle.
+    /// Returns whether the bounds share a point with a rectangle.
     #[inline(always)]
     pub fn meets(&self, rect: Rect) -> bool {
         let far = rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0);

@@ -6,13 +6,13 @@ use crate::quality::Quality;
 use crate::trace::{Layers, Sample};
 
 /// Levels of the pyramid. Level 0 has single pixels, and level `n` squares of `1 << n` pixels a side.
-pub(super) const LEVELS: usize = Quality::MAX_SQUARE.ilog2() as usize + 1;
+pub(crate) const LEVELS: usize = Quality::MAX_SQUARE.ilog2() as usize + 1;
 
 /// The grids of all levels but that of single pixels, which are drawn as they are traced.
 ///
 /// A grid is row-major, with a point more along each side than there are squares, so that the corners of the square (x, y)
 /// are the points (x, y), (x + 1, y), (x, y + 1) and (x + 1, y + 1).
-pub(super) struct Pyramid {
+pub(crate) struct Pyramid {
     /// [`Sample`]s as words, as the vector code loads them.
     samples: [u64; POINTS],
     /// The keys of what was hit and lit there.
@@ -23,7 +23,7 @@ pub(super) struct Pyramid {
 
 /// A row of a grid; the vector code may read some points beyond its end.
 #[derive(Clone, Copy)]
-pub(super) struct GridRow<'a> {
+pub(crate) struct GridRow<'a> {
     pub samples: &'a [u64],
     pub keys: &'a [u32],
 }

@@ -4,37 +4,41 @@
 //! direction l to the lamp. Where d is 0 the surface mirrors the lamp. About that place d is linear in the pixels x to the right
 //! and y below, so the lobe is `ks e^-u` with `u = a x^2 + 2 b x y + c y^2`. Grooves, which make a lobe wider, are left out.
 
-use super::object::{self, Object, ObjectId};
-use super::{Axes, Prepared};
+use super::Coverage;
+use super::guard::{ALL, Search};
+use super::mirror::Mirror;
+use super::screen::{Axes, rectangle};
+use crate::grid::Bits;
 use crate::maths::sqrt;
+use crate::picture::TILE_HEIGHT;
+use crate::prepare::{Object, ObjectId, World};
 use crate::scene::camera::pixels;
-use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES, Scene};
-use crate::shapes::{Mirror, block, plane, sphere};
+use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
 use core::array;
 use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
 /// The most highlights: a lamp leaves one on a sphere and on a plane, and three on a box or a cylinder.
-pub(crate) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
+pub(super) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
 
 /// The side of the largest squares of the named qualities, in pixels.
 const SQUARE: f32 = 8.0;
 
-/// How much brighter than what is around it a highlight has to be for being missed, of 255: errors of that size are counted as
-/// wrong pixels.
+/// The least strength above its surroundings of a highlight that is looked for, of 255: errors of that size are counted as wrong
+/// pixels.
 const VISIBLE: f32 = 8.0;
 
 /// The decay u at which a highlight ends: `255 e^-u` is below [`VISIBLE`].
 const REACH: f32 = 3.5;
 
-/// The part of [`VISIBLE`] that may be missed, and that of a lobe's decay that is counted on: away from its middle a lobe is wider
-/// than the Gaussian that is taken for it. With these, none of 5,115 highlights on spheres and planes was missed, where one was
+/// The part of [`VISIBLE`] that may be missed, and the part of a lobe's decay that is counted on: away from its middle a lobe is wider
+/// than its Gaussian. With these, none of 5,115 highlights on spheres and planes was missed, where one was
 /// without; rays of the model scene are 0.05 % more.
 const SPARE: f32 = 0.6;
 const COUNTED_DECAY: f32 = 0.75;
 
 /// A highlight.
 #[derive(Clone, Copy)]
-pub(crate) struct Highlight {
+pub(super) struct Highlight {
     /// The object that shows it.
     pub object: ObjectId,
     /// Its middle, in pixels.
@@ -57,7 +61,7 @@ impl Highlight {
         strength: 0.0,
     };
 
-    /// Whether it may be seen in a rectangle of the picture, in pixels.
+    /// Returns whether it may be seen in a rectangle of the picture, in pixels.
     #[inline(always)]
     pub fn meets(&self, rect: Vec4) -> bool {
         self.bounds
@@ -65,14 +69,13 @@ impl Highlight {
             .all()
     }
 
-    /// The least and the greatest of its pixels, from a place in the picture.
+    /// Returns the least and the greatest of its pixels, from a place in the picture.
     pub fn ends(&self, from: [f32; 2]) -> [Vec2; 2] {
         let from = Vec2::from_array(from);
         [self.bounds.xy() - from, -self.bounds.zw() - from]
     }
 
-    /// Whether no square of a side in pixels may show something that is visibly brighter than it is at its corners, if all of these
-    /// show the object.
+    /// Returns whether no square of a side in pixels may be visibly brighter than its corners, if all of these show the object.
     ///
     /// The decay is least in the square's middle, on a side or at a corner: at a corner it is greater by as much as the quadratic
     /// form makes of half a side across and half a side down, at most.
@@ -82,16 +85,15 @@ impl Highlight {
         self.strength * (a + 2.0 * b.abs() + c) * half * half <= self.most(pixels(side))
     }
 
-    /// How much brighter a square of some width may be than what its corners show.
+    /// Returns how much brighter a square of some width may be than its corners.
     ///
-    /// What is missed of a smaller square has fewer pixels, so it may be more, as for the tolerances of a quality; but never a third
-    /// of what is there.
+    /// A smaller square has fewer pixels, so it may be more, as for the tolerances of a quality; but never a third of the highlight.
     fn most(&self, width: f32) -> f32 {
         SPARE * (VISIBLE * SQUARE / width).min(0.5 * self.strength)
     }
 
-    /// Whether a square, given by its ends in pixels, may show something that is visibly brighter than it is at those corners that
-    /// have a bit: upper left, upper right, lower left, lower right.
+    /// Returns whether a square, given by its ends in pixels, may be visibly brighter than the corners that have a bit: upper left,
+    /// upper right, lower left, lower right.
     #[inline(never)]
     pub fn is_missed(&self, rect: Vec4, corners: u64) -> bool {
         let [a, b, c] = self.decay;
@@ -132,72 +134,68 @@ impl Highlights {
     };
 }
 
-impl Prepared {
-    /// The highlights.
-    pub fn highlights(&self) -> &[Highlight] {
+impl Coverage {
+    /// Returns the highlights.
+    pub(super) fn highlights(&self) -> &[Highlight] {
         &self.highlights.list[..self.highlights.count]
     }
 
-    /// Prepares the highlights, after objects and lamps. Those that are seen from within a sphere or a cylinder are left out, and
-    /// those on waves.
-    pub(super) fn set_highlights(&mut self, scene: &Scene) {
+    /// Sets the highlights, after the objects. Highlights that are seen from within a sphere or a cylinder are left out, and highlights
+    /// on waves.
+    pub(super) fn set_highlights(&mut self, world: World<'_>) {
         self.highlights.count = 0;
-        for i in 0..self.background() {
-            let (object, material) = object::of(scene, ObjectId::new(i));
+        for i in 0..world.background() {
+            let (object, material) = world.object(ObjectId::new(i));
             let centre = match object {
                 Object::Sphere(sphere) => sphere.centre,
                 Object::Block(block) => block.centre,
                 Object::Plane(plane) => plane.centre,
                 Object::Light(_) | Object::Background => continue,
             };
-            if i == self.first_plane() && !scene.water.are_calm() {
+            if i == world.first_plane() && !world.scene.water.are_calm() {
                 continue;
             }
             // Beyond the object's own bounds no corner shows it.
-            let bounds = self.screen[i].in_pixels(&self.axes);
-            // Those of several lamps may add up.
-            let visible = VISIBLE / pixels(self.lamp_count);
+            let bounds = self.objects[i].screen.in_pixels(&self.axes);
+            // The highlights of several lamps may add up.
+            let visible = VISIBLE / pixels(world.lamps().len());
             let tint = Vec3A::ONE.lerp(material.colour.into(), material.metallic);
-            for lamp in &self.lamps[..self.lamp_count] {
-                let colour = tint * lamp.colour * (material.ks * self.weight * 255.0);
+            for lamp in world.lamps() {
+                let colour = tint * lamp.colour * (material.ks * world.weight * 255.0);
                 let strength = colour.max_element();
                 if strength <= visible {
                     continue;
                 }
                 let [eye, lamp] =
-                    [self.eye, lamp.position].map(|point| point - Vec3A::from(centre));
-                // What of an object is nearest to the middle of a highlight beside it has most of that.
-                let mut add = |mut place: Mirror| {
+                    [world.eye, lamp.position].map(|point| point - Vec3A::from(centre));
+                Mirror::each(&object, eye, lamp, |mut place| {
+                    // If the centre is off the block, use the nearest surface point.
                     if let Object::Block(block) = object {
                         let (axes, half) = (Mat3A::from(block.axes), Vec3A::from(block.half));
                         place.p = axes * (axes.transpose() * place.p).clamp(-half, half);
                     }
-                    let seen = place.seen(&self.axes, eye, lamp, 0.5 * material.exponent);
+                    let half_exponent = 0.5 * material.exponent;
+                    let Some(seen) = place.seen(&self.axes, eye, lamp, half_exponent) else {
+                        return;
+                    };
                     let highlight = Highlight {
                         object: ObjectId::new(i),
                         bounds: seen.bounds.max(bounds),
                         strength,
                         ..seen
                     };
-                    // Not to be branched on: what is no number is kept out as well.
-                    let count = &mut self.highlights.count;
-                    self.highlights.list[*count % MAX_HIGHLIGHTS] = highlight;
-                    *count += usize::from(highlight.is_small(visible));
-                };
-                match object {
-                    Object::Sphere(it) => add(sphere::mirror(eye, lamp, it.radius)),
-                    Object::Block(block) => block::mirrors(block, eye, lamp, add),
-                    Object::Plane(_) | Object::Light(_) | Object::Background => {
-                        add(plane::mirror(eye, lamp))
+                    if highlight.is_small(visible) {
+                        self.highlights.list[self.highlights.count] = highlight;
+                        self.highlights.count += 1;
                     }
-                }
+                });
             }
         }
     }
 }
 
 impl Highlight {
-    /// Whether it is small enough to lie between corners: 4 pixels across and down from a corner u is 64 times the greater of a and
+    /// Returns whether it is small enough to lie between corners: 4 pixels across and down from a corner u is 64 times the greater of a and
     /// c at most. However thin it is, it shows in many pixels if it goes through their middles.
     fn is_small(&self, visible: f32) -> bool {
         let [a, _, c] = self.decay;
@@ -206,9 +204,9 @@ impl Highlight {
 }
 
 impl Mirror {
-    /// The highlight there, in a picture with some axes; `eye` and `lamp` are from the object's centre, too. It is no number where
+    /// Returns the highlight at this place, in a picture with some axes; `eye` and `lamp` are from the object's centre, too. `None` if
     /// the eye or the lamp does not see the place.
-    fn seen(&self, axes: &Axes, eye: Vec3A, lamp: Vec3A, half_exponent: f32) -> Highlight {
+    fn seen(&self, axes: &Axes, eye: Vec3A, lamp: Vec3A, half_exponent: f32) -> Option<Highlight> {
         let &Self {
             p,
             n,
@@ -220,6 +218,10 @@ impl Mirror {
         let (d, l) = (way / distance, to_lamp / lamp_distance);
         let [x, y, depth] = axes.rows.map(|row| row.dot(way));
         let facing = -d.dot(n);
+        let is_seen = depth.min(facing).min(l.dot(n)) > 0.0;
+        if !is_seen {
+            return None;
+        }
         // How d - l changes from pixel to pixel, with the place on the surface.
         let [right, down] = [axes.rows[0], axes.rows[1]].map(|step| {
             let step = (step + d * (step.dot(n) / facing)) * (depth * axes.pixel);
@@ -228,23 +230,53 @@ impl Mirror {
             let mirrored = ray - (n * (ray.dot(n) + d.dot(turned)) - turned * facing) * 2.0;
             mirrored + (step - l * l.dot(step)) / lamp_distance
         });
-        let is_seen = depth.min(facing).min(l.dot(n)) > 0.0;
-        let scale = if is_seen {
-            COUNTED_DECAY * half_exponent
-        } else {
-            f32::NAN
-        };
+        let scale = COUNTED_DECAY * half_exponent;
         let [a, b, c] =
             [(right, right), (right, down), (down, down)].map(|(v, w)| v.dot(w) * scale);
         // No more drawn out than rounding allows for.
         let scale = REACH / (a * c - b * b).max(a * c * 1e-6);
         let middle = axes.pixel_at(x / depth, y / depth);
         let reach = Vec2::new(sqrt(c * scale), sqrt(a * scale));
-        Highlight {
+        Some(Highlight {
             middle,
             bounds: Vec4::from((middle - reach, -middle - reach)),
             decay: [a, b, c],
             ..Highlight::ZERO
+        })
+    }
+}
+
+impl Search<'_> {
+    /// Looks for a highlight in covered squares: leaves a square open if the highlight may be visibly brighter in it than at the
+    /// corners that show the object.
+    pub(super) fn look_for_highlight(
+        &mut self,
+        highlight: &Highlight,
+        asked: &[Bits; TILE_HEIGHT],
+    ) {
+        let squares = self.squares;
+        let area = squares.area;
+        let is_even = highlight.is_even(squares.side());
+        let [least, most] = highlight.ends([area.left, area.top].map(pixels));
+        let square = |place: f32, count: usize| {
+            ((place / pixels(squares.side())) as i32).min(count as i32 - 1)
+        };
+        let [first, last] = [least.x.max(0.0), most.x].map(|x| square(x, squares.columns()));
+        let rows = [least.y.max(0.0), most.y].map(|y| square(y, squares.rows()));
+        for y in rows[0]..=rows[1] {
+            let y = y as usize % TILE_HEIGHT;
+            let closed = asked[y] & !self.open[y];
+            closed.for_each_in(first, last, |x| {
+                let (_, shown) = squares.corners([x, y], highlight.object);
+                if shown == 0 || shown == ALL && is_even {
+                    return;
+                }
+                let [left, right] = [x, x + 1].map(|x| area.left + (x << squares.level));
+                let [top, bottom] = [y, y + 1].map(|y| area.top + (y << squares.level));
+                if highlight.is_missed(rectangle(left, top, right, bottom), shown) {
+                    self.open[y].set(x);
+                }
+            });
         }
     }
 }

@@ -1,0 +1,355 @@
+//! The guard: which squares of a tile may show what none of their corners does.
+//!
+//! Of hundreds of outlines few have a rectangle that a tile meets. Each of these covers one range of a row of squares, which its
+//! tangents give, of four rows at once: only squares in that range are looked at.
+//!
+//! The object that a corner shows is known from tracing it. Whether it shows a shadow or an image on a plane is not, so there the
+//! region is tested: a corner that shows the plane and lies in the region shows the shadow or the image, or an occluder of it.
+
+use super::highlight::MAX_HIGHLIGHTS;
+use super::screen::Rect;
+use super::sides::Region;
+use super::{Coverage, MAX_OUTLINES, Outline, rectangle};
+use crate::grid::{Area, Bits, Pyramid};
+use crate::lanes::*;
+use crate::picture::TILE_HEIGHT;
+use crate::prepare::{ObjectId, World};
+use crate::scene::camera::pixels;
+use crate::trace::Sample;
+
+/// The outlines and the highlights that may be seen in a tile although no corner has shown them so far.
+pub(crate) struct Guard {
+    /// The numbers of the outlines.
+    outlines: [u16; MAX_OUTLINES],
+    count: usize,
+    /// A bit for each highlight.
+    highlights: [u64; MAX_HIGHLIGHTS.div_ceil(64)],
+}
+
+impl Guard {
+    /// Returns a guard of nothing, all zeros.
+    pub const fn new() -> Self {
+        Self {
+            outlines: [0; MAX_OUTLINES],
+            count: 0,
+            highlights: [0; _],
+        }
+    }
+
+    /// Lists the outlines and the highlights that may meet a tile, whose squares cover a rectangle of the picture.
+    pub fn begin(&mut self, coverage: &Coverage, area: &Area, rect: Rect) {
+        let pixels = rectangle(area.left, area.top, area.right, area.bottom);
+        self.highlights = [0; _];
+        for (number, highlight) in coverage.highlights().iter().enumerate() {
+            self.highlights[number / 64] |= u64::from(highlight.meets(pixels)) << (number % 64);
+        }
+        self.count = 0;
+        for (number, bounds) in coverage.screen[..coverage.outlined].iter().enumerate() {
+            // No branch, since it could not be predicted.
+            self.outlines[self.count] = number as u16;
+            self.count += usize::from(bounds.meets(rect));
+        }
+    }
+
+    /// Removes from `open` the squares of a level whose corners show everything that may be seen in them. `asked` are all squares of the
+    /// level. Only the outlines that may be missed remain listed for the level below.
+    pub fn look(
+        &mut self,
+        squares: &Squares<'_>,
+        asked: &[Bits; TILE_HEIGHT],
+        open: &mut [Bits; TILE_HEIGHT],
+    ) {
+        let mut search = Search {
+            squares,
+            open: [Bits::NONE; TILE_HEIGHT],
+            lamp: None,
+            covered: [Covered::NONE; SQUARE_ROWS],
+        };
+        let mut kept = 0;
+        for i in 0..self.count {
+            let number = self.outlines[i];
+            let (outline, region) = squares.coverage.outline(squares.world, number.into());
+            self.outlines[kept] = number;
+            kept += usize::from(search.look_for(outline, &region, open));
+        }
+        self.count = kept;
+        search.settle();
+        // Look for highlights in covered squares.
+        for (i, &word) in self.highlights.iter().enumerate() {
+            let mut rest = word;
+            while rest != 0 {
+                let number = 64 * i + rest.trailing_zeros() as usize;
+                search.look_for_highlight(&squares.coverage.highlights()[number], asked);
+                rest &= rest - 1;
+            }
+        }
+        let rows = squares.rows();
+        open[..rows].copy_from_slice(&search.open[..rows]);
+    }
+}
+
+/// The search of a level's squares for what their corners do not show.
+pub(super) struct Search<'a> {
+    pub squares: &'a Squares<'a>,
+    /// The squares where something may be missed.
+    pub open: [Bits; TILE_HEIGHT],
+    /// The lamp whose shadows are looked for; `None` for images.
+    lamp: Option<u8>,
+    /// The corners that the shadows by this lamp, or the images, cover, for each row of squares.
+    covered: [Covered; SQUARE_ROWS],
+}
+
+impl Search<'_> {
+    /// Looks for an outline in all open squares. Returns whether their parts may show it.
+    fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
+        let lamp = match outline {
+            Outline::Object(_) | Outline::Image(_) => None,
+            Outline::Shadow { lamp, .. } => Some(lamp),
+        };
+        if lamp != self.lamp {
+            self.settle();
+            self.lamp = lamp;
+        }
+        let mut may_be_missed = false;
+        let squares = self.squares;
+        squares.for_each_met(
+            region,
+            open,
+            #[inline(always)]
+            |square| {
+                may_be_missed |= match outline {
+                    Outline::Object(id) => self.look_for_object(id, region, square),
+                    Outline::Image(_) => self.look_on_plane(0, region, square),
+                    Outline::Shadow { plane, .. } => self.look_on_plane(plane, region, square),
+                };
+            },
+        );
+        may_be_missed
+    }
+
+    /// Looks for an object in a square: opens the square unless a corner shows the object, or all corners show one occluder. Returns
+    /// whether it is opened.
+    #[inline(always)]
+    fn look_for_object(&mut self, id: ObjectId, region: &Region, [x, y]: [usize; 2]) -> bool {
+        let (labels, shown) = self.squares.corners([x, y], id);
+        let is_missed = shown == 0 && !self.are_before(labels, id, region, [x, y]);
+        if is_missed {
+            self.open[y].set(x);
+        }
+        is_missed
+    }
+
+    /// Returns whether the corners of a square, which have some labels, all show one occluder of an object.
+    ///
+    /// They do if all of them would show a plane otherwise: then the occluder's part between them is on the eye's side of the plane.
+    #[inline(always)]
+    fn are_before(
+        &self,
+        [front, others @ ..]: [usize; 4],
+        back: ObjectId,
+        region: &Region,
+        square: [usize; 2],
+    ) -> bool {
+        let &Squares {
+            world, coverage, ..
+        } = self.squares;
+        if front == 0 || front > world.background() || others != [front; 3] {
+            return false;
+        }
+        let front = ObjectId::new(front - 1);
+        coverage.occludes(world.eye, front, back)
+            || back.index() >= world.first_plane()
+                && coverage.objects[front.index()].is_beside(world.eye.extend(0.0))
+                && self.squares.inside(square, region) == ALL
+    }
+
+    /// Looks for an image or a shadow on a plane in a square, where some corners show the plane. An image opens the square unless one of
+    /// these is inside of its region: it may be in front of another image. A shadow does the same, once all shadows by its lamp are known,
+    /// unless all corners are inside of another one.
+    #[inline(always)]
+    fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
+        let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
+        let (_, shown) = self.squares.corners([x, y], plane);
+        // Where no corner shows the plane, it is not visible here, or its own outline has already opened the square.
+        if shown != 0 {
+            let inside = shown & self.squares.inside([x, y], region);
+            let covered = &mut self.covered[y % SQUARE_ROWS];
+            if inside == ALL {
+                covered.wholly.set(x);
+            } else if inside == 0 && self.lamp.is_none() {
+                self.open[y].set(x);
+            } else if inside == 0 || inside != shown && covered.partly.has(x) {
+                covered.missed.set(x);
+            } else if inside != shown {
+                covered.partly.set(x);
+            }
+        }
+        true
+    }
+
+    /// Opens the squares where a shadow by the current lamp, or light between two shadows, may be missed.
+    #[inline(never)]
+    fn settle(&mut self) {
+        for (covered, open) in self.covered.iter_mut().zip(&mut self.open) {
+            *open |= covered.missed & !covered.wholly;
+            *covered = Covered::NONE;
+        }
+    }
+}
+
+/// The most rows of squares in a tile: each is larger than a pixel.
+const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
+
+/// All corners of a square.
+pub(super) const ALL: u64 = 0b1111;
+
+/// How shadows by one lamp, or images, cover the corners of a row of squares, a bit for each square.
+///
+/// Corners that all are in shadow say nothing of light between two shadows, nor do corners that all show images of what is between two
+/// images: a square is left open where two outlines cover some of its corners each. Where one outline covers all of them, which is
+/// convex, no other by the same lamp matters.
+#[derive(Clone, Copy)]
+struct Covered {
+    /// One covers all corners.
+    wholly: Bits,
+    /// One covers some of the corners that show the plane.
+    partly: Bits,
+    /// One covers no corner that shows the plane, or two cover some of them.
+    missed: Bits,
+}
+
+impl Covered {
+    const NONE: Self = Self {
+        wholly: Bits::NONE,
+        partly: Bits::NONE,
+        missed: Bits::NONE,
+    };
+}
+
+/// The squares of a level of a tile, and what their corners show.
+pub(crate) struct Squares<'a> {
+    pub(super) world: World<'a>,
+    pub(super) coverage: &'a Coverage,
+    pub(super) area: &'a Area,
+    pyramid: &'a Pyramid,
+    pub(super) level: usize,
+    /// How many columns and rows of corners are pixels of the picture.
+    pixels: [usize; 2],
+}
+
+/// The most that rounding moves the ends of a range, in pixels.
+const COLUMN_MARGIN: f32 = 0.02;
+
+/// Rows of squares that a region is narrowed to at once.
+const ROWS: usize = 4;
+
+impl<'a> Squares<'a> {
+    /// Returns the squares of a level, whose corners are traced.
+    pub fn new(
+        world: World<'a>,
+        coverage: &'a Coverage,
+        area: &'a Area,
+        pyramid: &'a Pyramid,
+        level: usize,
+    ) -> Self {
+        Self {
+            world,
+            coverage,
+            area,
+            pyramid,
+            level,
+            pixels: [
+                (area.picture[0] - area.left).div_ceil(1 << level),
+                (area.picture[1] - area.top).div_ceil(1 << level),
+            ],
+        }
+    }
+
+    /// Returns the side of a square in pixels.
+    pub(super) fn side(&self) -> usize {
+        1 << self.level
+    }
+
+    /// Returns the number of squares side by side.
+    pub(super) fn columns(&self) -> usize {
+        self.area.columns(self.level)
+    }
+
+    /// Returns the number of squares on top of each other.
+    pub(super) fn rows(&self) -> usize {
+        self.area.rows(self.level)
+    }
+
+    /// Calls with the column and the row of each square in `open` that may meet a region.
+    #[inline(always)]
+    fn for_each_met(
+        &self,
+        region: &Region,
+        open: &[Bits; TILE_HEIGHT],
+        mut call: impl FnMut([usize; 2]),
+    ) {
+        let rows = self.rows();
+        for top in (0..rows).step_by(ROWS) {
+            let group = top..rows.min(top + ROWS);
+            if open[group.clone()].iter().all(Bits::is_empty) {
+                continue;
+            }
+            let [first, last] = self.ranges(region, top);
+            for (row, y) in group.enumerate() {
+                open[y].for_each_in(first[row], last[row], |x| call([x, y]));
+            }
+        }
+    }
+
+    /// Returns the first and the last square, sides included, that may meet a region, of each of [`ROWS`] rows from `top` down; the
+    /// first beyond the last where none may.
+    #[inline(never)]
+    fn ranges(&self, region: &Region, top: usize) -> [[i32; ROWS]; 2] {
+        let simd = baseline();
+        let axes = &self.coverage.axes;
+        let corner = [self.area.left, self.area.top + (top << self.level)];
+        let size = [self.columns() << self.level, self.side()];
+        let [from, to] = region.narrow(axes.rects(simd, corner, size));
+        let [first, last] = [(from, -COLUMN_MARGIN), (to, COLUMN_MARGIN)].map(|(u, margin)| {
+            let column = axes.column::<Baseline>(u) - (pixels(self.area.left) - margin);
+            let square = column / pixels(self.side());
+            let square = square.max(splat(simd, 0.0));
+            square
+                .min(splat(simd, pixels(self.columns() - 1)))
+                .to_int::<I<Baseline>>()
+        });
+        let last = from
+            .simd_le(to)
+            .select(last, I::<Baseline>::splat(simd, -1));
+        [first, last].map(|squares| squares.into())
+    }
+
+    /// Returns the labels of a square's corners, and a bit for each corner that is a pixel of the picture and shows an object.
+    #[inline(always)]
+    pub(super) fn corners(&self, [x, y]: [usize; 2], object: ObjectId) -> ([usize; 4], u64) {
+        let labels = self.pyramid.corners(self.level, x, y).map(Sample::label);
+        let [upper, right, lower, last] =
+            labels.map(|label| u64::from(label == object.index() + 1));
+        // The first one always is a pixel.
+        let mut shown = upper | right << 1 | lower << 2 | last << 3;
+        if x + 1 == self.pixels[0] {
+            shown &= 0b0101;
+        }
+        if y + 1 == self.pixels[1] {
+            shown &= 0b0011;
+        }
+        (labels, shown)
+    }
+
+    /// Returns a bit for each corner of a square that is sure to be inside of a region. Not inlined, since that takes fewer bytes.
+    #[inline(never)]
+    pub(super) fn inside(&self, [x, y]: [usize; 2], region: &Region) -> u64 {
+        let [left, right] = [x, x + 1].map(|x| pixels(self.area.left + (x << self.level)));
+        let [top, bottom] = [y, y + 1].map(|y| pixels(self.area.top + (y << self.level)));
+        let simd = baseline();
+        let x = F::<Baseline>::simd_from(simd, [left, right, left, right]);
+        let y = F::<Baseline>::simd_from(simd, [top, top, bottom, bottom]);
+        let points = self.coverage.axes.points::<Baseline>(x, y);
+        region.contains::<Baseline>(points).to_bitmask()
+    }
+}

@@ -1,0 +1,36 @@
+//! The images of solids and lights in the first plane.
+//!
+//! An image in a plane is the object as the eye's mirror image behind the plane sees it. So it has the outline that the object has for
+//! a camera mirrored in the plane, in the same place of the picture.
+
+use super::screen::ScreenBounds;
+use super::view::View;
+use super::{Coverage, Outline};
+use crate::prepare::{MAX_GROUPS, World};
+
+impl Coverage {
+    /// Sets the bounds of all images, after the objects, if the first plane is a mirror without waves.
+    pub(super) fn set_images(&mut self, world: World<'_>) {
+        let Some(plane) = world.scene.planes.first() else {
+            return;
+        };
+        if !world.scene.water.are_calm() {
+            // Images in waves may be anywhere.
+            self.groups[1] = [ScreenBounds::ALL; MAX_GROUPS];
+        } else if plane.material.is_specular() {
+            let mut eye = world.eye;
+            eye.y = 2.0 * plane.centre.y - eye.y;
+            let mirrored = self.axes.rows.map(|row| row.with_y(-row.y));
+            self.image = View::eye(eye, mirrored);
+            for (_, node) in world.tree.objects() {
+                let screen = self.image.screen(node, self.axes.pixel);
+                self.groups[1][node.group()].join(screen);
+                // An object beyond the plane has no image.
+                let [_, most] = self.heights(node.object, &world.planes()[0], world.eye);
+                if self.objects[node.object.index()].is_finite() && most >= 0.0 {
+                    self.list(Outline::Image(node.object), screen);
+                }
+            }
+        }
+    }
+}

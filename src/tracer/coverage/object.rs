@@ -1,0 +1,175 @@
+//! Objects in the eye's own sight: their bounds in the picture, and which of two occludes the other.
+
+use super::screen::ScreenBounds;
+use super::sides::CORNER;
+use super::{Coverage, Outline};
+use crate::maths::sqrt;
+use crate::prepare::{BvhNode, Object, ObjectId, World};
+use crate::scene::Block;
+use crate::shapes::sphere::{HIT_ERROR, hit_error};
+use glam::{Mat3A, Vec3A, Vec4};
+
+/// Conservative bounds of an object.
+pub(super) struct ObjectBounds {
+    /// The number of a solid's or a light's node in the tree.
+    pub node: u16,
+    pub screen: ScreenBounds,
+    /// Bounds of a sphere's power of the eye, distance squared minus radius squared, infinite around the eye; `None` where the eye may
+    /// be inside or outside, and for other objects. Of two spheres the one with the smaller power is in front wherever both are, since
+    /// the plane of equal powers separates their visible parts (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
+    power: Option<[f32; 2]>,
+    /// The ends of its extent along the scene's axes, and forward from the eye.
+    ///
+    /// Along the axes these are the scene's own numbers, where they are exact: an object that stands on another one, or rises out of it
+    /// by the last digit of its height, does so here.
+    least: Vec4,
+    most: Vec4,
+}
+
+/// More than rounding moves a hit towards the eye, as a share of how far the object reaches from it.
+const CONTACT: f32 = 1e-6;
+
+/// An eye nearer to a sphere than this many times its hit error may be inside or outside.
+const TOUCHING: f32 = 4.0;
+
+impl ObjectBounds {
+    /// All zeros.
+    pub const ZERO: Self = Self {
+        node: 0,
+        screen: ScreenBounds::ZERO,
+        power: None,
+        least: Vec4::ZERO,
+        most: Vec4::ZERO,
+    };
+
+    /// Returns [`hit_error`] of the object.
+    #[inline(never)]
+    pub fn hit_error(&self) -> f32 {
+        let reach = self.least.abs().max(self.most.abs());
+        hit_error(Vec3A::from_vec4(reach), 0.0)
+    }
+
+    /// Returns whether its extent is finite.
+    pub fn is_finite(&self) -> bool {
+        self.most.is_finite()
+    }
+
+    /// Returns how far it reaches above a height, least and most.
+    pub fn above(&self, height: f32) -> [f32; 2] {
+        [self.least.y - height, self.most.y - height]
+    }
+
+    /// Returns whether a plane across an axis has the eye and this object on one side, and another object on the other: then this one
+    /// is in front wherever both are.
+    ///
+    /// The other has to be beyond by what rounding does to hits, but for a solid seen from outside, which is in front of the plane
+    /// that it stands on by its own height.
+    #[inline(never)]
+    fn is_before(&self, other: &Self, eye: Vec4) -> bool {
+        let is_solid = self.least.y < self.most.y && self.is_beside(eye);
+        let lanes = if is_solid { Vec4::W } else { Vec4::ONE };
+        let [far, near] = [other.least, other.most].map(|end| (end - eye).abs() + end.abs());
+        let slack = (far + near) * lanes * CONTACT;
+        let below = self.most.max(eye).cmple(other.least - slack);
+        let above = self.least.min(eye).cmpge(other.most + slack);
+        (below | above).any()
+    }
+
+    /// Returns whether a point is sure to be outside.
+    pub fn is_beside(&self, point: Vec4) -> bool {
+        let is_beside = self.least.cmpgt(point) | self.most.cmplt(point);
+        is_beside.bitmask() & 0b111 != 0
+    }
+}
+
+/// Returns the bounds of a sphere's power, see [`ObjectBounds::power`]. `to` is its centre from the eye.
+fn power(to: Vec3A, node: &BvhNode) -> Option<[f32; 2]> {
+    let radius = node.radius;
+    let distance2 = to.length_squared();
+    let power = distance2 - radius * radius;
+    let unsure = HIT_ERROR * (distance2 + radius * radius);
+    let is_sure = (sqrt(distance2) - radius).abs() > TOUCHING * node.hit_error;
+    is_sure.then_some(if power < 0.0 {
+        [f32::INFINITY; 2]
+    } else {
+        [power - unsure, power + unsure]
+    })
+}
+
+/// Returns how far a block reaches from its centre along the scene's axes and forward.
+fn extent(block: &Block, forward: Vec3A) -> Vec4 {
+    let inward = Mat3A::from(block.axes).transpose();
+    let half = Vec3A::from(block.half);
+    let own = [
+        inward.x_axis,
+        inward.y_axis,
+        inward.z_axis,
+        inward * forward,
+    ];
+    Vec4::from(own.map(|axis| {
+        // Exact along an axis of its own, and larger by what axes may be off elsewhere.
+        let tilt = (axis.abs().element_sum() - 1.0).abs();
+        axis.abs().dot(half) + CORNER.min(4.0 * tilt) * half.element_sum()
+    }))
+}
+
+impl Coverage {
+    /// Sets the bounds of all objects.
+    pub(super) fn set_objects(&mut self, world: World<'_>) {
+        let forward = self.axes.rows[2];
+        let ends = |centre: Vec3A, extent: Vec4| {
+            let centre = centre.extend((centre - world.eye).dot(forward));
+            [centre - extent, centre + extent]
+        };
+        for (number, node) in world.tree.objects() {
+            let screen = self.eye.screen(node, self.axes.pixel);
+            self.groups[0][node.group()].join(screen);
+            let (power, extent) = match world.object(node.object).0 {
+                Object::Block(block) => (None, extent(block, forward)),
+                _ => (
+                    power(node.centre - world.eye, node),
+                    Vec4::splat(node.radius),
+                ),
+            };
+            let [least, most] = ends(node.centre, extent);
+            let object = ObjectBounds {
+                node: number as u16,
+                screen: if most.is_finite() {
+                    screen
+                } else {
+                    ScreenBounds::NONE
+                },
+                power,
+                least,
+                most,
+            };
+            self.list(Outline::Object(node.object), object.screen);
+            self.objects[node.object.index()] = object;
+        }
+        for (i, plane) in world.planes().iter().enumerate() {
+            let id = ObjectId::new(world.first_plane() + i);
+            // Forward it is nowhere before or behind anything.
+            let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
+            let [least, most] = ends(plane.centre, extent);
+            self.objects[id.index()] = ObjectBounds {
+                screen: ScreenBounds::ALL,
+                least,
+                most,
+                ..ObjectBounds::ZERO
+            };
+            self.list(Outline::Object(id), ScreenBounds::ALL);
+        }
+    }
+
+    /// Returns whether a patch whose corners all show the object `front` cannot show the object `back` anywhere.
+    ///
+    /// Objects are convex: between the visible points at the corners, `front` is nowhere farther away than these.
+    pub(super) fn occludes(&self, eye: Vec3A, front: ObjectId, back: ObjectId) -> bool {
+        let (f, b) = (&self.objects[front.index()], &self.objects[back.index()]);
+        let has_less_power = match (f.power, b.power) {
+            (Some([_, front]), Some([back, _])) => front < back,
+            _ => false,
+        };
+        f.is_before(b, eye.extend(0.0)) || has_less_power
+    }
+}

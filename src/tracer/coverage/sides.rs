@@ -1,0 +1,220 @@
+//! The rays that meet a sphere, a block or a plane, as a convex part of the picture.
+//!
+//! A sphere is met by the rays w with `sin (a . w) >= cos |a x w|`, a the axis of its bounding cone. Seen from the eye, w is the
+//! picture's own ray (u, v, 1). A lamp's ray to the point where the eye's ray d meets a plane, which is H below the eye, is a linear
+//! image of d but for its length, `w = H d - (eye - lamp) d.y`: so a shadow is a cone as well. A block and a plane are met by the
+//! rays on the inner side of planes through the eye or the lamp.
+//!
+//! The difference of both sides of the inequality is a concave function of u and v, nowhere above its tangent plane, which
+//! is greatest at a corner of a square of the picture. So a square is outside if a tangent plane in its middle is below 0 at
+//! all corners.
+
+use super::screen::{Axes, Rects, ScreenBounds};
+use super::silhouette::Silhouette;
+use crate::lanes::*;
+use crate::scene::Block;
+use crate::shapes::plane::Rectangle;
+use crate::shapes::sphere::hit_error;
+use core::array;
+use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4};
+
+/// The most that rounding may add to a side's inequality, whose terms are below twice [`Axes::reach`].
+const ROUNDING: f32 = 1e-5;
+
+/// The least length that is divided by, where there is a direction across.
+const SHORTEST: f32 = 1e-20;
+
+/// Tangents from each end that a rectangle is narrowed by: the first ones touch a cone on their side of it, later ones in the
+/// rectangle.
+const TANGENTS: usize = 3;
+
+/// How far a block's corner may be from where the eye sees it, as a share of its distance and size: what axes may be off, by
+/// [`Scene::validate`](crate::scene::Scene::validate), which is far more than rounding, and a tenth of a pixel.
+pub(super) const CORNER: f32 = 2e-4;
+
+/// The same from a lamp, which may be a thousand times as far away: two roundings.
+pub(super) const CORNER_BY_LAMP: f32 = 1e-7;
+
+/// Four linear functions of u and v, one in each lane: the change for a step along u, for one along v, and the value at (0, 0).
+pub(super) type Terms = [Vec4; 3];
+
+/// The rays from the eye or a lamp that meet an object.
+#[derive(Clone, Copy)]
+pub(super) enum Sides {
+    /// All rays: their origin is inside of the object, or nearly. None is sure to meet it.
+    All,
+    /// The rays in a cone: `cos (a x w)` and, in the last lane, `sin (a . w)`.
+    Round {
+        terms: Terms,
+        /// See [`BoundingCone::unsure`](super::cone::BoundingCone::unsure).
+        unsure: f32,
+    },
+    /// The rays on the inner side of eight planes, by how far inside they are. Unused planes have all rays inside.
+    Flat {
+        terms: [Terms; 2],
+        /// Below this depth rays may miss the object.
+        unsure: f32,
+    },
+}
+
+impl Sides {
+    /// Returns the rays between the planes through the eye or a lamp and an edge of a block that have all of the block on one side:
+    /// two for each of its axes, at most. They leave room for `corner`, see [`CORNER`]. `to` is the block's centre.
+    #[inline(never)]
+    pub fn of_block(rays: &[Vec3A; 3], to: Vec3A, block: &Block, corner: f32) -> Self {
+        let inward = Mat3A::from(block.axes).transpose();
+        let half = Vec3A::from(block.half);
+        let slack = corner * (to.abs() + half).element_sum() + hit_error(block.centre.into(), 0.0);
+        let silhouette = Silhouette::new(block.shape, inward * to, half + slack);
+        let has_none = silhouette.has_none;
+        let mut unsure = 0.0_f32;
+        let terms = [1.0, -1.0].map(|way| {
+            let [x, y] = silhouette.ends(way);
+            let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
+            // The root of 3 is for the length of rays, and those of 2 because the scale has a sum for the distance of an edge, and
+            // because a lamp's rays are longer than the eye's.
+            unsure = unsure.max(3.5 * slack * scale.abs().max_element());
+            let mut terms = rays.map(|ray| {
+                let ray = inward * ray;
+                let side = (ray.zxy() * x - ray.yzx() * y) * scale;
+                // NaN within a cylinder.
+                Vec3A::select(has_none, Vec3A::ZERO, side).extend(0.0)
+            });
+            // An unused plane has all rays on its inner side.
+            terms[2] += Vec3A::select(has_none, Vec3A::ONE, Vec3A::ZERO).extend(1.0);
+            terms
+        });
+        Self::Flat { terms, unsure }
+    }
+
+    /// Returns the rays from the eye that meet a horizontal rectangle.
+    pub fn of_rectangle(rays: &[Vec3A; 3], eye: Vec3A, plane: &Rectangle) -> Self {
+        Self::Flat {
+            terms: [
+                rays.map(|ray| plane.sides(eye, ray)),
+                [Vec4::ZERO, Vec4::ZERO, Vec4::ONE],
+            ],
+            unsure: 0.0,
+        }
+    }
+
+    /// Narrows rectangles of the picture to the range of u in which rays through them may be inside, by a margin; to an empty one
+    /// where none may.
+    ///
+    /// A round cone is narrowed to by tangent planes from both ends: each is a line in the picture that has the cone on one side.
+    #[inline(never)]
+    fn narrow<S: Isa>(&self, rects: &mut Rects<S>, margin: f32) {
+        let simd = rects.left.token();
+        match self {
+            Self::All => {}
+            Self::Round { terms, .. } => {
+                let [right, down, terms] = terms.map(|terms| terms.to_array());
+                let middle = (rects.top + rects.bottom) * 0.5;
+                let row: [F<S>; 3] = array::from_fn(|i| middle * down[i] + terms[i]);
+                for _ in 0..TANGENTS {
+                    let tangents = [rects.left, rects.right].map(|u| {
+                        let [x, y, z]: [F<S>; 3] = array::from_fn(|i| u * right[i] + row[i]);
+                        // On the axis any direction across will do, such as none.
+                        let length = (x * x + y * y + z * z).sqrt().max(splat(simd, SHORTEST));
+                        // The tangent's function of the cone's terms, times that length.
+                        let side = |[a, b, c, d]: [f32; 4]| length * d - (x * a + y * b + z * c);
+                        [side(right), side(down), side(terms) - length * margin]
+                    });
+                    for [right, down, terms] in tangents {
+                        rects.cut(right, down, terms);
+                    }
+                }
+            }
+            Self::Flat { terms, .. } => {
+                for terms in terms {
+                    let terms = terms.map(|terms| terms.to_array());
+                    for i in 0..4 {
+                        let [right, down, terms] = terms.map(|terms| splat(simd, terms[i]));
+                        rects.cut(right, down, terms - margin);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Returns how far inside rays through points of the picture are, at least; below 0 they may be outside.
+    #[inline(never)]
+    fn depth<S: Isa>(&self, u: F<S>, v: F<S>) -> F<S> {
+        let at = |terms: &Terms| -> [F<S>; 4] {
+            let [right, down, terms] = terms.map(|terms| terms.to_array());
+            array::from_fn(|i| u * right[i] + v * down[i] + terms[i])
+        };
+        match self {
+            Self::All => splat(u.token(), f32::NEG_INFINITY),
+            Self::Round { terms, unsure } => {
+                let [x, y, z, w] = at(terms);
+                w * (1.0 - unsure) - (x * x + y * y + z * z).sqrt()
+            }
+            Self::Flat { terms, .. } => {
+                let [first, second] = [0, 1].map(|i| {
+                    let [x, y, z, w] = at(&terms[i]);
+                    x.min(y).min(z.min(w))
+                });
+                first.min(second)
+            }
+        }
+    }
+}
+
+impl<S: Isa> Rects<S> {
+    /// Narrows rectangles to the range of u for which `right u + down v + terms` is at least 0 for some v.
+    #[inline(never)]
+    fn cut(&mut self, right: F<S>, down: F<S>, terms: F<S>) {
+        let zero = splat(right.token(), 0.0);
+        let most = (down * self.top).max(down * self.bottom) + terms;
+        // NaN cuts nothing off. Where `right` is 0, which must not be -0, all is cut off or nothing.
+        let end = -most / (right + zero);
+        let least = at_least::<S>(end, self.left);
+        let greatest = at_most::<S>(end, self.right);
+        self.left = right.simd_ge(zero).select(least, self.left);
+        self.right = right.simd_lt(zero).select(greatest, self.right);
+    }
+}
+
+/// A conservative bound of the part of the picture that shows something.
+pub(super) struct Region {
+    pub bounds: ScreenBounds,
+    pub sides: Sides,
+    /// The most that rounding may add to a side's inequality.
+    pub rounding: f32,
+    /// The depth inside of all sides from which on a point is sure to show it, or an occluder of it.
+    pub margin: f32,
+}
+
+impl Region {
+    /// Returns the region inside of some sides. `rounding` is the part of [`ROUNDING`] that is allowed for.
+    pub fn new(axes: &Axes, bounds: ScreenBounds, sides: Sides, rounding: f32) -> Self {
+        let rounding = ROUNDING * axes.reach * rounding;
+        let unsure = match sides {
+            Sides::Flat { unsure, .. } => unsure * axes.reach,
+            Sides::All | Sides::Round { .. } => 0.0,
+        };
+        Self {
+            bounds,
+            sides,
+            rounding,
+            margin: rounding + unsure,
+        }
+    }
+
+    /// Returns the least and the greatest u of the region in rectangles of the picture; the least beyond the greatest where they do
+    /// not meet it.
+    #[inline(always)]
+    pub fn narrow<S: Isa>(&self, mut rects: Rects<S>) -> [F<S>; 2] {
+        self.bounds.narrow(&mut rects);
+        self.sides.narrow(&mut rects, -self.rounding);
+        [rects.left, rects.right]
+    }
+
+    /// Returns which points of the picture are sure to be inside.
+    #[inline(always)]
+    pub fn contains<S: Isa>(&self, [u, v]: [F<S>; 2]) -> M<S> {
+        let depth = self.sides.depth::<S>(u, v);
+        depth.simd_ge(splat(u.token(), self.margin))
+    }
+}
