@@ -1,7 +1,7 @@
 //! The set of a scene of the show: air, floor, lamps, props.
 
 use super::props::Prop;
-use eightfold_tracer::scene::{Film, Light, Material, Plane, Scene, Spot, Waves};
+use eightfold_tracer::scene::{Film, Light, Material, Plane, Scene, Waves};
 use glam::Vec3;
 
 /// The set of an act, or for several in a row.
@@ -87,11 +87,7 @@ impl Set {
         // Set the lights.
         scene.lights.clear();
         for &light in self.lights {
-            let spot = light.spot.map(|spot| Spot {
-                aim: spot.aim.normalize(),
-                ..spot
-            });
-            scene.lights.push(Light { spot, ..light });
+            scene.lights.push(light);
         }
         // Set the props.
         scene.spheres.clear();

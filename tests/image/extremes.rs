@@ -21,7 +21,7 @@ fn work(counts: &Counts) -> u64 {
 
 /// A scene scaled by a factor.
 pub fn scaled(scene: &Scene, factor: f32) -> Scene {
-    let mut scene = *scene;
+    let mut scene = scene.clone();
     scene.haze /= factor;
     scene.camera.eye *= factor;
     scene.camera.look_at *= factor;
@@ -177,8 +177,8 @@ pub fn rich() -> Scene {
     lamp.diameter = 0.5;
     lamp.spot = Some(Spot {
         aim: -lamp.position.normalize(),
-        cos_outer: 0.7,
-        cos_inner: 0.9,
+        outer_angle: 0.795,
+        inner_angle: 0.45,
     });
     scene
 }
@@ -231,7 +231,7 @@ fn many_spheres_with_invalid_coordinates_give_a_picture() {
     let normal = show::field(100, 1.0);
     for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
         for every in [1, 3, 50] {
-            let mut scene = normal;
+            let mut scene = normal.clone();
             for sphere in scene.spheres.iter_mut().step_by(every) {
                 sphere.centre.x = wrong;
             }

@@ -158,7 +158,7 @@ fn a_glow_is_as_bright_as_its_light_and_half_as_bright_at_its_radius() {
     }
     // A wall at the light leaves the half of the glow that is before it.
     let wall = |y: f32| {
-        let mut scene = scene;
+        let mut scene = scene.clone();
         (scene.camera.eye, scene.camera.up) = (vec3(0.0, 1000.0, 0.0), Vec3::Z);
         scene.planes.push(Plane {
             centre: vec3(0.0, y, 0.0),

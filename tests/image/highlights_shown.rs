@@ -116,13 +116,14 @@ fn scene(random: &mut Random, are_round_blocks: bool) -> Scene {
 }
 
 /// The scene, with an object that has no highlights, for each object.
-fn made_matt(scene: Scene) -> Vec<Scene> {
+fn made_matt(scene: &Scene) -> Vec<Scene> {
     let matt = |i: usize| {
-        let mut matt = scene;
+        let mut matt = scene.clone();
         materials(&mut matt)[i].ks = 0.0;
         matt
     };
-    (0..materials(&mut { scene }).len()).map(matt).collect()
+    let count = materials(&mut scene.clone()).len();
+    (0..count).map(matt).collect()
 }
 
 /// The shapes of a scene, in the order of [`materials`].
@@ -198,7 +199,7 @@ fn every_highlight_that_five_pixels_show_is_shown_and_the_bare_rules_miss_some()
                 .iter()
                 .map(|&quality| wrong_pixels(&whole, &draw(&scene, quality)))
                 .collect();
-            for (matt, shape) in made_matt(scene).into_iter().zip(shapes(&scene)) {
+            for (matt, shape) in made_matt(&scene).into_iter().zip(shapes(&scene)) {
                 let changed = wrong_pixels(&whole, &draw(&matt, Quality::EXHAUSTIVE));
                 let changed: Vec<usize> = (0..changed.len()).filter(|&i| changed[i]).collect();
                 for patch in patches(&changed, WIDTH) {

@@ -296,8 +296,8 @@ fn crowds_without_mirrors_have_42_db() {
         for light in scene.lights.iter_mut() {
             let spot = Spot {
                 aim: -light.position.normalize(),
-                cos_outer: 0.7,
-                cos_inner: 0.8,
+                outer_angle: 0.795,
+                inner_angle: 0.6435,
             };
             match seed % 4 {
                 0 => {}

@@ -42,7 +42,7 @@ fn scene(turn: f32) -> Scene {
 
 /// The scene without reflections: the mirror is black.
 fn without_reflections(scene: &Scene) -> Scene {
-    let mut scene = *scene;
+    let mut scene = scene.clone();
     scene.planes[0].material.kr = 0.0;
     scene
 }

@@ -17,8 +17,9 @@ pub fn reach(light: &Light) -> f64 {
 /// The share of a light that its cone sends in the direction `d`.
 pub fn cone(light: &Light, d: DVec3) -> f64 {
     light.spot.map_or(1.0, |spot| {
-        let (outer, inner) = (f64::from(spot.cos_outer), f64::from(spot.cos_inner));
-        smooth((d.dot(spot.aim.as_dvec3()) - outer) / (inner - outer))
+        let [outer, inner] =
+            [spot.outer_angle, spot.inner_angle].map(|angle| f64::from(angle).cos());
+        smooth((d.dot(spot.aim.as_dvec3().normalize()) - outer) / (inner - outer))
     })
 }
 

@@ -203,7 +203,7 @@ fn shiny(scene: &Scene) -> impl Iterator<Item = Object> {
 
 /// The scene with an object that has no highlights.
 fn made_matt(scene: &Scene, thing: Object) -> Scene {
-    let mut scene = *scene;
+    let mut scene = scene.clone();
     match thing {
         Object::Sphere(i) => scene.spheres[i].material.ks = 0.0,
         Object::Block(i) => scene.blocks[i].material.ks = 0.0,
@@ -215,7 +215,7 @@ fn made_matt(scene: &Scene, thing: Object) -> Scene {
 
 /// The scene without one of its things.
 fn without(scene: &Scene, thing: Object) -> Scene {
-    let mut scene = *scene;
+    let mut scene = scene.clone();
     match thing {
         Object::Sphere(i) => scene.spheres = all_but(&scene.spheres, i),
         Object::Block(i) => scene.blocks = all_but(&scene.blocks, i),
@@ -232,7 +232,7 @@ fn all_but<T: Copy + Default, const N: usize>(list: &[T], i: usize) -> List<T, N
 
 /// The scene without lamps, in even light: what changes in it is no shadow.
 fn without_lamps(scene: &Scene) -> Scene {
-    let mut scene = *scene;
+    let mut scene = scene.clone();
     scene.lights.clear();
     scene.ambient = Vec3::ONE;
     scene

@@ -31,8 +31,8 @@ static SET: Set = Set {
             diameter: 1.2,
             spot: Some(Spot {
                 aim: vec3(0.0, -1.0, 0.0),
-                cos_outer: 0.96,
-                cos_inner: 0.98,
+                inner_angle: 0.200_334_6,
+                outer_angle: 0.283_794_1,
             }),
             ..point([0.0, 9.0, 6.0], [0.45, 0.50, 0.65])
         },

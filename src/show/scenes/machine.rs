@@ -31,8 +31,8 @@ static SET: Set = Set {
             diameter: 0.8,
             spot: Some(Spot {
                 aim: vec3(0.5, -0.9, 0.6),
-                cos_outer: 0.70,
-                cos_inner: 0.95,
+                inner_angle: 0.317_560_4,
+                outer_angle: 0.795_398_83,
             }),
             ..point([-5.0, 10.0, -6.0], [0.45, 0.50, 0.70])
         },

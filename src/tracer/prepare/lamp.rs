@@ -3,7 +3,7 @@
 use super::object::ObjectId;
 use super::surface::bounded;
 use super::tree::{BvhNode, MARGIN, MAX_NODES};
-use crate::maths::sqrt;
+use crate::maths::{cos, sqrt};
 use crate::scene::{Light, Spot};
 use crate::shapes::sphere::hit_error;
 use glam::{Vec3, Vec3A};
@@ -16,7 +16,7 @@ pub(crate) struct Lamp {
     /// Whether it is a spotlight.
     pub is_cone: bool,
     /// The spotlight's cone, or one that is bright in all directions.
-    pub cone: Spot,
+    pub cone: SpotCone,
     /// See [`Light::diameter`].
     pub diameter: f32,
     /// The square of [`Light::glow_radius`].
@@ -30,6 +30,39 @@ pub(crate) struct Lamp {
     pub listed_from: ObjectId,
     /// The shadow cones of the [`super::Tree`]'s solid nodes, in the same order.
     pub shadow_cones: [ShadowCone; MAX_NODES],
+}
+
+/// The cone of a spotlight, see [`Spot`].
+pub(crate) struct SpotCone {
+    /// The direction in which it points, of length 1.
+    pub aim: Vec3,
+    /// The cosines of the angles to its edges.
+    pub cos_inner: f32,
+    pub cos_outer: f32,
+}
+
+impl SpotCone {
+    /// All zeros: memory before a frame is prepared.
+    const ZERO: Self = Self {
+        aim: Vec3::ZERO,
+        cos_inner: 0.0,
+        cos_outer: 0.0,
+    };
+
+    /// All directions, with a margin.
+    const ALL_BRIGHT: Self = Self {
+        aim: Vec3::ZERO,
+        cos_inner: -1.0,
+        cos_outer: -2.0,
+    };
+
+    fn new(spot: Spot) -> Self {
+        Self {
+            aim: spot.aim.normalize(),
+            cos_inner: cos(spot.inner_angle),
+            cos_outer: cos(spot.outer_angle),
+        }
+    }
 }
 
 /// The shadow of a node's sphere by one lamp. Points outside the sphere that lie in its shadow are inside a cone about the sphere
@@ -70,13 +103,6 @@ pub(crate) struct ShadowCone {
 /// A bound on the rounding error of the dot product of two directions.
 const ROUNDING: f32 = 1e-6;
 
-/// A cone that contains all directions with a margin.
-const ALL_BRIGHT: Spot = Spot {
-    aim: Vec3::ZERO,
-    cos_outer: -2.0,
-    cos_inner: -1.0,
-};
-
 /// More than the squared length of any chord of the unit sphere, which is at most 4.
 const ALL_AROUND: f32 = 5.0;
 
@@ -86,11 +112,7 @@ impl Lamp {
         position: Vec3A::ZERO,
         colour: Vec3A::ZERO,
         is_cone: false,
-        cone: Spot {
-            aim: Vec3::ZERO,
-            cos_outer: 0.0,
-            cos_inner: 0.0,
-        },
+        cone: SpotCone::ZERO,
         diameter: 0.0,
         glow2: 0.0,
         max_penumbra: 0.0,
@@ -106,7 +128,7 @@ impl Lamp {
         self.is_point = light.is_point();
         self.listed_from = ObjectId::new(spheres * usize::from(self.is_point));
         self.is_cone = light.spot.is_some();
-        self.cone = light.spot.unwrap_or(ALL_BRIGHT);
+        self.cone = light.spot.map_or(SpotCone::ALL_BRIGHT, SpotCone::new);
         self.diameter = light.shadow_diameter();
         self.glow2 = light.glow_radius() * light.glow_radius();
         // Below 0, the shadow of a sphere would not be inside that of its bound.

@@ -11,7 +11,7 @@ pub(crate) use air::Air;
 #[cfg(test)]
 pub(crate) use film::ROUND;
 pub(crate) use film::{Dither, Film, Four};
-pub(crate) use lamp::{Lamp, ShadowCone};
+pub(crate) use lamp::{Lamp, ShadowCone, SpotCone};
 pub(crate) use object::{Object, ObjectId, is_crowd};
 pub(crate) use surface::{PerLane, SURFACE_NUMBERS, Surface, SurfaceNumbers, SurfaceTable};
 pub(crate) use tree::{BvhNode, GroupSet, MAX_GROUPS, Tree, VisibleGroups};

@@ -27,8 +27,9 @@ pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
 
 use crate::flaw::{Checked, Flaw, Range};
+use core::f32::consts::PI;
 use glam::{Mat3, Vec3, Vec3A};
-use validate::{EXTENT, LENGTH, POINT, SHARE, SIGNED, is_unit};
+use validate::{EXTENT, LENGTH, POINT, SHARE};
 
 /// The most spheres in a scene. The show uses up to 256.
 pub const MAX_SPHERES: usize = 320;
@@ -49,7 +50,7 @@ pub const MAX_COPPER_BARS: usize = 16;
 pub const MAX_LETTERS: usize = 32;
 
 /// Everything that one frame shows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Scene {
@@ -229,6 +230,38 @@ impl Material {
         Self { kr, ..Self::BLACK }
     }
 
+    /// Clear glass of a refractive index, 0.1 to 10: that of windows is 1.5. It reflects by Schlick's approximation of Fresnel's
+    /// equations.
+    #[must_use]
+    pub const fn glass(index: f32) -> Self {
+        let root = (index - 1.0) / (index + 1.0);
+        let kr = root * root;
+        Self {
+            ks: 0.5,
+            exponent: 200.0,
+            kr,
+            fresnel: 1.0,
+            kt: 1.0 - kr,
+            index,
+            tint: Vec3::splat(1.0 - kr),
+            ..Self::BLACK
+        }
+    }
+
+    /// Polished metal of a colour, whose highlights have the colour, too. What it mirrors keeps its colours.
+    #[must_use]
+    pub const fn metal(colour: Vec3) -> Self {
+        Self {
+            colour,
+            kd: 0.4,
+            ks: 0.9,
+            exponent: 40.0,
+            metallic: 1.0,
+            kr: 0.25,
+            ..Self::BLACK
+        }
+    }
+
     /// Whether it mirrors light or lets light through. Glass does even with a `kr` of 0: it reflects all light at some angles.
     #[must_use]
     pub fn is_specular(&self) -> bool {
@@ -338,7 +371,7 @@ pub enum Shape {
 }
 
 /// A light whose brightness does not fall off with distance.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Light {
@@ -363,6 +396,13 @@ pub struct Light {
     pub glow: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,
+}
+
+/// A white lamp above the left of the default camera.
+impl Default for Light {
+    fn default() -> Self {
+        Self::new(Vec3::new(-2.0, 3.0, 2.0), Vec3::ONE)
+    }
 }
 
 impl Light {
@@ -444,30 +484,44 @@ impl Light {
 
 /// The cone of a spotlight, with a soft edge.
 ///
-/// Its brightness depends on the cosine of the angle between `aim` and the direction of the light: 0 up to `cos_outer`, 1 from
-/// `cos_inner` on, and `s^2 (3 - 2 s)` between them, where s rises linearly from 0 to 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// Its brightness depends on the cosine of the angle between `aim` and the direction of the light: 1 within `inner_angle`, 0 beyond
+/// `outer_angle`, and `s^2 (3 - 2 s)` between them, where s rises linearly from 0 to 1 as the cosine does.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Spot {
-    /// The direction in which it points, of length 1.
+    /// The direction in which it points, of any length but 0.
     pub aim: Vec3,
-    /// The cosine at the inner edge, up to 1.
-    pub cos_inner: f32,
-    /// The cosine at the outer edge, from -1 to below `cos_inner`.
-    pub cos_outer: f32,
+    /// The angle from `aim` to the inner edge in radians, from 0 to below `outer_angle`.
+    pub inner_angle: f32,
+    /// The angle from `aim` to the outer edge in radians, up to pi.
+    pub outer_angle: f32,
+}
+
+/// A cone of 60 degrees that points down.
+impl Default for Spot {
+    fn default() -> Self {
+        Self {
+            aim: Vec3::NEG_Y,
+            inner_angle: PI / 8.0,
+            outer_angle: PI / 6.0,
+        }
+    }
 }
 
 impl Spot {
     pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
-        let is_wider = -1.0 <= self.cos_outer && self.cos_outer < self.cos_inner;
-        of.rule("spot.aim", self.aim, is_unit(self.aim), "of length 1")?;
-        of.field("spot.cos_inner", self.cos_inner, SIGNED)?;
+        let is_aimed = self.aim.normalize_or_zero() != Vec3::ZERO;
+        let is_narrower = 0.0 <= self.inner_angle && self.inner_angle < self.outer_angle;
+        let angle = Range(0.0, PI, "0 to pi");
+        of.field("spot.aim", self.aim, POINT)?;
+        of.rule("spot.aim", self.aim, is_aimed, "of a length above 0")?;
+        of.field("spot.outer_angle", self.outer_angle, angle)?;
         of.rule(
-            "spot.cos_outer",
-            self.cos_outer,
-            is_wider,
-            "at least -1, and below cos_inner",
+            "spot.inner_angle",
+            self.inner_angle,
+            is_narrower,
+            "at least 0, and below outer_angle",
         )
     }
 }

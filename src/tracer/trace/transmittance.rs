@@ -4,8 +4,8 @@
 use super::candidates::Candidates;
 use super::shadow::ShadowRays;
 use crate::lanes::*;
-use crate::prepare::{Lamp, Object, World};
-use crate::scene::{Sphere, Spot};
+use crate::prepare::{Lamp, Object, SpotCone, World};
+use crate::scene::Sphere;
 use crate::shapes::{block, sphere};
 use glam::Vec3A;
 
@@ -19,11 +19,11 @@ pub(super) fn transmittance<S: Isa>(
     solids: &Candidates,
 ) -> Vec3x<S> {
     let zero = splat(simd, 0.0);
-    let Spot {
+    let &SpotCone {
         aim,
         cos_outer,
         cos_inner,
-    } = lamp.cone;
+    } = &lamp.cone;
     let inward = (-rays.d.dot(Vec3x::splat(simd, aim)) - cos_outer) / (cos_inner - cos_outer);
     let is_asked = rays.distance.simd_gt(zero);
     let in_cone = is_asked.select(soft_edge(simd, inward), zero);

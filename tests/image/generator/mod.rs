@@ -219,8 +219,8 @@ fn any_light() -> impl Strategy<Value = Light> {
                     glow,
                     spot: spot.map(|(dark, soft)| Spot {
                         aim: -position.normalize(),
-                        cos_outer: dark,
-                        cos_inner: dark + soft,
+                        inner_angle: (dark + soft).acos(),
+                        outer_angle: dark.acos(),
                     }),
                     ..Light::new(position, colour)
                 }

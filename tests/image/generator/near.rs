@@ -10,7 +10,7 @@ use eightfold_tracer::scene::{
 use glam::{EulerRot, Mat3, Quat, Vec3, vec3};
 
 /// A scene, and the size of its picture.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Near {
     pub scene: Scene,
     pub width: usize,

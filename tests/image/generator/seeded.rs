@@ -153,8 +153,8 @@ fn enrich(scene: &mut Scene, random: &mut Random, scale: f32) {
         light.parallel = random.below(3) == 0;
         light.spot = (random.below(2) == 0).then(|| Spot {
             aim: -light.position.normalize_or(Vec3::Y),
-            cos_outer: 0.6,
-            cos_inner: random.between(0.61, 0.99),
+            outer_angle: 0.9273,
+            inner_angle: random.between(0.15, 0.9),
         });
     }
 }

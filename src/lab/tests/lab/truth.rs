@@ -99,8 +99,8 @@ fn lamp_of_any_size_gives_the_same_irradiance() {
         let spot = Light {
             spot: Some(Spot {
                 aim: -position.normalize(),
-                cos_outer: 0.9,
-                cos_inner: 0.98,
+                outer_angle: 0.45,
+                inner_angle: 0.2,
             }),
             ..sphere
         };

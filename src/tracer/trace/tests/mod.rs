@@ -160,7 +160,7 @@ fn prepared(scene: &Scene) -> Ready {
     let mut memory = unused.unwrap_or_else(|| Box::new(Prepared::new()));
     memory.prepare(scene, [8, 8], Vec2::ZERO);
     Ready {
-        scene: *scene,
+        scene: scene.clone(),
         memory: Some(memory),
     }
 }

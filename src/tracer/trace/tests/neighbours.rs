@@ -164,8 +164,8 @@ fn rich() -> Scene {
     scene.lights[0].diameter = 1.0;
     scene.lights[1].spot = Some(Spot {
         aim: -scene.lights[1].position.normalize(),
-        cos_outer: 0.6,
-        cos_inner: 0.9,
+        outer_angle: 0.9273,
+        inner_angle: 0.45,
     });
     scene
 }
@@ -211,8 +211,8 @@ fn what_comes_of_a_ray_depends_on_no_neighbour_whatever_numbers_make_no_sense() 
         |scene| &mut scene.lights[0].position.z,
         |scene| &mut scene.lights[0].diameter,
         |scene| &mut spot(&mut scene.lights[1]).aim.y,
-        |scene| &mut spot(&mut scene.lights[1]).cos_outer,
-        |scene| &mut spot(&mut scene.lights[1]).cos_inner,
+        |scene| &mut spot(&mut scene.lights[1]).outer_angle,
+        |scene| &mut spot(&mut scene.lights[1]).inner_angle,
         |scene| &mut scene.haze,
     ];
     for place in places {
