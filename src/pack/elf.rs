@@ -104,11 +104,6 @@ pub fn kind(file: &[u8]) -> Result<u16, Error> {
     Ok(number(file, 16, 2) as u16)
 }
 
-/// The address where a program begins.
-pub fn entry(file: &[u8]) -> u64 {
-    number(file, 24, 8)
-}
-
 /// The program headers.
 pub fn segments(file: &[u8]) -> Result<Vec<Segment>, Error> {
     kind(file)?;

@@ -75,9 +75,7 @@ use std::{error, fmt};
 
 pub use costs::costs;
 use encoder::Encoder;
-pub use executable::{
-    System, Version, pack_executable, strip, unpack_executable, unpacked_executable,
-};
+pub use executable::{System, Version, pack_executable, strip, unpack_executable};
 use model::Model;
 
 /// Why a program can't be packed, or not be built as it should be.

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use object::{
     pe::{
-        self, IMAGE_SCN_CNT_CODE, IMAGE_SCN_CNT_INITIALIZED_DATA, IMAGE_SCN_CNT_UNINITIALIZED_DATA,
-        IMAGE_SCN_MEM_EXECUTE, IMAGE_SCN_MEM_READ, IMAGE_SCN_MEM_WRITE, SectionFlags,
+        self, IMAGE_SCN_CNT_CODE, IMAGE_SCN_CNT_UNINITIALIZED_DATA, IMAGE_SCN_MEM_EXECUTE,
+        IMAGE_SCN_MEM_READ, IMAGE_SCN_MEM_WRITE, SectionFlags,
     },
     write::pe::{NtHeaders, Writer},
 };
@@ -23,9 +23,6 @@ const FILE_ALIGNMENT: usize = 512;
 // What may be done with a section.
 pub const CODE: SectionFlags =
     SectionFlags(IMAGE_SCN_CNT_CODE.0 | IMAGE_SCN_MEM_EXECUTE.0 | IMAGE_SCN_MEM_READ.0);
-pub const CONSTANTS: SectionFlags =
-    SectionFlags(IMAGE_SCN_CNT_INITIALIZED_DATA.0 | IMAGE_SCN_MEM_READ.0);
-pub const DATA: SectionFlags = SectionFlags(CONSTANTS.0 | IMAGE_SCN_MEM_WRITE.0);
 pub const MEMORY: SectionFlags =
     SectionFlags(IMAGE_SCN_CNT_UNINITIALIZED_DATA.0 | IMAGE_SCN_MEM_READ.0 | IMAGE_SCN_MEM_WRITE.0);
 

@@ -9,9 +9,7 @@ use std::{
 };
 
 use super::{diet, order};
-use crate::{
-    Error, System, Version, executable::packed_size, pack_executable, unpacked_executable,
-};
+use crate::{Error, System, Version, executable::packed_size, pack_executable};
 
 /// The largest file of a 64 kB intro.
 const LIMIT: usize = 65_536;
@@ -19,7 +17,6 @@ const LIMIT: usize = 65_536;
 /// The name of the stub's object file.
 pub const STUB: &str = "stub.o";
 const SETTINGS: &str = "settings";
-const PACKED: &str = "packed";
 /// The name of the diet's object file.
 const DIET: &str = "diet.o";
 /// The name of the file with functions in the order in which they are linked.
@@ -31,8 +28,6 @@ pub struct Settings {
     pub linker: String,
     /// The folder where the program is left as it was linked.
     pub unpacked: String,
-    /// Whether it is packed.
-    pub is_packed: bool,
     /// What it is for.
     pub system: System,
 }
@@ -40,24 +35,22 @@ pub struct Settings {
 impl Settings {
     /// Writes them as lines; the last two are empty for Linux.
     pub fn write(&self, directory: &Path) -> Result<(), Error> {
-        let packed = if self.is_packed { PACKED } else { "" };
         let [name, number] = match &self.system {
             System::Linux => ["", ""],
             System::Windows(Version { name, number }) => [name.as_str(), number],
         };
-        let lines = [&*self.linker, &*self.unpacked, packed, name, number];
+        let lines = [&*self.linker, &*self.unpacked, name, number];
         Ok(fs::write(directory.join(SETTINGS), lines.join("\n"))?)
     }
 
     fn read(directory: &Path) -> Result<Settings, Error> {
         let text = fs::read_to_string(directory.join(SETTINGS))?;
         let lines: Vec<_> = text.split('\n').map(String::from).collect();
-        let [linker, unpacked, packed, name, number] = <[String; 5]>::try_from(lines)
+        let [linker, unpacked, name, number] = <[String; 4]>::try_from(lines)
             .map_err(|_| "the settings are not those of the build script")?;
         Ok(Settings {
             linker,
             unpacked,
-            is_packed: packed == PACKED,
             system: if name.is_empty() {
                 System::Linux
             } else {
@@ -147,17 +140,15 @@ fn link(arguments: &[OsString]) -> Result<i32, Error> {
     name.push(".unpacked");
     fs::copy(&path, Path::new(&settings.unpacked).join(name))?;
     let program = fs::read(&path)?;
-    let packed = if settings.is_packed {
-        let stub = fs::read(directory.join(STUB))?;
-        pack_executable(&program, &stub, &settings.system)
-    } else {
-        unpacked_executable(&program, &settings.system)
+    let stub = fs::read(directory.join(STUB))?;
+    let file = match pack_executable(&program, &stub, &settings.system) {
+        Err(error) if !settings.is_for_windows() => {
+            eprintln!("warning: the program is not packed: {error}");
+            return Ok(0);
+        }
+        packed => packed?,
     };
-    let file = packed.or_else(|error| {
-        eprintln!("warning: the program is not packed: {error}");
-        unpacked_executable(&program, &settings.system)
-    })?;
-    if file.len() > LIMIT && settings.is_packed {
+    if file.len() > LIMIT {
         let size = file.len();
         eprintln!("warning: the program has {size} bytes, more than the {LIMIT} of a 64 kB intro");
     }

@@ -12,8 +12,7 @@
 //! | `eightfold.map` | what the linker has put where in the latest |
 //! | `linker/` | the linker that packs, and the stub |
 //!
-//! `EIGHTFOLD_UNPACKED=1 cargo build --release` leaves the program unpacked, for debuggers and profilers; nothing else changes.
-//! Where a program can't be packed, it is linked as any other, and one warning says why.
+//! Debuggers and profilers take the program that is not packed. Where a program can't be packed, it is linked as any other, and one warning says why.
 
 mod diet;
 mod linker;
@@ -32,9 +31,6 @@ use toolchain::Toolchain;
 /// The name by which a C compiler finds a linker, and by which this program knows that it is called for one.
 const LINKER: &str = "ld.bfd";
 
-/// Set to anything, it leaves the program unpacked, for debuggers and profilers.
-const UNPACKED: &str = "EIGHTFOLD_UNPACKED";
-
 /// Where this crate is, with the stub's source.
 const SOURCE: &str = env!("CARGO_MANIFEST_DIR");
 
@@ -47,7 +43,6 @@ pub fn main(program: &str) {
         std::process::exit(linker::run(rest));
     }
     println!("cargo::rerun-if-changed={SOURCE}");
-    println!("cargo::rerun-if-env-changed={UNPACKED}");
     // Unoptimised, nobody minds the size; nor where the window is by minifb, which alone is larger.
     let is_portable = env::var_os("CARGO_FEATURE_PORTABLE").is_some()
         || ["TARGET_OS", "TARGET_ARCH"].map(|part| env::var(format!("CARGO_CFG_{part}")).ok())
@@ -92,7 +87,6 @@ fn prepare(program: &str) -> Result<(), Error> {
     linker::Settings {
         linker: toolchain.linker.clone(),
         unpacked: text(output.clone())?,
-        is_packed: env::var_os(UNPACKED).is_none(),
         system,
     }
     .write(&directory)?;

@@ -66,17 +66,6 @@ pub fn packed_size(program: &[u8]) -> Result<usize, Error> {
     Ok(encode(&strip(program)?).len())
 }
 
-/// An executable for a system of what was linked, not packed. (On Linux it is one already.)
-///
-/// # Errors
-/// If it is no executable for fixed addresses.
-pub fn unpacked_executable(program: &[u8], system: &System) -> Result<Vec<u8>, Error> {
-    match system {
-        System::Linux => Ok(program.into()),
-        System::Windows(_) => windows::unpacked(program),
-    }
-}
-
 /// The program that is in a packed executable, as [`strip`] leaves it.
 ///
 /// # Errors

@@ -1,14 +1,12 @@
 //! What holds for packed executables of either system, tried on a small program with a stub of two bytes.
 
-use std::collections::HashSet;
-
 use object::{
     Architecture, BinaryFormat, Endianness, LittleEndian as LE, SectionKind, pe,
     read::pe::{ImageNtHeaders, Import, PeFile64},
     write,
 };
 
-use super::{System, Version, pack_executable, strip, unpack_executable, unpacked_executable};
+use super::{System, Version, pack_executable, strip, unpack_executable, windows};
 use crate::{
     checksum,
     elf::{self, EXECUTE, HEADER_SIZE, READ, Segment, WRITE},
@@ -16,7 +14,7 @@ use crate::{
 
 const BASE: u64 = 0x41_0000;
 
-fn windows() -> System {
+fn for_windows() -> System {
     System::Windows(Version {
         name: "A test".into(),
         number: "1.2.3".into(),
@@ -81,7 +79,7 @@ fn packed(system: &System) -> Vec<u8> {
 #[test]
 fn what_was_packed_is_what_is_unpacked() {
     let stripped = strip(&program()).expect("it is a program");
-    for system in [System::Linux, windows()] {
+    for system in [System::Linux, for_windows()] {
         assert!(unpack_executable(&packed(&system)).expect("it is packed") == stripped);
     }
 }
@@ -89,7 +87,7 @@ fn what_was_packed_is_what_is_unpacked() {
 /// Behind the stub's beginning, every byte counts that is not only there to fill the file's last 512.
 #[test]
 fn a_damaged_file_is_an_error() {
-    for (system, checked) in [(System::Linux, 178), (windows(), 512 + 80 + 2)] {
+    for (system, checked) in [(System::Linux, 178), (for_windows(), 512 + 80 + 2)] {
         let packed = packed(&system);
         let end = packed.iter().rposition(|&byte| byte != 0).expect("bytes") + 1;
         for place in (checked..end).step_by(7).chain([end - 1]) {
@@ -107,74 +105,57 @@ fn a_damaged_file_is_an_error() {
 /// The same on every machine and by every compiler. It changes with the model and the headers: then this is to be set anew.
 #[test]
 fn the_same_program_is_packed_to_the_same_file_everywhere() {
-    let sums = [System::Linux, windows()].map(|system| checksum(&packed(&system)));
+    let sums = [System::Linux, for_windows()].map(|system| checksum(&packed(&system)));
     assert_eq!(sums, [2_366_953_694, 3_727_109_912]);
 }
 
 /// What Windows asks of a file, as another reader of such files finds it.
 #[test]
 fn windows_finds_what_it_asks_for() {
-    let program = program();
-    for file in [
-        packed(&windows()),
-        unpacked_executable(&program, &windows()).expect("it is a program"),
-    ] {
-        let parsed = PeFile64::parse(&*file).expect("it is a PE file");
-        let optional = parsed.nt_headers().optional_header();
-        assert_eq!(file.len() % 512, 0);
-        let mut next = 0x1000;
-        for section in parsed.section_table().iter() {
-            let flags = section.characteristics.get(LE);
-            let is_both = flags.contains(pe::IMAGE_SCN_MEM_WRITE)
-                && flags.contains(pe::IMAGE_SCN_MEM_EXECUTE);
-            assert!(!is_both, "memory for both writing and executing");
-            let (address, size) = section.pe_address_range();
-            assert_eq!(address, next, "a gap between sections");
-            next = (address + size).next_multiple_of(0x1000);
-            assert!(section.pe_data(&*file).is_ok(), "bytes that are not there");
-        }
-        assert_eq!(optional.size_of_image.get(LE), next);
-        let base = optional.image_base.get(LE);
-        assert!(base % 0x1_0000 == 0 && base + u64::from(next) >= BASE + 0x2_0000 + (30 << 20));
-        let entry = optional.address_of_entry_point.get(LE);
-        let is_code = |section: &pe::ImageSectionHeader| section.contains_rva(entry);
-        assert!(parsed.section_table().iter().position(is_code) == Some(0));
+    let file = packed(&for_windows());
+    let parsed = PeFile64::parse(&*file).expect("it is a PE file");
+    let optional = parsed.nt_headers().optional_header();
+    assert_eq!(file.len() % 512, 0);
+    let mut next = 0x1000;
+    for section in parsed.section_table().iter() {
+        let flags = section.characteristics.get(LE);
+        let is_both = flags.contains(pe::IMAGE_SCN_MEM_WRITE | pe::IMAGE_SCN_MEM_EXECUTE);
+        assert!(!is_both, "memory for both writing and executing");
+        let (address, size) = section.pe_address_range();
+        assert_eq!(address, next, "a gap between sections");
+        next = (address + size).next_multiple_of(0x1000);
+        assert!(section.pe_data(&*file).is_ok(), "bytes that are not there");
+    }
+    assert_eq!(optional.size_of_image.get(LE), next);
+    let base = optional.image_base.get(LE);
+    assert!(base % 0x1_0000 == 0 && base + u64::from(next) >= BASE + 0x2_0000 + (30 << 20));
+    let entry = optional.address_of_entry_point.get(LE);
+    let is_code = |section: &pe::ImageSectionHeader| section.contains_rva(entry);
+    assert!(parsed.section_table().iter().position(is_code) == Some(0));
+    // It imports functions of one library by their names.
+    let table = parsed.import_table().expect("a table").expect("imports");
+    let mut libraries = table.descriptors().expect("libraries");
+    let library = libraries.next().expect("a library").expect("one at least");
+    let name = table.name(library.name.get(LE)).expect("a name");
+    assert_eq!(name, b"kernel32.dll");
+    assert!(libraries.next().expect("an end").is_none());
+    let mut thunks = table
+        .thunks(library.first_thunk.get(LE))
+        .expect("functions");
+    for function in windows::FUNCTIONS {
+        let thunk = thunks.next::<pe::ImageNtHeaders64>().expect("a function");
+        let import = table.import::<pe::ImageNtHeaders64>(thunk.expect("as many"));
+        let import = import.expect("a name");
         assert!(
-            functions(&parsed)
-                .is_superset(&["LoadLibraryA", "GetProcAddress"].map(String::from).into())
+            matches!(import, Import::Name(_, name) if name == function.as_bytes()),
+            "{function}"
         );
     }
 }
 
-/// What a file imports, all of it from one library.
-fn functions(file: &PeFile64<'_>) -> HashSet<String> {
-    let table = file.import_table().expect("a table").expect("imports");
-    let mut libraries = table.descriptors().expect("libraries");
-    let library = libraries.next().expect("a library").expect("one at least");
-    assert_eq!(
-        table.name(library.name.get(LE)).expect("a name"),
-        b"kernel32.dll"
-    );
-    let mut thunks = table
-        .thunks(library.first_thunk.get(LE))
-        .expect("functions");
-    let mut names = HashSet::new();
-    while let Some(thunk) = thunks.next::<pe::ImageNtHeaders64>().expect("a function") {
-        match table
-            .import::<pe::ImageNtHeaders64>(thunk)
-            .expect("its name")
-        {
-            Import::Name(_, name) => names.insert(String::from_utf8_lossy(name).into_owned()),
-            Import::Ordinal(number) => panic!("a function by its number, {number}"),
-        };
-    }
-    assert!(libraries.next().expect("an end").is_none());
-    names
-}
-
 #[test]
 fn windows_shows_the_name_and_the_version() {
-    let file = packed(&windows());
+    let file = packed(&for_windows());
     let parsed = PeFile64::parse(&*file).expect("it is a PE file");
     let (sections, directories) = (parsed.section_table(), parsed.data_directories());
     let resources = directories
@@ -226,11 +207,7 @@ fn programs_that_no_header_fits_are_refused() {
             .collect();
         elf::set_segments(&mut program, &moved).expect("as many");
         assert!(
-            pack_executable(&program, &stub(), &windows()).is_err(),
-            "{base:#x}"
-        );
-        assert!(
-            unpacked_executable(&program, &windows()).is_err(),
+            pack_executable(&program, &stub(), &for_windows()).is_err(),
             "{base:#x}"
         );
     }

@@ -26,12 +26,12 @@ use super::{Memory, Version, encode_both};
 use crate::{
     Damaged, Error, checksum, decode,
     elf::{self, PAGE, number},
-    pe::{BASE_ALIGNMENT, CODE, CONSTANTS, DATA, Executable, Imports, MEMORY, Section},
+    pe::{BASE_ALIGNMENT, CODE, Executable, Imports, MEMORY, Section},
     stub::{FIRST, LOADER, Stub},
 };
 
 /// The functions that the stub calls, in the order of `System` in `src/pack/stub/windows/system.rs`. The program is given the first two.
-const FUNCTIONS: [&str; 9] = [
+pub const FUNCTIONS: [&str; 9] = [
     "LoadLibraryA",
     "GetProcAddress",
     "VirtualAlloc",
@@ -154,63 +154,4 @@ pub fn unpack(file: &[u8]) -> Result<Vec<u8>, Error> {
         return Err(Damaged.into());
     }
     Ok(decode(file.get(start..end).ok_or(Damaged)?, unpacked)?)
-}
-
-/// An executable that is not packed. Before the program it has what hands on the functions that this is given.
-///
-/// # Errors
-/// If it is no executable at fixed addresses, with room before it.
-pub fn unpacked(program: &[u8]) -> Result<Vec<u8>, Error> {
-    let segments = elf::segments(program)?;
-    let memory = Memory::of(&segments)?;
-    let base = memory.base(START)?;
-    let functions = &FUNCTIONS[..2];
-    let entry = START + addresses_size(functions.len());
-    // mov rcx, [rip + ...]; mov rdx, [rip + ...]; mov eax, the program's entry; jmp rax
-    let mut code = vec![0x48, 0x8b, 0x0d];
-    code.extend((START as i32 - (entry as i32 + 7)).to_le_bytes());
-    code.extend([0x48, 0x8b, 0x15]);
-    code.extend((START as i32 + 8 - (entry as i32 + 14)).to_le_bytes());
-    code.push(0xb8);
-    code.extend((elf::entry(program) as u32).to_le_bytes());
-    code.extend([0xff, 0xe0]);
-    let names_at = (entry + code.len() as u64).next_multiple_of(4);
-    let imports = Imports::new(LIBRARY, functions, START, names_at);
-    code.resize((names_at - entry) as usize, 0);
-    let mut sections = vec![Section {
-        name: ".imports",
-        flags: CODE,
-        address: START,
-        bytes: [imports.addresses, code, imports.names].concat(),
-    }];
-    for load in segments.iter().filter(|segment| segment.kind == elf::LOAD) {
-        let lead = load.address % PAGE;
-        let mut bytes = vec![0; lead as usize];
-        bytes.extend(program.get(load.range()).ok_or("a segment is not in it")?);
-        let (name, flags) = match load.flags {
-            flags if flags & elf::EXECUTE != 0 => (".text", CODE),
-            flags if flags & elf::WRITE != 0 => (".data", DATA),
-            _ => (".rdata", CONSTANTS),
-        };
-        sections.push(Section {
-            name,
-            flags,
-            address: load.address - lead - base,
-            bytes,
-        });
-    }
-    Executable {
-        base,
-        end: memory.end.next_multiple_of(PAGE) - base,
-        entry,
-        sections,
-        directories: vec![
-            (IMAGE_DIRECTORY_ENTRY_IAT, START..entry),
-            (
-                IMAGE_DIRECTORY_ENTRY_IMPORT,
-                names_at..names_at + Imports::DIRECTORY,
-            ),
-        ],
-    }
-    .to_bytes(&[])
 }

@@ -365,7 +365,7 @@ impl Reader {
 
 #[cfg(test)]
 mod tests {
-    use super::{DESTINATION, FAR, KIND, OPCODE, START, TARGET, before};
+    use super::{KIND, START};
     use crate::new_model;
 
     /// Instructions with every kind of field, as an assembler writes them; the second is how many bytes each has.
@@ -418,73 +418,5 @@ mod tests {
             offsets.extend(reader.ended_offset());
         }
         assert_eq!(offsets, [11, 16, 22, 86]);
-    }
-
-    /// A feature of an instruction, once it was read.
-    fn feature_of(instruction: &[u8], feature: usize) -> u32 {
-        let reader = &mut new_model().reader;
-        for &byte in instruction {
-            reader.read(byte.into());
-        }
-        reader.feature(before(feature, 1))
-    }
-
-    #[test]
-    fn an_operation_has_one_number_in_every_encoding() {
-        let encodings: [&[&[u8]]; 3] = [
-            // addps, vaddps with a prefix of two and three bytes and of EVEX
-            &[
-                &[0x0f, 0x58, 0xc1],
-                &[0xc5, 0xf8, 0x58, 0xc1],
-                &[0xc4, 0xc1, 0x78, 0x58, 0xc1],
-                &[0x62, 0xf1, 0x7c, 0x48, 0x58, 0xc1],
-            ],
-            // paddd and vpaddd
-            &[
-                &[0x66, 0x0f, 0xfe, 0xc1],
-                &[0x66, 0x41, 0x0f, 0xfe, 0xc1],
-                &[0xc5, 0xf9, 0xfe, 0xc1],
-                &[0x62, 0xf1, 0x7d, 0x48, 0xfe, 0xc1],
-            ],
-            // movss and vmovss
-            &[&[0xf3, 0x0f, 0x10, 0x07], &[0xc5, 0xfa, 0x10, 0x07]],
-        ];
-        let numbers = encodings.map(|same| {
-            let number = feature_of(same[0], OPCODE);
-            for encoding in same {
-                assert_eq!(feature_of(encoding, OPCODE), number, "{encoding:x?}");
-            }
-            number
-        });
-        assert!(numbers[0] != numbers[1] && numbers[1] != numbers[2]);
-    }
-
-    #[test]
-    fn where_jumps_lead_to_is_known_ahead() {
-        // `je` by three bytes; `jmp` to the address 12, as the packer has it; two times `nop`.
-        let code = [0x74, 3, 0xe9, 12, 0, 0, 0, 0x90, 0x90];
-        let reader = &mut new_model().reader;
-        let distances = code.map(|byte| {
-            reader.read(byte);
-            reader.feature(TARGET)
-        });
-        assert_eq!(distances, [FAR, 3, 2, 1, 0, FAR, 5, 4, 3]);
-    }
-
-    #[test]
-    fn the_destination_is_the_register_that_is_written_to() {
-        let eax = feature_of(&[0x8b, 0xc1], DESTINATION);
-        let r9 = feature_of(&[0x45, 0x8b, 0xc8], DESTINATION);
-        assert_ne!(eax, r9);
-        for (instruction, register) in [
-            (&[0x01, 0xc8][..], eax),        // add eax, ecx
-            (&[0x8d, 0x47, 0x04], eax),      // lea eax, [rdi + 4]
-            (&[0x0f, 0xb6, 0xc1], eax),      // movzx eax, cl
-            (&[0x41, 0x01, 0xc1], r9),       // add r9d, eax
-            (&[0x45, 0x0f, 0xb6, 0xc8], r9), // movzx r9d, r8b
-        ] {
-            let found = feature_of(instruction, DESTINATION);
-            assert_eq!(found, register, "{instruction:x?}");
-        }
     }
 }

@@ -1,12 +1,12 @@
 //! Threads that share work: everything is done, once, and nobody is waited for in vain.
 
-use eightfold_window::pool::{Pool, processors};
+use eightfold_window::pool::Pool;
 use std::{
     fs,
     panic::{AssertUnwindSafe, catch_unwind},
     sync::atomic::{AtomicUsize, Ordering::Relaxed},
     thread::{current, sleep},
-    time::{Duration, Instant},
+    time::Duration,
 };
 
 /// Runs a job that counts, over items and workers, and checks that it was done once on each item.
@@ -31,35 +31,20 @@ fn every_item_is_done_once() {
                 count(&mut pool, workers, items);
             }
         }
+        // Without workers nothing is done.
+        pool.run(&mut [], &mut [()], &|(), ()| unreachable!());
     }
 }
 
 #[test]
-fn without_workers_nothing_is_done() {
-    let mut items = [0; 3];
-    let mut workers: [(); 0] = [];
-    Pool::new(2).run(&mut workers, &mut items, &|(), item| *item += 1);
-    assert_eq!(items, [0; 3]);
-}
-
-#[test]
-fn many_short_runs_are_all_done() {
-    let mut pool = Pool::new(3);
-    let mut sums = [0_u64; 3];
-    let mut items: Vec<u64> = (0..5).collect();
-    for _ in 0..100_000 {
-        pool.run(&mut sums, &mut items, &|sum, item| *sum += *item);
-    }
-    assert_eq!(sums.iter().sum::<u64>(), 100_000 * 10);
-}
-
-#[test]
-fn runs_after_a_pause_are_done_too() {
+fn short_runs_are_done_after_each_other_and_after_a_pause() {
     let mut pool = Pool::new(4);
-    for _ in 0..50 {
+    for run in 0..50 {
         // Long enough for every thread to fall asleep.
         sleep(Duration::from_millis(3));
-        count(&mut pool, 4, 64);
+        for _ in 0..2000 {
+            count(&mut pool, 4, 5 + run % 7);
+        }
     }
 }
 
@@ -99,26 +84,14 @@ fn a_panic_of_the_caller_waits_for_the_others() {
 }
 
 #[test]
-fn threads_end_with_the_pool() {
+fn threads_end_with_the_pool_used_or_not() {
     let threads = || fs::read_dir("/proc/self/task").expect("Linux").count();
-    for _ in 0..100 {
+    for runs in 0..100 {
         let mut pool = Pool::new(5);
-        count(&mut pool, 5, 10);
-        drop(pool);
+        for _ in 0..runs % 2 {
+            count(&mut pool, 5, 10);
+        }
     }
     // Other tests have threads too, but not hundreds.
     assert!(threads() < 200, "{} threads", threads());
-}
-
-#[test]
-fn a_pool_that_was_never_used_ends() {
-    let start = Instant::now();
-    drop(Pool::new(16));
-    assert!(start.elapsed() < Duration::from_secs(5));
-}
-
-#[test]
-fn there_is_a_processor() {
-    let std = std::thread::available_parallelism().map_or(1, usize::from);
-    assert!(processors() >= std, "without the limits of a container");
 }

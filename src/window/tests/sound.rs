@@ -1,109 +1,137 @@
-//! Sound through ALSA itself, with devices of the tests' own: its plug-ins `file` and `null` need no hardware.
+//! Sound by ALSA: with its plug-ins `file` and `null`, which need no hardware, and with a device and a clock that are simulated.
 //!
 //! A process reads ALSA's configuration once, so each scene is this program, started again.
 
-use eightfold_stage::{allocations::Counting, needs};
-use eightfold_window::sound::{Player, RATE, Source};
+mod simulated;
+
+use eightfold_stage::{allocations::Counting, lacks};
+use eightfold_window::{
+    clock::{Clock, SECOND},
+    sound::{Player, RATE, Source},
+};
+use simulated::Played;
 use std::{
     env, fs,
     path::Path,
-    process::Command,
-    thread,
-    time::{Duration, Instant},
+    process::{Command, Output},
 };
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting::new();
 
-/// Sound that says which sample it is.
+/// Samples that are made at once.
+const BLOCK: usize = 48;
+
+/// Frames in a second.
+const FPS: u64 = 60;
+
+/// Seconds that are played on a simulated device: as long as the show.
+const LENGTH: u64 = 96;
+
+/// The most that the picture may be from the sound, in nanoseconds.
+const DRIFT: u64 = SECOND / 50;
+
+/// The environment's name for the seconds that this program plays.
+const SCENE: &str = "EIGHTFOLD_SOUND_SCENE";
+
+/// Sound whose samples are their numbers, and these with a minus on the other side. All are exact: there are fewer than 2^24.
 struct Numbers {
     next: u32,
-    block: [[f32; 2]; 48],
-}
-
-/// One of many samples, both sides of it different, all exact.
-fn sample(number: u32) -> [f32; 2] {
-    let value = (number % 65_536) as f32 / 65_536.0;
-    [value, -value]
+    block: [[f32; 2]; BLOCK],
 }
 
 impl Source for Numbers {
     fn block(&mut self) -> &[[f32; 2]] {
         for place in &mut self.block {
-            *place = sample(self.next);
+            *place = [self.next as f32, -(self.next as f32)];
             self.next += 1;
         }
         &self.block
     }
 }
 
-/// Plays for a second. Says how long that was by the player, and how many allocations there were.
-fn play() {
+/// Plays. Prints the number of allocations meanwhile, then for each frame the time of the clock and that of the player.
+fn play(seconds: u64) {
     let numbers = Box::leak(Box::new(Numbers {
         next: 0,
-        block: [[0.0; 2]; 48],
+        block: [[0.0; 2]; BLOCK],
     }));
+    let frames = seconds * FPS;
+    let mut times = Vec::with_capacity(frames as usize);
+    let clock = Clock::start();
     let mut player = Player::start(c"default", numbers);
-    // The player's time began before its device was opened, which may take a while.
-    let (start, begun) = (Instant::now(), player.time());
     let before = ALLOCATOR.count();
-    let mut last = 0;
-    while start.elapsed() < Duration::from_secs(1) {
-        let time = player.time();
-        assert!(time >= last, "time goes forward");
-        last = time;
-        thread::sleep(Duration::from_millis(10));
+    for frame in 0..frames {
+        clock.sleep_until(frame * SECOND / FPS);
+        times.push((clock.time(), player.time()));
     }
-    let allocations = ALLOCATOR.count() - before;
-    let wall = start.elapsed().as_nanos() as f64;
-    let played = (player.time() - begun) as f64;
-    println!("{} {allocations}", played / wall);
+    println!("{}", ALLOCATOR.count() - before);
+    for (clock, player) in times {
+        println!("{clock} {player}");
+    }
 }
 
-/// Runs this program, with a configuration of ALSA's in a folder, through a command that ends in `"$0"`. Holds its time to the wall's,
-/// and what it says to nothing, or to the one line of a show that goes on without sound, and why.
-fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
-    let file = folder.join("asound.conf");
-    fs::write(&file, configuration).unwrap();
-    let output = Command::new("sh")
-        .args(["-c", command])
-        .arg(env::current_exe().unwrap())
-        .env("ALSA_CONFIG_PATH", &file)
-        .env("EIGHTFOLD_SOUND_SCENE", "1")
-        .output()
-        .unwrap();
+/// Returns the times of the clock and of the player at each frame, and holds the errors to the one line of a show that goes on
+/// without sound, or to none.
+fn times(output: Output, why_silent: Option<&str>) -> Vec<(u64, u64)> {
     let [said, errors] =
-        [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+        [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"));
     assert!(output.status.success(), "{errors}");
     let expected = why_silent.map(|why| format!("eightfold: {why}; playing silently\n"));
     assert_eq!(errors, expected.unwrap_or_default());
-    let (pace, allocations) = said.trim().split_once(' ').expect("two numbers");
-    assert_eq!(allocations, "0", "allocations while it plays");
-    assert!((0.98..1.02).contains(&pace.parse().unwrap()), "{pace}");
+    let mut lines = said.lines();
+    assert_eq!(lines.next(), Some("0"), "allocations while it plays");
+    let numbers = |line: &str| {
+        let (clock, player) = line.split_once(' ')?;
+        Some((clock.parse().ok()?, player.parse().ok()?))
+    };
+    let times: Vec<_> = lines
+        .map(|line| numbers(line).expect("two times"))
+        .collect();
+    assert!(
+        times.is_sorted_by_key(|&(_, player)| player),
+        "time goes forward"
+    );
+    times
+}
+
+/// Plays for a second with a configuration of ALSA's in a folder, by a command that ends in `"$0"`. Holds the player's time to the
+/// clock's.
+fn hold(folder: &Path, configuration: &str, command: &str, why_silent: Option<&str>) {
+    let file = folder.join("asound.conf");
+    fs::write(&file, configuration).expect("it is written");
+    let output = Command::new("sh")
+        .args(["-c", command])
+        .arg(env::current_exe().expect("this program"))
+        .env("ALSA_CONFIG_PATH", &file)
+        .env(SCENE, "1")
+        .output();
+    let times = times(output.expect("a shell"), why_silent);
+    let ((first, start), (last, end)) = (times[0], times[times.len() - 1]);
+    let pace = (end - start) as f64 / (last - first) as f64;
+    assert!((0.98..1.02).contains(&pace), "{pace}");
 }
 
 const PLAIN: &str = "exec \"$0\"";
 
+/// The configuration of a device that writes to a file.
+fn to_file(file: &Path) -> String {
+    let file = file.display();
+    format!("pcm.default {{ type file, slave.pcm {{ type null }}, file \"{file}\", format raw }}")
+}
+
 fn a_device_gets_every_sample_in_order(folder: &Path) {
     let out = folder.join("out.raw");
-    let configuration = format!(
-        "pcm.default {{ type file, slave.pcm {{ type null }}, file \"{}\", format raw }}",
-        out.display()
-    );
-    hold(folder, &configuration, PLAIN, None);
-    let bytes = fs::read(out).unwrap();
+    hold(folder, &to_file(&out), PLAIN, None);
+    let bytes = fs::read(out).expect("it was played");
     let sides: Vec<f32> = bytes
         .chunks_exact(4)
-        .map(|b| f32::from_le_bytes(b.try_into().unwrap()))
+        .map(|b| f32::from_le_bytes(b.try_into().expect("four bytes")))
         .collect();
-    let count = sides.len() / 2;
-    let second = RATE as usize;
-    assert!(
-        (second * 9 / 10..second * 13 / 10).contains(&count),
-        "{count} samples"
-    );
-    for (number, sides) in (0..).zip(sides.chunks_exact(2)) {
-        assert_eq!(sides, sample(number), "sample {number}");
+    let (count, second) = (sides.len() / 2, RATE as usize);
+    assert!((second * 9 / 10..second * 13 / 10).contains(&count));
+    for (number, sides) in (0_u32..).zip(sides.chunks_exact(2)) {
+        assert_eq!(sides, [number as f32, -(number as f32)]);
     }
 }
 
@@ -111,53 +139,143 @@ fn a_device_that_plays_nothing_keeps_time(folder: &Path) {
     hold(folder, "pcm.default { type null }", PLAIN, None);
 }
 
-fn time_goes_on_without_a_device(folder: &Path) {
+fn time_goes_on_without_sound(folder: &Path) {
     hold(folder, "", PLAIN, Some("no sound device"));
-}
-
-fn time_goes_on_without_the_library(folder: &Path) {
-    fs::write(folder.join("libasound.so.2"), "not a library").unwrap();
-    let command = format!("LD_LIBRARY_PATH='{}' exec \"$0\"", folder.display());
-    let why = format!("{}/libasound.so.2: file too short", folder.display());
-    hold(folder, "pcm.default { type null }", &command, Some(&why));
-}
-
-fn time_goes_on_when_the_device_disappears(folder: &Path) {
-    // Half a second fits in the file; the signal that would end the program is ignored.
-    let configuration = format!(
-        "pcm.default {{ type file, slave.pcm {{ type null }}, file \"{}\", format raw }}",
-        folder.join("short.raw").display()
-    );
-    let command = "trap '' XFSZ; ulimit -f 375; exec \"$0\"";
-    hold(folder, &configuration, command, Some("sound device lost"));
-    let played = fs::metadata(folder.join("short.raw")).unwrap().len();
-    assert!(played > 100_000, "{played} bytes before it disappeared");
-}
-
-fn time_goes_on_with_a_device_that_refuses_48_khz(folder: &Path) {
     // It opens, and then ALSA says "Rate doesn't match (requested 48000Hz, get 44100Hz)".
-    let configuration = "pcm.nothing { type null }
+    let other_rate = "pcm.nothing { type null }
         pcm.default { type share, slave { pcm nothing, rate 44100, channels 2 }, bindings { 0 0, 1 1 } }";
     let why = "sound device refuses 48 kHz stereo";
-    hold(folder, configuration, PLAIN, Some(why));
+    hold(folder, other_rate, PLAIN, Some(why));
+    // Half a second fits in the file; the signal that would end the program is ignored.
+    let short = folder.join("short.raw");
+    let command = "trap '' XFSZ; ulimit -f 375; exec \"$0\"";
+    hold(folder, &to_file(&short), command, Some("sound device lost"));
+    let played = fs::metadata(short).expect("it was played").len();
+    assert!(played > 100_000, "{played} bytes before it disappeared");
+    fs::write(folder.join("libasound.so.2"), "not a library").expect("it is written");
+    let command = format!("LD_LIBRARY_PATH='{}' exec \"$0\"", folder.display());
+    let why = format!("{}/libasound.so.2: file too short", folder.display());
+    hold(folder, "", &command, Some(&why));
+}
+
+/// Plays on a simulated device that is fast by so many parts per million, with a variable for what happens to it. Returns the times
+/// and what was heard.
+fn simulate(
+    library: &Path,
+    fast: i64,
+    (event, time): (&str, u64),
+    why_silent: Option<&str>,
+) -> (Vec<(u64, u64)>, Played) {
+    let mut program = Command::new(env::current_exe().expect("this program"));
+    program
+        .env(SCENE, LENGTH.to_string())
+        .env("SIMULATED_FAST", fast.to_string())
+        .env(event, time.to_string());
+    let (output, played) = simulated::run(library, &mut program);
+    (times(output, why_silent), played)
+}
+
+/// Returns the nanoseconds of the sound that is heard at a time.
+fn heard(played: &Played, time: u64) -> u64 {
+    let next = played.partition_point(|&(start, _)| start <= time);
+    let (start, block) = &played[next - 1];
+    let first = block[0][0] as u64 * SECOND / u64::from(RATE);
+    first + (time - start).min(BLOCK as u64 * SECOND / u64::from(RATE))
+}
+
+/// Asserts that the picture is with the sound at each time of the clock that is asked for.
+fn assert_together(times: &[(u64, u64)], played: &Played, counts: impl Fn(u64) -> bool) {
+    for &(clock, player) in times.iter().filter(|&&(clock, _)| counts(clock)) {
+        let drift = player.abs_diff(heard(played, clock));
+        assert!(drift <= DRIFT, "{drift} ns at {clock} ns");
+    }
+}
+
+fn picture_is_with_the_sound_on_fast_and_slow_devices(library: &Path) {
+    for fast in [-500, 20, 500] {
+        let (times, played) = simulate(library, fast, ("SIMULATED_STOP", 0), None);
+        assert_eq!(times.len() as u64, LENGTH * FPS);
+        for pair in times.windows(2) {
+            assert!(pair[0].1 < pair[1].1, "{pair:?}: time stands still");
+        }
+        assert_together(&times, &played, |_| true);
+    }
+}
+
+fn a_device_that_has_run_out_goes_on(library: &Path) {
+    /// How late the writer is.
+    const LATE: u64 = 3 * SECOND / 10;
+    let late = 30 * SECOND;
+    let (times, played) = simulate(library, 20, ("SIMULATED_LATE", late), None);
+    let gap = |pair: &[(u64, Vec<[f32; 2]>)]| pair[1].0 - pair[0].0;
+    let pairs = played.windows(2);
+    let holes: Vec<_> = pairs.filter(|pair| gap(pair) > SECOND / 500).collect();
+    assert_eq!(holes.len(), 1, "silent once");
+    assert!(holes[0][0].0.abs_diff(late) < SECOND / 10);
+    assert!(gap(holes[0]) < LATE, "no longer than it was late");
+    // The block that came too late is dropped.
+    let missing = holes[0][1].1[0][0] - holes[0][0].1[0][0];
+    assert_eq!(missing as usize, 2 * BLOCK, "one block is missing");
+    // The picture has gone on meanwhile, and waits for the sound as long again.
+    assert_together(&times, &played, |clock| {
+        !(late..late + 2 * LATE).contains(&clock)
+    });
+}
+
+fn a_program_that_was_stopped_goes_on_where_it_was(library: &Path) {
+    /// How long it is stopped.
+    const STOP: u64 = 3 * SECOND / 2;
+    let stop = 30 * SECOND;
+    let (times, played) = simulate(library, 20, ("SIMULATED_STOP", stop), None);
+    let mut pairs = times.windows(2);
+    let stopped = pairs.find(|pair| pair[1].0 - pair[0].0 >= STOP);
+    assert!(stopped.expect("it was stopped")[0].0.abs_diff(stop) < SECOND / 20);
+    assert_together(&times, &played, |_| true);
+}
+
+fn time_begins_when_the_device_is_open(library: &Path) {
+    let slow = ("SIMULATED_SLOW", 2 * SECOND);
+    let (times, played) = simulate(library, 20, slow, None);
+    assert!(times[0].0 >= 2 * SECOND && times[0].1 <= DRIFT);
+    assert_together(&times, &played, |_| true);
+}
+
+fn a_device_that_does_not_open_is_given_up(library: &Path) {
+    let never = ("SIMULATED_SLOW", 1000 * SECOND);
+    let why = Some("sound device does not open");
+    let (times, played) = simulate(library, 20, never, why);
+    assert!(played.is_empty());
+    let (start, _) = times[0];
+    assert!((3 * SECOND..4 * SECOND).contains(&start), "{start} ns");
+    assert!(times.iter().all(|(clock, player)| *player == clock - start));
 }
 
 fn main() {
-    if env::var_os("EIGHTFOLD_SOUND_SCENE").is_some() {
-        return play();
+    if let Ok(seconds) = env::var(SCENE) {
+        return play(seconds.parse().expect("a number"));
     }
-    needs!(&["libasound.so.2"]);
     let folder = env::temp_dir().join(format!("eightfold-sound-{}", std::process::id()));
-    fs::create_dir(&folder).unwrap();
+    fs::create_dir(&folder).expect("a folder");
+    let simulation = folder.join("simulation");
+    fs::create_dir(&simulation).expect("a folder");
+    let library = simulated::build(&simulation);
     for test in [
-        a_device_gets_every_sample_in_order,
-        a_device_that_plays_nothing_keeps_time,
-        time_goes_on_without_a_device,
-        time_goes_on_when_the_device_disappears,
-        time_goes_on_with_a_device_that_refuses_48_khz,
-        time_goes_on_without_the_library,
+        picture_is_with_the_sound_on_fast_and_slow_devices,
+        a_device_that_has_run_out_goes_on,
+        a_program_that_was_stopped_goes_on_where_it_was,
+        time_begins_when_the_device_is_open,
+        a_device_that_does_not_open_is_given_up,
     ] {
-        test(&folder);
+        test(&library);
     }
-    fs::remove_dir_all(&folder).unwrap();
+    if !lacks(&["libasound.so.2"]) {
+        for test in [
+            a_device_gets_every_sample_in_order,
+            a_device_that_plays_nothing_keeps_time,
+            time_goes_on_without_sound,
+        ] {
+            test(&folder);
+        }
+    }
+    fs::remove_dir_all(&folder).expect("it goes");
 }

@@ -4,11 +4,10 @@
 //! of them sleep it goes to where the first one wakes up. So a minute and a half takes seconds, and all is the same on
 //! any machine. Standard output is taken for a terminal.
 //!
-//! The environment says how many threads there are that sleep (`SIMULATED_THREADS`), how many parts per million the device
-//! is fast (`SIMULATED_FAST`), when it is written to so late that it has run out of samples (`SIMULATED_LATE`, in
-//! nanoseconds), when the program is stopped for a while (`SIMULATED_STOP`, in nanoseconds), how long it takes to open
-//! (`SIMULATED_SLOW`, in nanoseconds), and where to write what it plays (`SIMULATED_FILE`): blocks, each after the nanosecond
-//! it is heard from.
+//! The environment says how many parts per million the device is fast (`SIMULATED_FAST`), and in nanoseconds when it is written to so
+//! late that it has run out of samples (`SIMULATED_LATE`), when the program is stopped for a while (`SIMULATED_STOP`), and how long it
+//! takes to open (`SIMULATED_SLOW`). It writes what it plays to a file (`SIMULATED_FILE`): blocks, each after the nanosecond that it is
+//! heard from.
 
 use std::{
     env,
@@ -38,12 +37,14 @@ const STOP: u64 = 1_500_000_000;
 const OUT_OF_SAMPLES: c_int = -32;
 const NO_DEVICE: c_int = -19;
 
+/// Threads of the program, all of which sleep at times.
+const THREADS: usize = 2;
+
 struct World {
     /// Nanoseconds from the start.
     now: u64,
     /// When each thread that sleeps wakes up.
     sleepers: Vec<u64>,
-    threads: usize,
     /// Samples that the device plays in a million seconds.
     rate: u64,
     /// When a writer is late next.
@@ -74,7 +75,6 @@ static WORLD: LazyLock<Mutex<World>> = LazyLock::new(|| {
     Mutex::new(World {
         now: 0,
         sleepers: Vec::new(),
-        threads: number("SIMULATED_THREADS") as usize,
         rate: 48_000 * (1_000_000 + number("SIMULATED_FAST")) as u64,
         late: time("SIMULATED_LATE"),
         stop: time("SIMULATED_STOP"),
@@ -99,7 +99,7 @@ fn sleep(mut world: MutexGuard<'static, World>, time: u64) -> MutexGuard<'static
     WOKEN.notify_all();
     while world.now < time {
         let asleep = world.sleepers.iter().filter(|&&time| time > world.now);
-        if asleep.clone().count() < world.threads {
+        if asleep.clone().count() < THREADS {
             world = WOKEN.wait(world).expect("no thread panics");
         } else {
             world.now = *asleep.min().expect("this one");

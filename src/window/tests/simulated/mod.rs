@@ -24,14 +24,13 @@ pub fn build(folder: &Path) -> PathBuf {
     library
 }
 
-/// Runs a program with the library to its end, with two threads that sleep. Says what it wrote and what was played.
+/// Runs a program with the library to its end, Says what it wrote and what was played.
 pub fn run(library: &Path, program: &mut Command) -> (Output, Played) {
     let file = library.with_extension("played");
     let output = program
         .env("LD_PRELOAD", library)
         .env("LD_LIBRARY_PATH", library.parent().expect("a folder"))
         .env("SIMULATED_FILE", &file)
-        .env("SIMULATED_THREADS", "2")
         .output()
         .expect("the program starts");
     let bytes = fs::read(&file).expect("what was played");
