@@ -114,20 +114,14 @@ impl Frame<'_> {
     /// # Panics
     /// If the frame has fewer pixels than its size says.
     pub fn write(&mut self, captions: &[Caption], numbers: [usize; 3]) {
-        let (count, height) = (self.count(), self.height);
         let overlay = Overlay {
             copper_bars: &[],
             captions,
             numbers: &numbers,
             middle: 0.0,
-            height,
+            height: self.height,
         };
-        overlay.draw(&mut Band {
-            width: self.width,
-            stride: self.stride,
-            pixels: &mut self.pixels[..count],
-            ..Band::none()
-        });
+        overlay.draw(&mut self.surface(&mut []));
     }
 }
 

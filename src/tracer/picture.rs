@@ -89,6 +89,29 @@ impl<'a> Frame<'a> {
     }
 }
 
+impl Frame<'_> {
+    /// Returns the number of pixels from the first to the last one.
+    pub(crate) fn count(&self) -> usize {
+        let Some(above) = self.height.checked_sub(1) else {
+            return 0;
+        };
+        let last_row = self.stride.saturating_mul(above);
+        last_row.saturating_add(self.width)
+    }
+
+    /// Returns the surface that the frame is drawn on.
+    pub(crate) fn surface<'a>(&'a mut self, rough: &'a mut [RoughRow]) -> Band<'a> {
+        let count = self.count();
+        Band {
+            width: self.width,
+            stride: self.stride,
+            pixels: &mut self.pixels[..count],
+            rough,
+            ..Band::none()
+        }
+    }
+}
+
 /// The width of a tile in pixels. A row of a level's bits is then eight words, and the samples of its points stay in a core's own
 /// cache.
 pub(crate) const TILE_WIDTH: usize = 512;
@@ -108,10 +131,10 @@ pub(crate) const BLOCK_ROWS: usize = TILE_HEIGHT / BLOCK;
 /// it may differ by an edge. In the others no two neighbours do, nor across the border of two that are not rough.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
-/// The rows of blocks of a band.
-pub(crate) type Rough = [RoughRow; BLOCK_ROWS];
+/// The rows of blocks of all bands.
+pub(crate) type Rough = [RoughRow; BLOCK_ROWS * MAX_BANDS];
 
-/// Some rows of the picture: the unit of work that threads share.
+/// Some rows of the picture, or all of them: the surface that is drawn on, and the unit of work that threads share.
 pub struct Band<'a> {
     /// The picture's rows from here.
     pub(crate) top: usize,
@@ -150,7 +173,31 @@ impl Band<'_> {
         rows.map(|row| &mut row[..self.width]).enumerate()
     }
 
-    /// No rows.
+    /// Sets a pixel, if it is in the picture.
+    #[inline(always)]
+    pub(crate) fn put(&mut self, x: usize, y: usize, pixel: u32) {
+        let place = self.pixels.get_mut(y * self.stride + x);
+        if let (true, Some(place)) = (x < self.width, place) {
+            *place = pixel;
+        }
+    }
+
+    /// Divides it into bands of [`TILE_HEIGHT`] rows, from the top.
+    pub(crate) fn parts(&mut self) -> impl ExactSizeIterator<Item = Band<'_>> {
+        let &mut Self { width, stride, .. } = self;
+        let pixels = self.pixels.chunks_mut(TILE_HEIGHT * stride);
+        let parts = pixels.zip(self.rough.chunks_mut(BLOCK_ROWS)).enumerate();
+        parts.map(move |(number, (pixels, rough))| Band {
+            top: number * TILE_HEIGHT,
+            width,
+            stride,
+            pixels,
+            rough,
+            ..Band::none()
+        })
+    }
+
+    /// Returns a band without rows.
     pub(crate) const fn none() -> Self {
         Self {
             top: 0,
@@ -160,35 +207,5 @@ impl Band<'_> {
             counts: Counts::NONE,
             rough: &mut [],
         }
-    }
-}
-
-/// A picture that is drawn band by band.
-pub(crate) struct Picture<'a> {
-    pub width: usize,
-    /// How many pixels a row begins after the one above it.
-    pub stride: usize,
-    /// From the first pixel to the last one.
-    pub pixels: &'a mut [u32],
-    /// Of each band, which of its blocks are rough.
-    pub rough: &'a mut [Rough; MAX_BANDS],
-}
-
-impl Picture<'_> {
-    /// Its bands, from the top.
-    pub fn bands(&mut self) -> impl ExactSizeIterator<Item = Band<'_>> {
-        let &mut Self { width, stride, .. } = self;
-        let parts = self.pixels.chunks_mut(TILE_HEIGHT * stride);
-        let parts = parts.zip(&mut *self.rough);
-        parts
-            .enumerate()
-            .map(move |(number, (pixels, rough))| Band {
-                top: number * TILE_HEIGHT,
-                width,
-                stride,
-                pixels,
-                rough,
-                ..Band::none()
-            })
     }
 }

@@ -28,9 +28,7 @@ use crate::MAX_WIDTH;
 use crate::coverage::rectangle;
 use crate::lanes::*;
 use crate::observe::Observer;
-use crate::picture::{
-    BLOCK, BLOCK_ROWS, Band, MAX_BANDS, Picture, RoughRow, TILE_HEIGHT, TILE_WIDTH,
-};
+use crate::picture::{BLOCK, BLOCK_ROWS, Band, MAX_BANDS, RoughRow, TILE_HEIGHT, TILE_WIDTH};
 use crate::plan::Context;
 use crate::trace::{BATCH, PARTS, STEP, Sample};
 use core::ops::Range;
@@ -63,8 +61,8 @@ impl Seams {
     }
 
     /// Takes in a picture that is drawn, of whose columns so many are finished, one at least.
-    pub fn set(&mut self, picture: &Picture<'_>, finished: usize) {
-        let &Picture {
+    pub fn set(&mut self, picture: &Band<'_>, finished: usize) {
+        let &Band {
             stride,
             ref pixels,
             ref rough,
@@ -74,7 +72,8 @@ impl Seams {
         let ends = (TILE_HEIGHT * stride..pixels.len()).step_by(TILE_HEIGHT * stride);
         for (number, end) in ends.enumerate() {
             let (above, below) = (&pixels[end - stride..], &pixels[end..]);
-            let rough = [&rough[number][BLOCK_ROWS - 1], &rough[number + 1][0]];
+            let next = BLOCK_ROWS * (number + 1);
+            let rough = [&rough[next - 1], &rough[next]];
             let words = finished.div_ceil(STRETCH);
             for (word, marks) in self.0[number][..words].iter_mut().enumerate() {
                 let stretch = stretch(word, finished);

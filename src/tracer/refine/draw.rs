@@ -1,7 +1,6 @@
 //! The first phase of a frame: a band's points are traced, and its squares filled.
 
 use super::Worker;
-use super::fill::Canvas;
 use super::tile::Tile;
 use crate::coverage::rectangle;
 use crate::grid::Area;
@@ -19,7 +18,7 @@ pub(crate) fn draw<O: Observer>(
     let Context { plan, coverage, .. } = context;
     worker.batch.begin();
     band.rough.fill([u64::MAX; _]);
-    let height = band.height();
+    let bottom = band.top + band.height();
     let square = plan.quality.square;
     let width = if square == 1 {
         BATCH / TILE_HEIGHT
@@ -32,7 +31,7 @@ pub(crate) fn draw<O: Observer>(
             left,
             top: band.top,
             right: band.width.min(left + width),
-            bottom: band.top + height,
+            bottom,
             picture: plan.size,
         };
         let rect = coverage.axes.rect(rectangle(
@@ -48,41 +47,14 @@ pub(crate) fn draw<O: Observer>(
             crowding: 0.0,
             rect,
             worker: &mut *worker,
-            canvas: Canvas {
-                pixels: &mut *band.pixels,
-                stride: band.stride,
-                width: band.width,
-                height,
-            },
+            band: &mut *band,
         };
-        // Trace all of its pixels, or refine its squares and note where edges may be.
-        if square == 1 {
-            tile.trace_pixels();
-        } else {
-            tile.draw();
-            if let Some(rows) = tile.rough() {
-                for (row, word) in band.rough.iter_mut().zip(rows) {
-                    row[left / TILE_WIDTH] = word;
-                }
+        tile.draw();
+        // Note where edges may be.
+        if let Some(rows) = tile.rough() {
+            for (row, word) in band.rough.iter_mut().zip(rows) {
+                row[left / TILE_WIDTH] = word;
             }
         }
-    }
-}
-
-impl<O: Observer> Tile<'_, O> {
-    /// Traces every pixel of a tile, which is no larger than a batch.
-    fn trace_pixels(&mut self) {
-        for y in self.area.top..self.area.bottom {
-            for x in self.area.left..self.area.right {
-                self.worker.batch.points.push_pixel(x, y);
-            }
-        }
-        self.trace_batch();
-        for i in 0..self.worker.batch.points.len() {
-            let (x, y) = self.worker.batch.points.pixel(i);
-            let sample = self.worker.batch.results.sample(i);
-            self.put(x, y - self.area.top, sample);
-        }
-        self.end_batch();
     }
 }

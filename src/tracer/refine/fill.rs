@@ -2,22 +2,15 @@
 
 use crate::grid::Bits;
 use crate::lanes::*;
+use crate::picture::Band;
 use crate::prepare::Dither;
 use crate::trace::Sample;
 use fearless_simd::{Level, i16x16, u8x32, u16x16, u32x8, u64x4};
 
-/// The pixels of a band, row after row, `width` to a row, each `stride` after the one above it.
-pub(super) struct Canvas<'a> {
-    pub pixels: &'a mut [u32],
-    pub stride: usize,
-    pub width: usize,
-    pub height: usize,
-}
-
 /// The colours of four pixels side by side, a word for each channel, in 256ths of an output step.
 type Four<S> = u16x16<S>;
 
-/// The squares of a row that are filled, in pixels of the canvas.
+/// The squares of a row that are filled, in pixels of the band.
 pub(super) struct Run<'a> {
     /// Where square number 0 begins.
     pub x: usize,
@@ -30,90 +23,80 @@ pub(super) struct Run<'a> {
     pub filled: Bits,
     /// Those of one colour.
     pub flat: Bits,
-    /// From which fractions on colours are rounded up. The canvas begins at a multiple of four rows of the picture.
+    /// From which fractions on colours are rounded up. The band begins at a multiple of four rows of the picture.
     pub dither: &'a Dither,
 }
 
-impl Canvas<'_> {
-    /// Sets one pixel, if it is in the picture.
-    #[inline(always)]
-    pub fn put(&mut self, x: usize, y: usize, pixel: u32) {
-        if x < self.width && y < self.height {
-            self.pixels[y * self.stride + x] = pixel;
-        }
-    }
+/// Fills squares as far as they are in the picture.
+pub(super) fn fill(isa: Level, band: &mut Band<'_>, run: &Run<'_>) {
+    by_isa!(isa, simd => match run.level {
+        1 => fill_by::<_, 1>(simd, band, run),
+        2 => fill_by::<_, 2>(simd, band, run),
+        _ => fill_by::<_, 3>(simd, band, run),
+    });
+}
 
-    /// Fills squares as far as they are in the picture.
-    pub fn fill(&mut self, isa: Level, run: &Run<'_>) {
-        by_isa!(isa, simd => match run.level {
-            1 => self.fill_by::<_, 1>(simd, run),
-            2 => self.fill_by::<_, 2>(simd, run),
-            _ => self.fill_by::<_, 3>(simd, run),
-        });
-    }
-
-    /// Fills squares of `1 << LOG` pixels a side, or larger ones by parts of that size.
-    #[inline(always)]
-    fn fill_by<S: Simd, const LOG: u32>(&mut self, simd: S, run: &Run<'_>) {
-        let parts = if LOG < 3 {
-            1
-        } else {
-            1 << (run.level as u32 - LOG)
-        };
-        let mut aside = [0; MAX_PIXELS];
-        run.filled.for_each(
-            #[inline(always)]
-            |i| {
-                let (above, below) = (&run.above[i..i + 2], &run.below[i..i + 2]);
-                let mut corners = [above[0], above[1], below[0], below[1]];
-                if run.flat.has(i) {
-                    corners = [corners[0]; 4];
-                }
-                let (x, y) = (run.x + (i << run.level), run.y);
-                for part in 0..parts * parts {
-                    let [i, j] = [part % parts, part / parts];
-                    let corners = part_corners(corners, [i, j], parts);
-                    let (x, y) = (x + (i << LOG), y + (j << LOG));
-                    if x < self.width && y < self.height {
-                        self.fill_part::<S, LOG>(simd, x, y, corners, run.dither, &mut aside);
-                    }
-                }
-            },
-        );
-    }
-
-    /// Fills a square of `1 << LOG` pixels, as far as it is in the picture.
-    #[inline(always)]
-    fn fill_part<S: Simd, const LOG: u32>(
-        &mut self,
-        simd: S,
-        x: usize,
-        y: usize,
-        corners: [u64; 4],
-        dither: &Dither,
-        aside: &mut [u32; MAX_PIXELS],
-    ) {
-        let side = 1 << LOG;
-        let start = y * self.stride + x;
-        let is_whole = x + side <= self.width && y + side <= self.height;
-        let (pixels, stride) = if is_whole {
-            (&mut self.pixels[start..], self.stride)
-        } else {
-            (&mut aside[..], side)
-        };
-        // Larger ones begin at multiples of four pixels.
-        let (column, first_row) = if LOG == 1 { (x % 4, y) } else { (0, 0) };
-        let thresholds = [0, 1, 2, 3].map(|row| {
-            let row = &dither[(first_row + row) % 4];
-            u64x4::from_slice(simd, &row[column..][..4]).bitcast()
-        });
-        fill_square::<S, LOG>(simd, corners, &thresholds, pixels, stride);
-        if !is_whole {
-            let rows = self.pixels[start..].chunks_mut(self.stride);
-            let width = side.min(self.width - x);
-            for (row, aside) in rows.zip(aside.chunks(side)).take(side) {
-                row[..width].copy_from_slice(&aside[..width]);
+/// Fills squares of `1 << LOG` pixels a side, or larger ones by parts of that size.
+#[inline(always)]
+fn fill_by<S: Simd, const LOG: u32>(simd: S, band: &mut Band<'_>, run: &Run<'_>) {
+    let parts = if LOG < 3 {
+        1
+    } else {
+        1 << (run.level as u32 - LOG)
+    };
+    let mut aside = [0; MAX_PIXELS];
+    run.filled.for_each(
+        #[inline(always)]
+        |i| {
+            let (above, below) = (&run.above[i..i + 2], &run.below[i..i + 2]);
+            let mut corners = [above[0], above[1], below[0], below[1]];
+            if run.flat.has(i) {
+                corners = [corners[0]; 4];
             }
+            let (x, y) = (run.x + (i << run.level), run.y);
+            for part in 0..parts * parts {
+                let [i, j] = [part % parts, part / parts];
+                let corners = part_corners(corners, [i, j], parts);
+                let (x, y) = (x + (i << LOG), y + (j << LOG));
+                if x < band.width && y * band.stride + x < band.pixels.len() {
+                    fill_part::<S, LOG>(simd, band, [x, y], corners, run.dither, &mut aside);
+                }
+            }
+        },
+    );
+}
+
+/// Fills a square of `1 << LOG` pixels, as far as it is in the picture.
+#[inline(always)]
+fn fill_part<S: Simd, const LOG: u32>(
+    simd: S,
+    band: &mut Band<'_>,
+    [x, y]: [usize; 2],
+    corners: [u64; 4],
+    dither: &Dither,
+    aside: &mut [u32; MAX_PIXELS],
+) {
+    let side = 1 << LOG;
+    let start = y * band.stride + x;
+    let end = start + (side - 1) * band.stride + side;
+    let is_whole = x + side <= band.width && end <= band.pixels.len();
+    let (pixels, stride) = if is_whole {
+        (&mut band.pixels[start..], band.stride)
+    } else {
+        (&mut aside[..], side)
+    };
+    // Larger ones begin at multiples of four pixels.
+    let (column, first_row) = if LOG == 1 { (x % 4, y) } else { (0, 0) };
+    let thresholds = [0, 1, 2, 3].map(|row| {
+        let row = &dither[(first_row + row) % 4];
+        u64x4::from_slice(simd, &row[column..][..4]).bitcast()
+    });
+    fill_square::<S, LOG>(simd, corners, &thresholds, pixels, stride);
+    if !is_whole {
+        let rows = band.pixels[start..].chunks_mut(band.stride);
+        let width = side.min(band.width - x);
+        for (row, aside) in rows.zip(aside.chunks(side)).take(side) {
+            row[..width].copy_from_slice(&aside[..width]);
         }
     }
 }

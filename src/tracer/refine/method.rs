@@ -16,7 +16,7 @@ const POINT: u8 = 2;
 /// The width of the front's line in pixels.
 const FRONT: usize = 3;
 
-impl<O: Observer> Tile<'_, O> {
+impl<O: Observer> Tile<'_, '_, O> {
     /// Draws the points and sides of a tile that is done, as bright as the scene wants them.
     pub(super) fn show_method(&mut self) {
         let Context { plan, world, .. } = self.context;
@@ -34,8 +34,8 @@ impl<O: Observer> Tile<'_, O> {
         });
         for y in 0..self.area.rows(0) {
             let marks = self.marks(y);
-            let row = y * self.canvas.stride;
-            let row = &mut self.canvas.pixels[row + start..row + self.area.right];
+            let row = y * self.band.stride;
+            let row = &mut self.band.pixels[row + start..row + self.area.right];
             for (pixel, &mark) in row.iter_mut().zip(&marks[start - self.area.left..]) {
                 let (left, white) = blends[mark as usize];
                 let red_blue = (((*pixel & 0xff_00_ff) * left) >> 8) & 0xff_00_ff;

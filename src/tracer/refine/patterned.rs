@@ -12,7 +12,7 @@ use crate::prepare::{Four, ObjectId};
 use crate::trace::{Layers, STEP, SeenPattern};
 use fearless_simd::{f32x4, i16x8, i32x4, u16x8, u32x4};
 
-impl<O: Observer> Tile<'_, O> {
+impl<O: Observer> Tile<'_, '_, O> {
     /// Fills the square (x, y) of a level, whose corners all show one object with a pattern, unless their layers are too far
     /// apart; says whether they are not.
     pub(super) fn fill_pattern(&mut self, level: usize, [x, y]: [usize; 2], agree: bool) -> bool {
@@ -38,7 +38,7 @@ impl<O: Observer> Tile<'_, O> {
         true
     }
 
-    /// Interpolates the corners' layers along both sides of the square at (left, top) of the canvas, as far as it is in the picture, and
+    /// Interpolates the corners' layers along both sides of the square at (left, top) of the band, as far as it is in the picture, and
     /// evaluates the object's pattern at every pixel.
     #[inline(never)]
     fn interpolate(
@@ -52,8 +52,8 @@ impl<O: Observer> Tile<'_, O> {
         let world = self.context.world;
         let film = &world.film;
         let (right, bottom) = (
-            self.canvas.width.min(left + side),
-            self.canvas.height.min(top + side),
+            self.band.width.min(left + side),
+            self.band.height().min(top + side),
         );
         let part = 1.0 / side as f32;
         let (mut first, mut step) = (a, (b - a) * part);
@@ -61,8 +61,8 @@ impl<O: Observer> Tile<'_, O> {
         let pattern = SeenPattern::new(world, object);
         let columns = f32x4::simd_from(simd, [0.0, 1.0, 2.0, 3.0]);
         for y in top..bottom {
-            let row = y * self.canvas.stride;
-            let row = &mut self.canvas.pixels[row + left..row + right];
+            let row = y * self.band.stride;
+            let row = &mut self.band.pixels[row + left..row + right];
             let y = self.area.top + y;
             let thresholds = film.thresholds(simd, left, y);
             let mut now = first;

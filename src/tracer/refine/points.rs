@@ -13,7 +13,7 @@ use core::array;
 /// The bits of a row of a cluster.
 const CLUSTER_MASK: u64 = (1 << CLUSTER_WIDTH) - 1;
 
-impl<O: Observer> Tile<'_, O> {
+impl<O: Observer> Tile<'_, '_, O> {
     /// Finds the points of a level: the corners of all its squares, or the squares themselves where they are pixels.
     pub(super) fn find_points(&mut self, level: usize, is_first: bool) {
         let quality = &self.context.plan.quality;
@@ -75,8 +75,8 @@ impl<O: Observer> Tile<'_, O> {
             self.trace(level);
         }
         let (start, stride) = if level == 0 {
-            let start = top * self.canvas.stride + self.area.left + left;
-            (start, self.canvas.stride)
+            let start = top * self.band.stride + self.area.left + left;
+            (start, self.band.stride)
         } else {
             (Pyramid::index(level, left, top), Pyramid::stride(level))
         };
@@ -163,7 +163,7 @@ impl<O: Observer> Tile<'_, O> {
             let mut sample = batch.results.sample(i);
             let (x, y) = batch.points.pixel(i);
             if level == 0 {
-                self.canvas.pixels[target] = sample.pixel(world.film.threshold(x, y));
+                self.band.pixels[target] = sample.pixel(world.film.threshold(x, y));
                 continue;
             }
             let has_edges = |id| world.has_edges(id);

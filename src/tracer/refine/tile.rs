@@ -1,13 +1,13 @@
 //! Drawing a tile: level by level its points are traced, and its squares judged, then filled or split.
 
 use super::antialias::EDGE;
-use super::fill::{Canvas, Run};
+use super::fill::{Run, fill};
 use super::verdict::{Rules, Verdict, growth, judge};
 use super::worker::{Marks, Worker};
 use crate::coverage::{Rect, Squares};
 use crate::grid::{Area, Bits};
 use crate::observe::{Fill, Observer, Split};
-use crate::picture::{BLOCK, BLOCK_ROWS};
+use crate::picture::{BLOCK, BLOCK_ROWS, Band};
 use crate::plan::Context;
 use crate::prepare::VisibleGroups;
 use crate::scene::camera::pixels;
@@ -16,7 +16,7 @@ use core::array;
 use core::ops::Range;
 
 /// A tile that is being drawn.
-pub(super) struct Tile<'a, O: Observer> {
+pub(super) struct Tile<'a, 'b, O: Observer> {
     pub context: &'a Context<'a, O>,
     pub area: Area,
     /// How much of it the largest squares leave open, from 0, some, to 1, nearly all.
@@ -26,22 +26,22 @@ pub(super) struct Tile<'a, O: Observer> {
     /// The groups that the tile can show.
     pub seen: VisibleGroups,
     pub worker: &'a mut Worker,
-    /// The band that the tile is a part of, from its upper to its lower end.
-    pub canvas: Canvas<'a>,
+    /// The band that the tile is a part of.
+    pub band: &'a mut Band<'b>,
 }
 
 /// The share of its largest squares that a tile splits where it begins to count as crowded, and where it is. The model scene at
 /// 1024x768 has no tile that is; of a field of 256 spheres most are.
 const CROWDED: Range<f32> = 0.7..0.9;
 
-impl<O: Observer> Tile<'_, O> {
+impl<O: Observer> Tile<'_, '_, O> {
     /// Draws the tile, from the largest squares down to pixels.
     pub fn draw(&mut self) {
         let Context { plan, coverage, .. } = self.context;
         let top = plan.quality.top_level();
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
-        let open = if plan.quality.guarded {
+        let open = if plan.quality.guarded && top > 0 {
             self.worker.guard.begin(coverage, &self.area, self.rect);
             Bits::first(columns)
         } else {
@@ -59,8 +59,10 @@ impl<O: Observer> Tile<'_, O> {
                 self.crowding = self.crowding(top);
             }
         }
-        self.find_points(0, false);
-        self.show_method();
+        self.find_points(0, top == 0);
+        if top > 0 {
+            self.show_method();
+        }
     }
 
     /// How crowded the tile is, by the share of the largest squares that were not filled.
@@ -182,7 +184,7 @@ impl<O: Observer> Tile<'_, O> {
             flat: verdict.flat,
             dither: &self.context.world.film.dither,
         };
-        self.canvas.fill(self.context.plan.isa, &run);
+        fill(self.context.plan.isa, self.band, &run);
     }
 
     /// Fills those squares of a row whose corners all show one object with a pattern, if their light allows it, and returns
@@ -204,11 +206,11 @@ impl<O: Observer> Tile<'_, O> {
         filled
     }
 
-    /// Sets the pixel (x, y), in pixels of the canvas, to a sample's colour.
+    /// Sets the pixel (x, y), in pixels of the band, to a sample's colour.
     #[inline(always)]
     pub fn put(&mut self, x: usize, y: usize, sample: Sample) {
         let threshold = self.context.world.film.threshold(x, self.area.top + y);
-        self.canvas.put(x, y, sample.pixel(threshold));
+        self.band.put(x, y, sample.pixel(threshold));
     }
 
     /// Splits a row's squares that were not filled: marks those of their parts that are in the picture.

@@ -6,7 +6,7 @@ use crate::counts::Counts;
 use crate::coverage::Coverage;
 use crate::observe::Observer;
 use crate::overlay::Overlay;
-use crate::picture::{Band, Frame, MAX_BANDS, Picture, Rough};
+use crate::picture::{Band, Frame, Rough};
 use crate::plan::{Context, FramePlan};
 use crate::prepare::Prepared;
 use crate::refine::antialias::Seams;
@@ -22,7 +22,7 @@ pub struct Memory {
     prepared: Prepared,
     coverage: Coverage,
     seams: Seams,
-    rough: [Rough; MAX_BANDS],
+    rough: Rough,
     /// Of drawing bands, and of smoothing their edges.
     drawing: Schedule,
     smoothing: Schedule,
@@ -41,7 +41,7 @@ impl Memory {
                 prepared: Prepared::new(),
                 coverage: Coverage::new(),
                 seams: Seams::new(),
-                rough: [[[0; _]; _]; _],
+                rough: [[0; _]; _],
                 drawing: Schedule::new(),
                 smoothing: Schedule::new(),
             }
@@ -64,7 +64,7 @@ impl Memory {
         &mut self,
         plan: &FramePlan,
         scene: &Scene,
-        frame: Frame<'_>,
+        mut frame: Frame<'_>,
         threads: &mut dyn Threads,
         observer: O,
     ) -> Counts {
@@ -78,13 +78,7 @@ impl Memory {
             coverage: &self.coverage,
             observer,
         };
-        let count = frame.count();
-        let picture = &mut Picture {
-            width,
-            stride: frame.stride,
-            pixels: &mut frame.pixels[..count],
-            rough: &mut self.rough,
-        };
+        let picture = &mut frame.surface(&mut self.rough);
         let has_edges = plan.quality.antialias;
         // Draw the bands.
         let job = |worker: &mut Worker, band: &mut Band<'_>| {

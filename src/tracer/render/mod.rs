@@ -29,15 +29,6 @@ use core::borrow::BorrowMut;
 use fearless_simd::Level;
 
 impl Frame<'_> {
-    /// How many pixels it takes from its first to its last one.
-    pub(crate) fn count(&self) -> usize {
-        let Some(above) = self.height.checked_sub(1) else {
-            return 0;
-        };
-        let last_row = self.stride.saturating_mul(above);
-        last_row.saturating_add(self.width)
-    }
-
     /// Whether the size is in its range, and there are enough pixels.
     fn validate(&self) -> Result<(), Error> {
         let Self {

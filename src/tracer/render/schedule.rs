@@ -2,7 +2,7 @@
 
 use super::threads::{Job, Threads};
 use crate::counts::Counts;
-use crate::picture::{Band, MAX_BANDS, Picture, TILE_HEIGHT};
+use crate::picture::{Band, MAX_BANDS, TILE_HEIGHT};
 
 /// Has those bands drawn first that took the most rays in the frame before, which looked much the same. So what threads take last is
 /// short, and none has to wait long for another one.
@@ -22,12 +22,12 @@ impl Schedule {
     /// Has a job done on each band of a picture.
     pub fn run(
         &mut self,
-        picture: &mut Picture<'_>,
+        picture: &mut Band<'_>,
         job: Job<'_>,
         threads: &mut dyn Threads,
     ) -> Counts {
         let mut bands = [const { Band::none() }; MAX_BANDS];
-        let parts = picture.bands();
+        let parts = picture.parts();
         let count = parts.len();
         for (number, band) in parts.enumerate() {
             bands[self.rank(number, count)] = band;
@@ -55,6 +55,7 @@ mod tests {
     extern crate std;
 
     use super::*;
+    use crate::picture::BLOCK_ROWS;
     use crate::refine::Worker;
     use std::prelude::v1::*;
 
@@ -82,11 +83,12 @@ mod tests {
         let mut schedule = Schedule::new();
         for tops in [[4, 3, 2, 1, 0], [2, 4, 3, 0, 1]] {
             let (mut pixels, mut threads) = ([0; PIXELS], Tops(Vec::new()));
-            let mut picture = Picture {
+            let mut picture = Band {
                 width: 2,
                 stride: 2,
                 pixels: &mut pixels,
-                rough: &mut [[[0; _]; _]; _],
+                rough: &mut [[0; _]; BLOCK_ROWS * 5],
+                ..Band::none()
             };
             let counts = schedule.run(&mut picture, &job, &mut threads);
             assert_eq!(threads.0, tops.map(|band| band * TILE_HEIGHT));

@@ -1,9 +1,10 @@
 //! Filled squares against interpolation in real numbers.
 
-use super::super::fill::{Canvas, Run};
+use super::super::fill::{Run, fill};
 use super::{channels, sample};
 use crate::grid::Bits;
 use crate::lanes::isas;
+use crate::picture::Band;
 use crate::prepare::ROUND;
 use proptest::prelude::*;
 
@@ -17,7 +18,7 @@ proptest! {
         is_flat in any::<bool>(),
         (x, y) in (0_usize..40, 0_usize..40),
     ) {
-        let (width, height, side) = (50, 45, 1_usize << level);
+        let (width, side) = (50, 1_usize << level);
         let [above, below] = corners.map(|row| row.map(|sample| sample.0));
         let mut flat = Bits::NONE;
         if is_flat {
@@ -26,9 +27,9 @@ proptest! {
         for isa in isas() {
             const UNDRAWN: u32 = u32::MAX;
             let mut pixels = [UNDRAWN; 50 * 45];
-            let mut canvas = Canvas { pixels: &mut pixels, stride: width, width, height };
+            let mut band = Band { pixels: &mut pixels, stride: width, width, ..Band::none() };
             let filled = Bits::first(1);
-            canvas.fill(isa, &Run { x, y, level, above: &above, below: &below, filled, flat, dither: &ROUND });
+            fill(isa, &mut band, &Run { x, y, level, above: &above, below: &below, filled, flat, dither: &ROUND });
             for (i, &pixel) in pixels.iter().enumerate() {
                 let (i, j) = (i % width, i / width);
                 let is_in = (x..x + side).contains(&i) && (y..y + side).contains(&j);
