@@ -40,7 +40,7 @@ impl Guard {
     pub fn begin(&mut self, coverage: &Coverage, area: &Area, rect: Rect) {
         let pixels = rectangle(area.left, area.top, area.right, area.bottom);
         self.highlights = [0; _];
-        for (number, highlight) in coverage.highlights().iter().enumerate() {
+        for (number, highlight) in coverage.highlights.iter().enumerate() {
             self.highlights[number / 64] |= u64::from(highlight.meets(pixels)) << (number % 64);
         }
         self.count = 0;
@@ -79,7 +79,7 @@ impl Guard {
             let mut rest = word;
             while rest != 0 {
                 let number = 64 * i + rest.trailing_zeros() as usize;
-                search.look_for_highlight(&squares.coverage.highlights()[number], asked);
+                search.look_for_highlight(&squares.coverage.highlights[number], asked);
                 rest &= rest - 1;
             }
         }

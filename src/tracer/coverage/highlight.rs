@@ -37,7 +37,7 @@ const SPARE: f32 = 0.6;
 const COUNTED_DECAY: f32 = 0.75;
 
 /// A highlight.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct Highlight {
     /// The object that shows it.
     pub object: ObjectId,
@@ -53,7 +53,7 @@ pub(super) struct Highlight {
 
 impl Highlight {
     /// All zeros.
-    const ZERO: Self = Self {
+    pub const ZERO: Self = Self {
         object: ObjectId::FIRST,
         middle: Vec2::ZERO,
         bounds: Vec4::ZERO,
@@ -120,30 +120,11 @@ impl Highlight {
     }
 }
 
-/// The highlights of a frame.
-pub(super) struct Highlights {
-    list: [Highlight; MAX_HIGHLIGHTS],
-    count: usize,
-}
-
-impl Highlights {
-    /// None, all zeros.
-    pub const NONE: Self = Self {
-        list: [Highlight::ZERO; MAX_HIGHLIGHTS],
-        count: 0,
-    };
-}
-
 impl Coverage {
-    /// Returns the highlights.
-    pub(super) fn highlights(&self) -> &[Highlight] {
-        &self.highlights.list[..self.highlights.count]
-    }
-
     /// Sets the highlights, after the objects. Highlights that are seen from within a sphere or a cylinder are left out, and highlights
     /// on waves.
     pub(super) fn set_highlights(&mut self, world: World<'_>) {
-        self.highlights.count = 0;
+        self.highlights.clear();
         for i in 0..world.background() {
             let (object, material) = world.object(ObjectId::new(i));
             let centre = match object {
@@ -185,8 +166,7 @@ impl Coverage {
                         ..seen
                     };
                     if highlight.is_small(visible) {
-                        self.highlights.list[self.highlights.count] = highlight;
-                        self.highlights.count += 1;
+                        self.highlights.push(highlight);
                     }
                 });
             }

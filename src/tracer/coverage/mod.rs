@@ -72,10 +72,10 @@ pub(crate) use guard::{Guard, Squares};
 pub(crate) use screen::{Rect, rectangle};
 
 use crate::prepare::{GroupSet, MAX_GROUPS, MAX_OBJECTS, ObjectId, VisibleGroups, World};
-use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS};
+use crate::scene::{List, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS};
 use crate::shapes::plane::Rectangle;
 use glam::{Vec2, Vec3A};
-use highlight::Highlights;
+use highlight::{Highlight, MAX_HIGHLIGHTS};
 use object::ObjectBounds;
 use screen::{Axes, ScreenBounds};
 use sides::{Region, Sides};
@@ -111,7 +111,7 @@ pub(crate) struct Coverage {
     image: View,
     /// The lamps, as each plane shows their light.
     shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
-    highlights: Highlights,
+    highlights: List<Highlight, MAX_HIGHLIGHTS>,
     /// All outlines that may meet the picture, and a rectangle around each.
     outlines: [Outline; MAX_OUTLINES],
     screen: [ScreenBounds; MAX_OUTLINES],
@@ -128,7 +128,7 @@ impl Coverage {
             eye: View::ZERO,
             image: View::ZERO,
             shadows: [[View::ZERO; MAX_LIGHTS]; MAX_PLANES],
-            highlights: Highlights::NONE,
+            highlights: List::over(Highlight::ZERO),
             outlines: [Outline::Object(ObjectId::FIRST); MAX_OUTLINES],
             screen: [ScreenBounds::ZERO; MAX_OUTLINES],
             outlined: 0,

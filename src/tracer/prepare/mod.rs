@@ -13,7 +13,7 @@ pub(crate) use film::ROUND;
 pub(crate) use film::{Dither, Film, Four};
 pub(crate) use lamp::{Lamp, ShadowCone, SpotCone};
 pub(crate) use object::{Object, ObjectId, is_crowd};
-pub(crate) use surface::{PerLane, SURFACE_NUMBERS, Surface, SurfaceNumbers, SurfaceTable};
+pub(crate) use surface::{Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable};
 pub(crate) use tree::{BvhNode, GroupSet, MAX_GROUPS, Tree, VisibleGroups};
 
 use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Scene, camera::Raster};
@@ -92,7 +92,7 @@ impl Prepared {
             lamp_count: 0,
             planes: [Rectangle::ZERO; MAX_PLANES],
             plane_count: 0,
-            surfaces: [Surface::ZERO; MAX_OBJECTS],
+            surfaces: [[0.0; SURFACE_NUMBERS]; MAX_OBJECTS],
             has_edges: [false; MAX_OBJECTS],
             glitters: [false; MAX_OBJECTS],
             has_patterns: false,
@@ -181,7 +181,7 @@ impl Prepared {
             self.has_details |= self.has_patterns || material.anisotropy > 0.0;
             self.has_edges[i] = object::has_edges(material);
             self.glitters[i] = object::glitters(scene, &object, material);
-            self.surfaces[i] = Surface::numbers(&object, material, scene);
+            self.surfaces[i] = surface::surface(&object, material, scene);
         }
         for (lamp, light) in self.lamps.iter_mut().zip(scene.lights.iter()) {
             lamp.set(light, self.tree.solid_nodes(), scene.spheres.len());

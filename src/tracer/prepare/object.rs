@@ -17,7 +17,7 @@ pub(crate) enum Object<'a> {
 ///
 /// In the lanes of a packet an object is its [`ObjectId::lane`], a `u32`. In the word of a sample it is one more, in 14 bits, so
 /// that 0 stands for none.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd)]
 pub(crate) struct ObjectId(u16);
 
 impl ObjectId {

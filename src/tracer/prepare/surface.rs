@@ -11,71 +11,41 @@ const MIN_HIGHLIGHT: f32 = 1e-4;
 /// More than any value of r.v.
 const NO_HIGHLIGHT: f32 = 2.0;
 
-/// Declares the numbers of a surface, each once: a field with one name, or with three for the components of a vector.
-macro_rules! surface {
-    ($($(#[$doc:meta])* $field:ident [$($number:ident)*],)*) => {
-        /// An object's surface, with each parameter either one number or a [`PerLane`] of them. Lengths are in scene units.
-        pub(crate) struct Surface<T> {
-            $($(#[$doc])* pub $field: surface!(@type T $($number)*),)*
-        }
-
-        /// How many numbers a surface has.
-        pub(crate) const SURFACE_NUMBERS: usize = [$($(stringify!($number)),*),*].len();
-
-        impl<T> Surface<T> {
-            /// Gives a surface's numbers their names.
-            #[inline(always)]
-            pub fn from_numbers([$($($number),*),*]: [T; SURFACE_NUMBERS]) -> Self {
-                Self {
-                    $($field: surface!(@value $($number)*),)*
-                }
-            }
-
-            /// The numbers, in the same order.
-            fn into_numbers(self) -> [T; SURFACE_NUMBERS] {
-                let Self {
-                    $($field: surface!(@value $($number)*),)*
-                } = self;
-                [$($($number),*),*]
-            }
-        }
-    };
-    (@type $type:ident $number:ident) => { $type };
-    (@type $type:ident $x:ident $y:ident $z:ident) => { [$type; 3] };
-    (@value $number:ident) => { $number };
-    (@value $x:ident $y:ident $z:ident) => { [$x, $y, $z] };
-}
-
-surface! {
-    /// The centre of a sphere or a plane.
-    centre [centre_x centre_y centre_z],
+/// A parameter of an object's surface, by the number of its first component. Lengths are in scene units.
+#[derive(Clone, Copy)]
+pub(crate) enum Parameter {
+    /// The centre of a sphere or a plane: three components.
+    Centre = 0,
     /// 1 / radius for a sphere, otherwise 0: then the normal is upright, or a block's.
-    inverse_radius [inverse_radius],
+    InverseRadius = 3,
     /// 1 for surfaces on which lights shine, 0 for the lights' own spheres and the background.
-    is_lit [is_lit],
-    /// The radiance that does not depend on lights: reflected ambient light, or the light's or the background's own colour.
-    emitted [emitted_red emitted_green emitted_blue],
+    IsLit = 4,
+    /// The radiance that does not depend on lights, a colour: reflected ambient light, or the light's or the background's own colour.
+    Emitted = 5,
     /// The colour times the diffuse coefficient.
-    diffuse [diffuse_red diffuse_green diffuse_blue],
-    /// The share of a lamp's light that highlights keep, per channel.
-    highlight [highlight_red highlight_green highlight_blue],
+    Diffuse = 8,
+    /// The share of a lamp's light that highlights keep, a colour.
+    Highlight = 11,
     /// The specular coefficient.
-    ks [ks],
+    Ks = 14,
     /// The exponent of the highlight.
-    exponent [exponent],
+    Exponent,
     /// The smallest r.v with a visible highlight.
-    highlight_start [highlight_start],
+    HighlightStart,
     /// The weight of the reflected ray.
-    kr [kr],
+    Kr,
     /// See [`Material::fresnel`].
-    fresnel [fresnel],
+    Fresnel,
     /// The weight of the transmitted ray.
-    kt [kt],
+    Kt,
     /// The refractive index.
-    index [index],
+    Index,
 }
 
-/// A surface's numbers, in the order of [`Surface::from_numbers`].
+/// The number of components of all parameters.
+pub(crate) const SURFACE_NUMBERS: usize = Parameter::Index as usize + 1;
+
+/// The components of a surface's parameters.
 pub(crate) type SurfaceNumbers = [f32; SURFACE_NUMBERS];
 
 /// One number for each lane of the widest instruction set.
@@ -93,58 +63,49 @@ pub(super) fn bounded(number: f32) -> f32 {
     if number.abs() <= LARGEST { number } else { 0.0 }
 }
 
-impl Surface<f32> {
-    /// All zeros: memory before a frame is prepared.
-    pub const ZERO: SurfaceNumbers = [0.0; SURFACE_NUMBERS];
-
-    /// The surface of an object, with all numbers [`bounded`].
-    pub fn numbers(object: &Object<'_>, material: &Material, scene: &Scene) -> SurfaceNumbers {
-        Self::of(object, material, scene)
-            .into_numbers()
-            .map(bounded)
-    }
-
-    /// The surface of an object, without bounds on its numbers.
-    fn of(object: &Object<'_>, material: &Material, scene: &Scene) -> Self {
-        let emitted = match object {
-            Object::Light(light) => light.colour,
-            Object::Background => scene.background,
-            Object::Sphere(_) | Object::Block(_) | Object::Plane(_) => {
-                material.colour * scene.ambient
-            }
-        };
-        let (centre, inverse_radius) = match object {
-            Object::Sphere(sphere) => (sphere.centre, 1.0 / sphere.radius),
-            Object::Plane(plane) => (plane.centre, 0.0),
-            // Of a block the tracer computes the point that is hit.
-            Object::Block(_) | Object::Light(_) | Object::Background => (Vec3::ZERO, 0.0),
-        };
-        let highlight_start = if material.ks > MIN_HIGHLIGHT {
-            root_below(MIN_HIGHLIGHT / material.ks, material.exponent)
-        } else {
-            NO_HIGHLIGHT
-        };
-        Self {
-            centre: centre.to_array(),
-            inverse_radius,
-            is_lit: match object {
-                Object::Light(_) | Object::Background => 0.0,
-                Object::Sphere(_) | Object::Block(_) | Object::Plane(_) => 1.0,
-            },
-            emitted: emitted.to_array(),
-            diffuse: (material.colour * material.kd).to_array(),
-            highlight: Vec3::ONE
-                .lerp(material.colour, material.metallic)
-                .to_array(),
-            ks: material.ks,
-            exponent: material.exponent,
-            highlight_start,
-            kr: material.kr,
-            fresnel: material.fresnel,
-            kt: material.kt,
-            index: material.index,
+/// Returns the surface of an object, with all numbers [`bounded`].
+pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -> SurfaceNumbers {
+    let mut surface = [0.0; SURFACE_NUMBERS];
+    let mut set = |parameter: Parameter, components: &[f32]| {
+        surface[parameter as usize..][..components.len()].copy_from_slice(components);
+    };
+    let emitted = match object {
+        Object::Light(light) => light.colour,
+        Object::Background => scene.background,
+        Object::Sphere(_) | Object::Block(_) | Object::Plane(_) => {
+            set(Parameter::IsLit, &[1.0]);
+            material.colour * scene.ambient
         }
+    };
+    match object {
+        Object::Sphere(sphere) => {
+            set(Parameter::Centre, &sphere.centre.to_array());
+            set(Parameter::InverseRadius, &[1.0 / sphere.radius]);
+        }
+        Object::Plane(plane) => set(Parameter::Centre, &plane.centre.to_array()),
+        // The tracer computes the points of a block.
+        Object::Block(_) | Object::Light(_) | Object::Background => {}
     }
+    let highlight = Vec3::ONE.lerp(material.colour, material.metallic);
+    let highlight_start = if material.ks > MIN_HIGHLIGHT {
+        root_below(MIN_HIGHLIGHT / material.ks, material.exponent)
+    } else {
+        NO_HIGHLIGHT
+    };
+    set(Parameter::Emitted, &emitted.to_array());
+    set(
+        Parameter::Diffuse,
+        &(material.colour * material.kd).to_array(),
+    );
+    set(Parameter::Highlight, &highlight.to_array());
+    set(Parameter::Ks, &[material.ks]);
+    set(Parameter::Exponent, &[material.exponent]);
+    set(Parameter::HighlightStart, &[highlight_start]);
+    set(Parameter::Kr, &[material.kr]);
+    set(Parameter::Fresnel, &[material.fresnel]);
+    set(Parameter::Kt, &[material.kt]);
+    set(Parameter::Index, &[material.index]);
+    surface.map(bounded)
 }
 
 /// A lower bound of the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1: at least 0.8 times the

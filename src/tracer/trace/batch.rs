@@ -1,8 +1,7 @@
 //! A batch: what a thread needs to trace some points together.
 
 use super::accumulator::Accumulator;
-use super::blockers::Blockers;
-use super::candidates::Candidates;
+use super::candidates::{self, Blockers, Candidates};
 use super::queue::Queue;
 use super::stack::RayStack;
 use super::surface::SurfaceRows;
@@ -35,7 +34,7 @@ impl Batch {
             results: Accumulator::new(),
             counts: Counts::NONE,
             stack: RayStack::new(),
-            blocks: Candidates::NONE,
+            blocks: candidates::NONE,
             blockers: Blockers::NONE,
             surfaces: SurfaceRows::NONE,
         }

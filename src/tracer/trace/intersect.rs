@@ -1,6 +1,6 @@
 //! Finds the first hits of a packet: planes, the tree's spheres, and blocks by their bounding spheres. Coordinates are the scene's.
 
-use super::candidates::Candidates;
+use super::candidates::{Candidate, Candidates};
 use super::rays::Rays;
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Object, ObjectId, World};
@@ -60,7 +60,7 @@ pub(crate) fn nearest<S: Isa>(
                     let cylinder = (node.axis, node.thin2);
                     let near = near & !block::is_off(&chord, rays.d, cylinder, node.radius, hit.t);
                     if near.any_true() {
-                        blocks.push::<S>(node.object, near);
+                        blocks.push(Candidate::new::<S>(node.object, near));
                     }
                 } else {
                     let (m, t) = chord.entry(near, node.r2, node.hit_error, node.r2_error, hit.t);
@@ -82,7 +82,7 @@ pub(super) fn resolve_blocks<S: Isa>(
     blocks: &Candidates,
     hit: &mut Hit<S>,
 ) {
-    for &candidate in blocks.as_slice() {
+    for &candidate in blocks.iter() {
         if let Object::Block(block) = world.object(candidate.object).0 {
             let t = block::distance(simd, block, &rays.o, &rays.d);
             let is_nearer = t.simd_lt(hit.t) & candidate.lanes(simd);

@@ -1,13 +1,14 @@
 //! Direct light by Phong's model: what surfaces reflect of the light that arrives.
 
 use super::Tracer;
-use super::blockers::Blockers;
+use super::candidates::Blockers;
 use super::key::Keys;
 use super::point::ShadingPoint;
 use super::surface::SurfaceLanes;
 use super::visibility::{ArrivingLight, Visibility};
 use crate::counts::Counts;
 use crate::lanes::*;
+use crate::prepare::Parameter;
 use glam::Vec3A;
 
 /// The light that surfaces reflect along the rays.
@@ -50,8 +51,8 @@ pub(super) fn gather<S: Isa>(
         }
     }
     Reflected {
-        untextured: surface.emitted() + surface.diffuse() * phong.diffuse,
-        specular: surface.highlight() * phong.specular,
+        untextured: surface.emitted() + surface.vector(Parameter::Diffuse) * phong.diffuse,
+        specular: surface.vector(Parameter::Highlight) * phong.specular,
     }
 }
 
@@ -76,12 +77,13 @@ impl<S: Isa> Phong<'_, S> {
         let &ArrivingLight { l, nl, lit, colour } = light;
         self.diffuse = self.diffuse.add_scaled(colour, lit.select(nl, zero));
         let rv = self.cosine(&l);
-        let shiny = lit & rv.simd_gt(self.surface.highlight_start());
+        let shiny = lit & rv.simd_gt(self.surface.number(Parameter::HighlightStart));
         if !shiny.any_true() {
             return M::<S>::splat(simd, false);
         }
         let base = shiny.select(rv, one);
-        let strength = self.surface.ks() * pow(simd, base, self.surface.exponent());
+        let strength = self.surface.number(Parameter::Ks)
+            * pow(simd, base, self.surface.number(Parameter::Exponent));
         let strength = shiny.select(strength, zero);
         self.specular = self.specular.add_scaled(colour, strength);
         strength.simd_gt(splat(simd, quality.highlight))

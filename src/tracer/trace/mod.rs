@@ -21,7 +21,6 @@
 mod accumulator;
 mod air;
 mod batch;
-mod blockers;
 mod candidates;
 mod contribution;
 mod intersect;

@@ -4,7 +4,7 @@ use super::intersect::Hit;
 use super::rays::Rays;
 use super::surface::{SurfaceLanes, object_at};
 use crate::lanes::*;
-use crate::prepare::{Object, World};
+use crate::prepare::{Object, Parameter, World};
 use crate::shapes::block::{self, BlockHit};
 use crate::shapes::{plane, sphere};
 use glam::Mat3;
@@ -67,19 +67,19 @@ impl<S: Isa> ShadingPoint<S> {
         solid: M<S>,
     ) -> Self {
         let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
-        let inverse_radius = surface.inverse_radius();
+        let inverse_radius = surface.number(Parameter::InverseRadius);
         let is_plane = inverse_radius.simd_eq(zero);
         // The hit is projected back to the sphere, so that secondary rays do not inherit the error of t.
-        let out = (rays.o - surface.centre()).add_scaled(rays.d, t);
+        let out = (rays.o - surface.vector(Parameter::Centre)).add_scaled(rays.d, t);
         let square: F<S> = out.dot(out) * (inverse_radius * inverse_radius);
         let mut scale = square.mul_add(splat(simd, -0.5), is_plane.select(one, splat(simd, 1.5)));
         let far = solid & (scale - 1.0).abs().simd_gt(splat(simd, NEWTON));
         if far.any_true() {
             scale = far.select(one / square.sqrt(), scale);
         }
-        let mut p = surface.centre().add_scaled(out, scale);
+        let mut p = surface.vector(Parameter::Centre).add_scaled(out, scale);
         // A point on a plane is exact.
-        p.y = is_plane.select(surface.centre().y, p.y);
+        p.y = is_plane.select(surface.vector(Parameter::Centre).y, p.y);
         let mut n = out.scaled(scale * inverse_radius);
         n.y = is_plane.select(one, n.y);
         Self {

@@ -12,6 +12,7 @@ use super::rays::Rays;
 use super::stack::RayStack;
 use super::surface::SurfaceLanes;
 use crate::lanes::*;
+use crate::prepare::Parameter;
 
 /// Shades the hits, puts the secondary rays on the stack and returns what the hits add to their points.
 #[inline(always)]
@@ -104,10 +105,10 @@ fn scatter<S: Isa>(
     // Schlick's approximation.
     let grazing = dn + 1.0;
     let grazing2 = grazing * grazing;
-    let gain = surface.fresnel() * (grazing2 * grazing2 * grazing);
-    let mut kr = surface.kr();
+    let gain = surface.number(Parameter::Fresnel) * (grazing2 * grazing2 * grazing);
+    let mut kr = surface.number(Parameter::Kr);
     kr = kr + gain * (one - kr);
-    let kt = surface.kt() * (one - gain);
+    let kt = surface.number(Parameter::Kt) * (one - gain);
     // Refract those that enter or leave glass; where all light is reflected, add that to the mirror.
     let mut through = M::<S>::splat(simd, false);
     let mut transmitted = Rays {
@@ -118,7 +119,10 @@ fn scatter<S: Isa>(
     };
     let glass = follow & kt.simd_gt(zero);
     if glass.any_true() {
-        let eta = point.inside.select(surface.index(), one / surface.index());
+        let eta = point.inside.select(
+            surface.number(Parameter::Index),
+            one / surface.number(Parameter::Index),
+        );
         // The cosine of the transmitted ray, squared; below 0 all light is reflected.
         let k = one - eta * eta * (one - dn * dn);
         let total = k.simd_lt(zero);

@@ -1,6 +1,6 @@
 //! Shadow rays: which of them something blocks. Coordinates are the scene's.
 
-use super::blockers::Blockers;
+use super::candidates::{Blockers, CONES, Candidate};
 use crate::lanes::*;
 use crate::prepare::{Lamp, ShadowCone, World};
 use crate::shapes::plane;
@@ -30,11 +30,9 @@ impl Blockers {
         lamp: &Lamp,
         rays: &ShadowRays<S>,
     ) -> M<S> {
-        let Self { casters, solids } = self;
         let mut blocked = M::<S>::splat(simd, false);
         let cones = &lamp.shadow_cones[..world.tree.solid_nodes().len()];
-        casters.clear();
-        let mut i = 0;
+        let (mut i, mut count) = (0, 0);
         while let Some(bound) = cones.get(i) {
             if !rays.start_inside(simd, bound).any_true() {
                 i += usize::from(bound.skip);
@@ -45,18 +43,20 @@ impl Blockers {
                 if cone.object < lamp.listed_from {
                     blocked |= rays.meet_sphere(simd, cone);
                 } else {
-                    casters.push_if(i, rays.start_inside(simd, cone).any_true());
+                    // No branch: which cones a packet meets cannot be predicted.
+                    self.cones[count % CONES] = i as u16;
+                    count += usize::from(rays.start_inside(simd, cone).any_true());
                 }
                 i += 1;
             }
         }
-        solids.clear();
-        for &index in casters.as_slice() {
+        self.solids.clear();
+        for &index in &self.cones[..count.min(CONES)] {
             let cone = &cones[usize::from(index)];
             let shaded = rays.start_inside(simd, cone);
             let near = shaded & !rays.are_off(simd, cone, lamp.diameter);
             if near.any_true() {
-                solids.push::<S>(cone.object, near);
+                self.solids.push(Candidate::new::<S>(cone.object, near));
             }
         }
         blocked | rays.meet_planes(simd, world, lamp)

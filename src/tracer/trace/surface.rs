@@ -2,7 +2,7 @@
 
 use crate::lanes::*;
 use crate::prepare::{
-    ObjectId, PerLane, SURFACE_NUMBERS, Surface, SurfaceNumbers, SurfaceTable, World,
+    ObjectId, Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable, World,
 };
 
 /// Surfaces that are kept in all lanes: more than a picture's tile shows of most scenes. Packets of primary and of secondary rays
@@ -101,106 +101,43 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         surfaces(mixed)
     }
 
-    /// The rows of numbers of what the lanes hit, by name.
+    /// A parameter that is one number. Of lanes that hit the background it is of no meaning.
     #[inline(always)]
-    fn rows(&self) -> Surface<&PerLane> {
-        Surface::from_numbers(self.table.each_ref())
+    pub fn number(&self, parameter: Parameter) -> F<S> {
+        load(self.simd, &self.table[parameter as usize])
     }
 
-    /// The background's numbers, by name.
+    /// A parameter of three components.
     #[inline(always)]
-    fn behind(&self) -> Surface<f32> {
-        Surface::from_numbers(*self.background)
-    }
-
-    #[inline(always)]
-    fn number(&self, row: &PerLane) -> F<S> {
-        load(self.simd, row)
-    }
-
-    #[inline(always)]
-    fn vector(&self, [x, y, z]: [&PerLane; 3]) -> Vec3x<S> {
-        Vec3x {
-            x: self.number(x),
-            y: self.number(y),
-            z: self.number(z),
-        }
-    }
-
-    #[inline(always)]
-    pub fn centre(&self) -> Vec3x<S> {
-        self.vector(self.rows().centre)
-    }
-
-    #[inline(always)]
-    pub fn inverse_radius(&self) -> F<S> {
-        self.number(self.rows().inverse_radius)
+    pub fn vector(&self, parameter: Parameter) -> Vec3x<S> {
+        let [x, y, z] = [0, 1, 2].map(|i| load(self.simd, &self.table[parameter as usize + i]));
+        Vec3x { x, y, z }
     }
 
     /// Which lanes hit something that lamps light: no lamp, and not the background.
     #[inline(always)]
     pub fn is_lit(&self) -> M<S> {
         let zero = splat(self.simd, 0.0);
-        self.number(self.rows().is_lit).simd_gt(zero) & !self.is_background
+        self.number(Parameter::IsLit).simd_gt(zero) & !self.is_background
     }
 
     /// Which lanes hit a lamp's own sphere.
     #[inline(always)]
     pub fn is_lamp(&self) -> M<S> {
         let zero = splat(self.simd, 0.0);
-        !self.number(self.rows().is_lit).simd_gt(zero) & !self.is_background
+        !self.number(Parameter::IsLit).simd_gt(zero) & !self.is_background
     }
 
+    /// The light that they emit, the background included.
     #[inline(always)]
     pub fn emitted(&self) -> Vec3x<S> {
-        let background = Vec3x::splat(self.simd, self.behind().emitted);
-        let emitted = self.vector(self.rows().emitted);
-        Vec3x::select(self.is_background, background, emitted)
-    }
-
-    #[inline(always)]
-    pub fn diffuse(&self) -> Vec3x<S> {
-        self.vector(self.rows().diffuse)
-    }
-
-    #[inline(always)]
-    pub fn highlight(&self) -> Vec3x<S> {
-        self.vector(self.rows().highlight)
-    }
-
-    #[inline(always)]
-    pub fn ks(&self) -> F<S> {
-        self.number(self.rows().ks)
-    }
-
-    #[inline(always)]
-    pub fn exponent(&self) -> F<S> {
-        self.number(self.rows().exponent)
-    }
-
-    #[inline(always)]
-    pub fn highlight_start(&self) -> F<S> {
-        self.number(self.rows().highlight_start)
-    }
-
-    #[inline(always)]
-    pub fn kr(&self) -> F<S> {
-        self.number(self.rows().kr)
-    }
-
-    #[inline(always)]
-    pub fn fresnel(&self) -> F<S> {
-        self.number(self.rows().fresnel)
-    }
-
-    #[inline(always)]
-    pub fn kt(&self) -> F<S> {
-        self.number(self.rows().kt)
-    }
-
-    #[inline(always)]
-    pub fn index(&self) -> F<S> {
-        self.number(self.rows().index)
+        let background = [0, 1, 2].map(|i| self.background[Parameter::Emitted as usize + i]);
+        let background = Vec3x::splat(self.simd, background);
+        Vec3x::select(
+            self.is_background,
+            background,
+            self.vector(Parameter::Emitted),
+        )
     }
 }
 

@@ -32,7 +32,7 @@ pub(super) fn transmittance<S: Isa>(
         y: in_cone,
         z: in_cone,
     };
-    for &candidate in solids.as_slice() {
+    for &candidate in solids.iter() {
         let (object, material) = world.object(candidate.object);
         let covered = match object {
             Object::Block(block) => {

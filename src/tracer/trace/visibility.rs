@@ -1,13 +1,13 @@
 //! Visibility: which points of a packet a lamp's light reaches, and how much of it. Coordinates are the scene's.
 
-use super::blockers::Blockers;
+use super::candidates::Blockers;
 use super::point::ShadingPoint;
 use super::shadow::ShadowRays;
 use super::surface::SurfaceLanes;
 use super::transmittance::transmittance;
 use crate::counts::Counts;
 use crate::lanes::*;
-use crate::prepare::{Lamp, World};
+use crate::prepare::{Lamp, Parameter, World};
 
 /// The light of one lamp that arrives at the points of a packet.
 pub(super) struct ArrivingLight<S: Isa> {
@@ -42,7 +42,7 @@ impl<'a, S: Isa> Visibility<'a, S> {
         surface: &SurfaceLanes<'_, S>,
         point: &'a ShadingPoint<S>,
     ) -> Self {
-        let least = surface.inverse_radius() * 0.5;
+        let least = surface.number(Parameter::InverseRadius) * 0.5;
         Self {
             simd,
             world,

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::scene::Light;
-use crate::trace::blockers::Blockers;
+use crate::trace::candidates::Blockers;
 use crate::trace::shadow::ShadowRays;
 
 /// Scenes, each with a number of spheres from one to nearly the most, and packets in each.

@@ -13,7 +13,7 @@ mod shadows;
 
 extern crate std;
 
-use super::candidates::Candidates;
+use super::candidates;
 use super::intersect::{Hit, nearest, resolve_blocks};
 use super::point::ShadingPoint;
 use super::rays::{Rays, primary_directions};
@@ -184,7 +184,7 @@ fn packet<S: Isa>(simd: S, o: Vec3, d: &[Vec3]) -> Rays<S> {
 /// The hits of a packet, as the tracer finds them.
 #[inline(always)]
 fn hits<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>) -> Hit<S> {
-    let mut blocks = Candidates::NONE;
+    let mut blocks = candidates::NONE;
     let mut hit = nearest(simd, world, rays, GroupSet::MAX, &mut blocks);
     resolve_blocks(simd, world, rays, &blocks, &mut hit);
     hit
