@@ -5,7 +5,6 @@
 //!
 //! Code that must report an error never goes through a panic, so that is only for mistakes in the code.
 
-use super::arguments::end_by_mistake;
 use crate::{line, terminal};
 
 /// Instead of a panic: gives the terminal back, says one line on standard error and aborts.
@@ -16,7 +15,14 @@ pub extern "C" fn eightfold_abort() -> ! {
         line::ERROR,
         b"eightfold: a mistake in the program ended it\n",
     );
-    end_by_mistake()
+    // The code for mistakes is the one of C's `abort`.
+    #[cfg(feature = "windows")]
+    super::arguments::end(3);
+    // SAFETY: it may be called at any time.
+    #[cfg(not(feature = "windows"))]
+    unsafe {
+        libc::abort()
+    }
 }
 
 /// Instead of the function that counts the characters of texts of 32 bytes and more, where they are padded.

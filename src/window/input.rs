@@ -1,8 +1,23 @@
 //! Input at a window by the keyboard and the mouse, for programs that are worked with, as the lab's viewer is.
 //!
-//! The intro hears Esc, F, H and W alone, and does not listen to this: what hears it is not in its file.
+//! The intro hears Esc, F, H and W alone, and does not listen to this: its file has no code for it.
 
-pub use crate::keyboard::Press;
+use core::ffi::c_uint;
+
+/// Keys have the numbers of X11 (`keysym`) on every system: letters and digits are their ASCII codes.
+pub(crate) const ESCAPE: c_uint = 0xff1b;
+/// To the beginning.
+pub(crate) const HOME: c_uint = 0xff50;
+/// The arrow to the left.
+pub(crate) const LEFT: c_uint = 0xff51;
+/// The arrow to the right.
+pub(crate) const RIGHT: c_uint = 0xff53;
+/// F1.
+pub(crate) const F1: c_uint = 0xffbe;
+/// The numbers over the picture.
+pub(crate) const H: c_uint = b'h' as c_uint;
+/// No key.
+pub(crate) const NONE: c_uint = 0xff_ffff;
 
 /// Something that was done at the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,48 +63,36 @@ pub enum Button {
     Right,
 }
 
-/// Adds an input to those that nobody has asked for yet. Of moves that follow each other the last is enough.
-pub(crate) fn push(inputs: &mut Vec<Input>, input: Input) {
-    let is_move = |input: &Input| {
-        matches!(
-            input,
-            Input::Mouse(Mouse {
-                action: Action::Move,
-                ..
-            })
-        )
-    };
-    match inputs.last_mut() {
-        Some(last) if is_move(last) && is_move(&input) => *last = input,
-        _ => inputs.push(input),
-    }
+/// A key that the lab listens to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Press {
+    /// Space, or one of 1 to 9 and the lower-case letters c, e, h, p, s and v.
+    Character(char),
+    /// The arrow to the left.
+    Left,
+    /// The arrow to the right.
+    Right,
+    /// To the beginning.
+    Home,
+    /// `?`, with or without Shift, or F1, which is on every keyboard.
+    Help,
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{Action, Button, Input, Mouse, push};
-
-    #[test]
-    fn moves_in_a_row_are_one_and_clicks_keep_their_order() {
-        let mouse = |action, x| Input::Mouse(Mouse { action, x, y: 0 });
-        let (down, up) = (Action::Down(Button::Left), Action::Up(Button::Left));
-        let mut inputs = Vec::new();
-        for input in [
-            mouse(Action::Move, 1),
-            mouse(Action::Move, 2),
-            mouse(down, 2),
-            mouse(Action::Move, 3),
-            mouse(Action::Move, 4),
-            mouse(up, 4),
-        ] {
-            push(&mut inputs, input);
-        }
-        let expected = [
-            mouse(Action::Move, 2),
-            mouse(down, 2),
-            mouse(Action::Move, 4),
-            mouse(up, 4),
-        ];
-        assert_eq!(inputs, expected);
+impl Press {
+    /// The key with this number.
+    pub(crate) fn of(key: c_uint) -> Option<Press> {
+        Some(match key {
+            LEFT => Press::Left,
+            RIGHT => Press::Right,
+            HOME => Press::Home,
+            F1 => Press::Help,
+            _ => match char::from_u32(key)? {
+                '/' => Press::Help,
+                key @ (' ' | '1'..='9' | 'c' | 'e' | 'h' | 'p' | 's' | 'v') => {
+                    Press::Character(key)
+                }
+                _ => return None,
+            },
+        })
     }
 }

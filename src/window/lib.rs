@@ -52,8 +52,6 @@ pub mod cpu;
 pub mod fixed;
 #[cfg(not(feature = "windows"))]
 pub mod input;
-#[cfg(not(feature = "windows"))]
-mod keyboard;
 pub mod line;
 #[cfg(all(target_os = "linux", not(feature = "windows")))]
 mod loading;

@@ -4,7 +4,7 @@ use std::{cell::RefCell, ffi::c_uint, mem::take, rc::Rc};
 
 use minifb::{InputCallback, Key};
 
-use crate::keyboard;
+use crate::input;
 
 /// The keys that were pressed since the last call of [`Keys::take`]. The window and `minifb` share them: a key that is pressed and
 /// released between two frames counts.
@@ -31,16 +31,16 @@ impl InputCallback for Keys {
 /// The number of a key. `minifb` lists digits and letters in order.
 fn number(key: Key) -> c_uint {
     let character = match (key, key as u8) {
-        (Key::Escape, _) => return keyboard::ESCAPE,
-        (Key::Home, _) => return keyboard::HOME,
-        (Key::Left, _) => return keyboard::LEFT,
-        (Key::Right, _) => return keyboard::RIGHT,
-        (Key::F1, _) => return keyboard::F1,
+        (Key::Escape, _) => return input::ESCAPE,
+        (Key::Home, _) => return input::HOME,
+        (Key::Left, _) => return input::LEFT,
+        (Key::Right, _) => return input::RIGHT,
+        (Key::F1, _) => return input::F1,
         (Key::Space, _) => b' ',
         (Key::Slash, _) => b'/',
         (_, digit @ 0..10) => b'0' + digit,
         (_, letter @ 10..36) => b'a' + letter - 10,
-        _ => return keyboard::NONE,
+        _ => return input::NONE,
     };
     character.into()
 }

@@ -36,7 +36,7 @@ impl Mouse {
         let at = (x.floor() as i32, y.floor() as i32);
         let mut push = |action| {
             let (x, y) = at;
-            input::push(inputs, Input::Mouse(input::Mouse { action, x, y }));
+            inputs.push(Input::Mouse(input::Mouse { action, x, y }));
         };
         // Note moves.
         if self.at != at {

@@ -10,8 +10,7 @@ use minifb::{ScaleMode, WindowOptions};
 
 use super::{keys::Keys, memory::pixels, mouse::Mouse};
 use crate::{
-    input::{self, Input},
-    keyboard::{self, Press},
+    input::{self, Input, Press},
     screen::{Next, Screen},
 };
 
@@ -88,7 +87,7 @@ impl Window {
             return;
         };
         for press in keys.iter().filter_map(|&key| Press::of(key)) {
-            input::push(&mut self.inputs, Input::Key(press));
+            self.inputs.push(Input::Key(press));
         }
         mouse.ask(&self.shown, &mut self.inputs);
     }
@@ -124,8 +123,8 @@ impl Screen for Window {
         let mut next = Next::GoOn;
         for key in keys {
             match key {
-                keyboard::ESCAPE => return Next::End(0),
-                keyboard::H => next = next.toggled(),
+                input::ESCAPE => return Next::End(0),
+                input::H => next = next.toggled(),
                 _ => {}
             }
         }

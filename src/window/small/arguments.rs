@@ -27,12 +27,6 @@ impl Arguments {
     }
 }
 
-/// Ends the process by the signal for mistakes.
-pub fn end_by_mistake() -> ! {
-    // SAFETY: it may be called at any time.
-    unsafe { libc::abort() }
-}
-
 impl Iterator for Arguments {
     type Item = &'static [u8];
 

@@ -5,10 +5,7 @@ use core::mem::take;
 use x11_dl::xlib;
 
 use super::x11::{self, Toplevel, Xlib};
-use crate::{
-    input::{self, Action, Button, Input, Mouse},
-    keyboard::Press,
-};
+use crate::input::{Action, Button, Input, Mouse, Press};
 
 /// Takes note of what is done at a window.
 ///
@@ -51,7 +48,7 @@ fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent) {
     let action = match kind {
         xlib::KeyPress => {
             if let Some(press) = Press::of(x11::typed(x, event)) {
-                input::push(inputs, Input::Key(press));
+                inputs.push(Input::Key(press));
             }
             return;
         }
@@ -73,7 +70,7 @@ fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent) {
         x: event.x,
         y: event.y,
     };
-    input::push(inputs, Input::Mouse(mouse));
+    inputs.push(Input::Mouse(mouse));
 }
 
 /// The button of a number; 4 and 5 are those of the wheel.

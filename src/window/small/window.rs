@@ -14,8 +14,7 @@ use super::{
     x11::{self, Place, Toplevel, Xlib, keys},
 };
 use crate::{
-    input::Input,
-    keyboard,
+    input::{self, Input},
     loading::why_not_loaded,
     screen::{Next, Screen},
 };
@@ -160,10 +159,10 @@ impl Screen for Window {
                 }
                 match event.type_ {
                     xlib::KeyPress => match keys::pressed(x, &event.key) {
-                        keyboard::ESCAPE => return Next::End(0),
+                        input::ESCAPE => return Next::End(0),
                         keys::F => fullscreen = Some(true),
                         keys::W => fullscreen = Some(false),
-                        keyboard::H => next = next.toggled(),
+                        input::H => next = next.toggled(),
                         _ => {}
                     },
                     xlib::ConfigureNotify => {

@@ -50,11 +50,6 @@ pub fn end(code: i32) -> ! {
     unsafe { ExitProcess(code as u32) }
 }
 
-/// Ends the process with the code for mistakes, that of C's `abort`.
-pub fn end_by_mistake() -> ! {
-    end(3)
-}
-
 impl Iterator for Arguments {
     type Item = &'static [u8];
 

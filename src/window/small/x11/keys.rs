@@ -5,7 +5,7 @@ use core::ffi::{c_int, c_uint};
 use x11_dl::xlib::{ControlMask, Mod1Mask, Mod4Mask, XKeyEvent};
 
 use super::functions::Xlib;
-use crate::keyboard;
+use crate::input;
 
 /// The whole screen.
 pub const F: c_uint = b'f' as c_uint;
@@ -16,11 +16,11 @@ pub const W: c_uint = b'w' as c_uint;
 const COMMAND: c_uint = ControlMask | Mod1Mask | Mod4Mask;
 
 /// The number of a key that was pressed, without Shift: by the layout, of several the one that is in use. Where that has no
-/// Latin letter, as those of other alphabets, F, H and W are those in the same place on a keyboard of the USA. [`keyboard::NONE`]
+/// Latin letter, as those of other alphabets, F, H and W are those in the same place on a keyboard of the USA. [`input::NONE`]
 /// with Ctrl or Alt.
 pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     if event.state & COMMAND != 0 {
-        return keyboard::NONE;
+        return input::NONE;
     }
     let key = by_layout(x, event);
     if is_letter(key) {
@@ -30,17 +30,17 @@ pub fn pressed(x: Xlib, event: &XKeyEvent) -> c_uint {
     match event.keycode {
         25 => W,
         41 => F,
-        43 => keyboard::H,
+        43 => input::H,
         _ => key,
     }
 }
 
-/// Like [`pressed`], and all keys of [`Press`](crate::keyboard::Press) are in the same place on a keyboard of the USA where the
+/// Like [`pressed`], and all keys of [`Press`](crate::input::Press) are in the same place on a keyboard of the USA where the
 /// layout has no Latin letter.
 pub fn typed(x: Xlib, event: &XKeyEvent) -> c_uint {
     let key = pressed(x, event);
     match PLACES.iter().find(|(place, _)| *place == event.keycode) {
-        Some(&(_, letter)) if key != keyboard::NONE && !is_letter(key) => letter.into(),
+        Some(&(_, letter)) if key != input::NONE && !is_letter(key) => letter.into(),
         _ => key,
     }
 }
