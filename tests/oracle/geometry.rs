@@ -292,58 +292,50 @@ fn cuboid(ray: Ray, half: DVec3) -> Option<Met> {
     }
 }
 
+/// The first of the points of a shape that lies ahead of a ray.
+fn first(ray: Ray, met: impl Iterator<Item = Met>) -> Option<Met> {
+    let ahead = met.filter(|met| met.t > ray.slack);
+    ahead.min_by(|a, b| a.t.total_cmp(&b.t))
+}
+
+/// Where a ray crosses the side of a cylinder about the y axis, up to a height above and below the origin.
+fn side(ray: Ray, radius: f64, height: f64) -> impl Iterator<Item = Met> {
+    let (o, d) = (ray.o.with_y(0.0), ray.d.with_y(0.0));
+    let met = crossings(o, d, radius, ray.slack).into_iter().flatten();
+    met.filter(move |&t| ray.at(t).y.abs() <= height)
+        .map(move |t| Met {
+            t,
+            normal: ray.at(t).with_y(0.0) / radius,
+        })
+}
+
 /// Where a ray meets a cylinder about the y axis through the origin: its caps and its side.
 fn cylinder(ray: Ray, half: DVec3) -> Option<Met> {
-    let mut nearest: Option<Met> = None;
-    let mut add = |t: f64, normal: DVec3| {
-        if t > ray.slack && nearest.is_none_or(|met| t < met.t) {
-            nearest = Some(Met { t, normal });
-        }
-    };
-    let radius2 = half.x * half.x;
-    for side in [-1.0, 1.0] {
-        let t = face(&ray, side * half.y, 1);
-        let p = ray.at(t);
+    let cap = |end: f64| {
+        let t = face(&ray, end * half.y, 1);
         // NaN, for a ray in the cap's plane, fails this comparison.
-        if p.x * p.x + p.z * p.z <= radius2 {
-            add(t, side * DVec3::Y);
-        }
-    }
-    let (o, d) = (ray.o.with_y(0.0), ray.d.with_y(0.0));
-    for t in crossings(o, d, half.x, ray.slack).into_iter().flatten() {
-        let p = ray.at(t);
-        if p.y.abs() <= half.y {
-            add(t, p.with_y(0.0) / half.x);
-        }
-    }
-    nearest
+        let is_met = ray.at(t).with_y(0.0).length_squared() <= half.x * half.x;
+        is_met.then_some(Met {
+            t,
+            normal: end * DVec3::Y,
+        })
+    };
+    let caps = [-1.0, 1.0].into_iter().filter_map(cap);
+    first(ray, caps.chain(side(ray, half.x, half.y)))
 }
 
 /// Where a ray meets a capsule about the y axis through the origin: its side, or the outer half of a sphere at either end.
 fn capsule(ray: Ray, half: DVec3) -> Option<Met> {
-    let end = half.y - half.x;
-    let mut nearest: Option<Met> = None;
-    let mut add = |t: f64, normal: DVec3| {
-        if t > ray.slack && nearest.is_none_or(|met| t < met.t) {
-            nearest = Some(Met { t, normal });
-        }
+    let height = half.y - half.x;
+    let cap = |end: f64| {
+        let centre = end * height * DVec3::Y;
+        let met = crossings(ray.o - centre, ray.d, half.x, ray.slack);
+        let met = met.into_iter().flatten().map(move |t| Met {
+            t,
+            normal: (ray.at(t) - centre) / half.x,
+        });
+        met.filter(move |met| end * met.normal.y >= 0.0)
     };
-    let (o, d) = (ray.o.with_y(0.0), ray.d.with_y(0.0));
-    for t in crossings(o, d, half.x, ray.slack).into_iter().flatten() {
-        let p = ray.at(t);
-        if p.y.abs() < end {
-            add(t, p.with_y(0.0) / half.x);
-        }
-    }
-    for side in [-1.0, 1.0] {
-        let centre = side * end * DVec3::Y;
-        let o = ray.o - centre;
-        for t in crossings(o, ray.d, half.x, ray.slack).into_iter().flatten() {
-            let out = ray.at(t) - centre;
-            if side * out.y >= 0.0 {
-                add(t, out / half.x);
-            }
-        }
-    }
-    nearest
+    let caps = [-1.0, 1.0].into_iter().flat_map(cap);
+    first(ray, caps.chain(side(ray, half.x, height)))
 }

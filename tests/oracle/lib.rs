@@ -1,7 +1,7 @@
 //! A second ray tracer, with which the tests compare the library's pictures and the lab finds out what a pixel shows.
 //!
 //! It traces one ray at a time, recursively and in f64, by textbook formulas. It shares no code with the library, so where both
-//! agree they are right, unless both misunderstood the same rule. The lab's path tracer takes its geometry and its shading from here.
+//! agree they are right, unless both misunderstood the same rule. The lab's path tracer uses its geometry and its shading.
 
 pub mod frame;
 pub mod geometry;

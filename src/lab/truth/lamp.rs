@@ -32,17 +32,15 @@ pub struct Arriving {
 
 impl<'a> Lamp<'a> {
     pub fn new(light: &'a Light) -> Self {
-        let drawn_radius = if light.parallel {
-            0.0
-        } else {
-            light.drawn_radius.into()
-        };
-        let radius = 0.5 * reach(light) * f64::from(light.diameter);
         Self {
             light,
             position: reach(light) * light.position.as_dvec3(),
-            radius: if radius > 0.0 { radius } else { drawn_radius },
-            drawn_radius,
+            radius: 0.5 * reach(light) * f64::from(light.diameter),
+            drawn_radius: if light.parallel {
+                0.0
+            } else {
+                light.drawn_radius.into()
+            },
         }
     }
 

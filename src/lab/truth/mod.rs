@@ -71,7 +71,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Removes everything from a scene that is no transport of light: captions, copper bars, the film, the glow around lamps.
+/// Reduces a scene to the transport of light: removes captions, copper bars, the film and the glow around lamps.
 fn transported(mut scene: Scene) -> Scene {
     scene.captions.clear();
     scene.copper_bars.clear();
@@ -142,7 +142,7 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
 /// A picture against the truth, in steps of 1/255.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparison {
-    /// The root mean square of the differences. The error against the truth without noise is at most `noise` off.
+    /// The root mean square of the differences. Without noise in the truth, it would differ by about `noise` at most.
     pub error: f64,
     /// The root mean square of the standard errors of the truth.
     pub noise: f64,

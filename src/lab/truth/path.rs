@@ -42,7 +42,8 @@ impl<'a> PathTracer<'a> {
         let mut throughput = DVec3::splat(self.exposure);
         // The length of the path since it was scattered; `None` before.
         let mut length: Option<f64> = None;
-        for bounce in 0.. {
+        let mut bounces = 0;
+        loop {
             let hit = self.oracle.surface(ray);
             let t = hit.as_ref().map_or(f64::INFINITY, |hit| hit.t);
             match length {
@@ -78,7 +79,8 @@ impl<'a> PathTracer<'a> {
             } else {
                 length.map(|length| length + t)
             };
-            if bounce >= SURE_BOUNCES {
+            bounces += 1;
+            if bounces > SURE_BOUNCES {
                 let survival = throughput.max_element().min(MAX_SURVIVAL);
                 if random.next_1d() >= survival {
                     return found;
@@ -86,7 +88,6 @@ impl<'a> PathTracer<'a> {
                 throughput /= survival;
             }
         }
-        found
     }
 
     /// Returns the colour of the lamp that the eye sees along a ray, nearer than `limit`.

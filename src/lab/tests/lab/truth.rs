@@ -111,6 +111,20 @@ fn lamp_of_any_size_gives_the_same_irradiance() {
 }
 
 #[test]
+fn surface_reflects_its_share_of_the_sky() {
+    // From above, the integral of the highlight over the hemisphere is 2 ks / (exponent + 1).
+    let mut scene = floor(lamp(Vec3::NEG_Y, 0.0));
+    scene.camera.eye = vec3(0.0, 4.0, 0.01);
+    scene.background = COLOUR;
+    scene.planes[0].material = Material {
+        ks: 0.8,
+        exponent: 7.0,
+        ..Material::matt(Vec3::ONE, 0.3)
+    };
+    assert_near(seen(&scene, 4096), 0.5 * COLOUR.as_dvec3(), 0.04);
+}
+
+#[test]
 fn ball_hides_its_share_of_the_lamp() {
     // The ball and the lamp are discs about the same centre. The share is that of the squared sines.
     let mut scene = floor(lamp(vec3(0.0, 6.0, 0.0), 2.0));
@@ -142,7 +156,6 @@ fn mirrors_add_the_images_of_the_lamp() {
 #[test]
 fn lone_ball_is_as_the_oracle_sees_it() {
     let material = Material {
-        kd: 0.6,
         ks: 0.7,
         exponent: 9.0,
         anisotropy: 0.4,
