@@ -56,10 +56,7 @@ pub(super) const fn point(position: [f32; 3], colour: [f32; 3]) -> Light {
 
 /// An invisible light whose rays are parallel.
 pub(super) const fn sun(position: [f32; 3], colour: [f32; 3]) -> Light {
-    Light {
-        parallel: true,
-        ..point(position, colour)
-    }
+    Light::sun(Vec3::from_array(position), Vec3::from_array(colour))
 }
 
 impl Set {

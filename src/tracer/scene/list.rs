@@ -83,10 +83,18 @@ impl<T: Copy + Default, const N: usize> Default for List<T, N> {
 
 /// # Panics
 /// If there are more than `N` items.
+impl<T: Copy + Default, const N: usize> Extend<T> for List<T, N> {
+    fn extend<I: IntoIterator<Item = T>>(&mut self, items: I) {
+        items.into_iter().for_each(|item| self.push(item));
+    }
+}
+
+/// # Panics
+/// If there are more than `N` items.
 impl<T: Copy + Default, const N: usize> FromIterator<T> for List<T, N> {
     fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
         let mut list = Self::default();
-        items.into_iter().for_each(|item| list.push(item));
+        list.extend(items);
         list
     }
 }

@@ -262,6 +262,12 @@ impl Material {
         }
     }
 
+    /// The same material with a texture.
+    #[must_use]
+    pub const fn with_pattern(self, pattern: Pattern) -> Self {
+        Self { pattern, ..self }
+    }
+
     /// Whether it mirrors light or lets light through. Glass does even with a `kr` of 0: it reflects all light at some angles.
     #[must_use]
     pub fn is_specular(&self) -> bool {
@@ -431,6 +437,24 @@ impl Light {
         }
     }
 
+    /// A sun, whose rays come from where the position is seen from the origin.
+    #[must_use]
+    pub const fn sun(position: Vec3, colour: Vec3) -> Self {
+        Self {
+            parallel: true,
+            ..Self::new(position, colour)
+        }
+    }
+
+    /// A spotlight at a position, see [`Spot::new`].
+    #[must_use]
+    pub const fn spotlight(position: Vec3, aim: Vec3, outer_angle: f32, colour: Vec3) -> Self {
+        Self {
+            spot: Some(Spot::new(aim, outer_angle)),
+            ..Self::new(position, colour)
+        }
+    }
+
     /// The factor on lengths: parallel rays come from far away.
     fn far(&self) -> f32 {
         if self.parallel { Self::FAR } else { 1.0 }
@@ -501,15 +525,21 @@ pub struct Spot {
 /// A cone of 60 degrees that points down.
 impl Default for Spot {
     fn default() -> Self {
-        Self {
-            aim: Vec3::NEG_Y,
-            inner_angle: PI / 8.0,
-            outer_angle: PI / 6.0,
-        }
+        Self::new(Vec3::NEG_Y, PI / 6.0)
     }
 }
 
 impl Spot {
+    /// A cone by its direction, of any length, and the angle to its outer edge. Three quarters of that are the angle to its inner edge.
+    #[must_use]
+    pub const fn new(aim: Vec3, outer_angle: f32) -> Self {
+        Self {
+            aim,
+            inner_angle: 0.75 * outer_angle,
+            outer_angle,
+        }
+    }
+
     pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
         let is_aimed = self.aim.normalize_or_zero() != Vec3::ZERO;
         let is_narrower = 0.0 <= self.inner_angle && self.inner_angle < self.outer_angle;

@@ -35,6 +35,18 @@ pub struct Pattern {
 }
 
 impl Pattern {
+    /// Checkers on a horizontal plane, whose dark fields lose the share `depth` of the colour, 0 to 1. Fields are `side` wide, in
+    /// scene units.
+    #[must_use]
+    pub const fn checkers(side: f32, depth: f32) -> Self {
+        Self {
+            waves: Vec3::new(0.5 / side, 0.0, 0.5 / side),
+            depth,
+            edge: 30.0,
+            ..Self::NONE
+        }
+    }
+
     /// Octaves of noise with this amplitude or less are left out: a fifth of a period is hardly visible.
     pub const LEAST_WARP: f32 = 0.2;
 
