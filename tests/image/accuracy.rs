@@ -1,22 +1,29 @@
-//! If every pixel is traced, pictures are those of the oracle.
+//! Pictures are the oracle's: exhaustive ones pixel by pixel, refined ones square by square.
 
-use crate::drawn::{Drawn, draw_by_all};
+use crate::cpu;
+use crate::drawn::{Drawn, RULES, SIDES, bare, draw_best, draw_by_all, of_side, of_the_show};
 use crate::error::{Difference, worst_channel};
-use eightfold::show::{self, grid};
+use crate::shipped::TIMES;
+use crate::threaded_renderer::ThreadedRenderer;
+use eightfold::show;
 use eightfold_oracle::frame::Frame;
-use eightfold_tracer::Quality;
+use eightfold_oracle::squares::{Splits, Squares};
+use eightfold_scenes::{Kinds, Random, cases, crowd, known};
+use eightfold_tracer::observe::{Fill, Observer, Split};
 use eightfold_tracer::scene::{Camera, Light, List, Material, Method, Scene, Sphere};
+use eightfold_tracer::{Counts, MAX_HEIGHT, MAX_WIDTH, Quality};
 use glam::{Vec3, vec3};
+use std::sync::Mutex;
 
 /// Asserts that a picture is the oracle's: at most 0.02 % of the pixels, or four in a small picture, are wrong by more than 8/255,
-/// on silhouettes alone, and the mean error of the others is at most 0.01/255.
+/// only on silhouettes, and the mean error of the others is at most 0.01/255.
 #[track_caller]
-pub fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
+fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
     let expected = frame.picture_like(&drawn.pixels);
     let difference = Difference::between(&expected, &drawn.pixels);
     let mean = mean_of_right(&expected, &drawn.pixels);
     assert!(mean <= 0.01, "{what}: {mean}, {difference:?}");
-    // Silhouettes, as checked below. In small pictures what glass and mirror balls show of others' may have four.
+    // In small pictures reflections of other spheres in glass and mirror balls may have four.
     let most = (expected.len() / 5000).max(4);
     assert!(difference.over_8 <= most, "{what}: {difference:?}");
     let silhouettes = frame.silhouettes();
@@ -31,76 +38,126 @@ pub fn assert_as_traced(drawn: &Drawn, frame: &Frame, what: &str) {
 }
 
 /// The mean error of the pixels that are off by 8/255 at most: in a small picture a single other one is more than that.
-pub fn mean_of_right(expected: &[u32], drawn: &[u32]) -> f64 {
+fn mean_of_right(expected: &[u32], drawn: &[u32]) -> f64 {
     let pairs = expected.iter().zip(drawn);
     let right = pairs.filter(|&(&a, &b)| worst_channel(a, b) <= 8);
     let (expected, drawn): (Vec<u32>, Vec<u32>) = right.unzip();
     Difference::between(&expected, &drawn).mean
 }
 
-fn hold(scene: &Scene, width: usize, height: usize, what: &str) {
+/// Asserts that exhaustive pictures of a scene by all instruction sets are the oracle's.
+#[track_caller]
+fn assert_traced(scene: &Scene, [width, height]: [usize; 2], what: &str) {
     let frame = Frame::new(scene, &Quality::EXHAUSTIVE, width, height);
     for (isa, drawn) in draw_by_all(scene, &Quality::EXHAUSTIVE, width, height) {
         assert_as_traced(&drawn, &frame, &format!("{what} by {}", isa.name));
     }
 }
 
-#[test]
-fn a_field_of_spheres_is_as_the_oracle_sees_it() {
-    for (count, time) in [(4, 0.0), (64, 3.0), (256, 9.0), (320, 1.0)] {
-        let what = format!("a field of {count} at {time} s");
-        hold(&show::field(count, time), 240, 180, &what);
+/// The squares of a frame that were not filled.
+#[derive(Default)]
+struct SplitSquares(Mutex<Splits>);
+
+impl Observer for &SplitSquares {
+    fn point(self, _: usize, _: usize, _: Counts) {}
+
+    fn square(self, _: usize, _: usize, _: usize, _: usize, _: Fill) {}
+
+    fn split(self, x: usize, y: usize, side: usize, _: Split) {
+        self.0.lock().unwrap().insert([x, y, side]);
+    }
+}
+
+/// Asserts that pictures by all instruction sets are those of the oracle's squares: the number of points differs by at most 0.2 %, or
+/// 24, and few pixels by more than 8/255, around points on silhouettes, where rounding decides what a ray hits.
+#[track_caller]
+fn assert_refined(scene: &Scene, quality: &Quality, [width, height]: [usize; 2], what: &str) {
+    let mut renderer = ThreadedRenderer::new(1);
+    let drawn: Vec<_> = cpu::instruction_sets()
+        .map(|isa| {
+            let mut pixels = vec![0; width * height];
+            let splits = SplitSquares::default();
+            let counts =
+                renderer.draw_observed(isa.level, scene, quality, width, &mut pixels, &splits);
+            let splits = splits.0.into_inner().unwrap();
+            (isa.name, counts.points, pixels, splits)
+        })
+        .collect();
+    let mut known: Option<Squares<'_>> = None;
+    for (isa, points, pixels, splits) in &drawn {
+        let what = format!("{what} by {isa} and {quality:?}");
+        let squares = known
+            .take_if(|squares| squares.follows(splits))
+            .unwrap_or_else(|| Squares::new(scene, quality, splits, width, height));
+        let expected = squares.points() as u64;
+        assert!(
+            points.abs_diff(expected) <= (expected / 500).max(24),
+            "{what}: {points} points for {expected}"
+        );
+        let picture = squares.picture_like(pixels);
+        let difference = Difference::between(&picture, pixels);
+        let mean = mean_of_right(&picture, pixels);
+        assert!(mean <= 0.02, "{what}: {mean}, {difference:?}");
+        let most = (pixels.len() / 5000).max(24);
+        assert!(difference.over_8 <= most, "{what}: {difference:?}");
+        known = Some(squares);
     }
 }
 
 #[test]
-fn every_scene_of_the_show_is_as_the_oracle_sees_it() {
-    for bar in 0..show::BARS {
-        if bar % 3 != 1 {
-            continue;
-        }
-        let time = (bar as f32 + 0.3) * grid::BAR;
-        let mut scene = Scene::default();
-        show::at(time, &mut scene);
+fn fields_and_crowds_are_as_traced() {
+    for (count, time) in [(4, 0.0), (64, 3.0), (256, 9.0), (320, 1.0)] {
+        let what = format!("a field of {count} at {time} s");
+        assert_traced(&show::field(count, time), [240, 180], &what);
+    }
+    for (seed, counts) in [[320, 64], [130, 0], [0, 64]].into_iter().enumerate() {
+        let scene = crowd(&mut Random::new(seed as u64), counts, [0.0, 0.3]);
+        assert_traced(&scene, [240, 180], &format!("a crowd of {counts:?}"));
+    }
+}
+
+/// Besides, instruction sets differ by 1/255 at most, except on silhouettes.
+#[test]
+fn show_is_as_traced() {
+    for time in TIMES {
+        let mut scene = of_the_show(time as f32 / 1000.0);
         // The oracle draws no captions and bars, and every pixel of a transition.
         scene.captions.clear();
         scene.copper_bars.clear();
         scene.method = Method::default();
-        scene.validate().unwrap();
         // In a smaller picture the share of silhouettes, which rounding may change, would be too large.
         let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 180);
-        for (isa, drawn) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 180) {
-            assert_as_traced(&drawn, &frame, &format!("bar {bar} by {}", isa.name));
+        let silhouettes = frame.silhouettes();
+        let drawn = draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 180);
+        for (isa, drawn_by) in &drawn {
+            let what = format!("{time} ms by {}", isa.name);
+            assert_as_traced(drawn_by, &frame, &what);
+            for (i, &on) in silhouettes.iter().enumerate() {
+                let off = worst_channel(drawn[0].1.pixels[i], drawn_by.pixels[i]);
+                assert!(off <= 1 || on, "{what}: pixel {i} differs by {off}");
+            }
         }
     }
 }
 
 #[test]
-fn as_many_rays_are_followed_as_by_the_oracle() {
+fn silhouettes_and_rays_are_the_oracles() {
     let near = |count: u64, expected: u64| count.abs_diff(expected) <= expected / 5000;
-    for time in [0.0, 2.5] {
-        let scene = show::model_scene(time);
-        let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, 320, 240);
-        let (rays, shadow_rays) = (frame.total(|p| p.rays), frame.total(|p| p.shadow_rays));
-        for (isa, Drawn { counts, .. }) in draw_by_all(&scene, &Quality::EXHAUSTIVE, 320, 240) {
-            let what = format!("{} at {time} s: {counts:?}", isa.name);
-            assert_eq!(counts.points, 320 * 240, "{what}");
-            assert!(near(counts.rays, rays), "{what}, {rays} expected");
-            // The library need not cast shadow rays that cannot be blocked.
-            assert!(
-                counts.shadow_rays <= shadow_rays + shadow_rays / 5000,
-                "{what}, {shadow_rays} expected"
-            );
-        }
+    let (width, height) = (1024, 768);
+    let scene = show::model_scene(0.0);
+    let frame = Frame::new(&scene, &Quality::EXHAUSTIVE, width, height);
+    let (rays, shadow_rays) = (frame.total(|p| p.rays), frame.total(|p| p.shadow_rays));
+    for (isa, Drawn { counts, .. }) in draw_by_all(&scene, &Quality::EXHAUSTIVE, width, height) {
+        let what = format!("{}: {counts:?}", isa.name);
+        assert_eq!(counts.points, 1024 * 768, "{what}");
+        assert!(near(counts.rays, rays), "{what}, {rays} expected");
+        // The library need not cast shadow rays that cannot be blocked.
+        let most = shadow_rays + shadow_rays / 5000;
+        assert!(counts.shadow_rays <= most, "{what}, {most} expected");
     }
-}
-
-#[test]
-fn silhouettes_are_the_lesser_part_of_a_picture() {
-    // Otherwise it would mean little that large errors lie on silhouettes alone.
-    let frame = Frame::new(&show::model_scene(0.0), &Quality::EXHAUSTIVE, 1024, 768);
+    // Otherwise it would mean little that large errors lie on silhouettes.
     let on = frame.silhouettes().iter().filter(|&&on| on).count();
-    assert!(on < 1024 * 768 / 8, "{on} pixels");
+    assert!(on < width * height / 8, "{on} pixels");
 }
 
 /// Concentric glass shells around the eye: every ray hits one, and is both reflected and transmitted.
@@ -116,82 +173,190 @@ fn shells(count: usize) -> Scene {
         ..Material::BLACK
     };
     let shell = |i| Sphere::new(Vec3::ZERO, 2.0 + 0.5 * i as f32, glass);
-    let shells: Vec<Sphere> = (0..count).map(shell).collect();
     Scene {
         camera: Camera::new(vec3(0.1, 0.2, 0.3), Vec3::X, 1.0),
         background: Vec3::splat(0.4),
         ambient: Vec3::splat(0.3),
-        spheres: shells.iter().copied().collect(),
+        spheres: (0..count).map(shell).collect(),
         ..Scene::default()
     }
 }
 
+/// A light that is drawn.
+fn lamp(position: Vec3, drawn_radius: f32, colour: Vec3) -> Light {
+    Light {
+        drawn_radius,
+        ..Light::new(position, colour)
+    }
+}
+
+/// Rays that hit the black lamp before the eye end there, so that packets of secondary rays are not full.
 #[test]
-fn no_ray_is_lost_where_every_ray_goes_on_in_two() {
-    let scene = shells(Quality::MAX_DEPTH as usize + 1);
+fn no_ray_is_lost_at_any_depth() {
+    let whole = shells(Quality::MAX_DEPTH as usize + 1);
+    let mut broken = whole.clone();
+    broken.lights = List::of(&[lamp(vec3(0.6, 0.2, 0.3), 0.15, Vec3::ZERO)]);
     for depth in 0..=Quality::MAX_DEPTH {
         let quality = Quality {
             depth,
             least_contribution: 0.0,
             ..Quality::EXHAUSTIVE
         };
-        let frame = Frame::new(&scene, &quality, 75, 50);
-        for (isa, drawn) in draw_by_all(&scene, &quality, 75, 50) {
-            let what = format!("depth {depth} by {}", isa.name);
-            let tree = (2 << depth) - 1;
-            assert_eq!(drawn.counts.rays, drawn.counts.points * tree, "{what}");
-            assert_as_traced(&drawn, &frame, &what);
+        for (scene, is_whole) in [(&whole, true), (&broken, false)] {
+            let frame = Frame::new(scene, &quality, 75, 50);
+            let expected = frame.total(|point| point.rays);
+            for (isa, drawn) in draw_by_all(scene, &quality, 75, 50) {
+                let what = format!("depth {depth} by {}", isa.name);
+                let Counts { points, rays, .. } = drawn.counts;
+                let off = rays.abs_diff(expected);
+                assert!(off <= expected / 5000, "{what}: {rays}, not {expected}");
+                assert!(!is_whole || rays == points * ((2 << depth) - 1), "{what}");
+                assert_as_traced(&drawn, &frame, &what);
+            }
         }
     }
 }
 
 #[test]
-fn no_ray_is_lost_where_some_end_and_others_go_on_in_two() {
-    // Rays that hit the black sphere in front of the eye end there, so that packets of secondary rays are not full.
-    let mut scene = shells(Quality::MAX_DEPTH as usize + 1);
-    scene.lights = List::of(&[Light {
-        drawn_radius: 0.15,
-        ..Light::new(vec3(0.6, 0.2, 0.3), Vec3::ZERO)
-    }]);
-    let quality = Quality {
-        depth: Quality::MAX_DEPTH,
-        least_contribution: 0.0,
-        ..Quality::EXHAUSTIVE
-    };
-    let frame = Frame::new(&scene, &quality, 150, 100);
-    let expected = frame.total(|point| point.rays);
-    for (isa, drawn) in draw_by_all(&scene, &quality, 150, 100) {
-        let rays = drawn.counts.rays;
-        let lost = expected.abs_diff(rays);
-        assert!(
-            lost <= expected / 5000,
-            "{}: {rays} for {expected}",
-            isa.name
-        );
-        assert_as_traced(&drawn, &frame, isa.name);
-    }
-}
-
-#[test]
-fn a_lamp_lights_the_sphere_around_it_from_within_alone() {
+fn spheres_around_lamps_and_cameras_are_as_traced() {
     let mut scene = shells(1);
     scene.planes = show::model_scene(0.0).planes.iter().copied().collect();
-    for (lamp, eye) in [
+    for (light, eye) in [
         (vec3(0.5, 0.7, 0.1), vec3(0.1, 0.2, 0.3)),
         (vec3(0.5, 0.7, 0.1), vec3(1.0, 3.0, 7.0)),
         (vec3(3.5, 3.7, 0.1), vec3(0.1, 0.2, 0.3)),
     ] {
         scene.camera.eye = eye;
         scene.camera.look_at = Vec3::ZERO;
-        scene.lights = List::of(&[Light {
-            drawn_radius: 0.1,
-            ..Light::new(lamp, Vec3::ONE)
-        }]);
-        hold(
-            &scene,
-            120,
-            90,
-            &format!("a lamp at {lamp} seen from {eye}"),
-        );
+        scene.lights = List::of(&[lamp(light, 0.1, Vec3::ONE)]);
+        let what = format!("a lamp at {light} seen from {eye}");
+        assert_traced(&scene, [120, 90], &what);
+    }
+    let mut scene = show::model_scene(0.0);
+    let (glass, plastic) = (scene.spheres[3].material, scene.spheres[0].material);
+    for material in [glass, plastic] {
+        // In the mirror's position, so that light comes from all directions.
+        scene.spheres[1].material = material;
+        let Sphere { centre, radius, .. } = scene.spheres[1];
+        let towards = [0.0, 0.5, 0.999, 1.0, 1.5].map(|distance| (distance, Vec3::Z));
+        let along = [1.0, 1.001].map(|distance| (distance, Vec3::X));
+        for (distance, ahead) in towards.into_iter().chain(along) {
+            let eye = centre + Vec3::NEG_Z * (radius * distance);
+            scene.camera = Camera::new(eye, eye + ahead, 1.2);
+            let what = format!("at {distance} radii towards {ahead}");
+            assert_traced(&scene, [120, 90], &what);
+        }
+    }
+}
+
+#[test]
+fn random_scenes_are_as_traced_and_refined() {
+    for mut random in cases(48) {
+        let what = format!("case {}", random.seed);
+        let scene = Kinds::SPHERES.scene(&mut random);
+        assert_traced(&scene, [96, 72], &what);
+        for quality in RULES.map(bare) {
+            assert_refined(&scene, &quality, [96, 72], &what);
+        }
+        let scene = Kinds::RICH.scene(&mut random);
+        assert_eq!(scene.validate(), Ok(()), "{what}");
+        assert_traced(&scene, [96, 72], &what);
+    }
+}
+
+/// Rounding decides about every pixel of this scene.
+#[test]
+fn colour_half_way_between_steps_is_either() {
+    assert_traced(&known::tie(), [96, 72], "a tie");
+    for quality in RULES.map(bare) {
+        assert_refined(&known::tie(), &quality, [96, 72], "a tie");
+    }
+}
+
+/// Asserts that the model scene is right to the last row and column.
+fn assert_size(width: usize, height: usize, time: f32) {
+    let scene = show::model_scene(time);
+    let what = format!("{width}x{height} at {time} s");
+    assert_traced(&scene, [width, height], &what);
+    let quality = bare(Quality::THESIS);
+    assert_refined(&scene, &quality, [width, height], &what);
+}
+
+#[test]
+fn pictures_of_any_size_are_right_to_the_last_row_and_column() {
+    for (width, height) in [
+        (1, 1),
+        (2, 1),
+        (1, 2),
+        (7, 3),
+        (8, 8),
+        (9, 9),
+        (15, 17),
+        (16, 16),
+        (1, 100),
+        (1000, 1),
+        (255, 33),
+        (256, 32),
+        (257, 31),
+        (MAX_WIDTH, 1),
+        (MAX_WIDTH, 20),
+        (1, MAX_HEIGHT),
+        (20, MAX_HEIGHT),
+    ] {
+        assert_size(width, height, 0.5);
+    }
+    for mut random in cases(24) {
+        let [width, height] = [0; 2].map(|_| 1 + random.below(200));
+        assert_size(width, height, random.between(0.0, show::MODEL_LENGTH));
+    }
+    let scene = show::model_scene(0.5);
+    for side in SIDES {
+        for (width, height) in [(MAX_WIDTH, 40), (40, MAX_HEIGHT)] {
+            // No pixel is left out.
+            draw_best(&scene, &of_side(side, Quality::THESIS), width, height);
+        }
+    }
+}
+
+#[test]
+#[ignore = "the largest picture"]
+fn the_largest_picture_is_right_to_the_last_row_and_column() {
+    assert_size(MAX_WIDTH, MAX_HEIGHT, 0.5);
+}
+
+#[test]
+fn squares_are_filled_and_split_by_the_rules() {
+    // Few edges and many, and so many that nearly every square has one.
+    for scene in [show::field(40, 2.0), show::field(320, 5.0)] {
+        for quality in RULES.map(bare) {
+            assert_refined(&scene, &quality, [300, 200], "a field");
+        }
+    }
+    let scene = show::model_scene(1.0);
+    for side in SIDES {
+        for rules in RULES {
+            let quality = of_side(side, bare(rules));
+            assert_refined(&scene, &quality, [203, 149], "the model scene");
+        }
+    }
+    for (key_depth, state_depth, tolerance_agreeing, tolerance_differing) in [
+        (0, 0, f32::INFINITY, 0.0),
+        (1, 1, f32::INFINITY, 5.0),
+        (5, 5, f32::INFINITY, 0.0),
+        (7, 0, 30.0, 3.0),
+        (5, 1, 2.0, 20.0),
+        (0, 0, 9.0, 9.0),
+        (0, 0, 4.0, 4.0),
+    ] {
+        let quality = Quality {
+            key_depth,
+            state_depth,
+            tolerance_agreeing,
+            tolerance_differing,
+            tolerance_side: 6.0,
+            highlight: 0.1,
+            ..bare(Quality::THESIS)
+        };
+        assert_refined(&scene, &quality, [300, 200], "the model scene");
     }
 }

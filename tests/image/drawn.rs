@@ -1,11 +1,64 @@
-//! Draws pictures with the library, through the lab's renderer.
+//! Draws pictures with the library. The instruction sets, qualities, sides and numbers of threads of all properties are here.
+//!
+//! | property | instruction sets |
+//! | --- | --- |
+//! | of a few scenes' bits | all of the machine: [`draw_by_all`] |
+//! | of many random scenes | one for each scene, in turns: [`isa_of`] |
+//! | of errors in dB, of what a number means | the best: [`draw_best`] |
 
 use crate::cpu::{self, Isa};
 use crate::threaded_renderer::ThreadedRenderer;
+use eightfold::show;
 use eightfold_tracer::scene::Scene;
 use eightfold_tracer::{Counts, Quality};
 use std::cell::RefCell;
 use std::collections::HashMap;
+
+/// The sides of squares.
+pub const SIDES: [usize; 5] = [2, 4, 8, 16, 32];
+
+/// The rules of 2008, and those of the intro.
+pub const RULES: [Quality; 2] = [Quality::THESIS, Quality::DEFAULT];
+
+/// The ways in which pictures are refined: not at all, antialiased or not, by the rules of 2008, and as the intro plays.
+pub const REFINEMENTS: [Quality; 4] = [
+    Quality::EXHAUSTIVE,
+    Quality::DEFAULT.reference(),
+    Quality::THESIS,
+    Quality::DEFAULT,
+];
+
+/// All named qualities with squares.
+pub fn named() -> impl Iterator<Item = Quality> {
+    Quality::LADDER.iter().copied().chain([Quality::THESIS])
+}
+
+/// The quality with squares of another side.
+pub const fn of_side(square: usize, quality: Quality) -> Quality {
+    Quality { square, ..quality }
+}
+
+/// The quality without antialiasing, which mixes pixels that refining leaves as they were traced.
+pub const fn jagged(quality: Quality) -> Quality {
+    Quality {
+        antialias: false,
+        ..quality
+    }
+}
+
+/// The quality without the guard and without antialiasing.
+pub const fn bare(quality: Quality) -> Quality {
+    Quality {
+        guarded: false,
+        ..jagged(quality)
+    }
+}
+
+/// The instruction set for a random scene with a seed.
+pub fn isa_of(seed: u64) -> Isa {
+    let all: Vec<Isa> = cpu::instruction_sets().collect();
+    all[seed as usize % all.len()]
+}
 
 /// A picture and the work that it took.
 pub struct Drawn {
@@ -16,30 +69,8 @@ pub struct Drawn {
 /// The value of pixels before they are drawn. Drawn pixels have a highest byte of 0.
 const UNDRAWN: u32 = 0xdead_beef;
 
-/// The quality without antialiasing, which mixes pixels that refining leaves as they were traced.
-pub const fn jagged(quality: Quality) -> Quality {
-    Quality {
-        antialias: false,
-        ..quality
-    }
-}
-
-/// All named qualities with squares.
-pub fn named() -> impl Iterator<Item = Quality> {
-    Quality::LADDER.iter().copied().chain([Quality::THESIS])
-}
-
-/// All named qualities with squares, and the default quality with squares whose sides are not powers of two.
-pub fn with_any_squares() -> impl Iterator<Item = Quality> {
-    let of_side = |square| Quality {
-        square,
-        ..Quality::DEFAULT
-    };
-    named().chain([3, 5, 12, 17].map(of_side))
-}
-
 thread_local! {
-    /// Those of a test, by their numbers of threads: to make one takes longer than a small picture.
+    /// The renderers of a test by their numbers of threads: making one takes longer than a small picture.
     static RENDERERS: RefCell<HashMap<usize, ThreadedRenderer>> = RefCell::default();
 }
 
@@ -78,4 +109,11 @@ pub fn draw_by_all(
     cpu::instruction_sets()
         .map(|isa| (isa, draw(isa, 2, scene, quality, width, height)))
         .collect()
+}
+
+/// The show's scene at a time in seconds.
+pub fn of_the_show(time: f32) -> Scene {
+    let mut scene = Scene::default();
+    show::at(time, &mut scene);
+    scene
 }

@@ -8,11 +8,11 @@
 use crate::cpu;
 use crate::drawn::draw_by_all;
 use crate::error::Difference;
-use crate::generator::placed::between_corners;
 use crate::picture::png;
 use crate::shipped::Still;
 use eightfold::show;
 use eightfold_lab::arguments::NamedQuality;
+use eightfold_scenes::between_corners;
 use eightfold_stage::reader::read_png;
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
@@ -115,7 +115,7 @@ fn golden_field() {
 
 #[test]
 fn golden_spheres_between_corners() {
-    let scene = between_corners();
+    let scene = between_corners().scene;
     hold("between", &scene, &Quality::DEFAULT, 320, 240);
 }
 

@@ -1,7 +1,7 @@
 //! A frame tells its own error: the probes' estimate is what comparing every pixel finds.
 
 use crate::cpu::{self, Isa};
-use crate::drawn::{draw_best, jagged};
+use crate::drawn::{REFINEMENTS, draw_best, jagged, of_the_show};
 use crate::error::Difference;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
@@ -13,20 +13,12 @@ const SIZE: (usize, usize) = (200, 149);
 /// Of the show: spheres alone, marble, blocks, and waves, most of it dithered and with a film.
 fn scenes() -> impl Iterator<Item = Scene> {
     [20.0, 50.0, 62.0, 110.0].into_iter().map(|time| {
-        let mut scene = Scene::default();
-        show::at(time, &mut scene);
-        // What is drawn over a picture is not probed, but every pixel is compared here.
+        let mut scene = of_the_show(time);
+        // An overlay is not probed, but every pixel is compared here.
         scene.captions.clear();
         scene
     })
 }
-
-/// The default quality, antialiased and not, and the fastest, whose errors are the largest.
-const QUALITIES: [Quality; 3] = [
-    Quality::DEFAULT,
-    jagged(Quality::DEFAULT),
-    Quality::LADDER[6],
-];
 
 /// Draws frames with probes.
 struct Probing {
@@ -47,11 +39,9 @@ impl Probing {
     /// Draws a frame, and returns what so many probes find.
     fn draw(&mut self, scene: &Scene, quality: &Quality, count: u16, seed: u32) -> Probes {
         self.renderer.set_probes(count, seed);
-        let level = self.isa.level;
-        let pixels = &mut self.pixels;
-        self.renderer
-            .draw(level, scene, quality, SIZE.0, pixels)
-            .probes
+        let (level, pixels) = (self.isa.level, &mut self.pixels);
+        let counts = self.renderer.draw(level, scene, quality, SIZE.0, pixels);
+        counts.probes
     }
 }
 
@@ -69,11 +59,12 @@ fn off(probes: Probes, error: f64) -> f32 {
 
 #[test]
 #[ignore = "many frames"]
-fn the_mean_over_frames_is_the_true_error() {
+fn mean_over_frames_is_the_true_error() {
     // More than a frame needs: so fewer frames tell as much.
     const COUNT: u16 = 5 * Frame::PROBES;
     for (number, scene) in scenes().enumerate() {
-        for quality in QUALITIES {
+        // The fastest quality has the largest errors.
+        for quality in [Quality::DEFAULT, Quality::LADDER[6]] {
             let error = error(&scene, &quality);
             let mut probing = Probing::new(cpu::best(), 2);
             let mut sum = Probes::NONE;
@@ -83,22 +74,17 @@ fn the_mean_over_frames_is_the_true_error() {
                 sum += probes;
             }
             let (off, margin) = (off(sum, error), sum.margin());
-            println!(
-                "scene {number}: {:.2} dB, ±{margin:.2}, off by {off:.3}",
-                sum.psnr()
-            );
-            assert!(
-                off < margin && margin < 2.0,
-                "scene {number}: {off} of {margin}"
-            );
+            println!("scene {number}: ±{margin:.2} dB, off by {off:.3}");
+            let what = format!("scene {number}: {off} of {margin}");
+            assert!(off < margin && margin < 2.0, "{what}");
         }
     }
 }
 
 #[test]
 #[ignore = "many frames"]
-fn the_interval_holds_the_true_error_as_often_as_it_says() {
-    const GROUPS: u32 = 60;
+fn interval_holds_the_true_error_as_often_as_it_says() {
+    const GROUPS: u32 = 30;
     // Without edges a probe is a single point.
     let quality = jagged(Quality::DEFAULT);
     let (mut inside, mut groups) = (0, 0);
@@ -117,23 +103,17 @@ fn the_interval_holds_the_true_error_as_often_as_it_says() {
         }
     }
     println!("{inside} of {groups} intervals");
-    assert!(
-        (90 * groups..=99 * groups).contains(&(100 * inside)),
-        "{inside} of {groups}"
-    );
+    let share = 90 * groups..=99 * groups;
+    assert!(share.contains(&(100 * inside)), "{inside} of {groups}");
 }
 
+/// With as many probes as there are pixels on edges and at the picture's rim, several times.
 #[test]
-fn every_pixel_is_probed_by_some_seed_and_none_is_off_if_all_are_traced() {
+fn no_probe_of_an_exhaustive_frame_is_off() {
     for scene in scenes() {
-        for antialias in [false, true] {
-            let quality = Quality {
-                antialias,
-                ..Quality::EXHAUSTIVE
-            };
+        for quality in &REFINEMENTS[..2] {
             for isa in cpu::instruction_sets() {
-                // As many as there are pixels on edges and at the picture's rim, several times.
-                let probes = Probing::new(isa, 2).draw(&scene, &quality, u16::MAX, 7);
+                let probes = Probing::new(isa, 2).draw(&scene, quality, u16::MAX, 7);
                 assert_eq!(probes.pixels, u64::from(u16::MAX));
                 assert_eq!((probes.squares, probes.fourths), (0, 0), "{}", isa.name);
                 assert_eq!(probes.psnr(), f32::INFINITY);
@@ -143,61 +123,39 @@ fn every_pixel_is_probed_by_some_seed_and_none_is_off_if_all_are_traced() {
 }
 
 #[test]
-fn probes_leave_the_picture_and_its_counts_as_they_are_on_any_number_of_threads() {
+fn probes_are_the_same_on_any_number_of_threads() {
     for scene in scenes() {
-        for quality in QUALITIES {
-            let plain = draw_best(&scene, &quality, SIZE.0, SIZE.1);
-            assert_eq!(plain.counts.probes, Probes::NONE);
-            let mut found = None;
-            for threads in [1, 2, 5] {
-                let mut probing = Probing::new(cpu::best(), threads);
-                probing.renderer.set_probes(3000, 11);
-                let level = probing.isa.level;
-                let pixels = &mut probing.pixels;
-                let mut counts = probing
-                    .renderer
-                    .draw(level, &scene, &quality, SIZE.0, pixels);
-                let probes = std::mem::take(&mut counts.probes);
-                assert!(*pixels == plain.pixels, "{threads} threads");
-                assert_eq!(
-                    (counts.points, counts.rays),
-                    (plain.counts.points, plain.counts.rays)
-                );
-                assert_eq!(*found.get_or_insert(probes), probes, "{threads} threads");
-            }
-        }
+        let found = [1, 2, 5].map(|threads| {
+            let mut probing = Probing::new(cpu::best(), threads);
+            probing.draw(&scene, &Quality::DEFAULT, 3000, 11)
+        });
+        assert!(found.iter().all(|probes| *probes == found[0]), "{found:?}");
+        assert!(found[0].squares > 0);
     }
 }
 
 #[test]
-fn overlays_and_what_is_coarse_on_purpose_are_not_probed() {
-    let mut scene = show::model_scene(2.0);
-    let mut probing = Probing::new(cpu::best(), 2);
-    let mut count = |method| {
-        scene.method = method;
-        let probes = probing.draw(&scene, &Quality::EXHAUSTIVE, 1000, 3);
-        assert_eq!(probes.squares, 0);
-        probes.pixels
-    };
+fn overlays_and_coarse_pictures_are_not_probed() {
     let marked = Method {
         points: 0.5,
         ..Method::PLAIN
     };
-    assert_eq!(count(marked), 0);
-    assert_eq!(
-        count(Method {
-            front: 0.4,
-            ..marked
-        }),
-        1000,
-        "all behind the front"
-    );
-    assert_eq!(
-        count(Method {
-            coarse: 16.0,
-            front: 1.0,
-            ..Method::PLAIN
-        }),
-        0
-    );
+    let coarse = Method {
+        coarse: 16.0,
+        front: 1.0,
+        ..Method::PLAIN
+    };
+    let behind_the_front = Method {
+        front: 0.4,
+        ..marked
+    };
+    for (method, expected) in [(marked, 0), (coarse, 0), (behind_the_front, 1000)] {
+        let scene = Scene {
+            method,
+            ..show::model_scene(2.0)
+        };
+        let mut probing = Probing::new(cpu::best(), 2);
+        let probes = probing.draw(&scene, &Quality::EXHAUSTIVE, 1000, 3);
+        assert_eq!((probes.pixels, probes.squares), (expected, 0), "{method:?}");
+    }
 }

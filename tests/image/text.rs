@@ -1,8 +1,8 @@
 //! Scenes as text: any scene is read as it was written, and every mistake has a line and a column.
 
-use crate::extremes::rich;
-use crate::generator::seeded::{Random, scene};
+use crate::extremes::written;
 use eightfold_scene_file::SceneFile;
+use eightfold_scenes::{Kinds, Random, cases};
 use eightfold_tracer::scene::{Caption, CopperBar, List, Scene};
 use std::fs;
 use std::ops::Range;
@@ -56,7 +56,7 @@ fn place(message: &str) -> Option<(usize, usize)> {
 
 #[test]
 fn number_beyond_its_range_is_refused_at_its_place() {
-    let text = Text::of(&rich());
+    let text = Text::of(&written());
     let mut count = 0;
     for i in 0..text.numbers.len() {
         let flaw = |number| text.scene_with(i, number).0.validate().err();
@@ -86,8 +86,8 @@ fn number_beyond_its_range_is_refused_at_its_place() {
 #[test]
 fn scene_is_read_as_it_was_written() {
     let contents = |scene: &Scene| format!("{scene:?}");
-    for seed in 0..40 {
-        let mut scene = scene(&mut Random(seed));
+    for mut random in cases(40) {
+        let mut scene = Kinds::EXTREME.scene(&mut random);
         scene.captions.push(Caption::default());
         scene.captions[0].letters = List::of(b"\"8\\\x7f\n#");
         scene.copper_bars.push(CopperBar::default());
@@ -100,7 +100,7 @@ fn scene_is_read_as_it_was_written() {
             read,
             serde_json::from_str(&json).expect(&json),
         ] {
-            assert_eq!(contents(&read), contents(&scene), "seed {seed}");
+            assert_eq!(contents(&read), contents(&scene), "case {}", random.seed);
         }
     }
 }
@@ -113,7 +113,7 @@ fn mutated_text_gives_a_line_and_a_column() {
     let mut refused = 0;
     for name in ["motion.ron", "blocks.ron", "lights.ron"] {
         let example = fs::read_to_string(folder.join(name)).expect("an example");
-        let mut random = Random(2008);
+        let mut random = Random::new(2008);
         for case in 0..400 {
             let mut text: Vec<char> = example.chars().collect();
             for _ in 0..=random.below(3) {

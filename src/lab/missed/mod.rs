@@ -2,7 +2,6 @@
 //!
 //! A thing is taken out of a scene, and what of the picture that changes is what shows the thing: itself, a shadow, an image.
 
-pub mod chance;
 pub mod effects;
 
 use crate::arguments::{self, NamedQuality, Size};
@@ -13,6 +12,7 @@ use anyhow::Result;
 use clap::Args;
 use effects::{Counts, EffectCounter, Kind};
 use eightfold_oracle::{Object, Oracle};
+use eightfold_scenes::{Hidden, Random};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::Scene;
 use rayon::prelude::*;
@@ -89,10 +89,11 @@ fn groups(arguments: &Arguments) -> Vec<Group> {
     if let Some(scene) = arguments.scene {
         return vec![frames_of(scene, arguments.frames)];
     }
-    let seeds = 0..arguments.seeds as u32;
-    let scenes = chance::SETTINGS
-        .iter()
-        .flat_map(|&setting| seeds.clone().map(move |seed| chance::scene(setting, seed)));
+    let kinds = Hidden::ALL.into_iter();
+    let scenes = kinds.flat_map(|kind| {
+        let seeds = 0..arguments.seeds as u64;
+        seeds.map(move |seed| kind.scene(&mut Random::new(seed)))
+    });
     let chance = Group {
         name: "random scenes".to_owned(),
         scenes: scenes.collect(),

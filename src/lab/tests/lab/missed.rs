@@ -1,16 +1,16 @@
 //! `lab missed` counts what a quality misses.
 
 use super::printed;
-use eightfold_lab::missed::chance::{Setting, scene};
 use eightfold_lab::missed::effects::{Count, Counts, EffectCounter, Kind};
+use eightfold_scenes::{Hidden, Random};
 use eightfold_tracer::Quality;
 
-/// The counts of some scenes of a setting, by a quality.
-fn counts(setting: Setting, quality: Quality) -> Counts {
+/// The counts of some scenes of a kind, by a quality.
+fn counts(hidden: Hidden, quality: Quality) -> Counts {
     let mut counter = EffectCounter::new(1, 200, 150);
     let mut counts = Counts::new();
     for seed in 0..3 {
-        counter.count(&scene(setting, seed), quality, &mut counts);
+        counter.count(&hidden.scene(&mut Random::new(seed)), quality, &mut counts);
     }
     counts
 }
@@ -19,20 +19,21 @@ fn counts(setting: Setting, quality: Quality) -> Counts {
 #[ignore = "many scenes by chance"]
 fn every_sort_of_scene_has_small_things_of_its_kind_and_few_guarded_ones_are_missed() {
     // The largest share of each kind that is missed; none of what is guarded for sure.
-    for (setting, kind, most) in [
-        (Setting::Point, Kind::PointShadow, 0.0),
-        (Setting::SizedLamp, Kind::SizedShadow, 0.04),
-        (Setting::Sun, Kind::SunShadow, 0.01),
-        (Setting::Blocks, Kind::BlockShadow, 0.03),
-        (Setting::Spheres, Kind::SolidShadow, 1.0),
-        (Setting::Mirror, Kind::PlaneImage, 0.0),
-        (Setting::Mirrors, Kind::OtherImage, 1.0),
-        (Setting::Glass, Kind::Glass, 1.0),
+    for (hidden, kind, most) in [
+        (Hidden::POINT, Kind::PointShadow, 0.0),
+        (Hidden::BALL, Kind::SizedShadow, 0.04),
+        (Hidden::SUN, Kind::SunShadow, 0.01),
+        (Hidden::BLOCKS, Kind::BlockShadow, 0.03),
+        (Hidden::BALLS, Kind::SolidShadow, 1.0),
+        (Hidden::MIRROR, Kind::PlaneImage, 0.0),
+        (Hidden::MIRRORS, Kind::OtherImage, 1.0),
+        (Hidden::GLASS, Kind::Glass, 1.0),
     ] {
         for seed in 0..20 {
-            scene(setting, seed).validate().expect("it is valid");
+            let scene = hidden.scene(&mut Random::new(seed));
+            scene.validate().expect("it is valid");
         }
-        let counts = counts(setting, Quality::DEFAULT);
+        let counts = counts(hidden, Quality::DEFAULT);
         let of = |kind| counts.get(&kind).copied().unwrap_or_default();
         let Count { small, missed } = of(kind);
         assert!(small >= 10, "{small} of {kind:?} in {counts:?}");
@@ -43,7 +44,7 @@ fn every_sort_of_scene_has_small_things_of_its_kind_and_few_guarded_ones_are_mis
         } else if kind == Kind::Glass {
             assert!(2 * missed[0] > small, "{missed:?} of {small} {kind:?}");
         }
-        if [Setting::Point, Setting::Blocks].contains(&setting) {
+        if [Hidden::POINT, Hidden::BLOCKS].contains(&hidden) {
             let Count { small, missed } = of(Kind::Object);
             assert!(missed[0] == 0 && 2 * missed[1] > small, "{counts:?}");
         }
@@ -52,7 +53,7 @@ fn every_sort_of_scene_has_small_things_of_its_kind_and_few_guarded_ones_are_mis
 
 #[test]
 fn exhaustive_frames_miss_nothing() {
-    let counts = counts(Setting::Glass, Quality::EXHAUSTIVE);
+    let counts = counts(Hidden::GLASS, Quality::EXHAUSTIVE);
     assert!(
         counts.values().all(|count| count.missed == [0, 0]),
         "{counts:?}"

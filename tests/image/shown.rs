@@ -1,0 +1,457 @@
+//! Named qualities show what exhaustive pictures show: objects, shadows, images and highlights.
+//!
+//! [`Effect`] is one of these in an exhaustive picture. A quality misses it if none of its pixels is right.
+
+use crate::cpu::{self, Isa};
+use crate::drawn::{bare, draw, isa_of, jagged, named, of_side, of_the_show};
+use crate::error::worst_channel;
+use crate::missed::effects::patches;
+use eightfold::show;
+use eightfold_oracle::geometry::{PicturePlane, Ray, Shape};
+use eightfold_scenes::{
+    Hidden, Random, View, between_corners, cases, coloured, floor, known, materials_of, placed,
+    placed_blocks, shiny,
+};
+use eightfold_tracer::Quality;
+use eightfold_tracer::scene::{Light, Scene, Shape as BlockShape};
+use glam::{DMat2, DVec2, DVec3, Vec3, dvec2};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A scene to be drawn in 320x240 pixels.
+pub fn sized(scene: Scene) -> View {
+    View {
+        scene,
+        width: 320,
+        height: 240,
+    }
+}
+
+/// Draws a view by a quality without antialiasing.
+pub fn pixels(isa: Isa, view: &View, quality: Quality) -> Vec<u32> {
+    let quality = jagged(quality);
+    draw(isa, 2, &view.scene, &quality, view.width, view.height).pixels
+}
+
+/// An object, a shadow, an image or a highlight in an exhaustive picture.
+struct Effect {
+    /// The pixels that show it.
+    pixels: Vec<usize>,
+    /// Whether every quality shows it.
+    is_promised: bool,
+}
+
+impl Effect {
+    fn promised(pixels: Vec<usize>) -> Self {
+        Self {
+            pixels,
+            is_promised: true,
+        }
+    }
+
+    /// Whether a picture has none of its pixels right: each is off by more than `tolerance` in a channel.
+    fn is_missed(&self, exhaustive: &[u32], drawn: &[u32], tolerance: u32) -> bool {
+        let mut pixels = self.pixels.iter();
+        pixels.all(|&i| worst_channel(exhaustive[i], drawn[i]) > tolerance)
+    }
+}
+
+/// How many effects there are, how many some quality misses, and how many the default quality misses without the guard: of promised
+/// effects, and of others.
+#[derive(Debug, Default)]
+struct Tally {
+    qualities: Vec<Quality>,
+    shown: [usize; 2],
+    missed: [usize; 2],
+    bare: [usize; 2],
+}
+
+impl Tally {
+    fn new(qualities: impl Iterator<Item = Quality>) -> Self {
+        Self {
+            qualities: qualities.collect(),
+            ..Self::default()
+        }
+    }
+
+    /// Adds the effects of a view, and asserts that promised ones are shown.
+    #[track_caller]
+    fn add(
+        &mut self,
+        isa: Isa,
+        view: &View,
+        tolerance: u32,
+        effects: impl FnOnce(&[u32]) -> Vec<Effect>,
+    ) {
+        let exhaustive = pixels(isa, view, Quality::EXHAUSTIVE);
+        let effects = effects(&exhaustive);
+        if effects.is_empty() {
+            return;
+        }
+        let mut missed = vec![false; effects.len()];
+        for &quality in &self.qualities {
+            let drawn = pixels(isa, view, quality);
+            for (effect, missed) in effects.iter().zip(&mut missed) {
+                let is_missed = effect.is_missed(&exhaustive, &drawn, tolerance);
+                *missed |= is_missed;
+                let first = (effect.pixels[0] % view.width, effect.pixels[0] / view.width);
+                assert!(
+                    !(is_missed && effect.is_promised),
+                    "{first:?} is missed by {} and {quality:?} in {view:?}",
+                    isa.name
+                );
+            }
+        }
+        let unguarded = pixels(isa, view, bare(Quality::DEFAULT));
+        for (effect, missed) in effects.iter().zip(missed) {
+            let kind = usize::from(!effect.is_promised);
+            let bare = effect.is_missed(&exhaustive, &unguarded, tolerance);
+            self.shown[kind] += 1;
+            self.missed[kind] += usize::from(missed);
+            self.bare[kind] += usize::from(bare);
+        }
+    }
+
+    /// Asserts that there are promised effects, some of which are missed without the guard.
+    #[track_caller]
+    fn assert_counts(&self, shown: usize, bare: usize) {
+        println!(
+            "{:?} shown, {:?} missed, {:?} without the guard",
+            self.shown, self.missed, self.bare
+        );
+        assert!(self.shown[0] >= shown, "{:?}", self.shown);
+        assert!(self.bare[0] >= bare, "{:?} of {:?}", self.bare, self.shown);
+    }
+}
+
+/// All named qualities, and larger squares.
+fn of_all_sides() -> impl Iterator<Item = Quality> {
+    named().chain([16, 32].map(|side| of_side(side, Quality::DEFAULT)))
+}
+
+/// The pixels of a picture by their colours.
+fn by_colour(pixels: &[u32]) -> BTreeMap<u32, Vec<usize>> {
+    let mut colours: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+    for (i, &pixel) in pixels.iter().enumerate() {
+        colours.entry(pixel).or_default().push(i);
+    }
+    colours
+}
+
+/// The objects that a view shows in colours of their own. Gaps between objects may be missed.
+fn objects(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
+    let background = (255.0 * view.scene.background.x).round() as u32 * 0x01_0101;
+    let mut colours = by_colour(exhaustive);
+    colours.remove(&background);
+    colours.into_values().map(Effect::promised).collect()
+}
+
+/// Asserts that the objects of a view for each case are shown.
+fn assert_objects(count: u64, view: fn(&mut Random) -> View) -> Tally {
+    let mut tally = Tally::new(of_all_sides());
+    for mut random in cases(count) {
+        let view = view(&mut random);
+        tally.add(isa_of(random.seed), &view, 0, |exhaustive| {
+            objects(&view, exhaustive)
+        });
+    }
+    tally
+}
+
+#[test]
+fn known_objects_are_shown() {
+    let mut tally = Tally::new(of_all_sides());
+    for isa in cpu::instruction_sets() {
+        for view in known::slivers().into_iter().chain([between_corners()]) {
+            tally.add(isa, &view, 0, |exhaustive| objects(&view, exhaustive));
+        }
+    }
+    tally.assert_counts(600, 600);
+}
+
+#[test]
+fn placed_objects_are_shown() {
+    assert_objects(100, placed).assert_counts(1000, 100);
+}
+
+#[test]
+fn blocks_of_any_size_are_shown() {
+    assert_objects(100, placed_blocks).assert_counts(400, 50);
+}
+
+#[test]
+fn things_that_touch_or_rise_are_shown() {
+    assert_objects(60, floor::contact).assert_counts(500, 100);
+}
+
+#[test]
+fn objects_of_the_show_are_shown() {
+    let view = |random: &mut Random| {
+        let scene = of_the_show(random.between(0.0, show::LENGTH));
+        let objects = Scene {
+            camera: scene.camera,
+            spheres: scene.spheres,
+            planes: scene.planes,
+            blocks: scene.blocks,
+            ..Scene::default()
+        };
+        View {
+            scene: coloured(&objects, 28),
+            width: 1 + random.below(160),
+            height: 1 + random.below(120),
+        }
+    };
+    assert_objects(100, view).assert_counts(1000, 100);
+}
+
+/// The pixel of a shaded floor under [`Hidden`] things: 0.2 of 0.8.
+const SHADED: u32 = 0x29_2929;
+
+/// The shadows of spheres that a picture of [`Hidden::POINT`] shows.
+fn shadows(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
+    let scene = &view.scene;
+    let plane = PicturePlane::new(&scene.camera, view.width, view.height);
+    let lamp = scene.lights[0].position.as_dvec3();
+    let floor = Shape::from(&scene.planes[0]);
+    let spheres: Vec<Shape> = scene.spheres.iter().map(Shape::from).collect();
+    let mut shadows: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for i in (0..exhaustive.len()).filter(|&i| exhaustive[i] == SHADED) {
+        let ray = plane.ray((i % view.width) as f64, (i / view.width) as f64);
+        let Some(met) = floor.meet(ray, f64::INFINITY) else {
+            continue;
+        };
+        if spheres.iter().any(|s| s.meet(ray, met.t).is_some()) {
+            continue;
+        }
+        let p = ray.at(met.t);
+        let way = Ray::new(p, (lamp - p).normalize());
+        let numbers = spheres.iter().enumerate();
+        let casters = numbers.filter(|(_, s)| s.meet(way, lamp.distance(p)).is_some());
+        casters.for_each(|(caster, _)| shadows.entry(caster).or_default().push(i));
+    }
+    shadows.into_values().map(Effect::promised).collect()
+}
+
+#[test]
+fn shadows_on_a_floor_are_shown() {
+    let mut tally = Tally::new(named());
+    for mut random in cases(60) {
+        let view = sized(Hidden::POINT.scene(&mut random));
+        tally.add(isa_of(random.seed), &view, 0, |exhaustive| {
+            shadows(&view, exhaustive)
+        });
+    }
+    tally.assert_counts(1000, 100);
+}
+
+/// The pixel of the floor in a single shadow: 0.1 of 0.7.
+const DARK: u32 = 0x12_1212;
+
+/// The only shadow of a view, if it darkens a pixel by two steps of 255: one may be rounding.
+fn shadow(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
+    let lit = pixels(isa, &view.without_spheres(), Quality::EXHAUSTIVE);
+    let is_shaded = |&i: &usize| exhaustive[i] == DARK && lit[i] != DARK;
+    let shaded: Vec<usize> = (0..lit.len()).filter(is_shaded).collect();
+    let is_seen = shaded.iter().any(|&i| worst_channel(lit[i], DARK) >= 2);
+    let shadow = is_seen.then(|| Effect::promised(shaded));
+    shadow.into_iter().collect()
+}
+
+#[test]
+#[ignore = "many scenes by chance"]
+fn single_shadows_are_shown_however_thin_and_near() {
+    let mut tally = Tally::new(named());
+    let known = known::thin_shadows().into_iter().enumerate();
+    let random = cases(400).map(|mut random| (random.seed as usize, floor::shadow(&mut random)));
+    for (seed, view) in known.chain(random) {
+        let glaring = view.glaring();
+        let views = [view, glaring.clone(), glaring.with_box()];
+        for (i, view) in views.into_iter().enumerate() {
+            let isa = isa_of((seed + i) as u64);
+            tally.add(isa, &view, 0, |exhaustive| shadow(isa, &view, exhaustive));
+        }
+    }
+    tally.assert_counts(400, 100);
+}
+
+/// As [`eightfold_tracer::limits`] says, a shadow may be missed beside a corner that is as dark without it.
+#[test]
+fn shadow_beside_a_dark_corner_may_be_missed() {
+    let view = known::shadow_beside_a_dark_corner();
+    for isa in cpu::instruction_sets() {
+        let mut tally = Tally::new(named());
+        let glaring = view.glaring();
+        tally.add(isa, &glaring, 0, |exhaustive| {
+            shadow(isa, &glaring, exhaustive)
+        });
+        tally.add(isa, &view, 0, |exhaustive| {
+            let mut shadow = shadow(isa, &view, exhaustive);
+            shadow[0].is_promised = false;
+            shadow
+        });
+        assert_eq!((tally.shown, tally.missed), ([1, 1], [0, 1]));
+    }
+}
+
+/// A mirror that is black except for images of things, whose channels are half of 255 at least.
+fn mirror(random: &mut Random) -> View {
+    let mut scene = Hidden::MIRROR.scene(random);
+    scene.ambient = Vec3::ONE;
+    scene.background = Vec3::ZERO;
+    sized(scene)
+}
+
+/// The images that 2x2 pixels show, but of cylinders and capsules, are promised.
+///
+/// The outlines of round blocks' images are those of boxes around them, and a corner of a square that lies in such an outline beside
+/// the block counts as showing it.
+fn images(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
+    let is_image = |pixel: u32| pixel != 0 && pixel.to_be_bytes().iter().all(|&c| c < 128);
+    let width = view.width;
+    let mut effects = Vec::new();
+    for (image, pixels) in by_colour(exhaustive) {
+        let all: BTreeSet<usize> = pixels.iter().copied().collect();
+        let mut corners = pixels.iter().filter(|&&i| i % width + 1 < width);
+        let is_wide = corners.any(|i| {
+            [1, width, width + 1]
+                .iter()
+                .all(|step| all.contains(&(i + step)))
+        });
+        if is_image(image) && is_wide {
+            let digit = |shift: u32| ((image >> shift & 0xff) as usize - 64) / 15;
+            let number = digit(16) + 4 * digit(8) + 16 * digit(0);
+            // Things take turns between spheres and blocks.
+            let is_sphere = number % 2 == 0;
+            let is_promised = is_sphere || view.scene.blocks[number / 2].shape == BlockShape::Box;
+            effects.push(Effect {
+                pixels,
+                is_promised,
+            });
+        }
+    }
+    effects
+}
+
+#[test]
+fn images_in_a_floor_are_shown() {
+    let mut tally = Tally::new(of_all_sides());
+    for mut random in cases(40) {
+        let view = mirror(&mut random);
+        tally.add(isa_of(random.seed), &view, 1, |exhaustive| {
+            images(&view, exhaustive)
+        });
+    }
+    tally.assert_counts(250, 150);
+    assert!(tally.shown[1] > 150 && tally.missed[1] <= 2, "{tally:?}");
+}
+
+/// The only image of a view, in half of its object's colour.
+fn image(exhaustive: &[u32]) -> Vec<Effect> {
+    let is_image = |&i: &usize| (0x7f_664c..=0x80_664d).contains(&exhaustive[i]);
+    let pixels: Vec<usize> = (0..exhaustive.len()).filter(is_image).collect();
+    let image = (!pixels.is_empty()).then(|| Effect::promised(pixels));
+    image.into_iter().collect()
+}
+
+#[test]
+#[ignore = "many scenes by chance"]
+fn single_images_are_shown_however_thin_and_near() {
+    let mut tally = Tally::new(named());
+    for isa in cpu::instruction_sets() {
+        tally.add(isa, &known::wide_image(), 1, image);
+    }
+    for mut random in cases(400) {
+        let isa = isa_of(random.seed);
+        tally.add(isa, &floor::image(&mut random), 1, image);
+    }
+    tally.assert_counts(170, 50);
+}
+
+/// The step by which differences from pixel to pixel are taken, in pixels.
+const NEAR: f64 = 1e-4;
+
+/// Whether some pixels that show an object, or those next to them, show a place that mirrors a lamp to the eye.
+fn hold_a_middle(view: &View, shape: Shape, pixels: &[usize]) -> bool {
+    let plane = PicturePlane::new(&view.scene.camera, view.width, view.height);
+    // How far the mirrored ray and the direction to the lamp are apart.
+    let apart = |at: DVec2, lamp: DVec3| {
+        let ray = plane.ray(at.x, at.y);
+        let met = shape.meet(ray, f64::INFINITY)?;
+        let mirrored = ray.d - 2.0 * ray.d.dot(met.normal) * met.normal;
+        Some(mirrored - (lamp - ray.at(met.t)).normalize())
+    };
+    // Newton's step from a pixel to where they are the same.
+    let step = |at: DVec2, lamp: DVec3| {
+        let here = apart(at, lamp)?;
+        let right = (apart(at + NEAR * DVec2::X, lamp)? - here) / NEAR;
+        let down = (apart(at + NEAR * DVec2::Y, lamp)? - here) / NEAR;
+        let across = right.dot(down);
+        let square = DMat2::from_cols_array(&[right.dot(right), across, across, down.dot(down)]);
+        Some(-square.inverse() * dvec2(right.dot(here), down.dot(here)))
+    };
+    view.scene.lights.iter().any(|light| {
+        let far = if light.parallel { Light::FAR } else { 1.0 };
+        let lamp = (light.position * far).as_dvec3();
+        let is_near = |step: DVec2| step.abs().max_element() <= 1.0;
+        let mut places = pixels
+            .iter()
+            .map(|i| dvec2((i % view.width) as f64, (i / view.width) as f64));
+        places.any(|at| step(at, lamp).is_some_and(is_near))
+    })
+}
+
+/// The highlights of five pixels and more. A highlight is promised if the place that mirrors the lamp to the eye is seen, lit, in one
+/// of its pixels or next to one. Otherwise a part of it is hidden, in shadow, beyond an edge, or white without it.
+fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
+    let scene = &view.scene;
+    let spheres = scene.spheres.iter().map(Shape::from);
+    let planes = scene.planes.iter().map(Shape::from);
+    let blocks = scene.blocks.iter().map(Shape::from);
+    let mut effects = Vec::new();
+    for (i, shape) in spheres.chain(planes).chain(blocks).enumerate() {
+        let mut matt = view.clone();
+        materials_of(&mut matt.scene)[i].ks = 0.0;
+        let matt = pixels(isa, &matt, Quality::EXHAUSTIVE);
+        let is_changed = |&i: &usize| worst_channel(exhaustive[i], matt[i]) > 8;
+        let changed: Vec<usize> = (0..matt.len()).filter(is_changed).collect();
+        for pixels in patches(&changed, view.width) {
+            if pixels.len() >= 5 {
+                effects.push(Effect {
+                    is_promised: hold_a_middle(view, shape, &pixels),
+                    pixels,
+                });
+            }
+        }
+    }
+    effects
+}
+
+#[test]
+fn thin_highlights_are_shown() {
+    let mut tally = Tally::new(named());
+    for isa in cpu::instruction_sets() {
+        for view in known::thin_highlights().map(sized) {
+            tally.add(isa, &view, 8, |exhaustive| {
+                highlights(isa, &view, exhaustive)
+            });
+        }
+    }
+    let isas = cpu::instruction_sets().count();
+    tally.assert_counts(2 * isas, 2 * isas);
+}
+
+#[test]
+#[ignore = "many scenes by chance"]
+fn highlights_of_five_pixels_are_shown() {
+    for are_blocks in [false, true] {
+        let mut tally = Tally::new(named());
+        for mut random in cases(100) {
+            let isa = isa_of(random.seed);
+            let view = sized(shiny(&mut random, are_blocks));
+            tally.add(isa, &view, 8, |exhaustive| {
+                highlights(isa, &view, exhaustive)
+            });
+        }
+        tally.assert_counts(200, tally.shown[0] / 30);
+        assert!(tally.missed[1] <= tally.shown[1] / 400, "{tally:?}");
+    }
+}

@@ -1,0 +1,73 @@
+//! Scenes crowded by mirrors, glass and plastic of all shapes.
+
+use crate::{Random, solids};
+use eightfold_tracer::scene::{Camera, Light, List, Material, Plane, Scene, Sphere};
+use glam::{Vec3, vec3};
+
+/// Half the side of the cube that the things are in, above a floor.
+const REACH: f32 = 5.0;
+
+/// Glass, mirrors or plastic, by the shares of glass and mirrors.
+fn material(random: &mut Random, [glass, mirrors]: [f32; 2]) -> Material {
+    let kind = random.between(0.0, 1.0);
+    let plastic = Material {
+        colour: random.vector(Vec3::splat(0.05), Vec3::ONE),
+        kd: 0.8,
+        ks: random.between(0.0, 1.0),
+        exponent: 60.0,
+        ..Material::BLACK
+    };
+    if kind < glass {
+        Material {
+            kd: 0.1,
+            kr: 0.1,
+            kt: 0.8,
+            index: random.between(1.1, 1.6),
+            ..plastic
+        }
+    } else if kind < glass + mirrors {
+        Material {
+            kd: 0.2,
+            kr: random.between(0.3, 0.8),
+            ..plastic
+        }
+    } else {
+        plastic
+    }
+}
+
+/// A number of spheres and of blocks, with shares of glass and mirrors, lit by points.
+pub fn crowd(random: &mut Random, [spheres, blocks]: [usize; 2], shares: [f32; 2]) -> Scene {
+    let eye = vec3(
+        0.0,
+        random.between(0.6, 8.0),
+        REACH * random.between(1.0, 2.2),
+    );
+    let look_at = Vec3::Y * REACH * random.between(0.1, 0.5);
+    let floor = material(random, [0.0, shares[1]]);
+    let mut scene = Scene {
+        camera: Camera::new(eye, look_at, random.between(0.5, 1.2)),
+        background: random.vector(Vec3::ZERO, Vec3::splat(0.8)),
+        ambient: Vec3::splat(0.2),
+        planes: List::of(&[Plane::new(Vec3::ZERO, 20.0, 20.0, floor)]),
+        ..Scene::default()
+    };
+    let place = |random: &mut Random| random.vector(vec3(-REACH, 0.0, -REACH), Vec3::splat(REACH));
+    for _ in 0..spheres {
+        let (centre, radius) = (place(random), random.between(0.1, 0.4));
+        let sphere = Sphere::new(centre, radius, material(random, shares));
+        scene.spheres.push(sphere);
+    }
+    for _ in 0..blocks {
+        let half = random.vector(vec3(0.05, 0.3, 0.05), vec3(0.3, 2.0, 0.5));
+        let (centre, material) = (place(random), material(random, shares));
+        let block = solids::block(random, centre, half, material);
+        scene.blocks.push(block);
+    }
+    for _ in 0..1 + random.below(3) {
+        let position = random.vector(vec3(-9.0, 6.0, -9.0), vec3(9.0, 12.0, 9.0));
+        let colour = Vec3::splat(random.between(0.3, 1.0));
+        scene.lights.push(Light::new(position, colour));
+    }
+    scene
+}

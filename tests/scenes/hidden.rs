@@ -1,0 +1,210 @@
+//! Small things that are easily missed, over a floor, above mirrors or behind glass.
+
+use crate::materials::{self, bright};
+use crate::{Random, solids};
+use eightfold_tracer::scene::{Block, Camera, Light, List, Material, Plane, Scene, Shape, Sphere};
+use glam::{Vec3, vec3};
+
+/// The small things.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Things {
+    /// Spheres.
+    Spheres,
+    /// Boxes, cylinders and capsules that are thin.
+    Blocks,
+    /// Both, larger ones with highlights.
+    Shiny,
+    /// Spheres and blocks in turns.
+    Both,
+}
+
+/// The surfaces that show them besides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Host {
+    /// A floor.
+    Floor(Material),
+    /// Large spheres.
+    Balls(Material),
+    /// A pane of glass before them.
+    Pane,
+}
+
+/// Forty small things, their host and the lamp.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hidden {
+    pub things: Things,
+    pub host: Host,
+    /// The lamp. Its position is random.
+    pub lamp: Option<Light>,
+}
+
+const GREY: Material = Material::matt(Vec3::splat(0.8), 0.9);
+const LAMP: Light = Light::new(Vec3::ZERO, Vec3::ONE);
+
+/// How many small things there are.
+const COUNT: usize = 40;
+
+impl Hidden {
+    /// Spheres over a floor by a point of light.
+    pub const POINT: Self = Self {
+        things: Things::Spheres,
+        host: Host::Floor(GREY),
+        lamp: Some(LAMP),
+    };
+    /// The same by a lamp with a size.
+    pub const BALL: Self = Self {
+        lamp: Some(Light {
+            diameter: 0.5,
+            ..LAMP
+        }),
+        ..Self::POINT
+    };
+    /// The same by a sun.
+    pub const SUN: Self = Self {
+        lamp: Some(Light {
+            parallel: true,
+            ..LAMP
+        }),
+        ..Self::POINT
+    };
+    /// Blocks over a floor by a point of light.
+    pub const BLOCKS: Self = Self {
+        things: Things::Blocks,
+        ..Self::POINT
+    };
+    /// Spheres over large ones by a point of light.
+    pub const BALLS: Self = Self {
+        host: Host::Balls(GREY),
+        ..Self::POINT
+    };
+    /// Spheres and blocks over a floor that is a mirror.
+    pub const MIRROR: Self = Self {
+        things: Things::Both,
+        host: Host::Floor(Material::mirror(0.5)),
+        lamp: None,
+    };
+    /// Spheres over large ones that are mirrors.
+    pub const MIRRORS: Self = Self {
+        things: Things::Spheres,
+        host: Host::Balls(Material::mirror(0.8)),
+        lamp: None,
+    };
+    /// Spheres behind glass.
+    pub const GLASS: Self = Self {
+        host: Host::Pane,
+        ..Self::MIRRORS
+    };
+    /// Shiny things over a shiny floor by a point of light.
+    pub const SHINY: Self = Self {
+        things: Things::Shiny,
+        host: Host::Floor(Material {
+            ks: 0.5,
+            exponent: 100.0,
+            ..GREY
+        }),
+        ..Self::POINT
+    };
+    /// All of these.
+    pub const ALL: [Self; 9] = [
+        Self::POINT,
+        Self::BALL,
+        Self::SUN,
+        Self::BLOCKS,
+        Self::BALLS,
+        Self::MIRROR,
+        Self::MIRRORS,
+        Self::GLASS,
+        Self::SHINY,
+    ];
+
+    /// A scene of this kind.
+    pub fn scene(&self, random: &mut Random) -> Scene {
+        let mut scene = floor(random, GREY);
+        scene.planes = List::default();
+        for number in 0..COUNT {
+            self.add_thing(&mut scene, random, number);
+        }
+        match self.host {
+            Host::Floor(material) => scene.planes = floor(random, material).planes,
+            Host::Balls(material) => {
+                for _ in 0..20 {
+                    let centre = random.vector(vec3(-6.0, -2.0, -6.0), vec3(6.0, -0.5, 6.0));
+                    let radius = random.between(0.7, 1.5);
+                    scene.spheres.push(Sphere::new(centre, radius, material));
+                }
+            }
+            Host::Pane => {
+                let glass = Material {
+                    kt: 0.9,
+                    index: 1.3,
+                    ..Material::BLACK
+                };
+                let (centre, half) = (scene.camera.eye * 0.6, vec3(20.0, 20.0, 0.1));
+                let pane = Block::new(Shape::Box, centre, half, glass);
+                scene.blocks.push(pane);
+            }
+        }
+        let position = lamp_place(random);
+        if let Some(lamp) = self.lamp {
+            scene.lights.push(Light { position, ..lamp });
+        }
+        scene
+    }
+
+    /// Adds the thing of a number, in a colour of its own.
+    fn add_thing(&self, scene: &mut Scene, random: &mut Random, number: usize) {
+        let centre = random.vector(vec3(-5.0, 0.5, -5.0), vec3(5.0, 3.0, 5.0));
+        let is_odd = number % 2 == 1;
+        let small = random.power(-2.0, -0.3);
+        let (size, material, is_block) = match self.things {
+            Things::Spheres => (small, bright(number), false),
+            Things::Blocks => (small, bright(number), true),
+            Things::Both => (small, bright(number), is_odd),
+            Things::Shiny => (random.between(0.1, 0.8), materials::shiny(random), is_odd),
+        };
+        if is_block {
+            let thin = random
+                .vector(Vec3::splat(0.03), Vec3::splat(0.3))
+                .with_y(1.0);
+            let half = 2.0 * size * thin;
+            let block = solids::block(random, centre, half, material);
+            scene.blocks.push(block);
+        } else {
+            let sphere = Sphere::new(centre, size, material);
+            scene.spheres.push(sphere);
+        }
+    }
+}
+
+/// A place of a lamp above the floor.
+fn lamp_place(random: &mut Random) -> Vec3 {
+    random.vector(vec3(-6.0, 5.0, -6.0), vec3(6.0, 9.0, 6.0))
+}
+
+/// A floor with nothing on it, from some way above.
+fn floor(random: &mut Random, material: Material) -> Scene {
+    let eye = random.vector(vec3(-6.0, 2.0, 11.0), vec3(6.0, 8.0, 11.0));
+    Scene {
+        camera: Camera::new(eye, Vec3::ZERO, random.between(0.6, 1.0)),
+        background: Vec3::splat(0.1),
+        ambient: Vec3::splat(0.2),
+        planes: List::of(&[Plane::new(Vec3::ZERO, 20.0, 20.0, material)]),
+        ..Scene::default()
+    }
+}
+
+/// Two spheres above a floor, between whose shadows there is a slit of light: most are a few pixels wide, and end where the
+/// shadows meet.
+pub fn slit(random: &mut Random) -> Scene {
+    let mut scene = floor(random, GREY);
+    let way = random.vector(vec3(-1.0, 0.0, -1.0), vec3(1.0, 0.0, 1.0));
+    let apart = way.normalize_or(Vec3::X) * (1.0 + random.between(-0.02, 0.05));
+    for side in [-1.0, 1.0] {
+        let centre = Vec3::Y * 1.5 + side * apart;
+        scene
+            .spheres
+            .push(Sphere::new(centre, 1.0, Material::BLACK));
+    }
+    scene.lights.push(Light::new(lamp_place(random), Vec3::ONE));
+    scene
+}

@@ -1,0 +1,223 @@
+//! Objects scattered around the origin, by kinds.
+
+use crate::{Random, lamps, materials, scaled, solids};
+use eightfold_tracer::scene::{
+    Block, Camera, Caption, CopperBar, Film, Light, List, Material, Plane, Scene, Shape, Sphere,
+    Waves,
+};
+use glam::{Vec3, vec3};
+
+/// The parts of a random scene.
+#[derive(Clone, Copy)]
+pub struct Kinds {
+    /// The most spheres, planes, blocks and lights.
+    pub spheres: usize,
+    pub planes: usize,
+    pub blocks: usize,
+    pub lights: usize,
+    /// The power of 10 of the smallest radius.
+    pub smallest: f32,
+    pub material: fn(&mut Random) -> Material,
+    pub light: fn(&mut Random) -> Light,
+    pub camera: fn(&mut Random) -> Camera,
+    /// Whether there may be a sky, haze, an exposure, a film and waves.
+    pub air: bool,
+    /// Whether things may touch, be in each other, in the same place, or in a row.
+    pub groups: bool,
+    /// Whether there may be captions and copper bars.
+    pub overlays: bool,
+    /// The power of 10 of the scale, from its negative to it.
+    pub decades: f32,
+}
+
+impl Kinds {
+    /// Spheres over planes, lit by points.
+    pub const SPHERES: Self = Self {
+        spheres: 12,
+        planes: 2,
+        blocks: 0,
+        lights: 4,
+        smallest: -0.7,
+        material: materials::plain,
+        light: lamps::point,
+        camera: outside,
+        air: false,
+        groups: false,
+        overlays: false,
+        decades: 0.0,
+    };
+
+    /// Everything that the oracle draws.
+    pub const RICH: Self = Self {
+        spheres: 6,
+        blocks: 8,
+        lights: 3,
+        material: materials::painted,
+        light: lamps::any,
+        air: true,
+        ..Self::SPHERES
+    };
+
+    /// Everything that [`Scene::validate`] takes, up to as much as a scene holds.
+    pub const EXTREME: Self = Self {
+        spheres: 320,
+        planes: 4,
+        blocks: 64,
+        lights: 4,
+        smallest: -3.0,
+        material: materials::extreme,
+        camera: anywhere,
+        groups: true,
+        overlays: true,
+        decades: 5.0,
+        ..Self::RICH
+    };
+
+    /// A scene of these parts.
+    pub fn scene(&self, random: &mut Random) -> Scene {
+        let mut scene = Scene {
+            camera: (self.camera)(random),
+            background: random.colour(),
+            ambient: 0.2 * random.colour(),
+            ..Scene::default()
+        };
+        for _ in 0..count(random, self.spheres) {
+            let radius = random.power(self.smallest, 0.2);
+            let material = (self.material)(random);
+            scene
+                .spheres
+                .push(Sphere::new(place(random), radius, material));
+        }
+        for _ in 0..count(random, self.planes) {
+            let centre = vec3(0.3, random.between(-2.0, 0.0), -0.2);
+            let [x, z] = [0; 2].map(|_| random.between(1.0, 20.0));
+            let material = (self.material)(random);
+            scene.planes.push(Plane::new(centre, x, z, material));
+        }
+        for _ in 0..count(random, self.blocks) {
+            let half = random.vector(Vec3::splat(0.2), Vec3::splat(1.5));
+            let (centre, material) = (place(random), (self.material)(random));
+            scene
+                .blocks
+                .push(solids::block(random, centre, half, material));
+        }
+        for _ in 0..count(random, self.lights) {
+            scene.lights.push((self.light)(random));
+        }
+        if self.air {
+            add_air(&mut scene, random);
+        }
+        if self.groups {
+            add_groups(&mut scene, random);
+        }
+        if self.overlays {
+            add_overlays(&mut scene, random);
+        }
+        scaled(&scene, random.power(-self.decades, self.decades))
+    }
+}
+
+/// A count up to a number, often a small one.
+fn count(random: &mut Random, most: usize) -> usize {
+    let most = random.one_of([4, 12, 40, most]).min(most);
+    random.below(most + 1)
+}
+
+/// A place near the origin, above the ground.
+fn place(random: &mut Random) -> Vec3 {
+    random.vector(vec3(-4.0, 0.2, -4.0), vec3(4.0, 3.0, 4.0))
+}
+
+/// A camera that looks at the origin from outside.
+pub fn outside(random: &mut Random) -> Camera {
+    let (angle, distance) = (random.between(0.0, 6.3), random.between(7.0, 14.0));
+    let eye = vec3(
+        distance * angle.sin(),
+        random.between(0.5, 6.0),
+        distance * angle.cos(),
+    );
+    let look_at = random.vector(vec3(-1.0, 0.2, -1.0), Vec3::ONE);
+    Camera::new(eye, look_at, random.between(0.3, 1.6))
+}
+
+/// A camera anywhere, in things, too.
+pub fn anywhere(random: &mut Random) -> Camera {
+    let eye = random.vector(vec3(-9.0, -1.0, -9.0), vec3(9.0, 7.0, 9.0));
+    let look_at = random.vector(Vec3::splat(-1.0), Vec3::ONE);
+    Camera::new(eye, look_at, random.between(0.1, 2.5))
+}
+
+/// Adds a sky, haze, an exposure, a film and waves, or some of them.
+fn add_air(scene: &mut Scene, random: &mut Random) {
+    scene.sky = random.colour() - scene.background;
+    scene.haze = random.zero_or(0.01, 0.1);
+    scene.exposure = random.between(0.1, 1.2);
+    if random.below(2) == 0 {
+        scene.film = Film {
+            shoulder: random.between(0.0, 1.0),
+            vignette: random.between(0.0, 0.5),
+            dither: random.between(0.0, 1.0),
+            tolerance: random.between(0.0, 1.0),
+        };
+    }
+    if random.below(2) == 0 {
+        scene.water = Waves {
+            slope: random.between(0.001, 0.1),
+            length: random.between(0.5, 10.0),
+            phase: random.between(-9.0, 9.0),
+        };
+    }
+}
+
+/// Adds things beside the last sphere, or a fence of rods.
+fn add_groups(scene: &mut Scene, random: &mut Random) {
+    let Some(&last) = scene.spheres.last() else {
+        return;
+    };
+    let beside = |way: Vec3, radius: f32| Sphere {
+        centre: last.centre + way.normalize_or(Vec3::X) * (last.radius + radius),
+        radius: radius.abs(),
+        ..last
+    };
+    let way = random.vector(Vec3::NEG_ONE, Vec3::ONE);
+    match random.below(8) {
+        0 => add(&mut scene.spheres, last),
+        1 => add(&mut scene.spheres, beside(way, 0.5 * last.radius)),
+        2 => add(&mut scene.spheres, beside(way, -0.5 * last.radius)),
+        3 => {
+            let half = vec3(random.power(-3.0, -1.0), 1.0, 0.1);
+            for i in 0..12 {
+                let centre = vec3(0.4 * i as f32 - 2.4, 1.0, 0.0);
+                let rod = solids::fitting(Shape::Cylinder, half);
+                let rod = Block::new(Shape::Cylinder, centre, rod, last.material);
+                add(&mut scene.blocks, rod);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Adds an item to a list with room for it.
+fn add<T: Copy + Default, const N: usize>(list: &mut List<T, N>, item: T) {
+    if list.len() < N {
+        list.push(item);
+    }
+}
+
+/// Adds a caption and a copper bar.
+fn add_overlays(scene: &mut Scene, random: &mut Random) {
+    if random.below(4) == 0 {
+        scene.captions.push(Caption {
+            letters: List::of(b"EIGHTFOLD"),
+            middle: random.between(0.0, 1.0),
+            size: random.between(0.01, 0.3),
+            brightness: random.between(0.0, 1.0),
+        });
+        scene.copper_bars.push(CopperBar {
+            middle: random.between(0.0, 1.0),
+            height: random.between(0.01, 0.3),
+            colour: random.colour(),
+            brightness: random.between(0.0, 1.0),
+        });
+    }
+}

@@ -1,0 +1,50 @@
+//! Lamps.
+
+use crate::Random;
+use eightfold_tracer::scene::{Light, Spot};
+use glam::vec3;
+
+/// A visible point.
+pub fn point(random: &mut Random) -> Light {
+    let position = random.vector(vec3(-8.0, 0.2, -8.0), vec3(8.0, 9.0, 8.0));
+    Light {
+        drawn_radius: random.between(0.05, 0.4),
+        ..Light::new(position, random.colour())
+    }
+}
+
+/// A point or a ball, near or a sun, a spotlight or none, with a glow or without.
+pub fn any(random: &mut Random) -> Light {
+    let position = random.vector(vec3(-9.0, 6.0, -9.0), vec3(9.0, 12.0, 9.0));
+    let (outer, soft) = (random.between(0.65, 1.25), random.between(0.1, 0.3));
+    let light = Light {
+        drawn_radius: random.between(0.0, 0.4),
+        parallel: random.below(2) == 0,
+        diameter: random.zero_or(0.1, 2.0),
+        glow: random.zero_or(0.1, 2.0),
+        ..Light::new(position, random.colour())
+    };
+    [light, spotlight(light, outer - soft, outer)][random.below(2)]
+}
+
+/// The light as a spotlight that aims at the origin, with angles in radians.
+pub fn spotlight(light: Light, inner_angle: f32, outer_angle: f32) -> Light {
+    Light {
+        spot: Some(Spot {
+            aim: -light.position,
+            inner_angle,
+            outer_angle,
+        }),
+        ..light
+    }
+}
+
+/// The light as a sun, a spotlight and a ball.
+pub fn others(light: Light, diameter: f32) -> [Light; 3] {
+    let sun = Light {
+        parallel: true,
+        ..light
+    };
+    let ball = Light { diameter, ..light };
+    [sun, spotlight(light, 0.8, 1.05), ball]
+}

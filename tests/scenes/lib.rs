@@ -1,0 +1,104 @@
+//! Random scenes, by seed, composed of named parts. Tests and `lab missed` use them.
+//!
+//! A property asks for the kinds of scenes that it means:
+//!
+//! | kind | scenes |
+//! | --- | --- |
+//! | [`Kinds`] | objects of all shapes, materials and lights, scattered around the origin |
+//! | [`placed`] | objects in colours of their own, placed and sized by pixels |
+//! | [`floor`] | a single shadow or image in a floor, or things that rise out of it |
+//! | [`Hidden`] | forty small things over a floor, above mirrors, behind glass |
+//! | [`crowd()`] | hundreds of mirrors, glass and plastic |
+//! | [`shiny()`] | highlights of all sizes |
+//! | [`known`] | scenes that showed a fault |
+//!
+//! A new kind is a function from a [`Random`] to a scene, made of the parts in [`materials`], [`lamps`] and [`solids`].
+
+mod crowd;
+pub mod floor;
+pub mod hidden;
+mod kinds;
+pub mod known;
+pub mod lamps;
+pub mod materials;
+mod placed;
+mod random;
+mod shiny;
+pub mod solids;
+
+pub use crowd::crowd;
+pub use hidden::Hidden;
+pub use kinds::Kinds;
+pub use placed::{between_corners, placed, placed_blocks};
+pub use random::{Random, cases};
+pub use shiny::shiny;
+
+use eightfold_tracer::scene::{MIN_LENGTH, Material, Scene};
+use glam::Vec3;
+
+/// A scene, and the size of its picture in pixels.
+#[derive(Clone, Debug)]
+pub struct View {
+    pub scene: Scene,
+    pub width: usize,
+    pub height: usize,
+}
+
+/// The materials of all spheres, planes and blocks of a scene, in this order.
+pub fn materials_of(scene: &mut Scene) -> Vec<&mut Material> {
+    let spheres = scene.spheres.iter_mut().map(|sphere| &mut sphere.material);
+    let planes = scene.planes.iter_mut().map(|plane| &mut plane.material);
+    let blocks = scene.blocks.iter_mut().map(|block| &mut block.material);
+    spheres.chain(planes).chain(blocks).collect()
+}
+
+/// Gives objects and lamps distinct colours, at least `step` of 255 apart in a channel, in ambient light alone.
+pub fn coloured(scene: &Scene, step: usize) -> Scene {
+    let mut scene = scene.clone();
+    let mut numbers = 1..;
+    for (material, number) in materials_of(&mut scene).into_iter().zip(&mut numbers) {
+        *material = materials::numbered(number, step);
+    }
+    for (light, number) in scene.lights.iter_mut().zip(numbers) {
+        light.colour = materials::numbered(number, step).colour;
+    }
+    Scene {
+        background: materials::numbered(0, step).colour,
+        ambient: Vec3::ONE,
+        ..scene
+    }
+}
+
+/// Multiplies all lengths of a scene by a factor, as far as [`Scene::validate`] allows for haze, patterns and extents.
+pub fn scaled(scene: &Scene, factor: f32) -> Scene {
+    let mut scene = scene.clone();
+    scene.haze = (scene.haze / factor).min(1e3);
+    scene.camera.eye *= factor;
+    scene.camera.look_at *= factor;
+    scene.water.length *= factor;
+    for sphere in scene.spheres.iter_mut() {
+        sphere.centre *= factor;
+        sphere.radius = (sphere.radius * factor).max(MIN_LENGTH);
+    }
+    for plane in scene.planes.iter_mut() {
+        plane.centre *= factor;
+        plane.half_x *= factor;
+        plane.half_z *= factor;
+    }
+    for block in scene.blocks.iter_mut() {
+        block.centre *= factor;
+        block.half = (block.half * factor).max(Vec3::splat(MIN_LENGTH));
+    }
+    for light in scene.lights.iter_mut() {
+        light.position *= factor;
+        light.drawn_radius *= factor;
+        light.diameter *= factor;
+        light.glow *= factor;
+    }
+    for material in materials_of(&mut scene) {
+        let pattern = &mut material.pattern;
+        pattern.waves = (pattern.waves / factor).min(Vec3::splat(1e3));
+        pattern.grain = (pattern.grain / factor).min(1e3);
+    }
+    scene
+}

@@ -1,0 +1,93 @@
+//! Materials.
+
+use crate::Random;
+use eightfold_tracer::scene::{Material, Pattern};
+use glam::{Vec3, vec3};
+
+/// Plastic, mirror or glass; `kr + kt` is at most 1.
+pub fn plain(random: &mut Random) -> Material {
+    let kt = random.zero_or(0.2, 0.9);
+    Material {
+        colour: random.colour(),
+        kd: random.between(0.0, 1.0),
+        ks: random.zero_or(0.1, 1.0),
+        exponent: random.between(1.0, 200.0),
+        metallic: random.between(0.0, 1.0),
+        anisotropy: random.zero_or(0.0, 1.0),
+        kr: (1.0 - kt) * random.between(0.0, 1.0),
+        fresnel: random.between(0.0, 1.0),
+        kt,
+        index: [random.between(0.5, 0.95), random.between(1.05, 2.4)][random.below(2)],
+        ..Material::BLACK
+    }
+}
+
+/// The same with a pattern, and a tint if it is transparent.
+pub fn painted(random: &mut Random) -> Material {
+    let material = plain(random);
+    Material {
+        tint: random.colour() * f32::from(u8::from(material.kt > 0.0)),
+        pattern: pattern(random),
+        // A curved mirror at a grazing angle shows patterns finer than f32 can tell.
+        fresnel: 0.05 * material.fresnel,
+        ..material
+    }
+}
+
+/// The same, with numbers from end to end of their ranges.
+pub fn extreme(random: &mut Random) -> Material {
+    let material = painted(random);
+    Material {
+        exponent: random.power(0.0, 3.0),
+        index: random.power(-1.0, 1.0),
+        fresnel: random.zero_or(0.0, 1.0),
+        tint: random.colour(),
+        pattern: Pattern {
+            waves: material.pattern.waves * random.power(-1.0, 2.0),
+            edge: random.power(-1.0, 3.0),
+            warp: random.between(0.0, 3.0),
+            ..material.pattern
+        },
+        ..material
+    }
+}
+
+/// Stripes, checkers, marble or a uniform colour.
+pub fn pattern(random: &mut Random) -> Pattern {
+    let waves = [0; 3].map(|_| random.zero_or(0.2, 2.0));
+    Pattern {
+        waves: waves.into(),
+        depth: random.between(0.2, 1.0) * waves.iter().sum::<f32>().signum(),
+        edge: random.between(0.5, 20.0),
+        balance: random.between(-1.0, 1.0),
+        warp: random.between(0.0, 1.5),
+        grain: random.between(0.2, 2.0),
+    }
+}
+
+/// A material whose highlights are of any size.
+pub fn shiny(random: &mut Random) -> Material {
+    Material {
+        colour: Vec3::splat(random.between(0.0, 0.6)),
+        kd: random.between(0.0, 0.8),
+        ks: random.between(0.1, 1.0),
+        exponent: random.power(0.3, 3.0),
+        metallic: random.between(-1.0, 1.0).max(0.0),
+        ..Material::BLACK
+    }
+}
+
+/// A material whose colour in ambient light tells the number of its object. Colours are at least `step` of 255 apart in a channel.
+pub fn numbered(number: usize, step: usize) -> Material {
+    let digit = |unit: usize| (number / unit % 8 * step + 20) as f32 / 255.0;
+    Material {
+        colour: vec3(digit(1), digit(8), digit(64)),
+        ..Material::BLACK
+    }
+}
+
+/// A matt material in a colour of the number's own, below 64, whose channels are half of 255 at least.
+pub fn bright(number: usize) -> Material {
+    let digit = |unit: usize| (128 + 30 * (number / unit % 4)) as f32 / 255.0;
+    Material::matt(vec3(digit(1), digit(4), digit(16)), 0.8)
+}

@@ -1,0 +1,139 @@
+//! Objects in colours of their own, placed and sized by pixels of the picture.
+
+use crate::{Random, View, coloured, scaled, solids};
+use eightfold_tracer::scene::{Camera, Light, Material, Plane, Scene, Shape, Sphere};
+use glam::{Mat3, Vec3, vec3};
+
+/// Returns the place that a pixel shows at a distance, and a length in pixels in scene units there.
+fn at(view: &View, [x, y]: [f32; 2], distance: f32, pixels: f32) -> (Vec3, f32) {
+    let camera = view.scene.camera;
+    let raster = camera.raster(view.width, view.height);
+    // On the ray through the pixel's centre, so that even small objects are hit by a ray.
+    let d = raster.corner + raster.dx * x.floor() + raster.dy * y.floor();
+    let length = pixels * raster.dx.length() * distance;
+    (camera.eye + d * distance, length)
+}
+
+/// Returns a place in the picture at a power of 10 of the distance, and a length there by a power of 10 in pixels.
+fn anywhere(random: &mut Random, view: &View, far: [f32; 2], pixels: [f32; 2]) -> (Vec3, f32) {
+    let [x, y] = [view.width, view.height].map(|side| random.between(0.0, side as f32));
+    let distance = random.power(far[0], far[1]);
+    at(view, [x, y], distance, random.power(pixels[0], pixels[1]))
+}
+
+/// A view among the objects, in any direction, sometimes along an axis, without objects.
+fn among(random: &mut Random) -> View {
+    let eye = random.vector(vec3(-3.0, -2.0, -3.0), vec3(3.0, 2.0, 3.0));
+    let any = random.vector(Vec3::NEG_ONE, Vec3::ONE);
+    let direction = random.one_of([any, any, any, Vec3::X, Vec3::NEG_Z, Vec3::NEG_Y]);
+    let ahead = eye + direction + vec3(0.01, 0.0, 1e-3);
+    View {
+        scene: Scene {
+            camera: Camera::new(eye, ahead, random.between(0.2, 2.0)),
+            ..Scene::default()
+        },
+        width: 1 + random.below(160),
+        height: 1 + random.below(120),
+    }
+}
+
+/// Adds rectangles of all sizes, below the eye and above.
+fn add_planes(view: &mut View, random: &mut Random) {
+    for _ in 0..random.below(3) {
+        let centre = random.vector(vec3(-6.0, -3.0, -6.0), vec3(6.0, 3.0, 6.0));
+        let [x, z] = [0; 2].map(|_| random.power(-1.5, 1.5));
+        let plane = Plane::new(centre, x, z, Material::BLACK);
+        view.scene.planes.push(plane);
+    }
+}
+
+/// Adds spheres around the eye or next to it, in one of four scenes.
+fn add_around(view: &mut View, random: &mut Random) {
+    if random.below(4) == 0 {
+        let radius = random.between(0.05, 20.0);
+        let share = [random.between(0.0, 0.99), random.between(1.001, 2.0), 1.0];
+        let share = random.one_of(share);
+        let centre = view.scene.camera.eye + vec3(0.6, 0.0, 0.8) * (radius * share);
+        let sphere = Sphere::new(centre, radius, Material::BLACK);
+        view.scene.spheres.push(sphere);
+    }
+}
+
+/// Gives the objects colours, one step apart or more, at any scale.
+fn finished(view: View, random: &mut Random) -> View {
+    let coloured = coloured(&view.scene, random.one_of([1, 28]));
+    let decades = random.one_of([0.0, 4.0]);
+    View {
+        scene: scaled(&coloured, random.power(-decades, decades)),
+        ..view
+    }
+}
+
+/// Spheres from a tenth of a pixel to half the picture, planes, a few blocks and lamps.
+pub fn placed(random: &mut Random) -> View {
+    let mut view = among(random);
+    for _ in 0..1 + random.below(63) {
+        let (centre, radius) = anywhere(random, &view, [-0.3, 1.6], [-1.0, 1.6]);
+        let sphere = Sphere::new(centre, radius, Material::BLACK);
+        view.scene.spheres.push(sphere);
+    }
+    add_around(&mut view, random);
+    add_planes(&mut view, random);
+    for _ in 0..random.one_of([0, 0, 12]) {
+        add_block(&mut view, random, [-0.3, 1.6], [-1.0, 1.6], 1.0);
+    }
+    for _ in 0..random.below(3) {
+        let (position, drawn_radius) = anywhere(random, &view, [-0.3, 1.6], [-1.0, 1.6]);
+        view.scene.lights.push(Light {
+            drawn_radius,
+            ..Light::new(position, Vec3::ZERO)
+        });
+    }
+    finished(view, random)
+}
+
+/// Blocks from half a pixel to far larger than the picture, some around the eye, some very thin.
+pub fn placed_blocks(random: &mut Random) -> View {
+    let mut view = among(random);
+    for _ in 0..1 + random.below(31) {
+        let thin = [1.0, 1.0, random.between(1e-3, 0.1)];
+        let thin = random.one_of(thin);
+        add_block(&mut view, random, [-1.5, 1.5], [-0.3, 3.5], thin);
+    }
+    add_around(&mut view, random);
+    add_planes(&mut view, random);
+    finished(view, random)
+}
+
+/// Adds a cube, a rod or a slab in a bounding sphere, along the axes or turned, with thin sides a share as thick.
+fn add_block(view: &mut View, random: &mut Random, far: [f32; 2], pixels: [f32; 2], thin: f32) {
+    let (centre, radius) = anywhere(random, view, far, pixels);
+    let shares = [0; 3].map(|_| [1.0, random.between(0.02, 1.0)][random.below(2)]);
+    let mut block = solids::block(random, centre, Vec3::from(shares), Material::BLACK);
+    block.half *= radius / block.half.length();
+    block.half *= match block.shape {
+        Shape::Box => vec3(1.0, thin, 1.0),
+        Shape::Cylinder | Shape::Capsule => vec3(thin, 1.0, thin),
+    };
+    block.axes = random.one_of([Mat3::IDENTITY, block.axes, block.axes]);
+    view.scene.blocks.push(block);
+}
+
+/// Small spheres, each between the corners of a square of 8 pixels.
+pub fn between_corners() -> View {
+    let mut view = View {
+        scene: Scene::default(),
+        width: 320,
+        height: 240,
+    };
+    for row in 0..15 {
+        for column in 0..20 {
+            let pixel = [16 * column + 4, 16 * row + 4].map(|at| at as f32 + 0.1);
+            let (centre, radius) = at(&view, pixel, 10.0, 0.3 + 0.15 * column as f32);
+            let sphere = Sphere::new(centre, radius, Material::BLACK);
+            view.scene.spheres.push(sphere);
+        }
+    }
+    view.scene = coloured(&view.scene, 28);
+    view
+}

@@ -1,0 +1,81 @@
+//! Random numbers, and the seeds of cases.
+
+use glam::{Mat3, Quat, Vec3, vec3};
+
+/// A generator of pseudorandom numbers, SplitMix by Steele, Lea and Flood.
+#[derive(Clone, Debug)]
+pub struct Random {
+    pub seed: u64,
+    state: u64,
+}
+
+impl Random {
+    /// A generator for a seed.
+    pub const fn new(seed: u64) -> Self {
+        Self { seed, state: seed }
+    }
+
+    /// 64 random bits.
+    pub fn bits(&mut self) -> u64 {
+        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.state;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        bits ^ (bits >> 31)
+    }
+
+    /// A whole number below `end`.
+    pub fn below(&mut self, end: usize) -> usize {
+        (self.bits() % end as u64) as usize
+    }
+
+    /// A number from `low` to `high`.
+    pub fn between(&mut self, low: f32, high: f32) -> f32 {
+        low + (high - low) * ((self.bits() >> 40) as f32 / (1 << 24) as f32)
+    }
+
+    /// 0, or a number from `low` to `high`, equally often.
+    pub fn zero_or(&mut self, low: f32, high: f32) -> f32 {
+        [0.0, self.between(low, high)][self.below(2)]
+    }
+
+    /// 10 to a power from `low` to `high`.
+    pub fn power(&mut self, low: f32, high: f32) -> f32 {
+        10_f32.powf(self.between(low, high))
+    }
+
+    /// One of some values.
+    pub fn one_of<T: Copy, const N: usize>(&mut self, values: [T; N]) -> T {
+        values[self.below(N)]
+    }
+
+    /// A point in a box.
+    pub fn vector(&mut self, low: Vec3, high: Vec3) -> Vec3 {
+        let mut share = || self.between(0.0, 1.0);
+        low + (high - low) * vec3(share(), share(), share())
+    }
+
+    /// A colour.
+    pub fn colour(&mut self) -> Vec3 {
+        self.vector(Vec3::ZERO, Vec3::ONE)
+    }
+
+    /// The axes of something turned in any way.
+    pub fn turn(&mut self) -> Mat3 {
+        let turn = self.vector(Vec3::splat(-3.0), Vec3::splat(3.0));
+        Mat3::from_quat(Quat::from_scaled_axis(turn))
+    }
+}
+
+/// Returns a generator for each of `count` cases.
+///
+/// The environment variable `CASES` sets another count, and `FIRST_CASE` the first seed, which is 0 otherwise: a case that failed
+/// is repeated by its seed as `FIRST_CASE`, with `CASES=1`.
+pub fn cases(count: u64) -> impl Iterator<Item = Random> {
+    let number = |name: &str| {
+        let text = std::env::var(name).ok()?;
+        Some(text.parse::<u64>().expect("a number of cases"))
+    };
+    let first = number("FIRST_CASE").unwrap_or(0);
+    (first..first + number("CASES").unwrap_or(count)).map(Random::new)
+}
