@@ -1,85 +1,98 @@
-//! A ray tracer of animated scenes for the CPU, which traces few of a picture's pixels and fills the rest.
+//! A ray tracer for the CPU that draws animated scenes in real time. It traces few of the pixels and fills the rest.
 //!
 //! # A first picture
 //!
-//! A [`Scene`](scene::Scene) says what there is to see, a [`Quality`] how much may be left out, a [`Frame`] where the picture
-//! goes, and a [`Renderer`] makes it, by the best instruction set of the processor and on all of its cores:
+//! A [`Scene`](scene::Scene) describes what there is to see, a [`Quality`] trades accuracy for speed, a [`Frame`] has the pixels, and
+//! a [`Renderer`] draws, by the best instruction set of the processor and on all of its cores:
 //!
 //! ```
-//! use eightfold_tracer::glam::{Vec3, vec3};
-//! use eightfold_tracer::scene::{Light, List, Material, Scene, Sphere};
+//! use eightfold_tracer::glam::vec3;
+//! use eightfold_tracer::scene::{Light, Material, Scene, Sphere};
 //! use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 //!
-//! // The camera stands at z = 1 and looks at the origin, unless told otherwise.
-//! let scene = Scene {
-//!     spheres: List::of(&[Sphere {
-//!         centre: vec3(0.0, 0.0, -1.0),
-//!         radius: 0.5,
-//!         material: Material {
-//!             colour: vec3(1.0, 0.3, 0.1),
-//!             kd: 0.8,
-//!             ..Material::BLACK
-//!         },
-//!     }]),
-//!     lights: List::of(&[Light {
-//!         position: vec3(-2.0, 3.0, 2.0),
-//!         colour: Vec3::ONE,
-//!         ..Light::DARK
-//!     }]),
-//!     ..Scene::default()
-//! };
+//! // The default camera is at z = 1 and looks at the origin.
+//! let mut scene = Scene::default();
+//! let red = Material::matt(vec3(1.0, 0.3, 0.1), 0.8);
+//! scene.spheres.push(Sphere::new(vec3(0.0, 0.0, -1.0), 0.5, red));
+//! scene.lights.push(Light::default());
 //!
-//! let (width, height) = (320, 240);
+//! let (width, height) = (400, 225);
 //! let mut pixels = vec![0; width * height];
 //! let frame = Frame::new(width, height, &mut pixels);
 //! let mut renderer = Renderer::detect();
 //! let mut threads = ScopedThreads::new();
 //! let counts = renderer.render(&scene, &Quality::DEFAULT, frame, &mut threads)?;
 //!
-//! // The sphere is red in the middle, and black lies around it.
+//! // The sphere is red, the corner is black, and few pixels have a point of their own.
 //! let [_, red, green, _] = pixels[height / 2 * width + width / 2].to_be_bytes();
 //! assert!(red > 100 && green < red / 2);
 //! assert_eq!(pixels[0], 0);
-//! // Most pixels were filled without a ray of their own.
-//! assert!(counts.points < 320 * 240 / 4);
+//! assert!(counts.points < 400 * 225 / 10);
 //! # Ok::<(), eightfold_tracer::Error>(())
 //! ```
 //!
-//! [`Scene::validate`](scene::Scene::validate) says what is wrong with a scene, by the name of the number, and
-//! [`Renderer::render`] asks it. The repository's `examples` write such a picture to a file, show it in a window, measure what
-//! each quality costs, draw the squares, and play an intro of ten seconds.
+#![doc = concat!("![A red sphere](data:image/webp;base64,", include_str!("pictures/first.txt"), ")")]
 //!
-//! # How it comes about
+//! # Shapes, materials and lights
 //!
-//! The picture is cut into squares of 8 pixels. Only their corners are traced. Where the four corners of a square have
-//! similar colours, show the same object, and have the same light on it, the square is filled with colours between theirs;
-//! elsewhere it is split into four, down to single pixels. What an object between corners would look like is not left to
-//! chance: a square is also split where an object may be seen that none of its corners shows.
+//! Spheres, boxes, cylinders, capsules and planes; matt, mirrors, metal, glass and patterns; points, suns, spotlights and lamps with a
+//! size, whose shadows are soft:
 //!
-//! A module per stage, from the scene to the pixels:
+//! ```
+//! use eightfold_tracer::glam::{Mat3, Vec3, vec3};
+//! use eightfold_tracer::scene::*;
 //!
-//! | stage | module |
-//! | --- | --- |
-//! | what there is to draw: a camera, primitives, lights, captions, copper bars | [`scene`] |
-//! | what trades accuracy for speed, as one struct | [`Quality`] |
-//! | what only one shape knows, such as where rays meet it | `shapes` |
-//! | what every ray of a frame uses, computed once | `prepare` |
-//! | how a frame is drawn, settled once | `plan` |
-//! | rays to colours and keys, as many side by side as the instruction set holds | `trace` |
-//! | which points to trace, and which squares to fill or to split | `refine` |
-//! | captions and copper bars over a finished picture | `overlay` |
-//! | a frame: bands of the picture, by one thread or several | [`Renderer`] |
+//! let floor = Material::matt(Vec3::ONE, 0.6).with_pattern(Pattern::checkers(1.0, 0.7));
+//! let gold = Material::metal(vec3(1.0, 0.75, 0.4));
+//! let cube = Block::new(Shape::Box, vec3(-1.2, 0.5, 0.8), Vec3::splat(0.5), gold);
+//! let axes = Mat3::from_rotation_y(0.6);
+//! let scene = Scene {
+//!     camera: Camera::new(vec3(0.0, 2.0, -6.0), vec3(0.0, 0.7, 0.0), 0.6),
+//!     background: vec3(0.5, 0.6, 0.8),
+//!     ambient: Vec3::splat(0.2),
+//!     planes: List::of(&[Plane::new(Vec3::ZERO, 20.0, 20.0, floor)]),
+//!     blocks: List::of(&[Block { axes, ..cube }]),
+//!     spheres: List::of(&[Sphere::new(vec3(0.6, 0.8, 0.0), 0.8, Material::glass(1.5))]),
+//!     lights: List::of(&[
+//!         Light::sun(vec3(-3.0, 6.0, -4.0), Vec3::splat(0.6)),
+//!         Light::spotlight(vec3(0.0, 6.0, 0.0), Vec3::NEG_Y, 0.4, Vec3::splat(0.7)),
+//!     ]),
+//!     ..Scene::default()
+//! };
+//! assert_eq!(scene.validate(), Ok(()));
+//! ```
 //!
-//! Beside it: [`Governor`], which chooses a quality by how long frames take; [`observe`], which tells how a frame came about;
-//! [`limits`], how far the numbers can be trusted. At the bottom, `lanes` holds the vectors that kernels are written in, [`maths`]
-//! functions of single numbers, [`font`] the letters.
+#![doc = concat!("![A glass ball and a golden cube on checkers](data:image/webp;base64,", include_str!("pictures/table.txt"), ")")]
 //!
-//! # Accuracy for speed
+//! [`Scene::validate`](scene::Scene::validate) names the first number that is out of its range, and [`Renderer::render`] calls it.
+//!
+//! # The squares
+//!
+//! The picture is cut into squares of 8 pixels. Only their corners are traced. A square is filled with colours between its corners' if
+//! these are similar, and if the corners show the same objects in the same light. Other squares are split into four, down to single
+//! pixels. A square is also split if an object, a shadow on a plane, a reflection in the first plane or a highlight may be visible in it
+//! that none of its corners shows. A [`Method`](scene::Method) draws the squares over the same scene:
+//!
+//! ```
+//! # use eightfold_tracer::scene::*;
+//! # let mut scene = Scene::default();
+//! scene.method = Method {
+//!     squares: 0.5,
+//!     picture: 0.7,
+//!     ..Method::PLAIN
+//! };
+//! ```
+//!
+#![doc = concat!("![The same with the squares that were filled](data:image/webp;base64,", include_str!("pictures/squares.txt"), ")")]
+//!
+//! An [`Observer`](observe::Observer) receives the points and squares as data.
+//!
+//! # Quality
 //!
 //! [`Quality::EXHAUSTIVE`] traces every pixel. The [`Quality::LADDER`] has seven rungs, from one that can hardly be told from
-//! it to one that is for slow machines; [`Quality::DEFAULT`] is in the middle. A [`Governor`] walks the ladder so that frames
-//! come in time: it is told how long each frame took, and has no clock itself. A frame can tell how accurate it is
-//! ([`Frame::with_probes`]), and an [`AccuracyGovernor`] holds that instead.
+//! it to one for slow machines; [`Quality::DEFAULT`] is in the middle. A [`Governor`] steps along the ladder to hold a frame rate, by
+//! the time that each frame took. A frame can measure its own error ([`Frame::with_probes`]), and an [`AccuracyGovernor`] holds an
+//! accuracy by that. [`limits`] has the figures of accuracy, and the conditions for them.
 //!
 //! # Memory and threads
 //!
@@ -124,10 +137,10 @@
 //! The bits of a picture are no promise between versions, nor are the numbers of [`Quality::LADDER`]; the figures of [`limits`] are.
 //! [`glam`] and [`Level`] are those of `glam` and `fearless_simd`: where these break, so does this crate, by a new major version.
 //!
-//! # When something is wrong
+//! # Errors
 //!
-//! Whatever can't be rendered is an [`Error`], which is displayed as a sentence that says what to mend. [`Renderer::render_valid`]
-//! is for scenes that are known to be valid: it leaves them unchecked, and panics where a size or a quality is out of its range.
+//! [`Renderer::render`] returns an [`Error`], whose text says what to change. [`Renderer::render_valid`] is for scenes that are known
+//! to be valid: it does not check them, and panics if a size or a quality is out of its range.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -135,34 +148,26 @@
 #[cfg(feature = "std")]
 extern crate std;
 
-// Leaves: what needs no other module.
+mod counts;
+mod coverage;
 mod flaw;
 pub mod font;
-mod lanes;
-pub mod maths;
-
-// Where it is drawn, and what it took.
-mod counts;
-mod picture;
-
-// What is drawn.
-pub mod scene;
-
-// How it is drawn.
-mod coverage;
+mod governor;
 mod grid;
+mod lanes;
+pub mod limits;
+pub mod maths;
 pub mod observe;
 mod overlay;
+mod picture;
 mod plan;
 mod prepare;
 mod quality;
 mod refine;
 mod render;
+pub mod scene;
 mod shapes;
 mod trace;
-
-mod governor;
-pub mod limits;
 
 pub use counts::{Counts, Probes};
 pub use fearless_simd::Level;
