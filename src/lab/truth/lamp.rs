@@ -16,8 +16,6 @@ pub struct Lamp<'a> {
     position: DVec3,
     /// The radius of the sphere that shines; 0 for a point.
     radius: f64,
-    /// The radius of the sphere that the eye sees; 0 for none.
-    drawn_radius: f64,
 }
 
 /// Light of a lamp that arrives at a point.
@@ -36,11 +34,6 @@ impl<'a> Lamp<'a> {
             light,
             position: reach(light) * light.position.as_dvec3(),
             radius: 0.5 * reach(light) * f64::from(light.diameter),
-            drawn_radius: if light.parallel {
-                0.0
-            } else {
-                light.drawn_radius.into()
-            },
         }
     }
 
@@ -84,8 +77,9 @@ impl<'a> Lamp<'a> {
 
     /// Returns the distance at which the eye sees the lamp along a ray, and the lamp's colour.
     pub fn seen(&self, ray: Ray) -> Option<(f64, DVec3)> {
-        let t =
-            sphere(ray, self.position, self.drawn_radius).filter(|_| self.drawn_radius > 0.0)?;
+        let radius = f64::from(self.light.drawn_radius);
+        let is_drawn = radius > 0.0 && !self.light.parallel;
+        let t = is_drawn.then(|| sphere(ray, self.position, radius))??;
         Some((t, self.light.colour.as_dvec3()))
     }
 }
