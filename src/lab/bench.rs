@@ -1,4 +1,4 @@
-//! `lab bench`: how fast frames are drawn, and how far they are from frames with every pixel traced.
+//! `lab bench`: measures the speed of frames, and their error against frames with every pixel traced.
 
 use crate::arguments::{self, NamedQuality, Size, distinct};
 use crate::interrupt::{self, Stopped};
@@ -12,7 +12,7 @@ use clap::Args;
 use eightfold_window::cpu::{self, Isa};
 use std::path::{Path, PathBuf};
 
-/// Measures how fast frames are drawn, and what that costs in accuracy
+/// Measures the speed and the error of frames
 ///
 /// Prints a Markdown table. Exhaustive frames, every pixel traced, are always measured: the others are compared with them. Settings
 /// take turns, frame by frame. By one thread a frame's time is the thread's on a processor. Ctrl-C prints and writes the figures so
@@ -24,7 +24,7 @@ pub struct Arguments {
     /// Width and height in pixels; may be given several times
     #[arg(long, value_name = "WxH", default_value = "1024x768")]
     size: Vec<Size>,
-    /// Threads that share the work; may be given several times [default: as many as there are processors]
+    /// Threads that share the work; may be given several times [default: the number of processors]
     #[arg(long, value_name = "N", value_parser = arguments::threads)]
     threads: Vec<usize>,
     /// How frames are refined: exhaustive, thesis, or one of the ladder, from finest to fastest; may be given several times

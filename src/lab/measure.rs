@@ -64,7 +64,7 @@ pub struct Shot {
     pub views: Vec<Vec<f32>>,
 }
 
-/// Seconds per frame of frames in a row: those of most screens.
+/// Seconds per frame of frames in a row, as on most screens.
 const FRAME: f32 = 1.0 / 60.0;
 /// The frames after the first one of a view.
 const FOLLOWING: usize = 10;
@@ -112,7 +112,7 @@ pub struct Setting {
 /// The results of a technique in a setting.
 #[derive(Clone, Default)]
 pub struct Run {
-    /// The milliseconds of each frame: by one thread those on a processor, which other programs do not lengthen.
+    /// The milliseconds of each frame: real time, or the time on a processor if there is one thread, which other programs do not lengthen.
     pub times: Vec<f64>,
     /// The work of all frames together.
     pub counts: Counts,

@@ -1,4 +1,4 @@
-//! `lab report`: runs the commands that stand in README.md and the pages in `docs`, and puts what they print below them.
+//! `lab report`: runs the commands in README.md and the pages in `docs`, and replaces their output.
 
 use crate::output;
 use anyhow::{Context, Result, ensure};
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
-/// Runs the commands in the marked parts of README.md and docs/*.md again, and replaces what they printed before
+/// Runs the commands in the marked parts of README.md and docs/*.md again, and replaces their output
 ///
 /// A part begins with a line <!-- lab report NAME --> and ends with <!-- lab report end -->. Its indented lines are commands for sh.
 /// Where a part has pictures, the commands draw them, and its text stays. All pages are written at the end.

@@ -146,10 +146,10 @@ const COLUMNS: [Column<Row>; 20] = [
     ("FLIP to 64", |row| known(row.flip_to_64, 4)),
 ];
 
-/// The titles of errors.
+/// The titles of the columns of errors.
 const ERRORS: &str = "PSNR, PSNR worst, over 8/255, pops, FLIP, PSNR to 64, FLIP to 64";
 
-/// Returns a Markdown table with columns of these titles and those of errors.
+/// Returns a Markdown table with columns of these titles and the columns of errors.
 pub fn table<'a>(titles: &str, rows: impl IntoIterator<Item = &'a Row> + Clone) -> String {
     let titles = titles.split(", ").chain(ERRORS.split(", "));
     let column = |title| COLUMNS.into_iter().find(|column| column.0 == title);

@@ -53,7 +53,7 @@ impl Seen {
     }
 }
 
-/// Returns the number of pixels that change from a frame to the next while those of the reference stay.
+/// Returns the number of pixels that change from a frame to the next while the reference's stay.
 pub fn pops(references: [&[u32]; 2], frames: [&[u32]; 2]) -> usize {
     let change = |[before, after]: [&[u32]; 2], i: usize| worst_channel(before[i], after[i]);
     let pixels = 0..frames[0].len();

@@ -17,8 +17,8 @@ use std::path::{Path, PathBuf};
 
 /// Draws frames of the show as PNG files, a video or a contact sheet, and writes their sound
 ///
-/// The bytes of a frame depend on its number and the flags, and not on the machine, the number of threads or the range. So ranges
-/// of a long capture can be drawn by several machines.
+/// The bytes of a frame depend on its number and the flags, and neither on the number of threads nor on the range; AVX2 and AVX-512
+/// draw the same. Several machines can therefore draw ranges of a long capture.
 #[derive(Args)]
 #[command(
     group(ArgGroup::new("pictures").args(["png", "video", "sheet"])),
@@ -43,7 +43,7 @@ pub struct Arguments {
     /// The first frame; the scene begins with frame 0
     #[arg(long, value_name = "FRAME", default_value = "0", value_parser = arguments::frame)]
     from: usize,
-    /// The frame to end before [default: the scene's end]
+    /// The frame after the last [default: the scene's end]
     #[arg(long, value_name = "FRAME", value_parser = arguments::frame)]
     to: Option<usize>,
     /// Frames per second

@@ -1,4 +1,4 @@
-//! `lab size`: lists what the intro's bytes are spent on.
+//! `lab size`: lists the sections, crates and functions of the intro by size.
 
 mod packed;
 pub mod program;
@@ -14,11 +14,11 @@ use std::fmt::{self, Write};
 use std::fs;
 use std::path::Path;
 
-/// Builds the intro and prints what its bytes are: sections, crates, and the largest functions, as Markdown tables
+/// Builds the intro and prints the sizes of its sections, crates and largest functions as Markdown tables
 ///
-/// `bytes` are those of the program as it is linked and loaded, `packed` what is left of them in the file that ships: the
-/// packer's cost of each byte, summed up. A generic function counts for the crate that it was compiled with, where the linker
-/// tells; the instances of a crate count together. What was inlined is in the function that it was inlined into.
+/// `bytes` is the size in the linked program, `packed` the size in the file that ships: the sum of the packer's costs. A generic
+/// function counts for the crate that it was compiled with, if the linker has recorded it; all its instances in a crate are one row.
+/// Inlined code counts for the function around it.
 #[derive(Args)]
 pub struct Arguments {
     /// Of the intro for Windows

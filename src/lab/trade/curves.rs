@@ -11,7 +11,7 @@ use serde::Serialize;
 
 /// The frames of each point of a curve.
 const FRAMES: usize = 7;
-/// The sides of the pictures, as multiples of those that are asked for.
+/// The sides of the pictures, as multiples of `--size`.
 const SCALES: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 2.8];
 /// The numbers of small spheres.
 const SPHERES: [usize; 10] = [1, 2, 4, 8, 16, 32, 64, 128, 256, MAX_SPHERES];

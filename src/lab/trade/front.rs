@@ -3,8 +3,8 @@
 use crate::row::Row;
 use eightfold_tracer::Quality;
 
-/// Marks the rows that keep the rules of the product, and that no other of these beats in speed, FLIP and pops at once. Where these
-/// were not measured, before Ctrl-C, the front is that of speed against PSNR.
+/// Marks the rows that keep the rules of the product and are not beaten by another of them in speed, FLIP and pops at once. After
+/// Ctrl-C, FLIP and pops are unknown: PSNR replaces them.
 pub fn mark(rows: &mut [Row]) {
     let costs = |row: &Row| match (row.flip_mean, row.pops) {
         (Some(flip), Some(pops)) => [-row.speedup, flip, pops],

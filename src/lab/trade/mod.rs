@@ -1,4 +1,4 @@
-//! `lab trade`: measures what speed costs in accuracy, dial by dial.
+//! `lab trade`: measures the gain in speed and the cost in accuracy of each dial of the quality.
 
 mod curves;
 mod front;
@@ -20,10 +20,10 @@ use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Turns every dial of the quality, and measures what that gains in speed and costs in accuracy
+/// Measures the gain in speed and the cost in accuracy of each dial of the quality
 ///
-/// Writes trade.json and plots as SVG into a folder, and prints a Markdown table of the Pareto front: the settings than which no
-/// other is faster, nearer by FLIP and with fewer pops at once, of those that compare colours, objects and lights and miss no object.
+/// Writes trade.json and plots as SVG into a folder, and prints a Markdown table of the Pareto front. A setting is on the front if it
+/// compares colours, objects and lights, misses no object, and no other such setting is better in speed, FLIP and pops at once.
 /// Speed is a ratio to exhaustive frames, every pixel traced, by one thread; errors are against the same frames. Ctrl-C writes the
 /// figures so far.
 ///

@@ -1,4 +1,4 @@
-//! The settings to measure: each dial by itself, then combinations of those that save time.
+//! The settings to measure: each dial by itself, then combinations of dials that save time.
 
 use crate::arguments::NamedQuality;
 use crate::measure::Technique;
@@ -73,21 +73,18 @@ pub fn techniques() -> Vec<Technique> {
             });
         }
     }
-    for square in [8, 16] {
-        for tolerance in TOLERANCES {
-            for (depth, least_contribution) in FOLLOWED {
-                let mut quality = Quality {
-                    square,
-                    depth,
-                    least_contribution,
-                    ..Quality::DEFAULT
-                };
-                set_tolerance(&mut quality, tolerance);
-                let name = format!(
-                    "square {square}, tolerance {tolerance}, depth {depth}, contribution {least_contribution}"
-                );
-                add(name, quality);
-            }
+    for tolerance in TOLERANCES {
+        for (depth, least_contribution) in FOLLOWED {
+            let mut quality = Quality {
+                depth,
+                least_contribution,
+                ..Quality::DEFAULT
+            };
+            set_tolerance(&mut quality, tolerance);
+            add(
+                format!("tolerance {tolerance}, depth {depth}, contribution {least_contribution}"),
+                quality,
+            );
         }
     }
     all

@@ -62,7 +62,7 @@ fn every_dial_is_measured_and_plotted() {
         "thesis, keys 1/1",
         "thesis, highlight 0.250",
         "thesis, differing 9",
-        "square 16, tolerance 9, depth 3, contribution 0.05",
+        "tolerance 9, depth 3, contribution 0.05",
     ] {
         assert!(rows.iter().any(|row| row["quality"] == name), "{name}");
     }
