@@ -163,11 +163,6 @@ impl Section {
         let first = self.range.start;
         (end <= self.range.len() as u64).then(|| first + start as usize..first + end as usize)
     }
-
-    /// The address of a place in the file.
-    pub fn address_of(&self, place: usize) -> u64 {
-        self.address + (place - self.range.start) as u64
-    }
 }
 
 /// A number of so many bytes; 0 if it is not there.

@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | a model of programs, which says how likely the next bit is 1 | `model` |
 //! | bytes packed by it, and back | [`pack`], [`unpack`] |
-//! | what panics have for messages, left out | `panics`, `aborts` |
+//! | what panics have for messages, left out | `panics` |
 //! | an executable packed, and back | [`pack_executable`], [`unpack_executable`] |
 //! | what each byte takes of the packed file | [`costs`] |
 //! | what starts a packed executable | `stub`: a program of its own, with the model in it |
@@ -58,7 +58,6 @@
 //! bytes); a longer history (none); other sets of weights, by opcodes, lengths or destinations (none). More is in `docs/size.md`.
 #![deny(missing_docs, unsafe_code)]
 
-mod aborts;
 pub mod build;
 mod costs;
 mod elf;

@@ -35,7 +35,7 @@ pub fn strip(program: &[u8]) -> Result<Vec<u8>, Error> {
     });
     // Leave out the reports of panics, and blank the sections for unwinding.
     let mut program = program.to_vec();
-    panics::simplify(&mut program)?;
+    panics::blank_locations(&mut program)?;
     if let [Some(calls), Some(slots)] = lookups
         && is_bound_at_start
     {

@@ -127,15 +127,10 @@ impl Reader {
         self.features[number % FEATURES]
     }
 
-    /// Whether the next byte begins an instruction.
-    pub fn is_between_instructions(&self) -> bool {
-        self.feature(KIND) == START
-    }
-
     /// Where an instruction that has just ended has the four bytes of an offset from its end to something else. It says so once.
     #[inline(always)]
     pub fn ended_offset(&mut self) -> Option<usize> {
-        if !self.is_between_instructions() {
+        if self.feature(KIND) != START {
             return None;
         }
         let offset = core::mem::take(&mut self.offset);

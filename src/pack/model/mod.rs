@@ -18,12 +18,11 @@ mod slot;
 
 pub use addresses::to_address;
 pub use coder::{Coder, Decoder};
-pub use machine_code::Reader;
 
 use lanes::Lanes;
 use machine_code::{
     AFTER_MATCH, DESTINATION, EXTENSION, FIRST, KIND, LENGTH, MATCH, OPCODE, OPERAND, PLACE,
-    PREFIXES, SAME_OPCODE, SAME_OPERAND, SOURCE, TARGET, before,
+    PREFIXES, Reader, SAME_OPCODE, SAME_OPERAND, SOURCE, TARGET, before,
 };
 use mixer::Mixer;
 use slot::{HISTORIES, OPPOSITE, Rates, Slot, Slots};

@@ -9,7 +9,6 @@ mod blit;
 pub mod clock;
 mod listener;
 pub mod memory;
-mod palette;
 mod start;
 pub mod threads;
 pub mod window;

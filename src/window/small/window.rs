@@ -10,7 +10,6 @@ use x11_dl::xlib;
 use super::{
     blit::Frames,
     listener::Listener,
-    palette::set_palette,
     x11::{self, Place, Toplevel, Xlib, keys},
 };
 use crate::{
@@ -49,13 +48,14 @@ impl Window {
         // SAFETY: the display is open.
         let (top, frames) = unsafe {
             let screen = &*(x.XDefaultScreenOfDisplay)(display);
-            // Make a window of the least size, with memory for its frames.
             let image = x11::picture(x, display);
+            if (*image).red_mask == 0 {
+                // Its pixels are numbers in a table of colours.
+                return Err("X display without colours");
+            }
+            // Make a window of the least size, with memory for its frames.
             let window = (x.XCreateSimpleWindow)(display, screen.root, 0, 0, 1, 1, 0, 0, 0);
             let top = Toplevel::new(x, display, window);
-            if (*image).red_mask == 0 {
-                set_palette(&top, image)?;
-            }
             let frames = Frames::new(&top, image, screen.default_gc);
             (top, frames)
         };

@@ -16,7 +16,6 @@ loaded! {
     Loaded, XLIB_NAMES:
     fn XChangeProperty(*mut Display, Window, Atom, Atom, c_int, c_int, *const c_uchar, c_int) -> c_int;
     fn XCreateBitmapFromData(*mut Display, Drawable, *const c_char, c_uint, c_uint) -> Pixmap;
-    fn XCreateColormap(*mut Display, Window, *mut Visual, c_int) -> Colormap;
     fn XCreateImage(*mut Display, *mut Visual, c_uint, c_int, c_int, *mut c_char, c_uint, c_uint, c_int, c_int) -> *mut XImage;
     fn XCreatePixmapCursor(*mut Display, Pixmap, Pixmap, *mut XColor, *mut XColor, c_uint, c_uint) -> Cursor;
     fn XCreateSimpleWindow(*mut Display, Window, c_int, c_int, c_uint, c_uint, c_uint, c_ulong, c_ulong) -> Window;
@@ -24,7 +23,6 @@ loaded! {
     fn XDefineCursor(*mut Display, Window, Cursor) -> c_int;
     fn XGetWindowAttributes(*mut Display, Window, *mut XWindowAttributes) -> Status;
     fn XInitImage(*mut XImage) -> Status;
-    fn XInstallColormap(*mut Display, Colormap) -> c_int;
     fn XInternAtom(*mut Display, *const c_char, Bool) -> Atom;
     fn XListProperties(*mut Display, Window, *mut c_int) -> *mut Atom;
     fn XMapRaised(*mut Display, Window) -> c_int;
@@ -39,8 +37,6 @@ loaded! {
     fn XSetIOErrorHandler(unsafe extern "C" fn(*mut Display) -> c_int) -> *mut c_void;
     fn XSetInputFocus(*mut Display, Window, c_int, Time) -> c_int;
     fn XSetWMProtocols(*mut Display, Window, *mut Atom, c_int) -> Status;
-    fn XSetWindowColormap(*mut Display, Window, Colormap) -> c_int;
-    fn XStoreColors(*mut Display, Colormap, *mut XColor, c_int) -> c_int;
     fn XStoreName(*mut Display, Window, *const c_char) -> c_int;
     fn XSync(*mut Display, Bool) -> c_int;
     fn XTranslateCoordinates(*mut Display, Window, Window, c_int, c_int, *mut c_int, *mut c_int, *mut Window) -> Bool;
