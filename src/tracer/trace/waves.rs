@@ -66,13 +66,16 @@ fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, seen: F<S>) -> [F<S>
     let finest = Waves::FINEST * per_unit;
     while per_unit < finest {
         let share = at_least::<S>(seen * (per_unit * -Waves::PIXELS) + 1.0, zero);
-        if !share.simd_gt(zero).any_true() {
+        let is_seen = share.simd_gt(zero);
+        if !is_seen.any_true() {
             // Nor is any of the shorter ones seen.
             break;
         }
         let u = (x * along_x + z * along_z) * per_unit - phase;
         let u = off_integer::<S>(u);
         let rise = u * (u.abs() * -2.0 + 1.0) * share * (8.0 * waves.slope);
+        // Also where invalid numbers make NaN of it: the other lanes decide whether this wave is added.
+        let rise = is_seen.select(rise, zero);
         slope_x += rise * along_x;
         slope_z += rise * along_z;
         let [cosine, sine] = TURN;
