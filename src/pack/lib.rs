@@ -1,18 +1,18 @@
 //! Packs the intro when it is linked, and unpacks it when it starts.
 //!
-//! | what | where |
+//! | part | where |
 //! | --- | --- |
-//! | a model of programs, which says how likely the next bit is 1 | `model` |
-//! | bytes packed by it, and back | [`pack`], [`unpack`] |
-//! | what panics have for messages, left out | `panics` |
-//! | an executable packed, and back | [`pack_executable`], [`unpack_executable`] |
-//! | what each byte takes of the packed file | [`costs`] |
-//! | what starts a packed executable | `stub`: a program of its own, with the model in it |
-//! | the intro's build script, and its linker | [`build`] |
+//! | a model of x86 code, which predicts the next bit | `model` |
+//! | packing of bytes by it, and unpacking | [`pack`], [`unpack`] |
+//! | packing of an executable, and unpacking | [`pack_executable`], [`unpack_executable`] |
+//! | blanking of panic locations | `panics` |
+//! | the packed size of each byte | [`costs`] |
+//! | the code that starts a packed executable | `stub`: a program of its own that includes the model |
+//! | the intro's build script and linker | [`build`] |
 //!
 //! # Why a packer of our own
 //!
-//! The intro of 116,673 bytes takes so many when packed by
+//! Sizes of an intro of 116,673 bytes:
 //!
 //! | packer | packed | unpacker | time to unpack |
 //! | --- | ---: | ---: | ---: |
@@ -23,39 +23,14 @@
 //!
 //! # The same bytes on every machine
 //!
-//! The model computes with integers alone, in a fixed order, by one function for both sides. A slot of its table is found by a hash
-//! of what was read, not by an address. So what is packed depends on the bytes that are packed and on nothing else; a test holds
-//! SSE2 to the plain loops that take its place on other processors.
+//! The model computes with integers only, in a fixed order, by one function for both sides. It finds the slots of its table by hashes
+//! of the bytes read. So the packed bytes depend on the input only; a test compares SSE2 with the plain loops for other processors.
 //!
-//! # How long it takes
+//! # Time
 //!
-//! `time target/release/eightfold --version` unpacks all and does next to nothing else: about 1.1 microseconds a byte. What that
-//! came from, and what it takes of the packed file, which had 63,659 bytes:
-//!
-//! | step | time | bytes |
-//! | --- | ---: | ---: |
-//! | before | 0.25 s | |
-//! | memory in huge pages, where the system has them | -0.03 s | +40 |
-//! | slots learn four at a time, by SSE2 | -0.04 s | +350 |
-//! | a third set of weights, for each byte that may come before | +0.01 s | -600 |
-//! | contexts searched anew | | -270 |
-//! | what the same field of instructions held before, as a context | | -220 |
-//! | faster steps of slots that have seen little | | -63 |
-//! | contexts, rates and first weights searched again, when it had 64,563 bytes | | -182 |
-//! | sixteen contexts, not twelve; histories of pairs; features for operations, destinations, pages, operands | +0.07 s | -935 |
-//! | two buckets for each hash, of which what was seen less goes | | -506 |
-//! | logits of pairs limited | | -121 |
-//! | a lowest rate of slots | | -45 |
-//! | sets of weights by reference | -0.02 s | -16 |
-//! | the loader packed with the program, when it had 65,287 bytes | | -427 |
-//! | contexts that expect a byte, targets of jumps as a feature | | -697 |
-//! | what followed the last bytes before, as such a byte; eighteen contexts; a fourth set of weights | +0.04 s | -612 |
-//! | slots found four at a time, constants made by instructions | -0.02 s | -132 |
-//! | contexts searched again | | -98 |
-//!
-//! Tried, and not worth it: prefetching the buckets, the hash of a context once a byte, inputs put together in registers (none
-//! changes more than the measure's noise); four buckets for each hash (-76 bytes, +0.03 s); 32 MB of buckets (no less time, +220
-//! bytes); a longer history (none); other sets of weights, by opcodes, lengths or destinations (none). More is in `docs/size.md`.
+//! `time target/release/eightfold --version` is nearly all unpacking: 1.1 microseconds a byte. Huge pages save 0.03 s, SSE2 for slots
+//! 0.04 s. Tried without success: prefetching the buckets, one hash of a context per byte, inputs built in registers, 32 MB of buckets,
+//! four buckets for each hash (-76 bytes, +0.03 s), other sets of weights. `docs/size.md` has more.
 #![deny(missing_docs, unsafe_code)]
 
 pub mod build;
