@@ -1,28 +1,10 @@
-// Chromium without a screen, by its DevTools protocol over a pipe, and a server of files for it.
+// Chromium without a screen, by its DevTools protocol over a pipe.
 
 import { spawn } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
-import { createServer } from "node:http";
+import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { extname, join, normalize } from "node:path";
-
-const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
-
-/** Serves a folder, with more headers. Returns its address, and how to end it. */
-export async function serve(folder, headers = {}) {
-  const server = createServer((request, response) => {
-    const path = normalize(new URL(request.url, "http://localhost").pathname);
-    try {
-      const file = join(folder, path.endsWith("/") ? path + "index.html" : path);
-      const bytes = readFileSync(file);
-      response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "text/plain", ...headers }).end(bytes);
-    } catch {
-      response.writeHead(404).end();
-    }
-  });
-  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-  return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
-}
+import { join } from "node:path";
+import { Driver } from "./driver.mjs";
 
 /** A browser, with more options. */
 export class Browser {
@@ -67,6 +49,11 @@ export class Browser {
     return page;
   }
 
+  /** A page of a browser of its own. */
+  static page(address) {
+    return new Browser().open(address);
+  }
+
   async end() {
     const ended = new Promise((resolve) => this.process.once("exit", resolve));
     this.process.kill();
@@ -82,8 +69,9 @@ export class Browser {
   }
 }
 
-class Page {
+class Page extends Driver {
   constructor(browser, session) {
+    super();
     Object.assign(this, { browser, session, messages: [], workers: [] });
     browser.listeners.push(({ method, params, sessionId }) => {
       if (method === "Target.attachedToTarget" && sessionId === session) this.workers.push(params.sessionId);
@@ -116,13 +104,8 @@ class Page {
     return result.value;
   }
 
-  /** Waits until an expression is true. */
-  async until(expression) {
-    for (let turn = 0; turn < 600; turn++) {
-      if (await this.value(expression)) return;
-      await new Promise((resolve) => setTimeout(resolve, 100));
-    }
-    throw new Error(`not within a minute: ${expression}`);
+  end() {
+    return this.browser.end();
   }
 
   /** Clicks on the middle of an element. */
@@ -136,10 +119,14 @@ class Page {
     return this.send("Input.dispatchMouseEvent", { type, x, y, button: isDown ? "left" : "none", buttons: isDown ? 1 : 0, clickCount: type === "mouseMoved" ? 0 : 1 });
   }
 
-  async key(key, code = key, hasShift = false) {
-    const text = key.length === 1 ? key : undefined;
-    const modifiers = hasShift ? 8 : 0;
-    for (const type of ["keyDown", "keyUp"]) await this.send("Input.dispatchKeyEvent", { type, key, code, text, modifiers });
+  /** Presses a key. It is repeated `repeats` times until it is released. */
+  async key(key, code = key, hasShift = false, repeats = 0) {
+    const text = key === "Enter" ? "\r" : key.length === 1 ? key : undefined;
+    const event = { key, code, text, modifiers: hasShift ? 8 : 0 };
+    for (let press = 0; press <= repeats; press++) {
+      await this.send("Input.dispatchKeyEvent", { type: "keyDown", ...event, autoRepeat: press > 0 });
+    }
+    await this.send("Input.dispatchKeyEvent", { type: "keyUp", ...event });
   }
 
   /** A screenshot as a PNG file, of what is seen or of all of the page. */

@@ -8,7 +8,8 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "n
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { Browser, serve } from "./chromium.mjs";
+import { Browser } from "./chromium.mjs";
+import { run, serve, sleep } from "./driver.mjs";
 
 const [folder, intro, samples, screenshots, word = ""] = process.argv.slice(2);
 const site = await serve(folder);
@@ -16,14 +17,7 @@ const isolated = await serve(folder, { "cross-origin-opener-policy": "same-origi
 const browser = new Browser();
 const page = await browser.open(site.address);
 
-/** A frame of the page's, as bytes of red, green and blue, by an expression for what draws it. */
-const frame = async (order, frames = "eightfold.frames", by = page) => Buffer.from(await by.value(`(async () => {
-  const { bytesOf } = await import("./frames.js");
-  const bytes = bytesOf(await ${frames}.draw(${JSON.stringify(order)})).filter((_, i) => i % 4 < 3);
-  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
-})()`), "base64");
-
-/** The same by the intro. */
+/** A frame by the intro. */
 function still({ scene: { time }, width, height }, quality) {
   const options = ["--still", time, "--size", `${width}x${height}`, "--isa", "sse2", "--quality", quality];
   const file = execFileSync(intro, options, { maxBuffer: 1e8 });
@@ -31,14 +25,14 @@ function still({ scene: { time }, width, height }, quality) {
 }
 
 const show = (time, quality, width, height) => ({ scene: { kind: "show", time }, quality, isReference: false, width, height });
-const input = (id, value) => page.value(`(() => { const input = document.getElementById("${id}"); input.value = ${JSON.stringify(value)}; input.dispatchEvent(new Event("input", { bubbles: true })); })()`);
+const input = (id, value) => page.input(id, value);
 /** The bytes of a picture, in the page. */
 const pixelsOf = `((image) => {
   const context = new OffscreenCanvas(image.width, image.height).getContext("2d", { willReadFrequently: true });
   context.drawImage(image, 0, 0);
   return context.getImageData(0, 0, image.width, image.height).data;
 })`;
-const textOf = (id) => page.value(`document.getElementById("${id}").textContent`);
+const textOf = (id) => page.textOf(id);
 
 /**
  * The contrast of each text that is seen with what is behind it, as WCAG has it. What is behind may let a picture through, of which the
@@ -79,7 +73,7 @@ const tests = {
       // With antialiased edges, odd sizes, a caption that counts points, squares of 32, and jagged edges.
       for (const order of [show(62.3, 4, 641, 363), show(34.5, 4, 640, 360), show(0, 4, 320, 200), show(100, 7, 640, 360), show(47, 0, 320, 240)]) {
         const name = qualities[order.quality];
-        assert.ok((await frame(order, "others")).equals(still(order, name)), `${workers} workers, ${name}, ${order.scene.time} s`);
+        assert.ok((await page.frame(order, "others")).equals(still(order, name)), `${workers} workers, ${name}, ${order.scene.time} s`);
       }
       await page.value("others.workers.forEach((worker) => worker.terminate())");
     }
@@ -218,7 +212,7 @@ const tests = {
     // It leaves a quality that somebody has chosen.
     await page.value("globalThis.pause = 60");
     await page.key("2");
-    await page.value("new Promise((resolve) => setTimeout(resolve, 1500))");
+    await sleep(1500);
     assert.equal(await page.value("eightfold.view.quality"), 1);
     assert.ok(!(await page.value("document.getElementById('held').checked")));
     await page.key(" ", "Space");
@@ -329,15 +323,15 @@ const tests = {
   },
 
   async "a worker that dies is told of and replaced"() {
-    const before = await frame(show(70, 4, 320, 180));
+    const before = await page.frame(show(70, 4, 320, 180));
     const deaths = page.workers.map((worker) => page.value("self.postMessage = () => { throw new Error('as if'); }", worker).catch(() => {}));
     await Promise.all(deaths);
-    const after = await frame(show(70, 4, 320, 180));
+    const after = await page.frame(show(70, 4, 320, 180));
     assert.ok(after.equals(before));
     assert.match(await textOf("notice"), /^A worker died \(.*as if.*\)\. Another one/);
     // One that is gone says nothing.
     await page.value("Object.assign(eightfold.frames, { patience: 3000 }).workers[0].terminate()");
-    assert.ok((await frame(show(70, 4, 320, 180))).equals(before));
+    assert.ok((await page.frame(show(70, 4, 320, 180))).equals(before));
     assert.match(await textOf("notice"), /^A worker died \(it does not answer\)\. Another one/);
   },
 
@@ -377,7 +371,7 @@ const tests = {
     assert.equal(await simple.value("eightfold.code.name"), "plain.bin");
     assert.match(await simple.value("document.getElementById('machine').textContent"), /without SIMD/);
     const order = show(62.3, 4, 320, 180);
-    assert.ok((await frame(order, "eightfold.frames", simple)).equals(await frame(order)));
+    assert.ok((await simple.frame(order)).equals(await page.frame(order)));
     assert.deepEqual(simple.messages, []);
     await plain.end();
   },
@@ -414,23 +408,15 @@ const tests = {
       assert.equal(await page.value("document.getAnimations().length"), 0);
       assert.equal(await page.value("getComputedStyle(document.getElementById('present')).transitionDuration"), "0s");
       assert.ok(!(await page.value("eightfold.clock.isPlaying")));
-      assert.ok(await page.value("document.documentElement.scrollWidth <= innerWidth"), `wider than ${width} pixels`);
+      assert.ok(await page.value(`document.documentElement.scrollWidth <= ${width}`), `wider than ${width} pixels`);
     }
+    await page.send("Emulation.setEmulatedMedia", { features: [] });
   },
+
 };
 
-let failed = 0;
-for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(word))) {
-  const start = Date.now();
-  try {
-    await test();
-    console.log(`ok      ${name} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
-  } catch (error) {
-    failed++;
-    console.log(`FAILED  ${name}\n${error.stack}`);
-  }
-}
+const code = await run(tests, word);
 await browser.end();
 site.end();
 isolated.end();
-process.exit(failed ? 1 : 0);
+process.exit(code);

@@ -74,7 +74,9 @@ export function explain({ about, frames, quality, isIdle }) {
     }
   }
 
-  run();
+  run().catch((error) => {
+    get("front-note").textContent = `Nothing can be measured: ${error.why ?? error.message}.`;
+  });
   return {
     setQuality(place) {
       isAsked = true;

@@ -14,11 +14,27 @@ export class Frames {
     this.number = 0;
     /** For each kind of frame, the milliseconds that each band is expected to take. */
     this.costs = new Map();
+    /** The frame that is drawn at last. */
+    this.last = Promise.resolve();
     this.workers = Array.from({ length: count }, () => this.start());
   }
 
+  open() {
+    try {
+      return new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+    } catch ({ message }) {
+      throw new Error(`the browser starts no workers here: ${message}`);
+    }
+  }
+
   start() {
-    const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+    const worker = this.open();
+    // One whose script is missing fails before it is asked, and without a message.
+    worker.onerror = (event) => {
+      event.preventDefault();
+      worker.why = event.message ?? "worker.js can't be loaded";
+      worker.fail?.();
+    };
     worker.postMessage({ compiled: this.compiled, file: this.file });
     return worker;
   }
@@ -32,26 +48,32 @@ export class Frames {
   /** Has a worker draw its part of a pass. Fails when it dies. */
   ask(worker, message) {
     return new Promise((resolve, reject) => {
-      const limit = setTimeout(() => reject({ worker, why: "it does not answer" }), this.patience);
+      worker.fail = () => {
+        clearTimeout(limit);
+        reject({ worker, why: worker.why ?? "it does not answer" });
+      };
+      const limit = setTimeout(worker.fail, this.patience);
       worker.onmessage = ({ data }) => {
         if (data.number !== message.number) return;
         clearTimeout(limit);
         resolve(data.done);
       };
-      worker.onerror = (event) => {
-        event.preventDefault();
-        clearTimeout(limit);
-        reject({ worker, why: event.message });
-      };
+      if (worker.why) return worker.fail();
       worker.postMessage(message);
     });
   }
 
   /**
-   * Draws a frame: its parts, each with the first of its rows and their bytes, its figures, and the milliseconds that it took. Where a
-   * worker dies another one is started, and the frame is drawn again. One frame is drawn at a time.
+   * Draws a frame, once those before are drawn: its parts, each with the first of its rows and their bytes, its figures, and the
+   * milliseconds that it took. Where a worker dies another one is started, and the frame is drawn again.
    */
-  async draw(order) {
+  draw(order) {
+    const frame = this.last.then(() => this.attempts(order));
+    this.last = frame.catch(() => {});
+    return frame;
+  }
+
+  async attempts(order) {
     for (let attempt = 0; ; attempt++) {
       try {
         return await this.attempt(order);

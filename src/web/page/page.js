@@ -34,11 +34,15 @@ const METHODS = { points: [1, 0, 0.25, 0], squares: [0, 0.35, 0.65, 0] };
 /** The forms of the button that plays. */
 const SHAPES = { play: "M7 4v16l13-8z", pause: "M6 4h4v16H6zM14 4h4v16h-4z" };
 
-// The second one is for browsers without SIMD.
-const code = await load("eightfold.bin").catch(() => load("plain.bin")).catch((error) => {
-  get("notice").textContent = `The show can't be loaded: ${error.message}.`;
-  throw error;
-});
+/** A module with one instruction of SIMD. */
+const SIMD = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11);
+
+const missing = ["WebAssembly", "DecompressionStream", "Worker"].filter((name) => !(name in globalThis));
+if (missing.length > 0) throw new Error(`this browser has no ${missing.join(", no ")}`);
+const hasSimd = WebAssembly.validate(SIMD);
+const faults = [];
+const code = (hasSimd && (await tryToLoad("eightfold.bin"))) || (await tryToLoad("plain.bin"));
+if (!code) throw new Error(faults.join(", and "));
 const module = await Module.of(code.compiled);
 const about = JSON.parse(module.text(module.calls.about()));
 const canvas = get("picture");
@@ -55,20 +59,39 @@ let isDrawing = false;
 /** What has been measured of late. */
 const recent = { shown: [], probed: 0, squares: 0, second: 0 };
 
-/** Loads, unpacks and compiles a module. */
-async function load(name) {
-  const { ok, status, body } = await fetch(new URL(name, import.meta.url));
-  if (!ok) throw new Error(`${name} is not there (${status})`);
-  const bytes = await new Response(body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-  return { name, bytes, compiled: await WebAssembly.compile(bytes) };
+/** Loads, unpacks and compiles a module. Returns nothing if that fails, and notes why. */
+async function tryToLoad(name) {
+  try {
+    const response = await fetch(new URL(name, import.meta.url)).catch(() => {
+      throw new Error(`${name} can't be fetched`);
+    });
+    if (!response.ok) throw new Error(`${name} is missing (HTTP ${response.status})`);
+    const bytes = await unpack(response).catch(() => {
+      throw new Error(`${name} is cut short or damaged`);
+    });
+    return { name, ...bytes };
+  } catch ({ message }) {
+    faults.push(message);
+  }
 }
 
-/** Tells something for some seconds. */
-function notify(sentence) {
+/** Unpacks and compiles a module. Hosts that declare its packing as compressed transfer have had the browser unpack it. */
+async function unpack(response) {
+  let bytes = await response.arrayBuffer();
+  const [first, second] = new Uint8Array(bytes);
+  if (first === 0x1f && second === 0x8b) {
+    bytes = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+  }
+  return { bytes, compiled: await WebAssembly.compile(bytes) };
+}
+
+/** Tells something, for some seconds unless it lasts. */
+function notify(sentence, isLasting = false) {
   const notice = get("notice");
   notice.textContent = sentence;
   clearTimeout(notify.timer);
-  notify.timer = setTimeout(() => (notice.textContent = ""), 8000);
+  notify.isLasting = isLasting;
+  if (!isLasting) notify.timer = setTimeout(() => (notice.textContent = ""), 8000);
 }
 
 /** How long what is shown plays, in seconds. */
@@ -132,9 +155,9 @@ async function run() {
       const start = performance.now();
       try {
         measure(await show(now()), performance.now() - start);
+        if (notify.isLasting) notify("");
       } catch (error) {
-        notify(`A frame can't be drawn: ${error.why ?? error}`);
-        clock.pause();
+        giveUp(error);
       }
       isDrawing = false;
       // What takes longer than a frame of the screen goes on at once.
@@ -142,6 +165,13 @@ async function run() {
     }
     await new Promise(requestAnimationFrame);
   }
+}
+
+/** Says why no frame can be drawn, and rests. */
+function giveUp(error) {
+  notify(`A frame can't be drawn: ${error.why ?? error.message}.`, true);
+  clock.pause();
+  tell();
 }
 
 /** Chooses how the next frame is drawn by how long the last one took. */
@@ -190,9 +220,13 @@ function tellTime() {
   [...get("scenes").children].forEach((button, i) => button.setAttribute("aria-current", i === playing));
 }
 
-/** Has the picture and the dials say what is so. */
+/** Has a frame drawn although nothing plays, and the dials say what is so. */
 function update() {
   isStale = true;
+  tell();
+}
+
+function tell() {
   const { isPlaying } = clock;
   get("start").hidden = !view.isPoster;
   get("time").max = length();
@@ -225,17 +259,24 @@ function keepQuality(quality) {
 
 /** Plays, or pauses. The first time it opens the sound. */
 async function toggle() {
-  if (clock.isPlaying) {
+  if (clock.isPlaying || clock.isStarting) {
     clock.pause();
   } else {
     view.isPoster = false;
-    if (!clock.hasSound) await clock.open().catch((error) => notify(`There is no sound: ${error.message ?? error}`));
+    await clock.open().catch(({ message }) => notify(`There is no sound: ${message}.`));
     if (view.isHeld) module.calls.govern(HELD);
     await clock.play();
     if (!clock.hasSound && !get("notice").textContent) notify("There is no sound: the browser has no device for it.");
   }
   update();
 }
+
+/** Says that a browser has stopped the sound, or goes on with it. */
+clock.onChange = () => {
+  const silence = clock.hasSound ? "" : "There is no sound: its device has stopped.";
+  notify(clock.isPlaying ? silence : "The browser has stopped the sound. Play goes on with it.");
+  update();
+};
 
 /** Goes back to where it began, to start again if it is a scene file. */
 function end() {
@@ -462,7 +503,8 @@ function furnish() {
     button.addEventListener("click", () => seek(start));
     get("scenes").append(button);
   });
-  const lanes = code.name === "plain.bin" ? "without SIMD, which this browser lacks and which makes it four times as fast" : "by SIMD128";
+  const slow = hasSimd ? `without SIMD, since ${faults[0]}` : "without SIMD, which this browser lacks and which makes it four times as fast";
+  const lanes = code.name === "plain.bin" ? slow : "by SIMD128";
   get("machine").textContent = `Drawn by ${frames.workers.length} workers, ${lanes}. Nothing is sent anywhere.`;
 }
 
@@ -473,7 +515,7 @@ listen();
 fit();
 update();
 await restore();
-notify("");
+notify(faults.length > 0 ? `The show is slower than it could be: ${faults[0]}.` : "");
 // What tests ask.
 globalThis.eightfold = { about, clock, code, frames, view, steps, seek, inspect, isStale: () => isStale || isDrawing };
 run();

@@ -1,0 +1,206 @@
+// Tests of the page in every engine: node engines.mjs chromium|firefox|webkit SITE INTRO [WORD], the folder of the page, the intro's
+// program, and a word of the tests that are wanted, or "silent" where there is no device for sound. It prints a line for each test, and
+// fails if one does.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { gunzipSync } from "node:zlib";
+import { Browser } from "./chromium.mjs";
+import { run, serve, sleep } from "./driver.mjs";
+import { Firefox } from "./firefox.mjs";
+import { WebKit } from "./webkit.mjs";
+
+const [engine, folder, intro, word = ""] = process.argv.slice(2);
+const site = await serve(folder);
+const page = await { chromium: () => Browser.page(site.address), firefox: Firefox.start, webkit: WebKit.start }[engine]();
+
+/** The soundtrack's first seconds by the module, both sides mixed. */
+async function soundtrack(seconds) {
+  const { instance: { exports } } = await WebAssembly.instantiate(gunzipSync(readFileSync(join(folder, "eightfold.bin"))));
+  const mixed = new Float32Array(seconds * 48000);
+  for (let made = 0; made < mixed.length; made += 128) {
+    const sides = new Float32Array(exports.memory.buffer, exports.play(128), 256);
+    for (let i = 0; i < 128; i++) mixed[made + i] = (sides[2 * i] + sides[2 * i + 1]) / 2;
+  }
+  return mixed;
+}
+
+/**
+ * Seconds by which the picture is late, or early if they are above 0, each time that the page is asked. The sound is known by its samples:
+ * it is heard between the time at which they are made and Chromium's latency after it. The others are not asked for theirs, which is 0 in
+ * WebKit and may hang Firefox.
+ */
+async function leads(mixed, times) {
+  await page.value("(globalThis.ear ??= eightfold.clock.node.connect(new AnalyserNode(eightfold.clock.context, { fftSize: 256 })), true)");
+  const leads = [];
+  for (let turn = 0; turn < times; turn++) {
+    await sleep(200);
+    const [time, latency, ...heard] = await page.value(`(() => {
+      const heard = new Float32Array(256);
+      const time = eightfold.clock.time();
+      ear.getFloatTimeDomainData(heard);
+      return [time, ${engine === "chromium"} ? eightfold.clock.context.outputLatency : 0, ...heard];
+    })()`);
+    const isThere = (at) => heard.every((sample, i) => Math.abs(sample - mixed[at - 255 + i]) < 1e-5);
+    // The nearest, since the song repeats parts.
+    const guess = Math.round((time + latency) * 48000);
+    let away = 0;
+    while (away < 480000 && !isThere(guess + away) && !isThere(guess - away)) away++;
+    assert.ok(away < 480000, `at ${time} s something else is heard`);
+    const made = (isThere(guess + away) ? guess + away : guess - away) / 48000;
+    leads.push(Math.min(time + latency - made, 0) + Math.max(time - made, 0));
+  }
+  return leads;
+}
+
+const show = (time, quality, width, height) => ({ scene: { kind: "show", time }, quality, isReference: false, width, height });
+const label = "document.getElementById('play').getAttribute('aria-label')";
+
+/** What the page says where something keeps it from its work: how it is served, and the sentence. */
+const faults = {
+  "a host that has a module unpacked": [{ change: (path) => path.endsWith(".bin") && { more: { "content-encoding": "gzip" } } }, null],
+  "a host without the fast module": [{ change: (path) => path === "/eightfold.bin" && { status: 404 } }, /eightfold\.bin is missing \(HTTP 404\)/],
+  "a host with half of the fast module": [{ change: (path, own) => path === "/eightfold.bin" && { bytes: own.subarray(0, own.length / 2) } }, /eightfold\.bin is cut short or damaged/],
+  "a host without modules": [{ change: (path) => path.endsWith(".bin") && { status: 404 } }, /can.t be played: eightfold\.bin is missing \(HTTP 404\), and plain\.bin is missing/],
+  "a host with another page in place of modules": [{ change: (path) => path.endsWith(".bin") && { bytes: "<!DOCTYPE html>" } }, /can.t be played: eightfold\.bin is cut short or damaged/],
+  "a host without a script": [{ change: (path) => path === "/clock.js" && { status: 404 } }, /can.t be played: .*(module|import)/i],
+  "a host without the worker's script": [{ change: (path) => path === "/worker.js" && { status: 404 } }, /worker\.js can't be loaded/],
+  "a sandboxed frame": [{ headers: { "content-security-policy": "sandbox allow-scripts" } }, /sandboxed/],
+  "a sandboxed frame of a host that lets others read": [{ headers: { "content-security-policy": "sandbox allow-scripts", "access-control-allow-origin": "*" } }, /sandboxed/],
+  "a browser that starts no workers": [{ before: "Worker = class { constructor() { throw new Error('as if'); } }" }, /worker.*as if/],
+  "a browser without WebAssembly": [{ before: "delete globalThis.WebAssembly" }, /no WebAssembly/],
+};
+
+const tests = {
+  async "the page loads"() {
+    await page.go(site.address);
+    await page.until("document.getElementById('points').textContent.endsWith('%')");
+    assert.equal(await page.textOf("notice"), "");
+  },
+
+  async "a frame has the bits of --still"() {
+    const still = execFileSync(intro, ["--still", "62.3", "--size", "641x363", "--isa", "sse2"], { maxBuffer: 1e8 });
+    const frame = await page.frame(show(62.3, 4, 641, 363));
+    assert.ok(frame.equals(still.subarray(still.length - frame.length)));
+  },
+
+  async "the slider changes what is traced"() {
+    const share = async (quality) => {
+      await page.input("quality", quality);
+      await page.until(`!eightfold.isStale() && eightfold.view.quality === ${quality}`);
+      return parseFloat(await page.textOf("points"));
+    };
+    const [all, few] = [await share(0), await share(7)];
+    assert.ok(all >= 99 && few < 40, `${all} % and ${few} %`);
+  },
+
+  async "a faulty scene shows its line and column"() {
+    await page.until("document.getElementById('scene-text').value.includes('spheres')");
+    const text = await page.value("document.getElementById('scene-text').value");
+    await page.input("scene-text", text.replace("radius: 1.0", "radius: -1.0"));
+    const line = text.split("\n").findIndex((line) => line.includes("radius: 1.0")) + 1;
+    assert.match(await page.textOf("scene-fault"), new RegExp(`^Line ${line}, column \\d+: `));
+  },
+
+  async "the picture keeps to the sound, and the button says what is so, whoever stops it"() {
+    const mixed = await soundtrack(110);
+    await page.go(site.address);
+    const together = async (what) => {
+      // The one in the middle: an audio thread that waits for a processor is late for a moment.
+      const apart = (await leads(mixed, 7)).sort((a, b) => a - b);
+      assert.ok(Math.abs(apart[3]) < 0.05, `${what}: ${apart.map((lead) => lead.toFixed(3))} s`);
+    };
+    const stands = async () => {
+      const time = await page.value("eightfold.clock.time()");
+      await sleep(700);
+      assert.equal(await page.value("eightfold.clock.time()"), time);
+      return time;
+    };
+    await page.click("#start");
+    await page.until("eightfold.clock.isPlaying && eightfold.clock.hasSound && eightfold.clock.time() > 6");
+    assert.equal(await page.value(label), "Pause");
+    await together("from the start");
+    await page.value("eightfold.seek(64)");
+    await page.until("!eightfold.clock.isMoving && eightfold.clock.time() > 64.2");
+    await together("elsewhere");
+    await page.click("#play");
+    await page.until(`${label} === "Play" && !eightfold.clock.isPlaying`);
+    await stands();
+    await page.click("#play");
+    await page.until(`${label} === "Pause"`);
+    await together("after a pause");
+
+    // As by a call.
+    await page.value("eightfold.clock.context.suspend()");
+    await page.until(`${label} === "Play" && !eightfold.clock.isPlaying`);
+    assert.match(await page.textOf("notice"), /stopped the sound/);
+    const time = await stands();
+    await page.value("eightfold.clock.context.resume()");
+    await page.until(`${label} === "Pause" && eightfold.clock.isPlaying && eightfold.clock.time() > ${time + 0.3}`);
+    assert.equal(await page.textOf("notice"), "");
+    await together("after a call");
+    await page.value("eightfold.clock.context.suspend()");
+    await page.until(`${label} === "Play"`);
+    await page.click("#play");
+    await page.until(`${label} === "Pause"`);
+    await together("after a call that somebody ended");
+    // A browser that goes on with what was paused is stopped.
+    await page.click("#play");
+    await page.until("eightfold.clock.context.state === 'suspended'");
+    await page.value("eightfold.clock.context.resume()");
+    await page.until("eightfold.clock.context.state === 'suspended'");
+    assert.equal(await page.value(label), "Play");
+    // A device that stands still.
+    await page.click("#play");
+    await page.until(`${label} === "Pause" && !eightfold.clock.isMoving`);
+    await page.value("Object.defineProperty(eightfold.clock.context, 'currentTime', { get: () => 7, configurable: true }), true");
+    const last = await page.value("eightfold.clock.time()");
+    await page.until(`eightfold.clock.time() > ${last + 1} && !eightfold.clock.hasSound`);
+    assert.match(await page.textOf("notice"), /^There is no sound: /);
+    assert.equal(await page.value(label), "Pause");
+    await page.value("delete eightfold.clock.context.currentTime");
+    await page.until("eightfold.clock.hasSound && !eightfold.clock.isMoving");
+    await together("after a device stood still");
+  },
+};
+
+const silent = {
+  async "the page plays without a device for sound, and says so"() {
+    await page.go(site.address);
+    await page.click("#start");
+    await page.until("eightfold.clock.isPlaying && eightfold.clock.time() > 1");
+    assert.match(await page.textOf("notice"), /^There is no sound: /);
+    assert.equal(await page.value(label), "Pause");
+    await page.click("#play");
+    await page.until(`${label} === "Play"`);
+  },
+};
+
+for (const [name, [{ headers, change, before }, sentence]] of Object.entries(faults)) {
+  tests[`${name} is told of`] = async () => {
+    const inject = (path, own) => (path === "/index.html" || path === "/" ? { bytes: String(own).replace("<head>", `<head><script>${before}</script>`) } : {});
+    const host = await serve(folder, headers, before ? inject : change);
+    try {
+      if (sentence === null) {
+        await page.go(host.address);
+        assert.equal(await page.value("eightfold.code.name"), "eightfold.bin");
+      } else {
+        await page.go(host.address, "document.getElementById('notice') && !/Loading|^$/.test(document.getElementById('notice').textContent)");
+        assert.match(await page.textOf("notice"), sentence);
+        // It does not go away, unless the show plays nevertheless.
+        if (!(await page.value("document.getElementById('machine').textContent"))) {
+          await sleep(1000);
+          assert.match(await page.textOf("notice"), sentence);
+        }
+      }
+    } finally {
+      host.end();
+    }
+  };
+}
+
+const code = await run(word === "silent" ? silent : tests, word === "silent" ? "" : word, ` in ${engine}`);
+await page.end();
+process.exit(code);

@@ -1,0 +1,48 @@
+// WebKitGTK, Safari's engine, in a window of its own on an X server, by WebDriver.
+
+import { spawn } from "node:child_process";
+import { WebDriver, sleep } from "./driver.mjs";
+
+const PORT = 4477;
+const BROWSER = "/usr/lib/x86_64-linux-gnu/webkit2gtk-4.1/MiniBrowser";
+
+export class WebKit extends WebDriver {
+  static async start() {
+    const webkit = new WebKit();
+    webkit.process = spawn("WebKitWebDriver", [`--port=${PORT}`], { stdio: "ignore" });
+    const options = { "webkitgtk:browserOptions": { binary: BROWSER, args: ["--automation"] } };
+    for (let turn = 0; turn < 300 && !webkit.session; turn++) {
+      const answer = await webkit.send("POST", "/session", { capabilities: { alwaysMatch: options } }).catch(({ cause }) => {
+        if (!cause) throw new Error("WebKitGTK does not start");
+      });
+      webkit.session = answer && `/session/${answer.sessionId}`;
+      if (!answer) await sleep(100);
+    }
+    return webkit;
+  }
+
+  async send(method, path, body) {
+    const response = await fetch(`http://127.0.0.1:${PORT}${path}`, { method, body: JSON.stringify(body) });
+    const { value } = await response.json();
+    if (value?.error) throw new Error(`${value.error}: ${value.message}`);
+    return value;
+  }
+
+  navigate(url) {
+    return this.send("POST", `${this.session}/url`, { url });
+  }
+
+  script(script) {
+    return this.send("POST", `${this.session}/execute/async`, { script, args: [] });
+  }
+
+  async click(selector) {
+    const element = await this.send("POST", `${this.session}/element`, { using: "css selector", value: selector });
+    await this.send("POST", `${this.session}/element/${Object.values(element)[0]}/click`, {});
+  }
+
+  async end() {
+    await this.send("DELETE", this.session).catch(() => {});
+    this.process.kill();
+  }
+}
