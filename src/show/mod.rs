@@ -28,4 +28,4 @@ pub use crate::grid;
 pub use field::field;
 pub use model::{MODEL_LENGTH, model, model_scene};
 pub use scenes::{BARS, CUTS, LENGTH, NAMES, cut};
-pub use timeline::at;
+pub use timeline::{at, whole};

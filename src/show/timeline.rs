@@ -21,6 +21,12 @@ const BEATS: f32 = BEATS_PER_BAR as f32;
 
 /// Sets a scene to that of the show at `time` seconds, 0 to [`LENGTH`].
 pub fn at(time: f32, scene: &mut Scene) {
+    transition(whole(time, scene), scene);
+}
+
+/// Sets a scene like [`at`], but without the coarse squares of the transition between two scenes. Returns how often these are halved
+/// there.
+pub fn whole(time: f32, scene: &mut Scene) -> f32 {
     // Set up the act that is played.
     let (act, bar) = playing(&ACTS, |act| act.bars(), time / BAR);
     act.set.apply((bar + act.set_since as f32) * BEATS, scene);
@@ -37,11 +43,11 @@ pub fn at(time: f32, scene: &mut Scene) {
     let (shot, bar_of_shot) = playing(act.shots, |shot| shot.bars.into(), bar);
     let time_of_shot = bar_of_shot / f32::from(shot.bars);
     film(shot.keys, time_of_shot, PUSH * kick, scene);
-    // Squares are halved on eighths, and doubled on sixteenths.
-    let bars_left = act.bars() as f32 - bar;
-    transition(BEATS * f32::min(2.0 * bar, 4.0 * bars_left), scene);
     // Fade out at the end of the show.
     scene.exposure = 1.0 - smooth_step((time - LENGTH) / FADE_OUT + 1.0);
+    // Squares are halved on eighths, and doubled on sixteenths.
+    let bars_left = act.bars() as f32 - bar;
+    BEATS * f32::min(2.0 * bar, 4.0 * bars_left)
 }
 
 /// Has a scene begin and end with squares of 32 pixels. `halvings` is how often they have been halved since the scene began, or

@@ -15,7 +15,7 @@ use eightfold::show;
 use eightfold::sound::{self, Synthesizer};
 use eightfold_scene_file::SceneFile;
 use eightfold_tracer::scene::{Method, Scene};
-use eightfold_tracer::{Counts, Frame, Governor, Level, Memory, Quality, Renderer, Worker};
+use eightfold_tracer::{Counts, Frame, Governor, Level, Memory, Probes, Quality, Renderer, Worker};
 use inspector::Inspector;
 use share::Share;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -84,7 +84,7 @@ fn state() -> MutexGuard<'static, State> {
 }
 
 /// The facts that a page shows, as JSON: the show's length in seconds, its scenes with the seconds at which they begin, the names of
-/// the qualities from the most accurate to the fastest, and the rate of the samples. It is ended by a zero.
+/// the qualities from the most accurate to the fastest, the probes of a frame that is played, and the rate of the samples. It is ended by a zero.
 #[unsafe(no_mangle)]
 pub extern "C" fn about() -> *const u8 {
     let scenes = show::NAMES.iter().zip(show::CUTS).map(|(name, bar)| {
@@ -94,11 +94,12 @@ pub extern "C" fn about() -> *const u8 {
     let scenes: Vec<_> = scenes.collect();
     let names: Vec<_> = ["exhaustive"].into_iter().chain(Quality::NAMES).collect();
     let text = format!(
-        r#"{{"length":{},"scenes":[{}],"qualities":["{}"],"default":{},"rate":{}}}"#,
+        r#"{{"length":{},"scenes":[{}],"qualities":["{}"],"default":{},"probes":{},"rate":{}}}"#,
         show::LENGTH,
         scenes.join(","),
         names.join("\",\""),
         Quality::DEFAULT_RUNG + 1,
+        Frame::PROBES,
         sound::RATE,
     );
     state().tell(text)
@@ -115,10 +116,15 @@ pub extern "C" fn resize(width: usize, height: usize) -> *mut u32 {
     state.pixels.as_mut_ptr()
 }
 
-/// Sets the scene to that of the show at a time in seconds.
+/// Sets the scene to the show's at a time in seconds: without the squares of transitions for a picture that rests.
 #[unsafe(no_mangle)]
-pub extern "C" fn set_show(time: f32) {
-    show::at(time, &mut workspace().scene);
+pub extern "C" fn set_show(time: f32, is_resting: bool) {
+    let scene = &mut workspace().scene;
+    if is_resting {
+        show::whole(time, scene);
+    } else {
+        show::at(time, scene);
+    }
 }
 
 /// Sets the scene to the model scene at a time in seconds.
@@ -198,7 +204,14 @@ pub extern "C" fn set_quality(place: usize, is_reference: bool) {
 /// have traced in the passes before. The seed says which pixels are probed. Returns how many passes the frame has; [`figures`] tells what
 /// was done.
 #[unsafe(no_mangle)]
-pub extern "C" fn draw(from: usize, to: usize, pass: usize, before: f64, seed: u32) -> usize {
+pub extern "C" fn draw(
+    from: usize,
+    to: usize,
+    pass: usize,
+    before: f64,
+    probes: u16,
+    seed: u32,
+) -> usize {
     let Workspace {
         memory,
         worker,
@@ -217,7 +230,7 @@ pub extern "C" fn draw(from: usize, to: usize, pass: usize, before: f64, seed: u
     done.points = before as u64;
     let mut share = Share::new(worker, from..to, pass, done);
     let mut renderer = Renderer::narrow(Level::baseline(), memory);
-    let frame = Frame::new(*width, *height, pixels).with_probes(Frame::PROBES, seed);
+    let frame = Frame::new(*width, *height, pixels).with_probes(probes, seed);
     renderer.render_valid(scene, quality, frame, &mut share);
     let counts = share.counts;
     *figures = [
@@ -237,6 +250,25 @@ pub extern "C" fn draw(from: usize, to: usize, pass: usize, before: f64, seed: u
 #[unsafe(no_mangle)]
 pub extern "C" fn figures() -> *const f64 {
     state().figures.as_ptr()
+}
+
+/// Returns the PSNR in dB by the sums of the probes, see [`Probes::psnr`].
+#[unsafe(no_mangle)]
+pub extern "C" fn psnr(pixels: f64, squares: f64, fourths: f64) -> f32 {
+    probes(pixels, squares, fourths).psnr()
+}
+
+/// Returns the half width in dB of the interval around the PSNR, see [`Probes::margin`].
+#[unsafe(no_mangle)]
+pub extern "C" fn margin(pixels: f64, squares: f64, fourths: f64) -> f32 {
+    probes(pixels, squares, fourths).margin()
+}
+
+fn probes(pixels: f64, squares: f64, fourths: f64) -> Probes {
+    let mut probes = Probes::NONE;
+    [probes.pixels, probes.squares, probes.fourths] =
+        [pixels, squares, fourths].map(|sum| sum as u64);
+    probes
 }
 
 /// Draws the bands that begin in some rows, and listens. Returns the address of what became of the squares that the pixel (x, y) is in,

@@ -31,7 +31,7 @@ const byModule = (exports, setScene = exports.set_model, rows = height) => (plac
   const before = process.cpuUsage();
   setScene(time);
   exports.set_quality(place, false);
-  for (let pass = 0, passes = 1; pass < passes; pass++) passes = exports.draw(0, rows, pass, 0, pass);
+  for (let pass = 0, passes = 1; pass < passes; pass++) passes = exports.draw(0, rows, pass, 0, about.probes, pass);
   const { user, system } = process.cpuUsage(before);
   return (user + system) / 1000;
 };

@@ -2,6 +2,7 @@
 //! input is the place of a quality and a time in seconds, a line of output the milliseconds that the frame took of a processor.
 
 use cpu_time::ThreadTime;
+use eightfold_tracer::Frame;
 use eightfold_web::{draw, resize, set_model, set_quality};
 use std::io::{BufRead, Error, Write, stdin, stdout};
 
@@ -16,7 +17,7 @@ fn main() -> Result<(), Error> {
         set_quality(place.parse().map_err(Error::other)?, false);
         let (mut pass, mut passes) = (0, 1);
         while pass < passes {
-            passes = draw(0, height, pass, 0.0, pass as u32);
+            passes = draw(0, height, pass, 0.0, Frame::PROBES, pass as u32);
             pass += 1;
         }
         writeln!(stdout(), "{}", start.elapsed().as_secs_f64() * 1e3)?;

@@ -10,7 +10,7 @@ const [width, height] = [640, 360];
 const address = exports.resize(width, height);
 exports.set_model(2);
 exports.set_quality(0, false);
-exports.draw(0, height, 0, 0, 0);
+exports.draw(0, height, 0, 0, 0, 0);
 const pixels = new Uint32Array(exports.memory.buffer, address, width * height);
 
 let differ = 0;

@@ -193,6 +193,60 @@ const tests = {
     assert.deepEqual([wide, differ], [shown, 0]);
   },
 
+  async "a picture that rests is whole, and is measured until its interval is below 0.3 dB"() {
+    // At the start of a scene, where it is a mosaic while it plays, by the name of the scene, and by the scrubber.
+    const ways = [
+      ["document.querySelector('#scenes button:nth-child(4)').click()", 7],
+      ["eightfold.seek(0)", 4],
+      ["eightfold.seek(90.1)", 4],
+      ["eightfold.seek(2.4)", 1],
+    ];
+    await page.go(site.address);
+    for (const [way, quality] of ways) {
+      await page.value("eightfold.seek(40)");
+      await input("quality", quality);
+      await page.until("!eightfold.isStale() && eightfold.isSettled()");
+      const before = await textOf("accuracy");
+      await page.value(way);
+      await page.until("!eightfold.isStale()");
+      const [, first, margin] = /^(\d+\.\d) ± (\d+\.\d) dB$/.exec(await textOf("accuracy")) ?? [];
+      await page.until("eightfold.isSettled()");
+      const text = await textOf("accuracy");
+      const [, told, interval] = /^(\d+\.\d) ± (\d+\.\d) dB$/.exec(text) ?? [];
+      assert.ok(told, `${way}: ${text}`);
+      assert.ok(Number(interval) <= 0.3 && Number(margin) >= Number(interval), `${way}: ±${margin}, then ±${interval}, after ${before}`);
+      const [apart, truth] = await page.value(`(async () => {
+        const { bytesOf, decibels, squaredError } = await import("./frames.js");
+        const { width, height } = document.getElementById("picture");
+        const order = { scene: { kind: "show", time: eightfold.clock.time(), isResting: true }, quality: ${quality}, width, height };
+        const [exact, own] = [await eightfold.frames.draw({ ...order, isReference: true }), await eightfold.frames.draw(order)].map(bytesOf);
+        const shown = ${pixelsOf}(document.getElementById("picture"));
+        return [shown.filter((byte, i) => byte !== own[i]).length, decibels(squaredError(own, exact), width * height)];
+      })()`);
+      assert.equal(apart, 0, way);
+      // A mosaic has 25 dB.
+      assert.ok(truth > 38 && Math.abs(told - truth) < 0.6, `${way}: ${text}, but it is ${truth.toFixed(2)} dB; at first ${first} ± ${margin}`);
+    }
+    // A change of nothing but the sound leaves the number, and one of the picture does not.
+    const kept = await page.value("eightfold.probes().probed");
+    await page.key("m");
+    await page.until("!eightfold.isStale()");
+    await page.key("m");
+    await page.until("!eightfold.isStale()");
+    assert.ok((await page.value("eightfold.probes().probed")) >= kept);
+    await input("quality", 5);
+    await page.until("!eightfold.isStale()");
+    assert.ok((await page.value("eightfold.probes().probed")) < kept);
+    // Where every pixel is traced there is nothing to measure, nor where the method is shown.
+    await input("quality", 0);
+    await page.until("!eightfold.isStale() && eightfold.isSettled()");
+    assert.equal(await textOf("accuracy"), "no error found");
+    await input("quality", 4);
+    await page.click("input[value=points] + span");
+    await page.until("!eightfold.isStale() && eightfold.isSettled()");
+    await page.click("input[value=none] + span");
+  },
+
   async "the governor lowers the quality where frames take long, then the size, and raises them where they do not"() {
     await page.go(site.address);
     const { qualities } = await page.value("eightfold.about");

@@ -19,12 +19,16 @@ async function idle(isIdle) {
   while (!isIdle() || document.hidden);
 }
 
-/** Explains the method by frames of its own. `quality` and `isIdle` tell the page's quality, and whether nothing plays. */
-export function explain({ about, frames, quality, isIdle }) {
+/**
+ * Explains the method by frames of its own. `quality`, `isIdle` and `isQuiet` tell the page's quality, whether nothing plays, and
+ * whether no probes are traced either.
+ */
+export function explain({ about, frames, quality, isIdle, isQuiet }) {
   const pictures = [...document.querySelectorAll("#steps canvas")];
   const order = (change) => ({ scene: { kind: "model", time: TIME }, isReference: false, seed: 0, ...change });
   const front = [];
   let isAsked = true;
+  let isOver = false;
 
   async function drawSteps() {
     for (const canvas of pictures) {
@@ -37,7 +41,7 @@ export function explain({ about, frames, quality, isIdle }) {
 
   /** Draws a frame when nothing else is done. */
   async function draw(change) {
-    await idle(isIdle);
+    await idle(() => isIdle() && isQuiet());
     const frame = await frames.draw(order({ ...change, ...MEASURED }));
     return { milliseconds: frame.milliseconds, bytes: bytesOf(frame) };
   }
@@ -57,7 +61,7 @@ export function explain({ about, frames, quality, isIdle }) {
     }
     front.push(...points);
     plot(front, about, quality());
-    document.getElementById("front-note").textContent =
+    get("front-note").textContent =
       `Just measured, by one worker: the second scene at ${MEASURED.width}x${MEASURED.height}, against every pixel traced with the same edges.`;
   }
 
@@ -75,6 +79,7 @@ export function explain({ about, frames, quality, isIdle }) {
   }
 
   run().catch((error) => {
+    isOver = true;
     get("front-note").textContent = `Nothing can be measured: ${error.why ?? error.message}.`;
   });
   return {
@@ -83,6 +88,8 @@ export function explain({ about, frames, quality, isIdle }) {
       mark(front, about, place);
     },
     front: () => front,
+    /** Whether there is something to draw before nothing plays. */
+    isBusy: () => !isOver && (isAsked || front.length === 0),
   };
 }
 

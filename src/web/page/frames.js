@@ -97,7 +97,7 @@ export class Frames {
       const before = sum.points;
       const messages = this.workers.map((worker, i) =>
         this.ask(worker, {
-          number, pass, before, order, seed: order.seed ?? number,
+          number, pass, before, order, seed: order.seed ?? number, probes: order.probes,
           from: cuts[i], to: cuts[i + 1], rows: shares[i].rows,
         }));
       const done = await Promise.all(messages);

@@ -31,7 +31,7 @@ export class Module {
     if (this.width !== width || this.height !== height) {
       Object.assign(this, { width, height, pixels: this.calls.resize(width, height) });
     }
-    this.calls[`set_${scene.kind}`](scene.time);
+    this.calls[`set_${scene.kind}`](scene.time, scene.isResting);
     if (method) this.calls.set_method(...method);
     this.calls.set_quality(quality, isReference);
   }

@@ -3,7 +3,7 @@
 import { Clock } from "./clock.js";
 import { explain } from "./explain.js";
 import { Editor } from "./editor.js";
-import { BAND, Frames, bytesOf, decibels } from "./frames.js";
+import { BAND, Frames, bytesOf } from "./frames.js";
 import { Module } from "./module.js";
 
 const get = (id) => document.getElementById(id);
@@ -21,6 +21,10 @@ const EARLY = 120;
 
 /** The second whose picture stands behind the button before anything is played. */
 const POSTER = 85;
+
+/** Probes of each frame with which a resting picture is measured on, and the half width of the interval in dB that is enough. */
+const PROBES = 8192;
+const MARGIN = 0.3;
 
 /** How much brighter an error is shown than it is. */
 const ERROR_SCALE = 8;
@@ -52,12 +56,14 @@ const clock = new Clock(code.bytes, about.rate);
 
 /** The width of the next frames, unless they have to be smaller; the canvas has the size of the frame that it shows. */
 let fullWidth = canvas.width;
-const view = { source: "show", quality: about.default, isHeld: true, width: 0, streak: 0, overlay: "none", handle: 0.5, isPoster: true };
+const view = { source: "show", edition: 0, quality: about.default, isHeld: true, width: 0, streak: 0, overlay: "none", handle: 0.5, isPoster: true };
 /** Whether the next frame has to be drawn although nothing plays. */
 let isStale = true;
 let isDrawing = false;
 /** What has been measured of late. */
-const recent = { shown: [], probed: 0, squares: 0, second: 0 };
+const recent = { shown: [], second: 0 };
+/** The sums of the probes of frames that have what `key` says in common. */
+let probes = { key: "", probed: 0, squares: 0, fourths: 0 };
 
 /** Loads, unpacks and compiles a module. Returns nothing if that fails, and notes why. */
 async function tryToLoad(name) {
@@ -102,10 +108,11 @@ function order(time) {
   const share = clock.isPlaying && view.isHeld ? WIDTHS[view.width] : 1;
   const width = Math.round((fullWidth * share) / 16) * 16;
   return {
-    scene: { kind: view.source, time },
+    scene: { kind: view.source, time, isResting: !clock.isPlaying },
     method: METHODS[view.overlay],
     quality: view.quality,
     isReference: false,
+    probes: about.probes,
     width,
     height: (width * 9) / 16,
   };
@@ -162,6 +169,8 @@ async function run() {
       isDrawing = false;
       // What takes longer than a frame of the screen goes on at once.
       if (clock.isPlaying && performance.now() - start > 15 && !document.hidden) continue;
+    } else if (!isSettled() && !(view.isPoster && steps.isBusy())) {
+      await frames.draw({ ...order(now()), probes: PROBES }).then(probe, giveUp);
     }
     await new Promise(requestAnimationFrame);
   }
@@ -171,6 +180,7 @@ async function run() {
 function giveUp(error) {
   notify(`A frame can't be drawn: ${error.why ?? error.message}.`, true);
   clock.pause();
+  probes.isFinal = true;
   tell();
 }
 
@@ -185,13 +195,39 @@ function govern(milliseconds) {
   view.streak = 0;
 }
 
+/** Counts the probes of a frame, anew where it is not of the same picture as the frame before. */
+function probe({ order: { scene, quality, width }, probed, squares, fourths }) {
+  const key = JSON.stringify([scene.isResting ? scene : scene.kind, quality, width, view.edition]);
+  if (key !== probes.key) probes = { key, probed: 0, squares: 0, fourths: 0 };
+  probes.probed += probed;
+  probes.squares += squares;
+  probes.fourths += fourths;
+  // Some overlays are not probed, and where every pixel is traced there is no error.
+  probes.isFinal = probed === 0 || quality === 0;
+  if (!clock.isPlaying) tellAccuracy();
+}
+
+/** A figure of the probes by the module: `psnr`, or `margin`, the half width of its interval, in dB. */
+const figure = (name) => module.calls[name](probes.probed, probes.squares, probes.fourths);
+
+/** Whether a resting picture has been probed enough. */
+function isSettled() {
+  const { probed, squares, isFinal } = probes;
+  const share = probed / (canvas.width * canvas.height);
+  return isFinal || (squares === 0 ? share > 1 : figure("margin") < MARGIN || share > 8);
+}
+
+function tellAccuracy() {
+  const found = probes.probed ? "no error found" : "–";
+  get("accuracy").textContent = probes.squares ? `${figure("psnr").toFixed(1)} ± ${figure("margin").toFixed(1)} dB` : found;
+}
+
 /** Takes in the figures of a frame that was shown, and tells them. */
 function measure(frame, milliseconds) {
   const present = performance.now();
   recent.shown = [...recent.shown.filter((time) => present - time < 1000), present];
-  recent.probed += frame.probed;
-  recent.squares += frame.squares;
   if (clock.isPlaying && view.isHeld && !frame.gain) govern(milliseconds);
+  probe(frame);
   if (clock.isPlaying && present - recent.second < 250) return;
   recent.second = present;
   get("rate").textContent = clock.isPlaying ? recent.shown.length : "–";
@@ -199,9 +235,11 @@ function measure(frame, milliseconds) {
   get("points").textContent = `${((100 * frame.points) / (frame.order.width * frame.order.height)).toFixed(1)} %`;
   get("size").textContent = `${frame.order.width}×${frame.order.height}`;
   get("rays").textContent = Math.round(frame.rays).toLocaleString("en");
-  get("accuracy").textContent = recent.squares ? `${decibels(recent.squares, recent.probed).toFixed(1)} dB` : "–";
-  recent.probed /= 1.2;
-  recent.squares /= 1.2;
+  if (clock.isPlaying) {
+    tellAccuracy();
+    // Frames count less the older they are.
+    for (const sum of ["probed", "squares", "fourths"]) probes[sum] /= 1.2;
+  }
   const gain = frame.gain ? `, ${frame.gain.toFixed(1)} times as fast` : "";
   get("right-side").textContent = about.qualities[view.quality] + gain;
   tellTime();
@@ -246,7 +284,6 @@ function setQuality(quality) {
   view.quality = quality;
   get("quality").value = quality;
   get("quality-name").textContent = about.qualities[quality];
-  Object.assign(recent, { probed: 0, squares: 0 });
   isStale = true;
   steps.setQuality(quality);
 }
@@ -290,6 +327,7 @@ function end() {
 /** Shows the show, or a scene file. */
 function setSource(source) {
   if (source === "file") frames.setFile(editor.text);
+  view.edition++;
   if (source !== view.source) clock.seek(0);
   Object.assign(view, { source, isPoster: false });
   update();
@@ -297,6 +335,7 @@ function setSource(source) {
 
 function seek(time) {
   view.isPoster = false;
+  probes.key = "";
   clock.seek(Math.min(Math.max(time, 0), length() - 0.05));
   update();
 }
@@ -508,7 +547,14 @@ function furnish() {
   get("machine").textContent = `Drawn by ${frames.workers.length} workers, ${lanes}. Nothing is sent anywhere.`;
 }
 
-const steps = explain({ about, frames: new Frames(code.compiled, 1, notify), quality: () => view.quality, isIdle: () => !clock.isPlaying });
+const steps = explain({
+  about,
+  frames: new Frames(code.compiled, 1, notify),
+  quality: () => view.quality,
+  isIdle: () => !clock.isPlaying,
+  // Probes would take processors from what is timed.
+  isQuiet: () => view.isPoster || isSettled(),
+});
 const editor = new Editor(module, () => setSource("file"));
 furnish();
 listen();
@@ -517,5 +563,5 @@ update();
 await restore();
 notify(faults.length > 0 ? `The show is slower than it could be: ${faults[0]}.` : "");
 // What tests ask.
-globalThis.eightfold = { about, clock, code, frames, view, steps, seek, inspect, isStale: () => isStale || isDrawing };
+globalThis.eightfold = { about, clock, code, frames, view, steps, seek, inspect, isSettled, probes: () => probes, shown: now, isStale: () => isStale || isDrawing };
 run();

@@ -10,10 +10,10 @@ const picture = () => module.view(Uint32Array, module.pixels, module.width * mod
 const row = (y) => picture().slice(y * module.width, (y + 1) * module.width);
 
 /** Draws a pass. Returns what it did, and in the last pass the rows as a canvas takes them. */
-function draw({ from, to, pass, before, seed, rows }) {
+function draw({ from, to, pass, before, probes, seed, rows }) {
   const start = performance.now();
   for (const [y, pixels] of rows) picture().set(pixels, y * module.width);
-  const passes = module.calls.draw(from, to, pass, before, seed);
+  const passes = module.calls.draw(from, to, pass, before, probes, seed);
   const [first, end, points, rays, probed, squares, fourths] = module.view(Float64Array, module.calls.figures(), 7);
   const done = { passes, first, end, points, rays, probed, squares, fourths };
   const hasRows = first < end;
