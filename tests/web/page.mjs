@@ -247,6 +247,27 @@ const tests = {
     await page.click("input[value=none] + span");
   },
 
+  async "the poster and its file have the name of what they show"() {
+    await page.go(site.address);
+    const { scenes, length } = await page.value("eightfold.about");
+    const shown = await page.value("eightfold.shown()");
+    const clock = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
+    assert.equal(await textOf("position"), `${clock(shown)} / ${clock(length)}`);
+    const name = scenes.findLast(({ start }) => start <= shown).name;
+    assert.equal(await textOf("scene"), name);
+    assert.equal(await page.value("document.querySelector('#scenes [aria-current=true]').textContent"), name);
+    assert.equal(await page.value("Number(document.getElementById('time').value)"), shown);
+    await page.click("#share");
+    assert.match(await page.value("location.hash"), new RegExp(`t=${shown.toFixed(2)}`));
+    await page.go(site.address);
+    // It plays from the start.
+    await page.click("#start");
+    await page.until("eightfold.clock.isPlaying");
+    assert.ok((await page.value("eightfold.clock.time()")) < 5);
+    await page.until("/^\\d+\\.\\d ± \\d+\\.\\d dB$/.test(document.getElementById('accuracy').textContent)");
+    await page.key(" ", "Space");
+  },
+
   async "the governor lowers the quality where frames take long, then the size, and raises them where they do not"() {
     await page.go(site.address);
     const { qualities } = await page.value("eightfold.about");
@@ -325,6 +346,55 @@ const tests = {
     await page.until("document.fullscreenElement");
     await page.key("Escape");
     await page.until("!document.fullscreenElement");
+  },
+
+  async "keys are where they are on layouts of other letters"() {
+    await page.go(site.address);
+    const { qualities } = await page.value("eightfold.about");
+    // Russian, Greek, French digits, and an input method of Japanese.
+    for (const key of ["щ", "ο", "Process"]) {
+      const overlay = await page.value("eightfold.view.overlay");
+      await page.key(key, "KeyO");
+      assert.notEqual(await page.value("eightfold.view.overlay"), overlay, key);
+    }
+    await page.key("ь", "KeyM");
+    assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "true");
+    await page.key("а", "KeyF");
+    await page.until("document.fullscreenElement?.id === 'stage'");
+    await page.key("а", "KeyF");
+    await page.until("!document.fullscreenElement");
+    await page.key('"', "Digit3");
+    assert.equal(await textOf("quality-name"), qualities[2]);
+    // A Latin letter is what it says, wherever it is.
+    await page.key("m", "Semicolon");
+    assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "false");
+    await page.key("p", "KeyM");
+    assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "false");
+  },
+
+  async "a key that is held does once what toggles, and moves on"() {
+    await page.go(site.address);
+    const { overlay } = await page.value("eightfold.view");
+    await page.key("o", "KeyO", false, 5);
+    assert.equal(await page.value("eightfold.view.overlay"), "points", `after ${overlay}`);
+    await page.key("m", "KeyM", false, 5);
+    assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "true");
+    await page.key("f", "KeyF", false, 5);
+    await page.until("document.fullscreenElement?.id === 'stage'");
+    await page.key("f", "KeyF");
+    await page.until("!document.fullscreenElement");
+    await page.key(" ", "Space", false, 5);
+    await page.until("eightfold.clock.isPlaying");
+    await page.key(" ", "Space", false, 4);
+    await page.until("!eightfold.clock.isPlaying");
+    // A button that has the focus.
+    await page.value("document.getElementById('mute').focus()");
+    await page.key("Enter", "Enter", false, 4);
+    assert.equal(await page.value("document.getElementById('mute').getAttribute('aria-pressed')"), "false");
+    await page.value("document.activeElement.blur()");
+    await page.value("eightfold.seek(50)");
+    await page.key("ArrowRight", "ArrowRight", false, 3);
+    assert.equal(await page.value("eightfold.clock.time()"), 58);
   },
 
   async "the sound has the intro's samples"() {
@@ -467,6 +537,37 @@ const tests = {
     await page.send("Emulation.setEmulatedMedia", { features: [] });
   },
 
+  async "a phone has all in its width, buttons for fingers, and no hints for keys and pointers"() {
+    await page.send("Emulation.setTouchEmulationEnabled", { enabled: true, maxTouchPoints: 5 });
+    for (const [width, height] of [[300, 600], [320, 568], [390, 844]]) {
+      await page.resize(width, height, 2);
+      await page.go(site.address);
+      // The plot says something before there is anything to plot.
+      assert.ok(await page.value("document.querySelector('#front text').textContent.length > 0"));
+      await page.until("document.getElementById('accuracy').textContent.includes('±') && eightfold.steps.front().length === 7");
+      writeFileSync(join(screenshots, `web-${width}x${height}-touch.png`), await page.screenshot(true));
+      const wide = await page.value(`[...document.querySelectorAll("body *")].filter((element) => element.checkVisibility() && element.getBoundingClientRect().right > ${width} + 0.5).map(({ id, tagName }) => id || tagName)`);
+      assert.deepEqual(wide, [], `wider than ${width} pixels`);
+      assert.equal(await page.value("innerWidth"), width);
+      const small = await page.value(`[...document.querySelectorAll("button, select, input, #overlays span")].filter((element) => element.checkVisibility({ opacityProperty: true })).map((element) => [element.id || element.textContent, element.closest(".check")?.getBoundingClientRect() ?? element.getBoundingClientRect()]).filter(([, { width, height }]) => width < 44 || height < 44).map(([name, { width, height }]) => \`\${name} \${width}x\${height}\`)`);
+      assert.deepEqual(small, []);
+      const hints = await page.value("[...document.querySelectorAll('p')].filter((text) => text.checkVisibility()).map(({ innerText }) => innerText).filter((text) => /\\bkeys?\\b|space|shift|arrow|point at/i.test(text))");
+      assert.deepEqual(hints, []);
+    }
+    await page.send("Emulation.setTouchEmulationEnabled", { enabled: false });
+  },
+
+  async "figures fit their cells"() {
+    for (const width of [1440, 390, 320, 300]) {
+      await page.resize(width, 844);
+      const wide = await page.value(`(() => {
+        const texts = { rate: "60", milliseconds: "1234.5", points: "100.0 %", rays: "12,345,678", size: "1280×720", accuracy: "49.2 ± 10.4 dB" };
+        for (const id in texts) document.getElementById(id).textContent = texts[id];
+        return Object.keys(texts).filter((id) => { const cell = document.getElementById(id); return cell.scrollWidth > cell.clientWidth; });
+      })()`);
+      assert.deepEqual(wide, [], `${width} pixels`);
+    }
+  },
 };
 
 const code = await run(tests, word);

@@ -57,10 +57,11 @@ export function explain({ about, frames, quality, isIdle, isQuiet }) {
         point.fast = Math.min(point.fast, frame.milliseconds);
         point.speed = point.slow / point.fast;
         point.accuracy = decibels(squaredError(frame.bytes, reference.bytes), MEASURED.width * MEASURED.height);
+        plot(points.filter(({ speed }) => speed), about, quality());
       }
     }
     front.push(...points);
-    plot(front, about, quality());
+    mark(front, about, quality());
     get("front-note").textContent =
       `Just measured, by one worker: the second scene at ${MEASURED.width}x${MEASURED.height}, against every pixel traced with the same edges.`;
   }

@@ -245,9 +245,9 @@ function measure(frame, milliseconds) {
   tellTime();
 }
 
-/** Tells the time and the scene. */
+/** Tells the time and the scene of the picture that is shown. */
 function tellTime() {
-  const time = clock.time();
+  const time = now();
   const minutes = (seconds) => `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
   get("time").value = time;
   get("position").textContent = `${minutes(time)} / ${minutes(length())}`;
@@ -355,7 +355,8 @@ function moveHandle(share) {
 function fit() {
   const widest = document.fullscreenElement ? WIDEST.fullscreen : WIDEST.page;
   const width = Math.min(widest, Math.max(160, Math.round((canvas.clientWidth * devicePixelRatio) / 16) * 16));
-  if (fullWidth === width) return;
+  // A window that is not shown may have no width.
+  if (fullWidth === width || canvas.clientWidth === 0) return;
   fullWidth = width;
   update();
 }
@@ -375,7 +376,7 @@ function save() {
   canvas.toBlob((blob) => {
     const link = document.createElement("a");
     link.href = URL.createObjectURL(blob);
-    link.download = `eightfold-${clock.time().toFixed(2)}.png`;
+    link.download = `eightfold-${now().toFixed(2)}.png`;
     link.click();
     URL.revokeObjectURL(link.href);
   });
@@ -384,7 +385,7 @@ function save() {
 /** Puts what is shown into the address, and into the clipboard where the browser allows it. */
 async function share() {
   const { quality, overlay, handle } = view;
-  const state = { t: clock.time().toFixed(2), quality: about.qualities[quality], show: overlay, split: handle.toFixed(3) };
+  const state = { t: now().toFixed(2), quality: about.qualities[quality], show: overlay, split: handle.toFixed(3) };
   if (view.source === "file") state.scene = await editor.packed();
   history.replaceState(null, "", `#${new URLSearchParams(state)}`);
   const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
@@ -468,8 +469,8 @@ const KEYS = {
   },
   // Most browsers end fullscreen by themselves.
   Escape: () => (document.fullscreenElement ? document.exitFullscreen() : clock.isPlaying && toggle()),
-  ArrowLeft: () => seek(clock.time() - 2),
-  ArrowRight: () => seek(clock.time() + 2),
+  ArrowLeft: () => seek(now() - 2),
+  ArrowRight: () => seek(now() + 2),
 };
 
 /** What they do together with the shift key, in a picture that rests. */
@@ -480,19 +481,30 @@ const SHIFTED = {
   ArrowDown: () => moveLoupe(0, 1),
 };
 
+/** The name of a key. On layouts without Latin letters or digits it is that at the key's place. */
+function nameOf({ key, code }) {
+  const [, place] = /^(?:Key|Digit)(.)$/.exec(code) ?? [];
+  const name = code === "Space" ? " " : place && !/^[a-z0-9]$/i.test(key) ? place : key;
+  return name.length === 1 ? name.toLowerCase() : name;
+}
+
 function listen() {
   addEventListener("keydown", (event) => {
-    const { key, target, shiftKey, ctrlKey, altKey, metaKey } = event;
+    const key = nameOf(event);
+    const { target, shiftKey, ctrlKey, altKey, metaKey } = event;
+    // A key that is held does once what toggles something, and so does a button.
+    const isAgain = event.repeat && !key.startsWith("Arrow");
+    if (isAgain && key === "Enter" && target.matches("button")) event.preventDefault();
     // What has the focus has keys of its own.
     const own = key === " " ? "button, [type=checkbox]" : key.startsWith("Arrow") && "input, [role=slider]";
     const isUsed = target.matches("textarea, select") || (own && target.matches(own));
     if (isUsed || ctrlKey || altKey || metaKey) return;
     const quality = Number(key) - 1;
     const shifted = shiftKey && !clock.isPlaying && SHIFTED[key];
-    const action = about.qualities[quality] ? () => keepQuality(quality) : shifted || KEYS[key.length === 1 ? key.toLowerCase() : key];
+    const action = about.qualities[quality] ? () => keepQuality(quality) : shifted || KEYS[key];
     if (!action) return;
     event.preventDefault();
-    action();
+    if (!isAgain) action();
   });
   for (const [id, action] of Object.entries({ start: toggle, play: toggle, picture: toggle, mute: toggleSound, fullscreen: toggleFullscreen, save, share })) {
     get(id).addEventListener("click", action);
@@ -531,6 +543,7 @@ function listen() {
 
 /** Fills in what the module tells of the show. */
 function furnish() {
+  get("fullscreen").hidden = !document.fullscreenEnabled;
   get("quality").max = about.qualities.length - 1;
   get("quality").value = view.quality;
   get("quality-name").textContent = about.qualities[view.quality];
