@@ -5,9 +5,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { connect } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { WebDriver, sleep } from "./driver.mjs";
-
-const PORT = 2828;
+import { WebDriver, freePort, sleep } from "./driver.mjs";
 
 export class Firefox extends WebDriver {
   replies = new Map();
@@ -16,11 +14,12 @@ export class Firefox extends WebDriver {
 
   static async start() {
     const firefox = new Firefox();
+    const port = await freePort();
     firefox.profile = mkdtempSync(join(tmpdir(), "eightfold-firefox-"));
-    writeFileSync(join(firefox.profile, "user.js"), `user_pref("media.autoplay.default", 0);\nuser_pref("marionette.port", ${PORT});\n`);
+    writeFileSync(join(firefox.profile, "user.js"), `user_pref("media.autoplay.default", 0);\nuser_pref("marionette.port", ${port});\n`);
     firefox.process = spawn("firefox-esr", ["--headless", "--no-remote", "--marionette", "--profile", firefox.profile], { stdio: "ignore" });
     for (let turn = 0; turn < 300 && !firefox.socket; turn++) {
-      const socket = connect(PORT, "127.0.0.1");
+      const socket = connect(port, "127.0.0.1");
       const isThere = await new Promise((resolve) => socket.once("connect", () => resolve(true)).once("error", () => resolve(false)));
       if (isThere) firefox.socket = socket.on("data", (data) => firefox.take(data));
       else await sleep(100);

@@ -1,15 +1,15 @@
 // WebKitGTK, Safari's engine, in a window of its own on an X server, by WebDriver.
 
 import { spawn } from "node:child_process";
-import { WebDriver, sleep } from "./driver.mjs";
+import { WebDriver, freePort, sleep } from "./driver.mjs";
 
-const PORT = 4477;
 const BROWSER = "/usr/lib/x86_64-linux-gnu/webkit2gtk-4.1/MiniBrowser";
 
 export class WebKit extends WebDriver {
   static async start() {
     const webkit = new WebKit();
-    webkit.process = spawn("WebKitWebDriver", [`--port=${PORT}`], { stdio: "ignore" });
+    webkit.port = await freePort();
+    webkit.process = spawn("WebKitWebDriver", [`--port=${webkit.port}`], { stdio: "ignore" });
     const options = { "webkitgtk:browserOptions": { binary: BROWSER, args: ["--automation"] } };
     for (let turn = 0; turn < 300 && !webkit.session; turn++) {
       const answer = await webkit.send("POST", "/session", { capabilities: { alwaysMatch: options } }).catch(({ cause }) => {
@@ -22,7 +22,7 @@ export class WebKit extends WebDriver {
   }
 
   async send(method, path, body) {
-    const response = await fetch(`http://127.0.0.1:${PORT}${path}`, { method, body: JSON.stringify(body) });
+    const response = await fetch(`http://127.0.0.1:${this.port}${path}`, { method, body: JSON.stringify(body) });
     const { value } = await response.json();
     if (value?.error) throw new Error(`${value.error}: ${value.message}`);
     return value;
