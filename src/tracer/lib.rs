@@ -165,6 +165,7 @@ mod prepare;
 mod quality;
 mod refine;
 mod render;
+mod rounding;
 pub mod scene;
 mod shapes;
 mod trace;

@@ -13,10 +13,10 @@ pub trait Observer: Copy + Sync {
     const LISTENS: bool = true;
 
     /// The point at (x, y) was traced; `work` counts this point alone.
-    fn point(self, x: usize, y: usize, work: Counts);
+    fn point(self, _x: usize, _y: usize, _work: Counts) {}
 
     /// The square of `w` by `h` pixels with its upper left at (x, y) was drawn.
-    fn square(self, x: usize, y: usize, w: usize, h: usize, fill: Fill);
+    fn square(self, _x: usize, _y: usize, _w: usize, _h: usize, _fill: Fill) {}
 
     /// The square of so many pixels a side with its upper left at (x, y) was not filled: its parts follow.
     fn split(self, _x: usize, _y: usize, _side: usize, _why: Split) {}
@@ -48,10 +48,4 @@ pub enum Fill {
 
 impl Observer for () {
     const LISTENS: bool = false;
-
-    #[inline(always)]
-    fn point(self, _: usize, _: usize, _: Counts) {}
-
-    #[inline(always)]
-    fn square(self, _: usize, _: usize, _: usize, _: usize, _: Fill) {}
 }

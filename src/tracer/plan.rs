@@ -99,13 +99,8 @@ pub(crate) struct Context<'a, O> {
 }
 
 impl<O> Context<'_, O> {
-    /// Traces a batch's points with all their rays; the primary rays and their reflections meet none but the groups `seen`.
-    pub fn trace(&self, seen: VisibleGroups, batch: &mut Batch) {
-        self.trace_by(&self.plan.quality, seen, batch);
-    }
-
-    /// The same by another quality than the frame's.
-    pub fn trace_by(&self, quality: &Quality, seen: VisibleGroups, batch: &mut Batch) {
+    /// Traces a batch's points with all their rays by a quality; the primary rays and their reflections meet none but the groups `seen`.
+    pub fn trace(&self, quality: &Quality, seen: VisibleGroups, batch: &mut Batch) {
         let tracer = Tracer {
             isa: self.plan.isa,
             world: self.world,

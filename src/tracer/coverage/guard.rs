@@ -10,10 +10,11 @@ use super::highlight::MAX_HIGHLIGHTS;
 use super::screen::Rect;
 use super::sides::Region;
 use super::{Coverage, MAX_OUTLINES, Outline, rectangle};
-use crate::grid::{Area, Bits, Pyramid};
+use crate::grid::{Area, Bits, Pyramid, each};
 use crate::lanes::*;
 use crate::picture::TILE_HEIGHT;
 use crate::prepare::{ObjectId, World};
+use crate::rounding::COLUMN;
 use crate::scene::camera::pixels;
 use crate::trace::Sample;
 
@@ -76,12 +77,10 @@ impl Guard {
         search.settle();
         // Look for highlights in covered squares.
         for (i, &word) in self.highlights.iter().enumerate() {
-            let mut rest = word;
-            while rest != 0 {
-                let number = 64 * i + rest.trailing_zeros() as usize;
-                search.look_for_highlight(&squares.coverage.highlights[number], asked);
-                rest &= rest - 1;
-            }
+            each(word, |bit| {
+                let highlight = &squares.coverage.highlights[64 * i + bit];
+                search.look_for_highlight(highlight, asked);
+            });
         }
         let rows = squares.rows();
         open[..rows].copy_from_slice(&search.open[..rows]);
@@ -129,7 +128,6 @@ impl Search<'_> {
 
     /// Looks for an object in a square: opens the square unless a corner shows the object, or all corners show one occluder. Returns
     /// whether it is opened.
-    #[inline(always)]
     fn look_for_object(&mut self, id: ObjectId, region: &Region, [x, y]: [usize; 2]) -> bool {
         let (labels, shown) = self.squares.corners([x, y], id);
         let is_missed = shown == 0 && !self.are_before(labels, id, region, [x, y]);
@@ -142,7 +140,6 @@ impl Search<'_> {
     /// Returns whether the corners of a square, which have some labels, all show one occluder of an object.
     ///
     /// They do if all of them would show a plane otherwise: then the occluder's part between them is on the eye's side of the plane.
-    #[inline(always)]
     fn are_before(
         &self,
         [front, others @ ..]: [usize; 4],
@@ -166,7 +163,6 @@ impl Search<'_> {
     /// Looks for an image or a shadow on a plane in a square, where some corners show the plane. An image opens the square unless one of
     /// these is inside of its region: it may be in front of another image. A shadow does the same, once all shadows by its lamp are known,
     /// unless all corners are inside of another one.
-    #[inline(always)]
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
         let (_, shown) = self.squares.corners([x, y], plane);
@@ -236,9 +232,6 @@ pub(crate) struct Squares<'a> {
     /// How many columns and rows of corners are pixels of the picture.
     pixels: [usize; 2],
 }
-
-/// The most that rounding moves the ends of a range, in pixels.
-const COLUMN_MARGIN: f32 = 0.02;
 
 /// Rows of squares that a region is narrowed to at once.
 const ROWS: usize = 4;
@@ -310,7 +303,7 @@ impl<'a> Squares<'a> {
         let corner = [self.area.left, self.area.top + (top << self.level)];
         let size = [self.columns() << self.level, self.side()];
         let [from, to] = region.narrow(axes.rects(simd, corner, size));
-        let [first, last] = [(from, -COLUMN_MARGIN), (to, COLUMN_MARGIN)].map(|(u, margin)| {
+        let [first, last] = [(from, -COLUMN), (to, COLUMN)].map(|(u, margin)| {
             let column = axes.column::<Baseline>(u) - (pixels(self.area.left) - margin);
             let square = column / pixels(self.side());
             let square = square.max(splat(simd, 0.0));
@@ -325,7 +318,6 @@ impl<'a> Squares<'a> {
     }
 
     /// Returns the labels of a square's corners, and a bit for each corner that is a pixel of the picture and shows an object.
-    #[inline(always)]
     pub(super) fn corners(&self, [x, y]: [usize; 2], object: ObjectId) -> ([usize; 4], u64) {
         let labels = self.pyramid.corners(self.level, x, y).map(Sample::label);
         let [upper, right, lower, last] =

@@ -12,6 +12,7 @@ use crate::grid::Bits;
 use crate::maths::sqrt;
 use crate::picture::TILE_HEIGHT;
 use crate::prepare::{Object, ObjectId, World};
+use crate::rounding::DRAWN_OUT;
 use crate::scene::camera::pixels;
 use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
 use core::array;
@@ -62,7 +63,6 @@ impl Highlight {
     };
 
     /// Returns whether it may be seen in a rectangle of the picture, in pixels.
-    #[inline(always)]
     pub fn meets(&self, rect: Vec4) -> bool {
         self.bounds
             .cmple(rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0))
@@ -127,12 +127,7 @@ impl Coverage {
         self.highlights.clear();
         for i in 0..world.background() {
             let (object, material) = world.object(ObjectId::new(i));
-            let centre = match object {
-                Object::Sphere(sphere) => sphere.centre,
-                Object::Block(block) => block.centre,
-                Object::Plane(plane) => plane.centre,
-                Object::Light(_) | Object::Background => continue,
-            };
+            let centre = Vec3A::from(object.centre());
             if i == world.first_plane() && !world.scene.water.are_calm() {
                 continue;
             }
@@ -147,8 +142,7 @@ impl Coverage {
                 if strength <= visible {
                     continue;
                 }
-                let [eye, lamp] =
-                    [world.eye, lamp.position].map(|point| point - Vec3A::from(centre));
+                let [eye, lamp] = [world.eye, lamp.position].map(|point| point - centre);
                 Mirror::each(&object, eye, lamp, |mut place| {
                     // If the centre is off the block, use the nearest surface point.
                     if let Object::Block(block) = object {
@@ -213,8 +207,7 @@ impl Mirror {
         let scale = COUNTED_DECAY * half_exponent;
         let [a, b, c] =
             [(right, right), (right, down), (down, down)].map(|(v, w)| v.dot(w) * scale);
-        // No more drawn out than rounding allows for.
-        let scale = REACH / (a * c - b * b).max(a * c * 1e-6);
+        let scale = REACH / (a * c - b * b).max(a * c * DRAWN_OUT);
         let middle = axes.pixel_at(x / depth, y / depth);
         let reach = Vec2::new(sqrt(c * scale), sqrt(a * scale));
         Some(Highlight {

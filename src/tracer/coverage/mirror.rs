@@ -20,7 +20,6 @@ pub(super) struct Mirror {
 
 impl Mirror {
     /// Calls `add` with each place of an object that may mirror a lamp to the eye, both given from the object's centre.
-    #[inline(always)]
     pub fn each(object: &Object<'_>, eye: Vec3A, lamp: Vec3A, mut add: impl FnMut(Self)) {
         match object {
             Object::Sphere(sphere) => add(Self::round(eye, lamp, Vec3A::ZERO, sphere.radius)),
@@ -45,7 +44,6 @@ impl Mirror {
 
     /// Calls `add` with the places of a capsule: on a ball, and where the side is nearest to the place that would, since a highlight
     /// goes on beyond the joint of two shapes.
-    #[inline(always)]
     fn on_capsule(block: &Block, eye: Vec3A, lamp: Vec3A, mut add: impl FnMut(Self)) {
         let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
         let mut side = Self::round(eye, lamp, axis, half.x);

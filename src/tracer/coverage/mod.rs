@@ -11,8 +11,8 @@
 //! | shadow | the cone of rays from the lamp, as the eye sees it on the plane | the same | `shadow` |
 //! | highlight | the ellipse of a Gaussian | it is not visibly brighter anywhere than at the corners that show the object | `highlight` |
 //!
-//! `guard` goes through the bounds that meet a tile, level by level. `cone` and `silhouette` bound spheres and blocks seen from the eye
-//! or a lamp, `sides` tests points and rectangles of the picture against these bounds, `screen` has rectangles around them, and `mirror`
+//! `guard` goes through the bounds that meet a tile, level by level. `view` bounds spheres seen from the eye or a lamp,
+//! `sides` bounds blocks and planes, and tests points and rectangles of the picture against all these bounds, `screen` has rectangles around them, and `mirror`
 //! finds the places where highlights are.
 //!
 //! # What is not missed
@@ -23,7 +23,7 @@
 //!
 //! The same holds for the shadows that spheres throw on planes by the light of lamps that are points. A square that shows the plane at a
 //! corner, and may show a shadow, is filled only where one of its corners lies in the shadow on the plane, or where all lie in another
-//! one by the same lamp (`shadow` explains why rounding spoils neither). That corner is dark. It may be as dark without the shadow: see
+//! one by the same lamp ([`rounding`](crate::rounding) derives why errors spoil neither). That corner is dark. It may be as dark without the shadow: see
 //! [`limits`](crate::limits).
 //!
 //! Shadows of blocks on planes, and by all other lamps, are looked for in the same way, but not as exactly: a capsule counts as the
@@ -54,7 +54,6 @@
 //! (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). The lab's bench measures how much of the picture is
 //! wrong, and how many pixels pop.
 
-mod cone;
 mod guard;
 mod highlight;
 mod image;
@@ -63,7 +62,6 @@ mod object;
 mod screen;
 mod shadow;
 mod sides;
-mod silhouette;
 #[cfg(test)]
 mod tests;
 mod view;
@@ -72,8 +70,7 @@ pub(crate) use guard::{Guard, Squares};
 pub(crate) use screen::{Rect, rectangle};
 
 use crate::prepare::{GroupSet, MAX_GROUPS, MAX_OBJECTS, ObjectId, VisibleGroups, World};
-use crate::scene::{List, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS};
-use crate::shapes::plane::Rectangle;
+use crate::scene::{List, MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Plane};
 use glam::{Vec2, Vec3A};
 use highlight::{Highlight, MAX_HIGHLIGHTS};
 use object::ObjectBounds;
@@ -192,7 +189,7 @@ impl Coverage {
 
     /// Returns how far an object reaches towards the viewer from a plane that may show its shadow or its image, least and most, and a
     /// bound on rounding more. The viewer is the shadow's lamp or, of an image, the eye.
-    fn heights(&self, id: ObjectId, plane: &Rectangle, viewer: Vec3A) -> [f32; 2] {
+    fn heights(&self, id: ObjectId, plane: &Plane, viewer: Vec3A) -> [f32; 2] {
         let object = &self.objects[id.index()];
         let (error, [least, most]) = (object.hit_error(), object.above(plane.centre.y));
         if viewer.y > plane.centre.y {

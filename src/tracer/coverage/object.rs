@@ -1,12 +1,11 @@
 //! Objects in the eye's own sight: their bounds in the picture, and which of two occludes the other.
 
 use super::screen::ScreenBounds;
-use super::sides::CORNER;
 use super::{Coverage, Outline};
 use crate::maths::sqrt;
 use crate::prepare::{BvhNode, Object, ObjectId, World};
+use crate::rounding::{CONTACT, CORNER, HIT, TOUCHING, hit_error};
 use crate::scene::Block;
-use crate::shapes::sphere::{HIT_ERROR, hit_error};
 use glam::{Mat3A, Vec3A, Vec4};
 
 /// Conservative bounds of an object.
@@ -25,12 +24,6 @@ pub(super) struct ObjectBounds {
     least: Vec4,
     most: Vec4,
 }
-
-/// More than rounding moves a hit towards the eye, as a share of how far the object reaches from it.
-const CONTACT: f32 = 1e-6;
-
-/// An eye nearer to a sphere than this many times its hit error may be inside or outside.
-const TOUCHING: f32 = 4.0;
 
 impl ObjectBounds {
     /// All zeros.
@@ -87,7 +80,7 @@ fn power(to: Vec3A, node: &BvhNode) -> Option<[f32; 2]> {
     let radius = node.radius;
     let distance2 = to.length_squared();
     let power = distance2 - radius * radius;
-    let unsure = HIT_ERROR * (distance2 + radius * radius);
+    let unsure = HIT * (distance2 + radius * radius);
     let is_sure = (sqrt(distance2) - radius).abs() > TOUCHING * node.hit_error;
     is_sure.then_some(if power < 0.0 {
         [f32::INFINITY; 2]
@@ -150,7 +143,7 @@ impl Coverage {
             let id = ObjectId::new(world.first_plane() + i);
             // Forward it is nowhere before or behind anything.
             let extent = Vec4::new(plane.half_x, 0.0, plane.half_z, 1e30);
-            let [least, most] = ends(plane.centre, extent);
+            let [least, most] = ends(plane.centre.into(), extent);
             self.objects[id.index()] = ObjectBounds {
                 screen: ScreenBounds::ALL,
                 least,

@@ -3,6 +3,7 @@
 //! In the camera's own axes a ray is (u, v, 1): u to the right, v down.
 
 use crate::lanes::*;
+use crate::rounding::PIXELS_AROUND;
 use crate::scene::camera::{Raster, pixels};
 use glam::{Vec2, Vec3A, Vec4, Vec4Swizzles};
 
@@ -39,9 +40,6 @@ pub(crate) fn rectangle(left: usize, top: usize, right: usize, bottom: usize) ->
 /// A bounding rectangle in the picture: the least u and v, and the greatest, these two negative.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct ScreenBounds(Vec4);
-
-/// Pixels around a bound, far more than its rounding.
-const PIXELS_AROUND: f32 = 0.5;
 
 impl Axes {
     /// All zeros.
@@ -123,7 +121,6 @@ impl ScreenBounds {
 
     /// Returns the bounds from the least to the greatest u, and from the least to the greatest v. Each pair is `(b + a) / (d + c)` and
     /// `(b - a) / (d - c)`, of a vector's a, b, c and d.
-    #[inline(always)]
     pub fn around(u: Vec4, v: Vec4, pixel: f32) -> Self {
         // Greatest slopes are least ones the other way round.
         let ends = |c: f32, d: f32| Vec4::new(c, d, -c, -d);
@@ -158,7 +155,6 @@ impl ScreenBounds {
     }
 
     /// Returns whether the bounds share a point with a rectangle.
-    #[inline(always)]
     pub fn meets(&self, rect: Rect) -> bool {
         let far = rect.zwxy() * Vec4::new(1.0, 1.0, -1.0, -1.0);
         self.0.cmple(far).all()

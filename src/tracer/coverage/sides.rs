@@ -10,16 +10,13 @@
 //! all corners.
 
 use super::screen::{Axes, Rects, ScreenBounds};
-use super::silhouette::Silhouette;
 use crate::lanes::*;
-use crate::scene::Block;
-use crate::shapes::plane::Rectangle;
-use crate::shapes::sphere::hit_error;
+use crate::maths::sqrt;
+use crate::rounding::{SIDE, hit_error};
+use crate::scene::{Block, Plane, Shape};
+use crate::shapes::plane;
 use core::array;
-use glam::{Mat3A, Vec3A, Vec3Swizzles, Vec4};
-
-/// The most that rounding may add to a side's inequality, whose terms are below twice [`Axes::reach`].
-const ROUNDING: f32 = 1e-5;
+use glam::{BVec3A, Mat3A, Vec3A, Vec3Swizzles, Vec4};
 
 /// The least length that is divided by, where there is a direction across.
 const SHORTEST: f32 = 1e-20;
@@ -27,13 +24,6 @@ const SHORTEST: f32 = 1e-20;
 /// Tangents from each end that a rectangle is narrowed by: the first ones touch a cone on their side of it, later ones in the
 /// rectangle.
 const TANGENTS: usize = 3;
-
-/// How far a block's corner may be from where the eye sees it, as a share of its distance and size: what axes may be off, by
-/// [`Scene::validate`](crate::scene::Scene::validate), which is far more than rounding, and a tenth of a pixel.
-pub(super) const CORNER: f32 = 2e-4;
-
-/// The same from a lamp, which may be a thousand times as far away: two roundings.
-pub(super) const CORNER_BY_LAMP: f32 = 1e-7;
 
 /// Four linear functions of u and v, one in each lane: the change for a step along u, for one along v, and the value at (0, 0).
 pub(super) type Terms = [Vec4; 3];
@@ -46,7 +36,7 @@ pub(super) enum Sides {
     /// The rays in a cone: `cos (a x w)` and, in the last lane, `sin (a . w)`.
     Round {
         terms: Terms,
-        /// See [`BoundingCone::unsure`](super::cone::BoundingCone::unsure).
+        /// See [`BoundingCone::unsure`](super::view).
         unsure: f32,
     },
     /// The rays on the inner side of eight planes, by how far inside they are. Unused planes have all rays inside.
@@ -59,7 +49,7 @@ pub(super) enum Sides {
 
 impl Sides {
     /// Returns the rays between the planes through the eye or a lamp and an edge of a block that have all of the block on one side:
-    /// two for each of its axes, at most. They leave room for `corner`, see [`CORNER`]. `to` is the block's centre.
+    /// two for each of its axes, at most. They leave room for `corner`, see [`CORNER`](crate::rounding::CORNER). `to` is the block's centre.
     #[inline(never)]
     pub fn of_block(rays: &[Vec3A; 3], to: Vec3A, block: &Block, corner: f32) -> Self {
         let inward = Mat3A::from(block.axes).transpose();
@@ -88,10 +78,10 @@ impl Sides {
     }
 
     /// Returns the rays from the eye that meet a horizontal rectangle.
-    pub fn of_rectangle(rays: &[Vec3A; 3], eye: Vec3A, plane: &Rectangle) -> Self {
+    pub fn of_rectangle(rays: &[Vec3A; 3], eye: Vec3A, plane: &Plane) -> Self {
         Self::Flat {
             terms: [
-                rays.map(|ray| plane.sides(eye, ray)),
+                rays.map(|ray| plane::sides(plane, eye, ray)),
                 [Vec4::ZERO, Vec4::ZERO, Vec4::ONE],
             ],
             unsure: 0.0,
@@ -187,9 +177,9 @@ pub(super) struct Region {
 }
 
 impl Region {
-    /// Returns the region inside of some sides. `rounding` is the part of [`ROUNDING`] that is allowed for.
+    /// Returns the region inside of some sides. `rounding` is the part of [`SIDE`] that is allowed for.
     pub fn new(axes: &Axes, bounds: ScreenBounds, sides: Sides, rounding: f32) -> Self {
-        let rounding = ROUNDING * axes.reach * rounding;
+        let rounding = SIDE * axes.reach * rounding;
         let unsure = match sides {
             Sides::Flat { unsure, .. } => unsure * axes.reach,
             Sides::All | Sides::Round { .. } => 0.0,
@@ -217,4 +207,57 @@ impl Region {
         let depth = self.sides.depth::<S>(u, v);
         depth.simd_ge(splat(u.token(), self.margin))
     }
+}
+
+/// The silhouette of a block from a point. Along each of the block's axes, in a lane, the block is a rectangle across the other two;
+/// an edge at either end of it is a side of the silhouette.
+struct Silhouette {
+    shape: Shape,
+    half: Vec3A,
+    /// The middles of the rectangles.
+    a: Vec3A,
+    b: Vec3A,
+    is_beside: BVec3A,
+    /// The axes along which the point is between the block's sides: there the silhouette has no side.
+    pub has_none: BVec3A,
+}
+
+impl Silhouette {
+    /// Returns the silhouette of a block, by its centre and its half extents along its own axes, from the point.
+    pub fn new(shape: Shape, centre: Vec3A, half: Vec3A) -> Self {
+        let (a, b) = (centre.yzx(), centre.zxy());
+        let is_beside = a.abs().cmpgt(half.yzx());
+        Self {
+            shape,
+            half,
+            a,
+            b,
+            is_beside,
+            has_none: !(is_beside | b.abs().cmpgt(half.zxy())),
+        }
+    }
+
+    /// Returns the ends of the rectangles: one way round, or the other if `way` is -1.
+    pub fn ends(&self, way: f32) -> [Vec3A; 2] {
+        let &Self { a, b, half, .. } = self;
+        let (half_a, half_b) = (half.yzx(), half.zxy());
+        let is_below = Vec3A::select(self.is_beside, a * way, b).cmplt(Vec3A::ZERO);
+        let mut y = Vec3A::select(is_below, b + half_b, b - half_b);
+        let is_left = (y * way).cmplt(Vec3A::ZERO);
+        let mut x = Vec3A::select(is_left, a - half_a, a + half_a);
+        match self.shape {
+            Shape::Box => {}
+            // Across its axis a cylinder counts as the box around it, and a capsule as the cylinder.
+            Shape::Cylinder | Shape::Capsule => [x.y, y.y] = touched(a.y, b.y, half.x, way),
+        }
+        [x, y]
+    }
+}
+
+/// Returns the point where a line through the origin touches a circle about (a, b), on one side of it, or on the other if `way` is -1.
+fn touched(a: f32, b: f32, radius: f32, way: f32) -> [f32; 2] {
+    // As shares of the way to its middle and across.
+    let along = 1.0 - radius * radius / (a * a + b * b);
+    let apart = sqrt(along - along * along);
+    [a * along + b * apart * way, b * along - a * apart * way]
 }

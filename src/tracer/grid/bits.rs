@@ -1,6 +1,7 @@
 //! A bit for each square, or for each point, of a row of a tile.
 
 use crate::picture::TILE_WIDTH;
+use core::array;
 use core::ops::{BitAnd, BitOr, BitOrAssign, Not};
 
 /// Words of a row: one bit for each pixel that a tile is wide.
@@ -18,7 +19,6 @@ impl Bits {
     pub const EVEN: Self = Self([0x5555_5555_5555_5555; WORDS]);
 
     /// The bits from 0 to below `count`.
-    #[inline(always)]
     pub fn first(count: usize) -> Self {
         let mut bits = Self::NONE;
         for (i, word) in bits.0.iter_mut().enumerate() {
@@ -30,31 +30,26 @@ impl Bits {
     }
 
     /// Sets a bit.
-    #[inline(always)]
     pub fn set(&mut self, i: usize) {
         self.0[i / 64] |= 1 << (i % 64);
     }
 
     /// Clears a bit.
-    #[inline(always)]
     pub fn clear(&mut self, i: usize) {
         self.0[i / 64] &= !(1 << (i % 64));
     }
 
     /// Whether a bit is set.
-    #[inline(always)]
     pub fn has(&self, i: usize) -> bool {
         self.0[i / 64] >> (i % 64) & 1 != 0
     }
 
     /// Whether no bit is set.
-    #[inline(always)]
     pub fn is_empty(&self) -> bool {
         self.0.iter().fold(0, |all, word| all | word) == 0
     }
 
     /// The points at the left and at the right end of some squares: each bit, and the one after it.
-    #[inline(always)]
     pub fn ends(self) -> Self {
         let mut bits = self;
         let mut carry = 0;
@@ -66,7 +61,6 @@ impl Bits {
     }
 
     /// Each bit twice: of squares, their halves in a row of the level below.
-    #[inline(always)]
     pub fn halves(self) -> Self {
         let mut bits = Self::NONE;
         for (to, &word) in bits.0.as_chunks_mut::<2>().0.iter_mut().zip(&self.0) {
@@ -91,10 +85,7 @@ impl Bits {
             if i == last / 64 {
                 rest &= u64::MAX >> (63 - last % 64);
             }
-            while rest != 0 {
-                call(64 * i + rest.trailing_zeros() as usize);
-                rest &= rest - 1;
-            }
+            each(rest, |bit| call(64 * i + bit));
         }
     }
 
@@ -102,17 +93,21 @@ impl Bits {
     #[inline(always)]
     pub fn for_each(self, mut call: impl FnMut(usize)) {
         for (i, word) in self.0.into_iter().enumerate() {
-            let mut rest = word;
-            while rest != 0 {
-                call(64 * i + rest.trailing_zeros() as usize);
-                rest &= rest - 1;
-            }
+            each(word, |bit| call(64 * i + bit));
         }
     }
 }
 
-/// The lower half of a word's bits at even numbers.
+/// Calls with the number of each bit of a word that is set, in order.
 #[inline(always)]
+pub(crate) fn each(mut word: u64, mut call: impl FnMut(usize)) {
+    while word != 0 {
+        call(word.trailing_zeros() as usize % 64);
+        word &= word - 1;
+    }
+}
+
+/// The lower half of a word's bits at even numbers.
 fn spread(word: u64) -> u64 {
     let mut bits = word;
     for (shift, mask) in [
@@ -130,29 +125,20 @@ fn spread(word: u64) -> u64 {
 impl BitAnd for Bits {
     type Output = Self;
 
-    #[inline(always)]
-    fn bitand(mut self, other: Self) -> Self {
-        for (word, other) in self.0.iter_mut().zip(other.0) {
-            *word &= other;
-        }
-        self
+    fn bitand(self, other: Self) -> Self {
+        Self(array::from_fn(|i| self.0[i] & other.0[i]))
     }
 }
 
 impl BitOr for Bits {
     type Output = Self;
 
-    #[inline(always)]
-    fn bitor(mut self, other: Self) -> Self {
-        for (word, other) in self.0.iter_mut().zip(other.0) {
-            *word |= other;
-        }
-        self
+    fn bitor(self, other: Self) -> Self {
+        Self(array::from_fn(|i| self.0[i] | other.0[i]))
     }
 }
 
 impl BitOrAssign for Bits {
-    #[inline(always)]
     fn bitor_assign(&mut self, other: Self) {
         *self = *self | other;
     }
@@ -161,11 +147,7 @@ impl BitOrAssign for Bits {
 impl Not for Bits {
     type Output = Self;
 
-    #[inline(always)]
-    fn not(mut self) -> Self {
-        for word in &mut self.0 {
-            *word = !*word;
-        }
-        self
+    fn not(self) -> Self {
+        Self(self.0.map(|word| !word))
     }
 }

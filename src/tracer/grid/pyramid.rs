@@ -16,9 +16,9 @@ pub(crate) struct Pyramid {
     /// [`Sample`]s as words, as the vector code loads them.
     samples: [u64; POINTS],
     /// The keys of what was hit and lit there.
-    keys: [u32; POINTS],
+    pub keys: [u32; POINTS],
     /// Of points that show a pattern, the light on it and apart from it.
-    layers: [Layers; POINTS],
+    pub layers: [Layers; POINTS],
 }
 
 /// A row of a grid; the vector code may read some points beyond its end.
@@ -52,50 +52,30 @@ impl Pyramid {
         Self {
             samples: [0; POINTS],
             keys: [0; POINTS],
-            layers: [Layers::NONE; POINTS],
+            layers: [[0.0; 8]; POINTS],
         }
     }
 
     /// Where a level has its point (x, y).
-    #[inline(always)]
     pub fn index(level: usize, x: usize, y: usize) -> usize {
         STARTS[level] + y * columns(level) + x
     }
 
     /// How many indices a row of a level's points takes.
-    #[inline(always)]
     pub fn stride(level: usize) -> usize {
         columns(level)
     }
 
-    #[inline(always)]
     pub fn sample(&self, index: usize) -> Sample {
         Sample(self.samples[index])
     }
 
-    #[inline(always)]
-    pub fn key(&self, index: usize) -> u32 {
-        self.keys[index]
-    }
-
-    #[inline(always)]
-    pub fn layers(&self, index: usize) -> Layers {
-        self.layers[index]
-    }
-
-    #[inline(always)]
     pub fn put(&mut self, index: usize, sample: Sample, key: u32) {
         self.samples[index] = sample.0;
         self.keys[index] = key;
     }
 
-    #[inline(always)]
-    pub fn put_layers(&mut self, index: usize, layers: Layers) {
-        self.layers[index] = layers;
-    }
-
     /// A row of a level's grid.
-    #[inline(always)]
     pub fn row(&self, level: usize, y: usize) -> GridRow<'_> {
         let start = Self::index(level, 0, y);
         let range = start..start + columns(level) + 2 * MAX_LANES - 1;
@@ -106,14 +86,12 @@ impl Pyramid {
     }
 
     /// Where a level has the corners of its square (x, y): upper left, upper right, lower left, lower right.
-    #[inline(always)]
     pub fn corner_indices(level: usize, x: usize, y: usize) -> [usize; 4] {
         let (upper, lower) = (Self::index(level, x, y), Self::index(level, x, y + 1));
         [upper, upper + 1, lower, lower + 1]
     }
 
     /// The samples at the corners of a level's square (x, y), in the same order.
-    #[inline(always)]
     pub fn corners(&self, level: usize, x: usize, y: usize) -> [Sample; 4] {
         let (start, stride) = (Self::index(level, x, y), Self::stride(level));
         // One slice, whose end alone is checked.

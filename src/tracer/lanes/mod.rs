@@ -10,11 +10,35 @@ mod isa;
 mod pow;
 mod vec3x;
 
+/// Evaluates an expression by the instruction set of a level, with all that it has: AVX2, or the one that every CPU has.
+///
+/// Where there is AVX-512 it is AVX2 all the same, except for rays, see [`trace_wide`](crate::trace::trace_wide): squares are judged and
+/// filled by rows of eight pixels, which are one of its registers, and wider ones take 1,335 packed bytes of the intro for nothing.
+macro_rules! by_isa {
+    ($isa:expr, $simd:ident => $expression:expr) => {
+        match crate::lanes::avx2($isa) {
+            Some($simd) => crate::lanes::by_isa!($simd: $expression),
+            None => {
+                let $simd = crate::lanes::baseline();
+                crate::lanes::by_isa!($simd: $expression)
+            }
+        }
+    };
+    ($simd:ident: $expression:expr) => {
+        fearless_simd::Simd::vectorize(
+            $simd,
+            #[inline(always)]
+            || $expression,
+        )
+    };
+}
+
+pub(crate) use by_isa;
 pub(crate) use fearless_simd::prelude::*;
 #[cfg(test)]
 pub(crate) use isa::isas;
 pub(crate) use isa::{Baseline, Isa, avx2, avx512, baseline};
-pub(crate) use pow::pow;
+pub(crate) use pow::{log2, pow};
 pub(crate) use vec3x::Vec3x;
 
 /// The most rays that travel together: what a register of the widest instruction set holds.

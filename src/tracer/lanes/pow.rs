@@ -13,7 +13,7 @@ pub(crate) fn pow<S: Simd>(simd: S, x: F<S>, h: F<S>) -> F<S> {
 
 /// The logarithm to base 2 of a positive normal number.
 #[inline(always)]
-fn log2<S: Simd>(simd: S, x: F<S>) -> F<S> {
+pub(crate) fn log2<S: Simd>(simd: S, x: F<S>) -> F<S> {
     // x = 2^e m with m in sqrt(1/2)..sqrt(2), so that the series about 1 is short.
     let bits: I<S> = x.bitcast();
     let e = (bits - SQRT_HALF_BITS) >> 23;

@@ -65,7 +65,6 @@ impl Film {
     }
 
     /// The threshold that is added to the pixel (x, y), see [`Dither`], but in 128ths of a step.
-    #[inline(always)]
     pub fn threshold(&self, x: usize, y: usize) -> u64 {
         // The words are even.
         self.dither[y % 4][x % 4] >> 1

@@ -2,10 +2,10 @@
 
 use super::object::ObjectId;
 use super::surface::bounded;
-use super::tree::{BvhNode, MARGIN, MAX_NODES};
+use super::tree::{BvhNode, MAX_NODES};
 use crate::maths::{cos, sqrt};
+use crate::rounding::{BOUND, COSINE, hit_error};
 use crate::scene::{Light, Spot};
-use crate::shapes::sphere::hit_error;
 use glam::{Vec3, Vec3A};
 
 /// A light of the scene with everything that shading needs of it.
@@ -100,9 +100,6 @@ pub(crate) struct ShadowCone {
     pub radius: f32,
 }
 
-/// A bound on the rounding error of the dot product of two directions.
-const ROUNDING: f32 = 1e-6;
-
 /// More than the squared length of any chord of the unit sphere, which is at most 4.
 const ALL_AROUND: f32 = 5.0;
 
@@ -168,15 +165,15 @@ impl ShadowCone {
         // A bound on the rounding errors of the sphere's centre and of the vector from the lamp.
         let error = hit_error(from_lamp, 0.0);
         let r2_error = 2.0 * node.radius * (node.hit_error + error);
-        let wide = radius * (1.0 + MARGIN) + error;
+        let wide = radius * (1.0 + BOUND) + error;
         // The squared chord is 2 - 2 cos. Computed from the sine it loses no digits.
         let sine2 = wide * wide / distance2;
         let chord2 = 2.0 * sine2 / (1.0 + sqrt(1.0 - sine2));
         let room = node.radius - 0.5 * diameter;
         self.around_lamp = !node.is_block && room > 0.0 && distance2 < room * room;
         // No part of the sphere is nearer to the lamp than this.
-        let from = sqrt(distance2) * (1.0 - MARGIN) - wide;
-        let sine = sqrt(node.thin2) / from.max(0.0) + ROUNDING;
+        let from = sqrt(distance2) * (1.0 - BOUND) - wide;
+        let sine = sqrt(node.thin2) / from.max(0.0) + COSINE;
         let side = node.axis.cross(from_lamp);
         *self = Self {
             axis: from_lamp.normalize_or(Vec3A::Y).into(),
@@ -190,7 +187,7 @@ impl ShadowCone {
             from_lamp: from_lamp.into(),
             side: side.into(),
             sine2: side.length_squared() * sine * sine,
-            radius: node.radius * (1.0 + MARGIN) + error,
+            radius: node.radius * (1.0 + BOUND) + error,
             r2: node.r2
                 + if self.around_lamp {
                     r2_error

@@ -1,13 +1,11 @@
 //! Computes, once per frame, everything that does not change from ray to ray.
 
-mod air;
 mod film;
 mod lamp;
 mod object;
 mod surface;
 mod tree;
 
-pub(crate) use air::Air;
 #[cfg(test)]
 pub(crate) use film::ROUND;
 pub(crate) use film::{Dither, Film, Four};
@@ -16,10 +14,9 @@ pub(crate) use object::{Object, ObjectId, is_crowd};
 pub(crate) use surface::{Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable};
 pub(crate) use tree::{BvhNode, GroupSet, MAX_GROUPS, Tree, VisibleGroups};
 
-use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Scene, camera::Raster};
-use crate::shapes::plane::Rectangle;
+use crate::scene::{MAX_LIGHTS, MAX_PLANES, MAX_SOLIDS, Material, Plane, Scene, camera::Raster};
 use core::ops::Deref;
-use glam::{Vec2, Vec3A};
+use glam::{Vec2, Vec3, Vec3A};
 
 /// The most objects that rays can hit: solids, lights (shown as spheres), planes, and the background.
 pub(crate) const MAX_OBJECTS: usize = MAX_SOLIDS + MAX_LIGHTS + MAX_PLANES + 1;
@@ -43,6 +40,11 @@ impl Deref for World<'_> {
 }
 
 impl<'a> World<'a> {
+    /// The planes.
+    pub fn planes(self) -> &'a [Plane] {
+        &self.scene.planes
+    }
+
     /// An object and its material.
     pub fn object(self, id: ObjectId) -> (Object<'a>, &'a Material) {
         object::of(self.scene, id)
@@ -51,7 +53,12 @@ impl<'a> World<'a> {
 
 /// All that is computed of the scene of one frame for the kernels.
 pub(crate) struct Prepared {
-    pub air: Air,
+    /// Whether there is no haze, and the background has one colour.
+    pub is_clear: bool,
+    /// The density of haze, in 1 / scene units.
+    pub haze: f32,
+    /// Whether any light has a glow.
+    pub glows: bool,
     pub film: Film,
     pub eye: Vec3A,
     pub raster: Raster,
@@ -62,17 +69,16 @@ pub(crate) struct Prepared {
     pub solids: usize,
     lamps: [Lamp; MAX_LIGHTS],
     pub lamp_count: usize,
-    planes: [Rectangle; MAX_PLANES],
     pub plane_count: usize,
-    surfaces: [SurfaceNumbers; MAX_OBJECTS],
+    pub surfaces: [SurfaceNumbers; MAX_OBJECTS],
     /// For each object, whether its pattern has edges.
-    has_edges: [bool; MAX_OBJECTS],
+    pub has_edges: [bool; MAX_OBJECTS],
     /// See [`object::glitters`].
-    glitters: [bool; MAX_OBJECTS],
+    pub glitters: [bool; MAX_OBJECTS],
     /// Whether any object has a pattern.
-    has_patterns: bool,
+    pub has_patterns: bool,
     /// Whether any object is a block, or has a pattern or grooves.
-    has_details: bool,
+    pub has_details: bool,
     /// The weight of primary rays: the exposure.
     pub weight: f32,
 }
@@ -81,7 +87,9 @@ impl Prepared {
     /// All zeros: memory before a frame is prepared.
     pub const fn new() -> Self {
         Self {
-            air: Air::ZERO,
+            is_clear: false,
+            haze: 0.0,
+            glows: false,
             film: Film::ZERO,
             eye: Vec3A::ZERO,
             raster: Raster::ZERO,
@@ -90,7 +98,6 @@ impl Prepared {
             solids: 0,
             lamps: [const { Lamp::ZERO }; MAX_LIGHTS],
             lamp_count: 0,
-            planes: [Rectangle::ZERO; MAX_PLANES],
             plane_count: 0,
             surfaces: [[0.0; SURFACE_NUMBERS]; MAX_OBJECTS],
             has_edges: [false; MAX_OBJECTS],
@@ -102,45 +109,8 @@ impl Prepared {
     }
 
     /// The lamps.
-    #[inline(always)]
     pub fn lamps(&self) -> &[Lamp] {
         &self.lamps[..self.lamp_count]
-    }
-
-    /// The planes.
-    #[inline(always)]
-    pub fn planes(&self) -> &[Rectangle] {
-        &self.planes[..self.plane_count]
-    }
-
-    /// The surface of an object.
-    #[inline(always)]
-    pub fn surface(&self, id: ObjectId) -> &SurfaceNumbers {
-        &self.surfaces[id.index()]
-    }
-
-    /// Whether any object is a block, or has a pattern or grooves.
-    #[inline(always)]
-    pub fn has_details(&self) -> bool {
-        self.has_details
-    }
-
-    /// Whether any object has a pattern.
-    #[inline(always)]
-    pub fn has_patterns(&self) -> bool {
-        self.has_patterns
-    }
-
-    /// Whether the pattern of an object has edges.
-    #[inline(always)]
-    pub fn has_edges(&self, id: ObjectId) -> bool {
-        self.has_edges[id.index()]
-    }
-
-    /// Whether two points of an object tell nothing of what it shows between them.
-    #[inline(always)]
-    pub fn glitters(&self, id: ObjectId) -> bool {
-        self.glitters[id.index()]
     }
 
     /// The object number of the first plane.
@@ -161,7 +131,9 @@ impl Prepared {
         [width, height]: [usize; 2],
         offset: Vec2,
     ) -> World<'a> {
-        self.air = Air::of(scene);
+        self.is_clear = scene.haze == 0.0 && scene.sky == Vec3::ZERO;
+        self.haze = surface::bounded(scene.haze);
+        self.glows = scene.lights.iter().any(|light| light.glow > 0.0);
         self.film = Film::of(&scene.film, width, height);
         self.eye = scene.camera.eye.into();
         self.raster = scene.camera.raster(width, height);
@@ -185,13 +157,6 @@ impl Prepared {
         }
         for (lamp, light) in self.lamps.iter_mut().zip(scene.lights.iter()) {
             lamp.set(light, self.tree.solid_nodes(), scene.spheres.len());
-        }
-        for (rectangle, plane) in self.planes.iter_mut().zip(scene.planes.iter()) {
-            *rectangle = Rectangle {
-                centre: plane.centre.into(),
-                half_x: plane.half_x,
-                half_z: plane.half_z,
-            };
         }
         World {
             scene,

@@ -1,6 +1,7 @@
 //! The objects of a scene by number.
 
 use crate::scene::{Block, Light, Material, Plane, Scene, Sphere};
+use glam::Vec3;
 
 /// An object that a ray can hit.
 pub(crate) enum Object<'a> {
@@ -11,6 +12,19 @@ pub(crate) enum Object<'a> {
     Light(&'a Light),
     /// The background, which a ray hits that hits nothing else.
     Background,
+}
+
+impl Object<'_> {
+    /// Returns its centre; of the background zeros.
+    pub fn centre(&self) -> Vec3 {
+        match self {
+            Self::Sphere(sphere) => sphere.centre,
+            Self::Block(block) => block.centre,
+            Self::Plane(plane) => plane.centre,
+            Self::Light(light) => light.position,
+            Self::Background => Vec3::ZERO,
+        }
+    }
 }
 
 /// Identifies an object of a frame: spheres have the first numbers; blocks, lights, planes and the background follow.
@@ -25,19 +39,16 @@ impl ObjectId {
     pub const FIRST: Self = Self(0);
 
     /// The object with a number below [`super::MAX_OBJECTS`].
-    #[inline(always)]
     pub const fn new(number: usize) -> Self {
         Self(number as u16)
     }
 
     /// Its number, as an index in arrays of all objects.
-    #[inline(always)]
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 
     /// Its number, as it stands in a lane.
-    #[inline(always)]
     pub const fn lane(self) -> u32 {
         self.0 as u32
     }

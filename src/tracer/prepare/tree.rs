@@ -3,9 +3,9 @@
 //! Coordinates are the scene's.
 
 use super::object::{self, Object, ObjectId};
+use crate::rounding::{BOUND, hit_error};
 use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use crate::shapes::block;
-use crate::shapes::sphere::hit_error;
 use glam::{Vec3, Vec3A};
 
 /// The number of groups that solids are divided into. Up to so many solids have a group of their own. For each part of the
@@ -49,7 +49,7 @@ pub(crate) struct BvhNode {
     pub centre: Vec3A,
     /// The squared radius; negative for lights that are not drawn, so that no ray hits them.
     pub r2: f32,
-    /// The squared radius enlarged by [`MARGIN`], for a first test with less exact arithmetic.
+    /// The squared radius enlarged by [`BOUND`], for a first test with less exact arithmetic.
     pub cull2: f32,
     /// A bound on the distance by which rounding moves a point off the sphere, see [`hit_error`].
     pub hit_error: f32,
@@ -93,10 +93,6 @@ pub(crate) struct Tree {
     solid_node_end: usize,
 }
 
-/// The share by which bounds are enlarged. It is more than the rounding error of a ray that comes from a thousand radii away, so
-/// that no ray hits a sphere and misses its bound.
-pub(super) const MARGIN: f32 = 1e-3;
-
 /// The radius of a bound around everything: far larger than [`MAX_LENGTH`], with a finite square.
 const UNBOUNDED: f32 = 1e18;
 
@@ -115,14 +111,12 @@ impl Tree {
     };
 
     /// All nodes.
-    #[inline(always)]
     pub fn nodes(&self) -> &[BvhNode] {
         &self.nodes[..self.len]
     }
 
     /// The index of the first node to test for rays that can only meet the given groups. The bound around all solids is left out,
     /// since such rays probably meet it.
-    #[inline(always)]
     pub fn start(&self, groups: GroupSet) -> usize {
         if self.nodes[0].groups & groups != 0 {
             1
@@ -132,7 +126,6 @@ impl Tree {
     }
 
     /// The nodes of the solids.
-    #[inline(always)]
     pub fn solid_nodes(&self) -> &[BvhNode] {
         &self.nodes[..self.solid_node_end]
     }
@@ -196,7 +189,7 @@ impl Tree {
         for ball in balls {
             radius = radius.max(centre.distance(ball.centre) + ball.radius);
         }
-        radius *= 1.0 + MARGIN;
+        radius *= 1.0 + BOUND;
         // If any coordinate is NaN or infinite, the bound contains everything, so that the other solids in it are found.
         if !(centre.abs().element_sum() + radius).is_finite() {
             (centre, radius) = (Vec3A::ZERO, UNBOUNDED);
@@ -234,7 +227,7 @@ impl Tree {
         *node = BvhNode {
             centre,
             r2: radius * radius,
-            cull2: radius * radius * (1.0 + MARGIN),
+            cull2: radius * radius * (1.0 + BOUND),
             hit_error,
             r2_error: 2.0 * radius * hit_error,
             radius,
@@ -331,12 +324,11 @@ impl BvhNode {
     };
 
     /// Prepares the node for the box or cylinder in it.
-    #[inline(always)]
     fn set_block(&mut self, block: &Block) {
         self.is_block = true;
         let (axis, radius2) = block::bounding_cylinder(block);
         self.axis = axis;
-        self.thin2 = radius2 * (1.0 + 2.0 * MARGIN);
+        self.thin2 = radius2 * (1.0 + 2.0 * BOUND);
     }
 
     /// The number of the group that the node of a solid or a light is in.
@@ -345,7 +337,6 @@ impl BvhNode {
     }
 
     /// The number of nodes to advance by.
-    #[inline(always)]
     pub fn step(&self, is_met: bool) -> usize {
         if is_met { 1 } else { self.skip as usize }
     }

@@ -26,6 +26,7 @@
 use super::worker::{STRETCH, Worker};
 use crate::MAX_WIDTH;
 use crate::coverage::rectangle;
+use crate::grid::each;
 use crate::lanes::*;
 use crate::observe::Observer;
 use crate::picture::{BLOCK, BLOCK_ROWS, Band, MAX_BANDS, RoughRow, TILE_HEIGHT, TILE_WIDTH};
@@ -92,19 +93,12 @@ impl Seams {
     ) {
         let number = band.top / TILE_HEIGHT;
         let is_last = band.top + band.height() == context.plan.size[1];
-        let borders = Borders {
-            above: number.checked_sub(1).map(|above| &self.0[above]),
-            below: (!is_last).then_some(&self.0[number]),
-        };
-        mix(context, borders, worker, band);
+        // Beyond the picture's edge all is alike.
+        let none = &[0; MAX_STRETCHES];
+        let above = number.checked_sub(1).map_or(none, |above| &self.0[above]);
+        let below = if is_last { none } else { &self.0[number] };
+        mix(context, [above, below], worker, band);
     }
-}
-
-/// Where the first row of a band differs from the row above it, and the last from the row below it; `None` at the picture's edge.
-#[derive(Clone, Copy)]
-struct Borders<'a> {
-    above: Option<&'a RowMarks>,
-    below: Option<&'a RowMarks>,
 }
 
 /// Where the pixels of a stretch of a band differ from their neighbours.
@@ -114,13 +108,11 @@ struct Borders<'a> {
 type Marks = [u64; PARTS * TILE_HEIGHT + 1];
 
 /// The pixels of a stretch in a row of so many.
-#[inline(always)]
 fn stretch(word: usize, width: usize) -> Range<usize> {
     width.min(word * STRETCH)..width.min((word + 1) * STRETCH)
 }
 
 /// Which of a stretch's blocks are rough.
-#[inline(always)]
 fn blocks(row: &RoughRow, word: usize) -> u64 {
     let tile = row[word / (TILE_WIDTH / STRETCH)];
     tile >> (BLOCKS * word % (TILE_WIDTH / BLOCK)) & ((1 << BLOCKS) - 1)
@@ -129,28 +121,21 @@ fn blocks(row: &RoughRow, word: usize) -> u64 {
 /// Marks where a line of pixels of a stretch differs by an edge from another one, as far as this goes, in those of its blocks that
 /// are given.
 #[inline(never)]
-fn mark(line: &[u32], other: &[u32], mut blocks: u64) -> u64 {
+fn mark(line: &[u32], other: &[u32], blocks: u64) -> u64 {
     let mut marks = 0;
-    while blocks != 0 {
-        let start = BLOCK * blocks.trailing_zeros() as usize;
-        blocks &= blocks - 1;
-        let end = start + BLOCK;
+    each(blocks, |block| {
+        let (start, end) = (BLOCK * block, BLOCK * (block + 1));
         marks |= match (line.get(start..end), other.get(start..end)) {
             (Some(a), Some(b)) => edges(a, b) << start,
-            // The last block, which is cut off: what is missing is alike.
+            // The last block, which is cut off.
             _ => {
-                let mut ends = [[0; BLOCK]; 2];
-                let count = other.len().saturating_sub(start);
-                for (end, line) in ends.iter_mut().zip([line, other]) {
-                    let rest = line.iter().skip(start).take(count);
-                    end.iter_mut()
-                        .zip(rest)
-                        .for_each(|(end, &pixel)| *end = pixel);
-                }
-                edges(&ends[0], &ends[1]) << start
+                let pairs = line.iter().zip(other).enumerate().skip(start);
+                pairs.fold(0, |marks, (i, (&a, &b))| {
+                    marks | u64::from(is_edge(a, b)) << i
+                })
             }
         };
-    }
+    });
     marks
 }
 
@@ -159,14 +144,14 @@ fn mark_stretch(
     band: &Band<'_>,
     finished: usize,
     word: usize,
-    borders: Borders<'_>,
+    [above, below]: [&RowMarks; 2],
     marks: &mut Marks,
 ) {
     let stretch = stretch(word, finished);
     let right = finished.min(stretch.start + 1)..finished.min(stretch.end + 1);
     let rows = band.height();
     let line = |y: usize| &band.pixels[y * band.stride..][..finished];
-    marks[0] = borders.above.map_or(0, |marks| marks[word]);
+    marks[0] = above[word];
     for y in 0..rows {
         let rough = &band.rough[y / BLOCK];
         let here = blocks(rough, word);
@@ -186,7 +171,7 @@ fn mark_stretch(
                 both,
             )
         } else {
-            borders.below.map_or(0, |marks| marks[word])
+            below[word]
         };
     }
 }
@@ -210,7 +195,7 @@ pub(super) fn is_edge(a: u32, b: u32) -> bool {
 /// Traces the points between a band's pixels that differ, and mixes them.
 fn mix<O: Observer>(
     context: &Context<'_, O>,
-    borders: Borders<'_>,
+    borders: [&RowMarks; 2],
     worker: &mut Worker,
     band: &mut Band<'_>,
 ) {
@@ -236,7 +221,7 @@ fn mix<O: Observer>(
         let rect = rectangle(left, above, start + STRETCH, top + height);
         let seen = coverage.visible_groups(coverage.axes.rect(rect));
         let traced = |worker: &mut Worker| {
-            context.trace(seen, &mut worker.batch);
+            context.trace(&plan.quality, seen, &mut worker.batch);
             add_middles([start, top], height, worker);
         };
         // Trace them, batch by batch.
@@ -277,15 +262,6 @@ fn mix<O: Observer>(
                 *pixel = mixed(*pixel, sum, count);
             });
         }
-    }
-}
-
-/// Calls with the number of each bit that is set.
-#[inline(always)]
-fn each(mut bits: u64, mut call: impl FnMut(usize)) {
-    while bits != 0 {
-        call(bits.trailing_zeros() as usize % STRETCH);
-        bits &= bits - 1;
     }
 }
 

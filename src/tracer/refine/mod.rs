@@ -14,7 +14,7 @@
 //!     1   1   1             traced            # = filled         0 0 1 1 0 0         o = asked for
 //! ```
 //!
-//! 1. *Points* (`points`): a square's corners are the points at its bit and the next, in the rows above and below, so the points
+//! 1. *Points* (`tile::points`): a square's corners are the points at its bit and the next, in the rows above and below, so the points
 //!    that a level needs are shifts and ORs of its squares' bits. Those with two even numbers are known from the level above,
 //!    and a middle of a side is the mean of the side's ends if these are alike; all others are traced, in full packets, in
 //!    clusters of 4x16 points: neighbours meet the same objects.
@@ -31,7 +31,7 @@
 //! default frame at 1920x1080 can be 13.5 times as fast by 16 threads as by one (12.2 times if bands were taken from the top).
 //!
 //! A square whose corners all show one object with a pattern that has edges is not filled by their colours: what the pattern
-//! is on, and what is added to that, are interpolated apart, and the pattern is seen at every pixel (see `patterned`).
+//! is on, and what is added to that, are interpolated apart, and the pattern is seen at every pixel (see `tile::patterned`).
 //!
 //! # Where the time goes
 //!
@@ -45,35 +45,8 @@
 //! as they save: batches are too short. To average the middle of a split square from two corners that agree saves 17 % of the
 //! rays, 4 % of the time, and costs 1 dB and more errors that come and go, which looser tolerances give for less.
 
-/// Evaluates an expression by an instruction set, with all that it has.
-///
-/// Where there is AVX-512 it is AVX2 that squares are judged and filled by: a row of a square of 8 is one of its registers, and
-/// wider ones take 1,335 packed bytes of the intro for nothing.
-macro_rules! by_isa {
-    ($isa:expr, $simd:ident => $expression:expr) => {{
-        if let Some($simd) = crate::lanes::avx2($isa) {
-            fearless_simd::Simd::vectorize(
-                $simd,
-                #[inline(always)]
-                || $expression,
-            )
-        } else {
-            let $simd = crate::lanes::baseline();
-            fearless_simd::Simd::vectorize(
-                $simd,
-                #[inline(always)]
-                || $expression,
-            )
-        }
-    }};
-}
-
 pub(crate) mod antialias;
-mod draw;
 mod fill;
-mod method;
-mod patterned;
-mod points;
 pub(crate) mod probe;
 mod tile;
 mod verdict;
@@ -82,5 +55,5 @@ mod worker;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use draw::draw;
+pub(crate) use tile::draw;
 pub use worker::Worker;

@@ -78,7 +78,7 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
             break;
         }
         // Antialiasing, which its reference shares with a quality, is no matter of tracing.
-        context.trace_by(&Quality::EXHAUSTIVE, all, batch);
+        context.trace(&Quality::EXHAUSTIVE, all, batch);
         let mut first = 0;
         while first < batch.points.len() {
             let (x, y) = batch.points.pixel(first);

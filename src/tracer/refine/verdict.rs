@@ -26,7 +26,6 @@ impl Limit {
     /// Whether two samples are within it, give or take a 128th of a step.
     ///
     /// All channels at once: halves of two channels add up below a word's highest bit, which then tells the greater one.
-    #[inline(always)]
     pub fn has(self, a: Sample, b: Sample) -> bool {
         const HALF: u64 = 0x3fff_3fff_3fff;
         const GREATER: u64 = 0x8000_8000_8000;
@@ -45,23 +44,10 @@ pub(super) fn growth(side: usize, crowding: f32) -> f32 {
     growth + crowding * (growth.min(1.0) - growth)
 }
 
-/// The rules that squares of one side are judged by.
-#[derive(Clone, Copy)]
-pub(super) struct Rules {
-    /// How far corners may be apart whose keys agree.
-    pub agreeing: Limit,
-    /// How far those may be apart whose keys differ.
-    pub differing: Limit,
-}
-
-impl Rules {
-    /// A quality's rules for squares whose tolerances have grown, see [`growth`].
-    pub fn new(quality: &Quality, growth: f32) -> Self {
-        Self {
-            agreeing: Limit::new(quality.tolerance_agreeing * growth),
-            differing: Limit::new(quality.tolerance_differing * growth),
-        }
-    }
+/// Returns a quality's limits for squares whose tolerances have grown, see [`growth`]: of corners whose keys agree, and whose keys differ.
+pub(super) fn limits(quality: &Quality, growth: f32) -> [Limit; 2] {
+    let tolerances = [quality.tolerance_agreeing, quality.tolerance_differing];
+    tolerances.map(|tolerance| Limit::new(tolerance * growth))
 }
 
 /// The verdict on the squares of a row, a bit each.
@@ -78,13 +64,21 @@ pub(super) struct Verdict {
 }
 
 impl Verdict {
+    /// No square is judged.
+    pub const NONE: Self = Self {
+        agreeing: Bits::NONE,
+        flat: Bits::NONE,
+        filled: Bits::NONE,
+        patterned: Bits::NONE,
+    };
+
     /// All squares are filled with one colour each, whatever their corners show.
     pub fn coarse(squares: Bits) -> Self {
         Self {
             agreeing: squares,
             flat: squares,
             filled: squares,
-            patterned: Bits::NONE,
+            ..Self::NONE
         }
     }
 }
@@ -92,28 +86,23 @@ impl Verdict {
 /// Judges squares of a row, those in `squares`, by the rows of points above and below them.
 pub(super) fn judge(
     isa: Level,
-    rules: Rules,
+    limits: [Limit; 2],
     squares: &Bits,
     above: GridRow<'_>,
     below: GridRow<'_>,
 ) -> Verdict {
-    by_isa!(isa, simd => judge_by(simd, rules, squares, above, below))
+    by_isa!(isa, simd => judge_by(simd, limits, squares, above, below))
 }
 
 #[inline(always)]
 fn judge_by<S: Simd>(
     simd: S,
-    rules: Rules,
+    limits: [Limit; 2],
     squares: &Bits,
     above: GridRow<'_>,
     below: GridRow<'_>,
 ) -> Verdict {
-    let mut verdict = Verdict {
-        agreeing: Bits::NONE,
-        flat: Bits::NONE,
-        filled: Bits::NONE,
-        patterned: Bits::NONE,
-    };
+    let mut verdict = Verdict::NONE;
     let n = lanes::<S>();
     for (word, &squares) in squares.0.iter().enumerate() {
         let mut rest = squares;
@@ -123,22 +112,24 @@ fn judge_by<S: Simd>(
             let group = ((1 << n) - 1) << first;
             rest &= !group;
             let x = 64 * word + first;
-            let agreeing =
-                keys_agree(simd, &above.keys[x..=x + n], &below.keys[x..=x + n]) << first;
+            let rows = (&above.keys[x..=x + n], &below.keys[x..=x + n]);
+            let [a, b, c, d]: [U<S>; 4] = corners(simd, rows);
+            let agreeing = a.simd_eq(b) & a.simd_eq(c) & a.simd_eq(d);
+            let agreeing = agreeing.to_bitmask() << first;
             let (mut near, mut flat, mut patterned) = ([0; 2], 0, 0);
             for half in [0, n / 2] {
-                let corners = corners(
-                    simd,
-                    &above.samples[x + half..=x + half + n / 2],
-                    &below.samples[x + half..=x + half + n / 2],
-                );
+                let samples = x + half..=x + half + n / 2;
+                let rows = (&above.samples[samples.clone()], &below.samples[samples]);
+                let samples: [S::u64s; 4] = corners(simd, rows);
+                // Channels are below 2^15: SSE2 compares no unsigned words.
+                let [a, b, c, d] = samples.map(|corner| corner.bitcast::<S::i16s>());
+                let (most, least) = (a.max(b).max(c.max(d)), a.min(b).min(c.min(d)));
                 let first = first + half;
-                let [most, least] = corners.span(simd);
-                for (near, limit) in near.iter_mut().zip([rules.agreeing, rules.differing]) {
+                for (near, limit) in near.iter_mut().zip(limits) {
                     *near |= within(simd, most, least, limit) << first;
                 }
                 flat |= same_pixel(simd, most, least) << first;
-                patterned |= corners.patterned(simd) << first;
+                patterned |= any_patterned(simd, samples) << first;
             }
             let [near_agreeing, near_differing] = near;
             let near = near_agreeing & agreeing | near_differing & !agreeing;
@@ -151,48 +142,20 @@ fn judge_by<S: Simd>(
     verdict
 }
 
-/// Whether the keys at the four corners agree, a bit for each of as many squares as there are lanes.
+/// The numbers at the four corners of squares side by side, by the rows of points above and below them.
 #[inline(always)]
-fn keys_agree<S: Simd>(simd: S, above: &[u32], below: &[u32]) -> u64 {
-    let n = lanes::<S>();
-    let load = |keys: &[u32]| U::<S>::from_slice(simd, &keys[..n]);
-    let first = load(above);
-    let same = first.simd_eq(load(&above[1..]))
-        & first.simd_eq(load(below))
-        & first.simd_eq(load(&below[1..]));
-    same.to_bitmask()
+fn corners<S: Simd, V: SimdBase<S>>(
+    simd: S,
+    (above, below): (&[V::Element], &[V::Element]),
+) -> [V; 4] {
+    [above, &above[1..], below, &below[1..]].map(|row| V::from_slice(simd, &row[..V::LEN]))
 }
 
-/// The samples at the corners of squares side by side.
-struct Corners<S: Simd>([S::u64s; 4]);
-
+/// Whether a corner shows an object with a pattern, a bit for each square.
 #[inline(always)]
-fn corners<S: Simd>(simd: S, above: &[u64], below: &[u64]) -> Corners<S> {
-    let n = S::u64s::LEN;
-    let load = |samples: &[u64]| S::u64s::from_slice(simd, &samples[..n]);
-    Corners([
-        load(above),
-        load(&above[1..]),
-        load(below),
-        load(&below[1..]),
-    ])
-}
-
-impl<S: Simd> Corners<S> {
-    /// The greatest and the least of each channel. Channels are below 2^15: SSE2 compares no unsigned words.
-    #[inline(always)]
-    fn span(&self, _: S) -> [S::i16s; 2] {
-        let [a, b, c, d] = self.0.map(|corner| corner.bitcast::<S::i16s>());
-        [a.max(b).max(c.max(d)), a.min(b).min(c.min(d))]
-    }
-
-    /// Whether a corner shows an object with a pattern.
-    #[inline(always)]
-    fn patterned(&self, simd: S) -> u64 {
-        let [a, b, c, d] = self.0;
-        let pattern = (a | b | c | d) & S::u64s::splat(simd, Sample::PATTERN);
-        (!pattern.simd_eq(S::u64s::splat(simd, 0))).to_bitmask()
-    }
+fn any_patterned<S: Simd>(simd: S, [a, b, c, d]: [S::u64s; 4]) -> u64 {
+    let pattern = (a | b | c | d) & S::u64s::splat(simd, Sample::PATTERN);
+    (!pattern.simd_eq(S::u64s::splat(simd, 0))).to_bitmask()
 }
 
 /// Whether no channel spans more than a limit.

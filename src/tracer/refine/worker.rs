@@ -3,7 +3,7 @@
 use crate::counts::Counts;
 use crate::coverage::Guard;
 use crate::grid::{Bits, LEVELS, Pyramid};
-use crate::picture::{BLOCK_ROWS, TILE_HEIGHT};
+use crate::picture::TILE_HEIGHT;
 use crate::trace::{BATCH, Batch};
 
 /// The memory that one thread works in, of fixed size: [`Worker::BYTES`].
@@ -80,8 +80,6 @@ pub(super) struct Marks {
     pub open: [[Bits; TILE_HEIGHT]; LEVELS],
     /// Those that were filled: no pixels, so there are half as many rows at most.
     pub filled: [[Bits; TILE_HEIGHT / 2]; LEVELS],
-    /// Those of squares of 8, if these are the largest, that were filled by colours between their corners'.
-    pub smooth: [u64; BLOCK_ROWS],
     /// Points that were traced; clusters of them end with more rows than there are.
     pub traced: [[Bits; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
 }
@@ -92,7 +90,6 @@ impl Marks {
             squares: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
             open: [[Bits::NONE; TILE_HEIGHT]; LEVELS],
             filled: [[Bits::NONE; TILE_HEIGHT / 2]; LEVELS],
-            smooth: [0; BLOCK_ROWS],
             traced: [[Bits::NONE; TILE_HEIGHT + CLUSTER_HEIGHT]; LEVELS],
         }
     }

@@ -5,14 +5,12 @@
 use super::sphere::Chord;
 use super::{TexturePoint, capsule, cuboid, cylinder};
 use crate::lanes::*;
+use crate::rounding;
 use crate::scene::{Block, Shape};
 use glam::{Mat3, Vec3, Vec3A};
 
 /// Added to directions along a block's axes, to avoid divisions by 0 for rays that are parallel to a side.
 const TINY: f32 = 1e-12;
-
-/// A bound on the rounding error of the squared dot product of two directions.
-const ROUNDING: f32 = 4e-6;
 
 /// A vector's components along three axes.
 #[inline(always)]
@@ -92,25 +90,24 @@ impl<S: Isa> BlockHit<S> {
 /// The offset from the surface at which secondary rays of a block start, in scene units: many times the rounding error of a point
 /// on it. At ten units from the origin it is 1e-4.
 pub(crate) fn hit_error(block: &Block) -> f32 {
-    1e-5 * (Vec3A::from(block.centre).abs() + Vec3A::from(block.half)).element_sum()
+    rounding::BLOCK_HIT * (Vec3A::from(block.centre).abs() + Vec3A::from(block.half)).element_sum()
 }
 
 /// The radius of its bounding sphere, enlarged to cover rounding.
 pub(crate) fn bounding_radius(block: &Block) -> f32 {
-    Vec3A::from(block.half).length() * (1.0 + 1e-4)
+    Vec3A::from(block.half).length() * (1.0 + rounding::BLOCK_BOUND)
 }
 
 /// The longer of its own y and z axes, along which long blocks extend, if they stand or if they lie; and the squared radius of the
 /// cylinder around that which contains it.
-#[inline(always)]
 pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
     let half2 = block.half * block.half;
     if half2.y < half2.z {
         (block.axes.z_axis.into(), half2.x + half2.y)
     } else {
         let radius2 = match block.shape {
-            Shape::Box => cuboid::radius2(half2),
-            Shape::Cylinder | Shape::Capsule => cylinder::radius2(half2),
+            Shape::Box => half2.x + half2.z,
+            Shape::Cylinder | Shape::Capsule => half2.x,
         };
         (block.axes.y_axis.into(), radius2)
     }
@@ -131,7 +128,7 @@ pub(crate) fn is_off<S: Isa>(
     let (along, across) = (d.dot(axis), chord.l.dot(axis));
     // The squared sine of the angle between ray and axis, reduced by the rounding error. Squared distances are compared after
     // multiplication with it.
-    let sine2 = splat::<S>(simd, 1.0 - ROUNDING) - along * along;
+    let sine2 = splat::<S>(simd, 1.0 - rounding::COSINE2) - along * along;
     let beyond = chord.l2 - radius2;
     let is_off = (beyond * at_least::<S>(sine2, splat(simd, 0.0))).simd_gt(across * across);
     is_off | chord.t_mid.simd_gt(limit + radius)

@@ -57,8 +57,3 @@ pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
         z: p.z.abs(),
     }
 }
-
-/// The squared radius of the cylinder around its y axis that contains it, by the squares of its half extents.
-pub(super) fn radius2(half2: Vec3) -> f32 {
-    half2.x + half2.z
-}

@@ -40,8 +40,3 @@ pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
         z: round,
     }
 }
-
-/// The squared radius of the cylinder around its y axis that contains it, by the squares of its half extents: its own.
-pub(super) fn radius2(half2: Vec3) -> f32 {
-    half2.x
-}

@@ -2,46 +2,30 @@
 
 use super::TexturePoint;
 use crate::lanes::*;
+use crate::scene::Plane;
 use glam::{Vec3A, Vec3Swizzles, Vec4};
 
-/// A horizontal rectangle, in scene coordinates.
-#[derive(Clone, Copy)]
-pub(crate) struct Rectangle {
-    pub centre: Vec3A,
-    pub half_x: f32,
-    pub half_z: f32,
-}
-
-impl Rectangle {
-    /// All zeros.
-    pub const ZERO: Self = Self {
-        centre: Vec3A::ZERO,
-        half_x: 0.0,
-        half_z: 0.0,
-    };
-
-    /// How far on the inner side of the four planes through the eye and an edge a direction leads.
-    ///
-    /// A ray d meets the plane at `eye + d h / q`, with q = -d.y or d.y the speed at which it comes nearer, and lies on
-    /// the inner side of an edge `reach` away along x where `reach q - h d.x >= 0`. Scaled below 1, so
-    /// that one rounding margin serves all.
-    pub fn sides(&self, eye: Vec3A, d: Vec3A) -> Vec4 {
-        let from = eye - self.centre;
-        let reach = Vec4::new(self.half_x, self.half_x, self.half_z, self.half_z)
-            + from.xxzz() * Vec4::new(-1.0, 1.0, -1.0, 1.0);
-        let h = from.y.abs();
-        let scale = 1.0 / (reach.element_sum() + from.abs().element_sum());
-        let across = d.xxzz() * Vec4::new(-h, h, -h, h);
-        let q = if from.y < 0.0 { d.y } else { -d.y };
-        (reach * q + across) * scale
-    }
+/// Returns how far on the inner side of the four planes through the eye and an edge a direction leads.
+///
+/// A ray d meets the plane at `eye + d h / q`, with q = -d.y or d.y the speed at which it comes nearer, and lies on
+/// the inner side of an edge `reach` away along x where `reach q - h d.x >= 0`. Scaled below 1, so
+/// that one rounding margin serves all.
+pub(crate) fn sides(plane: &Plane, eye: Vec3A, d: Vec3A) -> Vec4 {
+    let from = eye - Vec3A::from(plane.centre);
+    let reach = Vec4::new(plane.half_x, plane.half_x, plane.half_z, plane.half_z)
+        + from.xxzz() * Vec4::new(-1.0, 1.0, -1.0, 1.0);
+    let h = from.y.abs();
+    let scale = 1.0 / (reach.element_sum() + from.abs().element_sum());
+    let across = d.xxzz() * Vec4::new(-h, h, -h, h);
+    let q = if from.y < 0.0 { d.y } else { -d.y };
+    (reach * q + across) * scale
 }
 
 /// Which rays hit a plane nearer than `limit`, and where.
 #[inline(always)]
 pub(crate) fn hit<S: Isa>(
     simd: S,
-    plane: &Rectangle,
+    plane: &Plane,
     o: Vec3x<S>,
     d: Vec3x<S>,
     limit: F<S>,

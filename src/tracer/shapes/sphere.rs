@@ -2,29 +2,9 @@
 
 use super::TexturePoint;
 use crate::lanes::*;
+use crate::rounding;
 use crate::scene::Sphere;
 use glam::Vec3A;
-
-/// A bound on how far rounding moves a computed point of a sphere off it, as a share of the sphere's largest coordinate.
-///
-/// In units of 2^-24 the errors are 1.7 for the point's coordinates (the root of 3), 2.5 for its distance from the centre, 1.5
-/// for the ray's length, and 2.8 for the vector from the centre, its square and the discriminant when the next ray is tested
-/// against the sphere: 8.5 in total. Hundreds of millions of rays had at most 5 (`rays_that_leave_a_sphere_do_not_hit_it_again`).
-pub(crate) const HIT_ERROR: f32 = 10.0 / (1 << 24) as f32;
-
-/// Without fused multiply-add, a bound on the error of the squared perpendicular before it is [refined](Chord::refined), as a
-/// share of the square of `t_mid`.
-///
-/// With `u = 2^-24`, rounding the product `d t_mid` displaces the perpendicular by `u t_mid`, and rounding `t_mid` itself lengthens it
-/// along the ray by less than `5 u t_mid`. For a ray that meets a sphere of radius `r`,
-/// `(r + u t)^2 <= r^2 (1 + m) + u^2 t^2 (1 + 1 / m)`. With `m = 0.001`, for which `cull2` makes room, and the square of the
-/// 5, that is `(1001 + 25) u^2 = 3.6e-12`.
-const UNREFINED: f32 = 4e-12;
-
-/// A bound on how far rounding moves a point of a sphere off it, see [`HIT_ERROR`].
-pub(crate) fn hit_error(centre: Vec3A, radius: f32) -> f32 {
-    HIT_ERROR * (centre.abs().max_element() + radius)
-}
 
 /// The chord of a ray's line inside of a sphere.
 pub(crate) struct Chord<S: Isa> {
@@ -88,7 +68,7 @@ impl<S: Isa> Chord<S> {
         let unsure = if S::FUSES_MUL_ADD {
             splat(simd, 0.0)
         } else {
-            self.t_mid * splat(simd, -UNREFINED)
+            self.t_mid * splat(simd, -rounding::UNREFINED)
         };
         // The far end is ahead if the middle is, or if half the chord is longer than the distance back to the middle.
         let back2 = at_most::<S>(self.t_mid, unsure) * self.t_mid;
@@ -167,7 +147,7 @@ pub(crate) fn deepest<S: Isa>(
     let a = at_most::<S>(a, length);
     let off = to_centre.add_scaled(d, -a);
     // A point that is off the sphere by no more than rounding lies on it.
-    let error = 2e-6 * (centre.abs().max_element() + sphere.radius);
+    let error = rounding::DEEP * (centre.abs().max_element() + sphere.radius);
     (a, -off.dot(off).sqrt() + (sphere.radius - error))
 }
 

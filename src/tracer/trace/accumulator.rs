@@ -1,10 +1,9 @@
 //! Sums up, point by point, what the rays of a batch bring back.
 
-use super::contribution::Contribution;
 use super::queue::{BATCH, Queue, packet};
 use super::rays::Rays;
-use super::sample::{STEP_BITS, Sum};
-use super::{Layers, Sample, sample};
+use super::sample::{FIXED_POINT, STEP_BITS, Sum};
+use super::{Sample, sample};
 use crate::lanes::*;
 use crate::prepare::Film;
 use fearless_simd::{f32x4, i32x4};
@@ -12,6 +11,14 @@ use glam::Vec3A;
 
 /// The element of a [`Sum`] that holds the key.
 const KEY: usize = 3;
+
+/// The light of a traced point of a patterned surface in two layers: its colour is `rest + reflectance * untextured`, with the share that
+/// the pattern leaves. Along a surface both layers change slowly, while the pattern may not.
+///
+/// The first four numbers are `rest`, which does not depend on the surface's colour: highlights, reflection, transmission and haze. The
+/// others are `untextured`, the light that the surface would reflect diffusely without a pattern. Both are blue, green, red and 0, in
+/// steps of 1/255.
+pub(crate) type Layers = [f32; 8];
 
 /// The results of traced points, which have the numbers that they have in the [`Queue`](super::queue::Queue).
 ///
@@ -40,28 +47,23 @@ impl Accumulator {
     }
 
     /// The sample of traced point number `i`.
-    #[inline(always)]
     pub fn sample(&self, i: usize) -> Sample {
         let i = i % BATCH;
         Sample(self.samples[i]).showing(self.objects[i])
     }
 
     /// The key of traced point number `i`.
-    #[inline(always)]
     pub fn key(&self, i: usize) -> u32 {
         self.sums[i % BATCH][KEY] as u32
     }
 
     /// The layers of traced point number `i`, if it shows an object with a pattern.
-    #[inline(always)]
     pub fn layers(&self, i: usize) -> Layers {
         let i = i % BATCH;
         let [blue, green, red, share] = self.patterned[i];
         let untextured = Vec3A::new(blue, green, red);
-        Layers {
-            rest: steps(&self.sums[i]) - untextured * share,
-            untextured,
-        }
+        let [a, b, c] = (steps(&self.sums[i]) - untextured * share).to_array();
+        [a, b, c, 0.0, blue, green, red, 0.0]
     }
 
     /// Turns the sums of the points into samples.
@@ -155,4 +157,62 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
         let sum = colour * (1 << STEP_BITS) as f32 + 0.5;
         sum.to_int::<i32x4<Baseline>>().into()
     })
+}
+
+/// The largest contribution of a node of the ray tree, as a multiple of full brightness.
+///
+/// More than 1 is not visible, since contributions are not negative. With this bound the sum over the 255 nodes of the deepest
+/// tree does not overflow.
+const BRIGHTEST: f32 = 2.0;
+
+/// The contributions of a packet's hits to their points.
+pub(super) struct Contribution<S: Isa> {
+    pub colour: Vec3x<S>,
+    pub key: U<S>,
+    /// The part of the colour that a texture leaves a share of, and that share; of rays that hit no lamp and no
+    /// background.
+    pub untextured: Vec3x<S>,
+    pub reflectance: F<S>,
+}
+
+impl<S: Isa> Contribution<S> {
+    /// Stores blue, green and red in fixed point and the key, a point after the other.
+    #[inline(always)]
+    pub fn store(&self, simd: S, sums: &mut [i32]) {
+        let Vec3x { x, y, z } = self.colour;
+        let (blue, green, red) = (fixed(simd, z), fixed(simd, y), fixed(simd, x));
+        store_transposed([blue, green, red, self.key.bitcast()], sums);
+    }
+
+    /// Stores blue, green and red of what is untextured, in output steps, and the share that the texture leaves of it, a
+    /// point after the other.
+    #[inline(always)]
+    pub fn store_layers(&self, layers: &mut [f32]) {
+        let Vec3x { x, y, z } = self.untextured;
+        store_transposed([z * 255.0, y * 255.0, x * 255.0, self.reflectance], layers);
+    }
+}
+
+/// A number in fixed point, rounded to the nearest.
+#[inline(always)]
+fn fixed<S: Isa>(simd: S, c: F<S>) -> I<S> {
+    let c = clamp::<S>(c, splat(simd, 0.0), splat(simd, BRIGHTEST));
+    // One half is added, since the conversion truncates.
+    c.mul_add(splat(simd, FIXED_POINT), splat(simd, 0.5))
+        .to_int()
+}
+
+/// Transposes four vectors of lanes: stores the first lane's four numbers, then the second's, and so on.
+#[inline(always)]
+fn store_transposed<S: Isa, V: SimdBase<S>>([a, b, c, d]: [V; 4], numbers: &mut [V::Element]) {
+    let (ac0, ac1) = a.interleave(c);
+    let (bd0, bd1) = b.interleave(d);
+    let (first, second) = ac0.interleave(bd0);
+    let (third, fourth) = ac1.interleave(bd1);
+    for (row, numbers) in [first, second, third, fourth]
+        .iter()
+        .zip(numbers.chunks_mut(lanes::<S>()))
+    {
+        row.store_slice(numbers);
+    }
 }

@@ -4,7 +4,7 @@
 use super::rays::Rays;
 use super::surface::SurfaceLanes;
 use crate::lanes::*;
-use crate::prepare::{Air, World};
+use crate::prepare::World;
 use glam::Vec3A;
 
 /// The density of haze added everywhere, in 1 / scene units. It is dense enough to hide everything at the distance that stands
@@ -29,10 +29,7 @@ impl<S: Isa> AirLanes<S> {
         t: F<S>,
         surface: &SurfaceLanes<'_, S>,
     ) -> Option<Self> {
-        let Air {
-            horizon, sky, haze, ..
-        } = world.air;
-        if world.air.is_clear {
+        if world.is_clear {
             return None;
         }
         let rise = at_least::<S>(d.y, splat(simd, 0.0));
@@ -40,9 +37,11 @@ impl<S: Isa> AirLanes<S> {
         // There is none in front of lamps.
         let density = surface
             .is_lamp()
-            .select(splat(simd, 0.0), t * (haze + BACKGROUND_HAZE));
+            .select(splat(simd, 0.0), t * (world.haze + BACKGROUND_HAZE));
+        let [horizon, sky] =
+            [world.scene.background, world.scene.sky].map(|colour| Vec3x::splat(simd, colour));
         Some(Self {
-            sky: Vec3x::splat(simd, horizon).add_scaled(Vec3x::splat(simd, sky), gradient),
+            sky: horizon.add_scaled(sky, gradient),
             transmittance: splat::<S>(simd, 1.0) / (density * density + 1.0),
         })
     }

@@ -5,7 +5,7 @@ use super::candidates::Blockers;
 use super::key::Keys;
 use super::point::ShadingPoint;
 use super::surface::SurfaceLanes;
-use super::visibility::{ArrivingLight, Visibility};
+use super::visibility::ArrivingLight;
 use crate::counts::Counts;
 use crate::lanes::*;
 use crate::prepare::Parameter;
@@ -30,81 +30,63 @@ pub(super) fn gather<S: Isa>(
     counts: &mut Counts,
 ) -> Reflected<S> {
     let Tracer {
-        isa: simd, world, ..
+        isa: simd,
+        world,
+        quality,
     } = tracer;
-    let visibility = Visibility::new(simd, world, surface, point);
-    let mut phong = Phong {
-        tracer,
-        surface,
-        point,
-        diffuse: Vec3x::splat(simd, Vec3A::ZERO),
-        specular: Vec3x::splat(simd, Vec3A::ZERO),
-    };
+    let zero = splat(simd, 0.0);
     let none = M::<S>::splat(simd, false);
+    let mut diffuse = Vec3x::splat(simd, Vec3A::ZERO);
+    let mut specular = diffuse;
     for lamp in world.lamps() {
-        match visibility.light_of(lamp, blockers, counts) {
-            Some(light) => {
-                let highlight = phong.add(&light);
-                keys.push(light.lit, highlight);
-            }
-            None => keys.push(none, none),
+        let Some(light) = point.light_of(simd, world, lamp, blockers, counts) else {
+            keys.push(none, none);
+            continue;
+        };
+        let ArrivingLight {
+            nl, lit, colour, ..
+        } = light;
+        diffuse = diffuse.add_scaled(colour, lit.select(nl, zero));
+        let mut counted = none;
+        if let Some(strength) = highlight(simd, surface, point, &light) {
+            specular = specular.add_scaled(colour, strength);
+            counted = strength.simd_gt(splat(simd, quality.highlight));
         }
+        keys.push(lit, counted);
     }
     Reflected {
-        untextured: surface.emitted() + surface.vector(Parameter::Diffuse) * phong.diffuse,
-        specular: surface.vector(Parameter::Highlight) * phong.specular,
+        untextured: surface.emitted() + surface.vector(Parameter::Diffuse) * diffuse,
+        specular: surface.vector(Parameter::Highlight) * specular,
     }
 }
 
-/// Sums of the light that a packet's surfaces reflect.
-struct Phong<'a, S: Isa> {
-    tracer: Tracer<'a, S>,
-    surface: &'a SurfaceLanes<'a, S>,
-    point: &'a ShadingPoint<S>,
-    /// Diffuse reflection by white surfaces.
-    diffuse: Vec3x<S>,
-    specular: Vec3x<S>,
+/// Returns the strength of a lamp's highlight by Phong's model; `None` if there is none at any point.
+#[inline(always)]
+fn highlight<S: Isa>(
+    simd: S,
+    surface: &SurfaceLanes<'_, S>,
+    point: &ShadingPoint<S>,
+    light: &ArrivingLight<S>,
+) -> Option<F<S>> {
+    let rv = cosine(simd, point, &light.l);
+    let shiny = light.lit & rv.simd_gt(surface.number(Parameter::HighlightStart));
+    if !shiny.any_true() {
+        return None;
+    }
+    let base = shiny.select(rv, splat(simd, 1.0));
+    let lobe = pow(simd, base, surface.number(Parameter::Exponent));
+    let strength = surface.number(Parameter::Ks) * lobe;
+    Some(shiny.select(strength, splat(simd, 0.0)))
 }
 
-impl<S: Isa> Phong<'_, S> {
-    /// Adds a lamp's light. Returns the points where its highlight is strong enough to count in the key.
-    #[inline(always)]
-    fn add(&mut self, light: &ArrivingLight<S>) -> M<S> {
-        let Tracer {
-            isa: simd, quality, ..
-        } = self.tracer;
-        let (zero, one) = (splat(simd, 0.0), splat(simd, 1.0));
-        let &ArrivingLight { l, nl, lit, colour } = light;
-        self.diffuse = self.diffuse.add_scaled(colour, lit.select(nl, zero));
-        let rv = self.cosine(&l);
-        let shiny = lit & rv.simd_gt(self.surface.number(Parameter::HighlightStart));
-        if !shiny.any_true() {
-            return M::<S>::splat(simd, false);
-        }
-        let base = shiny.select(rv, one);
-        let strength = self.surface.number(Parameter::Ks)
-            * pow(simd, base, self.surface.number(Parameter::Exponent));
-        let strength = shiny.select(strength, zero);
-        self.specular = self.specular.add_scaled(colour, strength);
-        strength.simd_gt(splat(simd, quality.highlight))
+/// The cosine of the angle between the mirrored ray and the direction to a lamp, or what grooves make of it.
+#[inline(always)]
+fn cosine<S: Isa>(simd: S, point: &ShadingPoint<S>, l: &Vec3x<S>) -> F<S> {
+    let rv = point.r.dot(*l);
+    if !point.anisotropy.simd_gt(splat(simd, 0.0)).any_true() {
+        return rv;
     }
-
-    /// The cosine of the angle between the mirrored ray and the direction to a lamp, or what grooves make of it.
-    #[inline(always)]
-    fn cosine(&self, l: &Vec3x<S>) -> F<S> {
-        let &ShadingPoint {
-            r,
-            groove,
-            anisotropy,
-            ..
-        } = self.point;
-        let simd = self.tracer.isa;
-        let rv = r.dot(*l);
-        if !anisotropy.simd_gt(splat(simd, 0.0)).any_true() {
-            return rv;
-        }
-        // See `Material::anisotropy`.
-        let along = (*l - r).dot(groove);
-        rv + anisotropy * (-rv + along.mul_add(along * -0.5, splat(simd, 1.0)))
-    }
+    // See `Material::anisotropy`.
+    let along = (*l - point.r).dot(point.groove);
+    rv + point.anisotropy * (-rv + along.mul_add(along * -0.5, splat(simd, 1.0)))
 }

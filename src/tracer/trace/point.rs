@@ -5,12 +5,10 @@ use super::rays::Rays;
 use super::surface::{SurfaceLanes, object_at};
 use crate::lanes::*;
 use crate::prepare::{Object, Parameter, World};
+use crate::rounding;
+use crate::shapes::TexturePoint;
 use crate::shapes::block::{self, BlockHit};
-use crate::shapes::{plane, sphere};
 use glam::Mat3;
-
-/// The largest distance of a hit from its sphere, as a share of the radius, that one Newton step reduces to rounding errors.
-const NEWTON: f32 = 1.0 / (1 << 13) as f32;
 
 /// The points that the rays of a packet hit.
 pub(super) struct ShadingPoint<S: Isa> {
@@ -29,6 +27,11 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub anisotropy: F<S>,
     /// The share that the texture leaves of the surface's colour, 0 to 1.
     pub reflectance: F<S>,
+    /// The cosine of the angle between normal and lamp has to be more than this times the lamp's distance.
+    ///
+    /// It is 0 but for points inside of a sphere, whose far side blocks all lamps beyond it: the chord towards a lamp has the
+    /// length of twice the cosine times the radius.
+    pub horizon: F<S>,
     /// Whether the ray comes from inside of the object.
     pub inside: M<S>,
     /// The lanes whose object is lit by lights.
@@ -47,7 +50,7 @@ impl<S: Isa> ShadingPoint<S> {
         solid: M<S>,
     ) -> Self {
         let mut point = Self::on_sphere_or_plane(simd, rays, hit.t, surface, solid);
-        if world.has_details() {
+        if world.has_details {
             point.add_detail(simd, world, rays, hit);
         }
         if !world.scene.water.are_calm() {
@@ -73,7 +76,7 @@ impl<S: Isa> ShadingPoint<S> {
         let out = (rays.o - surface.vector(Parameter::Centre)).add_scaled(rays.d, t);
         let square: F<S> = out.dot(out) * (inverse_radius * inverse_radius);
         let mut scale = square.mul_add(splat(simd, -0.5), is_plane.select(one, splat(simd, 1.5)));
-        let far = solid & (scale - 1.0).abs().simd_gt(splat(simd, NEWTON));
+        let far = solid & (scale - 1.0).abs().simd_gt(splat(simd, rounding::NEWTON));
         if far.any_true() {
             scale = far.select(one / square.sqrt(), scale);
         }
@@ -91,6 +94,7 @@ impl<S: Isa> ShadingPoint<S> {
             groove: n,
             anisotropy: zero,
             reflectance: splat(simd, 1.0),
+            horizon: inverse_radius * 0.5,
             inside: solid,
             solid,
         }
@@ -104,38 +108,28 @@ impl<S: Isa> ShadingPoint<S> {
         while rest != 0 {
             let (id, same) = object_at(simd, hit.object, &mut rest);
             let (object, material) = world.object(id);
-            let texture_point = match object {
-                Object::Block(block) => {
-                    let centre = Vec3x::splat(simd, block.centre);
-                    let on_block = BlockHit::near(simd, block, (*o - centre).add_scaled(*d, hit.t));
-                    let error = splat(simd, block::hit_error(block));
-                    // The point is moved to the ray's side of the surface.
-                    let n = on_block.texture_point.n;
-                    let sign = !d.dot(n).bitcast::<U<S>>() & (1 << 31);
-                    let p = centre + on_block.out;
-                    let p = p.add_scaled(n, flipped::<S>(error, sign));
-                    self.p = Vec3x::select(same, p, self.p);
-                    self.n = Vec3x::select(same, n, self.n);
-                    self.hit_error = same.select(error, self.hit_error);
-                    on_block.texture_point
-                }
-                Object::Sphere(it) => {
-                    let from = *o - Vec3x::splat(simd, it.centre);
-                    sphere::texture_point(simd, it, from.add_scaled(*d, hit.t))
-                }
-                Object::Plane(it) => {
-                    let from = *o - Vec3x::splat(simd, it.centre);
-                    plane::texture_point(simd, from.add_scaled(*d, hit.t))
-                }
-                Object::Light(_) | Object::Background => continue,
+            let centre = Vec3x::splat(simd, object.centre());
+            let out = (*o - centre).add_scaled(*d, hit.t);
+            let texture_point = if let Object::Block(block) = object {
+                let on_block = BlockHit::near(simd, block, out);
+                let error = splat(simd, block::hit_error(block));
+                // The point is moved to the ray's side of the surface.
+                let n = on_block.texture_point.n;
+                let sign = !d.dot(n).bitcast::<U<S>>() & (1 << 31);
+                let p = centre + on_block.out;
+                let p = p.add_scaled(n, flipped::<S>(error, sign));
+                self.p = Vec3x::select(same, p, self.p);
+                self.n = Vec3x::select(same, n, self.n);
+                self.hit_error = same.select(error, self.hit_error);
+                on_block.texture_point
+            } else {
+                TexturePoint::on(simd, &object, out)
             };
             if material.anisotropy > 0.0 {
-                let axes = match object {
-                    Object::Block(block) => block.axes,
-                    Object::Sphere(_)
-                    | Object::Plane(_)
-                    | Object::Light(_)
-                    | Object::Background => Mat3::IDENTITY,
+                let axes = if let Object::Block(block) = object {
+                    block.axes
+                } else {
+                    Mat3::IDENTITY
                 };
                 let groove = texture_point.groove(simd, &axes);
                 self.groove = Vec3x::select(same, groove, self.groove);
@@ -165,6 +159,8 @@ impl<S: Isa> ShadingPoint<S> {
         self.n = n;
         self.dn = flipped::<S>(outward, flip);
         self.r = rays.d.add_scaled(n, self.dn * -2.0);
-        self.inside = outward.simd_gt(splat(simd, 0.0));
+        let zero = splat(simd, 0.0);
+        self.inside = outward.simd_gt(zero);
+        self.horizon = self.inside.select(self.horizon, zero);
     }
 }

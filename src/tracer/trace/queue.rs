@@ -32,39 +32,33 @@ impl Queue {
     }
 
     /// The number of points.
-    #[inline(always)]
     pub fn len(&self) -> usize {
         self.len
     }
 
     /// Adds the point of the pixel (x, y); the queue must not be full.
-    #[inline(always)]
     pub fn push_pixel(&mut self, x: usize, y: usize) {
         self.push(PARTS * x, PARTS * y);
     }
 
     /// Adds the point at (x, y), in [`PARTS`] of a pixel; the queue must not be full.
-    #[inline(always)]
     pub fn push(&mut self, x: usize, y: usize) {
         self.positions[self.len % BATCH] = (y << 16 | x) as u32;
         self.len += 1;
     }
 
     /// Removes all points.
-    #[inline(always)]
     pub fn clear(&mut self) {
         self.len = 0;
     }
 
     /// The pixel of point number `i`, x and y.
-    #[inline(always)]
     pub fn pixel(&self, i: usize) -> (usize, usize) {
         let (x, y) = self.position(i);
         (x / PARTS, y / PARTS)
     }
 
     /// The position of point number `i`, x and y, in [`PARTS`] of a pixel.
-    #[inline(always)]
     pub fn position(&self, i: usize) -> (usize, usize) {
         let position = self.positions[i % BATCH] as usize;
         (position & 0xffff, position >> 16)

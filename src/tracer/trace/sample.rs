@@ -39,37 +39,31 @@ impl Sample {
     pub const PATTERN: u64 = 1 << 62;
 
     /// The sample, with the object that it shows.
-    #[inline(always)]
     pub fn showing(self, object: u32) -> Self {
         Self(self.0 | u64::from(object + 1) << OBJECT)
     }
 
     /// The sample, marked as showing an object with a pattern.
-    #[inline(always)]
     pub fn patterned(self) -> Self {
         Self(self.0 | Self::PATTERN)
     }
 
     /// Whether it shows an object with a pattern.
-    #[inline(always)]
     pub fn is_patterned(self) -> bool {
         self.0 & Self::PATTERN != 0
     }
 
     /// The object that is shown, if it is known.
-    #[inline(always)]
     pub fn object(self) -> Option<ObjectId> {
         self.label().checked_sub(1).map(ObjectId::new)
     }
 
     /// One more than the number of the object that is shown, or 0 if that is not known.
-    #[inline(always)]
     pub fn label(self) -> usize {
         ((self.0 & !Self::PATTERN) >> OBJECT) as usize
     }
 
     /// The colour half-way between two, and the object if it is the same.
-    #[inline(always)]
     pub fn mean(self, other: Self) -> Self {
         // Channels are below 2^15, so that no sum reaches the next one.
         let colour = ((self.0 + other.0) >> 1) & (Self::COLOUR ^ 0x8000_8000_8000);
@@ -83,7 +77,6 @@ impl Sample {
 
     /// The colour as a pixel, `0x00RRGGBB`, of which the fraction is cut off after a threshold has been added to each channel:
     /// words of 0 to 127 in 128ths of a step, 64 to round.
-    #[inline(always)]
     pub fn pixel(self, threshold: u64) -> u32 {
         // No channel overflows.
         let steps = (self.0 + threshold) >> SAMPLE_BITS;

@@ -1,9 +1,7 @@
 //! Shading: the contribution of a hit to its point, and the secondary rays.
 
-use super::Tracer;
+use super::accumulator::Contribution;
 use super::air::{self, AirLanes};
-use super::batch::Batch;
-use super::contribution::Contribution;
 use super::intersect::Hit;
 use super::key::Keys;
 use super::light;
@@ -11,6 +9,7 @@ use super::point::ShadingPoint;
 use super::rays::Rays;
 use super::stack::RayStack;
 use super::surface::SurfaceLanes;
+use super::{Batch, Tracer};
 use crate::lanes::*;
 use crate::prepare::Parameter;
 
@@ -63,7 +62,7 @@ pub(super) fn shade<S: Isa>(
     if let Some(air) = &air {
         colour = air.veil(colour);
     }
-    if world.air.glows {
+    if world.glows {
         colour = colour + air::glow(simd, world, rays, hit.t);
     }
     Contribution {

@@ -25,7 +25,6 @@ impl RayStack {
         }
     }
 
-    #[inline(always)]
     pub fn len(&self) -> usize {
         self.len
     }

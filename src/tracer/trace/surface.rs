@@ -60,7 +60,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         let surfaces = |table| Self {
             simd,
             table,
-            background: world.prepared.surface(background),
+            background: &world.prepared.surfaces[background.index()],
             is_background,
         };
         let mut rest = (active & !is_background).to_bitmask();
@@ -69,7 +69,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         } else {
             object_at(simd, objects, &mut rest).0
         };
-        let first = world.surface(id);
+        let first = &world.surfaces[id.index()];
         if rest == 0 {
             let table = &mut memory.kept[id.index() % KEPT];
             let kept = &mut memory.objects[id.index() % KEPT];
@@ -84,7 +84,7 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         while rest != 0 {
             let (id, same) = object_at(simd, objects, &mut rest);
             let mask: U<S> = same.to_vector().bitcast();
-            let new = world.surface(id);
+            let new = &world.surfaces[id.index()];
             for ((row, &first), &new) in mixed.iter_mut().zip(first).zip(new) {
                 // Not a selection: of that the compiler makes a masked store, which takes AMD's processors 20 cycles.
                 let old: F<S> = if is_first {

@@ -10,6 +10,18 @@ use fearless_simd::f32x4;
 use glam::Mat3;
 
 impl<S: Isa> TexturePoint<S> {
+    /// Returns the points where textures are evaluated, of an object's points `out` from its centre.
+    #[inline(always)]
+    pub fn on(simd: S, object: &Object<'_>, out: Vec3x<S>) -> Self {
+        match object {
+            Object::Sphere(it) => sphere::texture_point(simd, it, out),
+            Object::Block(block) => BlockHit::near(simd, block, out).texture_point,
+            Object::Plane(_) | Object::Light(_) | Object::Background => {
+                plane::texture_point(simd, out)
+            }
+        }
+    }
+
     /// The directions, of length 1, of grooves around the y axis of an object that has these axes.
     #[inline(always)]
     pub fn groove(&self, simd: S, axes: &Mat3) -> Vec3x<S> {
@@ -64,25 +76,14 @@ impl<'a> SeenPattern<'a> {
         let o = Vec3x::splat(simd, world.eye);
         let d = to_picture(simd, world, x, y);
         let length2 = d.dot(d);
-        let (point, t) = match self.object {
-            Object::Sphere(it) => {
-                let from = o - Vec3x::splat(simd, it.centre);
-                let t = sphere::distance(simd, it.radius, &from, &d, length2);
-                (sphere::texture_point(simd, it, from.add_scaled(d, t)), t)
-            }
-            Object::Block(block) => {
-                let from = o - Vec3x::splat(simd, block.centre);
-                let t = block::distance(simd, block, &o, &d);
-                let hit = BlockHit::near(simd, block, from.add_scaled(d, t));
-                (hit.texture_point, t)
-            }
-            Object::Plane(it) => {
-                let from = o - Vec3x::splat(simd, it.centre);
-                let t = plane::distance(&from, &d);
-                (plane::texture_point(simd, from.add_scaled(d, t)), t)
-            }
+        let from = o - Vec3x::splat(simd, self.object.centre());
+        let t = match self.object {
+            Object::Sphere(it) => sphere::distance(simd, it.radius, &from, &d, length2),
+            Object::Block(block) => block::distance(simd, block, &o, &d),
+            Object::Plane(_) => plane::distance(&from, &d),
             Object::Light(_) | Object::Background => return splat(simd, 1.0),
         };
+        let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t));
         // So far `t` is in lengths of `d`.
         point.reflectance(simd, world, self.pattern, &d, t * length2)
     }

@@ -1,13 +1,15 @@
-//! Visibility: which points of a packet a lamp's light reaches, and how much of it. Coordinates are the scene's.
+//! Visibility: which points of a packet a lamp's light reaches, and how much of it, by spotlights' cones, penumbrae and coloured
+//! shadows. Coordinates are the scene's.
 
-use super::candidates::Blockers;
+use super::candidates::{Blockers, Candidates};
 use super::point::ShadingPoint;
 use super::shadow::ShadowRays;
-use super::surface::SurfaceLanes;
-use super::transmittance::transmittance;
 use crate::counts::Counts;
 use crate::lanes::*;
-use crate::prepare::{Lamp, Parameter, World};
+use crate::prepare::{Lamp, Object, SpotCone, World};
+use crate::scene::Sphere;
+use crate::shapes::{block, sphere};
+use glam::Vec3A;
 
 /// The light of one lamp that arrives at the points of a packet.
 pub(super) struct ArrivingLight<S: Isa> {
@@ -21,52 +23,22 @@ pub(super) struct ArrivingLight<S: Isa> {
     pub colour: Vec3x<S>,
 }
 
-/// The points of a packet, as lamps see them.
-pub(super) struct Visibility<'a, S: Isa> {
-    simd: S,
-    world: World<'a>,
-    point: &'a ShadingPoint<S>,
-    /// The cosine of the angle between normal and lamp has to be more than this times the lamp's distance.
-    ///
-    /// It is 0 but for points inside of a sphere, whose far side blocks all lamps beyond it: the chord towards a lamp has the
-    /// length of twice the cosine times the radius.
-    least: F<S>,
-}
-
-impl<'a, S: Isa> Visibility<'a, S> {
-    /// The points of a packet, on these surfaces.
-    #[inline(always)]
-    pub fn new(
-        simd: S,
-        world: World<'a>,
-        surface: &SurfaceLanes<'_, S>,
-        point: &'a ShadingPoint<S>,
-    ) -> Self {
-        let least = surface.number(Parameter::InverseRadius) * 0.5;
-        Self {
-            simd,
-            world,
-            point,
-            least: point.inside.select(least, splat(simd, 0.0)),
-        }
-    }
-
+impl<S: Isa> ShadingPoint<S> {
     /// The light of a lamp that arrives; `None` if all points face away from the lamp or are outside of its cone.
     #[inline(always)]
     pub fn light_of(
         &self,
+        simd: S,
+        world: World<'_>,
         lamp: &Lamp,
         blockers: &mut Blockers,
         counts: &mut Counts,
     ) -> Option<ArrivingLight<S>> {
-        let &Self {
-            simd, world, point, ..
-        } = self;
-        let to_light = Vec3x::splat(simd, lamp.position) - point.p;
+        let to_light = Vec3x::splat(simd, lamp.position) - self.p;
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light.scaled(splat::<S>(simd, 1.0) / distance);
-        let nl = point.n.dot(l);
-        let mut facing = point.solid & nl.simd_gt(distance * self.least);
+        let nl = self.n.dot(l);
+        let mut facing = self.solid & nl.simd_gt(distance * self.horizon);
         if !lamp.is_point {
             let inward: F<S> = -l.dot(Vec3x::splat(simd, lamp.cone.aim));
             facing &= inward.simd_gt(splat(simd, lamp.cone.cos_outer));
@@ -76,7 +48,7 @@ impl<'a, S: Isa> Visibility<'a, S> {
         }
         counts.shadow_rays += u64::from(facing.to_bitmask().count_ones());
         let rays = ShadowRays {
-            o: point.p,
+            o: self.p,
             d: l,
             distance,
         };
@@ -93,4 +65,74 @@ impl<'a, S: Isa> Visibility<'a, S> {
         }
         Some(ArrivingLight { l, nl, lit, colour })
     }
+}
+
+/// The share of a lamp's light, as a colour, that its cone and the solids in the way let pass; 0 in lanes that are not needed.
+#[inline(always)]
+fn transmittance<S: Isa>(
+    simd: S,
+    world: World<'_>,
+    lamp: &Lamp,
+    rays: &ShadowRays<S>,
+    solids: &Candidates,
+) -> Vec3x<S> {
+    let zero = splat(simd, 0.0);
+    let &SpotCone {
+        aim,
+        cos_outer,
+        cos_inner,
+    } = &lamp.cone;
+    let inward = (-rays.d.dot(Vec3x::splat(simd, aim)) - cos_outer) / (cos_inner - cos_outer);
+    let is_asked = rays.distance.simd_gt(zero);
+    let in_cone = is_asked.select(soft_edge(simd, inward), zero);
+    let mut passing = Vec3x {
+        x: in_cone,
+        y: in_cone,
+        z: in_cone,
+    };
+    for &candidate in solids.iter() {
+        let (object, material) = world.object(candidate.object);
+        let covered = match object {
+            Object::Block(block) => {
+                let t = block::distance(simd, block, &rays.o, &rays.d);
+                t.simd_lt(rays.distance).select(splat(simd, 1.0), zero)
+            }
+            Object::Sphere(sphere) => sphere_covers(simd, lamp, sphere, rays),
+            Object::Plane(_) | Object::Light(_) | Object::Background => continue,
+        };
+        // The share given by the blocker's tint passes. NaN counts as no tint: it would spoil lanes that are not blocked.
+        let mut absorbed = Vec3A::ONE;
+        if lamp.diameter > 0.0 {
+            absorbed -= Vec3A::from(material.tint).max(Vec3A::ZERO).min(Vec3A::ONE);
+        }
+        let covered = candidate.lanes(simd).select(covered, zero);
+        passing = passing - (passing * Vec3x::splat(simd, absorbed)).scaled(covered);
+        if passing.max_element().simd_le(zero).all_true() {
+            break;
+        }
+    }
+    passing
+}
+
+/// The share of a lamp that a sphere covers, 0 to 1 (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
+///
+/// The rays from the point to the lamp form a cone. At the distance `a`, where it passes the sphere, it is `b = a diameter /
+/// distance` wide. As the sphere's edge crosses the cone from one side to the other, the covered share goes from 0 to 1.
+#[inline(always)]
+fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, rays: &ShadowRays<S>) -> F<S> {
+    let (a, depth) = sphere::deepest(simd, sphere, rays.o, rays.d, rays.distance);
+    let b = at_most::<S>(
+        a * lamp.diameter / rays.distance,
+        splat(simd, lamp.max_penumbra),
+    );
+    soft_edge(
+        simd,
+        depth / at_least::<S>(b, splat(simd, f32::MIN_POSITIVE)) + 0.5,
+    )
+}
+
+/// A smooth step that is 0 up to 0, and 1 from 1 on.
+#[inline(always)]
+fn soft_edge<S: Isa>(simd: S, v: F<S>) -> F<S> {
+    smooth_step::<S>(clamp::<S>(v, splat(simd, 0.0), splat(simd, 1.0)))
 }

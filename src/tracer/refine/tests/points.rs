@@ -1,6 +1,6 @@
 //! The points that a level needs against the corners of its squares, one by one.
 
-use super::super::points::corners;
+use super::super::tile::points::corners;
 use crate::grid::Bits;
 use proptest::prelude::*;
 use std::collections::BTreeSet;

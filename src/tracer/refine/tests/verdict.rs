@@ -1,6 +1,6 @@
 //! The verdict on rows of squares against that on one at a time.
 
-use super::super::verdict::{Rules, Verdict, growth, judge};
+use super::super::verdict::{Verdict, growth, judge, limits};
 use super::{sample, span, two_rows};
 use crate::grid::Bits;
 use crate::lanes::isas;
@@ -41,9 +41,9 @@ proptest! {
         let mut squares = Bits([squares; _]);
         squares = squares & Bits::first(count);
         for isa in isas() {
-            let rules = Rules::new(&quality, growth(1 << level, 0.0));
+            let limits = limits(&quality, growth(1 << level, 0.0));
             let (above, below) = (pyramid.row(level, 0), pyramid.row(level, 1));
-            let all = judge(isa, rules, &squares, above, below);
+            let all = judge(isa, limits, &squares, above, below);
             let Verdict { agreeing, flat, filled, patterned } = all;
             for x in 0..count {
                 let ([a, c], [b, d]) = (columns[x], columns[x + 1]);

@@ -84,7 +84,7 @@ impl Property for Patterns {
                     let point = shading_point(simd, world, &rays, &hit);
                     for (lane, &object) in hit.object.as_slice().iter().enumerate() {
                         let object = ObjectId::new(object as usize);
-                        if !world.has_edges(object) {
+                        if !world.has_edges[object.index()] {
                             continue;
                         }
                         let left = point.reflectance.as_slice()[lane];

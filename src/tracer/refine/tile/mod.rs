@@ -1,19 +1,67 @@
-//! Drawing a tile: level by level its points are traced, and its squares judged, then filled or split.
+//! The first phase of a frame: a band is drawn tile by tile. Level by level a tile's points are traced, and its squares judged, then
+//! filled or split.
 
-use super::antialias::EDGE;
-use super::fill::{Run, fill};
-use super::verdict::{Rules, Verdict, growth, judge};
-use super::worker::{Marks, Worker};
-use crate::coverage::{Rect, Squares};
+mod method;
+mod patterned;
+pub(super) mod points;
+
+use crate::coverage::{Rect, Squares, rectangle};
 use crate::grid::{Area, Bits};
 use crate::observe::{Fill, Observer, Split};
-use crate::picture::{BLOCK, BLOCK_ROWS, Band};
+use crate::picture::{BLOCK, Band, TILE_HEIGHT, TILE_WIDTH};
 use crate::plan::Context;
 use crate::prepare::VisibleGroups;
+use crate::refine::antialias::EDGE;
+use crate::refine::fill::{Run, fill};
+use crate::refine::verdict::{Verdict, growth, judge, limits};
+use crate::refine::worker::Worker;
 use crate::scene::camera::pixels;
-use crate::trace::Sample;
-use core::array;
+use crate::trace::{BATCH, Sample};
 use core::ops::Range;
+
+/// Draws a band, a tile after the other.
+pub(crate) fn draw<O: Observer>(
+    context: &Context<'_, O>,
+    worker: &mut Worker,
+    band: &mut Band<'_>,
+) {
+    let Context { plan, coverage, .. } = context;
+    worker.batch.begin();
+    band.rough.fill([u64::MAX; _]);
+    let bottom = band.top + band.height();
+    let square = plan.quality.square;
+    let width = if square == 1 {
+        BATCH / TILE_HEIGHT
+    } else {
+        TILE_WIDTH
+    };
+    for left in (0..band.width).step_by(width) {
+        // Place the next tile.
+        let area = Area {
+            left,
+            top: band.top,
+            right: band.width.min(left + width),
+            bottom,
+            picture: plan.size,
+        };
+        let rect = coverage.axes.rect(rectangle(
+            area.left,
+            area.top,
+            area.right.next_multiple_of(square),
+            area.bottom.next_multiple_of(square),
+        ));
+        let mut tile = Tile {
+            context,
+            seen: coverage.visible_groups(rect),
+            area,
+            crowding: 0.0,
+            rect,
+            worker: &mut *worker,
+            band: &mut *band,
+        };
+        tile.draw();
+    }
+}
 
 /// A tile that is being drawn.
 pub(super) struct Tile<'a, 'b, O: Observer> {
@@ -37,7 +85,12 @@ const CROWDED: Range<f32> = 0.7..0.9;
 impl<O: Observer> Tile<'_, '_, O> {
     /// Draws the tile, from the largest squares down to pixels.
     pub fn draw(&mut self) {
-        let Context { plan, coverage, .. } = self.context;
+        let Context {
+            plan,
+            world,
+            coverage,
+            ..
+        } = self.context;
         let top = plan.quality.top_level();
         let (columns, rows) = (self.area.columns(top), self.area.rows(top));
         self.worker.marks.squares[top][..rows].fill(Bits::first(columns));
@@ -50,7 +103,14 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.worker.marks.open[top][..rows].fill(open);
         for level in (1..=top).rev() {
             self.find_points(level, level == top);
-            self.look_for_uncovered(level);
+            if plan.quality.guarded {
+                let worker = &mut *self.worker;
+                let squares = Squares::new(*world, coverage, &self.area, &worker.pyramid, level);
+                let asked = &worker.marks.squares[level];
+                worker
+                    .guard
+                    .look(&squares, asked, &mut worker.marks.open[level]);
+            }
             for y in 0..self.area.rows(level) {
                 self.fill_row(level, y);
                 self.split_row(level, y);
@@ -81,46 +141,6 @@ impl<O: Observer> Tile<'_, '_, O> {
         growth(1 << level, self.crowding)
     }
 
-    /// The tile's words of the rough blocks of its band, once it is drawn: blocks are rough unless they are the largest squares
-    /// and were filled by colours between their corners'. `None` if that says nothing of edges.
-    ///
-    /// Between corners within a tolerance each pixel differs from the next by an eighth of it at most, and by 2 more for rounding
-    /// and dither.
-    pub fn rough(&self) -> Option<[u64; BLOCK_ROWS]> {
-        let plan = self.context.plan;
-        let quality = &plan.quality;
-        let tolerance = quality.tolerance_agreeing.max(quality.tolerance_differing);
-        let is_known = quality.square == BLOCK
-            && tolerance / BLOCK as f32 + 2.0 < f32::from(EDGE)
-            && plan.coarse == 0;
-        let Marks {
-            squares, smooth, ..
-        } = &self.worker.marks;
-        let squares = &squares[quality.top_level()];
-        is_known.then(|| array::from_fn(|y| squares[y].0[0] & !smooth[y]))
-    }
-
-    /// Has the guard look at a level's squares.
-    fn look_for_uncovered(&mut self, level: usize) {
-        let &Context {
-            plan,
-            world,
-            coverage,
-            ..
-        } = self.context;
-        if plan.quality.guarded {
-            let Worker {
-                guard,
-                marks,
-                pyramid,
-                ..
-            } = &mut *self.worker;
-            let open = &mut marks.open[level];
-            let squares = Squares::new(world, coverage, &self.area, pyramid, level);
-            guard.look(&squares, &marks.squares[level], open);
-        }
-    }
-
     /// Judges a row of squares, and fills those that pass.
     fn fill_row(&mut self, level: usize, y: usize) {
         let Context { plan, .. } = self.context;
@@ -133,20 +153,19 @@ impl<O: Observer> Tile<'_, '_, O> {
         let squares = marks.squares[level][y] & !marks.open[level][y];
         let open = marks.squares[level][y] & marks.open[level][y];
         self.tell_split(level, y, open, Split::Uncovered);
-        if squares.is_empty() {
-            self.worker.marks.filled[level][y] = Bits::NONE;
-            self.set_smooth(side, y, Bits::NONE);
-            return;
-        }
-        let pyramid = &self.worker.pyramid;
-        let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
-        let rules = Rules::new(&plan.quality, self.growth(level));
-        let mut verdict = judge(plan.isa, rules, &squares, above, below);
+        let mut verdict = Verdict::NONE;
         if is_coarse {
             verdict = Verdict::coarse(squares);
+        } else if !squares.is_empty() {
+            let pyramid = &self.worker.pyramid;
+            let (above, below) = (pyramid.row(level, y), pyramid.row(level, y + 1));
+            let limits = limits(&plan.quality, self.growth(level));
+            verdict = judge(plan.isa, limits, &squares, above, below);
         }
         let patterned = self.fill_patterned(level, y, &mut verdict);
-        self.fill_squares(level, y, &verdict);
+        if !verdict.filled.is_empty() {
+            self.fill_squares(level, y, &verdict);
+        }
         if O::LISTENS {
             verdict.filled.for_each(|x| {
                 let fill = if verdict.flat.has(x) {
@@ -161,13 +180,23 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.tell_split(level, y, split & verdict.agreeing, Split::Colours);
         self.tell_split(level, y, split & !verdict.agreeing, Split::Keys);
         self.worker.marks.filled[level][y] = verdict.filled | patterned;
-        self.set_smooth(side, y, verdict.filled);
+        if side == BLOCK {
+            self.note_rough(level, y, verdict.filled);
+        }
     }
 
-    /// Notes the blocks of a row that are squares filled by colours between their corners'.
-    fn set_smooth(&mut self, side: usize, y: usize, filled: Bits) {
-        if side == BLOCK {
-            self.worker.marks.smooth[y] = filled.0[0];
+    /// Notes which blocks of a row are rough: all but the largest squares that are filled by colours between their corners'.
+    ///
+    /// Between corners within a tolerance each pixel differs from the next by an eighth of it at most, and by 2 more for rounding
+    /// and dither.
+    fn note_rough(&mut self, level: usize, y: usize, filled: Bits) {
+        let plan = self.context.plan;
+        let quality = &plan.quality;
+        let tolerance = quality.tolerance_agreeing.max(quality.tolerance_differing);
+        let is_smooth = tolerance / BLOCK as f32 + 2.0 < f32::from(EDGE);
+        if quality.square == BLOCK && is_smooth && plan.coarse == 0 {
+            let squares = &self.worker.marks.squares[level][y];
+            self.band.rough[y][self.area.left / TILE_WIDTH] = squares.0[0] & !filled.0[0];
         }
     }
 
@@ -187,27 +216,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         fill(self.context.plan.isa, self.band, &run);
     }
 
-    /// Fills those squares of a row whose corners all show one object with a pattern, if their light allows it, and returns
-    /// them. They are taken out of the verdict.
-    fn fill_patterned(&mut self, level: usize, y: usize, verdict: &mut Verdict) -> Bits {
-        let mut filled = Bits::NONE;
-        verdict.patterned.for_each(|x| {
-            let corners = self.worker.pyramid.corners(level, x, y);
-            let object = corners[0].object();
-            if corners.iter().any(|corner| corner.object() != object) {
-                return;
-            }
-            verdict.filled.clear(x);
-            if self.fill_pattern(level, [x, y], verdict.agreeing.has(x)) {
-                filled.set(x);
-                self.tell(level, x, y, Fill::Patterned);
-            }
-        });
-        filled
-    }
-
     /// Sets the pixel (x, y), in pixels of the band, to a sample's colour.
-    #[inline(always)]
     pub fn put(&mut self, x: usize, y: usize, sample: Sample) {
         let threshold = self.context.world.film.threshold(x, self.area.top + y);
         self.band.put(x, y, sample.pixel(threshold));

@@ -4,38 +4,49 @@
 //! leaves where the pixel's own ray meets the object, which is known. So edges of a pattern stay as sharp as traced, wherever
 //! they run between the corners.
 
-use super::tile::Tile;
-use crate::grid::Pyramid;
+use super::Tile;
+use crate::grid::{Bits, Pyramid};
 use crate::lanes::*;
-use crate::observe::Observer;
+use crate::observe::{Fill, Observer};
 use crate::prepare::{Four, ObjectId};
+use crate::refine::verdict::Verdict;
 use crate::trace::{Layers, STEP, SeenPattern};
-use fearless_simd::{f32x4, i16x8, i32x4, u16x8, u32x4};
+use fearless_simd::{f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
 
 impl<O: Observer> Tile<'_, '_, O> {
-    /// Fills the square (x, y) of a level, whose corners all show one object with a pattern, unless their layers are too far
-    /// apart; says whether they are not.
-    pub(super) fn fill_pattern(&mut self, level: usize, [x, y]: [usize; 2], agree: bool) -> bool {
-        let pyramid = &self.worker.pyramid;
-        let indices = Pyramid::corner_indices(level, x, y);
-        let corners = indices.map(|index| pyramid.layers(index));
-        let quality = &self.context.plan.quality;
-        let tolerance = if agree {
-            quality.tolerance_agreeing
-        } else {
-            quality.tolerance_differing
-        };
-        if span(&corners) > tolerance * self.growth(level) {
-            return false;
-        }
-        let corner = pyramid.sample(indices[0]);
-        if let Some(object) = corner.object() {
-            let (left, top) = (self.area.left + (x << level), y << level);
-            self.interpolate(1 << level, [left, top], corners, object);
+    /// Fills the squares of a row whose corners all show one object with a pattern, unless their layers are too far apart, and returns
+    /// these squares. All squares of one patterned object are removed from the verdict.
+    pub(super) fn fill_patterned(&mut self, level: usize, y: usize, verdict: &mut Verdict) -> Bits {
+        let mut filled = Bits::NONE;
+        verdict.patterned.for_each(|x| {
+            let pyramid = &self.worker.pyramid;
+            let indices = Pyramid::corner_indices(level, x, y);
+            let [corner, others @ ..] = indices.map(|index| pyramid.sample(index));
+            let (Some(object), true) = (
+                corner.object(),
+                others.iter().all(|other| other.object() == corner.object()),
+            ) else {
+                return;
+            };
+            verdict.filled.clear(x);
+            let layers = indices.map(|index| pyramid.layers[index]);
+            let quality = &self.context.plan.quality;
+            let tolerance = if verdict.agreeing.has(x) {
+                quality.tolerance_agreeing
+            } else {
+                quality.tolerance_differing
+            };
+            if span(&layers) > tolerance * self.growth(level) {
+                return;
+            }
+            let [left, top] = [self.area.left + (x << level), y << level];
+            self.interpolate(1 << level, [left, top], layers, object);
             // The corner as it was traced, to the last bit.
             self.put(left, top, corner);
-        }
-        true
+            filled.set(x);
+            self.tell(level, x, y, Fill::Patterned);
+        });
+        filled
     }
 
     /// Interpolates the corners' layers along both sides of the square at (left, top) of the band, as far as it is in the picture, and
@@ -45,7 +56,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         &mut self,
         side: usize,
         [left, top]: [usize; 2],
-        [a, b, c, d]: [Layers; 4],
+        corners: [Layers; 4],
         object: ObjectId,
     ) {
         let simd = baseline();
@@ -56,6 +67,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             self.band.height().min(top + side),
         );
         let part = 1.0 / side as f32;
+        let [a, b, c, d] = corners.map(|layers| f32x8::simd_from(simd, layers));
         let (mut first, mut step) = (a, (b - a) * part);
         let (first_down, step_down) = ((c - a) * part, ((d - c) * part - step) * part);
         let pattern = SeenPattern::new(world, object);
@@ -70,9 +82,9 @@ impl<O: Observer> Tile<'_, '_, O> {
                 let at = [x as f32 + columns, splat(simd, y as f32)];
                 let shares: [f32; 4] = pattern.at(at).into();
                 let mut four = shares.map(|share| {
-                    let light = now.rest + now.untextured * share;
-                    now = now + step;
-                    light.extend(0.0).to_array().simd_into(simd)
+                    let (rest, untextured) = now.split();
+                    now += step;
+                    rest + untextured * share
                 });
                 if !film.is_plain {
                     film.expose(simd, &mut four, at);
@@ -83,15 +95,17 @@ impl<O: Observer> Tile<'_, '_, O> {
                     None => pixels.copy_from_slice(&four[..pixels.len()]),
                 }
             }
-            first = first + first_down;
-            step = step + step_down;
+            first += first_down;
+            step += step_down;
         }
     }
 }
 
 /// The most that a number of the corners' layers spans, in output steps.
-fn span(&[a, b, c, d]: &[Layers; 4]) -> f32 {
-    (a.max(b).max(c.max(d)) - a.min(b).min(c.min(d))).most()
+fn span(corners: &[Layers; 4]) -> f32 {
+    let [a, b, c, d] = corners.map(|layers| f32x8::simd_from(baseline(), layers));
+    let span: [f32; 8] = (a.max(b).max(c.max(d)) - a.min(b).min(c.min(d))).into();
+    span.into_iter().fold(0.0, f32::max)
 }
 
 /// The pixels of four colours in output steps, of which the fraction is cut off after a threshold has been added: words of 128ths.

@@ -1,12 +1,12 @@
 //! Which points a level needs, and where their samples come from: the level above, the mean of two points, or tracing.
 
-use super::tile::Tile;
-use super::verdict::Limit;
-use super::worker::{CLUSTER_HEIGHT, CLUSTER_WIDTH, Worker};
+use super::Tile;
 use crate::counts::Counts;
 use crate::grid::{Bits, Pyramid, WORDS};
 use crate::observe::Observer;
 use crate::plan::Context;
+use crate::refine::verdict::Limit;
+use crate::refine::worker::{CLUSTER_HEIGHT, CLUSTER_WIDTH, Worker};
 use crate::trace::BATCH;
 use core::array;
 
@@ -98,12 +98,12 @@ impl<O: Observer> Tile<'_, '_, O> {
 
     /// Copies points from the level above, where they have half the indices.
     fn take_over(&mut self, level: usize, y: usize, points: Bits) {
-        let has_patterns = self.context.world.has_patterns();
+        let has_patterns = self.context.world.has_patterns;
         let row = Pyramid::index(level + 1, 0, y / 2);
         points.for_each(|x| {
             let pyramid = &mut self.worker.pyramid;
             let from = row + x / 2;
-            let (sample, key) = (pyramid.sample(from), pyramid.key(from));
+            let (sample, key) = (pyramid.sample(from), pyramid.keys[from]);
             if level == 0 {
                 self.put(self.area.left + x, y, sample);
                 return;
@@ -111,8 +111,7 @@ impl<O: Observer> Tile<'_, '_, O> {
             let to = Pyramid::index(level, x, y);
             pyramid.put(to, sample, key);
             if has_patterns {
-                let layers = pyramid.layers(from);
-                pyramid.put_layers(to, layers);
+                pyramid.layers[to] = pyramid.layers[from];
             }
         });
     }
@@ -131,10 +130,10 @@ impl<O: Observer> Tile<'_, '_, O> {
             let pyramid = &mut self.worker.pyramid;
             let (from, to) = (start + x / 2, start + x / 2 + way);
             let (a, b) = (pyramid.sample(from), pyramid.sample(to));
-            let key = pyramid.key(from);
+            let key = pyramid.keys[from];
             // The ends do not tell what a pattern does in the middle.
             let is_patterned = a.is_patterned() | b.is_patterned();
-            let is_near = (key == pyramid.key(to)) & limit.has(a, b) & !is_patterned;
+            let is_near = (key == pyramid.keys[to]) & limit.has(a, b) & !is_patterned;
             // No branch, since it could not be predicted. If the ends are not near, the mean is overwritten when the point is
             // traced.
             averaged.0[x / 64] |= u64::from(is_near) << (x % 64);
@@ -149,15 +148,16 @@ impl<O: Observer> Tile<'_, '_, O> {
 
     /// Traces the points in the batch, and stores their samples in a level.
     fn trace(&mut self, level: usize) {
-        self.trace_batch();
         let Context { plan, world, .. } = self.context;
+        let batch = &mut self.worker.batch;
+        self.context.trace(&plan.quality, self.seen, batch);
         let Worker {
             batch,
             pyramid,
             targets,
             ..
         } = &mut *self.worker;
-        let has_patterns = world.has_patterns();
+        let has_patterns = world.has_patterns;
         for (i, &target) in targets[..batch.points.len()].iter().enumerate() {
             let target = target as usize;
             let mut sample = batch.results.sample(i);
@@ -166,28 +166,18 @@ impl<O: Observer> Tile<'_, '_, O> {
                 self.band.pixels[target] = sample.pixel(world.film.threshold(x, y));
                 continue;
             }
-            let has_edges = |id| world.has_edges(id);
-            if has_patterns && sample.object().is_some_and(has_edges) {
-                sample = sample.patterned();
-                pyramid.put_layers(target, batch.results.layers(i));
-            }
+            let shows = |which: &[bool]| sample.object().is_some_and(|id| which[id.index()]);
             let mut key = batch.results.key(i);
-            if plan.glitters && sample.object().is_some_and(|id| world.glitters(id)) {
+            if plan.glitters && shows(&world.glitters) {
                 // No other point's.
                 key = (y << 16 | x) as u32;
             }
+            if has_patterns && shows(&world.has_edges) {
+                sample = sample.patterned();
+                pyramid.layers[target] = batch.results.layers(i);
+            }
             pyramid.put(target, sample, key);
         }
-        self.end_batch();
-    }
-
-    /// Has the batch traced.
-    pub(super) fn trace_batch(&mut self) {
-        self.context.trace(self.seen, &mut self.worker.batch);
-    }
-
-    /// Empties a batch whose results have been stored.
-    pub(super) fn end_batch(&mut self) {
         if O::LISTENS {
             self.tell_points();
         }
@@ -208,7 +198,8 @@ impl<O: Observer> Tile<'_, '_, O> {
             batch.points.clear();
             batch.counts = Counts::NONE;
             batch.points.push_pixel(x, y);
-            self.context.trace(self.seen, batch);
+            let quality = &self.context.plan.quality;
+            self.context.trace(quality, self.seen, batch);
             self.context.observer.point(x, y, batch.counts);
         }
         batch.counts = counts;
@@ -216,8 +207,7 @@ impl<O: Observer> Tile<'_, '_, O> {
 }
 
 /// The corners of some rows of squares that lie in row `y` of a level's points; of pixels, the squares of that row.
-#[inline(always)]
-pub(super) fn corners(squares: &[Bits], level: usize, y: usize, rows: usize) -> Bits {
+pub(in crate::refine) fn corners(squares: &[Bits], level: usize, y: usize, rows: usize) -> Bits {
     let row = |y: usize| if y < rows { squares[y] } else { Bits::NONE };
     if level == 0 {
         return row(y);

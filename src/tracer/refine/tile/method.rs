@@ -3,7 +3,7 @@
 //! Points on the upper row of a band have a mark where this band traced them, which the band above may have done as well.
 //! Where every pixel is traced there is nothing to show.
 
-use super::tile::Tile;
+use super::Tile;
 use crate::observe::Observer;
 use crate::picture::TILE_WIDTH;
 use crate::plan::Context;
