@@ -2,8 +2,8 @@
 
 use crate::{Random, lamps, materials, scaled, solids};
 use eightfold_tracer::scene::{
-    Block, Camera, Caption, CopperBar, Film, Light, List, Material, Plane, Scene, Shape, Sphere,
-    Waves,
+    Block, Camera, Caption, CopperBar, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SPHERES,
+    Material, Plane, Scene, Shape, Sphere, Waves,
 };
 use glam::{Vec3, vec3};
 
@@ -60,10 +60,10 @@ impl Kinds {
 
     /// Everything that [`Scene::validate`] takes, up to as much as a scene holds.
     pub const EXTREME: Self = Self {
-        spheres: 320,
+        spheres: MAX_SPHERES,
         planes: 4,
-        blocks: 64,
-        lights: 4,
+        blocks: MAX_BLOCKS,
+        lights: MAX_LIGHTS,
         smallest: -3.0,
         material: materials::extreme,
         camera: anywhere,

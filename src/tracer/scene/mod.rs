@@ -36,7 +36,7 @@ pub const MAX_SPHERES: usize = 320;
 /// The most planes in a scene.
 pub const MAX_PLANES: usize = 8;
 /// The most blocks in a scene: boxes, cylinders and capsules.
-pub const MAX_BLOCKS: usize = 64;
+pub const MAX_BLOCKS: usize = 128;
 /// The most solids in a scene: spheres and blocks.
 pub(crate) const MAX_SOLIDS: usize = MAX_SPHERES + MAX_BLOCKS;
 /// The most lights in a scene.
