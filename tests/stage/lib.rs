@@ -6,7 +6,7 @@ mod tools;
 
 pub use tools::{DISPLAY, lacks, missing, tool};
 
-use eightfold_lab::cargo;
+use eightfold_lab::cargo::Build;
 use eightfold_tracer::Quality;
 use std::{
     env, fs,
@@ -19,20 +19,19 @@ use std::{
 };
 use tempfile::TempDir;
 
-/// The path of the intro, which is built if anything has changed.
+/// The intro, which is built if anything has changed.
+static BUILT: LazyLock<Build> =
+    LazyLock::new(|| Build::release("eightfold").expect("it can be built"));
+
+/// The path of the intro.
 pub fn intro() -> PathBuf {
-    static BUILT: LazyLock<PathBuf> = LazyLock::new(|| cargo::intro().expect("it can be built"));
-    BUILT.clone()
+    BUILT.program("eightfold").expect("there is a program")
 }
 
 /// The path of the intro as it was linked. The packed file unpacks the same program, as `tests/intro/size.rs` holds; this starts
 /// in a third of a second less.
 pub fn linked_intro() -> PathBuf {
-    static LINKED: LazyLock<PathBuf> = LazyLock::new(|| {
-        let built = cargo::Build::release("eightfold").expect("it can be built");
-        built.linked("eightfold").expect("it was linked")
-    });
-    LINKED.clone()
+    BUILT.linked("eightfold").expect("it was linked")
 }
 
 /// The named qualities, as errors and `--help` list them.
@@ -268,15 +267,8 @@ impl Server {
 
     /// Waits until the window has the given position and size.
     pub fn wait_for_window(&self, wanted: [i32; 4]) {
-        let start = Instant::now();
-        while self.window() != Some(wanted) {
-            assert!(
-                start.elapsed() < Duration::from_secs(5),
-                "the window is at {:?} and not {wanted:?}",
-                self.window()
-            );
-            sleep(Duration::from_millis(20));
-        }
+        let found = try_for(|| self.window().filter(|&window| window == wanted));
+        assert!(found.is_some(), "{:?}, not {wanted:?}", self.window());
         // Frames may need some time to follow.
         sleep(Duration::from_millis(200));
     }

@@ -40,8 +40,9 @@ pub fn lacks(tools: &[&str]) -> bool {
     let needs = format!("needs {missing}: apt-get install {}", package(missing));
     let required = env::var_os("EIGHTFOLD_TOOLS").is_some_and(|value| value == "required");
     assert!(!required, "this test {needs}");
-    // The output of `eprintln!` is hidden if the test passes.
-    writeln!(stderr(), "{}: not run, {needs}", test()).expect("standard error is open");
+    // The output of `eprintln!` is hidden if the test passes. A test's thread has its name.
+    let name = thread::current().name().unwrap_or_default().to_owned();
+    writeln!(stderr(), "{name}: not run, {needs}").expect("standard error is open");
     true
 }
 
@@ -55,10 +56,14 @@ macro_rules! needs {
     };
 }
 
+/// The tools, each with its Debian package.
+fn packages() -> impl Iterator<Item = (&'static str, &'static str)> {
+    PACKAGES.lines().filter_map(|line| line.split_once(' '))
+}
+
 /// The tools that are missing, each with its Debian package.
 pub fn missing() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let tools = PACKAGES.lines().filter_map(|line| line.split_once(' '));
-    tools.filter(|(tool, _)| !is_there(tool))
+    packages().filter(|(tool, _)| !is_there(tool))
 }
 
 /// A command that runs a tool of `tools.txt`.
@@ -74,31 +79,10 @@ pub fn tool(name: &str) -> Command {
     Command::new(name)
 }
 
-/// The name of the running test: that of its thread, or that of its program if there is only one test.
-fn test() -> String {
-    match thread::current().name() {
-        Some("main") | None => program(),
-        Some(name) => name.to_owned(),
-    }
-}
-
-/// The name of this program's file.
-fn program() -> String {
-    let file = env::current_exe().unwrap_or_default();
-    file.file_stem()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned()
-}
-
 /// The Debian package of a tool.
 fn package(tool: &str) -> &'static str {
-    let lines = PACKAGES.lines().filter_map(|line| line.split_once(' '));
-    let mut packages = lines.filter(|(name, _)| *name == tool);
-    let (_, package) = packages
-        .next()
-        .unwrap_or_else(|| panic!("tools.txt lacks {tool}"));
-    package
+    let found = packages().find(|(name, _)| *name == tool);
+    found.unwrap_or_else(|| panic!("tools.txt lacks {tool}")).1
 }
 
 fn is_there(tool: &str) -> bool {
