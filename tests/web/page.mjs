@@ -539,7 +539,7 @@ const tests = {
 
   async "a phone has all in its width, buttons for fingers, and no hints for keys and pointers"() {
     await page.send("Emulation.setTouchEmulationEnabled", { enabled: true, maxTouchPoints: 5 });
-    for (const [width, height] of [[300, 600], [320, 568], [390, 844]]) {
+    for (const [width, height] of [[300, 600], [320, 568], [390, 844], [800, 1280]]) {
       await page.resize(width, height, 2);
       await page.go(site.address);
       // The plot says something before there is anything to plot.
@@ -558,7 +558,7 @@ const tests = {
   },
 
   async "figures fit their cells"() {
-    for (const width of [1440, 390, 320, 300]) {
+    for (const width of [1440, 1200, 1100, 1000, 800, 600, 500, 390, 360, 320, 300]) {
       await page.resize(width, 844);
       const wide = await page.value(`(() => {
         const texts = { rate: "60", milliseconds: "1234.5", points: "100.0 %", rays: "12,345,678", size: "1280×720", accuracy: "49.2 ± 10.4 dB" };

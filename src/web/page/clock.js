@@ -79,7 +79,7 @@ export class Clock {
     const present = performance.now();
     const heard = contextTime + (present - performanceTime) / 1000;
     // WebKit gives times in the future, or in other units, and Chromium an old one after the context was suspended.
-    const isTrue = contextTime > 0 && performanceTime <= present && heard > currentTime - LATENCY && heard < currentTime;
+    const isTrue = contextTime > 0 && performanceTime < present + 10 && heard > currentTime - LATENCY && heard < currentTime;
     this.heard = Math.max(this.heard, isTrue ? heard : currentTime);
     return this.heard;
   }

@@ -32,7 +32,8 @@ export class Frames {
     // One whose script is missing fails before it is asked, and without a message.
     worker.onerror = (event) => {
       event.preventDefault();
-      worker.why = event.message ?? "worker.js can't be loaded";
+      const frame = self.origin === "null" ? " in a sandboxed frame" : "";
+      worker.why = event.message ?? `worker.js can't be loaded${frame}`;
       worker.fail?.();
     };
     worker.postMessage({ compiled: this.compiled, file: this.file });
