@@ -357,6 +357,6 @@ fn squares_are_filled_and_split_by_the_rules() {
             highlight: 0.1,
             ..bare(Quality::THESIS)
         };
-        assert_refined(&scene, &quality, [300, 200], "the model scene");
+        assert_refined(&scene, &quality, [203, 149], "the model scene");
     }
 }

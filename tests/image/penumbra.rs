@@ -52,7 +52,7 @@ fn penumbra_is_within_a_tenth_of_many_rays() {
         lights: List::of(&[LIGHT]),
         ..Scene::default()
     };
-    let size = 200;
+    let size = 100;
     let raster = scene.camera;
     let drawn = draw_best(&scene, &Quality::EXHAUSTIVE, size, size);
     let half = (0.5 * raster.field_of_view).tan() * eye.y;

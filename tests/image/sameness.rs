@@ -25,7 +25,8 @@ pub fn work(counts: Counts) -> [u64; 3] {
 
 #[test]
 fn threads_order_observers_and_probes_change_no_bit() {
-    let (width, height) = (301, 203);
+    // Two tiles and three bands.
+    let (width, height) = (531, 70);
     let others = [2, 32].map(|side| of_side(side, Quality::DEFAULT));
     // Spheres alone, and blocks and patterns.
     for scene in [show::field(100, 3.0), of_the_show(50.0)] {

@@ -1,13 +1,11 @@
 //! Properties of the kernels, checked with many rays on every instruction set of the machine. [`crate::limits`] lists their
 //! figures.
 
-mod blocks;
-mod culling;
+mod leaving;
 mod neighbours;
 mod patterns;
 mod precision;
 mod refraction;
-mod reintersection;
 mod scenes;
 mod shadows;
 

@@ -1,12 +1,11 @@
 //! The result for a ray depends neither on its lane nor on the rays in the other lanes.
 
-use super::scenes::{model, rows};
+use super::scenes::{model, rich, rows};
 use super::*;
 use crate::quality::Quality;
-use crate::scene::{Block, Light, Shape, Spot};
+use crate::scene::Spot;
 use crate::trace::shade::shade;
 use crate::trace::{Batch, Tracer};
-use glam::Mat3;
 
 /// The number of packets.
 const PACKETS: usize = 20_000;
@@ -146,60 +145,22 @@ impl Property for Neighbours {
     }
 }
 
-/// A scene with a box, a cylinder, haze, a pattern, a light with a size and a spotlight.
-fn rich() -> Scene {
-    let mut scene = model();
-    for (x, shape) in [(-1.0, Shape::Box), (1.2, Shape::Cylinder)] {
-        scene.blocks.push(Block {
-            centre: Vec3::new(x, 0.7, 2.5),
-            half: Vec3::new(0.6, 0.7, 0.6),
-            axes: Mat3::from_rotation_z(0.3),
-            shape,
-            material: scene.spheres[0].material,
+#[test]
+fn ray_depends_on_no_neighbour() {
+    for scene in [model(), rows(300), rich()] {
+        on_every_instruction_set(&Neighbours {
+            scene,
+            packets: PACKETS,
         });
     }
-    scene.planes[0].material.pattern.waves = Vec3::ONE;
-    scene.planes[0].material.pattern.depth = 0.5;
-    scene.haze = 0.03;
-    scene.lights[0].diameter = 1.0;
-    scene.lights[1].spot = Some(Spot {
-        aim: -scene.lights[1].position.normalize(),
-        outer_angle: 0.9273,
-        inner_angle: 0.45,
-    });
-    scene
 }
 
 #[test]
-fn what_comes_of_a_ray_depends_on_no_neighbour() {
-    on_every_instruction_set(&Neighbours {
-        scene: model(),
-        packets: PACKETS,
-    });
-}
-
-#[test]
-fn what_comes_of_a_ray_depends_on_no_neighbour_where_spheres_are_in_groups() {
-    on_every_instruction_set(&Neighbours {
-        scene: rows(300),
-        packets: PACKETS,
-    });
-}
-
-#[test]
-fn what_comes_of_a_ray_depends_on_no_neighbour_where_there_is_more_than_spheres() {
-    on_every_instruction_set(&Neighbours {
-        scene: rich(),
-        packets: PACKETS,
-    });
-}
-
-#[test]
-fn what_comes_of_a_ray_depends_on_no_neighbour_whatever_numbers_make_no_sense() {
-    fn spot(light: &mut Light) -> &mut Spot {
-        light.spot.get_or_insert_default()
+fn ray_depends_on_no_neighbour_in_an_invalid_scene() {
+    fn spot(scene: &mut Scene) -> &mut Spot {
+        scene.lights[1].spot.get_or_insert_default()
     }
-    let places: [fn(&mut Scene) -> &mut f32; 14] = [
+    let places: [fn(&mut Scene) -> &mut f32; 16] = [
         |scene| &mut scene.spheres[0].centre.x,
         |scene| &mut scene.spheres[1].radius,
         |scene| &mut scene.blocks[0].centre.y,
@@ -208,24 +169,18 @@ fn what_comes_of_a_ray_depends_on_no_neighbour_whatever_numbers_make_no_sense() 
         |scene| &mut scene.blocks[0].axes.x_axis.x,
         |scene| &mut scene.blocks[1].axes.y_axis.y,
         |scene| &mut scene.planes[0].material.pattern.waves.x,
+        |scene| &mut scene.water.slope,
+        |scene| &mut scene.water.phase,
         |scene| &mut scene.lights[0].position.z,
         |scene| &mut scene.lights[0].diameter,
-        |scene| &mut spot(&mut scene.lights[1]).aim.y,
-        |scene| &mut spot(&mut scene.lights[1]).outer_angle,
-        |scene| &mut spot(&mut scene.lights[1]).inner_angle,
+        |scene| &mut spot(scene).aim.y,
+        |scene| &mut spot(scene).outer_angle,
+        |scene| &mut spot(scene).inner_angle,
         |scene| &mut scene.haze,
     ];
+    let numbers = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX];
     for place in places {
-        for number in [
-            f32::NAN,
-            f32::INFINITY,
-            f32::NEG_INFINITY,
-            f32::MAX,
-            1e20,
-            1e-40,
-            0.0,
-            -1.0,
-        ] {
+        for number in numbers.into_iter().chain([1e20, 1e-40, 0.0, -1.0]) {
             let mut scene = rich();
             *place(&mut scene) = number;
             on_every_instruction_set(&Neighbours {

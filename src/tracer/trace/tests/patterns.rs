@@ -1,11 +1,11 @@
 //! Patterns are the same in filled squares, where the object of a pixel is known, as at traced points.
 
-use super::scenes::model;
+use super::scenes::rich;
 use super::*;
 use crate::prepare::ObjectId;
-use crate::scene::{Block, Pattern, Shape};
+use crate::scene::Pattern;
 use crate::trace::SeenPattern;
-use glam::{Mat3, vec3};
+use glam::vec3;
 
 /// The size of the picture in pixels.
 const SIZE: [usize; 2] = [320, 180];
@@ -28,34 +28,19 @@ const MARBLE: Pattern = Pattern {
     ..CHECKERS
 };
 
-/// A patterned floor with spheres and blocks that are patterned, seen from an angle in radians.
+/// A scene in which everything is patterned, seen from an angle in radians.
 fn patterned(angle: f32) -> Scene {
-    let mut scene = model();
-    let material = |pattern| Material {
-        pattern,
-        ..scene.spheres[0].material
-    };
-    for (x, shape, pattern) in [
-        (-2.6, Shape::Box, MARBLE),
-        (-0.9, Shape::Cylinder, CHECKERS),
-        (0.9, Shape::Box, CHECKERS),
-        (2.6, Shape::Cylinder, MARBLE),
-    ] {
-        scene.blocks.push(Block {
-            shape,
-            centre: vec3(x, 0.8, -3.0),
-            half: vec3(0.6, 0.8, 0.6),
-            axes: Mat3::from_rotation_z(0.2 * x),
-            material: material(pattern),
-        });
+    let mut scene = rich();
+    for sphere in scene.spheres.iter_mut() {
+        sphere.material.pattern = CHECKERS;
+    }
+    for (block, pattern) in scene.blocks.iter_mut().zip([MARBLE, CHECKERS]) {
+        block.material.pattern = pattern;
     }
     scene.planes[0].material.pattern = Pattern {
         waves: vec3(0.4, 0.0, 0.4),
         ..CHECKERS
     };
-    for sphere in scene.spheres.iter_mut() {
-        sphere.material.pattern = CHECKERS;
-    }
     scene.camera.eye = vec3(7.5 * angle.sin(), 2.2, -7.5 * angle.cos());
     scene
 }

@@ -1,8 +1,8 @@
 //! Scenes with all kinds of surfaces.
 
 use super::*;
-use crate::scene::{Camera, Light, Plane};
-use glam::vec3;
+use crate::scene::{Block, Camera, Light, Plane, Shape, Spot, Waves};
+use glam::{Mat3, vec3};
 
 const PLASTIC: Material = Material {
     colour: vec3(0.9, 0.15, 0.12),
@@ -10,25 +10,10 @@ const PLASTIC: Material = Material {
     ks: 0.5,
     exponent: 40.0,
     kr: 0.25,
-    index: 1.5,
     ..Material::BLACK
 };
-const MIRROR: Material = Material {
-    kd: 0.2,
-    ks: 0.8,
-    exponent: 80.0,
-    kr: 0.7,
-    ..PLASTIC
-};
-const GLASS: Material = Material {
-    kd: 0.05,
-    ks: 0.8,
-    exponent: 100.0,
-    kr: 0.1,
-    kt: 0.85,
-    tint: vec3(0.55, 0.75, 0.93),
-    ..PLASTIC
-};
+const MIRROR: Material = Material { kr: 0.7, ..PLASTIC };
+const GLASS: Material = Material::glass(1.5);
 
 /// The model scene of the repository's measurements at rest: four spheres of plastic, of glass and that mirror, over a floor, with
 /// two lamps.
@@ -71,5 +56,34 @@ pub fn rows(count: usize) -> Scene {
             [PLASTIC, PLASTIC, MIRROR, PLASTIC, GLASS][i % 5],
         ));
     }
+    scene
+}
+
+/// A scene with a box, a cylinder, haze, a pattern, waves, a light with a size and a spotlight.
+pub fn rich() -> Scene {
+    let mut scene = model();
+    for (x, shape) in [(-1.0, Shape::Box), (1.2, Shape::Cylinder)] {
+        scene.blocks.push(Block {
+            centre: vec3(x, 0.7, 2.5),
+            half: vec3(0.6, 0.7, 0.6),
+            axes: Mat3::from_rotation_z(0.3),
+            shape,
+            material: scene.spheres[0].material,
+        });
+    }
+    scene.planes[0].material.pattern.waves = Vec3::ONE;
+    scene.planes[0].material.pattern.depth = 0.5;
+    scene.water = Waves {
+        slope: 0.1,
+        length: 2.0,
+        phase: 0.3,
+    };
+    scene.haze = 0.03;
+    scene.lights[0].diameter = 1.0;
+    scene.lights[1].spot = Some(Spot {
+        aim: -scene.lights[1].position,
+        outer_angle: 0.9273,
+        inner_angle: 0.45,
+    });
     scene
 }

@@ -1,0 +1,317 @@
+//! Surfaces of any size and position are hit where they are, and rays that leave them do not hit them again, wherever they came from
+//! (after `TestReintersectConvex` of pbrt).
+
+use super::*;
+use crate::scene::{Block, Plane, Shape};
+use glam::{Mat3, Quat, Vec3};
+
+/// The number of spheres or planes, each of which is hit once.
+const SHAPES: usize = 4000;
+/// The number of blocks.
+const BLOCKS: usize = 2000;
+/// The number of rays that leave each hit.
+const RAYS: usize = 1000;
+
+/// The hit of a ray with the only object of a scene.
+struct Met {
+    p: Vec3,
+    /// The normal towards the ray.
+    n: Vec3,
+    /// The distance from the surface within which rounding puts the point.
+    error: f32,
+    is_inside: bool,
+}
+
+impl Met {
+    #[inline(always)]
+    fn new<S: Isa>(simd: S, world: World<'_>, o: Vec3, d: Vec3) -> Option<Self> {
+        let rays = packet(simd, o, &[d]);
+        let hit = hits(simd, world, &rays);
+        let point = shading_point(simd, world, &rays, &hit);
+        (hit.object.as_slice()[0] == 0).then(|| Self {
+            p: lane(point.p, 0),
+            n: lane(point.n, 0),
+            error: point.hit_error.as_slice()[0],
+            is_inside: point.inside.to_bitmask() & 1 == 1,
+        })
+    }
+}
+
+/// Traces `count` rays from a point. Calls `check` with the direction of each, and with the distance if it hits the object.
+#[inline(always)]
+fn each_ray<S: Isa>(
+    simd: S,
+    world: World<'_>,
+    from: Vec3,
+    count: usize,
+    mut direction: impl FnMut() -> Vec3,
+    mut check: impl FnMut(Vec3, Option<f64>),
+) {
+    for _ in 0..count / lanes::<S>() {
+        let ways = [(); MAX_LANES].map(|()| direction());
+        let hit = hits(simd, world, &packet(simd, from, &ways));
+        for (i, &way) in ways.iter().enumerate().take(lanes::<S>()) {
+            let is_hit = hit.object.as_slice()[i] == 0;
+            check(way, is_hit.then(|| f64::from(hit.t.as_slice()[i])));
+        }
+    }
+}
+
+/// A vector whose components are from -1 to 1.
+fn share(random: &mut Random) -> DVec3 {
+    let mut part = || random.between(-1.0, 1.0);
+    DVec3::new(part(), part(), part())
+}
+
+struct Spheres {
+    /// The logarithm of the largest coordinate of a centre; `None` for the origin.
+    centre: Option<f64>,
+}
+
+impl Property for Spheres {
+    #[inline(always)]
+    fn hold<S: Isa>(&self, simd: S, isa: &str) {
+        let mut random = Random::new(2008);
+        let (mut count, mut left, mut entered) = (0, 0, 0);
+        while count < SHAPES {
+            let radius = 10_f64.powf(random.between(-4.0, 4.0));
+            let centre = match self.centre {
+                Some(most) => random.vector(-4.0, most).as_vec3(),
+                None => Vec3::ZERO,
+            };
+            let o = random.vector(-8.0, 8.0);
+            let aim = centre.as_dvec3() + radius * share(&mut random);
+            let (o, d) = (o.as_vec3(), unit(aim - o));
+            let scene = prepared(&one_sphere(centre, radius as f32, Material::default()));
+            let Some(met) = Met::new(simd, scene.world(), o, d) else {
+                count += usize::from(random.bits().is_multiple_of(8));
+                continue;
+            };
+            count += 1;
+            let outward = if met.is_inside { -met.n } else { met.n }.as_dvec3();
+            let what = std::format!("{isa}: radius {radius} at {centre}, from {o} along {d}");
+            // Two roundings of the largest coordinate: about the error of the hit.
+            let largest = f64::from(centre.abs().max_element()) + radius;
+            let off = f64::from(f32::EPSILON) * largest;
+            let direction = || random.direction().as_vec3();
+            each_ray(simd, scene.world(), met.p, RAYS, direction, |way, t| {
+                let cosine = way.as_dvec3().dot(outward);
+                let chord = -2.0 * cosine * radius;
+                if cosine >= 0.0 {
+                    assert!(t.is_none(), "{what}: {} is hit again along {way}", met.p);
+                    left += 1;
+                } else if chord * chord > 64.0 * off * radius {
+                    // Not so near along the sphere that being off it matters as much as the chord.
+                    let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
+                    let is_right = t.is_some_and(|t| (t - chord).abs() < most);
+                    assert!(
+                        is_right,
+                        "{what}: {way} from {} goes {t:?} of {chord}",
+                        met.p
+                    );
+                    entered += 1;
+                }
+            });
+        }
+        assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
+        assert!(entered > SHAPES * RAYS / 32, "{isa}: {entered} rays");
+    }
+}
+
+#[test]
+fn rays_that_leave_a_sphere_do_not_hit_it_again() {
+    for centre in [None, Some(4.0)] {
+        on_every_instruction_set(&Spheres { centre });
+    }
+}
+
+struct Planes;
+
+impl Property for Planes {
+    #[inline(always)]
+    fn hold<S: Isa>(&self, simd: S, isa: &str) {
+        let mut random = Random::new(2019);
+        let mut left = 0;
+        for _ in 0..SHAPES {
+            let [half_x, half_z] = [0; 2].map(|_| 10_f64.powf(random.between(-4.0, 4.0)));
+            let centre = random.vector(-4.0, 4.0);
+            let aim = centre + DVec3::new(half_x, 0.0, half_z) * share(&mut random);
+            let o = random.vector(-8.0, 8.0);
+            let (half_x, half_z) = (half_x as f32, half_z as f32);
+            let plane = Plane::new(centre.as_vec3(), half_x, half_z, Material::BLACK);
+            let scene = prepared(&Scene {
+                planes: List::of(&[plane]),
+                ..Scene::default()
+            });
+            let Some(met) = Met::new(simd, scene.world(), o.as_vec3(), unit(aim - o)) else {
+                continue;
+            };
+            let direction = || {
+                let way = random.direction().as_vec3();
+                // Also along the plane, with both signs of zero.
+                [way, way, way, way.with_y(0.0), way.with_y(-0.0)][random.bits() as usize % 5]
+            };
+            each_ray(simd, scene.world(), met.p, RAYS, direction, |way, t| {
+                assert!(t.is_none(), "{isa}: {} is hit again along {way}", met.p);
+                left += 1;
+            });
+        }
+        assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
+    }
+}
+
+#[test]
+fn rays_that_leave_a_plane_do_not_hit_it_again() {
+    on_every_instruction_set(&Planes);
+}
+
+/// A block's extent that fits its shape.
+fn fitting(shape: Shape, half: DVec3) -> Vec3 {
+    let Vec3 { x, y, .. } = half.as_vec3();
+    match shape {
+        Shape::Box => half.as_vec3(),
+        Shape::Cylinder => Vec3::new(x, y, x),
+        Shape::Capsule => Vec3::new(x, y.max(x), x),
+    }
+}
+
+/// The distance of a point from the nearest side; negative inside.
+fn outside(block: &Block, p: Vec3) -> f64 {
+    let axes = block.axes.as_dmat3();
+    let own = axes.transpose() * (p.as_dvec3() - block.centre.as_dvec3());
+    let half = block.half.as_dvec3();
+    let out = own.abs() - half;
+    match block.shape {
+        Shape::Box => out.max_element(),
+        Shape::Cylinder => out.y.max(own.x.hypot(own.z) - half.x),
+        Shape::Capsule => {
+            let core = half.y - half.x;
+            let way = own.with_y(own.y - own.y.clamp(-core, core));
+            way.length() - half.x
+        }
+    }
+}
+
+/// Blocks of sizes near each other at any place, hit from nearby; or of any sizes at the origin, hit from any distance.
+struct Blocks {
+    is_far: bool,
+}
+
+impl Property for Blocks {
+    #[inline(always)]
+    fn hold<S: Isa>(&self, simd: S, isa: &str) {
+        let mut random = Random::new(1998);
+        // Aligned boxes, turned boxes, cylinders and capsules.
+        let (mut left, mut crossed) = ([0; 4], 0);
+        for i in 0..BLOCKS {
+            let kind = i % 4;
+            // Not so thin or so far away that rounding moves a point from one side to another.
+            let scale = 10_f64.powf(random.between(-3.0, 3.0));
+            let (decades, scale) = if self.is_far {
+                (4.0, 1.0)
+            } else {
+                (1.0, scale)
+            };
+            let half = share(&mut random).map(|share| scale * 10_f64.powf(decades * share));
+            let centre = scale * random.vector(-3.0, 1.5);
+            let shape = [Shape::Box, Shape::Box, Shape::Cylinder, Shape::Capsule][kind];
+            let [a, b, c] = random.direction().as_vec3().to_array();
+            let turn = Quat::from_xyzw(a, b, c, random.between(-1.0, 1.0) as f32);
+            let turn = [Quat::IDENTITY, turn.normalize()][usize::from(kind > 0)];
+            let block = Block {
+                centre: if self.is_far {
+                    Vec3::ZERO
+                } else {
+                    centre.as_vec3()
+                },
+                half: fitting(shape, half),
+                axes: Mat3::from_quat(turn),
+                shape,
+                ..Block::default()
+            };
+            let scene = prepared(&Scene {
+                blocks: List::of(&[block]),
+                ..Scene::default()
+            });
+            let world = scene.world();
+            let half = block.half.as_dvec3();
+            let within = block.axes.as_dmat3() * (share(&mut random) * half);
+            let aim = block.centre.as_dvec3() + within;
+            let near = aim + random.direction() * (2.0 * half.length());
+            let o = if self.is_far {
+                random.vector(-8.0, 8.0)
+            } else {
+                near
+            };
+            let (o, d) = (o.as_vec3(), unit(aim - o));
+            let Some(Met { p, n, error, .. }) =
+                Met::new(simd, world, o, d).filter(|met| !met.is_inside)
+            else {
+                continue;
+            };
+            let what = std::format!("{isa}: {block:?} from {o} along {d}");
+            let direction = || random.direction_from(n);
+            each_ray(simd, world, p, RAYS, direction, |way, t| {
+                assert!(t.is_none(), "{what}: {p} is hit again along {way}");
+                left[kind] += 1;
+            });
+            if self.is_far {
+                continue;
+            }
+            let off = outside(&block, p) / f64::from(error);
+            assert!((off - 1.0).abs() < 0.5, "{what}: {p} is {off} errors off");
+            assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
+            // Rays that go on inside from as far below the surface.
+            let inside = p - 2.0 * error * n;
+            if outside(&block, inside) < -0.5 * f64::from(error) {
+                let direction = || random.direction_from(-n);
+                each_ray(simd, world, inside, RAYS / 16, direction, |way, t| {
+                    assert!(t.is_some(), "{what}: {way} from {inside} leaks");
+                    crossed += 1;
+                });
+            }
+        }
+        let fewest = BLOCKS / 4 * RAYS / 8;
+        assert!(left.iter().all(|&left| left > fewest), "{isa}: {left:?}");
+        assert!(
+            self.is_far || crossed > BLOCKS * RAYS / 128,
+            "{isa}: {crossed}"
+        );
+    }
+}
+
+#[test]
+fn rays_that_leave_a_block_do_not_hit_it_again_and_none_leaks() {
+    for is_far in [false, true] {
+        on_every_instruction_set(&Blocks { is_far });
+    }
+}
+
+#[test]
+fn round_blocks_are_their_ends_along_the_axis() {
+    struct End<'a>(World<'a>, [(f32, f32); 4]);
+    impl Property for End<'_> {
+        #[inline(always)]
+        fn hold<S: Isa>(&self, simd: S, isa: &str) {
+            for (x, t) in self.1 {
+                let rays = packet(simd, Vec3::new(x, 0.0, -3.0), &[Vec3::Z]);
+                let hit = hits(simd, self.0, &rays);
+                assert!((hit.t.as_slice()[0] - t).abs() <= 1e-5 * t, "{isa}: {x}");
+            }
+        }
+    }
+    let cylinder = [(0.0, 1.0), (0.9, 1.0), (-0.999, 1.0), (1.001, 1e30)];
+    let capsule = [(0.0, 1.0), (0.6, 1.2), (-0.8, 1.4), (1.001, 1e30)];
+    for (shape, ends) in [(Shape::Cylinder, cylinder), (Shape::Capsule, capsule)] {
+        let scene = prepared(&Scene {
+            blocks: List::of(&[Block {
+                half: Vec3::new(1.0, 2.0, 1.0),
+                axes: Mat3::from_cols(Vec3::X, Vec3::Z, Vec3::NEG_Y),
+                shape,
+                ..Block::default()
+            }]),
+            ..Scene::default()
+        });
+        on_every_instruction_set(&End(scene.world(), ends));
+    }
+}
