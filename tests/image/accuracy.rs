@@ -329,14 +329,14 @@ fn squares_are_filled_and_split_by_the_rules() {
     // Few edges and many, and so many that nearly every square has one.
     for scene in [show::field(40, 2.0), show::field(320, 5.0)] {
         for quality in RULES.map(bare) {
-            assert_refined(&scene, &quality, [300, 200], "a field");
+            assert_refined(&scene, &quality, [203, 149], "a field");
         }
     }
     let scene = show::model_scene(1.0);
     for side in SIDES {
         for rules in RULES {
             let quality = of_side(side, bare(rules));
-            assert_refined(&scene, &quality, [203, 149], "the model scene");
+            assert_refined(&scene, &quality, [131, 97], "the model scene");
         }
     }
     for (key_depth, state_depth, tolerance_agreeing, tolerance_differing) in [
@@ -357,6 +357,6 @@ fn squares_are_filled_and_split_by_the_rules() {
             highlight: 0.1,
             ..bare(Quality::THESIS)
         };
-        assert_refined(&scene, &quality, [203, 149], "the model scene");
+        assert_refined(&scene, &quality, [131, 97], "the model scene");
     }
 }

@@ -30,14 +30,14 @@ fn rules_of_2008_trace_an_eighth_of_the_points_at_44_db() {
 
 #[test]
 fn intro_has_45_db_in_every_frame_and_42_in_crowded_ones() {
-    for second in (0..=10).step_by(2) {
+    for second in [0, 4, 8] {
         let scene = show::model_scene(second as f32);
         for quality in [Quality::DEFAULT, jagged(Quality::DEFAULT)] {
             let psnr = psnr(&scene, quality, [1024, 768]);
             assert!(psnr >= 45.0, "{psnr} dB at {second} s by {quality:?}");
         }
     }
-    for (count, time) in [(100, 13.0), (256, 9.0), (320, 0.0), (320, 41.6)] {
+    for (count, time) in [(100, 13.0), (320, 41.6)] {
         let psnr = psnr(&show::field(count, time), Quality::DEFAULT, [1024, 768]);
         assert!(psnr >= 42.0, "{psnr} dB of {count} spheres at {time} s");
     }

@@ -86,7 +86,7 @@ fn number_beyond_its_range_is_refused_at_its_place() {
 #[test]
 fn scene_is_read_as_it_was_written() {
     let contents = |scene: &Scene| format!("{scene:?}");
-    for mut random in cases(40) {
+    for mut random in cases(8) {
         let mut scene = Kinds::EXTREME.scene(&mut random);
         scene.captions.push(Caption::default());
         scene.captions[0].letters = List::of(b"\"8\\\x7f\n#");
@@ -114,7 +114,7 @@ fn mutated_text_gives_a_line_and_a_column() {
     for name in ["motion.ron", "blocks.ron", "lights.ron"] {
         let example = fs::read_to_string(folder.join(name)).expect("an example");
         let mut random = Random::new(2008);
-        for case in 0..400 {
+        for case in 0..150 {
             let mut text: Vec<char> = example.chars().collect();
             for _ in 0..=random.below(3) {
                 let at = random.below(text.len());
@@ -135,5 +135,5 @@ fn mutated_text_gives_a_line_and_a_column() {
             refused += 1;
         }
     }
-    assert!(refused > 600, "{refused}");
+    assert!(refused > 220, "{refused}");
 }

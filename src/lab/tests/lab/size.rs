@@ -23,6 +23,7 @@ fn sum(rows: &[Vec<&str>], column: usize) -> u64 {
 }
 
 #[test]
+#[ignore = "the intro for Windows is compiled"]
 fn every_byte_of_the_intro_for_windows_is_told_of() {
     let text = printed("size --windows --functions 1");
     let path = eightfold_lab::cargo::intro_for_windows().expect("the intro");
