@@ -47,7 +47,7 @@ pub struct Quality {
     /// its path.
     pub least_contribution: f32,
     /// Whether edges are antialiased: where two neighbouring pixels differ by 20/255 or more in a channel, the point half-way
-    /// between them is traced, and mixed into both.
+    /// between them is traced and mixed into both, and up to two more points for each of them find the edge by bisection.
     pub antialias: bool,
 }
 
@@ -87,7 +87,7 @@ impl Quality {
 
     /// The named qualities from the finest to the fastest, with [`Quality::DEFAULT`] among them.
     ///
-    /// The first four are antialiased, which takes a third more time. Speed, error and what a viewer sees of it are in
+    /// The first four are antialiased, which takes a third to a half more time. Speed, error and what a viewer sees of it are in
     /// `docs/accuracy.md`, as `cargo lab trade --ladder` measures them.
     ///
     /// The rungs are chosen on the front of time against FLIP and pops, pixels that jump from a frame to the next while those of

@@ -6,8 +6,9 @@ use eightfold::show;
 use eightfold_oracle::squares::TILE;
 use eightfold_scenes::{Kinds, cases};
 use eightfold_tracer::Quality;
-use eightfold_tracer::glam::{Vec3, vec3};
+use eightfold_tracer::glam::{Mat3, Vec3, vec3};
 use eightfold_tracer::scene::{Block, Material, Scene};
+use std::f32::consts::TAU;
 
 /// Samples per side of a pixel in the reference pictures.
 const FINE: usize = 8;
@@ -84,7 +85,7 @@ fn point_between_two_pixels_is_traced_where_they_differ() {
             .map(|antialias| draw_best(&scene, &with(antialias, quality), width, height));
         let is_edge = |i: usize, j: usize| worst_channel(plain.pixels[i], plain.pixels[j]) >= 20;
         let mut is_beside_an_edge = vec![false; width * height];
-        // Points between two bands, and between two stretches of 64 columns are traced for each.
+        // Middles between two bands, and between two stretches of 64 columns are traced for each.
         let band = width * TILE[1];
         let points = (0..width * height).map(|i| {
             let right = i % width + 1 < width && is_edge(i, i + 1);
@@ -103,19 +104,23 @@ fn point_between_two_pixels_is_traced_where_they_differ() {
             let is_same = plain.pixels[i] == smooth.pixels[i];
             assert!(is_same || is_beside, "case {}: pixel {i}", random.seed);
         }
+        // In each half of the way between two pixels bisection adds two at most.
         let traced = smooth.counts.points - plain.counts.points;
-        assert_eq!(traced, points, "case {}: {width}x{height}", random.seed);
+        assert!(
+            (points..=5 * points).contains(&traced),
+            "case {}: {traced} of {points}",
+            random.seed
+        );
     }
 }
 
 #[test]
 fn edge_between_bands_is_mixed_as_within_one() {
-    // A box from side to side, of which more and more is seen. Its upper side cuts the row above the first that it covers, which
-    // is then the only one that changes, in the middle of a band as at its ends.
+    // More and more of the box is seen. Its upper side cuts the row above the first that it covers, which is then the only one that
+    // changes, in the middle of a band as at its ends.
     let (width, height) = (64, 160);
-    // Above the middle of the picture, so that its top face is not seen.
     for row in 20..70 {
-        let scene = box_up_to(row as f32 + 0.2, height);
+        let scene = half_plane(0.0, 0.5 * height as f32 - 0.7 - row as f32, height);
         let [plain, smooth] = [false, true].map(|antialias| {
             let quality = with(antialias, Quality::EXHAUSTIVE);
             draw_best(&scene, &quality, width, height).pixels
@@ -126,18 +131,59 @@ fn edge_between_bands_is_mixed_as_within_one() {
     }
 }
 
-/// A white box, lit evenly, from a height down, given in pixels of a picture that is so many high.
-fn box_up_to(row: f32, height: usize) -> Scene {
+/// Along the axis that an edge crosses, its place is found to an eighth of a pixel, whose middle is taken. Where it cuts off a corner
+/// of the pixel alone, that axis tells up to an eighth less than there is.
+#[test]
+fn share_of_a_cut_pixel_is_known_to_an_eighth() {
+    const SIDE: usize = 40;
+    let quality = with(true, Quality::EXHAUSTIVE);
+    let (mut worst, mut squares, mut count) = (0.0_f32, 0.0, 0);
+    for step in 0..48 {
+        let (angle, distance) = (step as f32 * TAU / 48.0, 3.0 + 0.37 * step as f32 % 5.0);
+        let picture = draw_best(&half_plane(angle, distance, SIDE), &quality, SIDE, SIDE).pixels;
+        for (i, pixel) in picture.into_iter().enumerate() {
+            let [x, y] = [i % SIDE, i / SIDE].map(|at| at as f32 + 0.5 - 0.5 * SIDE as f32);
+            let share = covered(angle, distance - (x * angle.sin() - y * angle.cos()));
+            let error = (pixel as u8 as f32 / 255.0 - share).abs();
+            // Pixels at the picture's rim have no neighbour on one side.
+            if error > 0.002 && x.abs().max(y.abs()) < 0.5 * SIDE as f32 - 1.0 {
+                worst = worst.max(error);
+                squares += error * error;
+                count += 1;
+            }
+        }
+    }
+    let mean = (squares / count as f32).sqrt();
+    println!("of {count} shares the worst is off by {worst:.3}, the root mean square is {mean:.3}");
+    assert!(worst <= 0.14 && mean < 0.05, "{worst}, {mean}");
+}
+
+/// The share of a pixel on the inner side of an edge, which is so far from its centre and leans by an angle.
+fn covered(angle: f32, distance: f32) -> f32 {
+    const SLICES: usize = 200;
+    let (across, along) = (angle.sin().abs(), angle.cos().abs());
+    let (across, along) = (across.max(along), across.min(along));
+    let slice = |i| {
+        let place = (i as f32 + 0.5) / SLICES as f32 - 0.5;
+        (0.5 + (distance - along * place) / across).clamp(0.0, 1.0)
+    };
+    (0..SLICES).map(slice).sum::<f32>() / SLICES as f32
+}
+
+/// A white box, lit evenly, that ends at a line so many pixels from the centre of a picture that is so many high: above it, or
+/// turned clockwise by an angle. It covers the centre, so that its sides are not seen.
+fn half_plane(angle: f32, distance: f32, height: usize) -> Scene {
     let mut scene = Scene {
         ambient: Vec3::ONE,
         ..Scene::default()
     };
     // At distance 1 a pixel is so high; the centre of the picture lies between two rows.
     let pixel = 2.0 * (0.5 * scene.camera.field_of_view).tan() / height as f32;
-    let top = (0.5 * height as f32 - 0.5 - row) * pixel;
+    let axes = Mat3::from_rotation_z(-angle);
     scene.blocks.push(Block {
-        centre: vec3(0.0, top - 1.0, -0.05),
-        half: vec3(1.0, 1.0, 0.05),
+        centre: axes * vec3(0.0, distance * pixel - 3.0, 0.0) - 0.05 * Vec3::Z,
+        half: vec3(3.0, 3.0, 0.05),
+        axes,
         material: Material::matt(Vec3::ONE, 0.0),
         ..Block::default()
     });

@@ -107,8 +107,9 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
     assert_eq!(work(counts), work(again), "{what}");
 
     let square = largest(&scene, &quality);
-    // Antialiasing takes a point to the right of a pixel and one below; where two parts of a picture meet, both take it.
-    let middles = usize::from(quality.antialias) * 3 * width * height;
+    // Antialiasing takes a point to the right of a pixel and one below; where two parts of a picture meet, both take it. On each side
+    // of a pixel it takes two more.
+    let middles = usize::from(quality.antialias) * 11 * width * height;
     let most = (most_points(square, width, height) + middles) as u64;
     assert!(counts.points <= most, "{what}: {counts:?}");
     let tree = (2 << quality.depth) - 1;

@@ -6,7 +6,7 @@ mod bits;
 mod pyramid;
 
 pub(crate) use bits::{Bits, WORDS, each};
-pub(crate) use pyramid::{GridRow, LEVELS, Pyramid};
+pub(crate) use pyramid::{GridRow, LEVELS, Pyramid, SCRATCH};
 
 /// Where a tile is in the picture, in pixels.
 pub(crate) struct Area {

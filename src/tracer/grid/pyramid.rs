@@ -47,6 +47,9 @@ const STARTS: [usize; LEVELS + 1] = {
 /// All points, and what may be read beyond the last one.
 const POINTS: usize = STARTS[LEVELS] + 2 * MAX_LANES;
 
+/// Words of [`Pyramid::scratch`]: two for each pixel of an eighth of a tile.
+pub(crate) const SCRATCH: usize = 2 * TILE_WIDTH * TILE_HEIGHT / 8;
+
 impl Pyramid {
     pub const fn new() -> Self {
         Self {
@@ -73,6 +76,11 @@ impl Pyramid {
     pub fn put(&mut self, index: usize, sample: Sample, key: u32) {
         self.samples[index] = sample.0;
         self.keys[index] = key;
+    }
+
+    /// Memory for other purposes, between tiles.
+    pub fn scratch(&mut self) -> &mut [u64; SCRATCH] {
+        self.samples.first_chunk_mut().expect("as many points")
     }
 
     /// A row of a level's grid.

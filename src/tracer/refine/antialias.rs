@@ -1,36 +1,40 @@
-//! Antialiasing: pixels that differ by an edge are mixed with the point half-way between them.
+//! Antialiasing: pixels that differ by an edge are mixed with points between them.
 //!
 //! Once all bands are drawn, each is looked at again. Where two neighbours differ by an edge, the point in the middle between them
-//! is traced, once for both. Each of the two becomes
+//! is traced, once for both. Each of the two shows the half of the way that is its own, and the edge is sought there by bisection:
+//! where the pixel and the middle differ by [`HALF`], the point between them is traced, and where that differs from one of them by
+//! [`QUARTER`], one more on that side.
 //!
 //! ```text
-//!     a       middle      b
-//!   +---------+---------+
-//!   |         |   /     |        a = 2/3 a + 1/3 middle
-//!   |    x    o  / x    |        b = 2/3 b + 1/3 middle
-//!   |         | /       |
-//!   +---------+---------+        Here the middle is like a, so that b alone changes, which the edge cuts.
-//!               an edge
+//!     a           middle          b
+//!   +---------------+---------------+
+//!   |               |     /         |
+//!   |       x       o   o/o x       |        a and the middle are alike. Between the middle and b the edge is found to an eighth.
+//!   |               |   /           |
+//!   +---------------+---------------+
+//!                    an edge
 //! ```
 //!
-//! and the mean of that along x and along y if it differs along both. As an edge goes from a pixel to the next, the two take steps
-//! of a third. So points are traced on edges alone, and a single one for each row or column that an edge goes through, where a
-//! grid of four in each pixel would take eight. What is compared are the pixels as they were drawn, those of the neighbouring bands
-//! too, so that a picture has the same bits for any number of threads, and what is all alike keeps its bits. Where a square of 8 was
-//! filled by colours between its corners' no pixel differs from the next by an edge, so that only the other blocks are looked at, and
-//! the pixels on their borders.
+//! A pixel's colour along an axis is the mean, by the trapezoid rule, over all points that are known between its borders. The middle of
+//! a side with an edge counts a fourth; the middle of another side is the pixel's own colour. The axis along which the pixel changes
+//! more replaces the pixel: a line that crosses the edge steeply measures the covered share better than a mean of both lines. The marks
+//! compare pixels as they were drawn, also across bands, so that a picture has the same bits for any number of threads, and even
+//! areas keep their bits. A square of 8 that was filled between its corners' colours has no edges inside: only the other blocks are
+//! searched, and the pixels on their borders.
 //!
 //! A thing that is smaller than a pixel and lies between the samples of its neighbours is not found by this: a pixel is looked at
 //! more closely only where something can be seen.
 
-use super::worker::{STRETCH, Worker};
+use super::worker::{Interval, STRETCH, Worker};
 use crate::MAX_WIDTH;
 use crate::coverage::rectangle;
-use crate::grid::each;
+use crate::grid::{SCRATCH, each};
 use crate::lanes::*;
 use crate::observe::Observer;
 use crate::picture::{BLOCK, BLOCK_ROWS, Band, MAX_BANDS, RoughRow, TILE_HEIGHT, TILE_WIDTH};
 use crate::plan::Context;
+use crate::prepare::VisibleGroups;
+use crate::quality::Quality;
 use crate::trace::{BATCH, PARTS, STEP, Sample};
 use core::ops::Range;
 use fearless_simd::{u8x32, u32x8};
@@ -38,8 +42,28 @@ use fearless_simd::{u8x32, u32x8};
 /// The least difference of neighbours, in a channel and 255ths, that is an edge.
 pub(super) const EDGE: u8 = 20;
 
-/// Bits of a channel in a sum of points: enough for the four beside a pixel.
+/// The least difference of a pixel and the middle beside it, in a sample's unit, between which another point is traced.
+const HALF: u64 = 40 * STEP as u64;
+
+/// The least difference of that point and one of the two, between which a last point is traced.
+const QUARTER: u64 = 128 * STEP as u64;
+
+/// Rows of marks for each row of pixels.
+const ROWS: usize = 2;
+
+/// The most points in the middle that are traced together: a batch takes a point on both sides of each.
+const MIDDLES: usize = BATCH / 2;
+
+/// Bits of a channel in a change.
 const FIELD: usize = 21;
+
+/// A channel's sign in a change.
+const SIGN: u64 = 1 << (FIELD - 1);
+
+/// What points along an axis change of a pixel is counted in 16ths of a sample's unit: the weights of all points are whole there. It is
+/// a word of the pyramid's scratch memory, pixel by pixel for both axes: blue, green and red from the low bits up, [`FIELD`] bits each,
+/// with a sign, which borrow from the next as the channels of a difference do.
+const WEIGHTS: u64 = 2 * PARTS as u64;
 
 /// A bit for each pixel of a row, number 0 in the lowest bit of the first word: whether it differs from a certain neighbour.
 type RowMarks = [u64; MAX_STRETCHES];
@@ -105,7 +129,7 @@ impl Seams {
 ///
 /// Each row has two: from the one above, and from the one to the right. The last are those of the row below the band from the one
 /// above it.
-type Marks = [u64; PARTS * TILE_HEIGHT + 1];
+type Marks = [u64; ROWS * TILE_HEIGHT + 1];
 
 /// The pixels of a stretch in a row of so many.
 fn stretch(word: usize, width: usize) -> Range<usize> {
@@ -162,8 +186,8 @@ fn mark_stretch(
             0
         };
         let beside = here | here >> 1 | next << (BLOCKS - 1);
-        marks[PARTS * y + 1] = mark(&line(y)[stretch.clone()], &line(y)[right.clone()], beside);
-        marks[PARTS * y + 2] = if y + 1 < rows {
+        marks[ROWS * y + 1] = mark(&line(y)[stretch.clone()], &line(y)[right.clone()], beside);
+        marks[ROWS * y + 2] = if y + 1 < rows {
             let both = here | blocks(&band.rough[(y + 1) / BLOCK], word);
             mark(
                 &line(y)[stretch.clone()],
@@ -200,6 +224,7 @@ fn mix<O: Observer>(
     band: &mut Band<'_>,
 ) {
     worker.batch.begin();
+    worker.pyramid.scratch().fill(0);
     let &Context { plan, coverage, .. } = context;
     let finished = plan.finished;
     let mut marks: Marks = [0; _];
@@ -209,7 +234,7 @@ fn mix<O: Observer>(
     for (word, start) in (0..finished).step_by(STRETCH).enumerate() {
         // Mark the points between pixels that differ, of a stretch.
         mark_stretch(band, finished, word, borders, &mut marks);
-        let any = marks[..=PARTS * height]
+        let any = marks[..=ROWS * height]
             .iter()
             .chain(&before)
             .fold(0, |all, row| all | row);
@@ -220,96 +245,173 @@ fn mix<O: Observer>(
         let (left, above) = (start.saturating_sub(1), top.saturating_sub(1));
         let rect = rectangle(left, above, start + STRETCH, top + height);
         let seen = coverage.visible_groups(coverage.axes.rect(rect));
-        let traced = |worker: &mut Worker| {
+        let traced = |worker: &mut Worker, band: &Band<'_>| {
             context.trace(&plan.quality, seen, &mut worker.batch);
-            add_middles([start, top], height, worker);
+            add_middles(start, band, worker);
+            bisect(context, &plan.quality, seen, worker);
         };
         // Trace them, batch by batch.
-        for (number, &row) in marks[..=PARTS * height].iter().enumerate() {
-            if row == 0 && (number % PARTS == 0 || before[number / PARTS] == 0) {
+        for (number, &row) in marks[..=ROWS * height].iter().enumerate() {
+            if row == 0 && (number % ROWS == 0 || before[number / ROWS] == 0) {
                 continue;
             }
-            if worker.batch.points.len() + STRETCH + 1 > BATCH {
-                traced(worker);
+            if worker.batch.points.len() + STRETCH + 1 > MIDDLES {
+                traced(worker, band);
             }
             let points = &mut worker.batch.points;
-            let (x, y) = (
-                PARTS * start + number % PARTS,
-                (PARTS * top + number).wrapping_sub(1),
-            );
+            let [x, y] = [
+                ROWS * start + number % ROWS,
+                (ROWS * top + number).wrapping_sub(1),
+            ]
+            .map(|at| at.wrapping_mul(PARTS / ROWS));
             // Between the last pixel of the stretch before and the first of this one.
-            if number % PARTS != 0 && before[number / PARTS] != 0 {
+            if number % ROWS != 0 && before[number / ROWS] != 0 {
                 points.push(x - PARTS, y);
             }
             each(row, |bit| points.push(x + PARTS * bit, y));
         }
-        traced(worker);
+        traced(worker, band);
         // Mix each pixel with the points on its four sides.
         for (y, row) in band.rows() {
-            let right = marks[PARTS * y + 1];
-            let sides = [
-                right << 1 | before[y],
-                right,
-                marks[PARTS * y],
-                marks[PARTS * y + 2],
-            ];
+            let right = marks[ROWS * y + 1];
+            let along_x = right | right << 1 | before[y];
             before[y] = right >> (STRETCH - 1);
-            let [left, right, above, below] = sides;
-            each(left | right | above | below, |bit| {
-                let count = sides.map(|side| (side >> bit & 1) as usize);
-                let sum = core::mem::take(&mut worker.middles[y][bit]);
-                let pixel = &mut row[start + bit];
-                *pixel = mixed(*pixel, sum, count);
+            each(along_x | marks[ROWS * y] | marks[ROWS * y + 2], |bit| {
+                mix_pixel(&mut row[start + bit], STRETCH * y + bit, worker);
             });
         }
     }
 }
 
-/// Adds the points of a traced batch to the sums of the pixels on both sides, as far as they are in the stretch, which begins at
-/// pixel (left, top) and has so many rows, and clears the batch.
-fn add_middles([left, top]: [usize; 2], height: usize, worker: &mut Worker) {
-    let Worker { batch, middles, .. } = worker;
-    let middles = &mut middles[..height];
-    for i in 0..batch.points.len() {
-        let (x, y) = batch.points.position(i);
-        let sample = spread(batch.results.sample(i));
-        for [x, y] in [
-            [x / PARTS, y / PARTS],
-            [x.div_ceil(PARTS), y.div_ceil(PARTS)],
-        ] {
-            // What lies before the stretch wraps around.
-            let row = middles.get_mut(y.wrapping_sub(top));
-            if let Some(sum) = row.and_then(|row| row.get_mut(x.wrapping_sub(left))) {
-                *sum += sample;
+/// Adds the points of a traced batch to the changes of the pixels on both sides, as far as they are in the stretch of a band that
+/// begins at column `left`, and clears the batch.
+fn add_middles(left: usize, band: &Band<'_>, worker: &mut Worker) {
+    for i in 0..2 * worker.batch.points.len() {
+        let (point, side) = (i / 2, i % 2);
+        let (x, y) = worker.batch.points.position(point);
+        let axis = usize::from(x % PARTS == 0);
+        let [x, y] = [x, y].map(|at| (at + (PARTS - 1) * (1 - side)) / PARTS);
+        // Pixels before the stretch wrap around.
+        let (column, row) = (x.wrapping_sub(left), y.wrapping_sub(band.top));
+        if column < STRETCH && row < band.height() {
+            let drawn = band.pixels[band.stride * row + x];
+            let pixel = STRETCH * row + column;
+            add_middle(worker, point, drawn, [x, y], pixel, 2 * axis + side);
+        }
+    }
+    worker.batch.points.clear();
+}
+
+/// Adds a traced point of the batch, the middle between a pixel and the one beside it on a side, to the changes of the pixel. Notes
+/// the interval between the two if an edge lies in it.
+#[inline(never)]
+pub(super) fn add_middle(
+    worker: &mut Worker,
+    point: usize,
+    drawn: u32,
+    [x, y]: [usize; 2],
+    pixel: usize,
+    side: usize,
+) {
+    let ends = [widened(drawn), spread(worker.batch.results.sample(point))];
+    let word = 2 * pixel + side / 2;
+    let change = &mut worker.pyramid.scratch()[word % SCRATCH];
+    *change = change.wrapping_add(ends[1].wrapping_sub(ends[0]).wrapping_mul(WEIGHTS / 4));
+    if contrast(ends) >= HALF {
+        worker.intervals[worker.found % BATCH] = Interval {
+            ends,
+            start: (PARTS * (y << 16 | x)) as u32,
+            half: (PARTS / 4) as i16 * (2 * (side % 2) as i16 - 1),
+            word: word as u16,
+        };
+        worker.found += 1;
+    }
+}
+
+/// Traces points in the noted intervals, and adds them to the changes of the pixels. The batch must be empty, and is then.
+#[inline(never)]
+pub(super) fn bisect<O>(
+    context: &Context<'_, O>,
+    quality: &Quality,
+    seen: VisibleGroups,
+    worker: &mut Worker,
+) {
+    while worker.found > 0 {
+        let count = core::mem::take(&mut worker.found);
+        for i in 0..count {
+            let middle = worker.intervals[i % BATCH].middle();
+            worker.batch.points.push_at(middle);
+        }
+        context.trace(quality, seen, &mut worker.batch);
+        worker.batch.points.clear();
+        for i in 0..count {
+            let mut interval = worker.intervals[i % BATCH];
+            let [start, end] = interval.ends;
+            let middle = spread(worker.batch.results.sample(i));
+            // The mean of both ends becomes that of all three by the trapezoid rule.
+            let more = (2 * middle).wrapping_sub(start + end);
+            let weight = u64::from(interval.half.unsigned_abs());
+            let change = &mut worker.pyramid.scratch()[usize::from(interval.word) % SCRATCH];
+            *change = change.wrapping_add(more.wrapping_mul(weight));
+            interval.ends = [start, middle];
+            let mut most = contrast(interval.ends);
+            let other = contrast([middle, end]);
+            if most < other {
+                most = other;
+                interval.ends = [middle, end];
+                interval.start = interval.middle();
+            }
+            if most >= QUARTER && weight > 1 {
+                interval.half /= 2;
+                worker.intervals[worker.found % BATCH] = interval;
+                worker.found += 1;
             }
         }
     }
-    batch.points.clear();
 }
 
-/// A point's channels as far apart as a sum has them.
-pub(super) fn spread(sample: Sample) -> u64 {
-    let channel = |number: usize| (sample.0 >> (16 * number) & 0xffff) << (FIELD * number);
-    channel(0) | channel(1) | channel(2)
-}
-
-/// A pixel mixed with points beside it, by the sum of these and how many there are to the left, to the right, above and below.
+/// The largest difference of two colours in a channel.
 #[inline(never)]
-pub(super) fn mixed(pixel: u32, sum: u64, [left, right, above, below]: [usize; 4]) -> u32 {
-    // Thirds of the pixel along each axis that has a point; what has none is the pixel's own.
-    let thirds = 3 * ((left | right) + (above | below));
-    let own = thirds - (left + right + above + below);
-    // Divided by 3 or 6 output steps: exact below 2^20.
-    const STEPS: u64 = 3 * STEP as u64;
-    let (half, inverse) = if thirds == 3 {
-        (STEPS / 2, (1 << 40) / STEPS + 1)
-    } else {
-        (STEPS, (1 << 40) / (2 * STEPS) + 1)
-    };
-    let channel = |number: usize| {
-        let pixel = u64::from(pixel >> (8 * number) & 0xff) * STEP as u64;
-        let sum = sum >> (FIELD * number) & ((1 << FIELD) - 1);
-        ((((pixel * own as u64 + sum + half) * inverse) >> 40) << (8 * number)) as u32
-    };
-    channel(0) | channel(1) | channel(2)
+fn contrast([a, b]: [u64; 2]) -> u64 {
+    let channels = [0, 1, 2].map(|number| channel(a, number).abs_diff(channel(b, number)));
+    channels.into_iter().fold(0, u64::max)
+}
+
+/// A channel of a colour, blue first.
+fn channel(colour: u64, number: usize) -> u64 {
+    colour >> (FIELD * number) & ((1 << FIELD) - 1)
+}
+
+/// A colour by its channels, blue first.
+fn colour(channel: impl Fn(usize) -> u64) -> u64 {
+    channel(0) | channel(1) << FIELD | channel(2) << (2 * FIELD)
+}
+
+/// A point's channels as far apart as a change has them.
+#[inline(never)]
+fn spread(sample: Sample) -> u64 {
+    colour(|number| sample.0 >> (16 * number) & 0xffff)
+}
+
+/// A pixel as a point.
+#[inline(never)]
+fn widened(pixel: u32) -> u64 {
+    colour(|number| u64::from(pixel >> (8 * number) & 0xff) * STEP as u64)
+}
+
+/// Mixes a pixel with the points beside it, along the axis whose points change more of it, and forgets its changes.
+#[inline(never)]
+pub(super) fn mix_pixel(drawn: &mut u32, pixel: usize, worker: &mut Worker) {
+    let axes = [0, 1].map(|axis| {
+        let change = &mut worker.pyramid.scratch()[(2 * pixel + axis) % SCRATCH];
+        let change = core::mem::take(change);
+        let positive = change.wrapping_add(colour(|_| SIGN));
+        let channels = [0, 1, 2].map(|number| channel(positive, number).abs_diff(SIGN));
+        (channels[0] + channels[1] + channels[2], change)
+    });
+    let change = axes[usize::from(axes[0].0 < axes[1].0)].1;
+    const UNIT: u64 = WEIGHTS * STEP as u64;
+    let sum = (WEIGHTS * widened(*drawn)).wrapping_add(change);
+    let channel = |number| (((channel(sum, number) + UNIT / 2) / UNIT) as u32) << (8 * number);
+    *drawn = channel(0) | channel(1) | channel(2);
 }

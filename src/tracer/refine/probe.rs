@@ -4,13 +4,13 @@
 //! arithmetic as [`antialias`](super::antialias): so the probes of an exhaustive frame find no error at all.
 
 use super::Worker;
-use super::antialias::{is_edge, mixed, spread};
+use super::antialias::{add_middle, bisect, is_edge, mix_pixel};
 use crate::counts::Counts;
 use crate::picture::{Band, Probing};
 use crate::plan::Context;
 use crate::prepare::{Film, GroupSet, VisibleGroups};
 use crate::quality::Quality;
-use crate::trace::{BATCH, Batch};
+use crate::trace::{BATCH, Batch, PARTS};
 
 /// Fractions of 2^32: the golden ratio, by which columns follow each other, and the two steps of R2, the sequence that fills a square
 /// as evenly as any is known to (Roberts 2018), by which seeds move all.
@@ -68,29 +68,34 @@ pub(crate) fn probe<O>(context: &Context<'_, O>, worker: &mut Worker, band: &mut
         .probing
         .places(size)
         .filter(|&place| index(place) < count);
-    let batch = &mut worker.batch;
-    batch.begin();
+    worker.batch.begin();
+    worker.pyramid.scratch().fill(0);
     loop {
+        let mut probes = 0;
         for place in places.by_ref().take(BATCH / POINTS) {
-            push(batch, size, place, sides);
+            push(&mut worker.batch, size, place, sides);
+            worker.targets[probes] = index(place) as u32;
+            probes += 1;
         }
-        if batch.points.len() == 0 {
+        if probes == 0 {
             break;
         }
         // Antialiasing, which its reference shares with a quality, is no matter of tracing.
-        context.trace(&Quality::EXHAUSTIVE, all, batch);
-        let mut first = 0;
-        while first < batch.points.len() {
-            let (x, y) = batch.points.pixel(first);
-            if let Some(&drawn) = band.pixels.get(index([x, y])) {
-                let traced = pixel(&world.film, batch, first, sides.len());
-                band.counts.probes.compare(drawn, traced);
-            }
-            first += 1 + 2 * sides.len();
+        let quality = &Quality::EXHAUSTIVE;
+        context.trace(quality, all, &mut worker.batch);
+        for probe in 0..probes {
+            worker.targets[BATCH / 2 + probe] = add_sides(&world.film, worker, probe, sides.len());
         }
-        batch.points.clear();
+        worker.batch.points.clear();
+        bisect(context, quality, all, worker);
+        for probe in 0..probes {
+            let mut traced = worker.targets[BATCH / 2 + probe];
+            mix_pixel(&mut traced, probe, worker);
+            let drawn = band.pixels[worker.targets[probe] as usize];
+            band.counts.probes.compare(drawn, traced);
+        }
     }
-    batch.counts = Counts::NONE;
+    worker.batch.counts = Counts::NONE;
 }
 
 /// Adds the points of a pixel to a batch, of a picture of so many columns and rows.
@@ -104,7 +109,8 @@ fn push(batch: &mut Batch, size: [usize; 2], place: [usize; 2], sides: &[[usize;
             let beside = place[i].wrapping_add(way[i]);
             if beside < size[i] { beside } else { place[i] }
         });
-        batch.points.push(x + beside[0], y + beside[1]);
+        let [x, y] = [x + beside[0], y + beside[1]].map(|at| PARTS / 2 * at);
+        batch.points.push(x, y);
         batch.points.push_pixel(beside[0], beside[1]);
     }
 }
@@ -116,21 +122,16 @@ fn own(film: &Film, batch: &Batch, point: usize) -> u32 {
     batch.results.sample(point).pixel(film.threshold(x, y))
 }
 
-/// A pixel as an exhaustive frame has it, from its points in a traced batch, the first of which is given.
-fn pixel(film: &Film, batch: &Batch, first: usize, sides: usize) -> u32 {
-    let pixel = own(film, batch, first);
-    let (mut sum, mut count, mut is_mixed) = (0, [0; SIDES.len()], false);
-    for (side, count) in count.iter_mut().enumerate().take(sides) {
+/// Returns the pixel of a probe in a traced batch as it is before antialiasing, and adds the points half-way to its neighbours.
+fn add_sides(film: &Film, worker: &mut Worker, probe: usize, sides: usize) -> u32 {
+    let first = probe * (1 + 2 * sides);
+    let pixel = own(film, &worker.batch, first);
+    let (x, y) = worker.batch.points.pixel(first);
+    for side in 0..sides {
         let middle = first + 1 + 2 * side;
-        if is_edge(pixel, own(film, batch, middle + 1)) {
-            sum += spread(batch.results.sample(middle));
-            *count = 1;
-            is_mixed = true;
+        if is_edge(pixel, own(film, &worker.batch, middle + 1)) {
+            add_middle(worker, middle, pixel, [x, y], probe, side);
         }
     }
-    if is_mixed {
-        mixed(pixel, sum, count)
-    } else {
-        pixel
-    }
+    pixel
 }

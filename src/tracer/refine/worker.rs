@@ -16,8 +16,9 @@ pub struct Worker {
     pub(super) guard: Guard,
     /// Where the batch's points go: in the pyramid, or pixels in the band.
     pub(super) targets: [u32; BATCH],
-    /// The points beside the pixels of a stretch that is antialiased.
-    pub(super) middles: Middles,
+    /// The intervals in which edges lie, and how many there are.
+    pub(super) intervals: [Interval; BATCH],
+    pub(super) found: usize,
 }
 
 impl Worker {
@@ -47,7 +48,8 @@ impl Worker {
                 marks: Marks::new(),
                 guard: Guard::new(),
                 targets: [0; BATCH],
-                middles: NO_MIDDLES,
+                intervals: [Interval::NONE; _],
+                found: 0,
             }
         }
     }
@@ -98,9 +100,30 @@ impl Marks {
 /// Pixels of a stretch of a band along x, whose rays meet the same groups: as many as a word has marks.
 pub(super) const STRETCH: usize = u64::BITS as usize;
 
-/// For each pixel of a stretch, the sum of the points beside it: blue, green and red from the low bits up, in 128ths of an output
-/// step. All are 0 in between.
-pub(super) type Middles = [[u64; STRETCH]; TILE_HEIGHT];
+/// A part of the way from a pixel's centre to its border in which an edge lies.
+#[derive(Clone, Copy)]
+pub(super) struct Interval {
+    /// The colours at both ends.
+    pub ends: [u64; 2],
+    /// The end that is nearer to the centre, as the queue has it.
+    pub start: u32,
+    /// Half of its length, in parts of a pixel along its axis.
+    pub half: i16,
+    /// The word of the pixel's changes along this axis.
+    pub word: u16,
+}
 
-/// No sums.
-pub(super) const NO_MIDDLES: Middles = [[0; STRETCH]; TILE_HEIGHT];
+impl Interval {
+    const NONE: Self = Self {
+        ends: [0; 2],
+        start: 0,
+        half: 0,
+        word: 0,
+    };
+
+    /// The place in its middle.
+    pub fn middle(&self) -> u32 {
+        let way = i32::from(self.half) << (16 * (self.word % 2));
+        self.start.wrapping_add_signed(way)
+    }
+}

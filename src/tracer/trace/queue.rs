@@ -10,7 +10,7 @@ use fearless_simd::{f32x4, i32x4, u32x4};
 pub(crate) const BATCH: usize = 1024;
 
 /// Positions are counted in so many parts of a pixel along each axis: those of the widest picture fit 16 bits.
-pub(crate) const PARTS: usize = 2;
+pub(crate) const PARTS: usize = 8;
 
 /// One of these, in pixels.
 const PART: f32 = 1.0 / PARTS as f32;
@@ -43,7 +43,12 @@ impl Queue {
 
     /// Adds the point at (x, y), in [`PARTS`] of a pixel; the queue must not be full.
     pub fn push(&mut self, x: usize, y: usize) {
-        self.positions[self.len % BATCH] = (y << 16 | x) as u32;
+        self.push_at((y << 16 | x) as u32);
+    }
+
+    /// Adds the point at `y << 16 | x`, in [`PARTS`] of a pixel; the queue must not be full.
+    pub fn push_at(&mut self, position: u32) {
+        self.positions[self.len % BATCH] = position;
         self.len += 1;
     }
 
