@@ -6,6 +6,7 @@ use eightfold::sound::pulse;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Camera, Caption, List, Scene};
+use std::collections::HashMap;
 
 #[test]
 fn show_is_valid_all_along() {
@@ -66,6 +67,44 @@ fn scene_does_not_depend_on_the_one_before() {
         show::at(time, &mut scene);
         assert!(scene == at(time), "{time} s");
     }
+}
+
+/// An object that is taken away changes a pixel at one time at least. Times at which a scene has the same number of objects have the
+/// same objects.
+#[test]
+fn every_object_of_the_show_is_seen() {
+    const MOMENTS: usize = 12;
+    let mut unseen: HashMap<(&str, usize), Vec<usize>> = HashMap::new();
+    for (number, name) in show::NAMES.into_iter().enumerate() {
+        let start = show::CUTS[number];
+        let end = show::CUTS.get(number + 1).unwrap_or(&show::BARS);
+        for moment in 0..MOMENTS {
+            let bars = (end - start) as f32 * (moment as f32 + 0.5) / MOMENTS as f32;
+            let scene = at((start as f32 + bars) * grid::BAR);
+            let (spheres, blocks) = (scene.spheres.len(), scene.blocks.len());
+            let draw = |scene: &Scene| draw_best(scene, &Quality::EXHAUSTIVE, 240, 135).pixels;
+            let whole = draw(&scene);
+            let objects = unseen.entry((name, spheres + blocks));
+            let objects = objects.or_insert_with(|| (0..spheres + blocks).collect());
+            objects.retain(|&object| {
+                let mut without = scene.clone();
+                if object < spheres {
+                    without.spheres = without_item(&scene.spheres, object);
+                } else {
+                    without.blocks = without_item(&scene.blocks, object - spheres);
+                }
+                draw(&without) == whole
+            });
+        }
+    }
+    unseen.retain(|_, objects| !objects.is_empty());
+    assert!(unseen.is_empty(), "objects, the spheres first: {unseen:?}");
+}
+
+/// A list without one of its items.
+fn without_item<T: Copy + Default, const N: usize>(list: &[T], number: usize) -> List<T, N> {
+    let others = list.iter().enumerate().filter(|(i, _)| *i != number);
+    others.map(|(_, item)| *item).collect()
 }
 
 #[test]

@@ -149,13 +149,12 @@ fn add_wheel(centre: Vec3, radius: f32, teeth: u8, turns: f32, scene: &mut Scene
     let mut add = |shape, centre, half, axes| {
         add_block(shape, centre, half, axes, &material::BRASS, scene);
     };
-    let disc = vec3(radius, 0.1, radius);
-    add(Shape::Cylinder, centre, disc, Mat3::IDENTITY);
-    // A rim and a hub.
-    for share in [0.85, 0.3] {
-        let above = centre + Vec3::Y * (0.1 - 0.1 * share);
-        add(Shape::Cylinder, above, disc * share, Mat3::IDENTITY);
-    }
+    add(
+        Shape::Cylinder,
+        centre,
+        vec3(radius, 0.1, radius),
+        Mat3::IDENTITY,
+    );
     for tooth in 0..teeth {
         let out = around(f32::from(tooth) / f32::from(teeth) + turns);
         let half = vec3(0.1, 0.08, 0.12);
