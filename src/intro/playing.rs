@@ -7,7 +7,7 @@ use eightfold_window::{
     clock::SECOND,
     fixed::Fixed,
     line,
-    screen::{Headless, Next, Screen},
+    screen::{Headless, Next, Screen, fit},
     sound::{Player, Source},
     terminal::Terminal,
     window::Window,
@@ -119,7 +119,7 @@ impl Playing<'_> {
                 None => by_rate.rung(),
             });
             // Draw the frame, and show it.
-            let size = fit(screen.size());
+            let size = fit(screen.size(), (MAX_WIDTH, MAX_HEIGHT));
             let (width, height) = size;
             let mut frame = Frame::new(width, height, screen.canvas(width, height));
             let counts =
@@ -149,17 +149,5 @@ impl Playing<'_> {
                 clock.sleep_until(due.min(end));
             }
         }
-    }
-}
-
-/// The size of the picture for a screen of a given size: the same, or the largest supported size of the same aspect ratio. No
-/// side is 0.
-fn fit((width, height): (usize, usize)) -> (usize, usize) {
-    if width <= MAX_WIDTH && height <= MAX_HEIGHT {
-        (width.max(1), height.max(1))
-    } else if width * MAX_HEIGHT > height * MAX_WIDTH {
-        (MAX_WIDTH, (height * MAX_WIDTH / width).max(1))
-    } else {
-        ((width * MAX_HEIGHT / height).max(1), MAX_HEIGHT)
     }
 }

@@ -5,7 +5,7 @@ use crate::error::Difference;
 use crate::flip::Flip;
 use crate::output;
 use crate::overlay::{FrameTrace, heat};
-use crate::scenes::{self, SceneName};
+use crate::scenes::FrameArguments;
 use crate::sheet::{Tile, sheet};
 use crate::threaded_renderer::ThreadedRenderer;
 use anyhow::Result;
@@ -17,14 +17,8 @@ use std::path::PathBuf;
 /// Draws how a frame comes about: its points, squares, rays and errors, on one sheet
 #[derive(Args)]
 pub struct Arguments {
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
-    scene: SceneName,
-    /// Seconds since the scene's start
-    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]
-    time: f32,
-    /// Width and height of each picture in pixels
-    #[arg(long, value_name = "WxH", default_value = "640x480")]
-    size: Size,
+    #[command(flatten)]
+    frame: FrameArguments,
     /// How the frame is refined: exhaustive, thesis, or one of the ladder, from finest to fastest
     #[arg(long, value_name = "NAME", default_value = "default")]
     quality: NamedQuality,
@@ -42,15 +36,15 @@ const FLIP_SHOWN: f32 = 0.25;
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
     output::check(&arguments.out)?;
-    let sheet = sheet(arguments.size, COLUMNS, &figures(arguments))?;
+    let sheet = sheet(arguments.frame.size, COLUMNS, &figures(arguments))?;
     output::write(&arguments.out, &sheet)
 }
 
 /// Draws a frame with every pixel traced, and as the quality has it. Returns the pictures of both.
 fn figures(arguments: &Arguments) -> Vec<Tile> {
-    let Size { width, height } = arguments.size;
+    let Size { width, height } = arguments.frame.size;
     let mut renderer = ThreadedRenderer::new(arguments::processors());
-    let scene = arguments.scene.without_overlay(arguments.time);
+    let scene = arguments.frame.scene.without_overlay(arguments.frame.time);
     let mut draw = |quality: &Quality| {
         let trace = FrameTrace::new(width, height);
         let mut pixels = vec![0; width * height];
@@ -83,8 +77,8 @@ fn figures(arguments: &Arguments) -> Vec<Tile> {
         tile(
             format!(
                 "{} at {} s, {} quality\nPSNR {:.1} dB against every pixel traced",
-                arguments.scene,
-                arguments.time,
+                arguments.frame.scene,
+                arguments.frame.time,
                 arguments.quality,
                 Difference::between(&exhaustive, &picture).psnr
             ),

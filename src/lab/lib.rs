@@ -20,7 +20,6 @@ pub mod overlay;
 pub mod picture;
 pub mod plot;
 pub mod progress;
-pub mod random;
 pub mod render;
 pub mod report;
 pub mod row;

@@ -1,7 +1,7 @@
 //! `lab render`: draws one frame into a PNG file.
 
-use crate::arguments::{self, NamedQuality, Size};
-use crate::scenes::{self, SceneName};
+use crate::arguments::{self, NamedQuality};
+use crate::scenes::FrameArguments;
 use crate::threaded_renderer::ThreadedRenderer;
 use crate::{output, picture};
 use anyhow::Result;
@@ -12,14 +12,8 @@ use std::path::PathBuf;
 /// Draws one frame into a PNG file
 #[derive(Args)]
 pub struct Arguments {
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
-    scene: SceneName,
-    /// Seconds since the scene's start
-    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]
-    time: f32,
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "1024x768")]
-    size: Size,
+    #[command(flatten)]
+    frame: FrameArguments,
     /// How it is refined: exhaustive, thesis, or one of the ladder, from finest to fastest
     #[arg(long, value_name = "NAME", default_value = "default")]
     quality: NamedQuality,
@@ -39,8 +33,8 @@ pub struct Arguments {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let size = arguments.size;
-    let scene = arguments.scene.at(arguments.time);
+    let size = arguments.frame.size;
+    let scene = arguments.frame.scene.at(arguments.frame.time);
     scene.validate()?;
     let mut pixels = vec![0; size.area()];
     let mut quality = arguments.quality.quality;

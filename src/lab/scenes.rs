@@ -1,5 +1,7 @@
 //! Scenes by name: the show, its scenes, the scenes that serve measurements, and scene files.
 
+use crate::arguments::{self, Size};
+use clap::Args;
 use eightfold::show::{self, grid};
 use eightfold_scene_file::SceneFile;
 use eightfold_tracer::scene::{MAX_SPHERES, Method, Scene};
@@ -157,4 +159,17 @@ impl fmt::Display for SceneName {
             Self::File(file) => f.write_str(&file.name),
         }
     }
+}
+
+/// The frame that a command draws.
+#[derive(Args)]
+pub struct FrameArguments {
+    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = takes())]
+    pub scene: SceneName,
+    /// Seconds since the scene's start
+    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]
+    pub time: f32,
+    /// Width and height of a picture in pixels
+    #[arg(long, value_name = "WxH", default_value = "640x480")]
+    pub size: Size,
 }

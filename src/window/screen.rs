@@ -74,3 +74,16 @@ impl Screen for Headless {
         Next::GoOn
     }
 }
+
+/// Returns the size of the picture for a screen of a given size: the same, or the largest of the same aspect ratio that is within `most`.
+/// No side is 0.
+#[inline]
+pub fn fit((width, height): (usize, usize), most: (usize, usize)) -> (usize, usize) {
+    if width <= most.0 && height <= most.1 {
+        (width.max(1), height.max(1))
+    } else if width * most.1 > height * most.0 {
+        (most.0, (height * most.0 / width).max(1))
+    } else {
+        ((width * most.1 / height).max(1), most.1)
+    }
+}

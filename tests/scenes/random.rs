@@ -1,6 +1,6 @@
 //! Random numbers, and the seeds of cases.
 
-use glam::{Mat3, Quat, Vec3, vec3};
+use glam::{DVec2, Mat3, Quat, Vec3, dvec2, vec3};
 
 /// A generator of pseudorandom numbers, SplitMix by Steele, Lea and Flood.
 #[derive(Clone, Debug)]
@@ -22,6 +22,16 @@ impl Random {
         bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         bits ^ (bits >> 31)
+    }
+
+    /// A number from 0 to below 1, of the 53 bits that fill the fraction of an f64.
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Two such numbers.
+    pub fn units(&mut self) -> DVec2 {
+        dvec2(self.unit(), self.unit())
     }
 
     /// A whole number below `end`.

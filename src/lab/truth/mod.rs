@@ -4,12 +4,12 @@ mod lamp;
 mod path;
 
 use crate::arguments::{self, Size, processors};
-use crate::random::{Random, seed_of};
-use crate::scenes::{self, SceneName};
+use crate::scenes::FrameArguments;
 use crate::threaded_renderer::drawn;
 use crate::{output, picture, progress};
 use anyhow::Result;
 use clap::Args;
+use eightfold_scenes::Random;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{DVec3, dvec3};
 use eightfold_tracer::scene::{Film, Scene};
@@ -26,14 +26,8 @@ const MAX_SAMPLES: u32 = 1 << 20;
 /// Prints the error of the real-time picture against it, and its standard error.
 #[derive(Args)]
 pub struct Arguments {
-    #[arg(long, value_name = "NAME", default_value_t = SceneName::Model, help = scenes::takes())]
-    scene: SceneName,
-    /// Seconds since the scene's start
-    #[arg(long, value_name = "SECONDS", default_value = "0", value_parser = arguments::seconds, allow_negative_numbers = true)]
-    time: f32,
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "640x480")]
-    size: Size,
+    #[command(flatten)]
+    frame: FrameArguments,
     /// Paths for each pixel: four times as many halve the noise
     #[arg(long, value_name = "N", default_value = "64", value_parser = samples)]
     samples: u32,
@@ -58,8 +52,9 @@ fn samples(text: &str) -> Result<u32, String> {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let Arguments { size, samples, .. } = *arguments;
-    let scene = transported(arguments.scene.without_overlay(arguments.time));
+    let FrameArguments { scene, time, size } = &arguments.frame;
+    let (size, samples) = (*size, arguments.samples);
+    let scene = transported(scene.without_overlay(*time));
     scene.validate()?;
     output::check(&arguments.out)?;
     let truth = draw(&scene, size, samples, arguments.seed);
@@ -122,10 +117,11 @@ pub fn draw(scene: &Scene, size: Size, samples: u32, seed: u32) -> Vec<Estimate>
     let tracer = PathTracer::new(scene, size);
     let bar = progress::bar(size.height);
     let pixel = |x: usize, y: usize| {
-        let seed = seed_of(seed, (y * size.width + x) as u64);
-        Estimate::of((0..samples).map(|sample| {
-            let mut random = Random::new(seed, sample);
-            let u = random.next_2d() - 0.5;
+        let number = u64::from(seed) << 32 | (y * size.width + x) as u64;
+        // Mixed, as sequences of numbers in a row overlap.
+        let mut random = Random::new(Random::new(number).bits());
+        Estimate::of((0..samples).map(|_| {
+            let u = random.units() - 0.5;
             tracer.follow(x as f64 + u.x, y as f64 + u.y, &mut random)
         }))
     };

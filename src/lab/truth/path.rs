@@ -5,9 +5,9 @@
 
 use super::lamp::{Lamp, around};
 use crate::arguments::Size;
-use crate::random::Random;
 use eightfold_oracle::geometry::Ray;
 use eightfold_oracle::{Hit, Oracle};
+use eightfold_scenes::Random;
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::{DVec2, DVec3};
 use eightfold_tracer::scene::Scene;
@@ -82,7 +82,7 @@ impl<'a> PathTracer<'a> {
             bounces += 1;
             if bounces > SURE_BOUNCES {
                 let survival = throughput.max_element().min(MAX_SURVIVAL);
-                if random.next_1d() >= survival {
+                if random.unit() >= survival {
                     return found;
                 }
                 throughput /= survival;
@@ -104,7 +104,7 @@ impl<'a> PathTracer<'a> {
         let here = surface.hit.ray;
         let mut sum = DVec3::ZERO;
         for lamp in &self.lamps {
-            let arriving = lamp.sample(here, random.next_2d());
+            let arriving = lamp.sample(here, random.units());
             let light = surface.reflected(arriving.d) * arriving.irradiance;
             let is_free = || {
                 self.oracle
@@ -172,7 +172,7 @@ impl<'a> Surface<'a> {
 
     /// Chooses how the path goes on; `None` if it ends.
     fn scatter(&self, random: &mut Random) -> Option<Next> {
-        let (choice, u) = (random.next_1d(), random.next_2d());
+        let (choice, u) = (random.unit(), random.units());
         if self.albedo == 0.0 {
             return None;
         }

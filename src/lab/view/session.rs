@@ -10,7 +10,7 @@ use crate::output;
 use anyhow::{Result, ensure};
 use eightfold_tracer::{MAX_HEIGHT, MAX_WIDTH};
 use eightfold_window::input::{Input, Press};
-use eightfold_window::screen::{Next, Screen};
+use eightfold_window::screen::{Next, Screen, fit};
 use eightfold_window::window::Window;
 use std::ffi::CString;
 use std::path::Path;
@@ -104,7 +104,8 @@ impl Session {
 
     /// Draws the frame into the window, and words over it. Returns true unless the frame and its measurements are the same as before.
     fn draw(&mut self) -> bool {
-        let size = fit(self.window.size());
+        let (width, height) = fit(self.window.size(), (MAX_WIDTH, MAX_HEIGHT));
+        let size = Size::new(width, height);
         let is_new = self.viewer.draw(&self.controls, &self.subject, size);
         let canvas = self.window.canvas(size.width, size.height);
         canvas.copy_from_slice(&self.viewer.picture);
@@ -134,13 +135,4 @@ impl Session {
             figures.points * 1e2,
         )
     }
-}
-
-/// Returns the size of the picture for a window: the same, or the largest one that the tracer takes of the same aspect ratio.
-fn fit((width, height): (usize, usize)) -> Size {
-    let across = MAX_WIDTH as f64 / width as f64;
-    let down = MAX_HEIGHT as f64 / height as f64;
-    let scale = across.min(down).min(1.0);
-    let side = |side: usize, most| ((side as f64 * scale).round() as usize).clamp(1, most);
-    Size::new(side(width, MAX_WIDTH), side(height, MAX_HEIGHT))
 }

@@ -1,8 +1,7 @@
 //! `lab capture` writes complete files whose bytes depend on its arguments alone.
 
 use super::{assert_one_line, command, interrupted, lab, limited, printed, said, signal};
-use eightfold::show::grid::{BAR, BEAT};
-use eightfold::show::{self, cut};
+use eightfold::show;
 use eightfold::sound::RATE;
 use eightfold_lab::error::{Difference, worst_channel};
 use eightfold_lab::wav;
@@ -291,58 +290,6 @@ fn webp_repeats_all_frames() {
     let animation = bytes.windows(4).position(|word| word == b"ANIM").unwrap();
     // The chunk's name, its length, the background; then the number of repeats, 0 for endless ones.
     assert_eq!(bytes[animation + 12..][..2], [0, 0]);
-}
-
-/// In the machine the lights flash on the kick, and there are no cuts.
-#[test]
-fn video_flashes_within_a_frame_of_the_kick() {
-    needs!(&["ffmpeg"]);
-    const FPS: f32 = 60.0;
-    /// The samples of a millisecond, and the milliseconds compared before and after a time.
-    const MS: usize = RATE as usize / 1000;
-    const SPAN: usize = 8;
-    let folder = tempfile::tempdir().unwrap();
-    let video = folder.path().join("machine.mp4");
-    // Two bars from the second bar of the machine, and a quarter of a second before them.
-    let start = BAR * (cut("machine") + 1) as f32 - 0.25;
-    let from = (start * FPS) as usize;
-    let more = format!(
-        "--scene show --size 64x36 --from {from} --to {}",
-        from + 240
-    );
-    captured("--video", &video, &more);
-    let grey = decoded(&video, "-vsync cfr -r 60 -f rawvideo -pix_fmt gray -");
-    let sum = |frame: &[u8]| frame.iter().map(|&grey| u32::from(grey)).sum::<u32>() as f32;
-    let brightness: Vec<f32> = grey.chunks_exact(64 * 36).map(sum).collect();
-    let how = "-af aresample=async=1:first_pts=0 -f f32le -ac 1 -ar 48000 -";
-    let sound = decoded(&video, how);
-    let sample = |bytes: &[u8]| f32::from_le_bytes(bytes.try_into().expect("four bytes"));
-    let samples: Vec<f32> = sound.chunks_exact(4).map(sample).collect();
-    // A kick has more treble than everything else.
-    let slopes: Vec<f32> = samples.windows(2).map(|w| (w[1] - w[0]).powi(2)).collect();
-    let treble: Vec<f32> = slopes.chunks(MS).map(|ms| ms.iter().sum()).collect();
-    let energy = |from: usize| treble[from..from + SPAN].iter().sum::<f32>();
-    let steepest = |middle: f32, reach: usize, rise: &dyn Fn(usize) -> f32| {
-        let middle = middle.round() as usize;
-        let range = middle - reach..=middle + reach;
-        range
-            .max_by(|&a, &b| rise(a).total_cmp(&rise(b)))
-            .expect("a place") as f32
-    };
-    let mut kicks = 0;
-    for time in (0..7).map(|beat| 0.25 + BEAT * beat as f32) {
-        if eightfold::sound::pulse(start + time).kick < 0.9 {
-            continue;
-        }
-        kicks += 1;
-        let flash = steepest(FPS * time, 6, &|at| brightness[at] - brightness[at - 1]) / FPS;
-        let onset = steepest(1e3 * time, 60, &|at| energy(at) - energy(at - SPAN)) / 1e3;
-        assert!(
-            (flash - onset).abs() <= 1.0 / FPS,
-            "flash at {flash} s, kick at {onset} s"
-        );
-    }
-    assert!(kicks >= 4, "{kicks} kicks");
 }
 
 /// Writes a program that stands for ffmpeg into a folder.
