@@ -33,6 +33,10 @@ pub struct Arguments {
     /// Leaves edges jagged; otherwise all frames are antialiased, the exhaustive ones too
     #[arg(long)]
     jagged: bool,
+    /// Measures what people do instead, too, and prints a table of what a quality is ahead by in the same time: exhaustive frames of
+    /// 0.4 to 0.9 of the sides, enlarged; a checkerboard, every second pixel traced; and the default quality without its guard
+    #[arg(long)]
+    rivals: bool,
     /// Frames of each quality and scene, at times spread evenly
     #[arg(long, value_name = "N", default_value = "101", value_parser = arguments::frames)]
     frames: usize,
@@ -63,8 +67,13 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     } else {
         "size, threads, quality, fps median, ms median, ms p99, speed-up, traced, rays, shadow rays"
     };
+    let races = if arguments.rivals {
+        format!("\n{}", row::races(&rows))
+    } else {
+        String::new()
+    };
     let table = format!(
-        "{}, {}; {}, {} frames per scene\n\n{}",
+        "{}, {}; {}, {} frames per scene\n\n{}{races}",
         machine(),
         plan.isa.name,
         arguments.scene,
@@ -90,13 +99,15 @@ fn plan(arguments: &Arguments) -> Plan {
     }
     let qualities = [NamedQuality::EXHAUSTIVE].into_iter();
     let qualities = qualities.chain(arguments.quality.iter().copied());
-    let techniques = qualities.map(|quality| Technique::named(quality, !arguments.jagged));
+    let antialias = !arguments.jagged;
+    let techniques = qualities.map(|quality| Technique::named(quality, antialias));
+    let rivals = Technique::rivals(antialias).filter(|_| arguments.rivals);
     let shot = |scene| Shot::new(scene, arguments.frames, arguments.views);
     Plan {
         shots: arguments.scene.split().into_iter().map(shot).collect(),
         isa: arguments.isa.unwrap_or_else(cpu::best),
         sizes: distinct(arguments.size.iter().copied()),
         threads: distinct(threads),
-        techniques: distinct(techniques),
+        techniques: distinct(techniques.chain(rivals)),
     }
 }

@@ -22,6 +22,7 @@ pub mod plot;
 pub mod progress;
 pub mod render;
 pub mod report;
+pub mod rivals;
 pub mod row;
 pub mod scenes;
 pub mod seen;

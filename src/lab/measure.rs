@@ -4,6 +4,7 @@ use crate::arguments::{NamedQuality, Size};
 use crate::error::Difference;
 use crate::interrupt;
 use crate::progress;
+use crate::rivals::{self, Way};
 use crate::scenes::SceneName;
 use crate::seen::{Seen, look};
 use crate::threaded_renderer::ThreadedRenderer;
@@ -18,6 +19,7 @@ use std::time::Instant;
 pub struct Technique {
     pub name: String,
     pub quality: Quality,
+    pub way: Way,
 }
 
 impl Technique {
@@ -29,7 +31,38 @@ impl Technique {
                 antialias,
                 ..named.quality
             },
+            way: Way::Drawn,
         }
+    }
+
+    /// Returns what people do instead, antialiased where that can be, and the default quality without its guard.
+    pub fn rivals(antialias: bool) -> impl Iterator<Item = Self> {
+        let exhaustive = Quality {
+            antialias,
+            ..Quality::EXHAUSTIVE
+        };
+        let enlarged = (4..10).map(move |tenths| Self {
+            name: format!("resolution:0.{tenths}"),
+            quality: exhaustive,
+            way: Way::Enlarged(f64::from(tenths) / 10.0),
+        });
+        let others = [
+            ("checkerboard", Quality::EXHAUSTIVE, Way::Checkerboard),
+            (
+                "unguarded",
+                Quality {
+                    antialias,
+                    guarded: false,
+                    ..Quality::DEFAULT
+                },
+                Way::Drawn,
+            ),
+        ];
+        enlarged.chain(others.map(|(name, quality, way)| Self {
+            name: name.to_owned(),
+            quality,
+            way,
+        }))
     }
 
     /// Draws a frame that fills `pixels`.
@@ -41,7 +74,15 @@ impl Technique {
         width: usize,
         pixels: &mut [u32],
     ) -> Counts {
-        renderer.draw(level, scene, &self.quality, width, pixels)
+        rivals::draw(
+            self.way,
+            renderer,
+            level,
+            scene,
+            &self.quality,
+            width,
+            pixels,
+        )
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::error::Difference;
 use crate::markdown::{self, Column, dash, decibels, known, percent};
 use crate::measure::{Plan, Run, Setting, Shot, Technique};
+use crate::rivals::Way;
 use crate::timing::{median, percentile};
 use eightfold_tracer::Quality;
 use serde::Serialize;
@@ -22,6 +23,8 @@ pub struct Row {
     pub name: String,
     #[serde(skip)]
     pub quality: Quality,
+    #[serde(skip)]
+    pub way: Way,
     pub frames: usize,
     pub fps_median: f64,
     /// In the second of the scene, or of the show, whose frames took longest.
@@ -73,6 +76,7 @@ impl Row {
                 isa: plan.isa.name,
                 name: technique.name.clone(),
                 quality: technique.quality,
+                way: technique.way,
                 frames,
                 fps_median: 1e3 / ms,
                 fps_worst_second: 1e3 / worst_second(shot, &run.times),
@@ -157,4 +161,75 @@ pub fn table<'a>(titles: &str, rows: impl IntoIterator<Item = &'a Row> + Clone) 
         .map(|title| column(title).expect("a column"))
         .collect();
     markdown::table(&columns, rows)
+}
+
+/// A quality against what people do in the same time.
+struct Race {
+    own: Row,
+    /// The enlarged frame that takes as long: its scale and its PSNR to 64 samples.
+    enlarged: [f64; 2],
+    checkerboard: Option<Row>,
+}
+
+const RACES: [Column<Race>; 8] = [
+    ("scene", |race| race.own.scene.clone()),
+    ("quality", |race| race.own.name.clone()),
+    ("speed-up", |race| format!("{:.2}", race.own.speedup)),
+    ("PSNR to 64", |race| decibels(psnr_to_64(&race.own))),
+    ("resolution", |race| format!("{:.2}", race.enlarged[0])),
+    ("its PSNR", |race| decibels(race.enlarged[1])),
+    ("ahead by", |race| {
+        decibels(psnr_to_64(&race.own) - race.enlarged[1])
+    }),
+    ("checkerboard", |race| {
+        race.checkerboard.as_ref().map_or_else(dash, |row| {
+            format!("{:.2}, {}", row.speedup, decibels(psnr_to_64(row)))
+        })
+    }),
+];
+
+fn psnr_to_64(row: &Row) -> f64 {
+    row.psnr_to_64_db.unwrap_or(f64::NAN)
+}
+
+/// Returns a Markdown table that compares qualities with enlarged frames that take the same time, and with the checkerboard. An
+/// enlarged frame between two that were measured is interpolated; where the smallest is slower, it is taken.
+pub fn races(rows: &[Row]) -> String {
+    let setting = |row: &Row| (row.scene.clone(), row.width, row.height, row.threads);
+    let settings = rows.chunk_by(|a, b| setting(a) == setting(b));
+    let mut races = Vec::new();
+    for rows in settings {
+        let frame = |row: &Row| {
+            let scale = match row.way {
+                Way::Enlarged(scale) => Some(scale),
+                _ => row.is_exact().then_some(1.0),
+            };
+            scale.map(|scale| [row.speedup, scale, psnr_to_64(row)])
+        };
+        let mut frames: Vec<[f64; 3]> = rows.iter().filter_map(frame).collect();
+        frames.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let checkerboard = rows.iter().find(|row| row.way == Way::Checkerboard);
+        let qualities = rows.iter();
+        let qualities = qualities.filter(|row| row.way == Way::Drawn && !row.is_exact());
+        races.extend(qualities.map(|own| Race {
+            own: own.clone(),
+            enlarged: at_speed(&frames, own.speedup),
+            checkerboard: checkerboard.cloned(),
+        }));
+    }
+    markdown::table(&RACES, &races)
+}
+
+/// Interpolates points in the order of their speed-ups, each of which has two figures; beyond the ends they stay.
+fn at_speed(points: &[[f64; 3]], speedup: f64) -> [f64; 2] {
+    let last = points.len() - 1;
+    let next = points.iter().position(|point| point[0] >= speedup);
+    let next = next.unwrap_or(last);
+    let (a, b) = (points[next.saturating_sub(1)], points[next]);
+    let share = if next == 0 {
+        1.0
+    } else {
+        ((speedup - a[0]) / (b[0] - a[0])).min(1.0)
+    };
+    [1, 2].map(|i| a[i] + share * (b[i] - a[i]))
 }

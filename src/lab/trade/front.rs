@@ -1,5 +1,6 @@
 //! The Pareto front of speed against the errors that are seen.
 
+use crate::rivals::Way;
 use crate::row::Row;
 use eightfold_tracer::Quality;
 
@@ -39,5 +40,5 @@ fn keeps_the_rules(row: &Row) -> bool {
     } = row.quality;
     let compares_keys = tolerance_differing == 0.0 && tolerance_agreeing != 0.0;
     let misses_none = row.missed_objects.is_none_or(|missed| missed == 0.0);
-    (compares_keys || square == 1) && guarded && misses_none
+    row.way == Way::Drawn && (compares_keys || square == 1) && guarded && misses_none
 }

@@ -9,6 +9,7 @@ use crate::arguments::{self, NamedQuality, Size};
 use crate::interrupt::{self, Stopped};
 use crate::measure::{Plan, Shot, Technique};
 use crate::output;
+use crate::rivals::Way;
 use crate::row::{self, Row};
 use crate::scenes::{self, SceneName};
 use crate::timing::machine;
@@ -24,8 +25,9 @@ use std::path::{Path, PathBuf};
 ///
 /// Writes trade.json and plots as SVG into a folder, and prints a Markdown table of the Pareto front. A setting is on the front if it
 /// compares colours, objects and lights, misses no object, and no other such setting is better in speed, FLIP and pops at once.
-/// Speed is a ratio to exhaustive frames, every pixel traced, by one thread; errors are against the same frames. Ctrl-C writes the
-/// figures so far.
+/// Speed is a ratio to exhaustive frames, every pixel traced, by one thread; errors are against the same frames. Frames of fewer
+/// pixels are measured beside them: exhaustive ones enlarged, `resolution:0.4` to `0.9` of their sides, and a `checkerboard`, every
+/// second pixel traced. Ctrl-C writes the figures so far.
 ///
 /// The dials are fields of the library's `Quality`. `tolerance` is that within which colours fill a square, also of midpoints of
 /// sides; `keys` are the depths of objects and of lights' states that are compared; `contribution` is the least of a ray.
@@ -122,6 +124,10 @@ fn plan(arguments: &Arguments) -> Plan {
     };
     for technique in &mut techniques {
         technique.quality.antialias = arguments.antialias;
+    }
+    if !arguments.ladder {
+        let rivals = Technique::rivals(arguments.antialias);
+        techniques.extend(rivals.filter(|rival| rival.way != Way::Drawn));
     }
     Plan {
         shots: vec![Shot::new(

@@ -6,6 +6,7 @@ use super::front::from_the_slowest;
 use crate::arguments::NamedQuality;
 use crate::output;
 use crate::plot::{Chart, Series};
+use crate::rivals::Way;
 use crate::row::Row;
 use anyhow::Result;
 use eightfold_tracer::Quality;
@@ -51,14 +52,20 @@ fn front(trade: &Trade) -> Chart {
         has_line: false,
     };
     let inexact = || trade.rows.iter().filter(|row| !row.is_exact());
+    let is_rival = |row: &&Row| row.way != Way::Drawn;
     Chart {
         x: SPEED_UP,
         y: PSNR,
         legend: LowerLeft,
         series: vec![
-            dots("settings", inexact().collect(), false),
+            dots(
+                "settings",
+                inexact().filter(|row| !is_rival(row)).collect(),
+                false,
+            ),
             dots("Pareto front", from_the_slowest(&trade.rows), false),
             dots("named", inexact().filter(is_named).collect(), true),
+            dots("fewer pixels", inexact().filter(is_rival).collect(), true),
         ],
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::arguments::NamedQuality;
 use crate::measure::Technique;
+use crate::rivals::Way;
 use eightfold_tracer::Quality;
 
 /// The names of two qualities whose dials are turned, and values of the dials.
@@ -26,7 +27,11 @@ pub fn techniques() -> Vec<Technique> {
     let mut add = |name: String, mut quality: Quality| {
         quality.antialias = false;
         if all.iter().all(|technique| technique.quality != quality) {
-            all.push(Technique { name, quality });
+            all.push(Technique {
+                name,
+                quality,
+                way: Way::Drawn,
+            });
         }
     };
     for (base, quality) in BASES {

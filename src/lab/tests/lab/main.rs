@@ -7,6 +7,7 @@ mod figures;
 mod ladder;
 mod missed;
 mod report;
+mod rivals;
 mod scene;
 mod seen;
 mod size;

@@ -5,6 +5,7 @@ use eightfold_lab::arguments::Size;
 use eightfold_lab::error::worst_channel;
 use eightfold_lab::flip::{Flip, Flips};
 use eightfold_lab::measure::{Shot, Technique};
+use eightfold_lab::rivals::Way;
 use eightfold_lab::scenes::SceneName;
 use eightfold_lab::seen::{Seen, look, pops};
 use eightfold_lab::threaded_renderer::drawn;
@@ -74,6 +75,7 @@ fn seen_of(qualities: [Quality; 2], times: [f32; 2]) -> [Seen; 2] {
     let techniques = qualities.map(|quality| Technique {
         name: String::new(),
         quality,
+        way: Way::Drawn,
     });
     let mut seen = [Seen::default(), Seen::default()];
     let scenes = times.map(show::model_scene);
