@@ -3,7 +3,10 @@
 use core::fmt::{self, Display, Formatter, Write};
 
 use eightfold::show;
-use eightfold_window::{cpu, line::Writer};
+use eightfold_window::{
+    cpu,
+    line::{Text, Writer},
+};
 
 use super::qualities::NAMED;
 
@@ -120,7 +123,7 @@ impl Display for Flag {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)?;
         if !self.value.is_empty() {
-            write!(f, " {}", self.value)?;
+            write!(f, " {}", Text(self.value))?;
         }
         f.write_str("  ")?;
         self.write_help(f)
@@ -129,19 +132,23 @@ impl Display for Flag {
 
 /// Writes the text of `--help`.
 pub fn write_help(output: &mut Writer) -> fmt::Result {
-    writeln!(output, "{VERSION}")?;
+    writeln!(output, "{}", Text(VERSION))?;
     for flag in FLAGS {
-        let width = COLUMN - flag.name.len();
-        write!(output, "{} {:width$} ", flag.name, flag.value)?;
+        write!(output, "{} {}", Text(flag.name), Text(flag.value))?;
+        for _ in flag.name.len() + flag.value.len()..=COLUMN {
+            output.write_str(" ")?;
+        }
         flag.write_help(output)?;
         writeln!(output)?;
     }
     output.write_str("instruction sets of this CPU:")?;
     write_names(output, cpu::shipped().map(|isa| isa.name))?;
-    writeln!(output, "\n{KEYS}")
+    writeln!(output, "\n{}", Text(KEYS))
 }
 
 /// Writes names, each preceded by a space.
 fn write_names(f: &mut dyn Write, names: impl IntoIterator<Item = &'static str>) -> fmt::Result {
-    names.into_iter().try_for_each(|name| write!(f, " {name}"))
+    names
+        .into_iter()
+        .try_for_each(|name| write!(f, " {}", Text(name)))
 }

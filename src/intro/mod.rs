@@ -22,7 +22,7 @@ use eightfold::show;
 use eightfold_window::{
     arguments::Arguments,
     clock::SECOND,
-    line::{self, Writer},
+    line::{self, Text, Writer},
 };
 use options::{Options, Task};
 
@@ -48,7 +48,7 @@ pub fn run(arguments: Arguments) -> i32 {
         Task::Play => playing::play(&options),
         Task::Still(time) => still::write(time, &options),
         Task::Help => print(flags::write_help),
-        Task::Version => print(|output| writeln!(output, "{}", flags::VERSION)),
+        Task::Version => print(|output| writeln!(output, "{}", Text(flags::VERSION))),
     }
 }
 

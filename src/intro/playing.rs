@@ -6,7 +6,7 @@ use eightfold_tracer::{AccuracyGovernor, Frame, Governor, MAX_HEIGHT, MAX_WIDTH}
 use eightfold_window::{
     clock::SECOND,
     fixed::Fixed,
-    line,
+    line::{self, Text},
     screen::{Headless, Next, Screen, fit},
     sound::{Player, Source},
     terminal::Terminal,
@@ -45,7 +45,7 @@ pub fn play(options: &Options) -> i32 {
         } else {
             "without a screen"
         };
-        line::complain(format_args!("{why}; playing {place}"));
+        line::complain(format_args!("{}; playing {}", Text(why), Text(place)));
     }
     // Start the sound and the threads that trace.
     let mut playing = Playing {

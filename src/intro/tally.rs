@@ -4,7 +4,7 @@ use core::fmt::{self, Write};
 
 use eightfold_window::{
     clock::SECOND,
-    line::{Decimal, Hundredths, Tenths, Writer},
+    line::{Decimal, Hundredths, Tenths, Text, Writer},
 };
 
 use eightfold_tracer::{
@@ -107,11 +107,11 @@ impl Tally {
             Decimal(self.size.0 as u64),
             Decimal(self.size.1 as u64),
             Decimal(threads as u64),
-            options.isa.name,
+            Text(options.isa.name),
         )?;
         for ((name, _), &time) in NAMED.iter().zip(&self.used) {
             if time > 0 {
-                write!(output, ", {name} {} s", hundredths(time))?;
+                write!(output, ", {} {} s", Text(name), hundredths(time))?;
             }
         }
         writeln!(output)

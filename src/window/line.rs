@@ -91,6 +91,15 @@ impl Display for Hundredths {
     }
 }
 
+/// Text as it is. A `str`'s own `Display`, which can pad and cut it, takes 364 packed bytes more.
+pub struct Text<'a>(pub &'a str);
+
+impl Display for Text<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0)
+    }
+}
+
 /// Bytes that somebody may have typed, shown so that they can't steer a terminal: `?` for each that is not printable ASCII.
 pub struct Printable<'a>(pub &'a [u8]);
 

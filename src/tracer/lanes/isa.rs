@@ -33,6 +33,7 @@ cfg_select! {
     all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2", target_feature = "fxsr") => {
         pub(crate) type Baseline = fearless_simd::Sse2;
 
+        #[inline(always)]
         fn baseline_of(isa: Level) -> Option<Baseline> {
             isa.as_sse2()
         }
@@ -40,6 +41,7 @@ cfg_select! {
     all(target_arch = "aarch64", target_feature = "neon") => {
         pub(crate) type Baseline = fearless_simd::Neon;
 
+        #[inline(always)]
         fn baseline_of(isa: Level) -> Option<Baseline> {
             isa.as_neon()
         }
@@ -47,6 +49,7 @@ cfg_select! {
     all(target_arch = "wasm32", target_feature = "simd128") => {
         pub(crate) type Baseline = fearless_simd::WasmSimd128;
 
+        #[inline(always)]
         fn baseline_of(isa: Level) -> Option<Baseline> {
             isa.as_wasm_simd128()
         }
@@ -55,6 +58,7 @@ cfg_select! {
         /// Lanes as numbers one after the other.
         pub(crate) type Baseline = fearless_simd::Fallback;
 
+        #[inline(always)]
         fn baseline_of(_: Level) -> Option<Baseline> {
             Some(Baseline::new())
         }

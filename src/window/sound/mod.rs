@@ -22,7 +22,8 @@ use heard::Heard;
 use crate::{
     backend::threads::spawn,
     clock::{self, Clock, SECOND},
-    line, system,
+    line::{self, Text},
+    system,
 };
 
 /// Samples in a second, for each side.
@@ -147,7 +148,7 @@ fn nanoseconds(samples: i64) -> i64 {
 
 /// Says why the show goes on without sound.
 fn say_silent(why: &str) {
-    line::complain(format_args!("{why}; playing silently"));
+    line::complain(format_args!("{}; playing silently", Text(why)));
 }
 
 /// Waits until [`play`] has opened the device, or said why it can't, or has taken too long. Returns [`OPENED`].

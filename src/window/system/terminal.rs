@@ -13,7 +13,7 @@ use core::{
 
 use crate::{
     backend::memory::pixels,
-    line::{self, Decimal, Writer},
+    line::{self, Decimal, Text, Writer},
     screen::{Next, Screen},
     system,
 };
@@ -145,6 +145,7 @@ fn set_colour(text: &mut Writer, which: &str, set: &mut u32, colour: u32) -> fmt
     }
     *set = colour;
     let [_, red, green, blue] = colour.to_be_bytes().map(|channel| Decimal(channel.into()));
+    let which = Text(which);
     write!(text, "\x1b[{which};2;{red};{green};{blue}m")
 }
 
