@@ -20,6 +20,7 @@
 //! | --- | --- |
 //! | rays that leave a sphere and hit it again; radii 1e-4 to 1e4, centres up to 1e4 from the origin, rays from up to 1e8 away | 0 of 500,000 |
 //! | rays that leave a plane and hit it again, along it too | 0 of 500,000 |
+//! | pixels of single mirrors in which a box, a cylinder or a capsule shows itself: a ray carries the block that it leaves | 0 of 20,000,000 |
 //! | rays that leave a box, a cylinder or a capsule and hit it again, or leak out of one; sides 1e-4 to 1e4 | 0 of 100,000 |
 //! | the same from up to 1e8 away, for aligned boxes, rotated boxes, cylinders and capsules each | 0 of 60,000 |
 //! | rays into a sphere that miss its far side, except chords shorter than 0.003 radii (at the origin) | 0 |

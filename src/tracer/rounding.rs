@@ -49,7 +49,8 @@ pub(crate) const NEWTON: f32 = 1.0 / (1 << 13) as f32;
 pub(crate) const DEEP: f32 = 2e-6;
 
 /// The offset from a block's surface at which secondary rays start, as a share of the sum of its coordinates and half extents: many
-/// times the rounding error of a point on it. At ten units from the origin it is 1e-4.
+/// times the rounding error of a point on it. At ten units from the origin it is 1e-4. So a face of another block that coincides with
+/// its own is behind the rays.
 pub(crate) const BLOCK_HIT: f32 = 1e-5;
 
 /// The share by which the bounding sphere of a block is larger than its diagonal: many times the rounding of its corners.

@@ -5,6 +5,7 @@ use eightfold_window::cpu;
 
 mod accuracy;
 mod antialias;
+mod convex;
 mod drawn;
 mod error_measures;
 mod errors;

@@ -244,3 +244,19 @@ pub fn tie() -> Scene {
         ..Scene::default()
     }
 }
+
+/// A box at one of whose edges a ray met the face that looks away.
+pub fn mirror_box(material: Material) -> Scene {
+    let centre = vec3(-2.898_021, -0.397_971, -0.665_652_7);
+    let half = vec3(0.741_517_96, 0.575_814_25, 0.917_006_7);
+    let eye = vec3(1.619_298_6, -6.583_688_3, -3.228_574_5);
+    Scene {
+        camera: Camera {
+            up: vec3(0.1, 1.0, 0.05),
+            ..Camera::new(eye, centre, 0.391_123_4)
+        },
+        background: Vec3::ONE,
+        blocks: List::of(&[Block::new(Shape::Box, centre, half, material)]),
+        ..Scene::default()
+    }
+}

@@ -49,6 +49,16 @@ impl<S: Simd> Vec3x<S> {
         }
     }
 
+    /// The vectors with those bits of each component changed that are in `flip`.
+    #[inline(always)]
+    pub fn flipped(self, flip: U<S>) -> Self {
+        Self {
+            x: flipped::<S>(self.x, flip),
+            y: flipped::<S>(self.y, flip),
+            z: flipped::<S>(self.z, flip),
+        }
+    }
+
     /// `self s - b`.
     #[inline(always)]
     pub fn scaled_minus(self, s: F<S>, b: Self) -> Self {

@@ -7,10 +7,13 @@ use super::{TexturePoint, capsule, cuboid, cylinder};
 use crate::lanes::*;
 use crate::rounding;
 use crate::scene::{Block, Shape};
-use glam::{Mat3, Vec3, Vec3A};
+use glam::{Mat3, Vec3A};
 
 /// Added to directions along a block's axes, to avoid divisions by 0 for rays that are parallel to a side.
 const TINY: f32 = 1e-12;
+
+/// The factor on how far out a point is towards a face that looks away: far more than rounding.
+const AWAY: f32 = 0.999;
 
 /// A vector's components along three axes.
 #[inline(always)]
@@ -22,41 +25,68 @@ fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
     }
 }
 
-/// The distances at which rays first hit a block; infinite for rays that miss it.
+/// Returns the distances at which rays first hit a block, infinite for rays that miss it, and which rays come from within.
+///
+/// Rays of the mask `inward` start on its surface and go into it: they meet its far side, whatever rounding makes of their origin.
 #[inline(always)]
-pub(crate) fn distance<S: Isa>(simd: S, block: &Block, o: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
+pub(crate) fn distance<S: Isa>(
+    simd: S,
+    block: &Block,
+    o: &Vec3x<S>,
+    d: &Vec3x<S>,
+    inward: M<S>,
+) -> (F<S>, M<S>) {
     let tiny = Vec3x::splat(simd, Vec3A::splat(TINY));
     let o = along(simd, &block.axes, &(*o - Vec3x::splat(simd, block.centre)));
     let d = along(simd, &block.axes, d) + tiny;
     let span = match block.shape {
         Shape::Box => cuboid::span(simd, block.half, &o, &d),
         Shape::Cylinder => cylinder::span(simd, block.half, &o, &d),
-        Shape::Capsule => capsule::span(simd, block.half, &o, &d),
+        Shape::Capsule => capsule::span(simd, block.half, &o, &d, inward),
     };
     let zero = splat(simd, 0.0);
-    let t = span.near.simd_gt(zero).select(span.near, span.far);
+    let is_inside = inward | span.near.simd_le(zero);
+    let t = is_inside.select(span.far, span.near);
     let is_met = span.is_met & span.near.simd_le(span.far) & t.simd_gt(zero);
-    is_met.select(t, splat(simd, f32::INFINITY))
+    let t = at_least::<S>(t, splat(simd, f32::MIN_POSITIVE));
+    let t = (is_met | inward).select(t, splat(simd, f32::INFINITY));
+    (t, is_inside)
 }
 
 /// The parts of points, in a block's own coordinates, along the axes towards the faces they are on, and how far out they are towards
-/// these, if faces are at 1. `outward` tells how far out points are along each axis, if faces are at -1 and 1.
+/// these, if faces are at 1. `out` has how far out points are along each axis, if faces are at -1 and 1, and `along` the products of
+/// the faces' normals and the rays' directions: below 0 for faces that can be met.
+///
+/// Near an edge rounding does not decide which face a ray meets: a face that looks away counts as a little farther in.
 #[inline(always)]
-fn outermost<S: Isa>(
-    simd: S,
-    half: Vec3,
-    own: &Vec3x<S>,
-    outward: impl FnOnce(Vec3x<S>) -> Vec3x<S>,
-) -> (Vec3x<S>, F<S>) {
-    let Vec3x { x, y, z } = outward(*own * Vec3x::splat(simd, half.recip()));
-    let farthest = at_least::<S>(at_least::<S>(x, y), z);
-    let zero = splat(simd, 0.0);
-    let face = Vec3x {
-        x: x.simd_ge(farthest).select(own.x, zero),
-        y: y.simd_ge(farthest).select(own.y, zero),
-        z: z.simd_ge(farthest).select(own.z, zero),
+fn outermost<S: Isa>(simd: S, own: &Vec3x<S>, out: Vec3x<S>, along: Vec3x<S>) -> (Vec3x<S>, F<S>) {
+    let ranks: Vec3x<S> = Vec3x {
+        x: rank::<S>(out.x, along.x),
+        y: rank::<S>(out.y, along.y),
+        z: rank::<S>(out.z, along.z),
     };
-    (face, farthest)
+    let most = ranks.max_element();
+    let zero = splat(simd, 0.0);
+    let [x, y, z] = [ranks.x, ranks.y, ranks.z].map(|rank| rank.simd_ge(most));
+    let face: Vec3x<S> = Vec3x {
+        x: x.select(own.x, zero),
+        y: y.select(own.y, zero),
+        z: z.select(own.z, zero),
+    };
+    let farthest: Vec3x<S> = Vec3x {
+        x: x.select(out.x, zero),
+        y: y.select(out.y, zero),
+        z: z.select(out.z, zero),
+    };
+    (face, farthest.max_element())
+}
+
+/// How far out points are towards faces, less for those that look away.
+#[inline(always)]
+fn rank<S: Isa>(out: F<S>, along: F<S>) -> F<S> {
+    along
+        .simd_gt(splat(out.token(), 0.0))
+        .select(out * AWAY, out)
 }
 
 /// Points on the surface of a block, one per ray.
@@ -68,13 +98,19 @@ pub(crate) struct BlockHit<S: Isa> {
 }
 
 impl<S: Isa> BlockHit<S> {
-    /// Projects points that rounding has taken off the surface, `out` from the centre, to the nearest face.
+    /// Projects points that rounding has taken off the surface, `out` from the centre, to the nearest face that rays along `d` meet
+    /// from outside.
     #[inline(always)]
-    pub fn near(simd: S, block: &Block, out: Vec3x<S>) -> Self {
+    pub fn near(simd: S, block: &Block, out: Vec3x<S>, d: &Vec3x<S>) -> Self {
         let own = along(simd, &block.axes, &out);
+        let against = own * along(simd, &block.axes, d);
+        let parts = own * Vec3x::splat(simd, block.half.recip());
         let (face, farthest) = match block.shape {
-            Shape::Box => outermost(simd, block.half, &own, cuboid::outward),
-            Shape::Cylinder => outermost(simd, block.half, &own, cylinder::outward),
+            Shape::Box => outermost(simd, &own, cuboid::outward(parts), against),
+            Shape::Cylinder => {
+                let against = cylinder::around(against, against.x + against.z);
+                outermost(simd, &own, cylinder::outward(parts), against)
+            }
             Shape::Capsule => capsule::outward(simd, block.half, &own),
         };
         let length = face.dot(face).sqrt();

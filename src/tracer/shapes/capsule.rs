@@ -8,15 +8,22 @@ use super::cylinder;
 use crate::lanes::*;
 use glam::Vec3;
 
-/// The ends of the parts of lines inside: both are where rays enter, or where they leave if they start inside.
+/// The ends of the parts of lines inside: both are where rays enter; or 0, and where they leave, if they start inside, as rays of the
+/// mask `inward` do.
 ///
 /// There a sphere about the core touches the surface from within: that about the point which is nearest to where the ray crosses the
 /// endless cylinder.
 #[inline(always)]
-pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
+pub(super) fn span<S: Isa>(
+    simd: S,
+    half: Vec3,
+    o: &Vec3x<S>,
+    d: &Vec3x<S>,
+    inward: M<S>,
+) -> Span<S> {
     let zero = splat(simd, 0.0);
     let out = from_core(simd, half, o);
-    let is_inside = out.dot(out).simd_lt(splat(simd, half.x * half.x));
+    let is_inside = inward | out.dot(out).simd_lt(splat(simd, half.x * half.x));
     let round = cylinder::endless(simd, half.x, o, d);
     let y = is_inside.select(round.far, round.near).mul_add(d.y, o.y);
     let from = Vec3x {
@@ -31,7 +38,7 @@ pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> S
     let t = middle + is_inside.select(chord, -chord);
     // Rounding does not let rays out that start inside.
     Span {
-        near: t,
+        near: is_inside.select(zero, t),
         far: t,
         is_met: half2.simd_ge(zero) | is_inside,
     }

@@ -1,7 +1,7 @@
 //! Finds the first hits of a packet: planes, the tree's spheres, and blocks by their bounding spheres. Coordinates are the scene's.
 
 use super::candidates::{Candidate, Candidates};
-use super::rays::Rays;
+use super::rays::{Rays, departing};
 use crate::lanes::*;
 use crate::prepare::{GroupSet, Object, ObjectId, World};
 use crate::shapes::sphere::Chord;
@@ -17,6 +17,8 @@ pub(crate) struct Hit<S: Isa> {
     pub t: F<S>,
     /// The object, as [`ObjectId::lane`].
     pub object: U<S>,
+    /// Which rays meet a block from within.
+    pub within_block: M<S>,
 }
 
 impl<S: Isa> Hit<S> {
@@ -41,6 +43,7 @@ pub(crate) fn nearest<S: Isa>(
     let mut hit = Hit {
         t: splat(simd, NO_HIT),
         object: U::<S>::splat(simd, ObjectId::new(world.background()).lane()),
+        within_block: M::<S>::splat(simd, false),
     };
     for (i, rectangle) in world.planes().iter().enumerate() {
         let (m, t) = plane::hit(simd, rectangle, rays.o, rays.d, hit.t);
@@ -84,9 +87,11 @@ pub(super) fn resolve_blocks<S: Isa>(
 ) {
     for &candidate in blocks.iter() {
         if let Object::Block(block) = world.object(candidate.object).0 {
-            let t = block::distance(simd, block, &rays.o, &rays.d);
-            let is_nearer = t.simd_lt(hit.t) & candidate.lanes(simd);
+            let [outward, inward] = departing(simd, rays.slot_path, candidate.object);
+            let (t, is_inside) = block::distance(simd, block, &rays.o, &rays.d, inward);
+            let is_nearer = t.simd_lt(hit.t) & candidate.lanes(simd) & !outward;
             hit.keep_nearer(is_nearer, t, candidate.object);
+            hit.within_block = is_inside & is_nearer | hit.within_block & !is_nearer;
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The points that are shaded. Coordinates are the scene's.
 
 use super::intersect::Hit;
-use super::rays::Rays;
+use super::rays::{INWARD, Rays, departure};
 use super::surface::{SurfaceLanes, object_at};
 use crate::lanes::*;
 use crate::prepare::{Object, Parameter, World};
@@ -19,8 +19,10 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub dn: F<S>,
     /// The direction of the reflected ray.
     pub r: Vec3x<S>,
-    /// The distance of `p` from the surface, on the ray's side: 0 except for boxes and cylinders.
+    /// The distance of `p` from the surface, on the ray's side: 0 except for blocks.
     pub hit_error: F<S>,
+    /// The [`departure`]s of rays from here to the ray's side.
+    pub departure: U<S>,
     /// The direction of the grooves, of length 1; of no meaning where `anisotropy` is 0.
     pub groove: Vec3x<S>,
     /// See [`crate::scene::Material::anisotropy`].
@@ -56,7 +58,7 @@ impl<S: Isa> ShadingPoint<S> {
         if !world.scene.water.are_calm() {
             point.ripple(simd, world, rays, hit);
         }
-        point.face(simd, rays);
+        point.face(simd, rays, hit);
         point
     }
 
@@ -91,6 +93,7 @@ impl<S: Isa> ShadingPoint<S> {
             dn: zero,
             r: n,
             hit_error: zero,
+            departure: U::<S>::splat(simd, 0),
             groove: n,
             anisotropy: zero,
             reflectance: splat(simd, 1.0),
@@ -104,6 +107,9 @@ impl<S: Isa> ShadingPoint<S> {
     #[inline(always)]
     fn add_detail(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
         let Rays { o, d, .. } = rays;
+        // The direction as if it came from outside.
+        let sign: U<S> = hit.within_block.to_vector().bitcast();
+        let from_outside = d.flipped(sign & (1 << 31));
         let mut rest = self.solid.to_bitmask();
         while rest != 0 {
             let (id, same) = object_at(simd, hit.object, &mut rest);
@@ -111,7 +117,7 @@ impl<S: Isa> ShadingPoint<S> {
             let centre = Vec3x::splat(simd, object.centre());
             let out = (*o - centre).add_scaled(*d, hit.t);
             let texture_point = if let Object::Block(block) = object {
-                let on_block = BlockHit::near(simd, block, out);
+                let on_block = BlockHit::near(simd, block, out, &from_outside);
                 let error = splat(simd, block::hit_error(block));
                 // The point is moved to the ray's side of the surface.
                 let n = on_block.texture_point.n;
@@ -123,7 +129,7 @@ impl<S: Isa> ShadingPoint<S> {
                 self.hit_error = same.select(error, self.hit_error);
                 on_block.texture_point
             } else {
-                TexturePoint::on(simd, &object, out)
+                TexturePoint::on(simd, &object, out, d)
             };
             if material.anisotropy > 0.0 {
                 let axes = if let Object::Block(block) = object {
@@ -145,22 +151,20 @@ impl<S: Isa> ShadingPoint<S> {
 
     /// Makes the normals face the rays, and computes the reflected directions.
     #[inline(always)]
-    fn face(&mut self, simd: S, rays: &Rays<S>) {
+    fn face(&mut self, simd: S, rays: &Rays<S>, hit: &Hit<S>) {
         let n = self.n;
         let outward = rays.d.dot(n);
         // The sign bit that flips normals pointing along the ray.
         let sign = U::<S>::splat(simd, 1 << 31);
         let flip = (outward.bitcast::<U<S>>() & sign) ^ sign;
-        let n = Vec3x {
-            x: flipped::<S>(n.x, flip),
-            y: flipped::<S>(n.y, flip),
-            z: flipped::<S>(n.z, flip),
-        };
+        let n = n.flipped(flip);
         self.n = n;
         self.dn = flipped::<S>(outward, flip);
         self.r = rays.d.add_scaled(n, self.dn * -2.0);
         let zero = splat(simd, 0.0);
-        self.inside = outward.simd_gt(zero);
+        self.inside = hit.within_block | outward.simd_gt(zero) & self.hit_error.simd_le(zero);
+        let inward: U<S> = self.inside.to_vector().bitcast();
+        self.departure = departure::<S>(hit.object) | (inward & INWARD);
         self.horizon = self.inside.select(self.horizon, zero);
     }
 }

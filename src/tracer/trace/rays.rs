@@ -1,7 +1,8 @@
 //! Packets of rays. Coordinates are the scene's, unless they are those of pixels.
 
+use super::queue::BATCH;
 use crate::lanes::*;
-use crate::prepare::World;
+use crate::prepare::{MAX_OBJECTS, ObjectId, World};
 use crate::quality::Quality;
 
 /// A packet of rays, one per lane, in scene coordinates.
@@ -14,12 +15,35 @@ pub(crate) struct Rays<S: Isa> {
     /// The product of the coefficients along the ray's path.
     pub weight: F<S>,
     /// The point of the batch that the ray belongs to, and its node in that point's ray tree: `slot << PATH_BITS | path`. The
-    /// path of a primary ray is 1; a ray with path p has the reflected ray 2 p and the transmitted ray 2 p + 1.
+    /// path of a primary ray is 1; a ray with path p has the reflected ray 2 p and the transmitted ray 2 p + 1. The bits above are
+    /// the ray's [`departure`] and the mark of mirrored rays.
     pub slot_path: U<S>,
 }
 
 /// The bit of a `slot_path` that marks reflections of primary rays in the first plane.
 const MIRRORED: u32 = 1 << 31;
+
+/// The lowest bit of a departure.
+const DEPARTURE: u32 = PATH_BITS + BATCH.trailing_zeros();
+
+/// The bit of a departure that marks rays into the object.
+pub(super) const INWARD: u32 = 1 << 30;
+
+const _: () = assert!(MAX_OBJECTS < 1 << (30 - DEPARTURE));
+
+/// Returns the departures of rays that start on the surface of objects and leave them outward; [`INWARD`] is added for rays into them.
+#[inline(always)]
+pub(super) fn departure<S: Isa>(objects: U<S>) -> U<S> {
+    (objects + 1) << DEPARTURE
+}
+
+/// Returns which rays with some departures leave an object outward, and which go into it.
+#[inline(always)]
+pub(super) fn departing<S: Isa>(simd: S, departures: U<S>, object: ObjectId) -> [M<S>; 2] {
+    let departures = departures & !(MIRRORED | ((1 << DEPARTURE) - 1));
+    let outward = (object.lane() + 1) << DEPARTURE;
+    [outward, outward | INWARD].map(|it| departures.simd_eq(U::<S>::splat(simd, it)))
+}
 
 /// The bits of a path: a leading 1, and one for each reflection or transmission.
 pub(super) const PATH_BITS: u32 = Quality::MAX_DEPTH + 1;
@@ -34,7 +58,7 @@ impl<S: Isa> Rays<S> {
     /// The points that the rays belong to.
     #[inline(always)]
     pub fn slots(&self) -> U<S> {
-        (self.slot_path & !MIRRORED) >> PATH_BITS
+        (self.slot_path >> PATH_BITS) & (BATCH as u32 - 1)
     }
 
     /// The rays' paths in their trees.
@@ -43,10 +67,10 @@ impl<S: Isa> Rays<S> {
         self.slot_path & ((1 << PATH_BITS) - 1)
     }
 
-    /// The `slot_path`s of the reflected rays. Those of the transmitted rays are one more.
+    /// The `slot_path`s of the reflected rays without their marks. Those of the transmitted rays are one more.
     #[inline(always)]
     pub fn reflected_slot_paths(&self) -> U<S> {
-        (self.slot_path + self.paths()) & !MIRRORED
+        (self.slot_path + self.paths()) & ((1 << DEPARTURE) - 1)
     }
 
     /// The marks for reflected rays: set if the first plane, object number `plane`, reflects a primary ray.

@@ -6,7 +6,7 @@ use super::intersect::Hit;
 use super::key::Keys;
 use super::light;
 use super::point::ShadingPoint;
-use super::rays::Rays;
+use super::rays::{INWARD, Rays};
 use super::stack::RayStack;
 use super::surface::SurfaceLanes;
 use super::{Batch, Tracer};
@@ -99,6 +99,7 @@ fn scatter<S: Isa>(
         n,
         dn,
         hit_error,
+        departure,
         ..
     } = *point;
     // Schlick's approximation.
@@ -114,7 +115,7 @@ fn scatter<S: Isa>(
         o: p.add_scaled(n, hit_error * -2.0),
         d: point.r,
         weight: zero,
-        slot_path: reflected + 1,
+        slot_path: (reflected + 1) | (departure ^ INWARD),
     };
     let glass = follow & kt.simd_gt(zero);
     if glass.any_true() {
@@ -138,7 +139,7 @@ fn scatter<S: Isa>(
         o: p,
         d: point.r,
         weight,
-        slot_path: reflected | marks,
+        slot_path: reflected | departure | marks,
     };
     // Put them on the stack, the reflected ones on top.
     if through.any_true() {

@@ -14,6 +14,8 @@ pub(super) struct ShadowRays<S: Isa> {
     pub d: Vec3x<S>,
     /// Distances to the lamp; 0 in lanes that are not asked for.
     pub distance: F<S>,
+    /// The [departures](super::rays::departure).
+    pub departure: U<S>,
 }
 
 impl Blockers {

@@ -3,6 +3,7 @@
 
 use super::candidates::{Blockers, Candidates};
 use super::point::ShadingPoint;
+use super::rays::departing;
 use super::shadow::ShadowRays;
 use crate::counts::Counts;
 use crate::lanes::*;
@@ -51,6 +52,7 @@ impl<S: Isa> ShadingPoint<S> {
             o: self.p,
             d: l,
             distance,
+            departure: self.departure,
         };
         let mut lit = facing & !blockers.find(simd, world, lamp, &rays);
         let mut colour = Vec3x::splat(simd, lamp.colour);
@@ -94,8 +96,10 @@ fn transmittance<S: Isa>(
         let (object, material) = world.object(candidate.object);
         let covered = match object {
             Object::Block(block) => {
-                let t = block::distance(simd, block, &rays.o, &rays.d);
-                t.simd_lt(rays.distance).select(splat(simd, 1.0), zero)
+                let [outward, inward] = departing(simd, rays.departure, candidate.object);
+                let t = block::distance(simd, block, &rays.o, &rays.d, inward).0;
+                let is_met = t.simd_lt(rays.distance) & !outward;
+                is_met.select(splat(simd, 1.0), zero)
             }
             Object::Sphere(sphere) => sphere_covers(simd, lamp, sphere, rays),
             Object::Plane(_) | Object::Light(_) | Object::Background => continue,

@@ -3,6 +3,7 @@
 
 use super::*;
 use crate::scene::{Block, Plane, Shape};
+use crate::trace::rays::INWARD;
 use glam::{Mat3, Quat, Vec3};
 
 /// The number of spheres or planes, each of which is hit once.
@@ -19,6 +20,8 @@ struct Met {
     n: Vec3,
     /// The distance from the surface within which rounding puts the point.
     error: f32,
+    /// The departures of rays to the ray's side.
+    departure: u32,
     is_inside: bool,
 }
 
@@ -32,24 +35,27 @@ impl Met {
             p: lane(point.p, 0),
             n: lane(point.n, 0),
             error: point.hit_error.as_slice()[0],
+            departure: point.departure.as_slice()[0],
             is_inside: point.inside.to_bitmask() & 1 == 1,
         })
     }
 }
 
-/// Traces `count` rays from a point. Calls `check` with the direction of each, and with the distance if it hits the object.
+/// Traces `count` rays with a departure from a point. Calls `check` with the direction of each, and with the distance if it hits the object.
 #[inline(always)]
 fn each_ray<S: Isa>(
     simd: S,
     world: World<'_>,
-    from: Vec3,
+    (from, departure): (Vec3, u32),
     count: usize,
     mut direction: impl FnMut() -> Vec3,
     mut check: impl FnMut(Vec3, Option<f64>),
 ) {
     for _ in 0..count / lanes::<S>() {
         let ways = [(); MAX_LANES].map(|()| direction());
-        let hit = hits(simd, world, &packet(simd, from, &ways));
+        let mut rays = packet(simd, from, &ways);
+        rays.slot_path |= departure;
+        let hit = hits(simd, world, &rays);
         for (i, &way) in ways.iter().enumerate().take(lanes::<S>()) {
             let is_hit = hit.object.as_slice()[i] == 0;
             check(way, is_hit.then(|| f64::from(hit.t.as_slice()[i])));
@@ -94,24 +100,31 @@ impl Property for Spheres {
             let largest = f64::from(centre.abs().max_element()) + radius;
             let off = f64::from(f32::EPSILON) * largest;
             let direction = || random.direction().as_vec3();
-            each_ray(simd, scene.world(), met.p, RAYS, direction, |way, t| {
-                let cosine = way.as_dvec3().dot(outward);
-                let chord = -2.0 * cosine * radius;
-                if cosine >= 0.0 {
-                    assert!(t.is_none(), "{what}: {} is hit again along {way}", met.p);
-                    left += 1;
-                } else if chord * chord > 64.0 * off * radius {
-                    // Not so near along the sphere that being off it matters as much as the chord.
-                    let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
-                    let is_right = t.is_some_and(|t| (t - chord).abs() < most);
-                    assert!(
-                        is_right,
-                        "{what}: {way} from {} goes {t:?} of {chord}",
-                        met.p
-                    );
-                    entered += 1;
-                }
-            });
+            each_ray(
+                simd,
+                scene.world(),
+                (met.p, 0),
+                RAYS,
+                direction,
+                |way, t| {
+                    let cosine = way.as_dvec3().dot(outward);
+                    let chord = -2.0 * cosine * radius;
+                    if cosine >= 0.0 {
+                        assert!(t.is_none(), "{what}: {} is hit again along {way}", met.p);
+                        left += 1;
+                    } else if chord * chord > 64.0 * off * radius {
+                        // Not so near along the sphere that being off it matters as much as the chord.
+                        let most = 4.0 * off * (1.0 + 2.0 * radius / chord);
+                        let is_right = t.is_some_and(|t| (t - chord).abs() < most);
+                        assert!(
+                            is_right,
+                            "{what}: {way} from {} goes {t:?} of {chord}",
+                            met.p
+                        );
+                        entered += 1;
+                    }
+                },
+            );
         }
         assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
         assert!(entered > SHAPES * RAYS / 32, "{isa}: {entered} rays");
@@ -151,10 +164,17 @@ impl Property for Planes {
                 // Also along the plane, with both signs of zero.
                 [way, way, way, way.with_y(0.0), way.with_y(-0.0)][random.bits() as usize % 5]
             };
-            each_ray(simd, scene.world(), met.p, RAYS, direction, |way, t| {
-                assert!(t.is_none(), "{isa}: {} is hit again along {way}", met.p);
-                left += 1;
-            });
+            each_ray(
+                simd,
+                scene.world(),
+                (met.p, 0),
+                RAYS,
+                direction,
+                |way, t| {
+                    assert!(t.is_none(), "{isa}: {} is hit again along {way}", met.p);
+                    left += 1;
+                },
+            );
         }
         assert!(left > SHAPES * RAYS / 8, "{isa}: {left} rays");
     }
@@ -244,14 +264,20 @@ impl Property for Blocks {
                 near
             };
             let (o, d) = (o.as_vec3(), unit(aim - o));
-            let Some(Met { p, n, error, .. }) =
-                Met::new(simd, world, o, d).filter(|met| !met.is_inside)
-            else {
+            let met = Met::new(simd, world, o, d).filter(|met| !met.is_inside);
+            let Some(met) = met else {
                 continue;
             };
+            let Met {
+                p,
+                n,
+                error,
+                departure,
+                ..
+            } = met;
             let what = std::format!("{isa}: {block:?} from {o} along {d}");
             let direction = || random.direction_from(n);
-            each_ray(simd, world, p, RAYS, direction, |way, t| {
+            each_ray(simd, world, (p, departure), RAYS, direction, |way, t| {
                 assert!(t.is_none(), "{what}: {p} is hit again along {way}");
                 left[kind] += 1;
             });
@@ -261,15 +287,13 @@ impl Property for Blocks {
             let off = outside(&block, p) / f64::from(error);
             assert!((off - 1.0).abs() < 0.5, "{what}: {p} is {off} errors off");
             assert!((n.length() - 1.0).abs() < 1e-5, "{what}: {n}");
-            // Rays that go on inside from as far below the surface.
-            let inside = p - 2.0 * error * n;
-            if outside(&block, inside) < -0.5 * f64::from(error) {
-                let direction = || random.direction_from(-n);
-                each_ray(simd, world, inside, RAYS / 16, direction, |way, t| {
-                    assert!(t.is_some(), "{what}: {way} from {inside} leaks");
-                    crossed += 1;
-                });
-            }
+            // Rays that go on inside.
+            let direction = || random.direction_from(-n);
+            let from = (p - 2.0 * error * n, departure | INWARD);
+            each_ray(simd, world, from, RAYS / 16, direction, |way, t| {
+                assert!(t.is_some(), "{what}: {way} from {p} leaks");
+                crossed += 1;
+            });
         }
         let fewest = BLOCKS / 4 * RAYS / 8;
         assert!(left.iter().all(|&left| left > fewest), "{isa}: {left:?}");

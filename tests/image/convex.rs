@@ -1,0 +1,69 @@
+//! A reflected ray does not meet the convex solid that it leaves: no pixel of a single mirror in a bright scene is dark.
+
+use crate::cpu;
+use crate::drawn::draw;
+use eightfold_scenes::known::mirror_box;
+use eightfold_scenes::{Random, cases, solids};
+use eightfold_tracer::Quality;
+use eightfold_tracer::glam::Vec3;
+use eightfold_tracer::scene::{Camera, List, Material, Scene};
+
+/// A mirror before the background, whose pixel is 0.8 of white.
+const MIRROR: Material = Material {
+    kr: 0.8,
+    ..Material::BLACK
+};
+
+/// A mirror of any shape and size that fills most of a picture.
+fn mirror(random: &mut Random) -> Scene {
+    let half = Vec3::splat(1.0).map(|_| random.power(-1.5, 0.0));
+    let scale = random.power(-2.0, 2.0);
+    let centre = scale * random.vector(Vec3::splat(-8.0), Vec3::splat(8.0));
+    let block = solids::block(random, centre, scale * half, MIRROR);
+    let away = random.turn() * Vec3::Z * scale * random.between(3.0, 30.0);
+    let eye = centre + away;
+    let angle = 1.6 * block.half.length() / away.length();
+    Scene {
+        camera: Camera::new(eye, centre, angle),
+        background: Vec3::ONE,
+        blocks: List::of(&[block]),
+        ..Scene::default()
+    }
+}
+
+/// Draws mirrors by all instruction sets until so many pixels show them.
+fn hold(pixels: usize) {
+    let known = mirror_box(MIRROR);
+    let mut shown = vec![0; cpu::instruction_sets().count()];
+    let scenes = [known]
+        .into_iter()
+        .chain(cases(u64::MAX).map(|mut random| mirror(&mut random)));
+    for scene in scenes {
+        for (isa, shown) in cpu::instruction_sets().zip(&mut shown) {
+            let drawn = draw(isa, 2, &scene, &Quality::EXHAUSTIVE, 640, 360);
+            for (i, pixel) in drawn.pixels.into_iter().enumerate() {
+                let is_mirror = pixel == 0xcc_cccc;
+                assert!(
+                    is_mirror || pixel == 0xff_ffff,
+                    "{}: pixel {i} is {pixel:06x}: {scene:?}",
+                    isa.name
+                );
+                *shown += usize::from(is_mirror);
+            }
+        }
+        if shown.iter().all(|&shown| shown >= pixels) {
+            break;
+        }
+    }
+}
+
+#[test]
+fn mirrors_never_show_themselves() {
+    hold(1_000_000);
+}
+
+#[test]
+#[ignore = "many pixels"]
+fn mirrors_never_show_themselves_in_20_million_pixels() {
+    hold(20_000_000);
+}
