@@ -1,7 +1,7 @@
-//! Antialiased pictures are closer to supersampled ones, and change at edges alone.
+//! Antialiasing changes pixels at edges alone, by the share that an edge covers.
 
 use crate::drawn::draw_best;
-use crate::error::{Difference, worst_channel};
+use crate::error::worst_channel;
 use eightfold::show;
 use eightfold_oracle::squares::TILE;
 use eightfold_scenes::{Kinds, cases};
@@ -10,58 +10,11 @@ use eightfold_tracer::glam::{Mat3, Vec3, vec3};
 use eightfold_tracer::scene::{Block, Material, Scene};
 use std::f32::consts::TAU;
 
-/// Samples per side of a pixel in the reference pictures.
-const FINE: usize = 8;
-
-const SIZE: (usize, usize) = (200, 150);
-
-/// A picture by the best instruction set, `n` times as large as [`SIZE`].
-fn picture(scene: &Scene, quality: &Quality, n: usize) -> Vec<u32> {
-    let (width, height) = SIZE;
-    draw_best(scene, quality, n * width, n * height).pixels
-}
-
-/// A picture whose pixels are the means of 8 by 8 pixels of one that is eight times as large.
-fn reference(scene: &Scene) -> Vec<u32> {
-    let (width, height) = SIZE;
-    let large = picture(scene, &Quality::EXHAUSTIVE, FINE);
-    let mean = |i: usize, shift: u32| {
-        let (left, top) = (i % width * FINE, i / width * FINE);
-        let rows = large.chunks_exact(width * FINE).skip(top).take(FINE);
-        let parts = rows.flat_map(|row| &row[left..left + FINE]);
-        let sum: u32 = parts.map(|pixel| pixel >> shift & 0xff).sum();
-        ((sum + 32) / 64) << shift
-    };
-    let pixel = |i| [16, 8, 0].map(|shift| mean(i, shift)).iter().sum();
-    (0..width * height).map(pixel).collect()
-}
-
 /// The quality with antialiasing, or without.
 fn with(antialias: bool, quality: Quality) -> Quality {
     Quality {
         antialias,
         ..quality
-    }
-}
-
-#[test]
-fn mixed_edges_are_nearer_to_many_samples() {
-    for (name, scene) in [
-        ("model", show::model_scene(2.0)),
-        ("field", show::field(64, 2.0)),
-    ] {
-        let reference = reference(&scene);
-        let psnr =
-            |quality: &Quality| Difference::between(&reference, &picture(&scene, quality, 1)).psnr;
-        // With squares the error between edges stays.
-        for (quality, least) in [(Quality::EXHAUSTIVE, 4.0), (Quality::DEFAULT, 3.0)] {
-            let [jagged, mixed] = [false, true].map(|antialias| psnr(&with(antialias, quality)));
-            println!(
-                "{name}, squares of {}: {jagged:.1} dB, antialiased {mixed:.1} dB",
-                quality.square
-            );
-            assert!(mixed > jagged + least, "{name}: {jagged} dB, {mixed} dB");
-        }
     }
 }
 
@@ -201,7 +154,10 @@ fn captions_and_the_overlay_are_not_antialiased() {
     let mut captions = scene.captions.iter();
     assert!(captions.any(|caption| caption.brightness == 1.0));
     let both = |scene: &Scene| {
-        [false, true].map(|antialias| picture(scene, &with(antialias, Quality::DEFAULT), 1))
+        [false, true].map(|antialias| {
+            let quality = with(antialias, Quality::DEFAULT);
+            draw_best(scene, &quality, 200, 150).pixels
+        })
     };
     let [plain, smooth] = both(&scene);
     assert!(plain != smooth);

@@ -106,7 +106,7 @@ fn antialiased_frames_are_nearer_to_many_samples() {
     let [jagged, smooth] = seen_of([Quality::EXHAUSTIVE, antialiased], [2.0, 2.1]);
     assert_eq!(jagged.flips.mean(), Some(0.0));
     let psnr = [&jagged, &smooth].map(|seen| seen.psnr_to_64_db().expect("a view"));
-    assert!(psnr[0] > 25.0 && psnr[1] > psnr[0] + 2.0, "{psnr:?}");
+    assert!(psnr[0] > 25.0 && psnr[1] > psnr[0] + 6.0, "{psnr:?}");
     let flip = [&jagged, &smooth].map(|seen| seen.flips_to_64.mean().expect("a view"));
     assert!(0.0 < flip[1] && flip[1] < flip[0], "{flip:?}");
 }
