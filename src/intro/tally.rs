@@ -65,20 +65,18 @@ impl Tally {
         self.frames_in_second += 1;
     }
 
-    /// Writes over a frame the frames of the last second, the points of this one, and the accuracy of late.
+    /// Writes over a frame the frames of the last second, the points of this one, and the accuracy of late with its 95 %
+    /// interval.
     pub fn write(&self, frame: &mut Frame<'_>, points: u64) {
-        let hud = Caption {
-            letters: List::of(b" #### FPS $$$$$$$ POINTS %% DB"),
-            middle: 0.04,
-            size: 0.03,
-            brightness: 1.0,
-        };
+        let hud = [
+            line(b" #### FPS $$$$$$$ POINTS", 0.04),
+            line(b"  %%.% \xb1 &&.& DB", 0.09),
+        ];
         // Nothing is told of an error before any is found.
-        let decibels = match self.recent.squares {
-            0 => 0,
-            _ => self.recent.psnr() as usize,
-        };
-        frame.write(&[hud], [self.rate as usize, points as usize, decibels]);
+        let lines = 1 + usize::from(self.recent.squares > 0);
+        let [psnr, margin] = accuracy(&self.recent);
+        let numbers = [self.rate, points, psnr, margin].map(|number| number as usize);
+        frame.write(&hud[..lines], numbers);
     }
 
     /// Notes the time at which the show ended.
@@ -120,16 +118,15 @@ impl Tally {
     /// Writes how accurate the frames were, with the 95 % interval, and whether what was asked for was had, at so many tenths of frames
     /// a second.
     fn report_accuracy(&self, output: &mut Writer, rate: u64, options: &Options) -> fmt::Result {
-        let tenths = |decibels: f32| Tenths((10.0 * decibels + 0.5) as u64);
-        let (psnr, margin) = (self.probes.psnr(), self.probes.margin());
+        let [psnr, margin] = accuracy(&self.probes);
         if self.probes.squares > 0 {
-            write!(output, ", {} dB (±{})", tenths(psnr), tenths(margin))?;
+            write!(output, ", {} ± {} dB", Tenths(psnr), Tenths(margin))?;
         }
         let Options { fps, has_fps, .. } = *options;
         // A hundredth of the frames may be late.
         let is_slow = has_fps && rate * 10 < fps * 99;
         match options.psnr {
-            Some(asked) if is_slow || psnr + margin < asked as f32 => {
+            Some(asked) if is_slow || psnr.saturating_add(margin) < 10 * asked => {
                 write!(output, ", short of {} dB", Decimal(asked))?;
                 if has_fps {
                     write!(output, " at {} fps", Decimal(fps))?;
@@ -139,4 +136,19 @@ impl Tally {
             _ => Ok(()),
         }
     }
+}
+
+/// A line over the picture.
+fn line<const N: usize>(letters: &[u8; N], middle: f32) -> Caption {
+    Caption {
+        letters: List::of(letters),
+        middle,
+        size: 0.03,
+        brightness: 1.0,
+    }
+}
+
+/// The PSNR by probes, and half the width of its interval, in tenths of a dB.
+fn accuracy(probes: &Probes) -> [u64; 2] {
+    [probes.psnr(), probes.margin()].map(|decibels| (10.0 * decibels + 0.5) as u64)
 }

@@ -64,6 +64,11 @@ pub struct Probes {
     pub fourths: u64,
 }
 
+/// A squared error that is added to the mean one, weighted by itself. Rare pixels have most of the error, and often no probe met one of
+/// them: by the sample alone, 80 of 100 intervals of 1,000 probes hold the truth. In the show the mean is 20 to 20,000; by this value 93
+/// to 97 of 100 intervals do, at any number of probes.
+const UNSEEN: f32 = 500.0;
+
 impl Probes {
     /// None.
     pub const NONE: Self = Self {
@@ -106,17 +111,28 @@ impl Probes {
         10.0 * LOG10_2 * log2((255.0 * 255.0 / self.mean_squared_error()) as f32)
     }
 
-    /// How many dB the ratio of all pixels may be above or below [`Probes::psnr`], with 95 % confidence: half the width of the
-    /// interval of a normal distribution. It shrinks with the square root of the number of probes: four times as many halve it. While it is
-    /// more than half a dB, it is rather too narrow, since few pixels with large errors may not have been met. It is infinite or no number if
-    /// there are fewer than two probes, or no error was found.
+    /// Returns how many dB the ratio of all pixels may be above or below [`Probes::psnr`], with 95 % confidence, if each frame is another
+    /// picture. Four times as many probes halve it. It is infinite or NaN for fewer than two probes, or without any error.
     #[must_use]
     pub fn margin(&self) -> f32 {
+        self.margin_with(UNSEEN)
+    }
+
+    /// Returns the margin with a squared error added to the mean one, weighted by itself.
+    pub(crate) fn margin_with(&self, unseen: f32) -> f32 {
         let [n, squares, fourths] = [self.pixels, self.squares, self.fourths].map(|sum| sum as f32);
         // The squared standard error of the mean square, as a share of its square.
+        let fourths = fourths + unseen * squares;
         let variance = (n * fourths / (squares * squares) - 1.0) / (n - 1.0);
         // A share e of the mean is 10 log10(1 + e), nearly 10 e / ln 10.
         1.96 * 10.0 * LOG10_E * sqrt(variance)
+    }
+
+    /// Returns the [`Probes::margin`] of a single picture that has `pixels`, none of which was probed twice: 0 once all were probed.
+    #[must_use]
+    pub fn margin_at_rest(&self, pixels: u64) -> f32 {
+        let unknown = 1.0 - self.pixels as f32 / pixels as f32;
+        self.margin() * sqrt(unknown.max(0.0))
     }
 }
 

@@ -56,10 +56,15 @@ static DIGITS: [&str; 10] = [
     "nlfbdgi", // 9
 ];
 
-/// The strokes of an ASCII capital or digit, each with its two ends in grid units to the right of the letter's upper left and
+/// The sign ±, as in Latin-1.
+pub const PLUS_MINUS: u8 = 0xb1;
+
+/// The strokes of an ASCII capital or digit, a full stop or a [`PLUS_MINUS`], each with its two ends in grid units to the right of the letter's upper left and
 /// below it. Other bytes have none.
 pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     let points = match letter {
+        b'.' => "kn",
+        PLUS_MINUS => "ek gi mo",
         b'A'..=b'Z' => CAPITALS[usize::from(letter - b'A')],
         b'0'..=b'9' => DIGITS[usize::from(letter - b'0')],
         _ => "",
@@ -79,7 +84,7 @@ fn position(point: u8) -> Vec2 {
 
 #[cfg(test)]
 mod tests {
-    use super::strokes;
+    use super::{PLUS_MINUS, strokes};
 
     #[test]
     fn every_letter_has_strokes_on_its_grid_and_nothing_else_has() {
@@ -90,7 +95,9 @@ mod tests {
                     assert!(is_on_grid(from) && is_on_grid(to) && from != to);
                 })
                 .count();
-            let is_letter = letter.is_ascii_uppercase() || letter.is_ascii_digit();
+            let is_letter = letter.is_ascii_uppercase()
+                || letter.is_ascii_digit()
+                || [b'.', PLUS_MINUS].contains(&letter);
             assert_eq!(count > 0, is_letter, "{letter}");
         }
     }

@@ -198,8 +198,9 @@ impl AccuracyGovernor {
         if self.probes.pixels < FEWEST {
             return;
         }
-        // Without any error there is no margin.
-        let (psnr, margin) = (self.probes.psnr(), self.probes.margin().max(0.0));
+        // Without any error there is no margin. Errors that no probe met are those of the next steps.
+        let margin = self.probes.margin_with(0.0).max(0.0);
+        let psnr = self.probes.psnr();
         let room = &mut self.room[self.rung];
         if let Some(before) = self.before {
             *room = self.target + (psnr - before).clamp(WORSE[0], WORSE[1]) + CHANCE;

@@ -108,12 +108,12 @@ impl Overlay<'_> {
 
 impl Frame<'_> {
     /// Draws captions over a picture that is done, each from the left side of the picture on. In their letters a `#` stands for a
-    /// digit of the first of the numbers, a `$` for one of the second, a `%` for one of the third: the last such sign for
-    /// the last digit, and a space where a number has no more digits.
+    /// digit of the first of the numbers, a `$` for one of the second, a `%` for one of the third, a `&` for one of the fourth: the last
+    /// such sign for the last digit, and a space where a number has no more digits.
     ///
     /// # Panics
     /// If the frame has fewer pixels than its size says.
-    pub fn write(&mut self, captions: &[Caption], numbers: [usize; 3]) {
+    pub fn write(&mut self, captions: &[Caption], numbers: [usize; 4]) {
         let overlay = Overlay {
             copper_bars: &[],
             captions,

@@ -72,8 +72,8 @@ impl<'a> Frame<'a> {
     /// The same frame with so many of its pixels probed: [`Counts::probes`] then says how far they are off what they are if every
     /// pixel is traced. The picture stays as it is.
     ///
-    /// The seed says which pixels. Of all seeds each pixel is as likely as any other, and seeds that follow each other spread their
-    /// probes evenly, so that the number of the frame is a good one. Neither an overlay that explains the method nor what is
+    /// The seed says which pixels. Frames whose seeds follow each other probe other pixels, until each pixel was probed once; so the number
+    /// of the frame is a good seed. Neither an overlay that explains the method nor what is
     /// coarse on purpose is probed (see [`Method`](crate::scene::Method)): such a frame has no probes. What lies over the picture, such as
     /// captions, is drawn later.
     ///

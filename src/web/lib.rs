@@ -258,10 +258,10 @@ pub extern "C" fn psnr(pixels: f64, squares: f64, fourths: f64) -> f32 {
     probes(pixels, squares, fourths).psnr()
 }
 
-/// Returns the half width in dB of the interval around the PSNR, see [`Probes::margin`].
+/// Returns the half width in dB of the interval around the PSNR of a picture that has `all` pixels, see [`Probes::margin_at_rest`].
 #[unsafe(no_mangle)]
-pub extern "C" fn margin(pixels: f64, squares: f64, fourths: f64) -> f32 {
-    probes(pixels, squares, fourths).margin()
+pub extern "C" fn margin(pixels: f64, squares: f64, fourths: f64, all: f64) -> f32 {
+    probes(pixels, squares, fourths).margin_at_rest(all as u64)
 }
 
 fn probes(pixels: f64, squares: f64, fourths: f64) -> Probes {

@@ -8,7 +8,7 @@ use eightfold_tracer::{Frame, Quality};
 const SIZE: (usize, usize) = (640, 360);
 
 /// A line over a black picture.
-fn written(letters: &[u8], numbers: [usize; 3]) -> Vec<u32> {
+fn written(letters: &[u8], numbers: [usize; 4]) -> Vec<u32> {
     let caption = Caption {
         letters: letters.iter().copied().collect(),
         middle: 0.1,
@@ -22,17 +22,19 @@ fn written(letters: &[u8], numbers: [usize; 3]) -> Vec<u32> {
 }
 
 #[test]
-fn signs_stand_for_the_digits_of_three_numbers() {
-    let plain = written(b" A  60 B 12345 C47", [0; 3]);
-    let numbers = written(b" A ### B $$$$$ C%%", [60, 12_345, 1_047]);
-    assert!(plain == numbers);
+fn signs_stand_for_the_digits_of_four_numbers() {
+    let plain = written(b" A  60 B 12345 C4.7\xb1 .9", [0; 4]);
+    let signs = b" A ### B $$$$$ C%.%\xb1&.&";
+    assert!(plain == written(signs, [60, 12_345, 1_047, 9]));
     assert!(plain.contains(&0xff_ff_ff));
-    assert!(plain != written(b" A ### B $$$$$ C%%", [61, 12_345, 47]));
+    for other in [[61, 12_345, 47, 9], [60, 12_345, 47, 8]] {
+        assert!(plain != written(signs, other));
+    }
 }
 
 #[test]
 fn lines_begin_at_the_left() {
-    let pixels = written(b" I", [0; 3]);
+    let pixels = written(b" I", [0; 4]);
     let lit = |x: usize| {
         pixels
             .iter()

@@ -123,8 +123,8 @@ impl Session {
         let state = if controls.is_paused { ", paused" } else { "" };
         let error = match figures.psnr {
             None => String::new(),
-            Some(f64::INFINITY) => ", exact".to_owned(),
-            Some(psnr) => format!(", {psnr:.1} dB"),
+            Some((f64::INFINITY, _)) => ", exact".to_owned(),
+            Some((psnr, margin)) => format!(", {psnr:.1} ± {margin:.1} dB"),
         };
         format!(
             "Eightfold: {}, {} at {:.2} s{state}; {fps:.0} fps, {:.2} ms a frame, {:.1} % traced{error}",

@@ -12,10 +12,8 @@ use crate::prepare::{Film, GroupSet, VisibleGroups};
 use crate::quality::Quality;
 use crate::trace::{BATCH, Batch, PARTS};
 
-/// Fractions of 2^32: the golden ratio, by which columns follow each other, and the two steps of R2, the sequence that fills a square
-/// as evenly as any is known to (Roberts 2018), by which seeds move all.
+/// The golden ratio as a fraction of 2^32, an odd number.
 const GOLDEN: u32 = 0x9e37_79b9;
-const R2: [u32; 2] = [0xc13f_a9a9, 0x91e1_0da5];
 
 /// A way back by one.
 const BACK: usize = usize::MAX;
@@ -27,18 +25,32 @@ const SIDES: [[usize; 2]; 4] = [[BACK, 0], [1, 0], [0, BACK], [0, 1]];
 const POINTS: usize = 1 + 2 * SIDES.len();
 
 impl Probing {
-    /// The pixels of a picture of so many columns and rows that are probed, from the top: a lattice with one probe in each of as many
-    /// layers, which a seed moves as a whole. Over all seeds each pixel is as likely as any other.
+    /// Returns the pixels of a picture that are probed. All seeds together visit the pixels in one random order, `count` for each seed,
+    /// and begin anew once all pixels were visited.
     fn places(self, [columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
-        let [across, down] = R2.map(|step| step.wrapping_mul(self.seed));
-        let layer = u32::MAX / u32::from(self.count);
-        let share = |part: u32, whole: u64| (u64::from(part) * whole) >> 32;
-        let down = share(down, layer.into()) as u32;
-        (0..u32::from(self.count)).map(move |i| {
-            let x = across.wrapping_add(GOLDEN.wrapping_mul(i));
-            let y = down + layer * i;
-            [share(x, columns as u64), share(y, rows as u64)].map(|at| at as usize)
+        let pixels = (columns * rows) as u32;
+        let count = u32::from(self.count);
+        let first = self.seed.wrapping_mul(count);
+        (0..count).map(move |i| {
+            let place = shuffled(first.wrapping_add(i) % pixels, pixels) as usize;
+            [place % columns, place / columns]
         })
+    }
+}
+
+/// Returns the number at an index of a random order of the numbers below `count`.
+fn shuffled(mut index: u32, count: u32) -> u32 {
+    // Each step is one to one among the numbers below a power of two; numbers from `count` on are passed over.
+    let mask = count.next_power_of_two() - 1;
+    let half = mask.count_ones().div_ceil(2);
+    loop {
+        for _ in 0..3 {
+            index = index.wrapping_mul(GOLDEN).wrapping_add(GOLDEN) & mask;
+            index ^= index >> half;
+        }
+        if index < count {
+            return index;
+        }
     }
 }
 

@@ -10,13 +10,15 @@ use glam::Vec3;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Caption {
-    /// ASCII capitals and digits; any other byte is a space, but for the signs of digits, each of one number:
+    /// ASCII capitals, digits, full stops, and ± as in Latin-1 (0xb1). Any other byte is a space, except the signs of digits, each of one
+    /// number:
     ///
     /// | sign | in a scene | by [`Frame::write`](crate::Frame::write) |
     /// | --- | --- | --- |
     /// | `#` | the points that were traced for the frame | the first number |
     /// | `$` | the pixels of the frame | the second number |
     /// | `%` | a space | the third number |
+    /// | `&` | a space | the fourth number |
     ///
     /// The last sign of a kind is the last digit of its number; a space stands where a number has no more digits.
     #[cfg_attr(feature = "serde", serde(with = "super::serial::text"))]

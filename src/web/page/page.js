@@ -170,7 +170,7 @@ async function run() {
       // What takes longer than a frame of the screen goes on at once.
       if (clock.isPlaying && performance.now() - start > 15 && !document.hidden) continue;
     } else if (!isSettled() && !(view.isPoster && steps.isBusy())) {
-      await frames.draw({ ...order(now()), probes: PROBES }).then(probe, giveUp);
+      await frames.draw({ ...order(now()), probes: PROBES, seed: Math.floor(probes.probed / PROBES) }).then(probe, giveUp);
     }
     await new Promise(requestAnimationFrame);
   }
@@ -208,13 +208,15 @@ function probe({ order: { scene, quality, width }, probed, squares, fourths }) {
 }
 
 /** A figure of the probes by the module: `psnr`, or `margin`, the half width of its interval, in dB. */
-const figure = (name) => module.calls[name](probes.probed, probes.squares, probes.fourths);
+function figure(name) {
+  const pixels = clock.isPlaying ? Infinity : canvas.width * canvas.height;
+  return module.calls[name](probes.probed, probes.squares, probes.fourths, pixels);
+}
 
-/** Whether a resting picture has been probed enough. */
+/** Whether a resting picture has been probed enough: at the latest when each of its pixels was probed. */
 function isSettled() {
   const { probed, squares, isFinal } = probes;
-  const share = probed / (canvas.width * canvas.height);
-  return isFinal || (squares === 0 ? share > 1 : figure("margin") < MARGIN || share > 8);
+  return isFinal || probed >= canvas.width * canvas.height || (squares > 0 && figure("margin") < MARGIN);
 }
 
 function tellAccuracy() {

@@ -21,7 +21,7 @@ fn default_is_the_show_with_its_error_in_the_title() {
     view.assert_shows("the picture", |shot| shot == picture);
     let title = wait_for("the error", || {
         let title = view.title();
-        title.ends_with(" dB").then_some(title)
+        title.ends_with(" ± 0.0 dB").then_some(title)
     });
     let start = "Eightfold: default, picture at 20.00 s, paused; ";
     assert!(title.starts_with(start), "{title}");
@@ -74,6 +74,12 @@ fn keys_select_quality_overlay_and_time() {
     view.press("space", " s; ");
     wait_for("time to go on", || {
         (!view.title().contains("0.00 s")).then_some(())
+    });
+    view.press("9", "fastest");
+    wait_for("an estimate with its interval", || {
+        let title = view.title();
+        let (_, margin) = title.strip_suffix(" dB")?.split_once(" ± ")?;
+        (margin != "0.0").then_some(())
     });
     view.press("space", " s, paused; ");
     assert!(view.shot() != first);
