@@ -22,7 +22,7 @@ pub(crate) const NONE: c_uint = 0xff_ffff;
 /// Something that was done at the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Input {
-    /// A key was pressed. One that is held comes again and again.
+    /// A key was pressed. [`Press::Left`] and [`Press::Right`] come again and again while they are held.
     Key(Press),
     /// Something was done with the mouse.
     Mouse(Mouse),
@@ -79,6 +79,11 @@ pub enum Press {
 }
 
 impl Press {
+    /// Whether it comes again while it is held.
+    pub(crate) fn repeats(self) -> bool {
+        matches!(self, Press::Left | Press::Right)
+    }
+
     /// The key with this number.
     pub(crate) fn of(key: c_uint) -> Option<Press> {
         Some(match key {

@@ -103,6 +103,12 @@ fn h_shows_numbers_over_the_picture_and_hides_them() {
         server.xdotool("key h");
         wait_for("no numbers", || (!is_written()).then_some(()));
     }
+    // One that is held repeats 25 times a second. It counts once.
+    for seconds in ["1.2", "1.1"] {
+        server.xdotool(&format!("keydown h sleep {seconds} keyup h"));
+        sleep(Duration::from_millis(300));
+        assert_eq!(is_written(), seconds == "1.2");
+    }
     end_by_escape(&server, intro);
 }
 

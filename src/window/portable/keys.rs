@@ -4,17 +4,23 @@ use std::{cell::RefCell, ffi::c_uint, mem::take, rc::Rc};
 
 use minifb::{InputCallback, Key};
 
-use crate::input;
+use crate::input::{self, Press};
 
 /// The keys that were pressed since the last call of [`Keys::take`]. The window and `minifb` share them: a key that is pressed and
 /// released between two frames counts.
 #[derive(Clone, Default)]
-pub struct Keys(Rc<RefCell<Vec<c_uint>>>);
+pub struct Keys(Rc<RefCell<State>>);
+
+#[derive(Default)]
+struct State {
+    pressed: Vec<c_uint>,
+    held: Vec<Key>,
+}
 
 impl Keys {
     /// Returns the numbers of the keys, in order.
     pub fn take(&self) -> Vec<c_uint> {
-        take(&mut self.0.borrow_mut())
+        take(&mut self.0.borrow_mut().pressed)
     }
 }
 
@@ -22,8 +28,18 @@ impl InputCallback for Keys {
     fn add_char(&mut self, _: u32) {}
 
     fn set_key_state(&mut self, key: Key, is_down: bool) {
-        if is_down {
-            self.0.borrow_mut().push(number(key));
+        let State { pressed, held } = &mut *self.0.borrow_mut();
+        if !is_down {
+            held.retain(|&other| other != key);
+            return;
+        }
+        let number = number(key);
+        let is_held = held.contains(&key);
+        if !is_held {
+            held.push(key);
+        }
+        if !is_held || Press::of(number).is_some_and(Press::repeats) {
+            pressed.push(number);
         }
     }
 }

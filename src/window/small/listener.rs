@@ -11,7 +11,7 @@ use crate::input::{Action, Button, Input, Mouse, Press};
 ///
 /// The window calls it by a pointer that only [`Listener::start`] has: a program that never listens has no code for it.
 pub struct Listener {
-    note: fn(&mut Vec<Input>, Xlib, &xlib::XEvent),
+    note: fn(&mut Vec<Input>, Xlib, &xlib::XEvent, bool),
     inputs: Vec<Input>,
 }
 
@@ -20,6 +20,7 @@ impl Listener {
     pub fn start(top: &Toplevel) -> &'static mut Listener {
         let events = xlib::StructureNotifyMask
             | xlib::KeyPressMask
+            | xlib::KeyReleaseMask
             | xlib::ButtonPressMask
             | xlib::ButtonReleaseMask
             | xlib::PointerMotionMask;
@@ -31,9 +32,9 @@ impl Listener {
         }))
     }
 
-    /// Hears of an event.
-    pub fn hear(&mut self, x: Xlib, event: &xlib::XEvent) {
-        (self.note)(&mut self.inputs, x, event);
+    /// Hears of an event, and whether it repeats a key that is held.
+    pub fn hear(&mut self, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
+        (self.note)(&mut self.inputs, x, event, is_repeated);
     }
 
     /// Takes the input since the last call.
@@ -42,14 +43,14 @@ impl Listener {
     }
 }
 
-fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent) {
+fn note(inputs: &mut Vec<Input>, x: Xlib, event: &xlib::XEvent, is_repeated: bool) {
     // SAFETY: which part of an event is there is told by its type; those of the mouse have the fields of a key's.
     let (kind, event) = unsafe { (event.type_, &event.key) };
     let action = match kind {
         xlib::KeyPress => {
-            if let Some(press) = Press::of(x11::typed(x, event)) {
-                inputs.push(Input::Key(press));
-            }
+            let press = Press::of(x11::typed(x, event));
+            let press = press.filter(|press| !is_repeated || press.repeats());
+            inputs.extend(press.map(Input::Key));
             return;
         }
         xlib::ButtonPress => match (event.keycode, button(event.keycode)) {

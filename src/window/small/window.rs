@@ -1,7 +1,7 @@
 //! The intro's own window on an X display: no more than it takes, and frames in memory that the server shares.
 
 use core::{
-    ffi::{CStr, c_int},
+    ffi::{CStr, c_int, c_uint},
     mem::zeroed,
 };
 
@@ -29,6 +29,8 @@ pub struct Window {
     delete: xlib::Atom,
     size: (usize, usize),
     frames: Frames,
+    /// The key that was let go last, and when.
+    released: (c_uint, xlib::Time),
     /// The listener that takes note of other keys and the mouse, once somebody listens.
     listener: Option<&'static mut Listener>,
 }
@@ -64,6 +66,7 @@ impl Window {
             top,
             size: (width, height),
             frames,
+            released: (0, 0),
             listener: None,
         };
         // Name it, and ask for its events.
@@ -76,7 +79,7 @@ impl Window {
         } = window.top;
         // SAFETY: the window exists, and what is pointed to outlives the call.
         unsafe {
-            let events = xlib::StructureNotifyMask | xlib::KeyPressMask;
+            let events = xlib::StructureNotifyMask | xlib::KeyPressMask | xlib::KeyReleaseMask;
             (x.XSelectInput)(display, id, events);
             (x.XSetWMProtocols)(display, id, &mut window.delete, 1);
         }
@@ -154,15 +157,19 @@ impl Screen for Window {
             let mut event: xlib::XEvent = zeroed();
             while (x.XPending)(display) > 0 {
                 (x.XNextEvent)(display, &mut event);
+                // A key that is held is let go and pressed at the same time, again and again.
+                let key = (event.key.keycode, event.key.time);
+                let is_repeated = self.released == key;
                 if let Some(listener) = &mut self.listener {
-                    listener.hear(x, &event);
+                    listener.hear(x, &event, is_repeated);
                 }
                 match event.type_ {
+                    xlib::KeyRelease => self.released = key,
                     xlib::KeyPress => match keys::pressed(x, &event.key) {
                         input::ESCAPE => return Next::End(0),
                         keys::F => fullscreen = Some(true),
                         keys::W => fullscreen = Some(false),
-                        input::H => next = next.toggled(),
+                        input::H if !is_repeated => next = next.toggled(),
                         _ => {}
                     },
                     xlib::ConfigureNotify => {

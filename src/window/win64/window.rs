@@ -55,6 +55,8 @@ const FRAME_CHANGED: u32 = 0x20;
 const SHOW: u32 = 0x40;
 
 const KEY_DOWN: u32 = 0x100;
+/// The key was down before, as it is held.
+const REPEATED: isize = 1 << 30;
 const CONTROL_KEY: i32 = 0x11;
 const ESCAPE_KEY: usize = 0x1b;
 // Letters have the numbers of capital ones, with Shift or without.
@@ -122,7 +124,8 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
         let mut message = zeroed();
         while GetMessageA(&mut message, none, 0, 0) > 0 {
             // With Ctrl they are no keys of the intro's; with Alt they come as other messages.
-            if message.message == KEY_DOWN && GetKeyState(CONTROL_KEY) >= 0 {
+            let is_new = message.message == KEY_DOWN && message.second & REPEATED == 0;
+            if is_new && GetKeyState(CONTROL_KEY) >= 0 {
                 match message.first {
                     F_KEY => cover.set(true),
                     W_KEY => cover.set(false),
