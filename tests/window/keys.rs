@@ -113,6 +113,23 @@ fn h_shows_numbers_over_the_picture_and_hides_them() {
 }
 
 #[test]
+fn nobody_at_the_keyboard_leaves_the_screen_on() {
+    needs!(DISPLAY, &["xprintidle"]);
+    let server = on_screen(Server::start);
+    let idle = || -> u64 {
+        let (_, text) = run(&mut server.tool("xprintidle"));
+        text.trim().parse().expect("milliseconds")
+    };
+    sleep(Duration::from_millis(1500));
+    assert!(idle() > 1000);
+    let intro = server.play("--fullscreen --size 64x48 --seconds 60");
+    sleep(Duration::from_millis(1500));
+    let time = idle();
+    assert!(time < 500, "{time} ms");
+    drop(intro);
+}
+
+#[test]
 fn it_can_start_over_the_whole_screen() {
     needs!(DISPLAY);
     for (manager, server) in servers() {

@@ -151,6 +151,11 @@ impl Screen for Window {
         self.frames.show(&self.top, self.size);
         let (mut fullscreen, mut next) = (None, Next::GoOn);
         let Toplevel { x, display, .. } = self.top;
+        if self.listener.is_none() {
+            // Whoever watches a show touches no key.
+            // SAFETY: the display is open.
+            unsafe { (x.XResetScreenSaver)(display) };
+        }
         // SAFETY: zero is a value of every field of an event, and which of its parts is there is told by its type.
         unsafe {
             // Read all events that have come.

@@ -58,6 +58,7 @@ functions! {
     fn QueryPerformanceCounter(count: *mut u64) -> i32;
     fn QueryPerformanceFrequency(rate: *mut u64) -> i32;
     fn SetStdHandle(stream: i32, file: Handle) -> i32;
+    fn SetThreadExecutionState(flags: u32) -> u32;
     fn Sleep(milliseconds: u32);
     fn WaitForSingleObject(thing: Handle, milliseconds: u32) -> u32;
     fn WriteConsoleW(file: Handle, text: *const u16, length: u32, written: *mut u32, unused: Handle) -> i32;

@@ -15,8 +15,8 @@ use super::{
         CreateCursor, CreateWindowExA, DispatchMessageA, GetClientRect, GetCurrentThreadId, GetDC,
         GetKeyState, GetMessageA, GetMonitorInfoA, GetWindowLongPtrA, GetWindowPlacement,
         LoadCursorA, MonitorFromWindow, PeekMessageA, PostMessageA, PostThreadMessageA,
-        RegisterClassA, SetClassLongPtrA, SetProcessDpiAwarenessContext, SetWindowLongPtrA,
-        SetWindowPlacement, SetWindowPos, StretchDIBits, default_procedure,
+        RegisterClassA, SetClassLongPtrA, SetProcessDpiAwarenessContext, SetThreadExecutionState,
+        SetWindowLongPtrA, SetWindowPlacement, SetWindowPos, StretchDIBits, default_procedure,
     },
     memory::pixels,
     threads::{spawn, wait, wake},
@@ -64,6 +64,9 @@ const F_KEY: usize = b'F' as usize;
 const H_KEY: usize = b'H' as usize;
 const W_KEY: usize = b'W' as usize;
 
+/// As long as the thread lives: the system and the display are needed.
+const SCREEN_ON: u32 = 0x8000_0003;
+
 /// Takes a message out of the queue.
 const REMOVE: u32 = 1;
 
@@ -106,6 +109,7 @@ extern "C" fn window_main(opening: *mut c_void) -> *mut c_void {
     let style = FRAME as u32;
     // SAFETY: what is pointed to outlives the calls; zero is a value of every field of a message.
     unsafe {
+        SetThreadExecutionState(SCREEN_ON);
         let window = CreateWindowExA(
             0, class, title, style, ANYWHERE, 0, width, height, none, none, none, none,
         );

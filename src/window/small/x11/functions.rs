@@ -31,6 +31,7 @@ loaded! {
     fn XOpenDisplay(*const c_char) -> *mut Display;
     fn XPending(*mut Display) -> c_int;
     fn XPutImage(*mut Display, Drawable, GC, *mut XImage, c_int, c_int, c_int, c_int, c_uint, c_uint) -> c_int;
+    fn XResetScreenSaver(*mut Display) -> c_int;
     fn XSelectInput(*mut Display, Window, c_long) -> c_int;
     fn XSendEvent(*mut Display, Window, Bool, c_long, *mut XEvent) -> Status;
     fn XSetErrorHandler(unsafe extern "C" fn(*mut Display, *mut XErrorEvent) -> c_int) -> *mut c_void;
