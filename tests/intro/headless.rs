@@ -1,9 +1,12 @@
 //! Without a display and without a terminal the intro plays, says so, and ends with the right exit code.
 
 use eightfold::sound::Synthesizer;
-use eightfold_stage::{DISPLAY, Process, Server, headless, intro, needs, qualities, run, texts};
+use eightfold_stage::{
+    DISPLAY, Process, Server, headless, intro, needs, qualities, run, texts, tool, wait_for,
+};
 use std::{
     fs,
+    net::TcpListener,
     path::Path,
     process::Command,
     thread::sleep,
@@ -45,6 +48,43 @@ fn soundtrack_is_played() {
     let samples = samples.as_flattened().iter();
     let bytes: Vec<u8> = samples.flat_map(|channel| channel.to_le_bytes()).collect();
     assert!(heard[..bytes.len()] == bytes, "other bits");
+}
+
+#[test]
+fn silent_display_is_given_up_after_some_seconds() {
+    // It accepts and never answers. The port of display 0 is 6000.
+    let mut displays = 500..600_u16;
+    let bound = displays.find_map(|display| {
+        let listener = TcpListener::bind(("127.0.0.1", 6000 + display)).ok()?;
+        Some((listener, display))
+    });
+    let (_listener, display) = bound.expect("a port is free");
+    let mut intro = headless("--seconds 0.1 --size 64x48");
+    let intro = intro.env("DISPLAY", format!("127.0.0.1:{display}"));
+    let (time, code, _, errors) = Process::start(intro).end();
+    let silent = "eightfold: X display does not answer; playing without a screen\n";
+    assert_eq!((code, &*errors), (Some(0), silent));
+    assert!(time < Duration::from_secs(8), "{time:?}");
+}
+
+#[test]
+fn missing_linker_or_descriptors_are_told_in_one_line() {
+    let told = "eightfold: the system loads no dynamic linker for it\n";
+    let folder = tempfile::tempdir().unwrap();
+    let copied = Command::new("install")
+        .arg(intro())
+        .arg(folder.path())
+        .status();
+    assert!(copied.unwrap().success());
+    let mut alone = Command::new("chroot");
+    let (output, _) = run(alone.arg(folder.path()).arg("/eightfold"));
+    let errors = texts(&output).1;
+    // Users other than root have no chroot.
+    if !errors.starts_with("chroot: cannot change root") {
+        assert_eq!((output.status.code(), &*errors), (Some(1), told));
+    }
+    let few = shell("ulimit -n 3; exec INTRO --version");
+    assert_eq!(few, (Some(1), told.to_owned()));
 }
 
 #[test]

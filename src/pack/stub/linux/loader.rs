@@ -88,8 +88,10 @@ impl Loaded {
         unsafe {
             // Read the headers of the dynamic linker.
             let file = call(OPEN, [self.interpreter, 0]);
-            // An error is met below: nothing can be read then, and no header found.
-            call(READ, [file, memory, PAGE]);
+            // Nothing can be read where it was not opened.
+            if is_error(call(READ, [file, memory, PAGE])) {
+                return None;
+            }
             let header = &*(memory as *const FileHeader);
             let loads = header.headers().iter().filter(|header| header.kind == LOAD);
             // Reserve memory for all of its segments.

@@ -149,7 +149,7 @@ unsafe extern "C" fn start(stack: *mut usize) -> usize {
         }
         execute(file.addr(), program_length, stack);
     }
-    let line = "eightfold: the system does not let it start\n";
+    let line = "eightfold: the system loads no dynamic linker for it\n";
     fail(line.as_ptr(), line.len());
 }
 

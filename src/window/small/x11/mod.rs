@@ -7,9 +7,9 @@ mod functions;
 pub mod keys;
 
 use core::{
-    ffi::{CStr, c_int, c_uint},
-    mem::zeroed,
-    ptr::{null, null_mut},
+    ffi::{CStr, c_int, c_uint, c_void},
+    mem::{transmute, zeroed},
+    ptr::null_mut,
 };
 
 use x11_dl::xlib;
@@ -20,15 +20,24 @@ pub use fullscreen::Place;
 pub use functions::Xlib;
 pub use keys::typed;
 
+use super::threads::spawn;
+
+/// Seconds after which a display is given up that does not answer.
+const PATIENCE: i64 = 5;
+
 /// Opens the display that the environment names, or says why not.
 pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     errors::heed(x);
-    // SAFETY: no name stands for the environment's.
-    let display = unsafe { (x.XOpenDisplay)(null()) };
-    if display.is_null() {
-        return Err("no X display");
+    // SAFETY: a thread's function takes a pointer and returns one, as this does. No name stands for the environment's.
+    let opened = unsafe {
+        let open = transmute::<*const c_void, extern "C" fn(_) -> _>(x.XOpenDisplay as _);
+        spawn(open, null_mut())
+    };
+    match opened.and_then(|thread| thread.within(PATIENCE)) {
+        Some(display) if !display.is_null() => Ok(display.cast()),
+        Some(_) => Err("no X display"),
+        None => Err("X display does not answer"),
     }
-    Ok(display)
 }
 
 /// Makes Xlib's record of a picture for a display, without pixels yet; it belongs to nobody else.
