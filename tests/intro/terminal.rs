@@ -2,6 +2,7 @@
 
 use eightfold_stage::{intro, needs, run, tool, try_for, wait_for};
 use std::{
+    collections::BTreeSet,
     env, fs,
     path::PathBuf,
     process,
@@ -22,6 +23,11 @@ impl Terminal {
     /// Starts the intro with options in a terminal of the given size, and waits until it shows a picture. After its end the terminal
     /// shows whether its mode was restored, and the exit code.
     fn play(columns: usize, rows: usize, options: &str) -> Terminal {
+        Terminal::run(columns, rows, &format!("{} {options}", intro().display()))
+    }
+
+    /// Like [`Terminal::play`], by a command.
+    fn run(columns: usize, rows: usize, command: &str) -> Terminal {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let name = format!(
             "eightfold-{}-{}",
@@ -34,9 +40,8 @@ impl Terminal {
             reader: String::new(),
         };
         let script = format!(
-            "unset DISPLAY; export ALSA_CONFIG_PATH=/dev/null; stty sane; before=$(stty -g); {} {options}; code=$?; \
-             [ \"$before\" = \"$(stty -g)\" ] && echo mode restored; echo code $code; sleep 60",
-            intro().display()
+            "unset DISPLAY COLORTERM; export ALSA_CONFIG_PATH=/dev/null; stty sane; before=$(stty -g); {command}; code=$?; \
+             [ \"$before\" = \"$(stty -g)\" ] && echo mode restored; echo code $code; sleep 60"
         );
         let (x, y) = (columns.to_string(), rows.to_string());
         let size = ["-x", &x, "-y", &y];
@@ -155,6 +160,27 @@ fn terminal_of_any_size_shows_moving_pictures() {
     }
     terminal.tmux(&["send-keys", "Escape"]);
     terminal.wait_for_end(0);
+}
+
+/// Colours of 24 bits are noise to it.
+#[test]
+fn gnu_screen_gets_256_colours() {
+    needs!(&["tmux", "pkill", "screen"]);
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("rc"), "startup_message off\n").expect("it is written");
+    let (folder, intro) = (folder.path().display(), intro());
+    let command = format!(
+        "mkdir -m 700 {folder}/own; TERM=screen-256color SCREENDIR={folder}/own screen -U -c {folder}/rc {}",
+        intro.display()
+    );
+    let terminal = Terminal::run(60, 20, &command);
+    let text = terminal.text();
+    let codes: BTreeSet<&str> = text.split("\x1b[38;5;").skip(1).collect();
+    assert!(codes.len() > 5 && !text.contains("38;2;"), "{text:?}");
+    terminal.tmux(&["send-keys", "Escape"]);
+    wait_for("the end", || {
+        terminal.text().contains("code 0").then_some(())
+    });
 }
 
 #[test]

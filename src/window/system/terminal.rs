@@ -1,4 +1,4 @@
-//! The terminal as a screen: two pixels in each cell, above each other, in 24-bit colour.
+//! The terminal as a screen: two pixels in each cell, above each other, in 24-bit colour, or in 256 colours by GNU screen.
 
 use core::{
     cell::UnsafeCell,
@@ -21,9 +21,9 @@ use crate::{
 /// The upper half of a cell in the foreground's colour; the lower half shows the background's.
 const UPPER_HALF: &str = "\u{2580}";
 
-/// The code that a foreground colour of 24 bits begins with.
+/// The code that a foreground colour begins with.
 const FOREGROUND: &str = "38";
-/// The code that a background colour of 24 bits begins with.
+/// The code that a background colour begins with.
 const BACKGROUND: &str = "48";
 
 /// Resets the colours and clears the screen.
@@ -83,6 +83,17 @@ pub struct Terminal {
     pixels: &'static mut [u32],
     size: (usize, usize),
     shown: (usize, usize),
+    /// Whether it has 256 colours only.
+    is_coarse: bool,
+}
+
+/// A variable of the environment.
+fn variable(name: &CStr) -> Option<&'static CStr> {
+    // SAFETY: nobody changes the environment; what is there is a string.
+    unsafe {
+        let value = libc::getenv(name.as_ptr());
+        (!value.is_null()).then(|| CStr::from_ptr(value))
+    }
 }
 
 impl Terminal {
@@ -90,12 +101,7 @@ impl Terminal {
     /// and no places is none.
     #[must_use]
     pub fn is_there() -> bool {
-        // SAFETY: nobody changes the environment; what is there is a string.
-        let is_dumb = unsafe {
-            let name = libc::getenv(c"TERM".as_ptr());
-            !name.is_null() && CStr::from_ptr(name) == c"dumb"
-        };
-        line::terminal(line::OUTPUT) && !is_dumb
+        line::terminal(line::OUTPUT) && variable(c"TERM") != Some(c"dumb")
     }
 
     /// Takes over the terminal on standard output, if there is one.
@@ -109,6 +115,8 @@ impl Terminal {
             pixels: pixels(),
             size: (0, 0),
             shown: (0, 0),
+            // GNU screen, unless it says otherwise, takes the parts of a colour of 24 bits for commands.
+            is_coarse: variable(c"STY").is_some() && variable(c"COLORTERM").is_none(),
         };
         SAVED.take_over();
         Some(terminal)
@@ -129,24 +137,42 @@ impl Terminal {
             for x in 0..width {
                 let upper = self.pixels[2 * row * width + x];
                 let lower = self.pixels[(2 * row + 1) * width + x];
-                set_colour(&mut text, FOREGROUND, &mut foreground, upper)?;
-                set_colour(&mut text, BACKGROUND, &mut background, lower)?;
+                self.set_colour(&mut text, FOREGROUND, &mut foreground, upper)?;
+                self.set_colour(&mut text, BACKGROUND, &mut background, lower)?;
                 text.write_str(UPPER_HALF)?;
             }
         }
         text.flush()
     }
+
+    /// Sets a colour of the cells that follow, unless it is set already.
+    fn set_colour(
+        &self,
+        text: &mut Writer,
+        which: &str,
+        set: &mut u32,
+        colour: u32,
+    ) -> fmt::Result {
+        if *set == colour {
+            return Ok(());
+        }
+        *set = colour;
+        let which = Text(which);
+        if self.is_coarse {
+            return write!(text, "\x1b[{which};5;{}m", Decimal(coarse(colour)));
+        }
+        let [_, red, green, blue] = colour.to_be_bytes().map(|channel| Decimal(channel.into()));
+        write!(text, "\x1b[{which};2;{red};{green};{blue}m")
+    }
 }
 
-/// Sets a colour of the cells that follow, unless it is set already.
-fn set_colour(text: &mut Writer, which: &str, set: &mut u32, colour: u32) -> fmt::Result {
-    if *set == colour {
-        return Ok(());
-    }
-    *set = colour;
-    let [_, red, green, blue] = colour.to_be_bytes().map(|channel| Decimal(channel.into()));
-    let which = Text(which);
-    write!(text, "\x1b[{which};2;{red};{green};{blue}m")
+/// Returns the number of the nearest of 256 colours: those from 16 on have six steps of each channel.
+fn coarse(colour: u32) -> u64 {
+    let [_, channels @ ..] = colour.to_be_bytes();
+    // The steps are 0, 95, 135, 175, 215 and 255.
+    channels.iter().fold(0, |sum, channel| {
+        6 * sum + u64::from(channel.saturating_sub(15) / 45)
+    }) + 16
 }
 
 impl Screen for Terminal {
@@ -218,14 +244,23 @@ impl Keys {
     fn ends(&mut self, typed: &[u8]) -> bool {
         const ESCAPE: u8 = 0x1b;
         const CONTROL_C: u8 = 0x03;
+        // Esc and Ctrl-C where Kitty and xterm write keys with modifiers as numbers.
+        const ESCAPE_U: u64 = u64::from_be_bytes(*b"\x1b[27u\0\0\0");
+        const CONTROL_C_U: u64 = u64::from_be_bytes(*b"\x1b[99;5u\0");
+        const CONTROL_C_TILDE: u64 = u64::from_be_bytes(*b"27;5;99~");
         let was_open = core::mem::replace(&mut self.open, typed.last() == Some(&ESCAPE));
-        let is_escape = was_open && !matches!(typed.first(), Some(b'[' | b'O'));
-        let mut before = 0;
+        let mut is_end = was_open && !matches!(typed.first(), Some(b'[' | b'O'));
+        // The last eight bytes.
+        let mut last = 0;
         for &byte in typed {
-            self.toggles ^= byte == b'h' && before != ESCAPE;
-            before = byte;
+            self.toggles ^= byte == b'h' && last as u8 != ESCAPE;
+            last = last << 8 | u64::from(byte);
+            is_end |= byte == CONTROL_C
+                || last << 24 == ESCAPE_U
+                || last << 8 == CONTROL_C_U
+                || last == CONTROL_C_TILDE;
         }
-        is_escape || typed.contains(&CONTROL_C)
+        is_end
     }
 }
 
@@ -389,6 +424,11 @@ mod tests {
         assert!(ends(&[b"\x1b", b"x"]), "Esc, and a letter later");
         assert!(!ends(&[b"\x1bx", b""]), "Alt and a letter");
         assert!(ends(&[b"ab\x03"]), "Ctrl-C");
+        for sequence in ["27u", "99;5u", "27;5;99~"] {
+            let typed = ["x\x1b[A\x1b[", sequence, "y"].concat();
+            assert!(ends(&[typed.as_bytes()]), "{sequence}");
+        }
+        assert!(!ends(&[b"\x1b[99u\x1b[27;5;98~\x1b[27~", b""]), "others");
         assert!(ends(&[b"\x1b[A\x1b", b""]), "an arrow, and Esc");
         assert!(!ends(&[b"", b"fw", b""]), "letters");
         assert!(
