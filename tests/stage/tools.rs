@@ -11,7 +11,7 @@ use std::{
     thread,
 };
 
-/// The tools with their Debian packages, one per line. A tool is a command, or a shared library if its name contains `.so.`.
+/// The tools with their Debian packages, one per line. A tool is a command, or a shared library if its name contains `.so`.
 const PACKAGES: &str = include_str!("tools.txt");
 
 /// The tools for tests on a display: an X server, a window manager, and programs that press keys and inspect windows.
@@ -86,7 +86,7 @@ fn package(tool: &str) -> &'static str {
 }
 
 fn is_there(tool: &str) -> bool {
-    let folders: Vec<PathBuf> = if tool.contains(".so.") {
+    let folders: Vec<PathBuf> = if tool.contains(".so") {
         LIBRARIES.iter().map(PathBuf::from).collect()
     } else {
         let path = env::var_os("PATH").unwrap_or_default();

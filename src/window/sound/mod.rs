@@ -1,6 +1,6 @@
 //! Sound, and the time by which it is heard.
 //!
-//! A thread makes samples and gives them to the device, which wants them 40 ms before they are heard; a frame that takes long
+//! A thread makes samples and gives them to the device, which wants them 400 ms before they are heard; a frame that takes long
 //! does not keep it from that. Whoever draws the picture asks for the [time](Player::time) that is heard.
 
 #[cfg_attr(feature = "windows", path = "waveout.rs")]
@@ -29,16 +29,17 @@ use crate::{
 /// Samples in a second, for each side.
 pub const RATE: u32 = 48_000;
 
-/// Microseconds that the device wants samples ahead: long enough for a thread that is woken up late.
-const LATENCY: u32 = 40_000;
+/// Microseconds that the device wants samples ahead: long enough for a thread that is woken up late. With less than 320 ms PulseAudio
+/// plays holes, as its devices take more at once, and tells nobody: 4 s take 6.
+const LATENCY: u32 = 400_000;
 
 /// Nanoseconds until the next sample has to be made, in the long run. Half a percent less than it lasts, for a device may
 /// be fast; one that plays nothing would take samples as fast as they come.
 const PACE: u64 = SECOND * 199 / 200 / RATE as u64;
 
-/// Nanoseconds that blocks may come ahead of their pace: what the device wants, and twice that to catch up. Then it is time
+/// Nanoseconds that blocks may come ahead of their pace: what the device wants, and half of that to catch up. Then it is time
 /// to sleep until half of them are left: to wake up for each block alone takes four times as long as to make them.
-const SLACK: u64 = 3 * LATENCY as u64 * 1000;
+const SLACK: u64 = LATENCY as u64 * 1500;
 
 /// By what share of the time a device can be ahead of the clock: a thousandth, more than any quartz. One that plays nothing
 /// has heard at once all that it is given, which is no time to go by.

@@ -204,14 +204,14 @@ fn picture_is_with_the_sound_on_fast_and_slow_devices(library: &Path) {
 
 fn a_device_that_has_run_out_goes_on(library: &Path) {
     /// How late the writer is.
-    const LATE: u64 = 3 * SECOND / 10;
+    const LATE: u64 = 7 * SECOND / 10;
     let late = 30 * SECOND;
     let (times, played) = simulate(library, 20, ("SIMULATED_LATE", late), None);
     let gap = |pair: &[(u64, Vec<[f32; 2]>)]| pair[1].0 - pair[0].0;
     let pairs = played.windows(2);
     let holes: Vec<_> = pairs.filter(|pair| gap(pair) > SECOND / 500).collect();
     assert_eq!(holes.len(), 1, "silent once");
-    assert!(holes[0][0].0.abs_diff(late) < SECOND / 10);
+    assert!(holes[0][0].0.abs_diff(late) < SECOND / 2);
     assert!(gap(holes[0]) < LATE, "no longer than it was late");
     // The block that came too late is dropped.
     let missing = holes[0][1].1[0][0] - holes[0][0].1[0][0];

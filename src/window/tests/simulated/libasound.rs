@@ -20,15 +20,15 @@ use std::{
     sync::{Condvar, LazyLock, Mutex, MutexGuard},
 };
 
-/// Samples that the device has room for, 40 ms, and those it takes at once.
-const ROOM: u64 = 1920;
-const PERIOD: u64 = 480;
+/// Samples that the device has room for, 400 ms, and those it takes at once.
+const ROOM: u64 = 19_200;
+const PERIOD: u64 = 4800;
 
 /// Samples in the steps in which the device says how far it is: 5 ms.
 const STEP: u64 = 240;
 
-/// How late a writer comes that is late: 300 ms.
-const LATE: u64 = 300_000_000;
+/// How late a writer comes that is late: 700 ms.
+const LATE: u64 = 700_000_000;
 
 /// How long a program that is stopped stays so: 1.5 s.
 const STOP: u64 = 1_500_000_000;
@@ -166,7 +166,7 @@ extern "C" fn snd_pcm_set_params(
     _: c_int,
     latency: c_uint,
 ) -> c_int {
-    let known = (sides, rate, latency) == (2, 48_000, 40_000);
+    let known = (sides, rate, latency) == (2, 48_000, 400_000);
     if known { 0 } else { NO_DEVICE }
 }
 
