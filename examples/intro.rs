@@ -6,7 +6,7 @@ use eightfold_tracer::{Frame, Quality, Renderer, ScopedThreads};
 use eightfold_window::screen::{Next, Screen};
 use eightfold_window::sound::{Player, RATE, Source};
 use eightfold_window::{clock::SECOND, fixed::Fixed, window::Window};
-use std::error::Error;
+use std::{error::Error, process::ExitCode};
 
 const LENGTH: f32 = 10.0;
 const BEAT: f32 = 0.5;
@@ -50,7 +50,15 @@ fn scene(time: f32) -> Scene {
     scene
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> ExitCode {
+    let Err(error) = play() else {
+        return ExitCode::SUCCESS;
+    };
+    eprintln!("intro: {error}");
+    ExitCode::FAILURE
+}
+
+fn play() -> Result<(), Box<dyn Error>> {
     let mut window = Window::open(c"Ten seconds", 640, 360)?;
     let mut renderer = Renderer::detect();
     let mut threads = ScopedThreads::new();

@@ -122,6 +122,9 @@ fn assert_shows(program: &mut Command, name: &str) {
 fn intro_shows_a_picture_until_esc() {
     needs!(DISPLAY);
     assert_shows(&mut example("intro"), "Ten seconds");
+    let (output, _) = run(example("intro").env_remove("DISPLAY"));
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(texts(&output).1, "intro: no X display\n");
 }
 
 /// It is a crate of its own.
@@ -129,6 +132,11 @@ fn intro_shows_a_picture_until_esc() {
 #[ignore = "the libraries of minifb are compiled"]
 fn window_shows_a_picture_until_esc() {
     needs!(DISPLAY);
+    // What it leaves where it is built is no change of the repository.
+    let mut git = Command::new("git");
+    let git = git.current_dir(env!("CARGO_MANIFEST_DIR"));
+    let (ignored, _) = run(git.args(["check-ignore", "examples/window/target"]));
+    assert!(ignored.status.success(), "{ignored:?}");
     let target = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("window");
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args(["build", "--release", "--locked"]);

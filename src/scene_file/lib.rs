@@ -15,8 +15,9 @@ use std::collections::BTreeMap;
 /// The length of a scene without a `length`, in seconds.
 const LENGTH: f32 = 8.0 * std::f32::consts::PI;
 
-/// The most letters of a word in a message.
+/// The most letters of a word or a quoted text in a message, and of the message.
 const MAX_WORD: usize = 60;
+const MAX_MESSAGE: usize = 600;
 
 /// The mark that some editors put in front of a text. It takes no column.
 const BYTE_ORDER_MARK: char = '\u{feff}';
@@ -40,11 +41,8 @@ impl SceneFile {
     /// One line: the file, the line, the column, the value, and its range.
     pub fn parse(name: &str, text: &str) -> Result<Self, String> {
         let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
-        let mistake = |line, column, what: &str| {
-            let shortened = |word: &str| word.chars().take(MAX_WORD).collect();
-            let words: Vec<String> = what.split_whitespace().map(shortened).collect();
-            format!("{name}:{line}:{column}: {}", words.join(" "))
-        };
+        let mistake =
+            |line, column, what: &str| format!("{name}:{line}:{column}: {}", shortened(what));
         let tree = Node::read(text).map_err(|error| {
             let start = error.span.start;
             mistake(start.line, start.col, &error.code.to_string())
@@ -133,6 +131,30 @@ impl SceneFile {
         }
         Ok(tree)
     }
+}
+
+/// Returns a message in one line, with long words and long quoted texts cut.
+fn shortened(message: &str) -> String {
+    let line = message.split_whitespace().collect::<Vec<_>>().join(" ");
+    let parts = line.split('"').enumerate().map(|(i, part)| match i % 2 {
+        0 => part
+            .split(' ')
+            .map(|word| cut(word, MAX_WORD))
+            .collect::<Vec<_>>()
+            .join(" "),
+        _ => cut(part, MAX_WORD),
+    });
+    cut(&parts.collect::<Vec<_>>().join("\""), MAX_MESSAGE)
+}
+
+/// Cuts a text that has more than `most` letters, except for the signs at its end.
+fn cut(text: &str, most: usize) -> String {
+    let Some((end, _)) = text.char_indices().nth(most) else {
+        return text.to_owned();
+    };
+    let signs = text[end..].rsplit(char::is_alphanumeric).next();
+    let signs: String = signs.unwrap_or_default().chars().take(2).collect();
+    format!("{}...{signs}", &text[..end])
 }
 
 /// Turns the axes of a block by its `turn`: angles in radians about its own z axis first, then x, then y.

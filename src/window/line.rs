@@ -100,12 +100,13 @@ impl Display for Text<'_> {
     }
 }
 
-/// Bytes that somebody may have typed, shown so that they can't steer a terminal: `?` for each that is not printable ASCII.
+/// Bytes that somebody may have typed, shown so that they can't steer a terminal: `?` for each that is not printable ASCII, and 60 at
+/// most.
 pub struct Printable<'a>(pub &'a [u8]);
 
 impl Display for Printable<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        for &byte in self.0 {
+        for &byte in self.0.iter().take(60) {
             let is_printable = byte == b' ' || byte.is_ascii_graphic();
             f.write_char(if is_printable { byte.into() } else { '?' })?;
         }

@@ -328,7 +328,7 @@ impl Sphere {
     }
 }
 
-/// A horizontal rectangle, visible from above and from below.
+/// A horizontal rectangle, visible from above and from below. It casts a shadow, which no `tint` colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
@@ -386,13 +386,14 @@ pub struct Light {
     /// The colour times the brightness, 0 to 1e9 in each channel.
     pub colour: Vec3,
     /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`], or 0 for a light that is invisible. The
-    /// sphere casts no shadow.
+    /// sphere casts no shadow, and haze does not dim it.
     pub drawn_radius: f32,
     /// Whether its rays are nearly parallel, like the sun's: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and
     /// the light is not drawn.
     pub parallel: bool,
     /// The diameter of the light as far as shadows are concerned, 0 to [`MAX_LENGTH`]. Above 0 the shadows of spheres have
-    /// penumbrae, and a material's `tint` colours its shadow. 0 is a point, whose shadows are hard and black. The inside of a
+    /// penumbrae, and a material's `tint` colours its shadow: without `tint` no light passes through glass. 0 is a point, whose shadows are
+    /// hard and black. The inside of a
     /// sphere is lit by lights that lie wholly within; one that reaches through the surface leaves it dark.
     pub diameter: f32,
     /// The radius of the glow around it, 0 to [`MAX_LENGTH`]; 0 is none. The air shines with the light's colour, as bright as that

@@ -67,11 +67,13 @@ first | radius: 1.2, | | (centre: (0.0, 1.2 | missing field `radius`
 first | lights | light | [\n        (position | field is light, must be one of camera,
 first | lights | light | [\n        (position | copper_bars, length, materials, motions
 first | "mirror") | "miror") | "miror") | material is "miror", must be in materials
+first | "mirror") | "LONG LONG") | "LONG | material is "LONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONG...", must be in materials
+first | radius: 1.2 | radius: LONG | LONG | invalid type: LONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONG..., expected f32
 first | (0.35, 0.4, 0.5) | (0.35, 0.4) | (0.35, 0.4) | invalid length 2
 first | 12.0, half_z | twelve, half_z | twelve | invalid type: twelve, expected f32
 first | Scene( | Scene(length: 0.0, | 0.0, | length is 0, must be above 0, up to 3600
 first | radius: 1.0, m | radius: 1.0 m | material: "red" | Expected comma
-first | ambient | LONG | (0.12, 0.12, 0.14) | field is LONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONG must
+first | ambient | LONG | (0.12, 0.12, 0.14) | field is LONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONGLONG..., must be one of camera
 motion | spheres[0].centre | spheres[9].centre | (0.0, (0.0, 0.5 | motion is of "spheres[9].centre", must be of a value in the file
 motion | spheres[0].centre | spheres[0].radius | (0.0, (0.0, 0.5 | invalid type: sequence, expected f32
 motion | (3.0, (5.0 | (9.0, (5.0 | (6.0, (2.0 | time is 6, must be above 9
@@ -93,6 +95,7 @@ fn mistake_is_named_with_line_and_column() {
         let marked = format!("\u{feff}{text}");
         let error = SceneFile::parse("my.ron", &marked).expect_err(new);
         let at = text.find(&at.replace("\\n", "\n")).expect(at);
+        assert!(error.len() < 700, "{error}");
         let line = text[..at].rsplit('\n').next().expect("a line");
         let (line, column) = (
             text[..at].matches('\n').count() + 1,
