@@ -70,7 +70,7 @@ impl Tally {
     pub fn write(&self, frame: &mut Frame<'_>, points: u64) {
         let hud = [
             line(b" #### FPS $$$$$$$ POINTS", 0.04),
-            line(b"  %%.% \xb1 &&.& DB", 0.09),
+            line(b"  %%.% / &&.& DB", 0.09),
         ];
         // Nothing is told of an error before any is found.
         let lines = 1 + usize::from(self.recent.squares > 0);

@@ -119,6 +119,7 @@ impl Probes {
     }
 
     /// Returns the margin with a squared error added to the mean one, weighted by itself.
+    #[inline(never)]
     pub(crate) fn margin_with(&self, unseen: f32) -> f32 {
         let [n, squares, fourths] = [self.pixels, self.squares, self.fourths].map(|sum| sum as f32);
         // The squared standard error of the mean square, as a share of its square.

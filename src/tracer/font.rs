@@ -41,9 +41,11 @@ static CAPITALS: [&str; 26] = [
     "acmo", // Z
 ];
 
-/// The digits, written in the same way.
+/// A full stop, the sign ± in the place of a slash, and the digits, written in the same way.
 #[rustfmt::skip]
-static DIGITS: [&str; 10] = [
+static DIGITS: [&str; 12] = [
+    "kn", // .
+    "ek gi mo", // /
     "bdjnlfb", // 0
     "dbn", // 1
     "dbfmo", // 2
@@ -56,24 +58,24 @@ static DIGITS: [&str; 10] = [
     "nlfbdgi", // 9
 ];
 
-/// The sign ±, as in Latin-1.
-pub const PLUS_MINUS: u8 = 0xb1;
-
-/// The strokes of an ASCII capital or digit, a full stop or a [`PLUS_MINUS`], each with its two ends in grid units to the right of the letter's upper left and
+/// The strokes of an ASCII capital or digit, a full stop, or ± for a slash, each with its two ends in grid units to the right of the letter's upper left and
 /// below it. Other bytes have none.
 pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
-    let points = match letter {
-        b'.' => "kn",
-        PLUS_MINUS => "ek gi mo",
-        b'A'..=b'Z' => CAPITALS[usize::from(letter - b'A')],
-        b'0'..=b'9' => DIGITS[usize::from(letter - b'0')],
-        _ => "",
-    };
-    points
-        .as_bytes()
+    points(letter)
         .windows(2)
         .filter(|ends| !ends.contains(&b' '))
         .map(|ends| (position(ends[0]), position(ends[1])))
+}
+
+/// The points that a pen visits for a letter.
+#[inline(never)]
+fn points(letter: u8) -> &'static [u8] {
+    let points = match letter {
+        b'A'..=b'Z' => CAPITALS[usize::from(letter - b'A')],
+        b'.'..=b'9' => DIGITS[usize::from(letter - b'.')],
+        _ => "",
+    };
+    points.as_bytes()
 }
 
 /// The position of a point of the grid, in grid units.
@@ -84,7 +86,7 @@ fn position(point: u8) -> Vec2 {
 
 #[cfg(test)]
 mod tests {
-    use super::{PLUS_MINUS, strokes};
+    use super::strokes;
 
     #[test]
     fn every_letter_has_strokes_on_its_grid_and_nothing_else_has() {
@@ -95,9 +97,7 @@ mod tests {
                     assert!(is_on_grid(from) && is_on_grid(to) && from != to);
                 })
                 .count();
-            let is_letter = letter.is_ascii_uppercase()
-                || letter.is_ascii_digit()
-                || [b'.', PLUS_MINUS].contains(&letter);
+            let is_letter = letter.is_ascii_uppercase() || (b'.'..=b'9').contains(&letter);
             assert_eq!(count > 0, is_letter, "{letter}");
         }
     }

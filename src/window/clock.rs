@@ -1,5 +1,7 @@
 //! Time that only goes forward, in nanoseconds.
 
+use core::sync::atomic::{AtomicU64, Ordering::Acquire};
+
 use crate::backend::clock::{now, sleep_until};
 
 /// Nanoseconds in a second.
@@ -35,6 +37,18 @@ impl Clock {
 /// Sleeps for so many nanoseconds, or until a signal arrives.
 pub(crate) fn sleep(time: u64) {
     sleep_until(now() + time);
+}
+
+/// Waits while a number is `value`, for three seconds at most: as long as a device on the network takes to be opened. Returns the number.
+pub(crate) fn wait_while(number: &AtomicU64, value: u64) -> u64 {
+    let clock = Clock::start();
+    loop {
+        let found = number.load(Acquire);
+        if found != value || clock.time() > 3 * SECOND {
+            return found;
+        }
+        sleep(SECOND / 200);
+    }
 }
 
 #[cfg(test)]

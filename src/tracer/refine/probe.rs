@@ -42,11 +42,10 @@ impl Probing {
 fn shuffled(mut index: u32, count: u32) -> u32 {
     // Each step is one to one among the numbers below a power of two; numbers from `count` on are passed over.
     let mask = count.next_power_of_two() - 1;
-    let half = mask.count_ones().div_ceil(2);
     loop {
         for _ in 0..3 {
             index = index.wrapping_mul(GOLDEN).wrapping_add(GOLDEN) & mask;
-            index ^= index >> half;
+            index ^= index >> 7;
         }
         if index < count {
             return index;

@@ -10,8 +10,7 @@ use glam::Vec3;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Caption {
-    /// ASCII capitals, digits, full stops, and ± as in Latin-1 (0xb1). Any other byte is a space, except the signs of digits, each of one
-    /// number:
+    /// ASCII capitals, digits, full stops, and `/` for ±. Any other byte is a space, except the signs of digits, each of one number:
     ///
     /// | sign | in a scene | by [`Frame::write`](crate::Frame::write) |
     /// | --- | --- | --- |

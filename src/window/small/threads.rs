@@ -12,20 +12,6 @@ use crate::system;
 pub struct Thread(libc::pthread_t);
 
 impl Thread {
-    /// Returns what it ends with, or `None` if that takes longer than some whole seconds.
-    pub fn within(self, seconds: i64) -> Option<*mut c_void> {
-        let mut result = null_mut();
-        // SAFETY: it is joined once, and never detached. What is pointed to outlives the calls.
-        let failed = unsafe {
-            let end = libc::timespec {
-                tv_sec: libc::time(null_mut()) + seconds,
-                tv_nsec: 0,
-            };
-            libc::pthread_timedjoin_np(self.0, &mut result, &end)
-        };
-        (failed == 0).then_some(result)
-    }
-
     /// Waits until it has ended.
     pub fn join(self) {
         // SAFETY: it is joined once, and never detached.

@@ -1,7 +1,7 @@
 //! The intro's own window on an X display: no more than it takes, and frames in memory that the server shares.
 
 use core::{
-    ffi::{CStr, c_int, c_uint},
+    ffi::{CStr, c_int},
     mem::zeroed,
 };
 
@@ -29,8 +29,8 @@ pub struct Window {
     delete: xlib::Atom,
     size: (usize, usize),
     frames: Frames,
-    /// The key that was let go last, and when.
-    released: (c_uint, xlib::Time),
+    /// When a key was let go last.
+    released: xlib::Time,
     /// The listener that takes note of other keys and the mouse, once somebody listens.
     listener: Option<&'static mut Listener>,
 }
@@ -66,7 +66,7 @@ impl Window {
             top,
             size: (width, height),
             frames,
-            released: (0, 0),
+            released: 0,
             listener: None,
         };
         // Name it, and ask for its events.
@@ -163,13 +163,12 @@ impl Screen for Window {
             while (x.XPending)(display) > 0 {
                 (x.XNextEvent)(display, &mut event);
                 // A key that is held is let go and pressed at the same time, again and again.
-                let key = (event.key.keycode, event.key.time);
-                let is_repeated = self.released == key;
+                let is_repeated = self.released == event.key.time;
                 if let Some(listener) = &mut self.listener {
                     listener.hear(x, &event, is_repeated);
                 }
                 match event.type_ {
-                    xlib::KeyRelease => self.released = key,
+                    xlib::KeyRelease => self.released = event.key.time,
                     xlib::KeyPress => match keys::pressed(x, &event.key) {
                         input::ESCAPE => return Next::End(0),
                         keys::F => fullscreen = Some(true),

@@ -45,9 +45,6 @@ const SLACK: u64 = LATENCY as u64 * 1500;
 /// has heard at once all that it is given, which is no time to go by.
 const FASTEST: u64 = 1000;
 
-/// Nanoseconds that a device may take to be opened. One on the network or by radio takes a second or two.
-const LONGEST_OPENING: u64 = 3 * SECOND;
-
 /// A source of sound.
 pub trait Source: Send {
     /// Makes the next samples, some milliseconds at most: left and right, full scale 1.
@@ -154,13 +151,9 @@ fn say_silent(why: &str) {
 
 /// Waits until [`play`] has opened the device, or said why it can't, or has taken too long. Returns [`OPENED`].
 fn wait_for_device() -> u64 {
-    let clock = Clock::start();
-    while clock.time() <= LONGEST_OPENING {
-        clock::sleep(SECOND / 200);
-        let opened = OPENED.load(Relaxed);
-        if opened != OPENING {
-            return opened;
-        }
+    let opened = clock::wait_while(&OPENED, OPENING);
+    if opened != OPENING {
+        return opened;
     }
     let late = OPENED.compare_exchange(OPENING, SILENT, Relaxed, Relaxed);
     if late.is_ok() {

@@ -8,8 +8,9 @@ pub mod keys;
 
 use core::{
     ffi::{CStr, c_int, c_uint, c_void},
-    mem::{transmute, zeroed},
-    ptr::null_mut,
+    mem::zeroed,
+    ptr::{null, null_mut, with_exposed_provenance_mut},
+    sync::atomic::{AtomicU64, Ordering::Release},
 };
 
 use x11_dl::xlib;
@@ -21,22 +22,29 @@ pub use functions::Xlib;
 pub use keys::typed;
 
 use super::threads::spawn;
+use crate::clock;
 
-/// Seconds after which a display is given up that does not answer.
-const PATIENCE: i64 = 5;
+/// The address of the display, 0 if there is none, and [`ASKED`] before it answers.
+static DISPLAY: AtomicU64 = AtomicU64::new(ASKED);
+const ASKED: u64 = 1;
 
-/// Opens the display that the environment names, or says why not.
+/// Opens the display.
+extern "C" fn connect(_: *mut c_void) -> *mut c_void {
+    // SAFETY: `open` has loaded it. No name stands for the environment's.
+    let display = Xlib::load().map_or(null_mut(), |x| unsafe { (x.XOpenDisplay)(null()) });
+    DISPLAY.store(display.expose_provenance() as u64, Release);
+    null_mut()
+}
+
+/// Opens the display that the environment names, or says why not. A server may accept and never answer: so it is waited for.
 pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     errors::heed(x);
-    // SAFETY: a thread's function takes a pointer and returns one, as this does. No name stands for the environment's.
-    let opened = unsafe {
-        let open = transmute::<*const c_void, extern "C" fn(_) -> _>(x.XOpenDisplay as _);
-        spawn(open, null_mut())
-    };
-    match opened.and_then(|thread| thread.within(PATIENCE)) {
-        Some(display) if !display.is_null() => Ok(display.cast()),
-        Some(_) => Err("no X display"),
-        None => Err("X display does not answer"),
+    // SAFETY: the thread takes no pointer.
+    unsafe { spawn(connect, null_mut()) };
+    match clock::wait_while(&DISPLAY, ASKED) {
+        0 => Err("no X display"),
+        ASKED => Err("X display does not answer"),
+        display => Ok(with_exposed_provenance_mut(display as usize)),
     }
 }
 
