@@ -9,13 +9,14 @@ use eightfold_scenes::{Kinds, View, cases, lamps, materials_of};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Light, Spot};
 use glam::Vec3;
+use std::collections::BTreeSet;
 
 /// Pixels that are wrong, of those that count, in many pictures.
 #[derive(Debug, Default)]
 struct Wrong {
     counted: usize,
     wrong: usize,
-    /// The number of pixels of the largest patch of wrong pixels that are neighbours.
+    /// The number of pixels of the largest patch of wrong ones.
     patch: usize,
 }
 
@@ -27,13 +28,14 @@ impl Wrong {
         is_wrong: impl Fn(usize) -> bool,
     ) {
         let all = 0..view.width * view.height;
-        let counted: Vec<bool> = all.map(is_counted).collect();
-        let wrong = (0..counted.len()).map(|i| counted[i] && is_wrong(i));
-        let wrong: Vec<bool> = wrong.collect();
-        let count = |pixels: &[bool]| pixels.iter().filter(|&&is| is).count();
-        self.counted += count(&counted);
-        self.wrong += count(&wrong);
-        self.patch = self.patch.max(largest_patch(wrong, view.width));
+        let counted: Vec<usize> = all.filter(|&i| is_counted(i)).collect();
+        let wrong: Vec<usize> = counted.iter().copied().filter(|&i| is_wrong(i)).collect();
+        self.counted += counted.len();
+        self.wrong += wrong.len();
+        let sizes = patches(&wrong, view.width)
+            .into_iter()
+            .map(|patch| patch.len());
+        self.patch = sizes.fold(self.patch, usize::max);
     }
 
     fn share(&self) -> f64 {
@@ -53,29 +55,25 @@ impl Wrong {
     }
 }
 
-/// The number of pixels of the largest patch of wrong pixels that are neighbours.
-fn largest_patch(mut wrong: Vec<bool>, width: usize) -> usize {
-    let mut largest = 0;
-    for start in 0..wrong.len() {
-        let mut size = 0;
-        let mut waiting = vec![start];
-        while let Some(i) = waiting.pop() {
-            if !std::mem::take(&mut wrong[i]) {
-                continue;
+/// Pixels, given by ascending index, by patches of neighbours, corners included.
+pub fn patches(pixels: &[usize], width: usize) -> Vec<Vec<usize>> {
+    let mut rest: BTreeSet<usize> = pixels.iter().copied().collect();
+    let mut patches = Vec::new();
+    while let Some(first) = rest.pop_first() {
+        let mut patch = vec![first];
+        let mut next = 0;
+        while let Some(&pixel) = patch.get(next) {
+            let (x, y) = (pixel % width, pixel / width);
+            for y in y.saturating_sub(1)..=y + 1 {
+                for x in x.saturating_sub(1)..=(x + 1).min(width - 1) {
+                    patch.extend(rest.take(&(y * width + x)));
+                }
             }
-            size += 1;
-            let (x, y) = (i % width, i / width);
-            let sides = [
-                (x > 0).then(|| i - 1),
-                (x + 1 < width).then_some(i + 1),
-                (y > 0).then(|| i - width),
-                (i + width < wrong.len()).then_some(i + width),
-            ];
-            waiting.extend(sides.into_iter().flatten());
+            next += 1;
         }
-        largest = largest.max(size);
+        patches.push(patch);
     }
-    largest
+    patches
 }
 
 /// Draws a view by the best instruction set, without antialiasing.

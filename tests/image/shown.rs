@@ -5,7 +5,7 @@
 use crate::cpu::{self, Isa};
 use crate::drawn::{bare, draw, isa_of, jagged, named, of_side, of_the_show};
 use crate::error::worst_channel;
-use crate::missed::effects::patches;
+use crate::errors::patches;
 use eightfold::show;
 use eightfold_oracle::geometry::{PicturePlane, Ray, Shape};
 use eightfold_scenes::{

@@ -6,61 +6,42 @@ use crate::threaded_renderer::ThreadedRenderer;
 use eightfold_oracle::{Object, Oracle};
 use eightfold_tracer::Quality;
 use eightfold_tracer::glam::Vec3;
-use eightfold_tracer::scene::{Light, List, Material, Scene, Waves};
+use eightfold_tracer::scene::{List, Material, Scene, Waves};
 use eightfold_window::cpu;
 use rayon::prelude::*;
-use std::collections::{BTreeMap, BTreeSet};
-use std::ops::RangeInclusive;
+use std::collections::BTreeMap;
 
 /// The kind of effect by which a pixel shows a thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// The thing itself.
     Object,
-    /// The shadow of a sphere on a plane, where all lamps of the scene are points.
-    PointShadow,
-    /// The same where none is a sun or a spotlight, and some have a size.
-    SizedShadow,
-    /// The same where some lamp is a sun or a spotlight.
-    SunShadow,
-    /// The shadow of a box or a cylinder on a plane.
-    BlockShadow,
-    /// A shadow on a sphere, a box or a cylinder.
+    /// Its shadow on a plane.
+    PlaneShadow,
+    /// Its shadow on a sphere, a box or a cylinder.
     SolidShadow,
-    /// An image in the first plane, without waves.
+    /// Its image in the first plane, without waves.
     PlaneImage,
-    /// An image in another mirror, or in waves.
+    /// Its image in another mirror, in waves, or through glass.
     OtherImage,
-    /// The thing through glass.
-    Glass,
-    /// A highlight, in the eye's own sight.
-    Highlight,
-    /// A highlight, in a mirror or through glass.
-    MirroredHighlight,
 }
 
 impl Kind {
     /// All of them, as they stand in a table.
-    pub const ALL: [(Self, &'static str); 11] = [
+    pub const ALL: [(Self, &'static str); 5] = [
         (Self::Object, "objects"),
-        (Self::PointShadow, "shadows of spheres on planes, by points"),
-        (Self::SizedShadow, "... by lamps with a size"),
-        (Self::SunShadow, "... by suns and spotlights"),
-        (Self::BlockShadow, "shadows of blocks on planes"),
+        (Self::PlaneShadow, "shadows on planes"),
         (Self::SolidShadow, "shadows on spheres and blocks"),
         (Self::PlaneImage, "images in the first plane"),
-        (Self::OtherImage, "images in other mirrors, in waves"),
-        (Self::Glass, "through glass"),
-        (Self::Highlight, "highlights"),
-        (Self::MirroredHighlight, "... in mirrors"),
+        (
+            Self::OtherImage,
+            "images in other mirrors, in waves, through glass",
+        ),
     ];
 }
 
 /// The most pixels of what is small.
 const SMALL: usize = 16;
-
-/// The fewest and the most pixels of a small highlight, which is less sharp than other things.
-const SMALL_HIGHLIGHT: RangeInclusive<usize> = 5..=64;
 
 /// How many small effects there are, and how many of them a picture misses: none of their pixels is right.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -137,19 +118,6 @@ impl EffectCounter {
                 add(counts, kind, &pixels, &whole, &drawn);
             }
         }
-        for thing in shiny(scene) {
-            let matt = self.draw(&made_matt(scene, thing), Quality::EXHAUSTIVE);
-            let (own, mirrored): (Vec<usize>, Vec<usize>) = (0..whole.len())
-                .filter(|&i| differ(whole[i], matt[i]))
-                .partition(|&i| hosts[i] == thing);
-            for (kind, pixels) in [(Kind::Highlight, own), (Kind::MirroredHighlight, mirrored)] {
-                for patch in patches(&pixels, self.width) {
-                    if SMALL_HIGHLIGHT.contains(&patch.len()) {
-                        add(counts, kind, &patch, &whole, &drawn);
-                    }
-                }
-            }
-        }
     }
 }
 
@@ -162,27 +130,6 @@ fn add(counts: &mut Counts, kind: Kind, pixels: &[usize], whole: &[u32], drawn: 
     }
 }
 
-/// Pixels, given by ascending index, by patches of neighbours, corners included.
-pub fn patches(pixels: &[usize], width: usize) -> Vec<Vec<usize>> {
-    let mut rest: BTreeSet<usize> = pixels.iter().copied().collect();
-    let mut patches = Vec::new();
-    while let Some(first) = rest.pop_first() {
-        let mut patch = vec![first];
-        let mut next = 0;
-        while let Some(&pixel) = patch.get(next) {
-            let (x, y) = (pixel % width, pixel / width);
-            for y in y.saturating_sub(1)..=y + 1 {
-                for x in x.saturating_sub(1)..=(x + 1).min(width - 1) {
-                    patch.extend(rest.take(&(y * width + x)));
-                }
-            }
-            next += 1;
-        }
-        patches.push(patch);
-    }
-    patches
-}
-
 fn differ(a: u32, b: u32) -> bool {
     worst_channel(a, b) > MAX_ERROR
 }
@@ -191,26 +138,6 @@ fn differ(a: u32, b: u32) -> bool {
 fn things(scene: &Scene) -> impl Iterator<Item = Object> {
     let spheres = (0..scene.spheres.len()).map(Object::Sphere);
     spheres.chain((0..scene.blocks.len()).map(Object::Block))
-}
-
-/// The objects of a scene that have highlights.
-fn shiny(scene: &Scene) -> impl Iterator<Item = Object> {
-    let planes = (0..scene.planes.len()).map(Object::Plane);
-    things(scene)
-        .chain(planes)
-        .filter(|&thing| material(scene, thing).ks > 0.0)
-}
-
-/// The scene with an object that has no highlights.
-fn made_matt(scene: &Scene, thing: Object) -> Scene {
-    let mut scene = scene.clone();
-    match thing {
-        Object::Sphere(i) => scene.spheres[i].material.ks = 0.0,
-        Object::Block(i) => scene.blocks[i].material.ks = 0.0,
-        Object::Plane(i) => scene.planes[i].material.ks = 0.0,
-        Object::Light(_) | Object::Background => {}
-    }
-    scene
 }
 
 /// The scene without one of its things.
@@ -243,28 +170,10 @@ fn kind(scene: &Scene, thing: Object, host: Object, is_seen: bool) -> Kind {
     let is_image = is_seen && material(scene, host).is_specular();
     match host {
         _ if host == thing => Kind::Object,
-        _ if is_image && material(scene, host).kt > 0.0 => Kind::Glass,
         Object::Plane(0) if is_image && scene.water == Waves::CALM => Kind::PlaneImage,
         _ if is_image => Kind::OtherImage,
-        Object::Plane(_) => match thing {
-            Object::Block(_) => Kind::BlockShadow,
-            _ => shadow_by(&scene.lights),
-        },
+        Object::Plane(_) => Kind::PlaneShadow,
         _ => Kind::SolidShadow,
-    }
-}
-
-/// The kind of a sphere's shadow on a plane by lamps.
-fn shadow_by(lamps: &[Light]) -> Kind {
-    if lamps
-        .iter()
-        .any(|lamp| lamp.parallel || lamp.spot.is_some())
-    {
-        Kind::SunShadow
-    } else if lamps.iter().any(|lamp| lamp.diameter > 0.0) {
-        Kind::SizedShadow
-    } else {
-        Kind::PointShadow
     }
 }
 

@@ -22,8 +22,7 @@ use std::path::Path;
 /// Counts the small objects, shadows and images that a quality misses
 ///
 /// Prints a Markdown table. A sphere, box or cylinder is taken out of the scene, and the pixels of an exhaustive frame that change
-/// by more than 8/255 are what shows it, beside its own: its shadows, its images. What has 16 pixels of a kind at most is small, and a patch of 5 to 64 pixels that an object
-/// without highlights would change is a small highlight. What is small is
+/// by more than 8/255 are what shows it, beside its own: its shadows, its images. What has 16 pixels of a kind at most is small. It is
 /// missed if none of its pixels is right; `unguarded` is what the quality would miss without the guard. Without --scene it counts
 /// in random scenes, in the model scene and in the show.
 #[derive(Args)]
