@@ -399,19 +399,17 @@ fn widened(pixel: u32) -> u64 {
     colour(|number| u64::from(pixel >> (8 * number) & 0xff) * STEP as u64)
 }
 
-/// Mixes a pixel with the points beside it, along the axis whose points change more of it, and forgets its changes.
+/// Mixes a pixel with the points beside it, along the axis whose points change a channel of it more, and forgets its changes.
 #[inline(never)]
 pub(super) fn mix_pixel(drawn: &mut u32, pixel: usize, worker: &mut Worker) {
-    let axes = [0, 1].map(|axis| {
-        let change = &mut worker.pyramid.scratch()[(2 * pixel + axis) % SCRATCH];
-        let change = core::mem::take(change);
-        let positive = change.wrapping_add(colour(|_| SIGN));
-        let channels = [0, 1, 2].map(|number| channel(positive, number).abs_diff(SIGN));
-        (channels[0] + channels[1] + channels[2], change)
-    });
-    let change = axes[usize::from(axes[0].0 < axes[1].0)].1;
     const UNIT: u64 = WEIGHTS * STEP as u64;
-    let sum = (WEIGHTS * widened(*drawn)).wrapping_add(change);
-    let channel = |number| (((channel(sum, number) + UNIT / 2) / UNIT) as u32) << (8 * number);
+    let scratch = worker.pyramid.scratch();
+    let [x, y] = [0, 1].map(|axis| core::mem::take(&mut scratch[(2 * pixel + axis) % SCRATCH]));
+    let signs = colour(|_| SIGN);
+    let [most_x, most_y] = [x, y].map(|change| contrast([change.wrapping_add(signs), signs]));
+    let change = if most_x < most_y { y } else { x };
+    let sum = WEIGHTS * widened(*drawn) + colour(|_| UNIT / 2);
+    let steps = sum.wrapping_add(change) / UNIT;
+    let channel = |number: usize| (steps >> ((FIELD - 8) * number)) as u32 & 0xff << (8 * number);
     *drawn = channel(0) | channel(1) | channel(2);
 }
