@@ -40,10 +40,20 @@ extern "C" fn connect(_: *mut c_void) -> *mut c_void {
 pub fn open(x: Xlib) -> Result<*mut xlib::Display, &'static str> {
     errors::heed(x);
     // SAFETY: the thread takes no pointer.
-    unsafe { spawn(connect, null_mut()) };
-    match clock::wait_while(&DISPLAY, ASKED) {
+    let thread = unsafe { spawn(connect, null_mut()) };
+    if thread.is_none() {
+        connect(null_mut());
+    }
+    let display = clock::wait_while(&DISPLAY, ASKED);
+    if display == ASKED {
+        return Err("X display does not answer");
+    }
+    // Its stack is for the next thread.
+    if let Some(thread) = thread {
+        thread.join();
+    }
+    match display {
         0 => Err("no X display"),
-        ASKED => Err("X display does not answer"),
         display => Ok(with_exposed_provenance_mut(display as usize)),
     }
 }
