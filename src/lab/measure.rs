@@ -193,7 +193,7 @@ impl Plan {
                     .iter_mut()
                     .find(|(count, _)| *count == setting.threads);
                 let (_, renderer) = renderer.expect("a renderer for each number of threads");
-                let scene = shot.scene.without_overlay(time);
+                let scene = self.scene(shot.scene, time);
                 let mut draw = || setting.draw(self, renderer, &scene, &mut pictures);
                 draw();
                 if frame == 0 {
@@ -206,6 +206,16 @@ impl Plan {
         bar.finish_and_clear();
         self.look(&mut settings);
         settings
+    }
+
+    /// The scene of a frame. Beside enlarged frames it has no captions, which would be enlarged as well.
+    fn scene(&self, name: SceneName, time: f32) -> Scene {
+        let mut scene = name.without_overlay(time);
+        if self.techniques.iter().any(|it| it.way != Way::Drawn) {
+            scene.captions.clear();
+            scene.copper_bars.clear();
+        }
+        scene
     }
 
     /// Returns all settings, without results.
@@ -234,10 +244,8 @@ impl Plan {
             let Shot { scene, views, .. } = &self.shots[shot];
             let mut seen = vec![Seen::default(); self.techniques.len()];
             for view in views {
-                let scenes: Vec<Scene> = view
-                    .iter()
-                    .map(|&time| scene.without_overlay(time))
-                    .collect();
+                let scenes: Vec<Scene> =
+                    view.iter().map(|&time| self.scene(*scene, time)).collect();
                 look(&self.techniques, self.isa.level, size, &scenes, &mut seen);
                 bar.inc(1);
             }
