@@ -77,6 +77,7 @@
 //! | --- | --- |
 //! | objects that a pixel shows directly and the quality misses | 0 |
 //! | shadows of spheres on planes by points of light that darken a pixel by two steps of 255 and that the quality misses, except as below | 0 |
+//! | holes of 4 connected pixels or more in things 1 to 5 pixels wide, in their shadows on a plane by a point of light, and in their images in the first plane, jagged or antialiased | 0 |
 //! | images in the first plane of spheres and boxes that 2x2 pixels show and the quality misses | 0 |
 //! | highlights in the eye's own sight that five pixels show together with the place that mirrors the lamp, and that the quality misses | 0 |
 //! | pixels of shadows of spheres that the default quality draws lit, and the largest patch of them | 0.4 %, 20 |
@@ -108,6 +109,8 @@
 //!   a sphere by a point of light one corner is right, but this corner may be as dark without the shadow: a lamp low above a plane
 //!   lights a patch of few pixels, and the corner may lie beside the patch. Then the quality can miss the shadow. By a lamp
 //!   so bright that a shadow is seen wherever it falls it misses none. Of other shadows on planes it misses few.
+//! - Holes in wider things: a tip sharper than a right angle, and a narrow strip that others leave of a wide thing, can lose up to 16
+//!   connected pixels. Thin shadows by lamps with a size have soft edges, which are not looked for.
 //! - Shadows on spheres and blocks, and slits of light between these: of 1,000 crowds without mirrors two are below 42 dB for a
 //!   bright slit on a block's face, 41.0 dB.
 //! - Images in the first plane of cylinders and capsules, and images that others cover in part: a corner in the outlines of both

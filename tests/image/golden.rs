@@ -12,6 +12,7 @@ use crate::picture::png;
 use crate::shipped::Still;
 use eightfold::show;
 use eightfold_lab::arguments::NamedQuality;
+use eightfold_scene_file::SceneFile;
 use eightfold_scenes::between_corners;
 use eightfold_stage::reader::read_png;
 use eightfold_tracer::Quality;
@@ -117,6 +118,14 @@ fn golden_field() {
 fn golden_spheres_between_corners() {
     let scene = between_corners().scene;
     hold("between", &scene, &Quality::DEFAULT, 320, 240);
+}
+
+/// Thin rods, which came out dashed.
+#[test]
+fn golden_fence() {
+    let file = SceneFile::parse("fence.ron", include_str!("../../examples/scenes/fence.ron"));
+    let scene = file.expect("a scene").at(0.0);
+    hold("fence", &scene, &Quality::DEFAULT, 640, 360);
 }
 
 #[test]

@@ -24,5 +24,6 @@ mod show;
 mod shown;
 mod soak;
 mod text;
+mod thin;
 mod water;
 mod written;

@@ -12,7 +12,7 @@ use crate::text::Text;
 use crate::threaded_renderer::ThreadedRenderer;
 use eightfold::show;
 use eightfold_oracle::squares::largest;
-use eightfold_scenes::{Kinds, Random, cases};
+use eightfold_scenes::{Kinds, Random, Seen, cases};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Method, Scene};
 use std::env;
@@ -73,9 +73,13 @@ fn hold(renderers: &mut Renderers, random: &mut Random) -> Option<Difference> {
     let what = format!("case {}", random.seed);
     let isa = isa_of(random.seed);
     let time = random.between(-100.0, 100.0) * 10_f32.powi(random.below(5) as i32);
-    let mut scene = match random.below(8) {
+    let mut scene = match random.below(9) {
         0 => show::model_scene(time),
         1 => show::field(random.below(321), time),
+        2 => {
+            let [bars, _] = random.one_of(Seen::ALL).view(random);
+            bars.scene
+        }
         _ => Kinds::EXTREME.scene(random),
     };
     assert_eq!(scene.validate(), Ok(()), "{what}");

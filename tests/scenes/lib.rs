@@ -10,6 +10,7 @@
 //! | [`Hidden`] | forty small things over a floor, above mirrors, behind glass |
 //! | [`crowd()`] | hundreds of mirrors, glass and plastic |
 //! | [`shiny()`] | highlights of all sizes |
+//! | [`Seen`] | bars of one to five pixels, as objects, shadows and images |
 //! | [`known`] | scenes that showed a fault |
 //!
 //! A new kind is a function from a [`Random`] to a scene, made of the parts in [`materials`], [`lamps`] and [`solids`].
@@ -25,6 +26,7 @@ mod placed;
 mod random;
 mod shiny;
 pub mod solids;
+mod thin;
 
 pub use crowd::crowd;
 pub use hidden::Hidden;
@@ -32,6 +34,7 @@ pub use kinds::Kinds;
 pub use placed::{between_corners, placed, placed_blocks};
 pub use random::{Random, cases};
 pub use shiny::shiny;
+pub use thin::Seen;
 
 use eightfold_tracer::scene::{MIN_LENGTH, Material, Scene};
 use glam::Vec3;

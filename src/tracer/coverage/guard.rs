@@ -64,6 +64,7 @@ impl Guard {
             squares,
             open: [Bits::NONE; TILE_HEIGHT],
             lamp: None,
+            is_thin: false,
             covered: [Covered::NONE; SQUARE_ROWS],
         };
         let mut kept = 0;
@@ -71,6 +72,8 @@ impl Guard {
             let number = self.outlines[i];
             let (outline, region) = squares.coverage.outline(squares.world, number.into());
             self.outlines[kept] = number;
+            let width = squares.coverage.widths[usize::from(number)];
+            search.is_thin = 2 * usize::from(width) < THIN * squares.side();
             kept += usize::from(search.look_for(outline, &region, open));
         }
         self.count = kept;
@@ -94,6 +97,8 @@ pub(super) struct Search<'a> {
     pub open: [Bits; TILE_HEIGHT],
     /// The lamp whose shadows are looked for; `None` for images.
     lamp: Option<u8>,
+    /// Whether the outline that is looked for is thin.
+    is_thin: bool,
     /// The corners that the shadows by this lamp, or the images, cover, for each row of squares.
     covered: [Covered; SQUARE_ROWS],
 }
@@ -126,11 +131,15 @@ impl Search<'_> {
         may_be_missed
     }
 
-    /// Looks for an object in a square: opens the square unless a corner shows the object, or all corners show one occluder. Returns
-    /// whether it is opened.
+    /// Looks for an object in a square: opens the square unless a corner shows the object (all corners, if it is thin), or all corners
+    /// show one occluder. Returns whether it is opened.
     fn look_for_object(&mut self, id: ObjectId, region: &Region, [x, y]: [usize; 2]) -> bool {
         let (labels, shown) = self.squares.corners([x, y], id);
-        let is_missed = shown == 0 && !self.are_before(labels, id, region, [x, y]);
+        let is_missed = match shown {
+            0 => !self.are_before(labels, id, region, [x, y]),
+            ALL => false,
+            _ => self.is_thin,
+        };
         if is_missed {
             self.open[y].set(x);
         }
@@ -161,7 +170,7 @@ impl Search<'_> {
     }
 
     /// Looks for an image or a shadow on a plane in a square, where some corners show the plane. An image opens the square unless one of
-    /// these is inside of its region: it may be in front of another image. A shadow does the same, once all shadows by its lamp are known,
+    /// these, or all four if it is thin, is inside of its region: it may be in front of another image. A shadow does the same, once all shadows by its lamp are known,
     /// unless all corners are inside of another one.
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
@@ -169,12 +178,13 @@ impl Search<'_> {
         // Where no corner shows the plane, it is not visible here, or its own outline has already opened the square.
         if shown != 0 {
             let inside = shown & self.squares.inside([x, y], region);
+            let is_open = inside == 0 || self.is_thin;
             let covered = &mut self.covered[y % SQUARE_ROWS];
             if inside == ALL {
                 covered.wholly.set(x);
-            } else if inside == 0 && self.lamp.is_none() {
+            } else if is_open && self.lamp.is_none() {
                 self.open[y].set(x);
-            } else if inside == 0 || inside != shown && covered.partly.has(x) {
+            } else if is_open || inside != shown && covered.partly.has(x) {
                 covered.missed.set(x);
             } else if inside != shown {
                 covered.partly.set(x);
@@ -195,6 +205,10 @@ impl Search<'_> {
 
 /// The most rows of squares in a tile: each is larger than a pixel.
 const SQUARE_ROWS: usize = TILE_HEIGHT / 2;
+
+/// The width of the widest thin outlines, in halves of a square's side. An outline that is wider than a side covers a corner, in
+/// whichever direction it crosses the square; the other half is for those that others hide in part.
+const THIN: usize = 3;
 
 /// All corners of a square.
 pub(super) const ALL: u64 = 0b1111;

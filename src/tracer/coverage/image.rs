@@ -28,7 +28,9 @@ impl Coverage {
                 // An object beyond the plane has no image.
                 let [_, most] = self.heights(node.object, &world.planes()[0], world.eye);
                 if self.objects[node.object.index()].is_finite() && most >= 0.0 {
-                    self.list(Outline::Image(node.object), screen);
+                    let far = self.image.reach(node.centre, node.radius);
+                    let width = 2.0 * self.objects[node.object.index()].thickness / far;
+                    self.list(Outline::Image(node.object), screen, width);
                 }
             }
         }

@@ -2,12 +2,14 @@
 //!
 //! Corners do not see what lies between them. Here everything that may be visible has a conservative bound of where in the picture it
 //! is, set once a frame. A guarded square (see [`Quality::guarded`](crate::Quality::guarded)) is split as long as it meets such a bound
-//! and its corners do not show what the bound is around. What a square is cleared of, its parts are, too.
+//! and its corners do not show what the bound is around. What a square is cleared of, its parts are, too. A corner clears a square of an
+//! outline that is wider than the square: such an outline covers a corner of every part that it crosses. An outline that is thinner than
+//! one and a half sides leaves the square open down to pixels, unless all four corners show it.
 //!
 //! | kind | bound | a square may be filled if | file |
 //! | --- | --- | --- | --- |
-//! | object | the cone of rays from the eye that meet it | a corner shows it, or all corners show one occluder | `object` |
-//! | image | the same from the eye's mirror image | no corner shows the plane, or one of those that do is inside of the bound | `image` |
+//! | object | the cone of rays from the eye that meet it | a corner shows it (all, if it is thin), or all corners show one occluder | `object` |
+//! | image | the same from the eye's mirror image | no corner shows the plane, or one of those that do is inside of the bound (all, if it is thin) | `image` |
 //! | shadow | the cone of rays from the lamp, as the eye sees it on the plane | the same | `shadow` |
 //! | highlight | the ellipse of a Gaussian | it is not visibly brighter anywhere than at the corners that show the object | `highlight` |
 //!
@@ -45,6 +47,14 @@
 //! corners that show the object. That is no proof: the lobe is only nearly a Gaussian, and such a corner may be in shadow or on another
 //! face. Of thousands of highlights of five pixels or more that show their middles none was missed, and few parts of others
 //! (`docs/accuracy.md`).
+//!
+//! # What has no holes
+//!
+//! What an exhaustive frame shows of a thing 1 to 5 pixels wide in the eye's sight, of its shadow on a plane by a point of light, and of its
+//! image in the first plane, at every pixel of it, no named quality leaves out in a hole of 4 connected pixels or more
+//! (`tests/image/thin.rs`). An outline's width is the least extent of the object where it is farthest from the eye: at most the true one.
+//! Of wider things two parts can have holes of up to 16 pixels: a tip that is sharper than a right angle, and a narrow strip that others
+//! leave of a wide thing, such as the back of a log that is sunk in the ground.
 //!
 //! Antialiasing leaves a pixel a third of what it shows at least.
 //!
@@ -112,6 +122,8 @@ pub(crate) struct Coverage {
     /// All outlines that may meet the picture, and a rectangle around each.
     outlines: [Outline; MAX_OUTLINES],
     screen: [ScreenBounds; MAX_OUTLINES],
+    /// The least width of each in pixels, up to 255.
+    widths: [u8; MAX_OUTLINES],
     outlined: usize,
 }
 
@@ -128,6 +140,7 @@ impl Coverage {
             highlights: List::over(Highlight::ZERO),
             outlines: [Outline::Object(ObjectId::FIRST); MAX_OUTLINES],
             screen: [ScreenBounds::ZERO; MAX_OUTLINES],
+            widths: [0; MAX_OUTLINES],
             outlined: 0,
         }
     }
@@ -145,10 +158,11 @@ impl Coverage {
         self.set_highlights(world);
     }
 
-    /// Adds an outline, with its bounds in the picture.
-    fn list(&mut self, outline: Outline, screen: ScreenBounds) {
+    /// Adds an outline, with its bounds in the picture and its least width in units of distance 1.
+    fn list(&mut self, outline: Outline, screen: ScreenBounds, width: f32) {
         self.outlines[self.outlined] = outline;
         self.screen[self.outlined] = screen;
+        self.widths[self.outlined] = (width / self.axes.pixel) as u8;
         self.outlined += usize::from(screen != ScreenBounds::NONE);
     }
 

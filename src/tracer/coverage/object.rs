@@ -17,6 +17,8 @@ pub(super) struct ObjectBounds {
     /// be inside or outside, and for other objects. Of two spheres the one with the smaller power is in front wherever both are, since
     /// the plane of equal powers separates their visible parts (Aurenhammer: Power Diagrams, SIAM Journal on Computing, 1987).
     power: Option<[f32; 2]>,
+    /// Half of its least extent.
+    pub thickness: f32,
     /// The ends of its extent along the scene's axes, and forward from the eye.
     ///
     /// Along the axes these are the scene's own numbers, where they are exact: an object that stands on another one, or rises out of it
@@ -31,6 +33,7 @@ impl ObjectBounds {
         node: 0,
         screen: ScreenBounds::ZERO,
         power: None,
+        thickness: 0.0,
         least: Vec4::ZERO,
         most: Vec4::ZERO,
     };
@@ -117,10 +120,11 @@ impl Coverage {
         for (number, node) in world.tree.objects() {
             let screen = self.eye.screen(node, self.axes.pixel);
             self.groups[0][node.group()].join(screen);
-            let (power, extent) = match world.object(node.object).0 {
-                Object::Block(block) => (None, extent(block, forward)),
+            let (power, thickness, extent) = match world.object(node.object).0 {
+                Object::Block(block) => (None, block.half.min_element(), extent(block, forward)),
                 _ => (
                     power(node.centre - world.eye, node),
+                    node.radius,
                     Vec4::splat(node.radius),
                 ),
             };
@@ -133,10 +137,12 @@ impl Coverage {
                     ScreenBounds::NONE
                 },
                 power,
+                thickness,
                 least,
                 most,
             };
-            self.list(Outline::Object(node.object), object.screen);
+            let width = 2.0 * object.thickness / self.eye.reach(node.centre, node.radius);
+            self.list(Outline::Object(node.object), object.screen, width);
             self.objects[node.object.index()] = object;
         }
         for (i, plane) in world.planes().iter().enumerate() {
@@ -150,7 +156,14 @@ impl Coverage {
                 most,
                 ..ObjectBounds::ZERO
             };
-            self.list(Outline::Object(id), ScreenBounds::ALL);
+            let (half, centre) = (Vec3A::from_vec4(extent), plane.centre.into());
+            let far = self.eye.reach(centre, half.length());
+            let to = (centre - world.eye).abs();
+            // From above it reaches beneath the eye; from beside it is as flat as its far end.
+            let is_beside = to.x > half.x || to.z > half.z;
+            let steep = if is_beside { to.y / far } else { 1.0 };
+            let width = 2.0 * half.x.min(half.z) * steep / far;
+            self.list(Outline::Object(id), ScreenBounds::ALL, width);
         }
     }
 

@@ -56,7 +56,15 @@ impl Coverage {
                             plane: plane as u8,
                             lamp: number as u8,
                         };
-                        self.list(shadow, view.screen(node, self.axes.pixel));
+                        // The plane shows it enlarged, and the eye sees that from a height.
+                        let height = lamp.position.y - rectangle.centre.y;
+                        let scale = -height / to.y;
+                        let at = lamp.position + to * scale;
+                        let far = self.eye.reach(at, node.radius * scale);
+                        let steep = (world.eye.y - rectangle.centre.y).abs() / far;
+                        let thickness = self.objects[node.object.index()].thickness;
+                        let width = 2.0 * thickness * scale * steep / far;
+                        self.list(shadow, view.screen(node, self.axes.pixel), width);
                     }
                 }
             }

@@ -43,6 +43,11 @@ impl View {
         }
     }
 
+    /// Returns the largest distance of a sphere.
+    pub fn reach(&self, centre: Vec3A, radius: f32) -> f32 {
+        (centre - self.from).length() + radius
+    }
+
     /// Returns the cone around the bounding sphere of a solid or a light; `None` if this point is inside.
     fn cone(&self, node: &BvhNode) -> Option<BoundingCone> {
         BoundingCone::around(node.centre - self.from, node.radius + node.hit_error)

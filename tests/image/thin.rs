@@ -1,0 +1,64 @@
+//! Thin things have no holes, directly seen, as shadows and as images, jagged and antialiased.
+
+use crate::drawn::{draw, isa_of, named};
+use crate::error::worst_channel;
+use crate::errors::patches;
+use eightfold_scenes::{Seen, cases};
+use eightfold_tracer::Quality;
+
+/// The difference from which on a pixel shows a bar, or is wrong, of 255.
+const VISIBLE: u32 = 24;
+
+/// Draws bars of `count` cases, seen in each way, by all named qualities. Returns the number of pixels that show bars, and asserts that
+/// none of these lies in a hole of 4 or more.
+fn assert_whole(count: u64) -> usize {
+    let mut shown = 0;
+    for (mut random, seen) in
+        cases(count).flat_map(|case| Seen::ALL.map(|seen| (case.clone(), seen)))
+    {
+        let isa = isa_of(random.seed);
+        let [view, without] = seen.view(&mut random);
+        let (width, height) = (view.width, view.height);
+        for antialias in [false, true] {
+            let reference = Quality {
+                antialias,
+                ..Quality::EXHAUSTIVE
+            };
+            let [exhaustive, without] = [&view, &without]
+                .map(|view| draw(isa, 2, &view.scene, &reference, width, height).pixels);
+            let is_bar = |i: usize| worst_channel(exhaustive[i], without[i]) > VISIBLE;
+            shown += (0..exhaustive.len()).filter(|&i| is_bar(i)).count();
+            for quality in named() {
+                let quality = Quality {
+                    antialias,
+                    ..quality
+                };
+                let drawn = draw(isa, 2, &view.scene, &quality, width, height).pixels;
+                let is_wrong =
+                    |i: &usize| is_bar(*i) && worst_channel(exhaustive[*i], drawn[*i]) > VISIBLE;
+                let wrong: Vec<usize> = (0..drawn.len()).filter(is_wrong).collect();
+                let holes = patches(&wrong, width);
+                let hole = holes.iter().map(Vec::len).max().unwrap_or(0);
+                assert!(
+                    hole < 4,
+                    "a hole of {hole} pixels, case {}, {seen:?}, by {} and {quality:?}",
+                    random.seed,
+                    isa.name
+                );
+            }
+        }
+    }
+    shown
+}
+
+#[test]
+fn thin_bars_have_no_holes() {
+    let shown = assert_whole(12);
+    assert!(shown > 50_000, "{shown}");
+}
+
+#[test]
+#[ignore = "many scenes by chance"]
+fn thin_bars_of_2000_scenes_have_no_holes() {
+    assert_whole(667);
+}
