@@ -14,6 +14,7 @@ mod film;
 mod golden;
 mod method;
 mod observed;
+mod patches;
 mod patterned;
 mod penumbra;
 mod probes;

@@ -1,7 +1,8 @@
 //! Patterns in filled squares are as sharp as traced ones, and take few points.
 
-use crate::drawn::{draw, draw_by_all, jagged};
+use crate::drawn::{draw, draw_best, draw_by_all, jagged};
 use crate::error::Difference;
+use eightfold_scenes::{Random, cases, solids};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{
     Block, Camera, Light, List, Material, Pattern, Plane, Scene, Shape, Sphere,
@@ -77,4 +78,67 @@ fn patterns_are_as_sharp_in_filled_squares_as_traced() {
             assert!(marble < 2.0 || points < plainly * 7 / 4, "{what}");
         }
     }
+}
+
+/// A floor, or a solid over it, with a pattern of any kind and softness, near or far.
+fn soft(random: &mut Random) -> Scene {
+    let distance = random.power(-0.3, 1.5);
+    let waves = [Vec3::X, Vec3::Z, vec3(1.0, 0.0, 1.0), Vec3::Y, Vec3::ONE];
+    let pattern = Pattern {
+        waves: random.one_of(waves) * random.power(-0.7, 0.7),
+        depth: random.between(0.4, 1.0),
+        edge: random.power(-0.3, 1.0),
+        balance: random.between(-0.9, 0.9),
+        warp: random.zero_or(0.3, 1.5),
+        grain: random.between(0.3, 2.0),
+    };
+    let material = Material {
+        pattern,
+        ..Material::matt(random.colour(), 0.8)
+    };
+    let eye = vec3(0.0, random.between(0.4, 3.0), -distance);
+    let mut scene = Scene {
+        camera: Camera::new(
+            Mat3::from_rotation_y(random.between(0.0, 6.0)) * eye,
+            Vec3::ZERO,
+            0.6,
+        ),
+        background: random.colour(),
+        ambient: Vec3::splat(0.3),
+        planes: List::of(&[Plane::new(-Vec3::Y, 20.0, 20.0, material)]),
+        lights: List::of(&[Light::new(vec3(-3.0, 6.0, -4.0), Vec3::splat(0.7))]),
+        ..Scene::default()
+    };
+    match random.below(3) {
+        0 => {}
+        1 => scene.spheres.push(Sphere::new(Vec3::ZERO, 0.9, material)),
+        _ => scene.blocks.push(solids::block(
+            random,
+            Vec3::ZERO,
+            vec3(0.5, 0.8, 0.5),
+            material,
+        )),
+    }
+    scene
+}
+
+#[test]
+fn soft_patterns_are_right_at_any_distance() {
+    let mut worst = f64::INFINITY;
+    for mut random in cases(100) {
+        let scene = soft(&mut random);
+        for antialias in [false, true] {
+            let quality = Quality {
+                antialias,
+                ..Quality::DEFAULT
+            };
+            let [exact, drawn] = [quality.reference(), quality]
+                .map(|quality| draw_best(&scene, &quality, 480, 270).pixels);
+            let psnr = Difference::between(&exact, &drawn).psnr;
+            let pattern = &scene.planes[0].material.pattern;
+            println!("case {}: {psnr:.1} dB, {pattern:?}", random.seed);
+            worst = worst.min(psnr);
+        }
+    }
+    assert!(worst >= 42.0, "{worst:.1} dB");
 }

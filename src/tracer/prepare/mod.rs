@@ -71,8 +71,6 @@ pub(crate) struct Prepared {
     pub lamp_count: usize,
     pub plane_count: usize,
     pub surfaces: [SurfaceNumbers; MAX_OBJECTS],
-    /// For each object, whether its pattern has edges.
-    pub has_edges: [bool; MAX_OBJECTS],
     /// See [`object::glitters`].
     pub glitters: [bool; MAX_OBJECTS],
     /// Whether any object has a pattern.
@@ -100,7 +98,6 @@ impl Prepared {
             lamp_count: 0,
             plane_count: 0,
             surfaces: [[0.0; SURFACE_NUMBERS]; MAX_OBJECTS],
-            has_edges: [false; MAX_OBJECTS],
             glitters: [false; MAX_OBJECTS],
             has_patterns: false,
             has_details: false,
@@ -151,7 +148,6 @@ impl Prepared {
             let (object, material) = object::of(scene, ObjectId::new(i));
             self.has_patterns |= material.pattern.depth != 0.0;
             self.has_details |= self.has_patterns || material.anisotropy > 0.0;
-            self.has_edges[i] = object::has_edges(material);
             self.glitters[i] = object::glitters(scene, &object, material);
             self.surfaces[i] = surface::surface(&object, material, scene);
         }

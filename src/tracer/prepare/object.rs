@@ -74,16 +74,6 @@ pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     }
 }
 
-/// The largest [`Pattern::edge`](crate::scene::Pattern::edge) of a pattern without edges, as veins of marble are. Such a pattern
-/// changes about as slowly as light does, so squares that show it are filled from their corners' colours. With the show's
-/// colonnade, of marble, that saves half of the time, and costs 1 dB.
-const MAX_SOFT_EDGE: f32 = 3.0;
-
-/// Whether a material's pattern has edges, across which squares must not be filled.
-pub(super) fn has_edges(material: &Material) -> bool {
-    material.pattern.depth != 0.0 && material.pattern.edge > MAX_SOFT_EDGE
-}
-
 /// As many strong mirrors, solids of strong glass among them, make a crowd: each shows the others, and small. No scene of the show has
 /// more than six. With fewer, one in fifty scenes by chance of 16 blocks is below 42 dB at the default quality.
 const CROWD: usize = 12;

@@ -59,7 +59,7 @@ pub(super) struct Verdict {
     pub flat: Bits,
     /// The corners are within the limit for their keys, or the same pixel.
     pub filled: Bits,
-    /// A corner shows an object with a pattern.
+    /// A corner shows a pattern that is finer than squares.
     pub patterned: Bits,
 }
 

@@ -28,7 +28,8 @@ pub(crate) struct Accumulator {
     /// The terms that a packet of secondary rays adds to the sums.
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
-    /// The part of the colour that a pattern darkens, blue, green and red in output steps, and the share that the pattern leaves.
+    /// The part of the colour that a pattern darkens, blue, green and red in output steps, and the share that the pattern leaves, with a
+    /// negative sign where the pattern is finer than squares.
     patterned: [[f32; 4]; BATCH],
     /// The objects that the primary rays hit.
     objects: [u32; BATCH],
@@ -57,12 +58,18 @@ impl Accumulator {
         self.sums[i % BATCH][KEY] as u32
     }
 
+    /// Whether traced point number `i` shows a pattern that is finer than squares.
+    pub fn is_fine(&self, i: usize) -> bool {
+        let [.., share] = self.patterned[i % BATCH];
+        share.is_sign_negative()
+    }
+
     /// The layers of traced point number `i`, if it shows an object with a pattern.
     pub fn layers(&self, i: usize) -> Layers {
         let i = i % BATCH;
         let [blue, green, red, share] = self.patterned[i];
         let untextured = Vec3A::new(blue, green, red);
-        let [a, b, c] = (steps(&self.sums[i]) - untextured * share).to_array();
+        let [a, b, c] = (steps(&self.sums[i]) - untextured * share.abs()).to_array();
         [a, b, c, 0.0, blue, green, red, 0.0]
     }
 

@@ -27,7 +27,7 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub groove: Vec3x<S>,
     /// See [`crate::scene::Material::anisotropy`].
     pub anisotropy: F<S>,
-    /// The share that the texture leaves of the surface's colour, 0 to 1.
+    /// The share that the texture leaves of the surface's colour, 0 to 1; with a negative sign where the texture is finer than squares.
     pub reflectance: F<S>,
     /// The cosine of the angle between normal and lamp has to be more than this times the lamp's distance.
     ///

@@ -18,7 +18,7 @@ pub(super) type Sum = [i32; 4];
 
 /// A traced point's colour and object. Blue, green and red have 16 bits each, from the low bits up, in 128ths of an output step.
 /// The next 14 bits are the number of the object that the point shows plus one, or 0 if it is not known. Bit 62 says whether that
-/// object has a pattern.
+/// object's pattern is finer there than squares.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
 
@@ -35,7 +35,7 @@ impl Sample {
     /// The colour's bits, without what else the word holds.
     pub const COLOUR: u64 = (1 << OBJECT) - 1;
 
-    /// Set if the object has a pattern.
+    /// Set if the object has a pattern that is finer than squares.
     pub const PATTERN: u64 = 1 << 62;
 
     /// The sample, with the object that it shows.
@@ -43,12 +43,12 @@ impl Sample {
         Self(self.0 | u64::from(object + 1) << OBJECT)
     }
 
-    /// The sample, marked as showing an object with a pattern.
+    /// The sample, marked as showing a pattern that is finer than squares.
     pub fn patterned(self) -> Self {
         Self(self.0 | Self::PATTERN)
     }
 
-    /// Whether it shows an object with a pattern.
+    /// Whether it shows a pattern that is finer than squares.
     pub fn is_patterned(self) -> bool {
         self.0 & Self::PATTERN != 0
     }

@@ -53,7 +53,7 @@ pub(super) fn shade<S: Isa>(
         let reflected = light::gather(tracer, &surface, point, &mut keys, blockers, counts);
         untextured = reflected.untextured;
         reflectance = point.reflectance;
-        colour = reflected.specular.add_scaled(untextured, reflectance);
+        colour = reflected.specular.add_scaled(untextured, reflectance.abs());
         let parents = Rays { weight, ..*rays };
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
         scatter(tracer, &parents, &surface, point, marks, stack);

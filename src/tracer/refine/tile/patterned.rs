@@ -10,7 +10,7 @@ use crate::lanes::*;
 use crate::observe::{Fill, Observer};
 use crate::prepare::{Four, ObjectId};
 use crate::refine::verdict::Verdict;
-use crate::trace::{Layers, STEP, SeenPattern};
+use crate::trace::{Layers, STEP, Sample, SeenPattern};
 use fearless_simd::{f32x4, f32x8, i16x8, i32x4, u16x8, u32x4};
 
 impl<O: Observer> Tile<'_, '_, O> {
@@ -21,11 +21,12 @@ impl<O: Observer> Tile<'_, '_, O> {
         verdict.patterned.for_each(|x| {
             let pyramid = &self.worker.pyramid;
             let indices = Pyramid::corner_indices(level, x, y);
-            let [corner, others @ ..] = indices.map(|index| pyramid.sample(index));
-            let (Some(object), true) = (
-                corner.object(),
-                others.iter().all(|other| other.object() == corner.object()),
-            ) else {
+            let samples = indices.map(|index| pyramid.sample(index));
+            let [corner, ..] = samples;
+            // Where some corners see the pattern from so near that it changes slowly, all nearly do.
+            let is_alike =
+                |other: &Sample| other.object() == corner.object() && other.is_patterned();
+            let (Some(object), true) = (corner.object(), samples.iter().all(is_alike)) else {
                 return;
             };
             verdict.filled.clear(x);

@@ -172,7 +172,7 @@ impl<O: Observer> Tile<'_, '_, O> {
                 // No other point's.
                 key = (y << 16 | x) as u32;
             }
-            if has_patterns && shows(&world.has_edges) {
+            if has_patterns && batch.results.is_fine(i) {
                 sample = sample.patterned();
                 pyramid.layers[target] = batch.results.layers(i);
             }

@@ -69,10 +69,11 @@ impl Property for Patterns {
                     let point = shading_point(simd, world, &rays, &hit);
                     for (lane, &object) in hit.object.as_slice().iter().enumerate() {
                         let object = ObjectId::new(object as usize);
-                        if !world.has_edges[object.index()] {
+                        let left = point.reflectance.as_slice()[lane];
+                        if left > 0.0 {
                             continue;
                         }
-                        let left = point.reflectance.as_slice()[lane];
+                        let left = -left;
                         // Wherever it stands among the four.
                         let start = (x + lane).saturating_sub((x + y) % 4);
                         let columns = [0, 1, 2, 3].map(|i| (start + i) as f32);

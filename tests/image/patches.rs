@@ -1,0 +1,62 @@
+//! The show's patches are small: connected pixels that an exhaustive frame shows, and nothing near them is like.
+
+use crate::drawn::{draw_best, jagged};
+use crate::error::{Difference, worst_channel};
+use crate::errors::patches;
+use eightfold_lab::scenes::SceneName;
+use eightfold_tracer::Quality;
+
+const SIZE: [usize; 2] = [1280, 720];
+
+/// The most pixels of a patch. The largest, of 229, is the lit edge of a column that one mirror shows in another.
+const LARGEST: usize = 240;
+
+/// The pixels of an exact picture that have nothing alike, within 32 of 255, in 2 pixels' distance in a drawn one.
+fn lost(exact: &[u32], drawn: &[u32]) -> Vec<usize> {
+    let [width, height] = SIZE;
+    let is_alike =
+        |i: usize, x: usize, y: usize| worst_channel(exact[i], drawn[y * width + x]) <= 32;
+    let is_lost = |&i: &usize| {
+        let (x, y) = (i % width, i / width);
+        let mut near = (y.saturating_sub(2)..height.min(y + 3))
+            .flat_map(|y| (x.saturating_sub(2)..width.min(x + 3)).map(move |x| (x, y)));
+        !is_alike(i, x, y) && !near.any(|(x, y)| is_alike(i, x, y))
+    };
+    (0..exact.len()).filter(is_lost).collect()
+}
+
+/// Asserts that frames of the show at some times, in seconds, are within 42 dB and have no larger patches, jagged and antialiased.
+fn hold(times: impl Iterator<Item = f32>) {
+    let (mut largest, mut least) = (0, f64::INFINITY);
+    for time in times {
+        for quality in [jagged(Quality::DEFAULT), Quality::DEFAULT] {
+            let scene = SceneName::Show.without_overlay(time);
+            let [exact, drawn] = [quality.reference(), quality]
+                .map(|quality| draw_best(&scene, &quality, SIZE[0], SIZE[1]).pixels);
+            let psnr = Difference::between(&exact, &drawn).psnr;
+            let patches = patches(&lost(&exact, &drawn), SIZE[0]);
+            let patch = patches.iter().map(Vec::len).max().unwrap_or(0);
+            println!(
+                "{time} s: {psnr:.1} dB, a patch of {patch}, {}",
+                quality.antialias
+            );
+            largest = largest.max(patch);
+            least = least.min(psnr);
+        }
+    }
+    assert!(
+        largest <= LARGEST && least >= 42.0,
+        "{largest}, {least:.1} dB"
+    );
+}
+
+#[test]
+fn worst_frames_of_the_show_have_no_larger_patches() {
+    hold([7.1, 50.1, 66.1, 86.1].into_iter());
+}
+
+#[test]
+#[ignore = "many frames"]
+fn show_has_no_larger_patches() {
+    hold((0..116).map(|second| second as f32 + 0.1));
+}
