@@ -12,9 +12,6 @@ use glam::{Mat3, Vec3A};
 /// Added to directions along a block's axes, to avoid divisions by 0 for rays that are parallel to a side.
 const TINY: f32 = 1e-12;
 
-/// The factor on how far out a point is towards a face that looks away: far more than rounding.
-const AWAY: f32 = 0.999;
-
 /// A vector's components along three axes.
 #[inline(always)]
 fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
@@ -54,39 +51,17 @@ pub(crate) fn distance<S: Isa>(
 }
 
 /// The parts of points, in a block's own coordinates, along the axes towards the faces they are on, and how far out they are towards
-/// these, if faces are at 1. `out` has how far out points are along each axis, if faces are at -1 and 1, and `along` the products of
-/// the faces' normals and the rays' directions: below 0 for faces that can be met.
-///
-/// Near an edge rounding does not decide which face a ray meets: a face that looks away counts as a little farther in.
+/// these, if faces are at 1. `out` has how far out points are along each axis, if faces are at -1 and 1.
 #[inline(always)]
-fn outermost<S: Isa>(simd: S, own: &Vec3x<S>, out: Vec3x<S>, along: Vec3x<S>) -> (Vec3x<S>, F<S>) {
-    let ranks: Vec3x<S> = Vec3x {
-        x: rank::<S>(out.x, along.x),
-        y: rank::<S>(out.y, along.y),
-        z: rank::<S>(out.z, along.z),
-    };
-    let most = ranks.max_element();
+fn outermost<S: Isa>(simd: S, own: &Vec3x<S>, out: Vec3x<S>) -> (Vec3x<S>, F<S>) {
+    let farthest = out.max_element();
     let zero = splat(simd, 0.0);
-    let [x, y, z] = [ranks.x, ranks.y, ranks.z].map(|rank| rank.simd_ge(most));
-    let face: Vec3x<S> = Vec3x {
-        x: x.select(own.x, zero),
-        y: y.select(own.y, zero),
-        z: z.select(own.z, zero),
+    let face = Vec3x {
+        x: out.x.simd_ge(farthest).select(own.x, zero),
+        y: out.y.simd_ge(farthest).select(own.y, zero),
+        z: out.z.simd_ge(farthest).select(own.z, zero),
     };
-    let farthest: Vec3x<S> = Vec3x {
-        x: x.select(out.x, zero),
-        y: y.select(out.y, zero),
-        z: z.select(out.z, zero),
-    };
-    (face, farthest.max_element())
-}
-
-/// How far out points are towards faces, less for those that look away.
-#[inline(always)]
-fn rank<S: Isa>(out: F<S>, along: F<S>) -> F<S> {
-    along
-        .simd_gt(splat(out.token(), 0.0))
-        .select(out * AWAY, out)
+    (face, farthest)
 }
 
 /// Points on the surface of a block, one per ray.
@@ -98,19 +73,14 @@ pub(crate) struct BlockHit<S: Isa> {
 }
 
 impl<S: Isa> BlockHit<S> {
-    /// Projects points that rounding has taken off the surface, `out` from the centre, to the nearest face that rays along `d` meet
-    /// from outside.
+    /// Projects points that rounding has taken off the surface, `out` from the centre, to the nearest face.
     #[inline(always)]
-    pub fn near(simd: S, block: &Block, out: Vec3x<S>, d: &Vec3x<S>) -> Self {
+    pub fn near(simd: S, block: &Block, out: Vec3x<S>) -> Self {
         let own = along(simd, &block.axes, &out);
-        let against = own * along(simd, &block.axes, d);
         let parts = own * Vec3x::splat(simd, block.half.recip());
         let (face, farthest) = match block.shape {
-            Shape::Box => outermost(simd, &own, cuboid::outward(parts), against),
-            Shape::Cylinder => {
-                let against = cylinder::around(against, against.x + against.z);
-                outermost(simd, &own, cylinder::outward(parts), against)
-            }
+            Shape::Box => outermost(simd, &own, cuboid::outward(parts)),
+            Shape::Cylinder => outermost(simd, &own, cylinder::outward(parts)),
             Shape::Capsule => capsule::outward(simd, block.half, &own),
         };
         let length = face.dot(face).sqrt();

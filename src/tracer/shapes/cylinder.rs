@@ -34,16 +34,9 @@ pub(super) fn endless<S: Isa>(simd: S, radius: f32, o: &Vec3x<S>, d: &Vec3x<S>) 
 #[inline(always)]
 pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
     let round = (p.x * p.x + p.z * p.z).sqrt();
-    let y = p.y.abs();
-    around(Vec3x { y, ..p }, round)
-}
-
-/// Numbers along each axis, of which that along x and z is the round face's.
-#[inline(always)]
-pub(super) fn around<S: Isa>(p: Vec3x<S>, round: F<S>) -> Vec3x<S> {
     Vec3x {
         x: round,
+        y: p.y.abs(),
         z: round,
-        ..p
     }
 }

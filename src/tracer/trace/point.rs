@@ -107,9 +107,6 @@ impl<S: Isa> ShadingPoint<S> {
     #[inline(always)]
     fn add_detail(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
         let Rays { o, d, .. } = rays;
-        // The direction as if it came from outside.
-        let sign: U<S> = hit.within_block.to_vector().bitcast();
-        let from_outside = d.flipped(sign & (1 << 31));
         let mut rest = self.solid.to_bitmask();
         while rest != 0 {
             let (id, same) = object_at(simd, hit.object, &mut rest);
@@ -117,7 +114,7 @@ impl<S: Isa> ShadingPoint<S> {
             let centre = Vec3x::splat(simd, object.centre());
             let out = (*o - centre).add_scaled(*d, hit.t);
             let texture_point = if let Object::Block(block) = object {
-                let on_block = BlockHit::near(simd, block, out, &from_outside);
+                let on_block = BlockHit::near(simd, block, out);
                 let error = splat(simd, block::hit_error(block));
                 // The point is moved to the ray's side of the surface.
                 let n = on_block.texture_point.n;
@@ -129,7 +126,7 @@ impl<S: Isa> ShadingPoint<S> {
                 self.hit_error = same.select(error, self.hit_error);
                 on_block.texture_point
             } else {
-                TexturePoint::on(simd, &object, out, d)
+                TexturePoint::on(simd, &object, out)
             };
             if material.anisotropy > 0.0 {
                 let axes = if let Object::Block(block) = object {

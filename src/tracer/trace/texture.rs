@@ -10,12 +10,12 @@ use fearless_simd::f32x4;
 use glam::Mat3;
 
 impl<S: Isa> TexturePoint<S> {
-    /// Returns the points where textures are evaluated, of an object's points `out` from its centre, which rays along `d` meet.
+    /// Returns the points where textures are evaluated, of an object's points `out` from its centre.
     #[inline(always)]
-    pub fn on(simd: S, object: &Object<'_>, out: Vec3x<S>, d: &Vec3x<S>) -> Self {
+    pub fn on(simd: S, object: &Object<'_>, out: Vec3x<S>) -> Self {
         match object {
             Object::Sphere(it) => sphere::texture_point(simd, it, out),
-            Object::Block(block) => BlockHit::near(simd, block, out, d).texture_point,
+            Object::Block(block) => BlockHit::near(simd, block, out).texture_point,
             Object::Plane(_) | Object::Light(_) | Object::Background => {
                 plane::texture_point(simd, out)
             }
@@ -85,7 +85,7 @@ impl<'a> SeenPattern<'a> {
             Object::Plane(_) => plane::distance(&from, &d),
             Object::Light(_) | Object::Background => return splat(simd, 1.0),
         };
-        let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t), &d);
+        let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t));
         // So far `t` is in lengths of `d`.
         let share = point.reflectance(simd, world, self.pattern, &d, t * length2);
         share.abs()
