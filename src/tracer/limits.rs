@@ -110,8 +110,8 @@
 //!   a sphere by a point of light one corner is right, but this corner may be as dark without the shadow: a lamp low above a plane
 //!   lights a patch of few pixels, and the corner may lie beside the patch. Then the quality can miss the shadow. By a lamp
 //!   so bright that a shadow is seen wherever it falls it misses none. Of other shadows on planes it misses few.
-//! - Holes in wider things: a tip sharper than a right angle, and a narrow strip that others leave of a wide thing, can lose up to 16
-//!   connected pixels. Thin shadows by lamps with a size have soft edges, which are not looked for.
+//! - Holes in wider things: a corner of one, and a narrow strip that others leave of one, can lose connected pixels; 8 were seen.
+//!   Thin shadows by lamps with a size have soft edges, which are not looked for.
 //! - Shadows on spheres and blocks, and slits of light between these: of 1,000 crowds without mirrors two are below 42 dB for a
 //!   bright slit on a block's face, 41.0 dB.
 //! - Images in the first plane of cylinders and capsules, and images that others cover in part: a corner in the outlines of both

@@ -57,6 +57,6 @@ fn worst_frames_of_the_show_have_no_larger_patches() {
 
 #[test]
 #[ignore = "many frames"]
-fn show_has_no_larger_patches() {
+fn long_show_has_no_larger_patches() {
     hold((0..116).map(|second| second as f32 + 0.1));
 }

@@ -88,7 +88,7 @@ fn frames_of_a_picture_probe_each_pixel_once() {
 /// The intervals of single frames, and of a picture that rests until its interval is below 0.3 dB.
 #[test]
 #[ignore = "5,400 frames"]
-fn interval_holds_the_true_error_in_95_of_100() {
+fn long_interval_holds_the_true_error() {
     const SIZE: [usize; 2] = [480, 270];
     // All frames of a picture probe each of its pixels once.
     const COUNT: u16 = 648;

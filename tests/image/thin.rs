@@ -59,6 +59,6 @@ fn thin_bars_have_no_holes() {
 
 #[test]
 #[ignore = "many scenes by chance"]
-fn thin_bars_of_2000_scenes_have_no_holes() {
+fn long_thin_bars_of_2000_scenes_have_no_holes() {
     assert_whole(667);
 }

@@ -53,10 +53,10 @@
 //! What an exhaustive frame shows of a thing 1 to 5 pixels wide in the eye's sight, of its shadow on a plane by a point of light, and of its
 //! image in the first plane, at every pixel of it, no named quality leaves out in a hole of 4 connected pixels or more
 //! (`tests/image/thin.rs`). An outline's width is the least extent of the object where it is farthest from the eye: at most the true one.
-//! Of wider things two parts can have holes of up to 16 pixels: a tip that is sharper than a right angle, and a narrow strip that others
-//! leave of a wide thing, such as the back of a log that is sunk in the ground.
+//! Of wider things two parts can have holes, of 8 pixels as far as was seen: a corner, and a narrow strip that others leave of a wide
+//! thing, such as the back of a log that is sunk in the ground.
 //!
-//! Antialiasing leaves a pixel a third of what it shows at least.
+//! Antialiasing leaves a pixel an eighth of what it shows at least.
 //!
 //! That is all that is guaranteed. Gaps between objects, shadows on other objects than planes, highlights in mirrors, and what is seen in
 //! other mirrors or through glass can be missed where they fall between corners; `cargo lab missed` counts how many are. A guaranteed
