@@ -108,8 +108,8 @@
 //! - Chords of a sphere shorter than the rounding error above: the ray passes by.
 //! - Some shadows between the corners of squares. The guard looks for shadows on planes, and for light between them. For each shadow of
 //!   a sphere by a point of light one corner is right, but this corner may be as dark without the shadow: a lamp low above a plane
-//!   lights a patch of few pixels, and the corner may lie beside the patch. Then the quality can miss the shadow. By a lamp
-//!   so bright that a shadow is seen wherever it falls it misses none. Of other shadows on planes it misses few.
+//!   lights a patch of few pixels, and the corner may lie beside the patch. Then the quality can miss a shadow that is wider than a
+//!   square. By a lamp so bright that a shadow is seen wherever it falls it misses none. Of other shadows on planes it misses few.
 //! - Holes in wider things: a corner of one, and a narrow strip that others leave of one, can lose connected pixels; 8 were seen.
 //!   Thin shadows by lamps with a size have soft edges, which are not looked for.
 //! - Shadows on spheres and blocks, and slits of light between these: of 1,000 crowds without mirrors two are below 42 dB for a
