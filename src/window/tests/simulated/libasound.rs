@@ -12,7 +12,7 @@
 use std::{
     env,
     ffi::{c_char, c_int, c_long, c_uint, c_ulong, c_void},
-    fs::File,
+    fs::{self, File},
     io::{BufWriter, Write},
     mem::transmute,
     ptr::null_mut,
@@ -37,7 +37,7 @@ const STOP: u64 = 1_500_000_000;
 const OUT_OF_SAMPLES: c_int = -32;
 const NO_DEVICE: c_int = -19;
 
-/// Threads of the program, all of which sleep at times.
+/// Threads of the program that sleep at times, once it plays. Before that others come and go.
 const THREADS: usize = 2;
 
 struct World {
@@ -45,6 +45,8 @@ struct World {
     now: u64,
     /// When each thread that sleeps wakes up.
     sleepers: Vec<u64>,
+    /// Whether all threads that sleep at times have.
+    plays: bool,
     /// Samples that the device plays in a million seconds.
     rate: u64,
     /// When a writer is late next.
@@ -75,6 +77,7 @@ static WORLD: LazyLock<Mutex<World>> = LazyLock::new(|| {
     Mutex::new(World {
         now: 0,
         sleepers: Vec::new(),
+        plays: false,
         rate: 48_000 * (1_000_000 + number("SIMULATED_FAST")) as u64,
         late: time("SIMULATED_LATE"),
         stop: time("SIMULATED_STOP"),
@@ -99,16 +102,30 @@ fn sleep(mut world: MutexGuard<'static, World>, time: u64) -> MutexGuard<'static
     WOKEN.notify_all();
     while world.now < time {
         let asleep = world.sleepers.iter().filter(|&&time| time > world.now);
-        if asleep.clone().count() < THREADS {
+        let (count, first) = (asleep.clone().count(), *asleep.min().expect("this one"));
+        world.plays |= count == THREADS;
+        let working = if world.plays { THREADS } else { threads() } > count;
+        if !working {
+            world.now = first;
+            WOKEN.notify_all();
+        } else if world.plays {
             world = WOKEN.wait(world).expect("no thread panics");
         } else {
-            world.now = *asleep.min().expect("this one");
-            WOKEN.notify_all();
+            // A thread that ends wakes nobody.
+            drop(world);
+            // SAFETY: it looks at no files, for a millisecond.
+            unsafe { poll(null_mut(), 0, 1) };
+            world = self::world();
         }
     }
     let this = world.sleepers.iter().position(|&other| other == time);
     world.sleepers.swap_remove(this.expect("it slept"));
     world
+}
+
+/// How many threads there are.
+fn threads() -> usize {
+    fs::read_dir("/proc/self/task").map_or(1, Iterator::count)
 }
 
 impl World {
@@ -234,6 +251,7 @@ extern "C" fn snd_pcm_recover(_: *mut c_void, error: c_int, _: c_int) -> c_int {
 
 unsafe extern "C" {
     fn dlsym(library: *mut c_void, name: *const c_char) -> *mut c_void;
+    fn poll(files: *mut c_void, count: c_ulong, milliseconds: c_int) -> c_int;
 }
 
 /// The next library's function of a name: libc's.
