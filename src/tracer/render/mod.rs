@@ -92,7 +92,7 @@ impl Frame<'_> {
 /// let mut probes = Probes::NONE;
 /// for number in 0..30 {
 ///     scene.camera.eye.x = number as f32 / 60.0;
-///     let frame = Frame::new(160, 120, &mut pixels).with_probes(Frame::PROBES, number);
+///     let frame = Frame::new(160, 120, &mut pixels).with_probes(2000, number);
 ///     probes += renderer.render(&scene, &Quality::DEFAULT, frame, &mut threads)?.probes;
 /// }
 /// println!("{:.1} ± {:.1} dB", probes.psnr(), probes.margin());
