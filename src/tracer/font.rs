@@ -58,8 +58,8 @@ static DIGITS: [&str; 12] = [
     "nlfbdgi", // 9
 ];
 
-/// The strokes of an ASCII capital or digit, a full stop, or ± for a slash, each with its two ends in grid units to the right of the letter's upper left and
-/// below it. Other bytes have none.
+/// The strokes of an ASCII capital, digit or full stop, and of ± for a slash: each with its two ends in grid units to the right of the
+/// letter's upper left and below it. Other bytes have none.
 pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     points(letter)
         .windows(2)

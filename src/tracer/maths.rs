@@ -52,7 +52,7 @@ fn sin_turns(turns: f64) -> f32 {
     (x * sum) as f32
 }
 
-/// The logarithm to base 2 of a positive normal number.
+/// The logarithm to base 2 of a positive normal number, to 0.0003.
 #[must_use]
 pub(crate) fn log2(x: f32) -> f32 {
     let simd = baseline();
@@ -75,7 +75,15 @@ pub fn smooth_step(u: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{cos, sin};
+    use super::{cos, log2, sin};
+
+    #[test]
+    fn logarithms_are_within_three_ten_thousandths() {
+        for i in -3_000..=3_000 {
+            let x = libm::exp2f(i as f32 * 0.04);
+            assert!((log2(x) - libm::log2f(x)).abs() < 3e-4, "log2 {x}");
+        }
+    }
 
     #[test]
     fn sines_are_within_a_millionth() {

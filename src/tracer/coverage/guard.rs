@@ -169,9 +169,9 @@ impl Search<'_> {
                 && self.squares.inside(square, region) == ALL
     }
 
-    /// Looks for an image or a shadow on a plane in a square, where some corners show the plane. An image opens the square unless one of
-    /// these, or all four if it is thin, is inside of its region: it may be in front of another image. A shadow does the same, once all shadows by its lamp are known,
-    /// unless all corners are inside of another one.
+    /// Looks for an image or a shadow on a plane in a square, where some corners show the plane. An image opens the square unless one
+    /// of these (all four, if it is thin) is inside of its region: it may be in front of another image. A shadow does the same, once
+    /// all shadows by its lamp are known, unless all corners are inside of another one.
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
         let (_, shown) = self.squares.corners([x, y], plane);

@@ -13,9 +13,9 @@
 //! | shadow | the cone of rays from the lamp, as the eye sees it on the plane | the same | `shadow` |
 //! | highlight | the ellipse of a Gaussian | it is not visibly brighter anywhere than at the corners that show the object | `highlight` |
 //!
-//! `guard` goes through the bounds that meet a tile, level by level. `view` bounds spheres seen from the eye or a lamp,
-//! `sides` bounds blocks and planes, and tests points and rectangles of the picture against all these bounds, `screen` has rectangles around them, and `mirror`
-//! finds the places where highlights are.
+//! `guard` goes through the bounds that meet a tile, level by level. `view` bounds spheres seen from the eye or a lamp, `sides` bounds
+//! blocks and planes, and tests points and rectangles of the picture against all these bounds, `screen` has rectangles around them, and
+//! `mirror` finds the places where highlights are.
 //!
 //! # What is not missed
 //!
@@ -25,8 +25,8 @@
 //!
 //! The same holds for the shadows that spheres throw on planes by the light of lamps that are points. A square that shows the plane at a
 //! corner, and may show a shadow, is filled only where one of its corners lies in the shadow on the plane, or where all lie in another
-//! one by the same lamp ([`rounding`](crate::rounding) derives why errors spoil neither). That corner is dark. It may be as dark without the shadow: see
-//! [`limits`](crate::limits).
+//! one by the same lamp ([`rounding`](crate::rounding) derives why errors spoil neither). That corner is dark. It may be as dark
+//! without the shadow: see [`limits`](crate::limits).
 //!
 //! Shadows of blocks on planes, and by all other lamps, are looked for in the same way, but not as exactly: a capsule counts as the
 //! cylinder around it, a cylinder that is seen from above as the box, and a lamp with a size as its middle. A spotlight counts where it
@@ -50,8 +50,8 @@
 //!
 //! # What has no holes
 //!
-//! What an exhaustive frame shows of a thing 1 to 5 pixels wide in the eye's sight, of its shadow on a plane by a point of light, and of its
-//! image in the first plane, at every pixel of it, no named quality leaves out in a hole of 4 connected pixels or more
+//! What an exhaustive frame shows of a thing 1 to 5 pixels wide in the eye's sight, of its shadow on a plane by a point of light, and
+//! of its image in the first plane, at every pixel of it, no named quality leaves out in a hole of 4 connected pixels or more
 //! (`tests/image/thin.rs`). An outline's width is the least extent of the object where it is farthest from the eye: at most the true one.
 //! Of wider things two parts can have holes, of 8 pixels as far as was seen: a corner, and a narrow strip that others leave of a wide
 //! thing, such as the back of a log that is sunk in the ground.
@@ -61,7 +61,7 @@
 //! That is all that is guaranteed. Gaps between objects, shadows on other objects than planes, highlights in mirrors, and what is seen in
 //! other mirrors or through glass can be missed where they fall between corners; `cargo lab missed` counts how many are. A guaranteed
 //! shadow may be smaller than it is, too: of the pixels of small spheres' shadows on a plane up to 0.4 % are lit
-//! (`few_pixels_of_shadows_are_missed_and_their_patches_are_small`). The lab's bench measures how much of the picture is
+//! (`few_pixels_of_shadows_are_lit`). The lab's bench measures how much of the picture is
 //! wrong, and how many pixels pop.
 
 mod guard;

@@ -49,7 +49,8 @@ pub(super) enum Sides {
 
 impl Sides {
     /// Returns the rays between the planes through the eye or a lamp and an edge of a block that have all of the block on one side:
-    /// two for each of its axes, at most. They leave room for `corner`, see [`CORNER`](crate::rounding::CORNER). `to` is the block's centre.
+    /// two for each of its axes, at most. They leave room for `corner`, see [`CORNER`](crate::rounding::CORNER). `to` is the block's
+    /// centre.
     #[inline(never)]
     pub fn of_block(rays: &[Vec3A; 3], to: Vec3A, block: &Block, corner: f32) -> Self {
         let inward = Mat3A::from(block.axes).transpose();

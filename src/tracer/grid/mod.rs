@@ -1,6 +1,7 @@
 //! The grids of a tile: its squares and their corners, level by level.
 //!
-//! Level `n` has squares of `1 << n` pixels a side; level 0 has pixels. `bits` has a bit for each square or point of a row, and `pyramid` the samples of all points.
+//! Level `n` has squares of `1 << n` pixels a side; level 0 has pixels. `bits` has a bit for each square or point of a row, and
+//! `pyramid` the samples of all points.
 
 mod bits;
 mod pyramid;

@@ -8,12 +8,12 @@ pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 
 /// Threads that draw the bands of a frame, each in a [`Worker`] of its own.
 ///
-/// A worker is the simplest of them: the caller's thread alone. [`ScopedThreads`](crate::ScopedThreads), with the feature `std`, starts one for each of its
-/// workers, for every frame; a pool would start them once.
+/// A worker is the simplest of them: the caller's thread alone. [`ScopedThreads`](crate::ScopedThreads), with the feature `std`, starts
+/// one for each of its workers, for every frame; a pool would start them once.
 pub trait Threads {
     /// Applies the job to each band once, each with any of the workers, in any order and side by side, and returns when all are
-    /// done. It is called once for a frame, then once if the quality is antialiased, and once if the scene has captions or copper bars. Taken in the
-    /// order given, as pools do, those that are expected to take longest come first.
+    /// done. It is called once for a frame, then once if the quality is antialiased, and once if the scene has captions or copper bars.
+    /// Taken in the order given, as pools do, those that are expected to take longest come first.
     ///
     /// A band that is left out keeps the pixels that were there.
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>);

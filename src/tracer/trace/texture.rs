@@ -33,8 +33,8 @@ impl<S: Isa> TexturePoint<S> {
         along.scaled(splat::<S>(simd, 1.0) / length2.sqrt())
     }
 
-    /// The share that the pattern leaves of the colour, 0 to 1, with a negative sign where the pattern is [`FINE`], seen along `d` from the distance `t`. If the length of `d` is
-    /// not 1, `t` is the distance times this length.
+    /// The share that the pattern leaves of the colour, 0 to 1, seen along `d` from the distance `t`, with a negative sign where the
+    /// pattern is [`FINE`]. If the length of `d` is not 1, `t` is the distance times this length.
     #[inline(always)]
     pub fn reflectance(
         &self,

@@ -41,7 +41,8 @@ impl Met {
     }
 }
 
-/// Traces `count` rays with a departure from a point. Calls `check` with the direction of each, and with the distance if it hits the object.
+/// Traces `count` rays with a departure from a point. Calls `check` with the direction of each, and with the distance if it hits the
+/// object.
 #[inline(always)]
 fn each_ray<S: Isa>(
     simd: S,
