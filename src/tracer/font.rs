@@ -2,7 +2,7 @@
 
 use glam::{Vec2, vec2};
 
-/// The capitals, each as the points that a pen visits; a space lifts the pen. The points of the grid are
+/// The capitals, each as the points that a pen visits; a space lifts the pen. The grid's points are
 ///
 /// ```text
 /// a b c
@@ -41,7 +41,7 @@ static CAPITALS: [&str; 26] = [
     "acmo", // Z
 ];
 
-/// A full stop, the sign ± in the place of a slash, and the digits, written in the same way.
+/// A full stop, ± at the slash, and the digits, in the same notation.
 #[rustfmt::skip]
 static DIGITS: [&str; 12] = [
     "kn", // .
@@ -58,8 +58,8 @@ static DIGITS: [&str; 12] = [
     "nlfbdgi", // 9
 ];
 
-/// The strokes of an ASCII capital, digit or full stop, and of ± for a slash: each with its two ends in grid units to the right of the
-/// letter's upper left and below it. Other bytes have none.
+/// Returns the strokes of an ASCII capital, digit or full stop, and of ± for a slash; none for other bytes. Each stroke has two
+/// ends, in grid units from the letter's upper left, x to the right and y down.
 pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
     points(letter)
         .windows(2)
@@ -67,7 +67,7 @@ pub fn strokes(letter: u8) -> impl Iterator<Item = (Vec2, Vec2)> {
         .map(|ends| (position(ends[0]), position(ends[1])))
 }
 
-/// The points that a pen visits for a letter.
+/// Returns the points that a pen visits for a letter.
 #[inline(never)]
 fn points(letter: u8) -> &'static [u8] {
     let points = match letter {
@@ -78,7 +78,7 @@ fn points(letter: u8) -> &'static [u8] {
     points.as_bytes()
 }
 
-/// The position of a point of the grid, in grid units.
+/// Returns the position of a point of the grid, in grid units.
 fn position(point: u8) -> Vec2 {
     let index = point - b'a';
     vec2(f32::from(index % 3), f32::from(index / 3))
@@ -89,7 +89,7 @@ mod tests {
     use super::strokes;
 
     #[test]
-    fn every_letter_has_strokes_on_its_grid_and_nothing_else_has() {
+    fn strokes_of_letters_only_lie_on_grid() {
         for letter in 0..=u8::MAX {
             let count = strokes(letter)
                 .inspect(|&(from, to)| {

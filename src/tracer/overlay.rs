@@ -1,8 +1,7 @@
-//! The overlay of a picture that is done: copper bars, then captions, each drawn row by row of a band.
+//! The overlay: copper bars, then captions, drawn over a finished picture row by row.
 //!
-//! The coverage of a pixel by a caption is computed from the distance of its centre to the nearest stroke, so edges are antialiased at any
-//! size. Overlays are placed in pixels of the picture, and drawn in rows of the band. Letters are measured in units of the font's
-//! grid.
+//! A caption's coverage of a pixel is computed from the distance of the pixel's centre to the nearest stroke, so edges are
+//! antialiased at any size. Letters are measured in units of the font's grid.
 
 use crate::font::strokes;
 use crate::maths::{round, sqrt};
@@ -17,10 +16,10 @@ const ADVANCE: f32 = 2.0 + 2.0 * (HALF_WIDTH + SHADOW);
 /// Half the width of a stroke, in grid units.
 const HALF_WIDTH: f32 = 0.3;
 
-/// The width of the shadow around a stroke, in grid units: towards its rim it fades, and it makes text readable on white.
+/// The width of the shadow around a stroke, in grid units. It fades outward, and makes text readable on white.
 const SHADOW: f32 = 0.35;
 
-/// The share of the picture that the shadow hides at most.
+/// The opacity of the shadow at its darkest.
 const DARKNESS: f32 = 0.7;
 
 /// The overlay of a picture.
@@ -29,20 +28,19 @@ pub(crate) struct Overlay<'a> {
     pub captions: &'a [Caption],
     /// The numbers whose digits captions show, see [`Caption::letters`].
     pub numbers: &'a [usize],
-    /// At this share of the picture's width, 0 to 1, lies the same share of a line: 0.5 centres lines, and with 0 they begin at the
-    /// left.
+    /// The alignment, 0 to 1: this share of a line's width is at the same share of the picture's width. 0 is left, 0.5 centred.
     pub middle: f32,
-    /// Rows of the picture.
+    /// The number of rows of the picture.
     pub height: usize,
 }
 
 impl Overlay<'_> {
-    /// Whether there is nothing to draw.
+    /// Returns whether there is nothing to draw.
     pub fn is_empty(&self) -> bool {
         self.copper_bars.is_empty() && self.captions.is_empty()
     }
 
-    /// The last phase of a frame: draws over a band that is done.
+    /// Draws over a band: the last phase of a frame.
     pub fn draw(&self, band: &mut Band<'_>) {
         for bar in self.copper_bars {
             self.draw_bar(bar, band);
@@ -54,12 +52,11 @@ impl Overlay<'_> {
         }
     }
 
-    /// Draws a copper bar.
     fn draw_bar(&self, bar: &CopperBar, band: &mut Band<'_>) {
         let h = pixels(self.height);
         let (unit, line) = (0.5 * bar.height * h, bar.middle * h - pixels(band.top));
         for (y, row) in band.rows() {
-            // How far the row is from the middle, in halves of the bar's height; then how bright it is.
+            // The distance from the bar's middle, in halves of its height, and the brightness there.
             let out = (pixels(y) + 0.5 - line) / unit;
             let light = 1.0 - out * out;
             if light > 0.0 {
@@ -71,7 +68,6 @@ impl Overlay<'_> {
         }
     }
 
-    /// Draws a caption.
     fn draw_caption(&self, caption: &Caption, band: &mut Band<'_>) {
         let (w, h) = (pixels(band.width), pixels(self.height));
         // The size of a grid unit in pixels. A letter is four units high and two wide.
@@ -79,7 +75,7 @@ impl Overlay<'_> {
         let line = caption.middle * h - pixels(band.top);
         for (y, row) in band.rows() {
             let y = (pixels(y) + 0.5 - line) / unit;
-            // Beyond half a letter and the shadow there is nothing to draw.
+            // Above and below the letters and their shadows.
             if y.abs() > 2.0 + HALF_WIDTH + SHADOW {
                 continue;
             }
@@ -107,9 +103,8 @@ impl Overlay<'_> {
 }
 
 impl Frame<'_> {
-    /// Draws captions over a picture that is done, each from the left side of the picture on. In their letters a `#` stands for a
-    /// digit of the first of the numbers, a `$` for one of the second, a `%` for one of the third, a `&` for one of the fourth: the last
-    /// such sign for the last digit, and a space where a number has no more digits.
+    /// Draws captions over a finished picture, aligned to its left side. The signs `#`, `$`, `%` and `&` in their letters show the
+    /// digits of the first to the fourth number, see [`Caption::letters`].
     ///
     /// # Panics
     /// If the frame has fewer pixels than its size says.
@@ -125,7 +120,7 @@ impl Frame<'_> {
     }
 }
 
-/// The letter of a caption at an index, a digit of a number where one stands for it; `None` beyond its end.
+/// Returns the letter at an index, with digits in place of signs; `None` after the last one.
 fn letter(letters: &[u8], index: usize, numbers: &[usize]) -> Option<u8> {
     let (&letter, after) = letters.get(index..)?.split_first()?;
     let Some(number) = numbers.get(usize::from(letter.wrapping_sub(b'#'))) else {
@@ -137,7 +132,7 @@ fn letter(letters: &[u8], index: usize, numbers: &[usize]) -> Option<u8> {
             if next == letter { number / 10 } else { number }
         },
     );
-    // No zeros lead a number.
+    // No leading zeros.
     Some(if number > 0 {
         b'0' + (number % 10) as u8
     } else {
@@ -145,7 +140,7 @@ fn letter(letters: &[u8], index: usize, numbers: &[usize]) -> Option<u8> {
     })
 }
 
-/// The distance from a point to the nearest of a letter's strokes, in grid units, at most 1.
+/// Returns the distance from a point to the nearest of a letter's strokes, in grid units, at most 1.
 fn distance(at: Vec2, letter: u8) -> f32 {
     let mut distance2 = 1.0_f32;
     for (from, to) in strokes(letter) {
@@ -156,12 +151,12 @@ fn distance(at: Vec2, letter: u8) -> f32 {
     sqrt(distance2)
 }
 
-/// Blends a pixel to black by its share that is `covered`, and adds shares of blue, green and red, which are no larger.
+/// Blends a pixel to black by the share `covered`, and adds shares of blue, green and red, which are no larger.
 ///
-/// A call for each pixel: of a bar's row the compiler would make vectors, for 240 packed bytes of the intro.
+/// A call per pixel: vectorised rows of a bar would cost the intro 240 packed bytes.
 #[inline(never)]
 fn blend(pixel: u32, covered: f32, added: [f32; 3]) -> u32 {
-    // Rounded to 256ths. A brightness above 1, which no valid scene has, counts as 1.
+    // In 256ths. A brightness above 1, which a valid scene never has, counts as 1.
     let rounded = |share: f32| ((256.0 * share + 0.5) as u32).min(256);
     let left = 256 - rounded(covered);
     let channel = |number: usize| {

@@ -1,4 +1,4 @@
-//! The picture: where it goes, and its parts, the bands of it that threads draw, and which blocks of these may have edges.
+//! The frame that a caller passes in, and the bands of it that threads draw.
 
 use crate::counts::Counts;
 use crate::quality::Quality;
@@ -6,17 +6,16 @@ use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::ops::Range;
 use glam::{Vec2, vec2};
 
-/// Where a picture goes, its size, and which points of it are looked at.
+/// The destination of a picture: its pixels, its size and the position of its samples.
 #[non_exhaustive]
 pub struct Frame<'a> {
     /// Pixels in a row, 1 to [`MAX_WIDTH`].
     pub width: usize,
     /// Rows, 1 to [`MAX_HEIGHT`].
     pub height: usize,
-    /// `0x00RRGGBB`, row after row from the top, each [`stride`](Self::stride) pixels after the one before. Those between and
-    /// beyond stay as they are.
+    /// `0x00RRGGBB`, row by row from the top. Pixels between rows and after the last one stay unchanged.
     pub pixels: &'a mut [u32],
-    /// How many pixels a row begins after the one above it: `width`, unless [`Frame::with_stride`] says more.
+    /// The distance between the starts of two rows in pixels, at least `width`. See [`Frame::with_stride`].
     pub stride: usize,
     /// See [`Frame::with_offset`].
     pub offset: Vec2,
@@ -24,22 +23,22 @@ pub struct Frame<'a> {
     pub probing: Probing,
 }
 
-/// Which pixels of a frame are probed, see [`Frame::with_probes`].
+/// The number and the choice of probed pixels. See [`Frame::with_probes`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Probing {
-    /// How many, unless they fall on what an overlay hides.
+    /// The number of probes. Pixels that an overlay hides are skipped.
     pub count: u16,
-    /// Which ones.
+    /// Selects the pixels.
     pub seed: u32,
 }
 
 impl<'a> Frame<'a> {
-    /// A number of probes for [`Frame::with_probes`] that takes less than 1 % of the time of a default frame of 1024x768: by AVX2,
-    /// callgrind counts 0.8 % more instructions for the model scene, 0.6 and 0.3 % more for the show at 20 and at 76 s.
+    /// A number of probes that takes less than 1 % of the time of a default frame of 1024x768. With AVX2, callgrind counts 0.8 %
+    /// more instructions for the model scene, and 0.6 and 0.3 % more for the show at 20 and at 76 s.
     pub const PROBES: u16 = 80;
 
-    /// A frame of so many pixels in a row, and so many rows, in these pixels.
-    /// [`Renderer::render`](crate::Renderer::render) says whether they fit.
+    /// Returns a frame of `width` by `height` pixels without gaps between its rows. [`Renderer::render`](crate::Renderer::render)
+    /// checks the sizes.
     #[must_use]
     pub const fn new(width: usize, height: usize, pixels: &'a mut [u32]) -> Self {
         Self {
@@ -52,15 +51,15 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// The same frame in a larger picture, or one with room between its rows: each begins so many pixels after the one above it,
-    /// which is `width` or more.
+    /// Sets the distance between the starts of two rows, in pixels, at least `width`: for a part of a larger picture, or padded
+    /// rows.
     #[must_use]
     pub const fn with_stride(self, stride: usize) -> Self {
         Self { stride, ..self }
     }
 
-    /// The same frame with its samples `x` pixels to the right of the pixels' centres and `y` below them, within -0.5 to 0.5. The
-    /// mean of frames that cover a pixel evenly is a supersampled one.
+    /// Moves all samples `x` pixels to the right of the pixels' centres and `y` pixels down, -0.5 to 0.5 each. For supersampling,
+    /// average frames whose offsets cover a pixel evenly.
     #[must_use]
     pub const fn with_offset(self, x: f32, y: f32) -> Self {
         Self {
@@ -69,17 +68,16 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// The same frame with so many of its pixels probed: [`Counts::probes`] then says how far they are off what they are if every
-    /// pixel is traced. The picture stays as it is.
+    /// Probes `count` pixels: traces them as an exhaustive frame does, and compares them with the frame. The results are in
+    /// [`Counts::probes`]. The picture stays the same.
     ///
-    /// The seed says which pixels. Frames whose seeds follow each other probe other pixels, until each pixel was probed once; so the number
-    /// of the frame is a good seed. Neither an overlay that explains the method nor what is
-    /// coarse on purpose is probed (see [`Method`](crate::scene::Method)): such a frame has no probes. What lies over the picture, such as
-    /// captions, is drawn later.
+    /// `seed` selects the pixels. Consecutive seeds probe different pixels until each was probed once, so pass the frame's number.
+    /// Captions and copper bars are drawn after the comparison. A frame with a [`Method`](crate::scene::Method) overlay, or one
+    /// that stays coarse, has no probes.
     ///
-    /// The estimate of the mean squared error has no bias. How certain it is, [`Probes::margin`](crate::Probes::margin) tells: few
-    /// pixels make most of the error, so that one frame's is as good as none; at 60 frames a second those of a second are
-    /// within one or two dB, and those of a minute within some tenths.
+    /// The estimate of the mean squared error has no bias, and [`Probes::margin`](crate::Probes::margin) is its uncertainty. A few
+    /// pixels make most of the error, so you need the probes of many frames: at 60 frames a second, one second is accurate to 1 or
+    /// 2 dB, and one minute to some tenths of a dB.
     #[must_use]
     pub const fn with_probes(self, count: u16, seed: u32) -> Self {
         Self {
@@ -90,7 +88,7 @@ impl<'a> Frame<'a> {
 }
 
 impl Frame<'_> {
-    /// Returns the number of pixels from the first to the last one.
+    /// Returns the number of pixels from the first to the last one, gaps included.
     pub(crate) fn count(&self) -> usize {
         let Some(above) = self.height.checked_sub(1) else {
             return 0;
@@ -99,7 +97,7 @@ impl Frame<'_> {
         last_row.saturating_add(self.width)
     }
 
-    /// Returns the surface that the frame is drawn on.
+    /// Returns the whole picture as one band.
     pub(crate) fn surface<'a>(&'a mut self, rough: &'a mut [RoughRow]) -> Band<'a> {
         let count = self.count();
         Band {
@@ -112,68 +110,68 @@ impl Frame<'_> {
     }
 }
 
-/// The width of a tile in pixels. A row of a level's bits is then eight words, and the samples of its points stay in a core's own
+/// The width of a tile in pixels. A row of a level's bits is then eight words, and the samples of a tile fit in the core's own
 /// cache.
 pub(crate) const TILE_WIDTH: usize = 512;
-/// The height of a tile and of a band in pixels: the side of the largest square. The picture's last band may have fewer rows.
+/// The height of a tile and of a band in pixels: the side of the largest square. The last band may be lower.
 pub(crate) const TILE_HEIGHT: usize = Quality::MAX_SQUARE;
 
-/// Bands of the tallest picture.
+/// The number of bands of the tallest picture.
 pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(TILE_HEIGHT);
 
-/// The side of a block in pixels.
+/// The side of a cell in pixels.
 pub(crate) const BLOCK: usize = TILE_WIDTH / u64::BITS as usize;
 
-/// How many rows of blocks a band has at most.
+/// The number of rows of cells in a full band.
 pub(crate) const BLOCK_ROWS: usize = TILE_HEIGHT / BLOCK;
 
-/// A bit for each block of 8x8 pixels in a row of blocks, a word for each tile: whether it is rough, so that neighbouring pixels in
-/// it may differ by an edge. In the others no two neighbours do, nor across the border of two that are not rough.
+/// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough, which means that neighbouring pixels in it may
+/// differ by an edge. Neighbours in smooth cells, or across the border of two smooth cells, never do.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
-/// The rows of blocks of all bands.
+/// The rows of cells of all bands.
 pub(crate) type Rough = [RoughRow; BLOCK_ROWS * MAX_BANDS];
 
-/// Some rows of the picture, or all of them: the surface that is drawn on, and the unit of work that threads share.
+/// Some rows of a picture: the drawing surface, and the unit of work of a thread.
 pub struct Band<'a> {
-    /// The picture's rows from here.
+    /// The index of the first row in the picture.
     pub(crate) top: usize,
     pub(crate) width: usize,
-    /// How many pixels a row begins after the one above it.
+    /// The distance between the starts of two rows in pixels.
     pub(crate) stride: usize,
     pub(crate) pixels: &'a mut [u32],
-    /// How much work it was to draw it. The frame's counts are those of all its bands.
+    /// The work of drawing the band. The frame's counts are the sum over its bands.
     pub counts: Counts,
-    /// Which of its blocks are rough, row after row.
+    /// The rough cells, row by row.
     pub(crate) rough: &'a mut [RoughRow],
 }
 
 impl Band<'_> {
-    /// Which rows of the picture it has, counted from the top.
+    /// Returns the range of its rows in the picture.
     #[must_use]
     pub fn rows_of_picture(&self) -> Range<usize> {
         self.top..self.top + self.height()
     }
 
-    /// Has it count as drawn by somebody else, of whom nothing is known but the pixels that are in it when edges are antialiased: then
-    /// the rows next to the bands that are drawn here have to be there.
+    /// Marks all cells as rough, because the caller draws the band: it may have edges anywhere. The rows next to the bands that the
+    /// renderer draws must be there before edges are antialiased.
     pub fn be_unknown(&mut self) {
         self.rough.fill([u64::MAX; _]);
     }
 
-    /// How many rows it has.
+    /// Returns the number of rows.
     pub(crate) fn height(&self) -> usize {
         // The last row ends with its last pixel.
         (self.pixels.len() + self.stride - self.width) / self.stride
     }
 
-    /// Its rows with their numbers, from its own top.
+    /// Returns the rows with their indices in the band.
     pub(crate) fn rows(&mut self) -> impl Iterator<Item = (usize, &mut [u32])> {
         let rows = self.pixels.chunks_mut(self.stride.max(1));
         rows.map(|row| &mut row[..self.width]).enumerate()
     }
 
-    /// Sets a pixel, if it is in the picture.
+    /// Sets a pixel, if it is inside the band.
     #[inline(always)]
     pub(crate) fn put(&mut self, x: usize, y: usize, pixel: u32) {
         let place = self.pixels.get_mut(y * self.stride + x);
@@ -182,7 +180,7 @@ impl Band<'_> {
         }
     }
 
-    /// Divides it into bands of [`TILE_HEIGHT`] rows, from the top.
+    /// Divides the picture into bands of [`TILE_HEIGHT`] rows.
     pub(crate) fn parts(&mut self) -> impl ExactSizeIterator<Item = Band<'_>> {
         let &mut Self { width, stride, .. } = self;
         let pixels = self.pixels.chunks_mut(TILE_HEIGHT * stride);

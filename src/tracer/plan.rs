@@ -1,4 +1,4 @@
-//! The common ground of a frame's phases: how it is drawn, what it shows, and who listens.
+//! The settings and the shared state of a frame's phases.
 
 use crate::coverage::Coverage;
 use crate::picture::{Frame, Probing};
@@ -10,33 +10,33 @@ use crate::trace::{Batch, Kernel, Tracer};
 use fearless_simd::Level;
 use glam::Vec2;
 
-/// The largest squares of scenes with a crowd of mirrors and glass: strips of images in them are as narrow there as the crowd is dense.
+/// The largest squares, in pixels, in scenes with a crowd of mirrors and glass, whose images are narrow.
 const CROWD_SQUARE: usize = 4;
 
-/// How a frame is drawn: all that is settled before its first band.
+/// The settings of a frame, fixed before its first band.
 pub(crate) struct FramePlan {
     /// The instruction set.
     pub isa: Level,
-    /// The function that traces points by it.
+    /// The function that traces points.
     pub kernel: Kernel,
-    /// The caller's quality as far as the scene leaves it: the only one that the phases ask.
+    /// The effective quality for this scene.
     pub quality: Quality,
     /// The width and the height of the picture in pixels.
     pub size: [usize; 2],
-    /// How many columns of pixels, from the left, are finished: without marks of the method.
+    /// The number of finished columns, from the left: without marks of the method.
     pub finished: usize,
-    /// The side in pixels up to which squares are filled with one colour, see [`Method::coarse`]: below 2, none are.
+    /// The side in pixels up to which squares are filled with one colour, see [`Method::coarse`]; below 2 for none.
     pub coarse: usize,
-    /// Whether no two points of a strong mirror or glass have one key, since a crowd of them shows each other.
+    /// Whether all points of strong mirrors and glass have different keys, because a crowd of them reflects each other.
     pub glitters: bool,
-    /// How far samples are off the centres of their pixels, in pixels.
+    /// The offset of samples from the centres of their pixels, in pixels.
     pub offset: Vec2,
-    /// Which pixels are probed.
+    /// The probed pixels.
     pub probing: Probing,
 }
 
 impl FramePlan {
-    /// The plan of a frame of a scene, by a quality that the caller asks for.
+    /// Returns the plan of a frame at the quality that the caller asks for.
     pub fn new(
         isa: Level,
         kernel: Kernel,
@@ -61,7 +61,7 @@ impl FramePlan {
             quality.square
         };
         let quality = Quality {
-            // The largest squares are as large as the coarse ones.
+            // Squares may be larger than the quality's to reach the coarse size.
             square: if is_coarse {
                 let side = 1 << coarse.min(Quality::MAX_SQUARE).ilog2();
                 square.max(side)
@@ -71,7 +71,7 @@ impl FramePlan {
             tolerance_agreeing: quality.tolerance_agreeing * tolerance,
             tolerance_differing: quality.tolerance_differing * tolerance,
             tolerance_side: quality.tolerance_side * tolerance,
-            // Coarse squares have edges, which stay, and so do those of marks.
+            // Coarse squares and marks keep their hard edges.
             antialias: quality.antialias && !is_coarse && finished > 0,
             ..*quality
         };
@@ -89,17 +89,17 @@ impl FramePlan {
     }
 }
 
-/// The context that all phases of a frame work in.
+/// The state that all phases of a frame share.
 pub(crate) struct Context<'a, O> {
     pub plan: &'a FramePlan,
     pub world: World<'a>,
     pub coverage: &'a Coverage,
-    /// Hears how the frame comes about.
     pub observer: O,
 }
 
 impl<O> Context<'_, O> {
-    /// Traces a batch's points with all their rays by a quality; the primary rays and their reflections meet none but the groups `seen`.
+    /// Traces a batch's points with all their rays. Primary rays and their reflections in the first plane only meet the groups
+    /// `seen`.
     pub fn trace(&self, quality: &Quality, seen: VisibleGroups, batch: &mut Batch) {
         let tracer = Tracer {
             isa: self.plan.isa,

@@ -1,55 +1,53 @@
-//! A bit for each square, or for each point, of a row of a tile.
+//! A bit per square, or per point, of a row of a tile.
 
 use crate::picture::TILE_WIDTH;
 use core::array;
 use core::ops::{BitAnd, BitOr, BitOrAssign, Not};
 
-/// Words of a row: one bit for each pixel that a tile is wide.
+/// The number of words of a row: one bit per pixel of a tile's width.
 pub(crate) const WORDS: usize = TILE_WIDTH / 64;
 
-/// A row of bits, number 0 in the lowest bit of the first word.
+/// A row of bits. Bit 0 is the lowest bit of the first word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Bits(pub [u64; WORDS]);
 
 impl Bits {
-    /// No bit is set.
+    /// No bits.
     pub const NONE: Self = Self([0; WORDS]);
 
-    /// The bits of even numbers.
+    /// The bits with even indices.
     pub const EVEN: Self = Self([0x5555_5555_5555_5555; WORDS]);
 
-    /// The bits from 0 to below `count`.
+    /// Returns the bits from 0 to below `count`.
     pub fn first(count: usize) -> Self {
         let mut bits = Self::NONE;
         for (i, word) in bits.0.iter_mut().enumerate() {
             let count = count.saturating_sub(64 * i).min(64) as u32;
-            // Nothing is left where it is shifted by 64.
+            // A shift by 64 leaves nothing.
             *word = u64::MAX.checked_shr(64 - count).unwrap_or(0);
         }
         bits
     }
 
-    /// Sets a bit.
     pub fn set(&mut self, i: usize) {
         self.0[i / 64] |= 1 << (i % 64);
     }
 
-    /// Clears a bit.
     pub fn clear(&mut self, i: usize) {
         self.0[i / 64] &= !(1 << (i % 64));
     }
 
-    /// Whether a bit is set.
+    /// Returns whether a bit is set.
     pub fn has(&self, i: usize) -> bool {
         self.0[i / 64] >> (i % 64) & 1 != 0
     }
 
-    /// Whether no bit is set.
+    /// Returns whether no bit is set.
     pub fn is_empty(&self) -> bool {
         self.0.iter().fold(0, |all, word| all | word) == 0
     }
 
-    /// The points at the left and at the right end of some squares: each bit, and the one after it.
+    /// Returns each bit and the next one: the left and right corners of squares.
     pub fn ends(self) -> Self {
         let mut bits = self;
         let mut carry = 0;
@@ -60,7 +58,7 @@ impl Bits {
         bits
     }
 
-    /// Each bit twice: of squares, their halves in a row of the level below.
+    /// Returns each bit twice: the halves of squares, at the level below.
     pub fn halves(self) -> Self {
         let mut bits = Self::NONE;
         for (to, &word) in bits.0.as_chunks_mut::<2>().0.iter_mut().zip(&self.0) {
@@ -69,8 +67,7 @@ impl Bits {
         bits
     }
 
-    /// Calls with the number of each bit that is set from one number to another, both included, in order; with none if the first
-    /// is beyond the last.
+    /// Calls `call` with the index of each set bit from `first` to `last`, both included, in order. The range may be empty.
     #[inline(always)]
     pub fn for_each_in(&self, first: i32, last: i32, mut call: impl FnMut(usize)) {
         if first > last {
@@ -89,7 +86,7 @@ impl Bits {
         }
     }
 
-    /// Calls with the number of each bit that is set, in order.
+    /// Calls `call` with the index of each set bit, in order.
     #[inline(always)]
     pub fn for_each(self, mut call: impl FnMut(usize)) {
         for (i, word) in self.0.into_iter().enumerate() {
@@ -98,7 +95,7 @@ impl Bits {
     }
 }
 
-/// Calls with the number of each bit of a word that is set, in order.
+/// Calls `call` with the index of each set bit of a word, in order.
 #[inline(always)]
 pub(crate) fn each(mut word: u64, mut call: impl FnMut(usize)) {
     while word != 0 {
@@ -107,7 +104,7 @@ pub(crate) fn each(mut word: u64, mut call: impl FnMut(usize)) {
     }
 }
 
-/// The lower half of a word's bits at even numbers.
+/// Moves the lower half of a word's bits to the even indices.
 fn spread(word: u64) -> u64 {
     let mut bits = word;
     for (shift, mask) in [

@@ -1,39 +1,39 @@
-//! Pyramid of a tile's points: a grid of them for each level.
+//! The traced points of a tile: a grid per level.
 
 use crate::lanes::MAX_LANES;
 use crate::picture::{TILE_HEIGHT, TILE_WIDTH};
 use crate::quality::Quality;
 use crate::trace::{Layers, Sample};
 
-/// Levels of the pyramid. Level 0 has single pixels, and level `n` squares of `1 << n` pixels a side.
+/// The number of levels. Level `n` has squares of `1 << n` pixels a side.
 pub(crate) const LEVELS: usize = Quality::MAX_SQUARE.ilog2() as usize + 1;
 
-/// The grids of all levels but that of single pixels, which are drawn as they are traced.
+/// The grids of all levels except level 0, whose pixels are drawn when they are traced.
 ///
-/// A grid is row-major, with a point more along each side than there are squares, so that the corners of the square (x, y)
-/// are the points (x, y), (x + 1, y), (x, y + 1) and (x + 1, y + 1).
+/// A grid is row-major, with one more point than squares along each side: the corners of the square (x, y) are the points (x, y),
+/// (x + 1, y), (x, y + 1) and (x + 1, y + 1).
 pub(crate) struct Pyramid {
-    /// [`Sample`]s as words, as the vector code loads them.
+    /// [`Sample`]s as words, which the vector code loads.
     samples: [u64; POINTS],
-    /// The keys of what was hit and lit there.
+    /// The keys of the objects that were hit, and of the lights there.
     pub keys: [u32; POINTS],
-    /// Of points that show a pattern, the light on it and apart from it.
+    /// The light on patterns and apart from them.
     pub layers: [Layers; POINTS],
 }
 
-/// A row of a grid; the vector code may read some points beyond its end.
+/// A row of a grid. Vector code may read some points beyond its end.
 #[derive(Clone, Copy)]
 pub(crate) struct GridRow<'a> {
     pub samples: &'a [u64],
     pub keys: &'a [u32],
 }
 
-/// Points of a row.
+/// Returns the number of points in a row.
 const fn columns(level: usize) -> usize {
     (TILE_WIDTH >> level) + 1
 }
 
-/// Where each level's grid starts in the arrays, the finest first.
+/// The index of each level's first point, the finest level first.
 const STARTS: [usize; LEVELS + 1] = {
     let mut starts = [0; LEVELS + 1];
     let mut level = 1;
@@ -44,10 +44,10 @@ const STARTS: [usize; LEVELS + 1] = {
     starts
 };
 
-/// All points, and what may be read beyond the last one.
+/// The number of points, and of words that may be read after the last one.
 const POINTS: usize = STARTS[LEVELS] + 2 * MAX_LANES;
 
-/// Words of [`Pyramid::scratch`]: two for each pixel of an eighth of a tile.
+/// The number of words of [`Pyramid::scratch`]: two for each pixel of an eighth of a tile.
 pub(crate) const SCRATCH: usize = 2 * TILE_WIDTH * TILE_HEIGHT / 8;
 
 impl Pyramid {
@@ -59,12 +59,12 @@ impl Pyramid {
         }
     }
 
-    /// Where a level has its point (x, y).
+    /// Returns the index of the point (x, y) of a level.
     pub fn index(level: usize, x: usize, y: usize) -> usize {
         STARTS[level] + y * columns(level) + x
     }
 
-    /// How many indices a row of a level's points takes.
+    /// Returns the distance between the starts of two rows.
     pub fn stride(level: usize) -> usize {
         columns(level)
     }
@@ -78,12 +78,12 @@ impl Pyramid {
         self.keys[index] = key;
     }
 
-    /// Memory for other purposes, between tiles.
+    /// Returns memory for other purposes, between tiles.
     pub fn scratch(&mut self) -> &mut [u64; SCRATCH] {
         self.samples.first_chunk_mut().expect("as many points")
     }
 
-    /// A row of a level's grid.
+    /// Returns a row of a level's grid.
     pub fn row(&self, level: usize, y: usize) -> GridRow<'_> {
         let start = Self::index(level, 0, y);
         let range = start..start + columns(level) + 2 * MAX_LANES - 1;
@@ -93,16 +93,16 @@ impl Pyramid {
         }
     }
 
-    /// Where a level has the corners of its square (x, y): upper left, upper right, lower left, lower right.
+    /// Returns the indices of the corners of the square (x, y): upper left, upper right, lower left, lower right.
     pub fn corner_indices(level: usize, x: usize, y: usize) -> [usize; 4] {
         let (upper, lower) = (Self::index(level, x, y), Self::index(level, x, y + 1));
         [upper, upper + 1, lower, lower + 1]
     }
 
-    /// The samples at the corners of a level's square (x, y), in the same order.
+    /// Returns the samples at the corners of the square (x, y), in the same order.
     pub fn corners(&self, level: usize, x: usize, y: usize) -> [Sample; 4] {
         let (start, stride) = (Self::index(level, x, y), Self::stride(level));
-        // One slice, whose end alone is checked.
+        // A single slice needs a single bounds check.
         let samples = &self.samples[start..start + stride + 2];
         [0, 1, stride, stride + 1].map(|i| Sample(samples[i]))
     }

@@ -1,18 +1,18 @@
-//! Operations that instruction sets do in different ways.
+//! Operations that differ between instruction sets.
 
 use super::*;
 use fearless_simd::Level;
 
-/// An instruction set that rays are traced by.
+/// An instruction set for tracing rays.
 pub(crate) trait Isa: Simd {
-    /// Whether [`SimdFloat::mul_add`] is one operation with one rounding; else it is a product and a sum, both rounded.
+    /// Whether [`SimdFloat::mul_add`] rounds once, as a fused operation, or twice.
     const FUSES_MUL_ADD: bool;
-    /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] are their second operand where the first is not a number.
+    /// Whether [`SimdFloat::max`] and [`SimdFloat::min`] return their second operand where the first is NaN.
     const LIMITS_REPLACE_NAN: bool = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
 
-    /// Moves the lanes in `mask` to the first places, in their order; the others hold what may be.
+    /// Moves the lanes in `mask` to the first places, in order; the others are undefined.
     ///
-    /// By default lane after lane, which is small; most sets have a way of their own.
+    /// The default moves lane by lane, in little code.
     #[inline(always)]
     fn gather_first<const N: usize>(self, rows: &mut [F<Self>; N], mask: M<Self>) {
         let mut rest = mask.to_bitmask();
@@ -55,7 +55,7 @@ cfg_select! {
         }
     }
     _ => {
-        /// Lanes as numbers one after the other.
+        /// Scalar code.
         pub(crate) type Baseline = fearless_simd::Fallback;
 
         #[inline(always)]
@@ -65,7 +65,7 @@ cfg_select! {
     }
 }
 
-/// The instruction set that every CPU of the target has.
+/// Returns the instruction set that every CPU of the target has.
 #[inline(always)]
 pub(crate) fn baseline() -> Baseline {
     baseline_of(Level::baseline()).expect("the least level has what every CPU has")
@@ -73,26 +73,26 @@ pub(crate) fn baseline() -> Baseline {
 
 cfg_select! {
     target_arch = "x86_64" => {
-        /// AVX2, where the level has it.
+        /// Returns AVX2, if the level has it.
         #[inline(always)]
         pub(crate) fn avx2(isa: Level) -> Option<fearless_simd::Avx2> {
             isa.as_avx2()
         }
 
-        /// AVX-512, where the level has it.
+        /// Returns AVX-512, if the level has it.
         #[inline(always)]
         pub(crate) fn avx512(isa: Level) -> Option<fearless_simd::Avx512> {
             isa.as_avx512()
         }
     }
     _ => {
-        /// None: other CPUs have no such thing.
+        /// Returns `None`: AVX2 exists on x86-64 only.
         #[inline(always)]
         pub(crate) fn avx2(_: Level) -> Option<Baseline> {
             None
         }
 
-        /// None: other CPUs have no such thing.
+        /// Returns `None`: AVX-512 exists on x86-64 only.
         #[inline(always)]
         pub(crate) fn avx512(_: Level) -> Option<Baseline> {
             None
@@ -100,7 +100,7 @@ cfg_select! {
     }
 }
 
-/// The instruction sets of this machine, for tests.
+/// Returns the instruction sets of this machine.
 #[cfg(test)]
 pub(crate) fn isas() -> impl Iterator<Item = Level> {
     let best = Level::new();
@@ -138,8 +138,8 @@ mod x86_64 {
     }
 
     kernel!(
-        /// The numbers of the lanes in a mask, one after the other: bytes of 0 to 7 picked by bits, which needs no
-        /// table. (Slow before Zen 3 on AMD's processors, where it is microcode.)
+        /// Returns the indices of the lanes in a mask, in order: bytes of 0 to 7 selected by bits, without a table. (Slow on AMD
+        /// before Zen 3, where it is microcode.)
         #[inline(always)]
         fn order(simd: Avx2, mask: u64) -> __m256i {
             let bytes = _pdep_u64(mask, 0x0101_0101_0101_0101) * 0xff;

@@ -2,16 +2,16 @@
 
 use super::*;
 
-/// `x` to the power `h`, for `x` in 1e-6..=1.001 and `h` in 1..=1000.
+/// Returns `x` to the power `h`, for `x` in 1e-6..=1.001 and `h` in 1..=1000.
 ///
-/// By `exp2(h log2 x)` with the polynomials of Moshier's Cephes (`logf`, `exp2f`): the relative error stays below
-/// `1e-6 + 1.2e-7 h |log2 x|`, and results below 2^-126 are that.
+/// Computes `exp2(h log2 x)` with the polynomials of Moshier's Cephes (`logf`, `exp2f`). The relative error is below `1e-6 + 1.2e-7
+/// h |log2 x|`; results below 2^-126 become 2^-126.
 #[inline(always)]
 pub(crate) fn pow<S: Simd>(simd: S, x: F<S>, h: F<S>) -> F<S> {
     exp2(simd, h * log2(simd, x))
 }
 
-/// The logarithm to base 2 of a positive normal number.
+/// Returns the logarithm to base 2 of positive normal numbers.
 #[inline(always)]
 pub(crate) fn log2<S: Simd>(simd: S, x: F<S>) -> F<S> {
     // x = 2^e m with m in sqrt(1/2)..sqrt(2), so that the series about 1 is short.
@@ -42,7 +42,7 @@ pub(crate) fn log2<S: Simd>(simd: S, x: F<S>) -> F<S> {
 /// The bits of sqrt(1/2).
 const SQRT_HALF_BITS: i32 = 0x3f35_04f3;
 
-/// 2 to the power `y`, for `y` up to 127; below -126 the result is 2^-126.
+/// Returns 2 to the power `y`, for `y` up to 127; 2^-126 below -126.
 #[inline(always)]
 fn exp2<S: Simd>(simd: S, y: F<S>) -> F<S> {
     let y = y.max(splat(simd, -126.0)).min(splat(simd, 127.0));
@@ -66,7 +66,7 @@ fn exp2<S: Simd>(simd: S, y: F<S>) -> F<S> {
     (bits + (whole << 23)).bitcast()
 }
 
-/// A polynomial by Horner's rule, the coefficient of the highest power first.
+/// Evaluates a polynomial by Horner's rule, the highest coefficient first.
 #[inline(always)]
 fn polynomial<S: Simd>(simd: S, x: F<S>, coefficients: &[f32]) -> F<S> {
     let mut p = splat(simd, coefficients[0]);
@@ -83,7 +83,7 @@ mod tests {
     use super::*;
     use fearless_simd::dispatch;
 
-    /// Asserts the error that [`pow`] states, for a number and an exponent per lane.
+    /// Asserts the error bound of [`pow`].
     #[inline(always)]
     fn hold<S: Simd>(simd: S, xs: &[f32], h: f32) {
         let mut results = [0.0; MAX_LANES];
@@ -100,7 +100,7 @@ mod tests {
 
     #[inline(always)]
     fn hold_everywhere<S: Simd>(simd: S) {
-        // A number in 997 of all that f32 has from 1e-6 to 1.001, and all of the 10,000 about 1.
+        // One in 997 of all floats from 1e-6 to 1.001, and 10,000 consecutive ones around 1.
         let (first, last) = (1e-6_f32.to_bits(), 1.001_f32.to_bits());
         let dense = 1_f32.to_bits() - 5000..1_f32.to_bits() + 5000;
         let sparse = (first..=last).step_by(997);
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn powers_are_as_exact_as_stated() {
+    fn pow_error_is_within_stated_bound() {
         for level in isas() {
             dispatch!(level, simd => hold_everywhere(simd));
         }

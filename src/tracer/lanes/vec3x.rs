@@ -4,7 +4,7 @@ use super::*;
 use core::ops::{Add, Mul, Sub};
 use glam::Vec3;
 
-/// A vector per lane, structure of arrays.
+/// A vector per lane, as a structure of arrays.
 #[derive(Clone, Copy)]
 pub(crate) struct Vec3x<S: Simd> {
     pub x: F<S>,
@@ -13,7 +13,7 @@ pub(crate) struct Vec3x<S: Simd> {
 }
 
 impl<S: Simd> Vec3x<S> {
-    /// The same vector in every lane.
+    /// Returns `v` in every lane.
     #[inline(always)]
     pub fn splat(simd: S, v: impl Into<Vec3>) -> Self {
         let v = v.into();
@@ -24,13 +24,13 @@ impl<S: Simd> Vec3x<S> {
         }
     }
 
-    /// The scalar product.
+    /// Returns the dot product.
     #[inline(always)]
     pub fn dot(self, b: Self) -> F<S> {
         self.x.mul_add(b.x, self.y.mul_add(b.y, self.z * b.z))
     }
 
-    /// The largest component.
+    /// Returns the largest component.
     #[inline(always)]
     pub fn max_element(self) -> F<S>
     where
@@ -39,7 +39,7 @@ impl<S: Simd> Vec3x<S> {
         at_least::<S>(at_least::<S>(self.x, self.y), self.z)
     }
 
-    /// `self + b s`.
+    /// Returns `self + b s`.
     #[inline(always)]
     pub fn add_scaled(self, b: Self, s: F<S>) -> Self {
         Self {
@@ -49,7 +49,7 @@ impl<S: Simd> Vec3x<S> {
         }
     }
 
-    /// The vectors with those bits of each component changed that are in `flip`.
+    /// Inverts the bits of each component that are set in `flip`.
     #[inline(always)]
     pub fn flipped(self, flip: U<S>) -> Self {
         Self {
@@ -59,7 +59,7 @@ impl<S: Simd> Vec3x<S> {
         }
     }
 
-    /// `self s - b`.
+    /// Returns `self s - b`.
     #[inline(always)]
     pub fn scaled_minus(self, s: F<S>, b: Self) -> Self {
         Self {
@@ -94,7 +94,7 @@ impl<S: Simd> Sub for Vec3x<S> {
     }
 }
 
-/// The product of each component: how a colour filters a colour.
+/// The componentwise product, to filter a colour by a colour.
 impl<S: Simd> Mul for Vec3x<S> {
     type Output = Self;
     #[inline(always)]
@@ -108,7 +108,7 @@ impl<S: Simd> Mul for Vec3x<S> {
 }
 
 impl<S: Simd> Vec3x<S> {
-    /// `a` in the lanes of the mask, `b` in the others.
+    /// Returns `a` in the lanes of the mask, `b` in the others.
     #[inline(always)]
     pub fn select(mask: M<S>, a: Self, b: Self) -> Self {
         Self {
@@ -118,7 +118,7 @@ impl<S: Simd> Vec3x<S> {
         }
     }
 
-    /// The vector `s` times as long.
+    /// Returns the vector multiplied by `s`.
     #[inline(always)]
     pub fn scaled(self, s: F<S>) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! How light becomes the picture's colours, see [`crate::scene::Film`].
+//! The tone curve, vignette and dither of a frame, see [`crate::scene::Film`].
 
 use crate::lanes::*;
 use crate::scene;
@@ -6,12 +6,12 @@ use crate::scene::camera::pixels;
 use fearless_simd::{f32x4, u16x8, u64x2};
 use glam::{Vec2, vec2};
 
-/// The film of a frame. Colours are in output steps, 255 the brightest; positions in pixels of the picture.
+/// The prepared film. Colours are in output steps, 255 the brightest; positions in pixels of the picture.
 pub(crate) struct Film {
-    /// Whether colours stay as they are.
+    /// Whether colours stay unchanged.
     pub is_plain: bool,
     shoulder: f32,
-    /// From the shoulder to full brightness.
+    /// The distance from the shoulder to full brightness.
     room: f32,
     vignette: f32,
     middle: Vec2,
@@ -21,21 +21,21 @@ pub(crate) struct Film {
     pub dither: Dither,
 }
 
-/// The light or the colours of four points: blue, green, red, and one number of no meaning.
+/// Four points' light or colours: blue, green, red, and an unused vector.
 pub(crate) type Four = [f32x4<Baseline>; 4];
 
-/// Thresholds that are added to a pixel's colour before the fraction of an output step is cut off, in 256ths of a step: a word for each
-/// channel of the pixel (x, y), all alike, at `[y % 4][x % 4]`, and again four further on.
+/// Thresholds that are added to a pixel's colour before the fraction of an output step is cut off, in 256ths of a step. The pixel
+/// (x, y) has a word with the same number for each channel at `[y % 4][x % 4]`, and again four further on.
 pub(crate) type Dither = [[u64; 8]; 4];
 
-/// Half an output step everywhere.
+/// Thresholds of half an output step.
 #[cfg(test)]
 pub(crate) const ROUND: Dither = [[128 * WORDS; 8]; 4];
 
-/// A one in each word of a [`Dither`].
+/// 1 in each channel of a [`Dither`] word.
 const WORDS: u64 = 0x0001_0001_0001_0001;
 
-/// The least room above a shoulder, so that it can be divided by: it makes no difference to any output step.
+/// The smallest distance above a shoulder, to avoid a division by 0. It changes no output step.
 const LEAST_ROOM: f32 = 1e-3;
 
 impl Film {
@@ -64,13 +64,13 @@ impl Film {
         }
     }
 
-    /// The threshold that is added to the pixel (x, y), see [`Dither`], but in 128ths of a step.
+    /// Returns the threshold of the pixel (x, y), in 128ths of a step.
     pub fn threshold(&self, x: usize, y: usize) -> u64 {
         // The words are even.
         self.dither[y % 4][x % 4] >> 1
     }
 
-    /// The same for four pixels from (x, y) to the right, two at a time.
+    /// Returns the thresholds of four pixels from (x, y) to the right, in two pairs, in 128ths of a step.
     #[inline(always)]
     pub fn thresholds(&self, simd: Baseline, x: usize, y: usize) -> [u16x8<Baseline>; 2] {
         [0, 2].map(|i| {
@@ -79,7 +79,7 @@ impl Film {
         })
     }
 
-    /// The number by which light is divided at four points, of which x and y are given.
+    /// Returns the vignette's divisors of light at four points.
     #[inline(always)]
     fn dimming(&self, [x, y]: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
         let x = (x - self.middle.x) * self.unit;
@@ -87,7 +87,7 @@ impl Film {
         (x * x + y * y) * self.vignette + 1.0
     }
 
-    /// Turns the light at four points, of which x and y are given, into colours, channel by channel.
+    /// Converts the light at four points to colours: applies the vignette and the tone curve.
     #[inline(never)]
     pub fn expose(&self, simd: Baseline, light: &mut Four, at: [f32x4<Baseline>; 2]) {
         let dimming: [f32; 4] = self.dimming(at).into();
@@ -96,7 +96,7 @@ impl Film {
         }
         let [a, b, c, d] = *light;
         let most = a.max(b).max(c.max(d));
-        // Most is below the shoulder, and stays as it is.
+        // Most colours are below the shoulder and stay unchanged.
         if most.simd_gt(self.shoulder).any_true() {
             for light in light {
                 let over = (*light - self.shoulder).max(splat(simd, 0.0));
@@ -106,7 +106,7 @@ impl Film {
     }
 }
 
-/// Thresholds over a share of a step, by Bayer's ordered dither: pixels that follow each other in the order are far apart.
+/// Returns thresholds over a share of a step, by Bayer's ordered dither.
 fn dither(share: f32) -> Dither {
     let mut dither = [[0; 8]; 4];
     for rank in 0..16 {
@@ -114,7 +114,7 @@ fn dither(share: f32) -> Dither {
         let x = (rank >> 3 | rank & 2) ^ y;
         // In 128ths of a step, as samples have them, so that squares and points round alike.
         let from_half = share * (8.0 * rank as f32 - 60.0);
-        // Whatever the share is, it fits, and the brightest colour with it in a byte.
+        // For any share, the brightest colour plus its threshold fits in a byte.
         let threshold = 2 * u64::from((from_half + 64.5).min(127.0) as u8) * WORDS;
         dither[y][x] = threshold;
         dither[y][x + 4] = threshold;

@@ -8,14 +8,14 @@ pub(crate) enum Object<'a> {
     Sphere(&'a Sphere),
     Block(&'a Block),
     Plane(&'a Plane),
-    /// The sphere that shows a light.
+    /// The sphere of a visible light.
     Light(&'a Light),
-    /// The background, which a ray hits that hits nothing else.
+    /// The object of rays that hit no other one.
     Background,
 }
 
 impl Object<'_> {
-    /// Returns its centre; of the background zeros.
+    /// Returns its centre; zeros for the background.
     pub fn centre(&self) -> Vec3 {
         match self {
             Self::Sphere(sphere) => sphere.centre,
@@ -27,34 +27,33 @@ impl Object<'_> {
     }
 }
 
-/// Identifies an object of a frame: spheres have the first numbers; blocks, lights, planes and the background follow.
+/// The number of an object in a frame: spheres first, then blocks, lights, planes and the background.
 ///
-/// In the lanes of a packet an object is its [`ObjectId::lane`], a `u32`. In the word of a sample it is one more, in 14 bits, so
-/// that 0 stands for none.
+/// A packet's lanes have the number as a `u32`. A sample's word has the number plus 1 in 14 bits; 0 is no object.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd)]
 pub(crate) struct ObjectId(u16);
 
 impl ObjectId {
-    /// The object with the first number.
+    /// The object with the number 0.
     pub const FIRST: Self = Self(0);
 
-    /// The object with a number below [`super::MAX_OBJECTS`].
+    /// Returns the object of a number below [`super::MAX_OBJECTS`].
     pub const fn new(number: usize) -> Self {
         Self(number as u16)
     }
 
-    /// Its number, as an index in arrays of all objects.
+    /// Returns the number as an index in arrays of all objects.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 
-    /// Its number, as it stands in a lane.
+    /// Returns the number as a lane has it.
     pub const fn lane(self) -> u32 {
         self.0 as u32
     }
 }
 
-/// An object of a scene, and its material.
+/// Returns an object of a scene, and its material.
 pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     let mut i = id.index();
     if let Some(sphere) = scene.spheres.get(i) {
@@ -74,29 +73,29 @@ pub(super) fn of(scene: &Scene, id: ObjectId) -> (Object<'_>, &Material) {
     }
 }
 
-/// As many strong mirrors, solids of strong glass among them, make a crowd: each shows the others, and small. No scene of the show has
-/// more than six. With fewer, one in fifty scenes by chance of 16 blocks is below 42 dB at the default quality.
+/// The number of strong mirrors and glass solids that make a crowd: they reflect each other in tiny images. The show's scenes have
+/// six at most. At a lower number, one in fifty random scenes of 16 blocks is below 42 dB at the default quality.
 const CROWD: usize = 12;
 
-/// The least share of light that a mirror sends back, or glass lets pass, for what it shows to matter: the qualities' `key_weight`.
+/// The smallest weight of reflected or transmitted light that counts as strong: the presets' `key_weight`.
 const STRONG: f32 = 0.3;
 
-/// The sine of half the angle at which the eye sees a sphere of glass that shows a crowd large enough.
+/// The sine of half the viewing angle from which a glass sphere shows the crowd large enough.
 const LARGE: f32 = 0.2;
 
-/// Whether a material sends back, or lets pass, so much light that what it shows matters.
+/// Returns whether reflected and transmitted light matters in a material's picture.
 fn is_strong(material: &Material) -> bool {
     material.kr + material.kt >= STRONG
 }
 
-/// Whether a scene has a crowd of mirrors and glass. Then its squares are small, see [`FramePlan`](crate::plan::FramePlan).
+/// Returns whether a scene has a crowd of mirrors and glass, which needs small squares: see [`FramePlan`](crate::plan::FramePlan).
 pub(crate) fn is_crowd(scene: &Scene) -> bool {
     let solids = (0..scene.solids()).map(ObjectId::new);
     let strong = solids.filter(|&id| is_strong(of(scene, id).1));
     strong.count() >= CROWD
 }
 
-/// Whether an object of a crowd shows so much of its scene, so small, that two of its points tell nothing of what is between them.
+/// Returns whether the images in an object of a crowd are too small to interpolate between two of its points.
 pub(super) fn glitters(scene: &Scene, object: &Object<'_>, material: &Material) -> bool {
     let is_small = match object {
         Object::Sphere(sphere) => {

@@ -8,23 +8,23 @@ use glam::Vec3;
 /// Highlights below this are not computed: 1/40 of a step of 8-bit output.
 const MIN_HIGHLIGHT: f32 = 1e-4;
 
-/// More than any value of r.v.
+/// Larger than any r.v.
 const NO_HIGHLIGHT: f32 = 2.0;
 
-/// A parameter of an object's surface, by the number of its first component. Lengths are in scene units.
+/// A parameter of a surface, by the index of its first component. Lengths are in scene units.
 #[derive(Clone, Copy)]
 pub(crate) enum Parameter {
     /// The centre of a sphere or a plane: three components.
     Centre = 0,
-    /// 1 / radius for a sphere, otherwise 0: then the normal is upright, or a block's.
+    /// 1 / radius for a sphere; 0 for others, whose normal is upright or a block's.
     InverseRadius = 3,
-    /// 1 for surfaces on which lights shine, 0 for the lights' own spheres and the background.
+    /// 1 for surfaces that lights illuminate, 0 for visible lights and the background.
     IsLit = 4,
-    /// The radiance that does not depend on lights, a colour: reflected ambient light, or the light's or the background's own colour.
+    /// The radiance independent of lights, a colour: reflected ambient light, or the light's or the background's own colour.
     Emitted = 5,
     /// The colour times the diffuse coefficient.
     Diffuse = 8,
-    /// The share of a lamp's light that highlights keep, a colour.
+    /// The colour by which highlights multiply a light's colour.
     Highlight = 11,
     /// The specular coefficient.
     Ks = 14,
@@ -48,22 +48,22 @@ pub(crate) const SURFACE_NUMBERS: usize = Parameter::Index as usize + 1;
 /// The components of a surface's parameters.
 pub(crate) type SurfaceNumbers = [f32; SURFACE_NUMBERS];
 
-/// One number for each lane of the widest instruction set.
+/// A number per lane of the widest instruction set.
 pub(crate) type PerLane = [f32; MAX_LANES];
 
-/// The numbers of the surfaces that the lanes of a packet hit, each for all lanes.
+/// The components of the surfaces that the lanes of a packet hit.
 pub(crate) type SurfaceTable = [PerLane; SURFACE_NUMBERS];
 
-/// More than any parameter of a valid scene, and so small that products of a few such numbers do not overflow.
+/// Larger than any parameter of a valid scene; products of a few such numbers stay finite.
 const LARGEST: f32 = 2e9;
 
-/// A number, or 0 if it is NaN or its magnitude exceeds [`LARGEST`]: such a number would spoil the sum of a point even if it were
-/// multiplied by 0.
+/// Returns a number, or 0 if it is NaN or its magnitude exceeds [`LARGEST`]: such a number would spoil the sum of a point even with
+/// the weight 0.
 pub(super) fn bounded(number: f32) -> f32 {
     if number.abs() <= LARGEST { number } else { 0.0 }
 }
 
-/// Returns the surface of an object, with all numbers [`bounded`].
+/// Returns the surface of an object, with all components [`bounded`].
 pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -> SurfaceNumbers {
     let mut surface = [0.0; SURFACE_NUMBERS];
     let mut set = |parameter: Parameter, components: &[f32]| {
@@ -108,11 +108,11 @@ pub(super) fn surface(object: &Object<'_>, material: &Material, scene: &Scene) -
     surface.map(bounded)
 }
 
-/// A lower bound of the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1: at least 0.8 times the
+/// Returns a lower bound of the root of degree `h`, 1 to 1000, of a number from [`MIN_HIGHLIGHT`] to 1: at least 0.8 times the
 /// root.
 ///
-/// The bits of a float approximate its logarithm: they give `e + m` for `2^e (1 + m)`, which is too small by up to 0.09. The
-/// inverse is too large by up to a factor of 1.07.
+/// The bits of a float approximate its logarithm: they give `e + m` for `2^e (1 + m)`, too small by up to 0.09. The inverse is too
+/// large by up to a factor of 1.07.
 fn root_below(x: f32, h: f32) -> f32 {
     const ONE: f32 = (1 << 23) as f32;
     const BIAS: f32 = 127.0;
@@ -128,7 +128,7 @@ mod tests {
     fn roots_are_below_by_a_fifth_at_most() {
         for h in [1.0, 1.5, 2.0, 5.0, 10.0, 40.0, 100.0, 1000.0] {
             for i in 1..100_000 {
-                // The smallest argument that occurs, for ks = 1.
+                // The smallest argument, at ks = 1.
                 let x = MIN_HIGHLIGHT.max(i as f32 / 100_000.0);
                 let root = libm::powf(x, 1.0 / h);
                 let below = root_below(x, h);

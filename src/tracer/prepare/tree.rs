@@ -1,6 +1,6 @@
-//! The bounding volume hierarchy: a tree of spheres, stored as an array in depth-first order. A ray walks along the array, and
-//! skips the descendants of each bounding sphere that it misses. Boxes and cylinders are leaves by their bounding spheres.
-//! Coordinates are the scene's.
+//! The bounding volume hierarchy: a tree of spheres in scene coordinates, stored as an array in depth-first order. A ray walks
+//! along the array, and skips the descendants of each bounding sphere that it misses. Solids are spheres and blocks; the leaves of
+//! blocks are their bounding spheres.
 
 use super::object::{self, Object, ObjectId};
 use crate::rounding::{BOUND, hit_error};
@@ -8,8 +8,8 @@ use crate::scene::{Block, MAX_LENGTH, MAX_LIGHTS, MAX_SOLIDS, Scene};
 use crate::shapes::block;
 use glam::{Vec3, Vec3A};
 
-/// The number of groups that solids are divided into. Up to so many solids have a group of their own. For each part of the
-/// picture it is known which groups it can show.
+/// The number of groups that solids are divided into; up to this number each has its own. Each tile has the set of groups that may
+/// be visible in it.
 const SOLID_GROUPS: usize = 32;
 
 /// The number of groups: those of solids, in the tree's order, then one for each light.
@@ -21,56 +21,55 @@ pub(crate) type GroupSet = u64;
 /// The groups that rays through a part of the picture can meet.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct VisibleGroups {
-    /// Those that primary rays can meet.
+    /// For primary rays.
     pub directly: GroupSet,
-    /// Those that the reflections of primary rays in the first plane can meet.
+    /// For the reflections of primary rays in the first plane.
     pub mirrored: GroupSet,
 }
 
-/// The most solids below the lowest bounds.
+/// The largest number of solids in a leaf.
 ///
-/// Shadow rays test all of them once the bound is met, without a branch in between. A branch that is predicted wrongly, as it
-/// often is for packets at edges, takes as long as four tests. With 4 solids the show's title takes 8 % longer, with 16 a field of
-/// 64 spheres 7 %.
+/// Shadow rays that meet a leaf's bound test all its solids without a branch. A mispredicted branch, which is frequent for packets
+/// at edges, takes as long as four tests. With 4 solids the show's title takes 8 % longer, with 16 a field of 64 spheres 7 %.
 const LEAF: usize = 10;
 
-/// So few solids keep the order in which they came.
+/// Up to this number solids keep their order.
 const UNSORTED: usize = 4;
 
-/// The most bounds: those of a tree whose solids are halved until [`LEAF`] hold a half.
+/// The most bounds: those of a tree whose solids are halved down to leaves.
 const MAX_BOUNDS: usize = 2 * MAX_SOLIDS.div_ceil(LEAF).next_power_of_two() - 1;
 
-/// The nodes of the largest tree.
+/// The number of nodes of the largest tree.
 pub(super) const MAX_NODES: usize = MAX_BOUNDS + MAX_SOLIDS + MAX_LIGHTS;
 
-/// A node of the tree: a sphere, or the bounding sphere of a block, of a light or of several nodes.
+/// A node: a sphere, or the bounding sphere of a block, of a light or of several nodes.
 #[derive(Clone, Copy)]
 pub(crate) struct BvhNode {
     pub centre: Vec3A,
-    /// The squared radius; negative for lights that are not drawn, so that no ray hits them.
+    /// The squared radius; negative for lights that are not drawn, so that all rays miss them.
     pub r2: f32,
-    /// The squared radius enlarged by [`BOUND`], for a first test with less exact arithmetic.
+    /// The squared radius enlarged by [`BOUND`], for a conservative first test.
     pub cull2: f32,
-    /// A bound on the distance by which rounding moves a point off the sphere, see [`hit_error`].
+    /// The largest distance by which rounding moves a point off the sphere, see [`hit_error`].
     pub hit_error: f32,
     /// The change of `r2` if the radius changes by `hit_error`.
     pub r2_error: f32,
     pub radius: f32,
     /// The groups of the solids in it.
     pub groups: GroupSet,
-    /// The object; of no meaning for a bound.
+    /// The object; meaningless for a bound.
     pub object: ObjectId,
     /// The number of nodes to advance by if it is missed.
     pub skip: u16,
-    /// Whether it is a bound around other nodes.
+    /// Whether it is a bound of other nodes.
     pub is_bound: bool,
-    /// For a lowest bound, the number of solids in it, which are the next nodes; otherwise 0.
+    /// The number of solids in a leaf, which are the next nodes; 0 for other nodes.
     pub solids: u8,
-    /// Whether it is the bounding sphere of a box or a cylinder.
+    /// Whether it is the bounding sphere of a block.
     pub is_block: bool,
-    /// For a block, the longer of its own y and z axes, of length 1.
+    /// The longer of a block's own y and z axes, of length 1.
     pub axis: Vec3A,
-    /// For a block, the squared radius of the cylinder around that axis that contains it.
+    /// The squared radius of a block's bounding cylinder around that axis.
     pub thin2: f32,
 }
 
@@ -82,14 +81,14 @@ struct Ball {
     object: ObjectId,
 }
 
-/// The hierarchy: a bound around all solids, followed by its descendants in depth-first order, then the lights.
+/// The hierarchy: the root and its descendants in depth-first order, then the lights.
 pub(crate) struct Tree {
     /// The bounding spheres of the solids, in the tree's order.
     balls: [Ball; MAX_SOLIDS],
     solid_count: usize,
     nodes: [BvhNode; MAX_NODES],
     len: usize,
-    /// The index after the last node of the solids, where the lights begin.
+    /// The index of the first light's node.
     solid_node_end: usize,
 }
 
@@ -110,13 +109,13 @@ impl Tree {
         solid_node_end: 0,
     };
 
-    /// All nodes.
+    /// Returns all nodes.
     pub fn nodes(&self) -> &[BvhNode] {
         &self.nodes[..self.len]
     }
 
-    /// The index of the first node to test for rays that can only meet the given groups. The bound around all solids is left out,
-    /// since such rays probably meet it.
+    /// Returns the index of the first node to test for rays that can only meet `groups`. It skips the root, since such rays
+    /// probably meet it.
     pub fn start(&self, groups: GroupSet) -> usize {
         if self.nodes[0].groups & groups != 0 {
             1
@@ -125,18 +124,18 @@ impl Tree {
         }
     }
 
-    /// The nodes of the solids.
+    /// Returns the nodes of the solids and their bounds.
     pub fn solid_nodes(&self) -> &[BvhNode] {
         &self.nodes[..self.solid_node_end]
     }
 
-    /// The nodes of the solids and the lights, with their indices.
+    /// Returns the nodes of the solids and the lights, without bounds, with their indices.
     pub fn objects(&self) -> impl Iterator<Item = (usize, &BvhNode)> {
         let nodes = self.nodes().iter().enumerate();
         nodes.filter(|(_, node)| !node.is_bound)
     }
 
-    /// The nodes of the solids alone.
+    /// Returns the nodes of the solids, without bounds, with their indices.
     pub fn solids(&self) -> impl Iterator<Item = (usize, &BvhNode)> {
         let end = self.solid_node_end;
         self.objects().take_while(move |&(i, _)| i < end)
@@ -150,7 +149,7 @@ impl Tree {
             let (centre, radius) = match object::of(scene, id).0 {
                 Object::Sphere(sphere) => (sphere.centre, sphere.radius),
                 Object::Block(block) => (block.centre, block::bounding_radius(block)),
-                // No solids.
+                // Not in the tree.
                 Object::Light(_) | Object::Plane(_) | Object::Background => (Vec3::ZERO, 0.0),
             };
             *ball = Ball {
@@ -179,7 +178,7 @@ impl Tree {
         }
     }
 
-    /// Adds a bound around the balls from `first` to below `end`, and recursively its descendants.
+    /// Adds a bound of the balls from `first` to below `end`, and recursively its descendants.
     fn add_bound(&mut self, first: usize, end: usize, scene: &Scene) {
         let at = self.len;
         let balls = &self.balls[first..end];
@@ -190,7 +189,7 @@ impl Tree {
             radius = radius.max(centre.distance(ball.centre) + ball.radius);
         }
         radius *= 1.0 + BOUND;
-        // If any coordinate is NaN or infinite, the bound contains everything, so that the other solids in it are found.
+        // A NaN or infinite coordinate gives a bound around everything, so that rays still find the other solids in it.
         if !(centre.abs().element_sum() + radius).is_finite() {
             (centre, radius) = (Vec3A::ZERO, UNBOUNDED);
         }
@@ -239,10 +238,10 @@ impl Tree {
     }
 }
 
-/// More than the radius of the bounding sphere of the largest box.
+/// An upper limit of the radius of a box's bounding sphere.
 const MAX_RADIUS: f32 = 2.0 * MAX_LENGTH;
 
-/// A radius, or 0 if it is out of its range or NaN.
+/// Returns a radius, or 0 if it is NaN or out of range.
 fn valid_radius(radius: f32) -> f32 {
     if (0.0..MAX_RADIUS).contains(&radius) {
         radius
@@ -251,7 +250,7 @@ fn valid_radius(radius: f32) -> f32 {
     }
 }
 
-/// The least and the greatest coordinates of some centres.
+/// Returns the smallest and largest coordinates of the centres.
 fn extent(balls: &[Ball]) -> [Vec3A; 2] {
     let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
     for ball in balls {
@@ -261,7 +260,7 @@ fn extent(balls: &[Ball]) -> [Vec3A; 2] {
     [low, high]
 }
 
-/// Sorts balls so that neighbours in space are near each other: halves them again and again across their longest extent.
+/// Sorts balls by recursively halving them across their longest extent.
 fn sort(balls: &mut [Ball]) {
     if balls.len() <= UNSORTED {
         return;
@@ -274,7 +273,7 @@ fn sort(balls: &mut [Ball]) {
     sort(rest);
 }
 
-/// Reorders balls so that none of the first `middle` lies beyond any of the others along an axis (Hoare: Algorithm 65, Find,
+/// Partitions balls along an axis: the first `middle` are at most as far along it as the rest (Hoare: Algorithm 65, Find,
 /// Communications of the ACM, 1961).
 fn partition(balls: &mut [Ball], middle: usize, axis: usize) {
     let coordinate = |ball: &Ball| ball.centre.as_ref()[axis];
@@ -305,7 +304,6 @@ fn partition(balls: &mut [Ball], middle: usize, axis: usize) {
 }
 
 impl BvhNode {
-    /// All zeros.
     const ZERO: Self = Self {
         centre: Vec3A::ZERO,
         r2: 0.0,
@@ -323,7 +321,7 @@ impl BvhNode {
         thin2: 0.0,
     };
 
-    /// Prepares the node for the box or cylinder in it.
+    /// Sets the fields of a block's node.
     fn set_block(&mut self, block: &Block) {
         self.is_block = true;
         let (axis, radius2) = block::bounding_cylinder(block);
@@ -331,12 +329,12 @@ impl BvhNode {
         self.thin2 = radius2 * (1.0 + 2.0 * BOUND);
     }
 
-    /// The number of the group that the node of a solid or a light is in.
+    /// Returns the group of a solid's or a light's node.
     pub fn group(&self) -> usize {
         self.groups.trailing_zeros() as usize
     }
 
-    /// The number of nodes to advance by.
+    /// Returns the number of nodes to advance by.
     pub fn step(&self, is_met: bool) -> usize {
         if is_met { 1 } else { self.skip as usize }
     }

@@ -5,7 +5,7 @@ use core::borrow::{Borrow, BorrowMut};
 use std::boxed::Box;
 use std::vec;
 
-/// A [`Memory`] on the heap. No part of it is ever on the stack, not even in unoptimised programs.
+/// A [`Memory`] on the heap, initialised in place: no part of it is ever on the stack, even in unoptimised programs.
 pub struct BoxedMemory(Box<[Memory]>);
 
 impl BoxedMemory {

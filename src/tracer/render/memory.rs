@@ -1,4 +1,4 @@
-//! Memory that the threads share while they render a frame, and the phases of one.
+//! The memory that threads share while they render a frame, and the frame's phases.
 
 use super::schedule::Schedule;
 use super::threads::Threads;
@@ -14,28 +14,29 @@ use crate::refine::probe::probe;
 use crate::refine::{Worker, draw};
 use crate::scene::Scene;
 
-/// The memory that the threads share while they render a frame, of fixed size: [`Memory::BYTES`].
+/// The memory that threads share while they render a frame, of [`Memory::BYTES`] bytes.
 ///
-/// It is too large for the stack of a thread. With the feature `std` a [`Renderer`](crate::Renderer) has it on the heap; without,
-/// it is a `static` of the caller, which takes no room in a program's file.
+/// It is too large for a thread's stack. With the feature `std` a [`Renderer`](crate::Renderer) has it on the heap; without, the
+/// caller provides a `static`, which takes no space in the executable file.
 pub struct Memory {
     prepared: Prepared,
     coverage: Coverage,
     seams: Seams,
     rough: Rough,
-    /// Of drawing bands, and of smoothing their edges.
+    /// The order of bands while drawing.
     drawing: Schedule,
+    /// The order of bands while smoothing edges.
     smoothing: Schedule,
 }
 
 impl Memory {
-    /// Its size in bytes, at most 850,000: the same for pictures of any size.
+    /// The size in bytes, at most 850,000, for pictures of any size.
     pub const BYTES: usize = size_of::<Self>();
 
     /// Returns empty memory.
     #[must_use]
     pub const fn new() -> Self {
-        // Put together by the compiler: unoptimised code would make each part on the stack first.
+        // Evaluated at compile time: unoptimised code would build each part on the stack.
         const {
             Self {
                 prepared: Prepared::new(),
@@ -48,7 +49,7 @@ impl Memory {
         }
     }
 
-    /// Renders a frame that nobody observes. Compiled in this library, once.
+    /// Renders a frame without an observer. Not generic, so it is compiled in this crate, once.
     pub(super) fn render(
         &mut self,
         plan: &FramePlan,
@@ -68,7 +69,6 @@ impl Memory {
         threads: &mut dyn Threads,
         observer: O,
     ) -> Counts {
-        // Prepare the scene, and divide the picture.
         let [width, height] = plan.size;
         let world = self.prepared.prepare(scene, plan.size, plan.offset);
         self.coverage.set(world, plan.size, plan.offset);
@@ -80,7 +80,6 @@ impl Memory {
         };
         let picture = &mut frame.surface(&mut self.rough);
         let has_edges = plan.quality.antialias;
-        // Draw the bands.
         let job = |worker: &mut Worker, band: &mut Band<'_>| {
             draw(context, worker, band);
             band.counts = worker.take_counts();
@@ -89,7 +88,7 @@ impl Memory {
             }
         };
         let mut counts = self.drawing.run(picture, &job, threads);
-        // Smooth their edges, once all are drawn.
+        // Smoothing reads the rows of neighbouring bands, so all bands are drawn before.
         if has_edges {
             self.seams.set(picture, plan.finished);
             let seams = &self.seams;
@@ -100,7 +99,6 @@ impl Memory {
             };
             counts += self.smoothing.run(picture, &job, threads);
         }
-        // Draw what lies over them.
         let overlay = Overlay {
             copper_bars: &scene.copper_bars,
             captions: &scene.captions,

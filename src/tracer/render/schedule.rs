@@ -1,25 +1,25 @@
-//! The order in which threads take the bands of a frame.
+//! The order in which threads draw the bands of a frame.
 
 use super::threads::{Job, Threads};
 use crate::counts::Counts;
 use crate::picture::{Band, MAX_BANDS, TILE_HEIGHT};
 
-/// Has those bands drawn first that took the most rays in the frame before, which looked much the same. So what threads take last is
-/// short, and none has to wait long for another one.
+/// Sorts bands by their rays in the previous frame, most first: the last bands are short, and threads finish at about the same
+/// time.
 pub(super) struct Schedule {
-    /// The rays of each band, from the top, when it was last drawn.
+    /// The rays of each band in the previous frame, from the top.
     rays: [u64; MAX_BANDS],
 }
 
 impl Schedule {
-    /// Nothing is known: bands are taken from the bottom up, since it is the sky, at the top, that takes the fewest rays.
+    /// Starts without a previous frame: bands are drawn from the bottom up, since the sky at the top needs the fewest rays.
     pub const fn new() -> Self {
         Self {
             rays: [0; MAX_BANDS],
         }
     }
 
-    /// Has a job done on each band of a picture.
+    /// Runs a job on each band of a picture, and returns the sum of their counts.
     pub fn run(
         &mut self,
         picture: &mut Band<'_>,
@@ -42,7 +42,7 @@ impl Schedule {
         sum
     }
 
-    /// How many of so many bands are taken before a band.
+    /// Returns the position of the band in drawing order.
     fn rank(&self, number: usize, count: usize) -> usize {
         let key = |number| (self.rays[number], number);
         let is_before = |&other: &usize| key(other) > key(number);
@@ -59,7 +59,7 @@ mod tests {
     use crate::refine::Worker;
     use std::prelude::v1::*;
 
-    /// Draws nothing, and keeps the tops of the bands in the order in which they came.
+    /// Records the tops of the bands in drawing order.
     struct Tops(Vec<usize>);
 
     impl Threads for Tops {
@@ -73,7 +73,7 @@ mod tests {
     }
 
     #[test]
-    fn bands_with_more_rays_are_taken_first_the_next_time() {
+    fn bands_with_most_rays_are_drawn_first() {
         const RAYS: [u64; 5] = [3, 0, 9, 3, 4];
         const PIXELS: usize = 2 * (4 * TILE_HEIGHT + 6);
         let job = |_: &mut Worker, band: &mut Band<'_>| {

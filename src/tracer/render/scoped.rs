@@ -1,4 +1,4 @@
-//! Threads of std's, which last for as long as bands are drawn.
+//! Threads of the standard library that are started for each frame.
 
 use super::threads::{Job, Threads};
 use crate::picture::Band;
@@ -8,11 +8,11 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::vec::Vec;
 
-/// Threads that are started for each frame, up to three times, by [`std::thread::scope`], each with a [`Worker`] that is kept: the
-/// caller's thread, and others beside it.
+/// The caller's thread and others that [`std::thread::scope`] starts up to three times per frame, each with a [`Worker`] that is
+/// kept.
 ///
-/// To start one takes some hundredths of a millisecond. A pool that keeps its threads needs unsafe code, which this crate does not
-/// have: [`Threads`] is the interface to one of your own.
+/// Starting a thread takes some hundredths of a millisecond. A pool that keeps its threads needs unsafe code, which this crate
+/// forbids; implement [`Threads`] for one.
 ///
 /// ```
 /// use eightfold_tracer::scene::Scene;
@@ -30,13 +30,13 @@ pub struct ScopedThreads {
 }
 
 impl ScopedThreads {
-    /// As many threads as the system has for this program.
+    /// Returns one thread for each processor that is available to the program.
     #[must_use]
     pub fn new() -> Self {
         Self::of(thread::available_parallelism().map_or(1, usize::from))
     }
 
-    /// So many threads, the caller's included; 0 counts as 1.
+    /// Returns `count` threads, the caller's included; 0 counts as 1.
     #[must_use]
     pub fn of(count: usize) -> Self {
         Self {
@@ -44,7 +44,7 @@ impl ScopedThreads {
         }
     }
 
-    /// How many threads draw, the caller's included.
+    /// Returns the number of threads, the caller's included.
     #[must_use]
     pub fn count(&self) -> usize {
         self.workers.len()
@@ -59,7 +59,7 @@ impl Default for ScopedThreads {
 
 impl Threads for ScopedThreads {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
-        // None is started that would have nothing to do.
+        // Only as many as there are bands.
         let count = self.workers.len().min(bands.len());
         let bands = Mutex::new(bands.iter_mut());
         let next = || bands.lock().unwrap_or_else(PoisonError::into_inner).next();

@@ -1,25 +1,25 @@
-//! Who draws the bands of a frame.
+//! The threads that draw the bands of a frame.
 
 use crate::picture::Band;
 use crate::refine::Worker;
 
-/// The work on each band of a frame, in a thread's working memory.
+/// The work on each band of a frame, with a thread's working memory.
 pub type Job<'a> = &'a (dyn Fn(&mut Worker, &mut Band<'_>) + Sync);
 
-/// Threads that draw the bands of a frame, each in a [`Worker`] of its own.
+/// Threads that draw the bands of a frame, each with its own [`Worker`].
 ///
-/// A worker is the simplest of them: the caller's thread alone. [`ScopedThreads`](crate::ScopedThreads), with the feature `std`, starts
-/// one for each of its workers, for every frame; a pool would start them once.
+/// A single worker is an implementation that uses the caller's thread. [`ScopedThreads`](crate::ScopedThreads), with the feature
+/// `std`, starts threads for every frame; a pool would start them once.
 pub trait Threads {
-    /// Applies the job to each band once, each with any of the workers, in any order and side by side, and returns when all are
-    /// done. It is called once for a frame, then once if the quality is antialiased, and once if the scene has captions or copper bars.
-    /// Taken in the order given, as pools do, those that are expected to take longest come first.
+    /// Runs the job once on each band, with any worker, in any order and concurrently, and returns when all are done. It is called
+    /// once per frame, once more if the quality is antialiased, and once more if the scene has captions or copper bars. The bands
+    /// that probably take longest come first.
     ///
-    /// A band that is left out keeps the pixels that were there.
+    /// A band that is left out keeps its pixels.
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>);
 }
 
-/// The caller's thread alone.
+/// Draws all bands on the caller's thread.
 impl Threads for Worker {
     fn run(&mut self, bands: &mut [Band<'_>], job: Job<'_>) {
         for band in bands {
@@ -37,7 +37,7 @@ mod tests {
     use crate::{Frame, Level, Memory, Quality, Renderer};
     use std::prelude::v1::*;
 
-    /// The caller's thread, which counts how often it is called.
+    /// The caller's thread, with a count of calls.
     struct Counting(Box<Worker>, usize);
 
     impl Threads for Counting {
@@ -48,7 +48,7 @@ mod tests {
     }
 
     #[test]
-    fn threads_are_called_once_and_for_edges_and_for_captions() {
+    fn threads_run_once_per_phase() {
         let memory = Box::<Memory>::default();
         let mut renderer = Renderer::with_memory(Level::baseline(), memory);
         let mut threads = Counting(Box::<Worker>::default(), 0);

@@ -1,6 +1,4 @@
-//! The common ground of the shapes of a block, box, cylinder and capsule: the coordinates along its own axes, in which each answers
-//! for itself.
-//! Other coordinates are the scene's.
+//! The code that boxes, cylinders and capsules share: it transforms rays and points to the block's own axes.
 
 use super::sphere::Chord;
 use super::{TexturePoint, capsule, cuboid, cylinder};
@@ -12,7 +10,7 @@ use glam::{Mat3, Vec3A};
 /// Added to directions along a block's axes, to avoid divisions by 0 for rays that are parallel to a side.
 const TINY: f32 = 1e-12;
 
-/// A vector's components along three axes.
+/// Returns a vector's components along three axes.
 #[inline(always)]
 fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
     Vec3x {
@@ -22,9 +20,9 @@ fn along<S: Isa>(simd: S, axes: &Mat3, v: &Vec3x<S>) -> Vec3x<S> {
     }
 }
 
-/// Returns the distances at which rays first hit a block, infinite for rays that miss it, and which rays come from within.
+/// Returns the distances at which rays hit a block, infinite for misses, and the mask of rays that start inside.
 ///
-/// Rays of the mask `inward` start on its surface and go into it: they meet its far side, whatever rounding makes of their origin.
+/// Rays of the mask `inward` start on the surface and go inside: they hit the far side, whatever the rounding of their origin.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(
     simd: S,
@@ -50,8 +48,8 @@ pub(crate) fn distance<S: Isa>(
     (t, is_inside)
 }
 
-/// The parts of points, in a block's own coordinates, along the axes towards the faces they are on, and how far out they are towards
-/// these, if faces are at 1. `out` has how far out points are along each axis, if faces are at -1 and 1.
+/// Returns the components of `own` along the axes of the face that each point is on, and the point's distance, where the face is at
+/// 1. `out` has the distance along each axis, where the faces are at -1 and 1.
 #[inline(always)]
 fn outermost<S: Isa>(simd: S, own: &Vec3x<S>, out: Vec3x<S>) -> (Vec3x<S>, F<S>) {
     let farthest = out.max_element();
@@ -66,14 +64,14 @@ fn outermost<S: Isa>(simd: S, own: &Vec3x<S>, out: Vec3x<S>) -> (Vec3x<S>, F<S>)
 
 /// Points on the surface of a block, one per ray.
 pub(crate) struct BlockHit<S: Isa> {
-    /// From the centre, in scene coordinates.
+    /// Relative to the centre, in scene coordinates.
     pub out: Vec3x<S>,
-    /// Where textures are evaluated, and the normal, outward.
+    /// The texture point and the outward normal.
     pub texture_point: TexturePoint<S>,
 }
 
 impl<S: Isa> BlockHit<S> {
-    /// Projects points that rounding has taken off the surface, `out` from the centre, to the nearest face.
+    /// Projects points near the surface to the nearest face. `out` is relative to the centre.
     #[inline(always)]
     pub fn near(simd: S, block: &Block, out: Vec3x<S>) -> Self {
         let own = along(simd, &block.axes, &out);
@@ -93,19 +91,17 @@ impl<S: Isa> BlockHit<S> {
     }
 }
 
-/// The offset from the surface at which secondary rays of a block start, in scene units: many times the rounding error of a point
-/// on it. At ten units from the origin it is 1e-4.
+/// Returns the offset from the surface at which secondary rays start, in scene units, see [`rounding::BLOCK_HIT`].
 pub(crate) fn hit_error(block: &Block) -> f32 {
     rounding::BLOCK_HIT * (Vec3A::from(block.centre).abs() + Vec3A::from(block.half)).element_sum()
 }
 
-/// The radius of its bounding sphere, enlarged to cover rounding.
+/// Returns the radius of the bounding sphere, enlarged for rounding.
 pub(crate) fn bounding_radius(block: &Block) -> f32 {
     Vec3A::from(block.half).length() * (1.0 + rounding::BLOCK_BOUND)
 }
 
-/// The longer of its own y and z axes, along which long blocks extend, if they stand or if they lie; and the squared radius of the
-/// cylinder around that which contains it.
+/// Returns the longer of the block's own y and z axes, and the squared radius of the bounding cylinder around it.
 pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
     let half2 = block.half * block.half;
     if half2.y < half2.z {
@@ -119,8 +115,8 @@ pub(crate) fn bounding_cylinder(block: &Block) -> (Vec3A, f32) {
     }
 }
 
-/// Which rays along `d` certainly miss a block, or hit it beyond `limit`: they pass its [`bounding_cylinder`], or end before its
-/// bounding sphere of a radius, whose chord is given.
+/// Returns the rays along `d` that certainly miss a block, or hit it beyond `limit`: they miss its [`bounding_cylinder`], or end
+/// before its bounding sphere, whose `radius` and `chord` are given.
 #[inline(always)]
 pub(crate) fn is_off<S: Isa>(
     chord: &Chord<S>,
@@ -132,8 +128,7 @@ pub(crate) fn is_off<S: Isa>(
     let simd = chord.t_mid.token();
     let axis = Vec3x::splat(simd, axis);
     let (along, across) = (d.dot(axis), chord.l.dot(axis));
-    // The squared sine of the angle between ray and axis, reduced by the rounding error. Squared distances are compared after
-    // multiplication with it.
+    // The squared sine of the angle between ray and axis, reduced by the rounding error. Multiplying by it saves a division.
     let sine2 = splat::<S>(simd, 1.0 - rounding::COSINE2) - along * along;
     let beyond = chord.l2 - radius2;
     let is_off = (beyond * at_least::<S>(sine2, splat(simd, 0.0))).simd_gt(across * across);

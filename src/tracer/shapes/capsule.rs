@@ -1,18 +1,16 @@
-//! The capsule, a cylinder with a half sphere at each end, in a block's own coordinates: from its centre, along its own axes. It
-//! stands along y.
-//!
-//! It is all that is within the radius of its core: the part of the axis between the centres of both ends.
+//! The capsule along y, in the block's own coordinates: all points within the radius of its core, which is the part of the axis
+//! between the centres of both ends.
 
 use super::cuboid::Span;
 use super::cylinder;
 use crate::lanes::*;
 use glam::Vec3;
 
-/// The ends of the parts of lines inside: both are where rays enter; or 0, and where they leave, if they start inside, as rays of the
-/// mask `inward` do.
+/// Returns the intervals of rays inside the capsule. For a ray that starts outside, both ends are the entry; for one that starts
+/// inside, as those of the mask `inward` do, they are 0 and the exit.
 ///
-/// There a sphere about the core touches the surface from within: that about the point which is nearest to where the ray crosses the
-/// endless cylinder.
+/// The sphere around the point of the core nearest to the ray's crossing of the infinite cylinder touches the surface there from
+/// inside.
 #[inline(always)]
 pub(super) fn span<S: Isa>(
     simd: S,
@@ -36,7 +34,7 @@ pub(super) fn span<S: Isa>(
     let half2 = -across.dot(across) + half.x * half.x;
     let chord = (at_least::<S>(half2, zero) / length2).sqrt();
     let t = middle + is_inside.select(chord, -chord);
-    // Rounding does not let rays out that start inside.
+    // Rounding must not let out a ray that starts inside.
     Span {
         near: is_inside.select(zero, t),
         far: t,
@@ -44,21 +42,21 @@ pub(super) fn span<S: Isa>(
     }
 }
 
-/// The heights of the points of the core that are nearest to points of some heights.
+/// Returns the heights of the points of the core that are nearest to points at the heights `y`.
 #[inline(always)]
 fn nearest<S: Isa>(simd: S, half: Vec3, y: F<S>) -> F<S> {
     let end = half.y - half.x;
     clamp::<S>(y, splat(simd, -end), splat(simd, end))
 }
 
-/// The ways from the core to points, and how far out these are, if the surface is at 1.
+/// Returns the vectors from the core to points, and their lengths in radii.
 #[inline(always)]
 pub(super) fn outward<S: Isa>(simd: S, half: Vec3, p: &Vec3x<S>) -> (Vec3x<S>, F<S>) {
     let way = from_core(simd, half, p);
     (way, way.dot(way).sqrt() * (1.0 / half.x))
 }
 
-/// The ways from the core to points.
+/// Returns the vectors from the core to points.
 #[inline(always)]
 fn from_core<S: Isa>(simd: S, half: Vec3, p: &Vec3x<S>) -> Vec3x<S> {
     Vec3x {

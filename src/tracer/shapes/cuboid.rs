@@ -1,20 +1,20 @@
-//! The box, in a block's own coordinates: from its centre, along its own axes.
+//! The box, in the block's own coordinates: relative to its centre, along its own axes.
 
 use crate::lanes::*;
 use glam::Vec3;
 
-/// The parts of rays' lines inside of something convex.
+/// The intervals of rays inside a convex shape.
 pub(super) struct Span<S: Isa> {
-    /// The distance at which a ray enters, and that at which it leaves. What a ray misses it leaves before it enters, or else
-    /// `is_met` is false.
+    /// The distance at which a ray enters. A ray that misses has `near` above `far`, or a false `is_met`.
     pub near: F<S>,
+    /// The distance at which it leaves.
     pub far: F<S>,
     pub is_met: M<S>,
 }
 
 impl<S: Isa> Span<S> {
-    /// Inside of the slab within `half` of the centre along one axis. `o` and `d` are the rays' origins and directions along that
-    /// axis.
+    /// Returns the intervals in the slab within `half` of the centre along one axis. `o` and `d` are the components of the rays'
+    /// origins and directions along that axis.
     #[inline(always)]
     pub fn slab(simd: S, o: F<S>, d: F<S>, half: f32) -> Self {
         let middle = -o / d;
@@ -26,7 +26,7 @@ impl<S: Isa> Span<S> {
         }
     }
 
-    /// Inside of both this and another.
+    /// Returns the intersection of two intervals.
     #[inline(always)]
     pub fn and(self, other: Self) -> Self {
         Self {
@@ -37,9 +37,7 @@ impl<S: Isa> Span<S> {
     }
 }
 
-/// The parts of lines inside.
-///
-/// A ray is inside of the box while it is inside of all slabs (Kay and Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986).
+/// Returns the intersection of the rays with all three slabs (Kay and Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986).
 #[inline(always)]
 pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> Span<S> {
     let upright = Span::slab(simd, o.y, d.y, half.y);
@@ -48,7 +46,7 @@ pub(super) fn span<S: Isa>(simd: S, half: Vec3, o: &Vec3x<S>, d: &Vec3x<S>) -> S
         .and(Span::slab(simd, o.z, d.z, half.z))
 }
 
-/// How far out points are towards the faces along each axis, if these are at -1 and 1: the farthest is the face they are on.
+/// Returns the distance of points along each axis, where the faces are at -1 and 1. The largest is the face that the point is on.
 #[inline(always)]
 pub(super) fn outward<S: Isa>(p: Vec3x<S>) -> Vec3x<S> {
     Vec3x {

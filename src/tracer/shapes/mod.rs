@@ -1,16 +1,14 @@
-//! The shapes that rays meet. What only one shape knows is in a file of its own; what is made of it, for all shapes alike, is in the
-//! stages: the tree and the outlines in `prepare`, the packets' way through the scene in `trace`.
+//! The shapes: for each its intersection, normal and texture coordinates. `prepare` builds the bounding volume hierarchy of them,
+//! `trace` the packets of rays.
 //!
 //! | shape | file |
 //! | --- | --- |
-//! | a sphere | `sphere` |
-//! | a plane: a horizontal rectangle | `plane` |
-//! | a block: a box, a cylinder or a capsule with any orientation | `block`, which has what these share: the coordinates along a block's own axes, in which it asks the three below |
-//! | a box, whose word Rust reserves | `cuboid` |
-//! | a cylinder | `cylinder` |
-//! | a capsule: a cylinder with a half sphere at each end | `capsule` |
-//!
-//! Functions of the same name answer the same question. Kernels are generic over lanes, as `lanes` says.
+//! | sphere | `sphere` |
+//! | plane: a horizontal rectangle | `plane` |
+//! | block: a box, a cylinder or a capsule with any orientation | `block` transforms rays to the block's own axes |
+//! | box (`box` is a reserved word of Rust) | `cuboid` |
+//! | cylinder | `cylinder` |
+//! | capsule: a cylinder with a half sphere at each end | `capsule` |
 
 pub(crate) mod block;
 mod capsule;

@@ -1,15 +1,14 @@
-//! The plane: a horizontal rectangle. Coordinates are the scene's, unless they are from its centre.
+//! The plane: a horizontal rectangle, in scene coordinates.
 
 use super::TexturePoint;
 use crate::lanes::*;
 use crate::scene::Plane;
 use glam::{Vec3A, Vec3Swizzles, Vec4};
 
-/// Returns how far on the inner side of the four planes through the eye and an edge a direction leads.
+/// Returns the distance of a direction inside each of the four planes through the eye and an edge.
 ///
-/// A ray d meets the plane at `eye + d h / q`, with q = -d.y or d.y the speed at which it comes nearer, and lies on
-/// the inner side of an edge `reach` away along x where `reach q - h d.x >= 0`. Scaled below 1, so
-/// that one rounding margin serves all.
+/// A ray d meets the plane at `eye + d h / q`, where q is the rate at which it approaches, -d.y or d.y. The hit is inside an edge
+/// at the distance `reach` along x if `reach q - h d.x >= 0`. Results are scaled below 1, so that one rounding margin fits all.
 pub(crate) fn sides(plane: &Plane, eye: Vec3A, d: Vec3A) -> Vec4 {
     let from = eye - Vec3A::from(plane.centre);
     let reach = Vec4::new(plane.half_x, plane.half_x, plane.half_z, plane.half_z)
@@ -21,7 +20,7 @@ pub(crate) fn sides(plane: &Plane, eye: Vec3A, d: Vec3A) -> Vec4 {
     (reach * q + across) * scale
 }
 
-/// Which rays hit a plane nearer than `limit`, and where.
+/// Returns the rays that hit a plane nearer than `limit`, and their distances.
 #[inline(always)]
 pub(crate) fn hit<S: Isa>(
     simd: S,
@@ -35,7 +34,7 @@ pub(crate) fn hit<S: Isa>(
     let t = (splat(simd, y) - o.y) / d.y;
     let across = t.mul_add(d.x, o.x - x).abs();
     let along = t.mul_add(d.z, o.z - z).abs();
-    // The origin of a ray that starts on the plane is exact, so its t is 0, which is not above 0.
+    // A ray that starts on the plane has t = 0, since its height is exact.
     let hit = t.simd_gt(splat(simd, 0.0))
         & t.simd_lt(limit)
         & across.simd_le(splat(simd, plane.half_x))
@@ -43,13 +42,13 @@ pub(crate) fn hit<S: Isa>(
     (hit, t)
 }
 
-/// The distances at which lines meet the height of a plane. `from` is their origin, from its centre.
+/// Returns the distances at which lines meet the height of a plane. `from` is relative to its centre.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(from: &Vec3x<S>, d: &Vec3x<S>) -> F<S> {
     -from.y / d.y
 }
 
-/// Where textures are evaluated at points on a plane, `out` from its centre. Their height is set to 0.
+/// Returns the texture points on a plane, at height 0. `out` is relative to its centre.
 #[inline(always)]
 pub(crate) fn texture_point<S: Isa>(simd: S, out: Vec3x<S>) -> TexturePoint<S> {
     TexturePoint {

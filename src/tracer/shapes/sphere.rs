@@ -1,4 +1,4 @@
-//! The sphere. Coordinates are the scene's, unless they are from its centre.
+//! The sphere, in scene coordinates.
 
 use super::TexturePoint;
 use crate::lanes::*;
@@ -6,23 +6,21 @@ use crate::rounding;
 use crate::scene::Sphere;
 use glam::Vec3A;
 
-/// The chord of a ray's line inside of a sphere.
+/// The chords in which the lines of rays cut a sphere.
 pub(crate) struct Chord<S: Isa> {
     /// The vector from the ray's origin to the sphere's centre.
     f: Vec3x<S>,
-    /// The distance from the ray's origin to the middle of the chord, which is the point nearest to the centre; negative behind
-    /// the origin.
+    /// The distance from the ray's origin to the middle of the chord, negative behind the origin.
     pub t_mid: F<S>,
     /// The perpendicular, from the centre to the middle of the chord.
     pub l: Vec3x<S>,
-    /// Its length squared.
+    /// The squared length of `l`.
     pub l2: F<S>,
 }
 
 impl<S: Isa> Chord<S> {
-    /// The chord's length comes from the perpendicular from the centre to the ray, which loses no digits when the
-    /// sphere is small and far away (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere
-    /// Intersection, Ray Tracing Gems, 2019).
+    /// Computes the chords from the perpendicular from the centre to the ray, which loses no digits when the sphere is small and
+    /// far away (Haines, Günther, Akenine-Möller: Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
     #[inline(always)]
     pub fn new(simd: S, centre: Vec3A, o: Vec3x<S>, d: Vec3x<S>) -> Self {
         let f = Vec3x::splat(simd, centre) - o;
@@ -32,13 +30,12 @@ impl<S: Isa> Chord<S> {
         Self { f, t_mid, l, l2 }
     }
 
-    /// The same chord with a perpendicular that is as accurate without fused multiply-add as with it.
+    /// Recomputes the perpendicular without fused multiply-add as accurately as with it.
     ///
-    /// Without it the product `d t_mid`, which is as long as the distance to the sphere, is rounded before all but the
-    /// perpendicular cancels. So both factors are split into halves of 12 bits, whose products are exact (Dekker: A
-    /// Floating-Point Technique for Extending the Available Precision, Numerische Mathematik 18, 1971). Only the last product is
-    /// rounded, which is smaller by 2^12. Most rays miss most spheres clearly, so this is only computed for spheres that [may be
-    /// ahead](Chord::may_be_ahead).
+    /// Without FMA the product `d t_mid`, as long as the distance to the sphere, is rounded before most of it cancels. Both factors
+    /// are split into halves of 12 bits with exact products (Dekker: A Floating-Point Technique for Extending the Available
+    /// Precision, Numerische Mathematik 18, 1971). Only the last product is rounded, which is smaller by 2^12. Most rays clearly
+    /// miss most spheres, so call this only for spheres that [may be ahead](Chord::may_be_ahead).
     #[inline(always)]
     pub fn refined(self, d: Vec3x<S>) -> Self {
         if S::FUSES_MUL_ADD {
@@ -60,8 +57,8 @@ impl<S: Isa> Chord<S> {
         Self { l, l2, ..self }
     }
 
-    /// Which rays may hit the sphere: all that do, and some that pass by closely, or that start on it and leave it. `cull2` is its
-    /// squared radius, enlarged by a thousandth or more.
+    /// Returns a conservative mask of the rays that hit the sphere. It includes near misses and rays that start on the sphere and
+    /// leave it. `cull2` is the squared radius, enlarged by a thousandth or more.
     #[inline(always)]
     pub fn may_be_ahead(&self, cull2: f32) -> M<S> {
         let simd = self.t_mid.token();
@@ -75,11 +72,11 @@ impl<S: Isa> Chord<S> {
         (splat(simd, cull2) - self.l2).simd_ge(back2)
     }
 
-    /// The nearest end of the chord that is ahead and nearer than `limit`.
+    /// Returns the nearest end of the chord that is ahead and nearer than `limit`.
     ///
-    /// Due to rounding, a ray that starts on the sphere starts slightly inside or outside of it. If its origin is off the sphere
-    /// by no more than `hit_error`, it counts as starting on it: outward it does not hit the sphere, inward it hits
-    /// the far side. `r2` is the squared radius, and `r2_error` its change if the radius changes by `hit_error`.
+    /// Rounding moves the origin of a ray that starts on the sphere slightly inside or outside. An origin within `hit_error` of the
+    /// sphere counts as on it: outward the ray misses, inward it hits the far side. `r2` is the squared radius, and `r2_error` its
+    /// change if the radius changes by `hit_error`.
     #[inline(always)]
     pub fn entry(
         &self,
@@ -106,14 +103,14 @@ impl<S: Isa> Chord<S> {
     }
 }
 
-/// The upper 12 bits of a number's mantissa.
+/// Returns the upper 12 bits of each mantissa.
 #[inline(always)]
 fn upper_half<S: Isa>(c: F<S>) -> F<S> {
     (c.bitcast::<U<S>>() & 0xffff_f000).bitcast()
 }
 
-/// The distances at which rays hit a sphere, or leave it if they start inside, in lengths of `d`, of which the squares are given.
-/// `from` is the origin relative to the centre.
+/// Returns the distances at which rays hit a sphere, or leave it if they start inside, in lengths of `d`. `length2` is the squared
+/// length of `d`; `from` is the origin relative to the centre.
 #[inline(always)]
 pub(crate) fn distance<S: Isa>(
     simd: S,
@@ -131,8 +128,8 @@ pub(crate) fn distance<S: Isa>(
     near.simd_gt(zero).select(near, far)
 }
 
-/// How far along rays of some lengths they are nearest to a sphere's centre, and how deep inside of the sphere that is; below 0
-/// outside.
+/// Returns the distance along each ray, within `length`, at which it is nearest to a sphere's centre, and its depth in the sphere
+/// there, negative outside.
 #[inline(always)]
 pub(crate) fn deepest<S: Isa>(
     simd: S,
@@ -146,12 +143,12 @@ pub(crate) fn deepest<S: Isa>(
     let a = at_least::<S>(to_centre.dot(d), splat(simd, 0.0));
     let a = at_most::<S>(a, length);
     let off = to_centre.add_scaled(d, -a);
-    // A point that is off the sphere by no more than rounding lies on it.
+    // A point within the rounding error of the sphere lies on it.
     let error = rounding::DEEP * (centre.abs().max_element() + sphere.radius);
     (a, -off.dot(off).sqrt() + (sphere.radius - error))
 }
 
-/// Where textures are evaluated at points on a sphere, `out` from its centre.
+/// Returns the texture points on a sphere. `out` is relative to its centre.
 #[inline(always)]
 pub(crate) fn texture_point<S: Isa>(simd: S, sphere: &Sphere, out: Vec3x<S>) -> TexturePoint<S> {
     TexturePoint {

@@ -1,4 +1,4 @@
-//! Sums up, point by point, what the rays of a batch bring back.
+//! The sums of the points of a batch.
 
 use super::queue::{BATCH, Queue, packet};
 use super::rays::Rays;
@@ -9,34 +9,29 @@ use crate::prepare::Film;
 use fearless_simd::{f32x4, i32x4};
 use glam::Vec3A;
 
-/// The element of a [`Sum`] that holds the key.
+/// The index of the key in a [`Sum`].
 const KEY: usize = 3;
 
-/// The light of a traced point of a patterned surface in two layers: its colour is `rest + reflectance * untextured`, with the share that
-/// the pattern leaves. Along a surface both layers change slowly, while the pattern may not.
+/// The light of a point on a patterned surface: its colour is `rest + reflectance * untextured`, where the pattern gives the
+/// reflectance. Both layers change slowly along a surface.
 ///
-/// The first four numbers are `rest`, which does not depend on the surface's colour: highlights, reflection, transmission and haze. The
-/// others are `untextured`, the light that the surface would reflect diffusely without a pattern. Both are blue, green, red and 0, in
-/// steps of 1/255.
+/// The first four numbers are `rest`: highlights, reflection, transmission and haze. The others are `untextured`: ambient and
+/// diffuse light without a pattern. Both are blue, green, red and 0, in steps of 1/255.
 pub(crate) type Layers = [f32; 8];
 
-/// The results of traced points, which have the numbers that they have in the [`Queue`](super::queue::Queue).
-///
-/// The sums grow while rays are traced. Samples are made of them at the end, see [`Accumulator::finish`].
+/// The results of the points in the [`Queue`](super::queue::Queue), with the same indices.
 pub(crate) struct Accumulator {
     sums: [Sum; BATCH],
-    /// The terms that a packet of secondary rays adds to the sums.
+    /// The terms of a packet of secondary rays.
     terms: [Sum; MAX_LANES],
     samples: [u64; BATCH],
-    /// The part of the colour that a pattern darkens, blue, green and red in output steps, and the share that the pattern leaves, with a
-    /// negative sign where the pattern is finer than squares.
+    /// The untextured blue, green and red in output steps, and the reflectance, negative where the pattern is finer than squares.
     patterned: [[f32; 4]; BATCH],
     /// The objects that the primary rays hit.
     objects: [u32; BATCH],
 }
 
 impl Accumulator {
-    /// All zeros.
     pub const fn new() -> Self {
         Self {
             sums: [[0; 4]; BATCH],
@@ -47,24 +42,22 @@ impl Accumulator {
         }
     }
 
-    /// The sample of traced point number `i`.
     pub fn sample(&self, i: usize) -> Sample {
         let i = i % BATCH;
         Sample(self.samples[i]).showing(self.objects[i])
     }
 
-    /// The key of traced point number `i`.
     pub fn key(&self, i: usize) -> u32 {
         self.sums[i % BATCH][KEY] as u32
     }
 
-    /// Whether traced point number `i` shows a pattern that is finer than squares.
+    /// Returns whether point `i` shows a pattern that is finer than squares.
     pub fn is_fine(&self, i: usize) -> bool {
         let [.., share] = self.patterned[i % BATCH];
         share.is_sign_negative()
     }
 
-    /// The layers of traced point number `i`, if it shows an object with a pattern.
+    /// Returns the layers of point `i`, which shows an object with a pattern.
     pub fn layers(&self, i: usize) -> Layers {
         let i = i % BATCH;
         let [blue, green, red, share] = self.patterned[i];
@@ -73,7 +66,7 @@ impl Accumulator {
         [a, b, c, 0.0, blue, green, red, 0.0]
     }
 
-    /// Turns the sums of the points into samples.
+    /// Converts the sums to samples.
     #[inline(always)]
     pub(super) fn finish(&mut self, film: &Film, queue: &Queue) {
         let simd = baseline();
@@ -89,14 +82,13 @@ impl Accumulator {
         }
     }
 
-    /// Keeps the objects that a packet of primary rays hit. Its first point is number `first`.
+    /// Stores the objects that a packet of primary rays hit. `first` is the index of its first point.
     #[inline(always)]
     pub(super) fn keep_objects<S: Isa>(&mut self, first: usize, objects: U<S>) {
         objects.store_slice(&mut self.objects[packet::<S>(first)]);
     }
 
-    /// Adds the contribution of a packet's hits to the sums of their points. A packet of primary rays, whose first point is number
-    /// `first`, starts these sums.
+    /// Adds a packet's contribution to the sums of its points. Primary rays, whose first point is `first`, start these sums.
     #[inline(always)]
     pub(super) fn add<S: Isa>(
         &mut self,
@@ -121,13 +113,13 @@ impl Accumulator {
         }
     }
 
-    /// Adds the terms of a packet of secondary rays. Lanes beyond the last ray add nothing, whichever point was in them before.
+    /// Adds the terms of secondary rays. Lanes after the last ray have zero terms, so their stale slots do no harm.
     #[inline(always)]
     fn add_terms<S: Isa>(&mut self, simd: S, rays: &Rays<S>) {
         let slots = rays.slots();
         let first = slots.as_slice()[0];
         let start = first as usize % BATCH;
-        // Most packets have their slots in order, and are added as vectors.
+        // Most packets have consecutive slots: a vector sum.
         let in_order = slots.simd_eq(numbers(simd) + first).all_true();
         if let (true, Some(sums)) = (in_order, self.sums.get_mut(start..start + lanes::<S>())) {
             let (sums, terms) = (sums.as_flattened_mut(), self.terms.as_flattened());
@@ -147,13 +139,13 @@ impl Accumulator {
     }
 }
 
-/// A sum's blue, green and red in output steps.
+/// Returns a sum's blue, green and red in output steps.
 fn steps(sum: &Sum) -> Vec3A {
     let [blue, green, red, _] = sum.map(|sum| sum as f32);
     Vec3A::new(blue, green, red) * (1.0 / (1 << STEP_BITS) as f32)
 }
 
-/// The sums of four points after the film, without their keys. The points are at the given x and y.
+/// Returns the sums of four points at (x, y) after the film, without keys.
 fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2]) -> [Sum; 4] {
     let mut four = sums.map(|sum| {
         let light: f32x4<Baseline> = i32x4::simd_from(simd, sum).to_float();
@@ -166,9 +158,9 @@ fn exposed(simd: Baseline, film: &Film, sums: &[Sum; 4], at: [f32x4<Baseline>; 2
     })
 }
 
-/// The largest contribution of a node of the ray tree, as a multiple of full brightness.
+/// The upper limit of a ray's contribution, as a multiple of full brightness.
 ///
-/// More than 1 is not visible, since contributions are not negative. With this bound the sum over the 255 nodes of the deepest
+/// Contributions are not negative, so the excess over 1 is invisible. With this limit the sum over the 255 nodes of the deepest ray
 /// tree does not overflow.
 const BRIGHTEST: f32 = 2.0;
 
@@ -176,14 +168,13 @@ const BRIGHTEST: f32 = 2.0;
 pub(super) struct Contribution<S: Isa> {
     pub colour: Vec3x<S>,
     pub key: U<S>,
-    /// The part of the colour that a texture leaves a share of, and that share; of rays that hit no lamp and no
-    /// background.
+    /// The colour before the texture, and the texture's factor; for surfaces, not for lights and the background.
     pub untextured: Vec3x<S>,
     pub reflectance: F<S>,
 }
 
 impl<S: Isa> Contribution<S> {
-    /// Stores blue, green and red in fixed point and the key, a point after the other.
+    /// Stores blue, green and red in fixed point and the key, point by point.
     #[inline(always)]
     pub fn store(&self, simd: S, sums: &mut [i32]) {
         let Vec3x { x, y, z } = self.colour;
@@ -191,8 +182,7 @@ impl<S: Isa> Contribution<S> {
         store_transposed([blue, green, red, self.key.bitcast()], sums);
     }
 
-    /// Stores blue, green and red of what is untextured, in output steps, and the share that the texture leaves of it, a
-    /// point after the other.
+    /// Stores the untextured blue, green and red in output steps and the reflectance, point by point.
     #[inline(always)]
     pub fn store_layers(&self, layers: &mut [f32]) {
         let Vec3x { x, y, z } = self.untextured;
@@ -200,16 +190,16 @@ impl<S: Isa> Contribution<S> {
     }
 }
 
-/// A number in fixed point, rounded to the nearest.
+/// Converts to fixed point, rounded to nearest.
 #[inline(always)]
 fn fixed<S: Isa>(simd: S, c: F<S>) -> I<S> {
     let c = clamp::<S>(c, splat(simd, 0.0), splat(simd, BRIGHTEST));
-    // One half is added, since the conversion truncates.
+    // Add one half, since the conversion truncates.
     c.mul_add(splat(simd, FIXED_POINT), splat(simd, 0.5))
         .to_int()
 }
 
-/// Transposes four vectors of lanes: stores the first lane's four numbers, then the second's, and so on.
+/// Stores the transposed matrix: the first lane's four numbers, then the second's, and so on.
 #[inline(always)]
 fn store_transposed<S: Isa, V: SimdBase<S>>([a, b, c, d]: [V; 4], numbers: &mut [V::Element]) {
     let (ac0, ac1) = a.interleave(c);

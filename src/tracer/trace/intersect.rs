@@ -1,4 +1,4 @@
-//! Finds the first hits of a packet: planes, the tree's spheres, and blocks by their bounding spheres. Coordinates are the scene's.
+//! The nearest hits of a packet. Blocks are tested after the tree has been traversed.
 
 use super::candidates::{Candidate, Candidates};
 use super::rays::{Rays, departing};
@@ -7,22 +7,21 @@ use crate::prepare::{GroupSet, Object, ObjectId, World};
 use crate::shapes::sphere::Chord;
 use crate::shapes::{block, plane};
 
-/// The distance that stands for no hit.
+/// The distance of a miss.
 const NO_HIT: f32 = 1e30;
 
 /// The nearest hit of each ray.
 #[derive(Clone, Copy)]
 pub(crate) struct Hit<S: Isa> {
-    /// Distance, in lengths of the ray's direction.
+    /// The distance, in lengths of the ray's direction.
     pub t: F<S>,
     /// The object, as [`ObjectId::lane`].
     pub object: U<S>,
-    /// Which rays meet a block from within.
+    /// The rays that start inside a block and hit it.
     pub within_block: M<S>,
 }
 
 impl<S: Isa> Hit<S> {
-    /// Replaces the hits in the lanes of a mask.
     #[inline(always)]
     pub fn keep_nearer(&mut self, nearer: M<S>, t: F<S>, object: ObjectId) {
         self.t = nearer.select(t, self.t);
@@ -30,7 +29,7 @@ impl<S: Isa> Hit<S> {
     }
 }
 
-/// The nearest hits among all planes and the spheres of some groups. Boxes and cylinders that may be hit are listed.
+/// Returns the nearest hits among all planes and the spheres of `groups`, and lists the blocks that may be hit.
 #[inline(always)]
 pub(crate) fn nearest<S: Isa>(
     simd: S,
@@ -76,7 +75,7 @@ pub(crate) fn nearest<S: Isa>(
     hit
 }
 
-/// Intersects rays with the boxes and cylinders that they may hit, and keeps hits that are nearer.
+/// Tests the listed blocks, and keeps nearer hits.
 #[inline(always)]
 pub(super) fn resolve_blocks<S: Isa>(
     simd: S,

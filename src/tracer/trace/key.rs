@@ -1,32 +1,31 @@
-//! A point's key: what its ray tree met.
+//! Keys: hashes of the objects that a point's ray tree hit.
 //!
-//! Each node of the tree has a hash of its position in the tree, its object and the states of the lights there. The key is the
-//! sum of these hashes. Equal trees have equal keys. Different trees have equal keys with a probability of 2^-32: a frame compares
-//! some 10^5 keys, so one frame in 40,000 fills one square wrongly.
+//! A key is the sum over the tree's nodes of a hash of the position in the tree, the object and the states of the lights there.
+//! Equal trees have equal keys. Different trees collide with a probability of 2^-32: a frame compares some 10^5 keys, so one frame
+//! in 40,000 fills one square wrongly.
 
 use super::rays::{PATH_BITS, Rays};
 use crate::lanes::*;
 use crate::quality::Quality;
 
-/// Bits for the object, before hashing. They follow the [`PATH_BITS`] of the position in the tree.
+/// The bits of the object before hashing, above the [`PATH_BITS`].
 const OBJECT_BITS: u32 = 12;
-/// Bits for the state of one light.
+/// The bits of the state of a light.
 const STATE_BITS: u32 = 2;
 
-/// Which nodes a packet's keys hold, and the lights' states there: 0 dark (shadowed or facing away), 1 lit, 2 lit with a
-/// highlight.
+/// The nodes of a packet, and the states of the lights there: 0 dark (in shadow or facing away), 1 lit, 2 lit with a highlight.
 #[derive(Clone, Copy)]
 pub(crate) struct Keys<S: Isa> {
     paths: U<S>,
-    /// Lanes whose node counts in the key.
+    /// The nodes that count in the key.
     counted: M<S>,
-    /// Whether there are any. Most secondary rays have none.
+    /// Whether any node counts. For most secondary rays none does.
     has_any: bool,
     states: U<S>,
 }
 
 impl<S: Isa> Keys<S> {
-    /// The keys of the active lanes' nodes, where rays end. No light is lit so far.
+    /// Returns the nodes where active rays end, before any light.
     #[inline(always)]
     pub fn new(simd: S, quality: &Quality, active: M<S>, rays: &Rays<S>) -> Self {
         let paths = rays.paths();
@@ -44,7 +43,7 @@ impl<S: Isa> Keys<S> {
         keys
     }
 
-    /// Adds one light's state. A highlight implies lit.
+    /// Adds a light's state. A highlight implies lit.
     #[inline(always)]
     pub fn push(&mut self, lit: M<S>, highlight: M<S>) {
         if !self.has_any {
@@ -57,7 +56,7 @@ impl<S: Isa> Keys<S> {
         self.states = (self.states << STATE_BITS) | state;
     }
 
-    /// The terms that the nodes add to the keys: 0 where nothing is compared.
+    /// Returns the nodes' terms of the keys; 0 for nodes that do not count.
     #[inline(always)]
     pub fn terms(&self, simd: S, quality: &Quality, objects: U<S>) -> U<S> {
         let zero = U::<S>::splat(simd, 0);
@@ -76,7 +75,7 @@ impl<S: Isa> Keys<S> {
     }
 }
 
-/// Which nodes are at most so deep in their trees.
+/// Returns the nodes that are at most `depth` deep in their trees.
 #[inline(always)]
 fn to_depth<S: Isa>(simd: S, paths: U<S>, depth: u32) -> M<S> {
     paths.simd_lt(U::<S>::splat(simd, 2 << depth.min(Quality::MAX_DEPTH)))

@@ -1,22 +1,18 @@
-//! Traces points: a point's colour and key from the tree of rays that starts there.
+//! Traces points: computes each point's colour and key from its tree of rays.
 //!
-//! A [`Batch`] is a queue of points, an accumulator of what their rays bring back, and the stack of secondary rays. Rays travel in
-//! packets, a ray per lane, whichever points they belong to. A packet's secondary rays go to the stack, which has a fixed
-//! capacity, and the next packet is taken from its top as soon as it fills the lanes, so there is no recursion and few lanes idle.
-//! Colours are summed in fixed point: integer sums do not depend on the order in which rays come back, so a point has the same
-//! bits whatever points it is traced with.
+//! Rays of any points travel in packets, one ray per lane. Secondary rays go to a stack of fixed capacity, and the next packet is
+//! popped as soon as the stack fills the lanes, so there is no recursion and few lanes are idle. Colours are summed in fixed point:
+//! integer sums do not depend on the order of rays, so a point's bits do not depend on the other points of the batch.
 //!
-//! The way of a packet:
-//!
-//! | step | module |
+//! | step of a packet | module |
 //! | --- | --- |
-//! | primary rays of queued points, or secondary rays from the stack | `queue`, `stack` |
-//! | the nearest hits: planes and spheres, then boxes and cylinders among the candidates | `intersect` |
+//! | primary rays of queued points, or secondary rays | `queue`, `stack` |
+//! | nearest hits: planes and spheres, then candidate blocks | `intersect` |
 //! | points, normals, grooves, patterns and waves there | `surface`, `point`, `texture`, `waves` |
-//! | visibility: which lamps' light arrives, and how much of it | `visibility`, `shadow` |
-//! | light: what the surfaces reflect of it | `light` |
-//! | what the hits add to their points, and which secondary rays leave them | `shade` |
-//! | the sums of the points | `accumulator` |
+//! | shadows, spotlights and penumbrae | `visibility`, `shadow` |
+//! | reflected light | `light` |
+//! | haze, glow and secondary rays | `shade`, `air` |
+//! | sums of the points | `accumulator` |
 
 mod accumulator;
 mod air;
@@ -54,26 +50,22 @@ use queue::Queue;
 use stack::RayStack;
 use surface::SurfaceRows;
 
-/// Points to trace and what came of them. It is filled, traced, read and cleared again and again.
+/// The working memory of a kernel: points, their results, and the secondary rays.
 pub(crate) struct Batch {
-    /// The points to trace.
     pub points: Queue,
-    /// The results of the points.
     pub results: Accumulator,
-    /// The work since this was last reset.
+    /// The work since the last reset.
     pub counts: Counts,
-    /// The secondary rays that wait to be traced.
     stack: RayStack,
-    /// Boxes and cylinders that the packet at work may meet, by an exact test.
+    /// The blocks that the current packet may hit, for an exact test.
     blocks: Candidates,
-    /// The solids that may be on the way of the packet at work to a lamp.
+    /// The occluders of the current packet and light.
     blockers: Blockers,
-    /// The surfaces of the packet at work.
+    /// The surfaces that packets hit.
     surfaces: SurfaceRows,
 }
 
 impl Batch {
-    /// Room for points, empty.
     pub const fn new() -> Self {
         Self {
             points: Queue::new(),
@@ -86,32 +78,32 @@ impl Batch {
         }
     }
 
-    /// Begins a part of a picture: forgets the surfaces of other frames.
+    /// Forgets the surfaces of other frames, before a part of a picture.
     #[inline(never)]
     pub fn begin(&mut self) {
         self.surfaces.clear();
     }
 
-    /// Turns the sums of the points into samples. This takes a thousandth of the time, so one instruction set is enough.
+    /// Converts the sums to samples. This takes a thousandth of the time, so one instruction set is enough.
     #[inline(never)]
     fn finish(&mut self, film: &Film) {
         self.results.finish(film, &self.points);
     }
 }
 
-/// How points are traced.
+/// The inputs of a kernel.
 #[derive(Clone, Copy)]
 pub(crate) struct Tracer<'a, I> {
-    /// The instruction set: a level of those that the processor has, or the one that a kernel is compiled for.
+    /// A [`Level`], or the instruction set that a kernel is compiled for.
     pub isa: I,
     pub world: World<'a>,
     pub quality: &'a Quality,
 }
 
-/// Traces a batch's points with all their rays; the primary rays and their reflections meet none but the groups `seen`.
+/// Traces a batch's points with all their rays. Primary rays and their reflections in the first plane only meet the groups `seen`.
 pub(crate) type Kernel = fn(&Tracer<'_, Level>, VisibleGroups, &mut Batch);
 
-/// The kernel for AVX-512 where the level has that, and for AVX2 and less. Only a program that refers to it has it in its file.
+/// The kernels for AVX-512, AVX2 and the baseline. The linker drops the AVX-512 kernel if a program never refers to this function.
 pub(crate) fn trace_wide(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch: &mut Batch) {
     match avx512(tracer.isa) {
         Some(isa) => by_isa!(isa: trace_packets(tracer.by(isa), seen, batch)),
@@ -119,13 +111,13 @@ pub(crate) fn trace_wide(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch:
     }
 }
 
-/// The kernel for AVX2 and less.
+/// The kernels for AVX2 and the baseline.
 pub(crate) fn trace_narrow(tracer: &Tracer<'_, Level>, seen: VisibleGroups, batch: &mut Batch) {
     by_isa!(tracer.isa, isa => trace_packets(tracer.by(isa), seen, batch));
 }
 
 impl<'a> Tracer<'a, Level> {
-    /// Returns the same for a kernel's instruction set.
+    /// Returns the inputs for the instruction set of a kernel.
     #[inline(always)]
     fn by<S: Isa>(&self, isa: S) -> Tracer<'a, S> {
         let &Self { world, quality, .. } = self;
@@ -137,7 +129,6 @@ impl<'a> Tracer<'a, Level> {
     }
 }
 
-/// Traces a batch's points with all their rays; the primary rays and their reflections meet none but the groups `seen`.
 #[inline(always)]
 fn trace_packets<S: Isa>(tracer: Tracer<'_, S>, seen: VisibleGroups, batch: &mut Batch) {
     let Tracer {

@@ -1,4 +1,4 @@
-//! The queue of the points that are traced together.
+//! The points that are traced together.
 
 use super::rays::{Rays, primary_directions};
 use crate::lanes::*;
@@ -6,24 +6,22 @@ use crate::prepare::World;
 use core::ops::Range;
 use fearless_simd::{f32x4, i32x4, u32x4};
 
-/// The most points that are traced together: their sums take 16 kB, which stay in the nearest cache.
+/// The capacity: 16 kB of sums, which stay in the L1 cache.
 pub(crate) const BATCH: usize = 1024;
 
-/// Positions are counted in so many parts of a pixel along each axis: those of the widest picture fit 16 bits.
+/// Positions are in this fraction of a pixel: those of the widest picture fit in 16 bits.
 pub(crate) const PARTS: usize = 8;
 
-/// One of these, in pixels.
 const PART: f32 = 1.0 / PARTS as f32;
 
-/// Points to trace, in the order in which they were added.
+/// Points to trace.
 pub(crate) struct Queue {
-    /// Where the points are in the picture: `y << 16 | x`, in [`PARTS`] of a pixel.
+    /// The positions in the picture: `y << 16 | x`, in 1/[`PARTS`] of a pixel.
     positions: [u32; BATCH],
     len: usize,
 }
 
 impl Queue {
-    /// No points.
     pub const fn new() -> Self {
         Self {
             positions: [0; BATCH],
@@ -31,45 +29,43 @@ impl Queue {
         }
     }
 
-    /// The number of points.
     pub fn len(&self) -> usize {
         self.len
     }
 
-    /// Adds the point of the pixel (x, y); the queue must not be full.
+    /// Adds the point of the pixel (x, y). The queue must not be full.
     pub fn push_pixel(&mut self, x: usize, y: usize) {
         self.push(PARTS * x, PARTS * y);
     }
 
-    /// Adds the point at (x, y), in [`PARTS`] of a pixel; the queue must not be full.
+    /// Adds the point at (x, y), in 1/[`PARTS`] of a pixel. The queue must not be full.
     pub fn push(&mut self, x: usize, y: usize) {
         self.push_at((y << 16 | x) as u32);
     }
 
-    /// Adds the point at `y << 16 | x`, in [`PARTS`] of a pixel; the queue must not be full.
+    /// Adds the point at `y << 16 | x`, in 1/[`PARTS`] of a pixel. The queue must not be full.
     pub fn push_at(&mut self, position: u32) {
         self.positions[self.len % BATCH] = position;
         self.len += 1;
     }
 
-    /// Removes all points.
     pub fn clear(&mut self) {
         self.len = 0;
     }
 
-    /// The pixel of point number `i`, x and y.
+    /// Returns the pixel of point `i`.
     pub fn pixel(&self, i: usize) -> (usize, usize) {
         let (x, y) = self.position(i);
         (x / PARTS, y / PARTS)
     }
 
-    /// The position of point number `i`, x and y, in [`PARTS`] of a pixel.
+    /// Returns the position of point `i`, in 1/[`PARTS`] of a pixel.
     pub fn position(&self, i: usize) -> (usize, usize) {
         let position = self.positions[i % BATCH] as usize;
         (position & 0xffff, position >> 16)
     }
 
-    /// Where four points are, from number `start`, a multiple of 4: x and y in pixels.
+    /// Returns the positions of four points in pixels. `start` is a multiple of 4.
     #[inline(always)]
     pub(super) fn pixels<S: Isa>(&self, simd: S, start: usize) -> [f32x4<S>; 2] {
         let start = start % BATCH / 4 * 4;
@@ -78,8 +74,8 @@ impl Queue {
             .map(|c| c.bitcast::<i32x4<S>>().to_float::<f32x4<S>>() * PART)
     }
 
-    /// The primary rays of a packet of points from number `start`, a multiple of the number of lanes. Lanes beyond the last point
-    /// have rays of an earlier batch, whose results nobody reads.
+    /// Returns the primary rays of a packet of points. `start` is a multiple of the number of lanes. Lanes after the last point
+    /// have rays of an earlier batch, whose results are ignored.
     #[inline(always)]
     pub(super) fn primary_rays<S: Isa>(&self, simd: S, world: World<'_>, start: usize) -> Rays<S> {
         let positions = U::<S>::from_slice(simd, &self.positions[packet::<S>(start)]);
@@ -95,8 +91,7 @@ impl Queue {
     }
 }
 
-/// The numbers of a packet's points, the first of which is given, in a form that tells the compiler that an array of [`BATCH`]
-/// has them all.
+/// Returns the indices of a packet's points from `first`, in a form that needs no bounds checks in arrays of [`BATCH`].
 #[inline(always)]
 pub(super) fn packet<S: Isa>(first: usize) -> Range<usize> {
     let first = first % BATCH / lanes::<S>() * lanes::<S>();

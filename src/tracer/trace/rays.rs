@@ -1,4 +1,4 @@
-//! Packets of rays. Coordinates are the scene's, unless they are those of pixels.
+//! Packets of rays.
 
 use super::queue::BATCH;
 use crate::lanes::*;
@@ -8,19 +8,19 @@ use crate::quality::Quality;
 /// A packet of rays, one per lane, in scene coordinates.
 #[derive(Clone, Copy)]
 pub(crate) struct Rays<S: Isa> {
-    /// Origin.
+    /// The origins.
     pub o: Vec3x<S>,
-    /// Direction, of length 1.
+    /// The directions, of length 1.
     pub d: Vec3x<S>,
-    /// The product of the coefficients along the ray's path.
+    /// The products of the coefficients along the rays' paths.
     pub weight: F<S>,
-    /// The point of the batch that the ray belongs to, and its node in that point's ray tree: `slot << PATH_BITS | path`. The
-    /// path of a primary ray is 1; a ray with path p has the reflected ray 2 p and the transmitted ray 2 p + 1. The bits above are
-    /// the ray's [`departure`] and the mark of mirrored rays.
+    /// The index of the ray's point in the batch, and its node in that point's ray tree: `slot << PATH_BITS | path`. A primary ray
+    /// has the path 1; a ray with the path p has the reflected ray 2 p and the transmitted ray 2 p + 1. The upper bits are the
+    /// ray's [`departure`] and the mark of mirrored rays.
     pub slot_path: U<S>,
 }
 
-/// The bit of a `slot_path` that marks reflections of primary rays in the first plane.
+/// The mark of reflections of primary rays in the first plane.
 const MIRRORED: u32 = 1 << 31;
 
 /// The lowest bit of a departure.
@@ -31,13 +31,13 @@ pub(super) const INWARD: u32 = 1 << 30;
 
 const _: () = assert!(MAX_OBJECTS < 1 << (30 - DEPARTURE));
 
-/// Returns the departures of rays that start on the surface of objects and leave them outward; [`INWARD`] is added for rays into them.
+/// Returns the departures of rays that start on the surfaces of `objects` and go outward. Add [`INWARD`] for rays that go inside.
 #[inline(always)]
 pub(super) fn departure<S: Isa>(objects: U<S>) -> U<S> {
     (objects + 1) << DEPARTURE
 }
 
-/// Returns which rays with some departures leave an object outward, and which go into it.
+/// Returns the masks of rays that leave an object outward, and inward.
 #[inline(always)]
 pub(super) fn departing<S: Isa>(simd: S, departures: U<S>, object: ObjectId) -> [M<S>; 2] {
     let departures = departures & !(MIRRORED | ((1 << DEPARTURE) - 1));
@@ -49,31 +49,29 @@ pub(super) fn departing<S: Isa>(simd: S, departures: U<S>, object: ObjectId) -> 
 pub(super) const PATH_BITS: u32 = Quality::MAX_DEPTH + 1;
 
 impl<S: Isa> Rays<S> {
-    /// The `slot_path`s of the primary rays of successive points, beginning with point number `slot`.
+    /// Returns the `slot_path`s of the primary rays of consecutive points from `slot`.
     #[inline(always)]
     pub fn slot_paths(simd: S, slot: usize) -> U<S> {
         (numbers(simd) << PATH_BITS) + ((slot as u32) << PATH_BITS | 1)
     }
 
-    /// The points that the rays belong to.
     #[inline(always)]
     pub fn slots(&self) -> U<S> {
         (self.slot_path >> PATH_BITS) & (BATCH as u32 - 1)
     }
 
-    /// The rays' paths in their trees.
     #[inline(always)]
     pub fn paths(&self) -> U<S> {
         self.slot_path & ((1 << PATH_BITS) - 1)
     }
 
-    /// The `slot_path`s of the reflected rays without their marks. Those of the transmitted rays are one more.
+    /// Returns the `slot_path`s of the reflected rays without marks. Those for transmitted rays are larger by 1.
     #[inline(always)]
     pub fn reflected_slot_paths(&self) -> U<S> {
         (self.slot_path + self.paths()) & ((1 << DEPARTURE) - 1)
     }
 
-    /// The marks for reflected rays: set if the first plane, object number `plane`, reflects a primary ray.
+    /// Returns the marks of reflected rays: set if the first plane, object number `plane`, reflects a primary ray.
     #[inline(always)]
     pub fn mirror_marks(&self, simd: S, objects: U<S>, plane: usize) -> U<S> {
         let plane = objects.simd_eq(U::<S>::splat(simd, plane as u32));
@@ -81,7 +79,7 @@ impl<S: Isa> Rays<S> {
         mirrored.to_vector().bitcast::<U<S>>() & MIRRORED
     }
 
-    /// Which rays have this mark.
+    /// Returns the rays with this mark.
     #[inline(always)]
     pub fn mirrored(&self, simd: S) -> M<S> {
         self.slot_path
@@ -90,14 +88,14 @@ impl<S: Isa> Rays<S> {
     }
 }
 
-/// The directions in which the eye sees points of the picture, of length 1.
+/// Returns the directions, of length 1, from the eye to points of the picture.
 #[inline(always)]
 pub(super) fn primary_directions<S: Isa>(simd: S, world: World<'_>, x: F<S>, y: F<S>) -> Vec3x<S> {
     let d = to_picture(simd, world, x, y);
     d.scaled(splat(simd, 1.0) / d.dot(d).sqrt())
 }
 
-/// The ways from the eye to points of the picture, which is at distance 1.
+/// Returns the vectors from the eye to points of the picture, which is at distance 1.
 #[inline(always)]
 pub(super) fn to_picture<S: Isa>(simd: S, world: World<'_>, x: F<S>, y: F<S>) -> Vec3x<S> {
     let raster = &world.raster;

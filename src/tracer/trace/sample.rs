@@ -1,71 +1,68 @@
-//! Samples: what is kept of a traced point.
+//! The stored results of traced points.
 
 use crate::lanes::*;
 use crate::prepare::ObjectId;
 use fearless_simd::{i16x8, i32x4, u64x2};
 
-/// Fractional bits of a sum of output steps.
+/// The fractional bits of a sum of output steps.
 ///
-/// Sums count in 1/16384 of a step. So a colour half-way between two of the 255 steps of the output stays exactly there, and the
-/// rounding errors of a tree's nodes add up to less than 1/100 of a step.
+/// In 1/16384 of a step, a colour half-way between two output steps stays exact, and the rounding errors of a ray tree add up to
+/// less than 1/100 of a step.
 pub(super) const STEP_BITS: i32 = 14;
 
 /// Full brightness as a sum.
 pub(super) const FIXED_POINT: f32 = (255 << STEP_BITS) as f32;
 
-/// Blue, green and red, in the order of a pixel's bytes, and the key of a point.
+/// Blue, green and red, in the order of a pixel's bytes, and the key.
 pub(super) type Sum = [i32; 4];
 
 /// A traced point's colour and object. Blue, green and red have 16 bits each, from the low bits up, in 128ths of an output step.
-/// The next 14 bits are the number of the object that the point shows plus one, or 0 if it is not known. Bit 62 says whether that
-/// object's pattern is finer there than squares.
+/// The next 14 bits are the object's number plus one, or 0 if it is unknown. Bit 62 is set if the object's pattern there is finer
+/// than squares.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sample(pub u64);
 
-/// Fractional bits of a sample's channel.
+/// The fractional bits of a sample's channel.
 const SAMPLE_BITS: i32 = 7;
 
 /// One output step in a sample's unit.
 pub(crate) const STEP: i32 = 1 << SAMPLE_BITS;
 
-/// The lowest bit of the object's number in a sample.
+/// The lowest bit of the object's number.
 const OBJECT: u32 = 48;
 
 impl Sample {
-    /// The colour's bits, without what else the word holds.
+    /// The bits of the colour.
     pub const COLOUR: u64 = (1 << OBJECT) - 1;
 
-    /// Set if the object has a pattern that is finer than squares.
+    /// The bit for a pattern that is finer than squares.
     pub const PATTERN: u64 = 1 << 62;
 
-    /// The sample, with the object that it shows.
     pub fn showing(self, object: u32) -> Self {
         Self(self.0 | u64::from(object + 1) << OBJECT)
     }
 
-    /// The sample, marked as showing a pattern that is finer than squares.
     pub fn patterned(self) -> Self {
         Self(self.0 | Self::PATTERN)
     }
 
-    /// Whether it shows a pattern that is finer than squares.
     pub fn is_patterned(self) -> bool {
         self.0 & Self::PATTERN != 0
     }
 
-    /// The object that is shown, if it is known.
+    /// Returns the object, if it is known.
     pub fn object(self) -> Option<ObjectId> {
         self.label().checked_sub(1).map(ObjectId::new)
     }
 
-    /// One more than the number of the object that is shown, or 0 if that is not known.
+    /// Returns the object's number plus one, or 0 if it is unknown.
     pub fn label(self) -> usize {
         ((self.0 & !Self::PATTERN) >> OBJECT) as usize
     }
 
-    /// The colour half-way between two, and the object if it is the same.
+    /// Returns the mean colour, and the object if both are the same.
     pub fn mean(self, other: Self) -> Self {
-        // Channels are below 2^15, so that no sum reaches the next one.
+        // Channels are below 2^15, so sums do not carry into the next one.
         let colour = ((self.0 + other.0) >> 1) & (Self::COLOUR ^ 0x8000_8000_8000);
         let object = if self.object() == other.object() {
             self.0 & !Self::COLOUR
@@ -75,18 +72,15 @@ impl Sample {
         Self(colour | object)
     }
 
-    /// The colour as a pixel, `0x00RRGGBB`, of which the fraction is cut off after a threshold has been added to each channel:
-    /// words of 0 to 127 in 128ths of a step, 64 to round.
+    /// Returns the colour as `0x00RRGGBB`. `threshold` has a word per channel that is added before truncation, 0 to 127 in 128ths
+    /// of a step; 64 rounds to nearest.
     pub fn pixel(self, threshold: u64) -> u32 {
-        // No channel overflows.
         let steps = (self.0 + threshold) >> SAMPLE_BITS;
         (steps & 0xff | (steps >> 8) & 0xff00 | (steps >> 16) & 0x00ff_0000) as u32
     }
 }
 
-/// The samples of four sums.
-///
-/// They are truncated. A pixel made of a sample is then the sum rounded once.
+/// Converts four sums to samples. It truncates, so that a pixel is the sum rounded once.
 #[inline(always)]
 pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum; 4]) -> [u64; 4] {
     let [a, b, c, d] =
@@ -95,7 +89,7 @@ pub(super) fn from_sums<S: Isa>(simd: S, sums: &[Sum; 4]) -> [u64; 4] {
     [a, b, c, d]
 }
 
-/// Two samples' channels, from 0 to 255 steps.
+/// Packs two samples, clamped to 0 to 255 steps.
 #[inline(always)]
 fn limited<S: Isa>(simd: S, first: i32x4<S>, second: i32x4<S>) -> [u64; 2] {
     let channels = first.saturating_narrow(second);

@@ -13,7 +13,7 @@ use super::{Batch, Tracer};
 use crate::lanes::*;
 use crate::prepare::Parameter;
 
-/// Shades the hits, puts the secondary rays on the stack and returns what the hits add to their points.
+/// Shades the hits, pushes the secondary rays and returns the contributions.
 #[inline(always)]
 pub(super) fn shade<S: Isa>(
     tracer: Tracer<'_, S>,
@@ -34,16 +34,14 @@ pub(super) fn shade<S: Isa>(
         blockers,
         ..
     } = batch;
-    // Look up surfaces, and the air in front of them.
     let surface = SurfaceLanes::look_up(simd, world, hit.object, active, surfaces);
     let solid = active & surface.is_lit();
     let air = AirLanes::along(simd, world, &rays.d, hit.t, &surface);
-    // What the light that leaves the surface is multiplied by on its way to the eye.
+    // The weight of the light that leaves the surface.
     let weight = match &air {
         Some(air) => rays.weight * air.transmittance,
         None => rays.weight,
     };
-    // Gather the light that they reflect, and send rays on.
     let mut colour = surface.emitted();
     let mut untextured = colour;
     let mut reflectance = splat(simd, 1.0);
@@ -58,7 +56,6 @@ pub(super) fn shade<S: Isa>(
         let marks = rays.mirror_marks(simd, hit.object, world.first_plane());
         scatter(tracer, &parents, &surface, point, marks, stack);
     }
-    // Veil it by the air, and add what glows there.
     if let Some(air) = &air {
         colour = air.veil(colour);
     }
@@ -73,8 +70,8 @@ pub(super) fn shade<S: Isa>(
     }
 }
 
-/// Puts the transmitted and the reflected rays on the stack. The weight of their parents includes the air in front of the surface;
-/// `marks` are those of [`Rays::mirror_marks`].
+/// Pushes the transmitted and the reflected rays. The weight of `parents` includes the haze in front of the surface; `marks` are
+/// those of [`Rays::mirror_marks`].
 #[inline(always)]
 fn scatter<S: Isa>(
     tracer: Tracer<'_, S>,
@@ -91,7 +88,6 @@ fn scatter<S: Isa>(
     let one = splat(simd, 1.0);
     let least = splat(simd, quality.least_contribution);
     let deepest = U::<S>::splat(simd, 1 << quality.depth);
-    // Find the rays that may be followed.
     let follow = point.solid & parents.paths().simd_lt(deepest);
     let reflected = parents.reflected_slot_paths();
     let ShadingPoint {
@@ -109,7 +105,7 @@ fn scatter<S: Isa>(
     let mut kr = surface.number(Parameter::Kr);
     kr = kr + gain * (one - kr);
     let kt = surface.number(Parameter::Kt) * (one - gain);
-    // Refract those that enter or leave glass; where all light is reflected, add that to the mirror.
+    // On total reflection the transmitted weight goes to the reflected ray.
     let mut through = M::<S>::splat(simd, false);
     let mut transmitted = Rays {
         o: p.add_scaled(n, hit_error * -2.0),
@@ -123,7 +119,7 @@ fn scatter<S: Isa>(
             surface.number(Parameter::Index),
             one / surface.number(Parameter::Index),
         );
-        // The cosine of the transmitted ray, squared; below 0 all light is reflected.
+        // The squared cosine of the transmitted ray, negative on total reflection.
         let k = one - eta * eta * (one - dn * dn);
         let total = k.simd_lt(zero);
         kr = (glass & total).select(kr + kt, kr);
@@ -132,7 +128,6 @@ fn scatter<S: Isa>(
         let along = -eta.mul_add(dn, at_least::<S>(k, zero).sqrt());
         transmitted.d = parents.d.scaled(eta).add_scaled(n, along);
     }
-    // Reflect.
     let weight = parents.weight * kr;
     let back = follow & weight.simd_ge(least);
     let reflected = Rays {
@@ -141,7 +136,7 @@ fn scatter<S: Isa>(
         weight,
         slot_path: reflected | departure | marks,
     };
-    // Put them on the stack, the reflected ones on top.
+    // The reflected rays are on top of the stack.
     if through.any_true() {
         stack.push(simd, &transmitted, through);
     }

@@ -1,16 +1,15 @@
-//! The stack of secondary rays that wait to be traced.
+//! The stack of secondary rays.
 
 use super::rays::Rays;
 use crate::lanes::*;
 
-/// The capacity of the stack, a power of two.
+/// The capacity, a power of two.
 ///
-/// A packet of depth d is taken from the top and replaced by at most two packets of depth d + 1. So at most two packets of each
-/// of the depths 1 to 7 wait at once.
+/// A packet of depth d is popped from the top and replaced by at most two packets of depth d + 1. So at most two packets of each of
+/// the depths 1 to 7 wait at once.
 const CAPACITY: usize = 256;
 
-/// The waiting rays as a structure of arrays. The arrays are longer than the capacity, so that a whole packet can be written at
-/// the top.
+/// The waiting rays as a structure of arrays, longer than the capacity, so that a whole packet can be written at the top.
 pub(crate) struct RayStack {
     /// Origin, direction, weight, and the bits of `slot_path`.
     columns: [[f32; CAPACITY + MAX_LANES]; 8],
@@ -29,7 +28,7 @@ impl RayStack {
         self.len
     }
 
-    /// Pushes the rays whose lane is in `mask`.
+    /// Pushes the rays in `mask`.
     #[inline(always)]
     pub fn push<S: Isa>(&mut self, simd: S, rays: &Rays<S>, mask: M<S>) {
         let Rays {
@@ -47,7 +46,7 @@ impl RayStack {
         self.len = start + mask.to_bitmask().count_ones() as usize;
     }
 
-    /// Pops as many rays as there are lanes, or all if there are fewer. Returns them, in the first lanes, and their number.
+    /// Pops up to a full packet of rays. Returns them, in the first lanes, and their number.
     #[inline(always)]
     pub fn pop<S: Isa>(&mut self, simd: S) -> (Rays<S>, usize) {
         let count = self.len.min(lanes::<S>());
@@ -60,7 +59,7 @@ impl RayStack {
             z: load(simd, dz, start),
         };
         // One Newton step normalises the direction. Otherwise its error would grow with each reflection, and after four of them
-        // exceed the bound that tells a ray's origin from a hit.
+        // exceed the hit error.
         let correction = d.dot(d).mul_add(splat(simd, -0.5), splat(simd, 1.5));
         let rays = Rays {
             o: Vec3x {
@@ -76,7 +75,6 @@ impl RayStack {
     }
 }
 
-/// Loads a packet's values from a column.
 #[inline(always)]
 fn load<S: Isa>(simd: S, column: &[f32; CAPACITY + MAX_LANES], start: usize) -> F<S> {
     F::<S>::from_slice(simd, &column[start..start + lanes::<S>()])

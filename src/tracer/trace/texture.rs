@@ -1,4 +1,4 @@
-//! Evaluates procedural textures, see [`crate::scene::Pattern`], and the directions of grooves.
+//! Procedural textures, see [`crate::scene::Pattern`], and the directions of grooves.
 
 use super::rays::to_picture;
 use crate::lanes::*;
@@ -10,7 +10,7 @@ use fearless_simd::f32x4;
 use glam::Mat3;
 
 impl<S: Isa> TexturePoint<S> {
-    /// Returns the points where textures are evaluated, of an object's points `out` from its centre.
+    /// Returns the texture points of an object. `out` is relative to its centre.
     #[inline(always)]
     pub fn on(simd: S, object: &Object<'_>, out: Vec3x<S>) -> Self {
         match object {
@@ -22,19 +22,19 @@ impl<S: Isa> TexturePoint<S> {
         }
     }
 
-    /// The directions, of length 1, of grooves around the y axis of an object that has these axes.
+    /// Returns the directions, of length 1, of grooves around the y axis of `axes`.
     #[inline(always)]
     pub fn groove(&self, simd: S, axes: &Mat3) -> Vec3x<S> {
         let [x, z] = [axes.x_axis, axes.z_axis].map(|axis| Vec3x::splat(simd, axis));
         let around = x.scaled(self.own.z).add_scaled(z, -self.own.x);
         let along = around.add_scaled(self.n, -around.dot(self.n));
-        // On the axis there is none.
+        // There is no direction on the axis itself.
         let length2 = at_least::<S>(along.dot(along), splat(simd, f32::MIN_POSITIVE));
         along.scaled(splat::<S>(simd, 1.0) / length2.sqrt())
     }
 
-    /// The share that the pattern leaves of the colour, 0 to 1, seen along `d` from the distance `t`, with a negative sign where the
-    /// pattern is [`FINE`]. If the length of `d` is not 1, `t` is the distance times this length.
+    /// Returns the pattern's factor on the colour, 0 to 1, seen along `d` from the distance `t`; negative where the pattern is
+    /// [`FINE`]. `t` is multiplied by the length of `d`.
     #[inline(always)]
     pub fn reflectance(
         &self,
@@ -44,13 +44,13 @@ impl<S: Isa> TexturePoint<S> {
         d: &Vec3x<S>,
         t: F<S>,
     ) -> F<S> {
-        // At distance 1, and seen perpendicularly, a pixel is `pixel` wide.
+        // At distance 1, seen perpendicularly, a pixel is `pixel` wide.
         let pixels = d.dot(self.n).abs() / (t * world.pixel);
         reflectance(simd, pattern, &self.own, pixels)
     }
 }
 
-/// The pattern of an object, as pixels see it that show the object.
+/// The pattern of an object as pixels see it.
 pub(crate) struct SeenPattern<'a> {
     world: World<'a>,
     object: Object<'a>,
@@ -58,7 +58,6 @@ pub(crate) struct SeenPattern<'a> {
 }
 
 impl<'a> SeenPattern<'a> {
-    /// That of an object of the scene.
     pub fn new(world: World<'a>, id: ObjectId) -> Self {
         let (object, material) = world.object(id);
         Self {
@@ -68,8 +67,8 @@ impl<'a> SeenPattern<'a> {
         }
     }
 
-    /// The share that the pattern leaves of the object's colour, 0 to 1, at four points (x, y) of the picture, in pixels. For those
-    /// that do not show the object it is of no meaning.
+    /// Returns the pattern's factor on the colour, 0 to 1, at four points (x, y) of the picture, in pixels. It is undefined at
+    /// points that do not show the object.
     #[inline(always)]
     pub fn at(&self, [x, y]: [f32x4<Baseline>; 2]) -> f32x4<Baseline> {
         let (simd, world) = (baseline(), self.world);
@@ -86,22 +85,21 @@ impl<'a> SeenPattern<'a> {
             Object::Light(_) | Object::Background => return splat(simd, 1.0),
         };
         let point = TexturePoint::on(simd, &self.object, from.add_scaled(d, t));
-        // So far `t` is in lengths of `d`.
+        // `t` is in lengths of `d`.
         let share = point.reflectance(simd, world, self.pattern, &d, t * length2);
         share.abs()
     }
 }
 
-/// The pixels along which a sharp pattern goes from light to dark, up to which it is fine: corners of squares do not tell what it does
-/// between them, and it is evaluated at each pixel. Where it is coarser, squares that show it are filled from their corners' colours, which
-/// takes the marble of the show's colonnade half of the time.
+/// A pattern is fine where a sharp edge of it is narrower than this number of pixels. Squares then evaluate it at each pixel.
+/// Coarser patterns are interpolated, which halves the time for the marble of the show's colonnade.
 const FINE: f32 = 4.0;
 
-/// The share that a pattern leaves of a colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long. Its sign is
+/// Returns a pattern's factor on the colour, 0 to 1, at the points `own`, where a scene unit is `pixels` pixels long. It is
 /// negative where the pattern is [`FINE`].
 ///
-/// `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of w)` by the
-/// waves w along the axes.
+/// The factor is `1 - depth / 2 (1 - clamp(edge * h + balance * max(edge, 1), -1, 1))`, where h is `min(abs(w)) * sign(product of
+/// w)` of the waves w along the axes.
 #[inline(always)]
 fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>) -> F<S> {
     let mut height = splat(simd, 1.0);
@@ -128,7 +126,7 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     let height = at_most::<S>(height + at_least::<S>(edge, one) * pattern.balance, one);
     let height = at_least::<S>(height, -one);
     let share = (height - 1.0) * (0.5 * pattern.depth) + 1.0;
-    // Noise adds to it, and the tops and bottoms of soft waves are as narrow as their slopes.
+    // Noise adds frequency, and the extrema of soft waves are as narrow as their slopes.
     let frequency = pattern.waves.max_element() + 0.5 * pattern.warp * pattern.grain;
     let edges = 1.0 + pattern.edge.max(1.0);
     let fine = pixels.simd_lt(splat(simd, 2.0 * FINE * edges * frequency));
@@ -136,13 +134,13 @@ fn reflectance<S: Isa>(simd: S, pattern: &Pattern, own: &Vec3x<S>, pixels: F<S>)
     flipped::<S>(share, sign & (1 << 31))
 }
 
-/// The noise that shifts the pattern, in periods. It is two-dimensional, constant along one oblique direction.
+/// Returns the noise that shifts the pattern, in periods. It is constant along one oblique direction.
 #[inline(always)]
 fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> F<S> {
     let mut u: F<S> = (p.z * 0.6 + p.x) * pattern.grain;
     let mut v: F<S> = (p.z * 0.8 + p.y) * pattern.grain;
     let mut sum = splat(simd, 0.0);
-    // A bound on the number of iterations for invalid scenes.
+    // Bounds the number of iterations for invalid scenes.
     let mut strength = pattern.warp.min(64.0);
     while strength > Pattern::LEAST_WARP {
         sum += noise::<S>(u, v) * strength;
@@ -153,7 +151,7 @@ fn turbulence<S: Isa>(simd: S, pattern: &Pattern, p: Vec3x<S>) -> F<S> {
     sum
 }
 
-/// Value noise: random numbers from -1 to 1 at integer coordinates, interpolated smoothly.
+/// Returns value noise: random numbers from -1 to 1 at integer coordinates, interpolated smoothly.
 #[inline(always)]
 fn noise<S: Isa>(u: F<S>, v: F<S>) -> F<S> {
     let (cell_u, s) = cell::<S>(u);
@@ -168,13 +166,13 @@ fn noise<S: Isa>(u: F<S>, v: F<S>) -> F<S> {
     upper + (lower - upper) * t
 }
 
-/// The addends, for a step along each coordinate, to the number that [`chance`] hashes.
+/// The addends to the hashed number for a step along each coordinate.
 const ACROSS: u32 = 0x9e37_79b9;
 const ALONG: u32 = 0x85eb_ca6b;
 /// The addends for the corners of a cell, relative to its lower corner.
 const STEPS: [u32; 4] = [0, ACROSS, ALONG, ACROSS.wrapping_add(ALONG)];
 
-/// The bits of a cell's lower corner, as rounding produces them, and the smooth step from there, 0 to 1.
+/// Returns the bits of a cell's lower corner, and the smooth step from there, 0 to 1.
 #[inline(always)]
 fn cell<S: Isa>(u: F<S>) -> (U<S>, F<S>) {
     let cell = u - 0.5 + ROUND_TO_INTEGER;
@@ -182,14 +180,14 @@ fn cell<S: Isa>(u: F<S>) -> (U<S>, F<S>) {
     (cell.bitcast(), smooth_step::<S>(way))
 }
 
-/// A hash as a number from -1 to 1.
+/// Returns a hash of `h` as a number from -1 to 1.
 #[inline(always)]
 fn chance<S: Isa>(h: U<S>) -> F<S> {
     let h = product::<S>(h ^ (h >> 15), 0x846c_a68b).bitcast::<I<S>>();
     h.to_float::<F<S>>() * (1.0 / (1u32 << 31) as f32)
 }
 
-/// The lower halves of products, taken from the full products: SSE2 has no other multiplication.
+/// Returns the lower halves of products, from full products: SSE2 has no other 32-bit multiplication.
 #[inline(always)]
 fn product<S: Isa>(a: U<S>, b: u32) -> U<S> {
     let (first, last) = a.widening_mul(b);

@@ -11,7 +11,7 @@ use crate::scene::Waves;
 const TURN: [f32; 2] = [-0.737_393_7, 0.675_463_2];
 
 impl<S: Isa> ShadingPoint<S> {
-    /// Tilts the normals of points on water. They still are those above it.
+    /// Tilts the upward normals of points on water.
     #[inline(always)]
     pub fn ripple(&mut self, simd: S, world: World<'_>, rays: &Rays<S>, hit: &Hit<S>) {
         let plane = U::<S>::splat(simd, world.first_plane() as u32);
@@ -30,7 +30,7 @@ impl<S: Isa> ShadingPoint<S> {
     }
 }
 
-/// Replaces so many points of water by their normals. The rows are x and z of the points, y of the rays' directions and the rays'
+/// Replaces `count` points of water by their normals. The rows are x and z of the points, y of the rays' directions and the rays'
 /// lengths; they become x, y and z of the normals. One instruction set is enough.
 #[inline(never)]
 fn tilt(world: World<'_>, rows: &mut [PerLane; 4], count: usize) {
@@ -56,7 +56,7 @@ fn tilt_by<S: Isa>(simd: S, world: World<'_>, rows: &mut [PerLane; 4], count: us
     }
 }
 
-/// How steeply the water rises along x and along z at points, where a pixel sees so many scene units of it.
+/// Returns the slopes of the water along x and z at points, where a pixel sees `seen` scene units of it.
 #[inline(always)]
 fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, seen: F<S>) -> [F<S>; 2] {
     let zero = splat(simd, 0.0);
@@ -68,13 +68,13 @@ fn slopes<S: Isa>(simd: S, waves: &Waves, x: F<S>, z: F<S>, seen: F<S>) -> [F<S>
         let share = at_least::<S>(seen * (per_unit * -Waves::PIXELS) + 1.0, zero);
         let is_seen = share.simd_gt(zero);
         if !is_seen.any_true() {
-            // Nor is any of the shorter ones seen.
+            // Shorter waves are invisible, too.
             break;
         }
         let u = (x * along_x + z * along_z) * per_unit - phase;
         let u = off_integer::<S>(u);
         let rise = u * (u.abs() * -2.0 + 1.0) * share * (8.0 * waves.slope);
-        // Also where invalid numbers make NaN of it: the other lanes decide whether this wave is added.
+        // A NaN of an invalid scene must not reach lanes that do not see this wave: other lanes decide whether it is added.
         let rise = is_seen.select(rise, zero);
         slope_x += rise * along_x;
         slope_z += rise * along_z;
