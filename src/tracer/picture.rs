@@ -120,17 +120,17 @@ pub(crate) const TILE_HEIGHT: usize = Quality::MAX_SQUARE;
 pub(crate) const MAX_BANDS: usize = MAX_HEIGHT.div_ceil(TILE_HEIGHT);
 
 /// The side of a cell in pixels.
-pub(crate) const BLOCK: usize = TILE_WIDTH / u64::BITS as usize;
+pub(crate) const CELL: usize = TILE_WIDTH / u64::BITS as usize;
 
 /// The number of rows of cells in a full band.
-pub(crate) const BLOCK_ROWS: usize = TILE_HEIGHT / BLOCK;
+pub(crate) const CELL_ROWS: usize = TILE_HEIGHT / CELL;
 
 /// One bit per cell of 8x8 pixels, one word per tile: set if the cell is rough, which means that neighbouring pixels in it may
 /// differ by an edge. Neighbours in smooth cells, or across the border of two smooth cells, never do.
 pub(crate) type RoughRow = [u64; MAX_WIDTH.div_ceil(TILE_WIDTH)];
 
 /// The rows of cells of all bands.
-pub(crate) type Rough = [RoughRow; BLOCK_ROWS * MAX_BANDS];
+pub(crate) type Rough = [RoughRow; CELL_ROWS * MAX_BANDS];
 
 /// Some rows of a picture: the drawing surface, and the unit of work of a thread.
 pub struct Band<'a> {
@@ -155,7 +155,7 @@ impl Band<'_> {
 
     /// Marks all cells as rough, because the caller draws the band: it may have edges anywhere. The rows next to the bands that the
     /// renderer draws must be there before edges are antialiased.
-    pub fn be_unknown(&mut self) {
+    pub fn mark_external(&mut self) {
         self.rough.fill([u64::MAX; _]);
     }
 
@@ -184,7 +184,7 @@ impl Band<'_> {
     pub(crate) fn parts(&mut self) -> impl ExactSizeIterator<Item = Band<'_>> {
         let &mut Self { width, stride, .. } = self;
         let pixels = self.pixels.chunks_mut(TILE_HEIGHT * stride);
-        let parts = pixels.zip(self.rough.chunks_mut(BLOCK_ROWS)).enumerate();
+        let parts = pixels.zip(self.rough.chunks_mut(CELL_ROWS)).enumerate();
         parts.map(move |(number, (pixels, rough))| Band {
             top: number * TILE_HEIGHT,
             width,

@@ -45,7 +45,7 @@ impl Threads for Share<'_> {
         for band in bands.iter_mut() {
             let rows = band.rows_of_picture();
             if !self.rows.contains(&rows.start) {
-                band.be_unknown();
+                band.mark_external();
                 continue;
             }
             let [first, end] = self.drawn;

@@ -31,7 +31,7 @@ use crate::coverage::rectangle;
 use crate::grid::{SCRATCH, each};
 use crate::lanes::*;
 use crate::observe::Observer;
-use crate::picture::{BLOCK, BLOCK_ROWS, Band, MAX_BANDS, RoughRow, TILE_HEIGHT, TILE_WIDTH};
+use crate::picture::{Band, CELL, CELL_ROWS, MAX_BANDS, RoughRow, TILE_HEIGHT, TILE_WIDTH};
 use crate::plan::Context;
 use crate::prepare::VisibleGroups;
 use crate::quality::Quality;
@@ -72,7 +72,7 @@ type RowMarks = [u64; MAX_STRETCHES];
 const MAX_STRETCHES: usize = MAX_WIDTH.div_ceil(STRETCH);
 
 /// Blocks of a stretch.
-const BLOCKS: usize = STRETCH / BLOCK;
+const BLOCKS: usize = STRETCH / CELL;
 
 /// Where a band's last row differs from the row below it, the first of the next band, as both were drawn.
 ///
@@ -97,7 +97,7 @@ impl Seams {
         let ends = (TILE_HEIGHT * stride..pixels.len()).step_by(TILE_HEIGHT * stride);
         for (number, end) in ends.enumerate() {
             let (above, below) = (&pixels[end - stride..], &pixels[end..]);
-            let next = BLOCK_ROWS * (number + 1);
+            let next = CELL_ROWS * (number + 1);
             let rough = [&rough[next - 1], &rough[next]];
             let words = finished.div_ceil(STRETCH);
             for (word, marks) in self.0[number][..words].iter_mut().enumerate() {
@@ -139,7 +139,7 @@ fn stretch(word: usize, width: usize) -> Range<usize> {
 /// Which of a stretch's blocks are rough.
 fn blocks(row: &RoughRow, word: usize) -> u64 {
     let tile = row[word / (TILE_WIDTH / STRETCH)];
-    tile >> (BLOCKS * word % (TILE_WIDTH / BLOCK)) & ((1 << BLOCKS) - 1)
+    tile >> (BLOCKS * word % (TILE_WIDTH / CELL)) & ((1 << BLOCKS) - 1)
 }
 
 /// Marks where a line of pixels of a stretch differs by an edge from another one, as far as this goes, in those of its blocks that
@@ -148,7 +148,7 @@ fn blocks(row: &RoughRow, word: usize) -> u64 {
 fn mark(line: &[u32], other: &[u32], blocks: u64) -> u64 {
     let mut marks = 0;
     each(blocks, |block| {
-        let (start, end) = (BLOCK * block, BLOCK * (block + 1));
+        let (start, end) = (CELL * block, CELL * (block + 1));
         marks |= match (line.get(start..end), other.get(start..end)) {
             (Some(a), Some(b)) => edges(a, b) << start,
             // The last block, which is cut off.
@@ -177,7 +177,7 @@ fn mark_stretch(
     let line = |y: usize| &band.pixels[y * band.stride..][..finished];
     marks[0] = above[word];
     for y in 0..rows {
-        let rough = &band.rough[y / BLOCK];
+        let rough = &band.rough[y / CELL];
         let here = blocks(rough, word);
         // The last pixel of each block lies beside the first of the next.
         let next = if word + 1 < MAX_STRETCHES {
@@ -188,7 +188,7 @@ fn mark_stretch(
         let beside = here | here >> 1 | next << (BLOCKS - 1);
         marks[ROWS * y + 1] = mark(&line(y)[stretch.clone()], &line(y)[right.clone()], beside);
         marks[ROWS * y + 2] = if y + 1 < rows {
-            let both = here | blocks(&band.rough[(y + 1) / BLOCK], word);
+            let both = here | blocks(&band.rough[(y + 1) / CELL], word);
             mark(
                 &line(y)[stretch.clone()],
                 &line(y + 1)[stretch.clone()],

@@ -55,7 +55,7 @@ mod tests {
     extern crate std;
 
     use super::*;
-    use crate::picture::BLOCK_ROWS;
+    use crate::picture::CELL_ROWS;
     use crate::refine::Worker;
     use std::prelude::v1::*;
 
@@ -87,7 +87,7 @@ mod tests {
                 width: 2,
                 stride: 2,
                 pixels: &mut pixels,
-                rough: &mut [[0; _]; BLOCK_ROWS * 5],
+                rough: &mut [[0; _]; CELL_ROWS * 5],
                 ..Band::none()
             };
             let counts = schedule.run(&mut picture, &job, &mut threads);

@@ -40,7 +40,7 @@ impl Candidate {
 }
 
 /// The solids that may be on a packet's way to a lamp.
-pub(super) struct Blockers {
+pub(super) struct Occluders {
     /// The indices of the shadow cones that the packet meets, in the lamp's list.
     pub(super) cones: [u16; CONES],
     /// The solids among them that may hide some of the lamp, by an exact test.
@@ -50,8 +50,8 @@ pub(super) struct Blockers {
 /// At least the most solids, and a power of two, so that one instruction keeps an index below it.
 pub(super) const CONES: usize = MAX_SOLIDS.next_power_of_two();
 
-impl Blockers {
-    /// No blockers.
+impl Occluders {
+    /// No occluders.
     pub const NONE: Self = Self {
         cones: [0; CONES],
         solids: NONE,

@@ -1,7 +1,7 @@
 //! Direct light by Phong's model: what surfaces reflect of the light that arrives.
 
 use super::Tracer;
-use super::candidates::Blockers;
+use super::candidates::Occluders;
 use super::key::Keys;
 use super::point::ShadingPoint;
 use super::surface::SurfaceLanes;
@@ -26,7 +26,7 @@ pub(super) fn gather<S: Isa>(
     surface: &SurfaceLanes<'_, S>,
     point: &ShadingPoint<S>,
     keys: &mut Keys<S>,
-    blockers: &mut Blockers,
+    occluders: &mut Occluders,
     counts: &mut Counts,
 ) -> Reflected<S> {
     let Tracer {
@@ -39,7 +39,7 @@ pub(super) fn gather<S: Isa>(
     let mut diffuse = Vec3x::splat(simd, Vec3A::ZERO);
     let mut specular = diffuse;
     for lamp in world.lamps() {
-        let Some(light) = point.light_of(simd, world, lamp, blockers, counts) else {
+        let Some(light) = point.light_of(simd, world, lamp, occluders, counts) else {
             keys.push(none, none);
             continue;
         };

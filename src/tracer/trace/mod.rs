@@ -44,7 +44,7 @@ use crate::lanes::*;
 use crate::prepare::{Film, GroupSet, VisibleGroups, World};
 use crate::quality::Quality;
 use accumulator::Accumulator;
-use candidates::{Blockers, Candidates};
+use candidates::{Candidates, Occluders};
 use fearless_simd::Level;
 use queue::Queue;
 use stack::RayStack;
@@ -60,7 +60,7 @@ pub(crate) struct Batch {
     /// The blocks that the current packet may hit, for an exact test.
     blocks: Candidates,
     /// The occluders of the current packet and light.
-    blockers: Blockers,
+    occluders: Occluders,
     /// The surfaces that packets hit.
     surfaces: SurfaceRows,
 }
@@ -73,7 +73,7 @@ impl Batch {
             counts: Counts::NONE,
             stack: RayStack::new(),
             blocks: candidates::NONE,
-            blockers: Blockers::NONE,
+            occluders: Occluders::NONE,
             surfaces: SurfaceRows::NONE,
         }
     }

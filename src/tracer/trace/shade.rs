@@ -31,7 +31,7 @@ pub(super) fn shade<S: Isa>(
         surfaces,
         stack,
         counts,
-        blockers,
+        occluders,
         ..
     } = batch;
     let surface = SurfaceLanes::look_up(simd, world, hit.object, active, surfaces);
@@ -48,7 +48,7 @@ pub(super) fn shade<S: Isa>(
     let mut keys = Keys::new(simd, quality, active, rays);
     if solid.any_true() {
         let point = &ShadingPoint::new(simd, world, rays, hit, &surface, solid);
-        let reflected = light::gather(tracer, &surface, point, &mut keys, blockers, counts);
+        let reflected = light::gather(tracer, &surface, point, &mut keys, occluders, counts);
         untextured = reflected.untextured;
         reflectance = point.reflectance;
         colour = reflected.specular.add_scaled(untextured, reflectance.abs());

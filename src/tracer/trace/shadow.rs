@@ -1,6 +1,6 @@
 //! Shadow rays: which of them something blocks. Coordinates are the scene's.
 
-use super::candidates::{Blockers, CONES, Candidate};
+use super::candidates::{CONES, Candidate, Occluders};
 use crate::lanes::*;
 use crate::prepare::{Lamp, ShadowCone, World};
 use crate::shapes::plane;
@@ -18,7 +18,7 @@ pub(super) struct ShadowRays<S: Isa> {
     pub departure: U<S>,
 }
 
-impl Blockers {
+impl Occluders {
     /// Finds what is between points and a lamp. Returns the rays that planes block or, if the lamp is a point, spheres. Other solids that
     /// may hide some of it are listed.
     ///

@@ -1,7 +1,7 @@
 //! Visibility: which points of a packet a lamp's light reaches, and how much of it, by spotlights' cones, penumbrae and coloured
 //! shadows. Coordinates are the scene's.
 
-use super::candidates::{Blockers, Candidates};
+use super::candidates::{Candidates, Occluders};
 use super::point::ShadingPoint;
 use super::rays::departing;
 use super::shadow::ShadowRays;
@@ -32,7 +32,7 @@ impl<S: Isa> ShadingPoint<S> {
         simd: S,
         world: World<'_>,
         lamp: &Lamp,
-        blockers: &mut Blockers,
+        occluders: &mut Occluders,
         counts: &mut Counts,
     ) -> Option<ArrivingLight<S>> {
         let to_light = Vec3x::splat(simd, lamp.position) - self.p;
@@ -54,14 +54,14 @@ impl<S: Isa> ShadingPoint<S> {
             distance,
             departure: self.departure,
         };
-        let mut lit = facing & !blockers.find(simd, world, lamp, &rays);
+        let mut lit = facing & !occluders.find(simd, world, lamp, &rays);
         let mut colour = Vec3x::splat(simd, lamp.colour);
-        if lamp.is_cone || !blockers.solids.is_empty() {
+        if lamp.is_cone || !occluders.solids.is_empty() {
             let rays = ShadowRays {
                 distance: lit.select(distance, splat(simd, 0.0)),
                 ..rays
             };
-            let passing = transmittance(simd, world, lamp, &rays, &blockers.solids);
+            let passing = transmittance(simd, world, lamp, &rays, &occluders.solids);
             lit &= passing.max_element().simd_gt(splat(simd, 0.0));
             colour = colour * passing;
         }

@@ -8,7 +8,7 @@ pub(super) mod points;
 use crate::coverage::{Rect, Squares, rectangle};
 use crate::grid::{Area, Bits};
 use crate::observe::{Fill, Observer, Split};
-use crate::picture::{BLOCK, Band, TILE_HEIGHT, TILE_WIDTH};
+use crate::picture::{Band, CELL, TILE_HEIGHT, TILE_WIDTH};
 use crate::plan::Context;
 use crate::prepare::VisibleGroups;
 use crate::refine::antialias::EDGE;
@@ -180,7 +180,7 @@ impl<O: Observer> Tile<'_, '_, O> {
         self.tell_split(level, y, split & verdict.agreeing, Split::Colours);
         self.tell_split(level, y, split & !verdict.agreeing, Split::Keys);
         self.worker.marks.filled[level][y] = verdict.filled | patterned;
-        if side == BLOCK {
+        if side == CELL {
             self.note_rough(level, y, verdict.filled);
         }
     }
@@ -193,8 +193,8 @@ impl<O: Observer> Tile<'_, '_, O> {
         let plan = self.context.plan;
         let quality = &plan.quality;
         let tolerance = quality.tolerance_agreeing.max(quality.tolerance_differing);
-        let is_smooth = tolerance / BLOCK as f32 + 2.0 < f32::from(EDGE);
-        if quality.square == BLOCK && is_smooth && plan.coarse == 0 {
+        let is_smooth = tolerance / CELL as f32 + 2.0 < f32::from(EDGE);
+        if quality.square == CELL && is_smooth && plan.coarse == 0 {
             let squares = &self.worker.marks.squares[level][y];
             self.band.rough[y][self.area.left / TILE_WIDTH] = squares.0[0] & !filled.0[0];
         }
