@@ -45,8 +45,8 @@ fn scene(time: f32) -> Scene {
     scene.spheres.push(Sphere::new(ball, 0.7, material));
     let floor = Plane::new(Vec3::ZERO, 12.0, 12.0, material);
     scene.planes.push(floor);
-    let lamp = Light::new(vec3(4.0, 7.0, -4.0), Vec3::splat(1.2 - 0.6 * beat));
-    scene.lights.push(lamp);
+    let light = Light::new(vec3(4.0, 7.0, -4.0), Vec3::splat(1.2 - 0.6 * beat));
+    scene.lights.push(light);
     scene
 }
 

@@ -1,4 +1,4 @@
-//! Speed and error of each rung of the ladder, on a scene of one's own: `cargo run --release -p eightfold-examples --bin trade`
+//! Speed and error of each preset of the ladder, on a scene of one's own: `cargo run --release -p eightfold-examples --bin trade`
 
 use eightfold_tracer::glam::{Vec3, vec3};
 use eightfold_tracer::scene::{Light, List, Material, Plane, Scene, Sphere};
@@ -21,8 +21,8 @@ fn scene(z: f32) -> Scene {
     }));
     let floor = Plane::new(Vec3::ZERO, 30.0, 30.0, material);
     scene.planes.push(floor);
-    let lamp = Light::new(vec3(-4.0, 5.0, -6.0), Vec3::splat(0.9));
-    scene.lights.push(lamp);
+    let light = Light::new(vec3(-4.0, 5.0, -6.0), Vec3::splat(0.9));
+    scene.lights.push(light);
     scene
 }
 

@@ -11,8 +11,8 @@ fn scene(turns: f32) -> Scene {
     (scene.camera.eye, scene.camera.look_at) = (vec3(0.0, 3.0, -7.0), vec3(0.0, 0.6, 0.0));
     (scene.background, scene.ambient) = (vec3(0.5, 0.6, 0.8), Vec3::splat(0.2));
     let sun = Light::sun(vec3(-3.0, 6.0, -4.0), Vec3::splat(0.6));
-    let lamp = Light::spotlight(vec3(0.0, 6.0, 0.0), Vec3::NEG_Y, 0.5, Vec3::splat(0.7));
-    scene.lights.extend([sun, lamp]);
+    let light = Light::spotlight(vec3(0.0, 6.0, 0.0), Vec3::NEG_Y, 0.5, Vec3::splat(0.7));
+    scene.lights.extend([sun, light]);
     let floor = Material::matt(Vec3::ONE, 0.6).with_pattern(Pattern::checkers(1.0, 0.7));
     scene.planes.push(Plane::new(Vec3::ZERO, 20.0, 20.0, floor));
     let gold = Material::metal(vec3(1.0, 0.75, 0.4));

@@ -83,7 +83,7 @@ fn squares_draws_lines_over_less_than_half_of_the_picture() {
 
 #[test]
 #[ignore = "examples are compiled"]
-fn trade_tells_speed_and_error_of_each_rung() {
+fn trade_tells_speed_and_error_of_each_preset() {
     let (_, text) = output("trade");
     let rows = text.lines().skip(1).map(|row| row.split_whitespace());
     let rows: Vec<Vec<&str>> = rows.map(Iterator::collect).collect();

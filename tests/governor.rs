@@ -5,12 +5,12 @@ use eightfold_tracer::{AccuracyGovernor, Frame, Governor, Probes, Quality};
 use std::time::Duration;
 
 const SECOND: u64 = 1_000_000_000;
-const RUNGS: usize = Quality::LADDER.len();
+const PRESETS: usize = Quality::LADDER.len();
 
 /// The number of frames after a step in which a governor finds out how much the step saved.
 const COMPARED: usize = 8;
 
-/// A step from a rung to another: its time or its frame, and the rungs.
+/// A step from a preset to another: its time or its frame, and the presets.
 type Step = (u64, usize, usize);
 
 /// How often steps change between faster and finer.
@@ -27,8 +27,8 @@ fn between(random: &mut Random, low: f64, high: f64) -> f64 {
 }
 
 /// A number for each step of the ladder.
-fn for_each_step(random: &mut Random, low: f64, high: f64) -> [f64; RUNGS - 1] {
-    [(); RUNGS - 1].map(|()| between(random, low, high))
+fn for_each_step(random: &mut Random, low: f64, high: f64) -> [f64; PRESETS - 1] {
+    [(); PRESETS - 1].map(|()| between(random, low, high))
 }
 
 /// A simulated machine that plays a show.
@@ -36,9 +36,9 @@ struct Machine {
     governor: Governor,
     /// The time that a frame may take, in nanoseconds.
     budget: f64,
-    /// The time of a frame on each rung, as a share of the time on the finest rung.
-    shares: [f64; RUNGS],
-    /// The time of a frame on the finest rung, as a share of the budget.
+    /// The time of a frame on each preset, as a share of the time on the finest preset.
+    shares: [f64; PRESETS],
+    /// The time of a frame on the finest preset, as a share of the budget.
     load: f64,
     /// The largest random deviation of times, as a share.
     noise: f64,
@@ -49,7 +49,7 @@ struct Machine {
 }
 
 impl Machine {
-    /// A machine with random frame times on the other rungs.
+    /// A machine with random frame times on the other presets.
     fn new(mut random: Random, least_fps: u64, load: f64, most_noise: f64) -> Self {
         let ratios = for_each_step(&mut random, 1.1, 2.5);
         let fps = least_fps + random.bits() % (241 - least_fps);
@@ -57,9 +57,9 @@ impl Machine {
         Self::known(random, fps, ratios, load, noise)
     }
 
-    /// A machine with these ratios of frame times between neighbouring rungs.
-    fn known(random: Random, fps: u64, ratios: [f64; RUNGS - 1], load: f64, noise: f64) -> Self {
-        let mut shares = [1.0; RUNGS];
+    /// A machine with these ratios of frame times between neighbouring presets.
+    fn known(random: Random, fps: u64, ratios: [f64; PRESETS - 1], load: f64, noise: f64) -> Self {
+        let mut shares = [1.0; PRESETS];
         for (i, ratio) in ratios.into_iter().enumerate() {
             shares[i + 1] = shares[i] / ratio;
         }
@@ -75,20 +75,20 @@ impl Machine {
         }
     }
 
-    /// The time of a frame on the current rung without noise, as a share of the budget.
+    /// The time of a frame on the current preset without noise, as a share of the budget.
     fn cost(&self) -> f64 {
-        self.load * self.shares[self.governor.rung()]
+        self.load * self.shares[self.governor.preset()]
     }
 
     /// Draws a frame that takes `factor` times as long as usual.
     fn frame(&mut self, factor: f64) {
         let noise = between(&mut self.random, 1.0 - self.noise, 1.0 + self.noise);
         let time = self.cost() * noise * factor * self.budget;
-        let rung = self.governor.rung();
+        let preset = self.governor.preset();
         self.governor.frame(Duration::from_nanos(time as u64));
         self.now += time.max(self.budget) as u64;
-        if self.governor.rung() != rung {
-            self.steps.push((self.now, rung, self.governor.rung()));
+        if self.governor.preset() != preset {
+            self.steps.push((self.now, preset, self.governor.preset()));
         }
     }
 
@@ -99,7 +99,7 @@ impl Machine {
         }
     }
 
-    /// Runs until the rung is stable, and the governor knows how much the step to it saved, and clears the list of steps.
+    /// Runs until the preset is stable, and the governor knows how much the step to it saved, and clears the list of steps.
     fn settle(&mut self) {
         self.run(10 * SECOND);
         while !self.steps.is_empty() {
@@ -117,18 +117,18 @@ impl Machine {
     }
 }
 
-/// Frames are in time where a rung allows it.
+/// Frames are in time where a preset allows it.
 #[test]
-fn constant_load_leads_to_the_finest_rung_in_time() {
+fn constant_load_leads_to_the_finest_preset_in_time() {
     for mut random in cases(200) {
         let load = between(&mut random, 0.1, 20.0);
         let most_noise = [0.0, 0.1][random.below(2)];
         let mut machine = Machine::new(random, 24, load, most_noise);
         machine.settle();
-        let (rung, cost) = (machine.governor.rung(), machine.cost());
+        let (preset, cost) = (machine.governor.preset(), machine.cost());
         if most_noise == 0.0 {
-            assert!(cost <= 1.0 || rung == RUNGS - 1, "{cost}");
-            assert!(rung == 0 || load * machine.shares[rung - 1] > 0.9);
+            assert!(cost <= 1.0 || preset == PRESETS - 1, "{cost}");
+            assert!(preset == 0 || load * machine.shares[preset - 1] > 0.9);
         }
         machine.run(60 * SECOND);
         // If the time is nearly sufficient, it may take a while until noise causes a step.
@@ -152,12 +152,12 @@ fn change_of_load_is_followed_within_half_a_second() {
 
         let mut machine = Machine::new(random, 30, 1.33 * load + 1.1, 0.05);
         machine.settle();
-        let rung = machine.governor.rung();
-        if rung > 0 && machine.cost() < 1.0 {
-            // A load with which the next finer rung takes two thirds of the time.
-            let load = 0.67 / machine.shares[rung - 1];
+        let preset = machine.governor.preset();
+        if preset > 0 && machine.cost() < 1.0 {
+            // A load with which the next finer preset takes two thirds of the time.
+            let load = 0.67 / machine.shares[preset - 1];
             let reaction = machine.reaction(load).expect("a step");
-            assert_eq!(machine.steps[0].2, rung - 1);
+            assert_eq!(machine.steps[0].2, preset - 1);
             assert!(reaction <= SECOND / 2, "{reaction}");
             lighter += 1;
         }
@@ -175,7 +175,7 @@ fn load_that_comes_and_goes_is_followed_without_trying() {
             machine.load = load;
             machine.run(5 * SECOND);
         }
-        // One way down and one up per round: no rung is tried in vain.
+        // One way down and one up per round: no preset is tried in vain.
         assert!(turns(&machine.steps) <= 9, "{:?}", machine.steps);
     }
 }
@@ -193,14 +193,14 @@ fn single_late_frames_change_nothing() {
     }
 }
 
-/// Times alone cannot tell a load that gets lighter with a step down from a step that saved as much. After the latter the finer rung
+/// Times alone cannot tell a load that gets lighter with a step down from a step that saved as much. After the latter the finer preset
 /// would be too slow, and is not tried in vain.
 #[test]
 fn load_that_gets_lighter_with_a_step_counts_as_saved() {
     let ratios = [1.239_9, 2.313_5, 1.179_1, 1.410_8, 1.1, 1.1];
     for (frames, leads_up) in [(0, false), (COMPARED, true)] {
         let mut machine = Machine::known(Random::new(1), 224, ratios, 4.43, 0.021);
-        while machine.governor.rung() < 5 {
+        while machine.governor.preset() < 5 {
             machine.frame(1.0);
         }
         (0..frames).for_each(|_| machine.frame(1.0));
@@ -214,16 +214,16 @@ fn load_that_gets_lighter_with_a_step_counts_as_saved() {
 struct Show {
     governor: AccuracyGovernor,
     target: f64,
-    /// The peak signal-to-noise ratio on the finest rung, and how much is lost from each rung to the next faster one, in dB.
+    /// The peak signal-to-noise ratio on the finest preset, and how much is lost from each preset to the next faster one, in dB.
     finest: f64,
-    losses: [f64; RUNGS - 1],
+    losses: [f64; PRESETS - 1],
     random: Random,
     frames: u64,
     steps: Vec<Step>,
 }
 
 impl Show {
-    /// A show with a random target, a number of dB below the finest rung.
+    /// A show with a random target, a number of dB below the finest preset.
     fn new(mut random: Random, room: f64) -> Self {
         let target = between(&mut random, 35.0, 50.0);
         Self {
@@ -237,14 +237,14 @@ impl Show {
         }
     }
 
-    /// The accuracy on a rung, in dB above the target.
-    fn room(&self, rung: usize) -> f64 {
-        self.finest - self.losses[..rung].iter().sum::<f64>() - self.target
+    /// The accuracy on a preset, in dB above the target.
+    fn room(&self, preset: usize) -> f64 {
+        self.finest - self.losses[..preset].iter().sum::<f64>() - self.target
     }
 
     /// Returns what the probes of a frame find: a fiftieth of the pixels has four fifths of the error, as where edges were missed.
     fn probes(&mut self) -> Probes {
-        let psnr = self.room(self.governor.rung()) + self.target;
+        let psnr = self.room(self.governor.preset()) + self.target;
         let mean = 3.0 * 255.0 * 255.0 / 10_f64.powf(psnr / 10.0);
         let mut probes = Probes::NONE;
         for _ in 0..Frame::PROBES {
@@ -268,11 +268,12 @@ impl Show {
     fn run(&mut self, seconds: u64) {
         for _ in 0..60 * seconds {
             let probes = self.probes();
-            let rung = self.governor.rung();
+            let preset = self.governor.preset();
             self.governor.frame(probes);
             self.frames += 1;
-            if self.governor.rung() != rung {
-                self.steps.push((self.frames, rung, self.governor.rung()));
+            if self.governor.preset() != preset {
+                self.steps
+                    .push((self.frames, preset, self.governor.preset()));
             }
         }
     }
@@ -280,18 +281,18 @@ impl Show {
 
 /// Two shows of a thousand are held to 2 dB instead of 1, as the doc of [`AccuracyGovernor`] says.
 #[test]
-fn constant_accuracy_leads_to_the_fastest_rung_that_has_it() {
+fn constant_accuracy_leads_to_the_fastest_preset_that_has_it() {
     let mut worse = 0;
     for mut random in cases(1000) {
         let room = between(&mut random, -5.0, 15.0);
         let mut show = Show::new(random, room);
         show.run(60);
-        let rung = show.governor.rung();
-        let room = show.room(rung);
-        assert!(rung == 0 || room > -2.0, "{room}");
-        let is_fastest = rung + 1 == RUNGS || show.room(rung + 1) < 1.5;
+        let preset = show.governor.preset();
+        let room = show.room(preset);
+        assert!(preset == 0 || room > -2.0, "{room}");
+        let is_fastest = preset + 1 == PRESETS || show.room(preset + 1) < 1.5;
         assert!(is_fastest, "{room}, {:?}", show.losses);
-        worse += u32::from(rung > 0 && room < -1.0);
+        worse += u32::from(preset > 0 && room < -1.0);
         if show.random.seed < 100 {
             show.steps.clear();
             show.run(60);
@@ -307,18 +308,18 @@ fn cut_is_followed_within_two_seconds_and_back_within_fifteen() {
         let change = between(&mut random, 6.0, 10.0);
         let mut show = Show::new(random, 5.0);
         show.run(30);
-        let settled = show.governor.rung();
-        assert!(settled > 0 && settled + 1 < RUNGS);
+        let settled = show.governor.preset();
+        assert!(settled > 0 && settled + 1 < PRESETS);
         show.steps.clear();
         for room in [5.0 - change, 5.0].repeat(5) {
             let (cut, known) = (show.frames, show.steps.len());
             show.finest = show.target + room;
             show.run(15);
-            let rung = show.governor.rung();
-            let found = show.room(rung);
-            assert!(rung == 0 || found > -2.0, "{found}");
-            // A rung that was too inaccurate before is not tried as long as there is little room.
-            assert!(rung + 1 == RUNGS || found < 6.0, "{found}");
+            let preset = show.governor.preset();
+            let found = show.room(preset);
+            assert!(preset == 0 || found > -2.0, "{found}");
+            // A preset that was too inaccurate before is not tried as long as there is little room.
+            assert!(preset + 1 == PRESETS || found < 6.0, "{found}");
             if room < 0.0 && cut == 30 * 60 {
                 let &(frame, from, to) = show.steps.get(known).expect("a step");
                 assert!(to < from && frame - cut <= 2 * 60, "{}", frame - cut);
@@ -330,14 +331,14 @@ fn cut_is_followed_within_two_seconds_and_back_within_fifteen() {
 }
 
 #[test]
-fn frames_without_probes_keep_the_rung_and_without_error_select_the_fastest() {
+fn frames_without_probes_keep_the_preset_and_without_error_select_the_fastest() {
     let mut governor = AccuracyGovernor::new(45.0);
-    for (pixels, rung) in [(0, 0), (80, RUNGS - 1)] {
+    for (pixels, preset) in [(0, 0), (80, PRESETS - 1)] {
         let probes = Probes {
             pixels,
             ..Probes::NONE
         };
         (0..10_000).for_each(|_| governor.frame(probes));
-        assert_eq!(governor.rung(), rung);
+        assert_eq!(governor.preset(), preset);
     }
 }

@@ -115,8 +115,8 @@ impl Playing<'_> {
                 return 0;
             }
             let quality = kept.unwrap_or_else(|| match &by_accuracy {
-                Some(governor) => governor.rung(),
-                None => by_rate.rung(),
+                Some(governor) => governor.preset(),
+                None => by_rate.preset(),
             });
             // Draw the frame, and show it.
             let size = fit(screen.size(), (MAX_WIDTH, MAX_HEIGHT));

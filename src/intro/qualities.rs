@@ -2,27 +2,27 @@
 
 use eightfold_tracer::Quality;
 
-/// The number of rungs of the ladder.
-const RUNGS: usize = Quality::LADDER.len();
+/// The number of presets of the ladder.
+const PRESETS: usize = Quality::LADDER.len();
 
-/// The named qualities. First comes the ladder, from the finest rung to the fastest, so that a rung's number is its index here;
+/// The named qualities. First comes the ladder, from the finest preset to the fastest, so that a preset's number is its index here;
 /// then the two qualities that the ladder is compared with.
-pub static NAMED: [(&str, Quality); RUNGS + 2] = {
+pub static NAMED: [(&str, Quality); PRESETS + 2] = {
     let mut named = [("exhaustive", Quality::EXHAUSTIVE); _];
-    named[RUNGS] = ("thesis", Quality::THESIS);
-    let mut rung = 0;
-    while rung < RUNGS {
-        named[rung] = (Quality::NAMES[rung], Quality::LADDER[rung]);
-        rung += 1;
+    named[PRESETS] = ("thesis", Quality::THESIS);
+    let mut preset = 0;
+    while preset < PRESETS {
+        named[preset] = (Quality::NAMES[preset], Quality::LADDER[preset]);
+        preset += 1;
     }
     named
 };
 
 /// The index in [`NAMED`] of the quality for stills and for `--uncapped`, unless another is named.
-pub const DEFAULT: usize = Quality::DEFAULT_RUNG;
+pub const DEFAULT: usize = Quality::DEFAULT_PRESET;
 
 /// The index in [`NAMED`] of the quality that traces every pixel.
-pub const EXHAUSTIVE: usize = RUNGS + 1;
+pub const EXHAUSTIVE: usize = PRESETS + 1;
 
 /// The index in [`NAMED`] of a quality by its name.
 pub fn find(name: &str) -> Option<usize> {

@@ -82,7 +82,7 @@ impl NamedQuality {
         quality: Quality::THESIS,
     };
 
-    /// All named qualities: the two that serve for comparison, then the ladder from the finest to the fastest rung.
+    /// All named qualities: the two that serve for comparison, then the ladder from the finest to the fastest preset.
     pub fn all() -> impl Iterator<Item = Self> {
         let ladder = Quality::NAMES.into_iter().zip(Quality::LADDER);
         let ladder = ladder.map(|(name, &quality)| Self { name, quality });

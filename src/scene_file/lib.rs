@@ -86,8 +86,8 @@ impl SceneFile {
         let keys = file.motions.iter().flat_map(|motion| &motion.keys);
         for time in keys.map(|key| key.time).chain([0.0]) {
             let tree = file.tree_at(time)?;
-            if let Err(flaw) = Scene::deserialize(&tree)?.validate() {
-                let what = flaw.to_string();
+            if let Err(error) = Scene::deserialize(&tree)?.validate() {
+                let what = error.to_string();
                 let path = what.split(' ').next().unwrap_or_default();
                 return Err(Fault::new(tree.nearest(path).at, what));
             }

@@ -35,7 +35,7 @@
 //!
 //! # Shapes, materials and lights
 //!
-//! Spheres, boxes, cylinders, capsules and planes; matt, mirrors, metal, glass and patterns; points, suns, spotlights and lamps with a
+//! Spheres, boxes, cylinders, capsules and planes; matt, mirrors, metal, glass and patterns; points, suns, spotlights and lights with a
 //! size, whose shadows are soft:
 //!
 //! ```
@@ -89,7 +89,7 @@
 //!
 //! # Quality
 //!
-//! [`Quality::EXHAUSTIVE`] traces every pixel. The [`Quality::LADDER`] has seven rungs, from one that can hardly be told from
+//! [`Quality::EXHAUSTIVE`] traces every pixel. The [`Quality::LADDER`] has seven presets, from one that can hardly be told from
 //! it to one for slow machines; [`Quality::DEFAULT`] is in the middle. A [`Governor`] steps along the ladder to hold a frame rate, by
 //! the time that each frame took. A frame can measure its own error ([`Frame::with_probes`]), and an [`AccuracyGovernor`] holds an
 //! accuracy by that. [`limits`] has the figures of accuracy, and the conditions for them.
@@ -150,7 +150,6 @@ extern crate std;
 
 mod counts;
 mod coverage;
-mod flaw;
 pub mod font;
 mod governor;
 mod grid;
@@ -163,6 +162,7 @@ mod picture;
 mod plan;
 mod prepare;
 mod quality;
+mod range_error;
 mod refine;
 mod render;
 mod rounding;
@@ -172,11 +172,11 @@ mod trace;
 
 pub use counts::{Counts, Probes};
 pub use fearless_simd::Level;
-pub use flaw::{Flaw, Found};
 pub use glam;
 pub use governor::{AccuracyGovernor, Governor};
 pub use picture::{Band, Frame, Probing};
 pub use quality::Quality;
+pub use range_error::{Found, RangeError};
 pub use refine::Worker;
 #[cfg(feature = "std")]
 pub use render::{BoxedMemory, ScopedThreads};

@@ -25,7 +25,7 @@
 //! | the same from up to 1e8 away, for aligned boxes, rotated boxes, cylinders and capsules each | 0 of 60,000 |
 //! | rays into a sphere that miss its far side, except chords shorter than 0.003 radii (at the origin) | 0 |
 //! | points of a sphere in their own shadow, where n.l is above 0.003 | 0 |
-//! | lamps outside a sphere that light its inside, and lamps wholly within that do not | 0 |
+//! | lights outside a sphere that light its inside, and lights wholly within that do not | 0 |
 //! | squared length of a reflected or refracted direction; radii 1e-4 to 1e6, indices 0.1 to 10, also at the critical angle | 1 to within 5e-7 |
 //! | bits of a ray's result that depend on its lane or on the rays beside it, also with invalid numbers | 0 |
 //! | PSNR of a scene scaled by 1e-4 to 1e4 against the original | 50 dB |
@@ -79,7 +79,7 @@
 //! | shadows of spheres on planes by points of light that darken a pixel by two steps of 255 and that the quality misses, except as below | 0 |
 //! | holes of 4 connected pixels or more in things 1 to 5 pixels wide, in their shadows on a plane by a point of light, and in their images in the first plane, jagged or antialiased | 0 |
 //! | images in the first plane of spheres and boxes that 2x2 pixels show and the quality misses | 0 |
-//! | highlights in the eye's own sight that five pixels show together with the place that mirrors the lamp, and that the quality misses | 0 |
+//! | highlights in the eye's own sight that five pixels show together with the place that mirrors the light, and that the quality misses | 0 |
 //! | pixels of shadows of spheres that the default quality draws lit, and the largest patch of them | 0.4 %, 20 |
 //! | the same by a sun, a spotlight and a ball | 0.6 %, 0.4 % and 0.3 % |
 //! | the same of thin blocks, by a point and by a sun | 2.5 % and 0.6 % |
@@ -107,11 +107,11 @@
 //! - Coincident surfaces, such as two planes at the same height: rounding decides which one is hit.
 //! - Chords of a sphere shorter than the rounding error above: the ray passes by.
 //! - Some shadows between the corners of squares. The guard looks for shadows on planes, and for light between them. For each shadow of
-//!   a sphere by a point of light one corner is right, but this corner may be as dark without the shadow: a lamp low above a plane
+//!   a sphere by a point of light one corner is right, but this corner may be as dark without the shadow: a light low above a plane
 //!   lights a patch of few pixels, and the corner may lie beside the patch. Then the quality can miss a shadow that is wider than a
-//!   square. By a lamp so bright that a shadow is seen wherever it falls it misses none. Of other shadows on planes it misses few.
+//!   square. By a light so bright that a shadow is seen wherever it falls it misses none. Of other shadows on planes it misses few.
 //! - Holes in wider things: a corner of one, and a narrow strip that others leave of one, can lose connected pixels; 8 were seen.
-//!   Thin shadows by lamps with a size have soft edges, which are not looked for.
+//!   Thin shadows by area lights have soft edges, which are not looked for.
 //! - Shadows on spheres and blocks, and slits of light between these: of 1,000 crowds without mirrors two are below 42 dB for a
 //!   bright slit on a block's face, 41.0 dB.
 //! - Images in the first plane of cylinders and capsules, and images that others cover in part: a corner in the outlines of both
@@ -120,8 +120,8 @@
 //!   that coincide 39.0 dB; an eye inside glass, extreme scales and the fastest quality have less.
 //! - Thin bright or dark strips in such images, in slits of light on blocks, and in waves: the show has patches of up to 229 pixels.
 //! - Highlights in mirrors, on waves, and from within a sphere, a cylinder or a capsule. Parts of a highlight without the place that
-//!   mirrors the lamp: the rest is hidden, in shadow, on the object's dark side, beyond an edge, or on a white surface. A
-//!   corner names the object that it shows, not the face, nor whether the lamp lights it: a slit of light between shadows, the lit rim
+//!   mirrors the light: the rest is hidden, in shadow, on the object's dark side, beyond an edge, or on a white surface. A
+//!   corner names the object that it shows, not the face, nor whether the light lights it: a slit of light between shadows, the lit rim
 //!   of a sphere, or the narrow side of a flat cylinder can lose its highlight, whatever its length.
 //! - Reflections elsewhere than in the first plane without waves, and refractions: the guard does not look for them.
 //! - The position of hits on a sphere whose radius is below the rounding error of its coordinates, about 1e-6 of the largest. Still,

@@ -1,6 +1,6 @@
 //! The parameters that trade accuracy for speed.
 
-use crate::flaw::{Checked, Flaw, Range};
+use crate::range_error::{Checked, Range, RangeError};
 
 /// How far a frame is refined and how far its rays are followed.
 ///
@@ -90,7 +90,7 @@ impl Quality {
     /// The first four are antialiased, which takes a third to a half more time. Speed, error and what a viewer sees of it are in
     /// `docs/accuracy.md`, as `cargo lab trade --ladder` measures them.
     ///
-    /// The rungs are chosen on the front of time against FLIP and pops, pixels that jump from a frame to the next while those of
+    /// The presets are chosen on the front of time against FLIP and pops, pixels that jump from a frame to the next while those of
     /// exhaustive frames stay: `cargo lab trade` prints it. By PSNR alone the default had a tolerance of 9 and a least contribution
     /// of 0.02; it now has a third of the pops in the model scene, most of which lay in squares of 2, and a third less of FLIP. The
     /// smaller tolerance and contribution take a tenth more time there.
@@ -107,9 +107,9 @@ impl Quality {
     ];
 
     /// The index of [`Quality::DEFAULT`] in the [`Quality::LADDER`].
-    pub const DEFAULT_RUNG: usize = 3;
+    pub const DEFAULT_PRESET: usize = 3;
 
-    /// The names of the rungs of the [`Quality::LADDER`], in its order.
+    /// The names of the presets of the [`Quality::LADDER`], in its order.
     pub const NAMES: [&'static str; Self::LADDER.len()] = [
         "finest", "finer", "fine", "default", "fast", "faster", "fastest",
     ];
@@ -159,7 +159,7 @@ impl Quality {
     ///
     /// # Errors
     /// The first one that is not.
-    pub fn validate(&self) -> Result<(), Flaw> {
+    pub fn validate(&self) -> Result<(), RangeError> {
         let quality = Checked::one("quality");
         let is_side = self.is_square_drawable();
         quality.rule(

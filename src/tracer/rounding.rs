@@ -7,17 +7,17 @@
 //! # Shadows
 //!
 //! By a point light, all pixels of a sphere's shadow on a plane are inside of its cone in the picture, and a point that is sure to be
-//! inside (see [`UNSURE`]) is dark. Let `h` be the sphere's hit error and `e` the same share, [`HIT`], of its distance from the lamp.
+//! inside (see [`UNSURE`]) is dark. Let `h` be the sphere's hit error and `e` the same share, [`HIT`], of its distance from the light.
 //! Shadow rays meet a sphere whose radius is smaller by `h + e` (see `ShadowCone::r2`), the cone is about one that is larger by `h`, and a
 //! sure point is inside of one that is smaller by `2 h + 3 e`: `2 h + e` outside and `h + 2 e` inside are left for errors. These are, at
 //! the sphere:
 //!
-//! - The vector from the lamp, and the perpendicular that is computed of it: some `u` of the distance from the lamp, less than `e / 2`.
+//! - The vector from the light, and the perpendicular that is computed of it: some `u` of the distance from the light, less than `e / 2`.
 //! - The point on the plane, by its coordinates: less than `h / 3` by the coordinates of the sphere, and `e / 3` by the way from it, as
-//!   an error that moves the far end of a ray from the lamp by a share of that way moves its part at the sphere by less. (Points are
+//!   an error that moves the far end of a ray from the light by a share of that way moves its part at the sphere by less. (Points are
 //!   computed from the plane's centre. One that is much farther from the eye than all this is not allowed for.)
 //! - The point on the plane, by its distance from the eye: some `u` of it. [`SIDE`] is 1e-5 of that distance there, as a side's
-//!   terms are scaled by the way from the lamp to the eye's mirror image, which is longer than the eye is high.
+//!   terms are scaled by the way from the light to the eye's mirror image, which is longer than the eye is high.
 //! - The cone's own terms: below [`SIDE`], and [`WIDE`] is for the cosine.
 
 use glam::Vec3A;
@@ -81,15 +81,15 @@ pub(crate) const UNSURE: f32 = 3.0;
 pub(crate) const SIDE: f32 = 1e-5;
 
 /// The part of [`SIDE`] that is usual: some 5 roundings. That is enough for shadows that are not exact by more, and leaves
-/// a part of the shadows by lamps that are a thousand times as far away.
+/// a part of the shadows by lights that are a thousand times as far away.
 pub(crate) const USUAL: f32 = 0.03;
 
 /// How far a block's corner may be from where the eye sees it, as a share of its distance and size: the error of axes that
 /// [`Scene::validate`](crate::scene::Scene::validate) allows, which is far more than rounding, and a tenth of a pixel.
 pub(crate) const CORNER: f32 = 2e-4;
 
-/// The same from a lamp, which may be a thousand times as far away: two roundings.
-pub(crate) const CORNER_BY_LAMP: f32 = 1e-7;
+/// The same from a light, which may be a thousand times as far away: two roundings.
+pub(crate) const CORNER_BY_LIGHT: f32 = 1e-7;
 
 /// More than rounding moves a hit towards the eye, as a share of how far the object reaches from it.
 pub(crate) const CONTACT: f32 = 1e-6;
@@ -97,7 +97,7 @@ pub(crate) const CONTACT: f32 = 1e-6;
 /// An eye nearer to a sphere than this many times its hit error may be inside or outside.
 pub(crate) const TOUCHING: f32 = 4.0;
 
-/// The least height of the eye and of a lamp above a plane, as a share of the way from the lamp to the eye's mirror image, that
+/// The least height of the eye and of a light above a plane, as a share of the way from the light to the eye's mirror image, that
 /// leaves shadows bounds which rounding cannot spoil.
 pub(crate) const LEAST_HEIGHT: f32 = 0.01;
 

@@ -98,7 +98,7 @@ pub extern "C" fn about() -> *const u8 {
         show::LENGTH,
         scenes.join(","),
         names.join("\",\""),
-        Quality::DEFAULT_RUNG + 1,
+        Quality::DEFAULT_PRESET + 1,
         Frame::PROBES,
         sound::RATE,
     );
@@ -336,5 +336,5 @@ pub extern "C" fn governed(nanoseconds: f64) -> usize {
     let budget = Duration::from_secs(1) / 60;
     let governor = state.governor.get_or_insert_with(|| Governor::new(budget));
     governor.frame(Duration::from_nanos(nanoseconds as u64));
-    governor.rung() + 1
+    governor.preset() + 1
 }

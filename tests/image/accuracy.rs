@@ -183,19 +183,19 @@ fn shells(count: usize) -> Scene {
 }
 
 /// A light that is drawn.
-fn lamp(position: Vec3, drawn_radius: f32, colour: Vec3) -> Light {
+fn light(position: Vec3, drawn_radius: f32, colour: Vec3) -> Light {
     Light {
         drawn_radius,
         ..Light::new(position, colour)
     }
 }
 
-/// Rays that hit the black lamp before the eye end there, so that packets of secondary rays are not full.
+/// Rays that hit the black light before the eye end there, so that packets of secondary rays are not full.
 #[test]
 fn no_ray_is_lost_at_any_depth() {
     let whole = shells(Quality::MAX_DEPTH as usize + 1);
     let mut broken = whole.clone();
-    broken.lights = List::of(&[lamp(vec3(0.6, 0.2, 0.3), 0.15, Vec3::ZERO)]);
+    broken.lights = List::of(&[light(vec3(0.6, 0.2, 0.3), 0.15, Vec3::ZERO)]);
     for depth in 0..=Quality::MAX_DEPTH {
         let quality = Quality {
             depth,
@@ -218,18 +218,18 @@ fn no_ray_is_lost_at_any_depth() {
 }
 
 #[test]
-fn spheres_around_lamps_and_cameras_are_as_traced() {
+fn spheres_around_lights_and_cameras_are_as_traced() {
     let mut scene = shells(1);
     scene.planes = show::model_scene(0.0).planes.iter().copied().collect();
-    for (light, eye) in [
+    for (position, eye) in [
         (vec3(0.5, 0.7, 0.1), vec3(0.1, 0.2, 0.3)),
         (vec3(0.5, 0.7, 0.1), vec3(1.0, 3.0, 7.0)),
         (vec3(3.5, 3.7, 0.1), vec3(0.1, 0.2, 0.3)),
     ] {
         scene.camera.eye = eye;
         scene.camera.look_at = Vec3::ZERO;
-        scene.lights = List::of(&[lamp(light, 0.1, Vec3::ONE)]);
-        let what = format!("a lamp at {light} seen from {eye}");
+        scene.lights = List::of(&[light(position, 0.1, Vec3::ONE)]);
+        let what = format!("a light at {position} seen from {eye}");
         assert_traced(&scene, [120, 90], &what);
     }
     let mut scene = show::model_scene(0.0);

@@ -5,7 +5,7 @@ use crate::drawn::{bare, draw_best};
 use crate::error::worst_channel;
 use crate::shown::{pixels, sized};
 use eightfold_scenes::hidden::{Hidden, Things, slit};
-use eightfold_scenes::{Kinds, View, cases, lamps, materials_of};
+use eightfold_scenes::{Kinds, View, cases, lights, materials_of};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Light, Spot};
 use glam::Vec3;
@@ -111,12 +111,12 @@ fn lit(kind: Hidden, quality: Quality) -> Wrong {
 #[test]
 fn few_pixels_of_shadows_are_lit() {
     let (finest, default) = (Quality::LADDER[0], Quality::DEFAULT);
-    let by = |kind: Hidden, lamp: fn(Light) -> Light| Hidden {
-        lamp: kind.lamp.map(lamp),
+    let by = |kind: Hidden, light: fn(Light) -> Light| Hidden {
+        light: kind.light.map(light),
         ..kind
     };
-    let sun = |light| lamps::others(light, 0.0)[0];
-    let ball = |light| lamps::others(light, 0.1)[2];
+    let sun = |light| lights::others(light, 0.0)[0];
+    let ball = |light| lights::others(light, 0.1)[2];
     let spotlight = |light: Light| Light {
         spot: Some(Spot {
             aim: -Vec3::Y,

@@ -6,7 +6,7 @@ use crate::error::Difference;
 use crate::text::Text;
 use eightfold::show;
 use eightfold_oracle::frame::Frame as Traced;
-use eightfold_scenes::lamps::spotlight;
+use eightfold_scenes::lights::spotlight;
 use eightfold_scenes::scaled;
 use eightfold_scenes::solids::SHAPES;
 use eightfold_tracer::scene::{
@@ -197,10 +197,13 @@ fn scene_or_quality_out_of_range_is_refused_by_its_first_number() {
         change(&mut scene);
         let error = refusal(&scene, &Quality::DEFAULT, (64, 48), (64, 64 * 48));
         let error = error.expect(text);
-        let flaw = error.to_string();
-        assert!(flaw.starts_with(text) && flaw.ends_with(range), "{flaw}");
-        let source = core::error::Error::source(&error).expect("the flaw");
-        assert_eq!(source.to_string(), flaw);
+        let message = error.to_string();
+        assert!(
+            message.starts_with(text) && message.ends_with(range),
+            "{message}"
+        );
+        let source = core::error::Error::source(&error).expect("a source");
+        assert_eq!(source.to_string(), message);
     }
     for (name, quality) in [0, 3, 12, 64, usize::MAX]
         .map(|square| {
@@ -235,10 +238,10 @@ fn scene_or_quality_out_of_range_is_refused_by_its_first_number() {
         tolerance_side: f32::NAN,
         ..Quality::THESIS
     };
-    let flaw = quality.validate().unwrap_err().to_string();
+    let error = quality.validate().unwrap_err().to_string();
     assert!(
-        flaw.starts_with("quality.tolerance_side is NaN, "),
-        "{flaw}"
+        error.starts_with("quality.tolerance_side is NaN, "),
+        "{error}"
     );
 }
 

@@ -4,7 +4,7 @@ use crate::drawn::{RULES, SIDES, draw, draw_best, draw_by_all, jagged, of_side};
 use crate::error::Difference;
 use eightfold::show;
 use eightfold_oracle::squares::TILE;
-use eightfold_scenes::{Random, cases, crowd, lamps};
+use eightfold_scenes::{Random, cases, crowd, lights};
 use eightfold_tracer::Quality;
 use eightfold_tracer::scene::{Camera, Scene};
 use glam::{Vec3, vec3};
@@ -109,7 +109,7 @@ fn crowds_without_mirrors_have_42_db() {
     assert_42_db(kinds.map(|(mut random, blocks)| {
         let mut scene = crowd(&mut random, [20, blocks], [0.0; 2]);
         for light in scene.lights.iter_mut() {
-            let [sun, spotlight, ball] = lamps::others(*light, 0.5);
+            let [sun, spotlight, ball] = lights::others(*light, 0.5);
             *light = [*light, sun, ball, spotlight][random.seed as usize % 4];
         }
         scene

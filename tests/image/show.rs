@@ -25,7 +25,7 @@ fn brightness(time: f32, frames: f32) -> f64 {
 
 #[test]
 fn first_frame_is_as_bright_as_the_title() {
-    // A picture of the title without a word or a lamp is about as bright as its last one.
+    // A picture of the title without a word or a light is about as bright as its last one.
     let title = brightness(10.0, 0.0);
     for frames in 0..60 {
         let share = brightness(0.0, frames as f32) / title;

@@ -210,7 +210,7 @@ const SHADED: u32 = 0x29_2929;
 fn shadows(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let scene = &view.scene;
     let plane = PicturePlane::new(&scene.camera, view.width, view.height);
-    let lamp = scene.lights[0].position.as_dvec3();
+    let light = scene.lights[0].position.as_dvec3();
     let floor = Shape::from(&scene.planes[0]);
     let spheres: Vec<Shape> = scene.spheres.iter().map(Shape::from).collect();
     let mut shadows: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
@@ -223,9 +223,9 @@ fn shadows(view: &View, exhaustive: &[u32]) -> Vec<Effect> {
             continue;
         }
         let p = ray.at(met.t);
-        let way = Ray::new(p, (lamp - p).normalize());
+        let way = Ray::new(p, (light - p).normalize());
         let numbers = spheres.iter().enumerate();
-        let casters = numbers.filter(|(_, s)| s.meet(way, lamp.distance(p)).is_some());
+        let casters = numbers.filter(|(_, s)| s.meet(way, light.distance(p)).is_some());
         casters.for_each(|(caster, _)| shadows.entry(caster).or_default().push(i));
     }
     shadows.into_values().map(Effect::promised).collect()
@@ -363,37 +363,37 @@ fn single_images_are_shown_however_thin_and_near() {
 /// The step by which differences from pixel to pixel are taken, in pixels.
 const NEAR: f64 = 1e-4;
 
-/// Whether some pixels that show an object, or those next to them, show a place that mirrors a lamp to the eye.
+/// Whether some pixels that show an object, or those next to them, show a place that mirrors a light to the eye.
 fn hold_a_middle(view: &View, shape: Shape, pixels: &[usize]) -> bool {
     let plane = PicturePlane::new(&view.scene.camera, view.width, view.height);
-    // How far the mirrored ray and the direction to the lamp are apart.
-    let apart = |at: DVec2, lamp: DVec3| {
+    // How far the mirrored ray and the direction to the light are apart.
+    let apart = |at: DVec2, light: DVec3| {
         let ray = plane.ray(at.x, at.y);
         let met = shape.meet(ray, f64::INFINITY)?;
         let mirrored = ray.d - 2.0 * ray.d.dot(met.normal) * met.normal;
-        Some(mirrored - (lamp - ray.at(met.t)).normalize())
+        Some(mirrored - (light - ray.at(met.t)).normalize())
     };
     // Newton's step from a pixel to where they are the same.
-    let step = |at: DVec2, lamp: DVec3| {
-        let here = apart(at, lamp)?;
-        let right = (apart(at + NEAR * DVec2::X, lamp)? - here) / NEAR;
-        let down = (apart(at + NEAR * DVec2::Y, lamp)? - here) / NEAR;
+    let step = |at: DVec2, light: DVec3| {
+        let here = apart(at, light)?;
+        let right = (apart(at + NEAR * DVec2::X, light)? - here) / NEAR;
+        let down = (apart(at + NEAR * DVec2::Y, light)? - here) / NEAR;
         let across = right.dot(down);
         let square = DMat2::from_cols_array(&[right.dot(right), across, across, down.dot(down)]);
         Some(-square.inverse() * dvec2(right.dot(here), down.dot(here)))
     };
     view.scene.lights.iter().any(|light| {
         let far = if light.parallel { Light::FAR } else { 1.0 };
-        let lamp = (light.position * far).as_dvec3();
+        let light = (light.position * far).as_dvec3();
         let is_near = |step: DVec2| step.abs().max_element() <= 1.0;
         let mut places = pixels
             .iter()
             .map(|i| dvec2((i % view.width) as f64, (i / view.width) as f64));
-        places.any(|at| step(at, lamp).is_some_and(is_near))
+        places.any(|at| step(at, light).is_some_and(is_near))
     })
 }
 
-/// The highlights of five pixels and more. A highlight is promised if the place that mirrors the lamp to the eye is seen, lit, in one
+/// The highlights of five pixels and more. A highlight is promised if the place that mirrors the light to the eye is seen, lit, in one
 /// of its pixels or next to one. Otherwise a part of it is hidden, in shadow, beyond an edge, or white without it.
 fn highlights(isa: Isa, view: &View, exhaustive: &[u32]) -> Vec<Effect> {
     let scene = &view.scene;

@@ -59,10 +59,10 @@ fn number_beyond_its_range_is_refused_at_its_place() {
     let text = Text::of(&written());
     let mut count = 0;
     for i in 0..text.numbers.len() {
-        let flaw = |number| text.scene_with(i, number).0.validate().err();
-        let range = |number| flaw(number).map(|flaw| flaw.range);
+        let error = |number| text.scene_with(i, number).0.validate().err();
+        let range = |number| error(number).map(|error| error.range);
         let (start, name) = text.field(i);
-        let refusal = flaw(f32::NAN).expect(name);
+        let refusal = error(f32::NAN).expect(name);
         assert!(refusal.to_string().contains(name), "{name}: {refusal}");
         let fault = SceneFile::parse("a.ron", &text.with(i, f32::NAN)).expect_err(name);
         let (line, column) = place(&fault).expect(&fault);

@@ -201,17 +201,17 @@ fn address_space_is_little() {
 }
 
 #[test]
-fn report_has_the_time_of_each_rung() {
+fn report_has_the_time_of_each_preset() {
     let names = qualities();
-    // The rungs in the report, and the time for which each was used.
+    // The presets in the report, and the time for which each was used.
     let used = |options: &str| {
         let (_, said) = run(&mut headless(options));
-        let rungs = names.split(' ').filter_map(|name| {
+        let presets = names.split(' ').filter_map(|name| {
             let (_, rest) = said.split_once(&format!(", {name} "))?;
             let (time, _) = rest.split_once(" s").expect("a unit");
             Some((name, time.parse::<f64>().expect("a time")))
         });
-        rungs.collect::<Vec<_>>()
+        presets.collect::<Vec<_>>()
     };
     let small = used("--seconds 1 --size 16x12 --fps 30");
     assert_eq!(small[0].0, "finest", "it begins with the best");
@@ -221,14 +221,14 @@ fn report_has_the_time_of_each_rung() {
         ("--uncapped --quality thesis", "thesis"),
         ("--exhaustive", "exhaustive"),
     ] {
-        let rungs = used(&format!("--seconds 0.5 --size 64x48 {options}"));
-        let [(name, time)] = rungs[..] else {
-            panic!("{options}: {rungs:?}");
+        let presets = used(&format!("--seconds 0.5 --size 64x48 {options}"));
+        let [(name, time)] = presets[..] else {
+            panic!("{options}: {presets:?}");
         };
         assert_eq!(name, expected, "{options}");
         assert!((0.3..=0.7).contains(&time), "{options}: {time}");
     }
-    // No machine reaches this frame rate, so the governor has to step down to the fastest rung.
+    // No machine reaches this frame rate, so the governor has to step down to the fastest preset.
     let hurried = used("--seconds 3 --size 1920x1080 --threads 1 --fps 1000");
     let sum: f64 = hurried.iter().map(|(_, time)| time).sum();
     let (last, time) = hurried[hurried.len() - 1];

@@ -7,7 +7,7 @@ pub fn direction(axis: DVec3, out: DVec3, n: DVec3) -> DVec3 {
     axis.cross(out).reject_from(n).normalize_or_zero()
 }
 
-/// The cosine of the angle between the direction `r` of a mirrored ray and the direction `l` to a lamp, or what grooves make of it;
+/// The cosine of the angle between the direction `r` of a mirrored ray and the direction `l` to a light, or what grooves make of it;
 /// see `Material::anisotropy`. Directions have a length of 1.
 pub fn cosine(r: DVec3, l: DVec3, groove: DVec3, anisotropy: f64) -> f64 {
     let apart = l - r;

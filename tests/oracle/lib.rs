@@ -36,8 +36,8 @@ struct Body {
 }
 
 impl Body {
-    /// Whether it shows a lamp.
-    fn is_lamp(&self) -> bool {
+    /// Whether it shows a light.
+    fn is_light(&self) -> bool {
         matches!(self.object, Object::Light(_))
     }
 }
@@ -73,7 +73,7 @@ pub enum Object {
 }
 
 impl Object {
-    /// The material of an object of a scene; lamps and the background have none.
+    /// The material of an object of a scene; lights and the background have none.
     pub fn material(self, scene: &Scene) -> Option<&Material> {
         match self {
             Self::Sphere(i) => Some(&scene.spheres[i].material),
@@ -109,11 +109,11 @@ impl<'a> Oracle<'a> {
         self.plane.ray(x, y)
     }
 
-    /// The nearest object along a ray, and where the ray meets it. `has_lamps` is whether the spheres that show lamps count.
-    fn nearest(&self, ray: Ray, has_lamps: bool) -> Option<(&Body, Met)> {
+    /// The nearest object along a ray, and where the ray meets it. `has_lights` is whether the spheres that show lights count.
+    fn nearest(&self, ray: Ray, has_lights: bool) -> Option<(&Body, Met)> {
         let mut nearest: Option<(&Body, Met)> = None;
         for body in &self.bodies {
-            if !has_lamps && body.is_lamp() {
+            if !has_lights && body.is_light() {
                 continue;
             }
             let limit = nearest.map_or(f64::INFINITY, |(_, met)| met.t);
@@ -126,7 +126,7 @@ impl<'a> Oracle<'a> {
 
     /// Whether no surface blocks a ray up to a distance.
     pub fn is_free(&self, ray: Ray, distance: f64) -> bool {
-        let mut bodies = self.bodies.iter().filter(|body| !body.is_lamp());
+        let mut bodies = self.bodies.iter().filter(|body| !body.is_light());
         bodies.all(|body| body.shape.meet(ray, distance).is_none())
     }
 

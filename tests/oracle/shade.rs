@@ -74,13 +74,13 @@ impl Hit<'_> {
 }
 
 impl Oracle<'_> {
-    /// Returns the surface that a ray meets first. Lamps have none.
+    /// Returns the surface that a ray meets first. Lights have none.
     pub fn surface(&self, ray: Ray) -> Option<Hit<'_>> {
         let (body, met) = self.nearest(ray, false)?;
         self.hit(ray, body, met)
     }
 
-    /// Returns the point of a surface where a ray meets a body; `None` if that shows a lamp.
+    /// Returns the point of a surface where a ray meets a body; `None` if that shows a light.
     fn hit(&self, ray: Ray, body: &Body, met: Met) -> Option<Hit<'_>> {
         let material = body.object.material(self.scene)?;
         let p = ray.at(met.t);
@@ -136,21 +136,21 @@ impl Oracle<'_> {
         own + transmittance * self.secondary(&hit, weight * transmittance as f32, path, traced)
     }
 
-    /// The light of the air around lamps up to a distance: the sum over short steps would be the same.
+    /// The light of the air around lights up to a distance: the sum over short steps would be the same.
     fn glow(&self, ray: Ray, t: f64) -> DVec3 {
-        let mut light = DVec3::ZERO;
-        for lamp in self.scene.lights.iter() {
-            let radius2 = (f64::from(lamp.glow) * reach(lamp)).powi(2);
+        let mut glow = DVec3::ZERO;
+        for light in self.scene.lights.iter() {
+            let radius2 = (f64::from(light.glow) * reach(light)).powi(2);
             if radius2 > 0.0 {
-                let to_lamp = lamp.position.as_dvec3() * reach(lamp) - ray.o;
-                let nearest = to_lamp.dot(ray.d);
-                let q = (to_lamp - nearest * ray.d).length_squared() + radius2;
+                let to_light = light.position.as_dvec3() * reach(light) - ray.o;
+                let nearest = to_light.dot(ray.d);
+                let q = (to_light - nearest * ray.d).length_squared() + radius2;
                 let sine = |at: f64| (at - nearest) / (q + (at - nearest).powi(2)).sqrt();
                 let share = 0.5 * radius2 / q * (sine(t.min(1e20)) - sine(0.0));
-                light += share * lamp.colour.as_dvec3();
+                glow += share * light.colour.as_dvec3();
             }
         }
-        light
+        glow
     }
 
     /// The background in a direction.

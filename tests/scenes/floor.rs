@@ -11,8 +11,8 @@ use glam::{Mat3, Vec3, vec3};
 const IMAGED: Material = Material::matt(vec3(1.0, 0.8, 0.6), 0.0);
 
 impl View {
-    /// Adds a sphere and a lamp whose shadow the floor shows.
-    pub(crate) fn light(&mut self, centre: Vec3, radius: f32, lamp: Vec3) {
+    /// Adds a sphere and a light whose shadow the floor shows.
+    pub(crate) fn light(&mut self, centre: Vec3, radius: f32, light: Vec3) {
         let scene = &mut self.scene;
         scene.ambient = Vec3::splat(0.1);
         scene.background = vec3(0.1, 0.15, 0.3);
@@ -21,7 +21,7 @@ impl View {
         scene
             .spheres
             .push(Sphere::new(centre, radius.max(MIN_LENGTH), material));
-        scene.lights.push(Light::new(lamp, Vec3::splat(0.73)));
+        scene.lights.push(Light::new(light, Vec3::splat(0.73)));
     }
 
     /// Makes the floor a mirror that is black except for images.
@@ -38,7 +38,7 @@ impl View {
         view
     }
 
-    /// The view with lamps so bright that a shadow is seen wherever it falls.
+    /// The view with lights so bright that a shadow is seen wherever it falls.
     pub fn glaring(&self) -> Self {
         let mut view = self.clone();
         for light in view.scene.lights.iter_mut() {
@@ -100,7 +100,7 @@ fn empty(random: &mut Random) -> View {
     }
 }
 
-/// A floor that a lamp lights, and a sphere whose shadow is a few pixels wide, or thin and long, or mostly hidden.
+/// A floor that a light lights, and a sphere whose shadow is a few pixels wide, or thin and long, or mostly hidden.
 pub fn shadow(random: &mut Random) -> View {
     let mut view = empty(random);
     let side = view.side();
@@ -112,7 +112,7 @@ pub fn shadow(random: &mut Random) -> View {
     let way = random.vector(vec3(-1.0, 0.0, -1.0), Vec3::ONE);
     let steep = side * random.one_of([1.0, 0.1, 0.01]);
     let way = way.normalize_or(Vec3::Y) * vec3(1.0, steep, 1.0);
-    let lamp_at = (view.scene.camera.eye - at).length() * random.power(-1.5, 1.5);
+    let light_at = (view.scene.camera.eye - at).length() * random.power(-1.5, 1.5);
     let share = random.between(0.02, 0.98);
     let (centre, radius) = if random.below(3) == 0 {
         // Sunk, so that only its tip casts a shadow, or touching the floor.
@@ -121,9 +121,9 @@ pub fn shadow(random: &mut Random) -> View {
         let above = side * radius * (1.0 - 2.0 * sunk);
         (at + Vec3::Y * above, radius)
     } else {
-        (at + way * (lamp_at * share), size * (1.0 - share))
+        (at + way * (light_at * share), size * (1.0 - share))
     };
-    view.light(centre, radius, at + way * lamp_at);
+    view.light(centre, radius, at + way * light_at);
     view
 }
 

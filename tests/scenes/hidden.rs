@@ -29,17 +29,17 @@ pub enum Host {
     Pane,
 }
 
-/// Forty small things, their host and the lamp.
+/// Forty small things, their host and the light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hidden {
     pub things: Things,
     pub host: Host,
-    /// The lamp. Its position is random.
-    pub lamp: Option<Light>,
+    /// The light. Its position is random.
+    pub light: Option<Light>,
 }
 
 const GREY: Material = Material::matt(Vec3::splat(0.8), 0.9);
-const LAMP: Light = Light::new(Vec3::ZERO, Vec3::ONE);
+const LIGHT: Light = Light::new(Vec3::ZERO, Vec3::ONE);
 
 /// How many small things there are.
 const COUNT: usize = 40;
@@ -49,21 +49,21 @@ impl Hidden {
     pub const POINT: Self = Self {
         things: Things::Spheres,
         host: Host::Floor(GREY),
-        lamp: Some(LAMP),
+        light: Some(LIGHT),
     };
-    /// The same by a lamp with a size.
+    /// The same by an area light.
     pub const BALL: Self = Self {
-        lamp: Some(Light {
+        light: Some(Light {
             diameter: 0.5,
-            ..LAMP
+            ..LIGHT
         }),
         ..Self::POINT
     };
     /// The same by a sun.
     pub const SUN: Self = Self {
-        lamp: Some(Light {
+        light: Some(Light {
             parallel: true,
-            ..LAMP
+            ..LIGHT
         }),
         ..Self::POINT
     };
@@ -81,13 +81,13 @@ impl Hidden {
     pub const MIRROR: Self = Self {
         things: Things::Both,
         host: Host::Floor(Material::mirror(0.5)),
-        lamp: None,
+        light: None,
     };
     /// Spheres over large ones that are mirrors.
     pub const MIRRORS: Self = Self {
         things: Things::Spheres,
         host: Host::Balls(Material::mirror(0.8)),
-        lamp: None,
+        light: None,
     };
     /// Spheres behind glass.
     pub const GLASS: Self = Self {
@@ -144,9 +144,9 @@ impl Hidden {
                 scene.blocks.push(pane);
             }
         }
-        let position = lamp_place(random);
-        if let Some(lamp) = self.lamp {
-            scene.lights.push(Light { position, ..lamp });
+        let position = light_place(random);
+        if let Some(light) = self.light {
+            scene.lights.push(Light { position, ..light });
         }
         scene
     }
@@ -176,8 +176,8 @@ impl Hidden {
     }
 }
 
-/// A place of a lamp above the floor.
-fn lamp_place(random: &mut Random) -> Vec3 {
+/// A place of a light above the floor.
+fn light_place(random: &mut Random) -> Vec3 {
     random.vector(vec3(-6.0, 5.0, -6.0), vec3(6.0, 9.0, 6.0))
 }
 
@@ -205,6 +205,8 @@ pub fn slit(random: &mut Random) -> Scene {
             .spheres
             .push(Sphere::new(centre, 1.0, Material::BLACK));
     }
-    scene.lights.push(Light::new(lamp_place(random), Vec3::ONE));
+    scene
+        .lights
+        .push(Light::new(light_place(random), Vec3::ONE));
     scene
 }

@@ -1,6 +1,6 @@
 //! Objects scattered around the origin, by kinds.
 
-use crate::{Random, lamps, materials, scaled, solids};
+use crate::{Random, lights, materials, scaled, solids};
 use eightfold_tracer::scene::{
     Block, Camera, Caption, CopperBar, Film, Light, List, MAX_BLOCKS, MAX_LIGHTS, MAX_SPHERES,
     Material, Plane, Scene, Shape, Sphere, Waves,
@@ -39,7 +39,7 @@ impl Kinds {
         lights: 4,
         smallest: -0.7,
         material: materials::plain,
-        light: lamps::point,
+        light: lights::point,
         camera: outside,
         air: false,
         groups: false,
@@ -53,7 +53,7 @@ impl Kinds {
         blocks: 8,
         lights: 3,
         material: materials::painted,
-        light: lamps::any,
+        light: lights::any,
         air: true,
         ..Self::SPHERES
     };

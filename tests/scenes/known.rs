@@ -25,9 +25,9 @@ fn ahead(height: f32, right: f32, up: f32, field_of_view: f32) -> Camera {
     Camera::new(eye, eye + vec3(right, up, -1.0), field_of_view)
 }
 
-/// The view with a sphere and a lamp whose shadow the floor shows.
-fn lit(mut view: View, centre: Vec3, radius: f32, lamp: Vec3) -> View {
-    view.light(centre, radius, lamp);
+/// The view with a sphere and a light whose shadow the floor shows.
+fn lit(mut view: View, centre: Vec3, radius: f32, light: Vec3) -> View {
+    view.light(centre, radius, light);
     view
 }
 
@@ -97,7 +97,7 @@ pub fn thin_shadows() -> [View; 5] {
     ]
 }
 
-/// A shadow that crosses a low lamp's patch of light beside a corner that is as good as dark, shadow or not.
+/// A shadow that crosses a low light's patch of light beside a corner that is as good as dark, shadow or not.
 pub fn shadow_beside_a_dark_corner() -> View {
     let eye = 69.381_966 * Vec3::Y;
     let camera = Camera::new(eye, vec3(0.627_962_1, 69.081_96, 0.738_625_3), 0.6);

@@ -13,14 +13,14 @@
 //! | [`Seen`] | bars of one to five pixels, as objects, shadows and images |
 //! | [`known`] | scenes that showed a fault |
 //!
-//! A new kind is a function from a [`Random`] to a scene, made of the parts in [`materials`], [`lamps`] and [`solids`].
+//! A new kind is a function from a [`Random`] to a scene, made of the parts in [`materials`], [`lights`] and [`solids`].
 
 mod crowd;
 pub mod floor;
 pub mod hidden;
 mod kinds;
 pub mod known;
-pub mod lamps;
+pub mod lights;
 pub mod materials;
 mod placed;
 mod random;
@@ -55,7 +55,7 @@ pub fn materials_of(scene: &mut Scene) -> Vec<&mut Material> {
     spheres.chain(planes).chain(blocks).collect()
 }
 
-/// Gives objects and lamps distinct colours, at least `step` of 255 apart in a channel, in ambient light alone.
+/// Gives objects and lights distinct colours, at least `step` of 255 apart in a channel, in ambient light alone.
 pub fn coloured(scene: &Scene, step: usize) -> Scene {
     let mut scene = scene.clone();
     let mut numbers = 1..;

@@ -69,7 +69,7 @@ fn finished(view: View, random: &mut Random) -> View {
     }
 }
 
-/// Spheres from a tenth of a pixel to half the picture, planes, a few blocks and lamps.
+/// Spheres from a tenth of a pixel to half the picture, planes, a few blocks and lights.
 pub fn placed(random: &mut Random) -> View {
     let mut view = among(random);
     for _ in 0..1 + random.below(63) {

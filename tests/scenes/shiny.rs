@@ -4,7 +4,7 @@ use crate::{Random, materials, solids};
 use eightfold_tracer::scene::{Block, Camera, Light, Plane, Scene, Shape, Sphere};
 use glam::{Mat3, Vec3, vec3};
 
-/// Shiny spheres, or cylinders and capsules, large and tiny, on a floor or in the air, a camera and lamps low above it or high, near
+/// Shiny spheres, or cylinders and capsules, large and tiny, on a floor or in the air, a camera and lights low above it or high, near
 /// or far away.
 pub fn shiny(random: &mut Random, are_blocks: bool) -> Scene {
     let [x, z] = [random.between(-6.0, 6.0), random.between(5.0, 12.0)];

@@ -35,9 +35,9 @@ impl Seen {
             height: 240,
         };
         let mut bars = without.clone();
-        let lamp = random.vector(vec3(-6.0, 3.0, -6.0), vec3(6.0, 9.0, 6.0));
+        let light = random.vector(vec3(-6.0, 3.0, -6.0), vec3(6.0, 9.0, 6.0));
         for _ in 0..random.one_of([1, 3, 10, 25]) {
-            self.add_bar(&mut bars, random, lamp);
+            self.add_bar(&mut bars, random, light);
         }
         let mut others = Scene {
             background: Vec3::splat(0.5),
@@ -72,7 +72,7 @@ impl Seen {
             match self {
                 Self::AsShadows => {
                     view.scene.ambient = Vec3::splat(0.2);
-                    view.scene.lights.push(Light::new(lamp, Vec3::ONE));
+                    view.scene.lights.push(Light::new(light, Vec3::ONE));
                 }
                 Self::AsImages => view.scene.background = Vec3::ZERO,
                 Self::Directly => {}
@@ -110,7 +110,7 @@ impl Seen {
     }
 
     /// Adds a bar, or a row of spheres, along a line of the picture.
-    fn add_bar(self, view: &mut View, random: &mut Random, lamp: Vec3) {
+    fn add_bar(self, view: &mut View, random: &mut Random, light: Vec3) {
         let size = vec2(view.width as f32, view.height as f32);
         let from = size * vec2(random.between(0.0, 1.0), random.between(0.0, 1.0));
         let angle = random.between(0.0, 6.3);
@@ -130,7 +130,7 @@ impl Seen {
             let t = -eye.y / d.y.min(-0.02);
             match self {
                 Self::Directly => (eye + d * far, pixel * far),
-                Self::AsShadows => ((eye + d * t).lerp(lamp, share), pixel * t * (1.0 - share)),
+                Self::AsShadows => ((eye + d * t).lerp(light, share), pixel * t * (1.0 - share)),
                 Self::AsImages => {
                     let back = d * vec3(1.0, -1.0, 1.0) * (0.2 * far);
                     (eye + d * t + back, pixel * (t + 0.2 * far))

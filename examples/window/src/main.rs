@@ -19,8 +19,8 @@ fn scene(time: f32) -> Scene {
     scene.background = vec3(0.1, 0.12, 0.2);
     let floor = Plane::new(Vec3::ZERO, 10.0, 10.0, material);
     scene.planes.push(floor);
-    let lamp = Light::new(vec3(-4.0, 7.0, -5.0), Vec3::splat(0.9));
-    scene.lights.push(lamp);
+    let light = Light::new(vec3(-4.0, 7.0, -5.0), Vec3::splat(0.9));
+    scene.lights.push(light);
     for i in 0..12 {
         let angle = i as f32 * TAU / 12.0 + 0.5 * time;
         let (sin, cos) = angle.sin_cos();

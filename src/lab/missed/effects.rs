@@ -89,7 +89,7 @@ impl EffectCounter {
             let quality = Quality { guarded, ..quality };
             self.draw(scene, quality)
         });
-        let unlit = self.draw(&without_lamps(scene), Quality::EXHAUSTIVE);
+        let unlit = self.draw(&without_lights(scene), Quality::EXHAUSTIVE);
         let oracle = Oracle::new(scene, &Quality::EXHAUSTIVE, self.width, self.height);
         let width = self.width;
         let at = |i: usize| oracle.object_at((i % width) as isize, (i / width) as isize);
@@ -104,7 +104,7 @@ impl EffectCounter {
                 .iter()
                 .any(|&i| material(scene, hosts[i]).is_specular());
             let unlit_without =
-                is_mirrored.then(|| self.draw(&without_lamps(&rest), Quality::EXHAUSTIVE));
+                is_mirrored.then(|| self.draw(&without_lights(&rest), Quality::EXHAUSTIVE));
             let mut pixels: BTreeMap<Kind, Vec<usize>> = BTreeMap::new();
             for i in changed {
                 let is_seen = unlit_without
@@ -157,15 +157,15 @@ fn all_but<T: Copy + Default, const N: usize>(list: &[T], i: usize) -> List<T, N
     others.copied().collect()
 }
 
-/// The scene without lamps, in even light: what changes in it is no shadow.
-fn without_lamps(scene: &Scene) -> Scene {
+/// The scene without lights, in even light: what changes in it is no shadow.
+fn without_lights(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     scene.lights.clear();
     scene.ambient = Vec3::ONE;
     scene
 }
 
-/// Tells what a pixel that shows the object `host` shows of a thing that changes it, without lamps, too, if `is_seen`.
+/// Tells what a pixel that shows the object `host` shows of a thing that changes it, without lights, too, if `is_seen`.
 fn kind(scene: &Scene, thing: Object, host: Object, is_seen: bool) -> Kind {
     let is_image = is_seen && material(scene, host).is_specular();
     match host {
@@ -177,7 +177,7 @@ fn kind(scene: &Scene, thing: Object, host: Object, is_seen: bool) -> Kind {
     }
 }
 
-/// The material of an object; lamps and the background have a black one.
+/// The material of an object; lights and the background have a black one.
 fn material(scene: &Scene, object: Object) -> Material {
     object.material(scene).copied().unwrap_or(Material::BLACK)
 }

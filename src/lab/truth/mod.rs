@@ -1,6 +1,6 @@
 //! `lab truth`: a scene by the rendering equation, and the error of the real-time picture against it.
 
-mod lamp;
+mod light;
 mod path;
 
 use crate::arguments::{self, Size, processors};
@@ -21,7 +21,7 @@ use std::path::PathBuf;
 /// The most paths for a pixel.
 const MAX_SAMPLES: u32 = 1 << 20;
 
-/// Draws a scene by a path tracer: lamps with a size, light from surface to surface, caustics
+/// Draws a scene by a path tracer: area lights, light from surface to surface, caustics
 ///
 /// Prints the error of the real-time picture against it, and its standard error.
 #[derive(Args)]
@@ -66,7 +66,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Reduces a scene to the transport of light: removes captions, copper bars, the film and the glow around lamps.
+/// Reduces a scene to the transport of light: removes captions, copper bars, the film and the glow around lights.
 fn transported(mut scene: Scene) -> Scene {
     scene.captions.clear();
     scene.copper_bars.clear();

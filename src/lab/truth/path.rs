@@ -1,9 +1,9 @@
 //! Paths of light, followed from the eye: an unbiased estimate of the rendering equation (Kajiya, 1986).
 //!
-//! Each hit of a rough surface samples every lamp. A path that has been scattered counts a lamp that it meets only behind a mirror
+//! Each hit of a rough surface samples every light. A path that has been scattered counts a light that it meets only behind a mirror
 //! or glass, where no hit can sample it.
 
-use super::lamp::{Lamp, around};
+use super::light::{SphereLight, around};
 use crate::arguments::Size;
 use eightfold_oracle::geometry::Ray;
 use eightfold_oracle::{Hit, Oracle};
@@ -21,7 +21,7 @@ const MAX_SURVIVAL: f64 = 0.95;
 /// Follows paths through a scene.
 pub struct PathTracer<'a> {
     oracle: Oracle<'a>,
-    lamps: Vec<Lamp<'a>>,
+    lights: Vec<SphereLight<'a>>,
     exposure: f64,
 }
 
@@ -30,7 +30,7 @@ impl<'a> PathTracer<'a> {
         Self {
             // The path tracer ignores the quality.
             oracle: Oracle::new(scene, &Quality::EXHAUSTIVE, size.width, size.height),
-            lamps: scene.lights.iter().map(Lamp::new).collect(),
+            lights: scene.lights.iter().map(SphereLight::new).collect(),
             exposure: scene.exposure.into(),
         }
     }
@@ -48,15 +48,18 @@ impl<'a> PathTracer<'a> {
             let t = hit.as_ref().map_or(f64::INFINITY, |hit| hit.t);
             match length {
                 None => {
-                    if let Some(colour) = self.seen_lamp(ray, t) {
+                    if let Some(colour) = self.seen_light(ray, t) {
                         return found + throughput * colour;
                     }
                 }
                 Some(length) if length > 0.0 => {
-                    let lamps = self.lamps.iter().map(|lamp| lamp.radiance(ray, length, t));
-                    found += throughput * lamps.sum::<DVec3>();
+                    let lights = self
+                        .lights
+                        .iter()
+                        .map(|light| light.radiance(ray, length, t));
+                    found += throughput * lights.sum::<DVec3>();
                 }
-                // The last hit has sampled the lamps.
+                // The last hit has sampled the lights.
                 Some(_) => {}
             }
             let behind = throughput * self.oracle.behind(ray.d);
@@ -90,21 +93,21 @@ impl<'a> PathTracer<'a> {
         }
     }
 
-    /// Returns the colour of the lamp that the eye sees along a ray, nearer than `limit`.
-    fn seen_lamp(&self, ray: Ray, limit: f64) -> Option<DVec3> {
-        let seen = self.lamps.iter().filter_map(|lamp| lamp.seen(ray));
+    /// Returns the colour of the light that the eye sees along a ray, nearer than `limit`.
+    fn seen_light(&self, ray: Ray, limit: f64) -> Option<DVec3> {
+        let seen = self.lights.iter().filter_map(|light| light.seen(ray));
         let nearest = seen.min_by(|a, b| a.0.total_cmp(&b.0));
         nearest
             .filter(|&(t, _)| t < limit)
             .map(|(_, colour)| colour)
     }
 
-    /// Returns the light of all lamps that a surface sends back along the path.
+    /// Returns the light of all lights that a surface sends back along the path.
     fn direct(&self, surface: &Surface<'_>, random: &mut Random) -> DVec3 {
         let here = surface.hit.ray;
         let mut sum = DVec3::ZERO;
-        for lamp in &self.lamps {
-            let arriving = lamp.sample(here, random.units());
+        for light in &self.lights {
+            let arriving = light.sample(here, random.units());
             let light = surface.reflected(arriving.d) * arriving.irradiance;
             let is_free = || {
                 self.oracle

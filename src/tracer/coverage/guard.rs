@@ -63,7 +63,7 @@ impl Guard {
         let mut search = Search {
             squares,
             open: [Bits::NONE; TILE_HEIGHT],
-            lamp: None,
+            light: None,
             is_thin: false,
             covered: [Covered::NONE; SQUARE_ROWS],
         };
@@ -95,24 +95,24 @@ pub(super) struct Search<'a> {
     pub squares: &'a Squares<'a>,
     /// The squares where something may be missed.
     pub open: [Bits; TILE_HEIGHT],
-    /// The lamp whose shadows are looked for; `None` for images.
-    lamp: Option<u8>,
+    /// The light whose shadows are looked for; `None` for images.
+    light: Option<u8>,
     /// Whether the outline that is looked for is thin.
     is_thin: bool,
-    /// The corners that the shadows by this lamp, or the images, cover, for each row of squares.
+    /// The corners that the shadows by this light, or the images, cover, for each row of squares.
     covered: [Covered; SQUARE_ROWS],
 }
 
 impl Search<'_> {
     /// Looks for an outline in all open squares. Returns whether their parts may show it.
     fn look_for(&mut self, outline: Outline, region: &Region, open: &[Bits; TILE_HEIGHT]) -> bool {
-        let lamp = match outline {
+        let light = match outline {
             Outline::Object(_) | Outline::Image(_) => None,
-            Outline::Shadow { lamp, .. } => Some(lamp),
+            Outline::Shadow { light, .. } => Some(light),
         };
-        if lamp != self.lamp {
+        if light != self.light {
             self.settle();
-            self.lamp = lamp;
+            self.light = light;
         }
         let mut may_be_missed = false;
         let squares = self.squares;
@@ -171,7 +171,7 @@ impl Search<'_> {
 
     /// Looks for an image or a shadow on a plane in a square, where some corners show the plane. An image opens the square unless one
     /// of these (all four, if it is thin) is inside of its region: it may be in front of another image. A shadow does the same, once
-    /// all shadows by its lamp are known, unless all corners are inside of another one.
+    /// all shadows by its light are known, unless all corners are inside of another one.
     fn look_on_plane(&mut self, plane: u8, region: &Region, [x, y]: [usize; 2]) -> bool {
         let plane = ObjectId::new(self.squares.world.first_plane() + usize::from(plane));
         let (_, shown) = self.squares.corners([x, y], plane);
@@ -182,7 +182,7 @@ impl Search<'_> {
             let covered = &mut self.covered[y % SQUARE_ROWS];
             if inside == ALL {
                 covered.wholly.set(x);
-            } else if is_open && self.lamp.is_none() {
+            } else if is_open && self.light.is_none() {
                 self.open[y].set(x);
             } else if is_open || inside != shown && covered.partly.has(x) {
                 covered.missed.set(x);
@@ -193,7 +193,7 @@ impl Search<'_> {
         true
     }
 
-    /// Opens the squares where a shadow by the current lamp, or light between two shadows, may be missed.
+    /// Opens the squares where a shadow by the current light, or light between two shadows, may be missed.
     #[inline(never)]
     fn settle(&mut self) {
         for (covered, open) in self.covered.iter_mut().zip(&mut self.open) {
@@ -213,11 +213,11 @@ const THIN: usize = 3;
 /// All corners of a square.
 pub(super) const ALL: u64 = 0b1111;
 
-/// How shadows by one lamp, or images, cover the corners of a row of squares, a bit for each square.
+/// How shadows by one light, or images, cover the corners of a row of squares, a bit for each square.
 ///
 /// Corners that all are in shadow say nothing of light between two shadows, nor do corners that all show images of what is between two
 /// images: a square is left open where two outlines cover some of its corners each. Where one outline covers all of them, which is
-/// convex, no other by the same lamp matters.
+/// convex, no other by the same light matters.
 #[derive(Clone, Copy)]
 struct Covered {
     /// One covers all corners.

@@ -1,7 +1,7 @@
-//! The highlights that lamps leave on objects in the eye's own sight, as ellipses in the picture.
+//! The highlights that lights leave on objects in the eye's own sight, as ellipses in the picture.
 //!
 //! A lobe of Phong's model is `ks (r.l)^h = ks (1 - d.d / 2)^h`, where d is the difference of the mirrored ray r and of the
-//! direction l to the lamp. Where d is 0 the surface mirrors the lamp. About that place d is linear in the pixels x to the right
+//! direction l to the light. Where d is 0 the surface mirrors the light. About that place d is linear in the pixels x to the right
 //! and y below, so the lobe is `ks e^-u` with `u = a x^2 + 2 b x y + c y^2`. Grooves, which make a lobe wider, are left out.
 
 use super::Coverage;
@@ -18,7 +18,7 @@ use crate::scene::{MAX_BLOCKS, MAX_LIGHTS, MAX_PLANES, MAX_SPHERES};
 use core::array;
 use glam::{Mat3A, Vec2, Vec3A, Vec4, Vec4Swizzles};
 
-/// The most highlights: a lamp leaves one on a sphere and on a plane, and three on a box or a cylinder.
+/// The most highlights: a light leaves one on a sphere and on a plane, and three on a box or a cylinder.
 pub(super) const MAX_HIGHLIGHTS: usize = MAX_LIGHTS * (MAX_SPHERES + 3 * MAX_BLOCKS + MAX_PLANES);
 
 /// The side of the largest squares of the named qualities, in pixels.
@@ -133,24 +133,24 @@ impl Coverage {
             }
             // Beyond the object's own bounds no corner shows it.
             let bounds = self.objects[i].screen.in_pixels(&self.axes);
-            // The highlights of several lamps may add up.
-            let visible = VISIBLE / pixels(world.lamps().len());
+            // The highlights of several lights may add up.
+            let visible = VISIBLE / pixels(world.lights().len());
             let tint = Vec3A::ONE.lerp(material.colour.into(), material.metallic);
-            for lamp in world.lamps() {
-                let colour = tint * lamp.colour * (material.ks * world.weight * 255.0);
+            for light in world.lights() {
+                let colour = tint * light.colour * (material.ks * world.weight * 255.0);
                 let strength = colour.max_element();
                 if strength <= visible {
                     continue;
                 }
-                let [eye, lamp] = [world.eye, lamp.position].map(|point| point - centre);
-                Mirror::each(&object, eye, lamp, |mut place| {
+                let [eye, light] = [world.eye, light.position].map(|point| point - centre);
+                Mirror::each(&object, eye, light, |mut place| {
                     // If the centre is off the block, use the nearest surface point.
                     if let Object::Block(block) = object {
                         let (axes, half) = (Mat3A::from(block.axes), Vec3A::from(block.half));
                         place.p = axes * (axes.transpose() * place.p).clamp(-half, half);
                     }
                     let half_exponent = 0.5 * material.exponent;
-                    let Some(seen) = place.seen(&self.axes, eye, lamp, half_exponent) else {
+                    let Some(seen) = place.seen(&self.axes, eye, light, half_exponent) else {
                         return;
                     };
                     let highlight = Highlight {
@@ -178,18 +178,18 @@ impl Highlight {
 }
 
 impl Mirror {
-    /// Returns the highlight at this place, in a picture with some axes; `eye` and `lamp` are from the object's centre, too. `None` if
-    /// the eye or the lamp does not see the place.
-    fn seen(&self, axes: &Axes, eye: Vec3A, lamp: Vec3A, half_exponent: f32) -> Option<Highlight> {
+    /// Returns the highlight at this place, in a picture with some axes; `eye` and `light` are from the object's centre, too. `None` if
+    /// the eye or the light does not see the place.
+    fn seen(&self, axes: &Axes, eye: Vec3A, light: Vec3A, half_exponent: f32) -> Option<Highlight> {
         let &Self {
             p,
             n,
             curvature,
             axis,
         } = self;
-        let (way, to_lamp) = (p - eye, lamp - p);
-        let (distance, lamp_distance) = (way.length(), to_lamp.length());
-        let (d, l) = (way / distance, to_lamp / lamp_distance);
+        let (way, to_light) = (p - eye, light - p);
+        let (distance, light_distance) = (way.length(), to_light.length());
+        let (d, l) = (way / distance, to_light / light_distance);
         let [x, y, depth] = axes.rows.map(|row| row.dot(way));
         let facing = -d.dot(n);
         let is_seen = depth.min(facing).min(l.dot(n)) > 0.0;
@@ -202,7 +202,7 @@ impl Mirror {
             let turned = (step - axis * step.dot(axis)) * curvature;
             let ray = (step - d * d.dot(step)) / distance;
             let mirrored = ray - (n * (ray.dot(n) + d.dot(turned)) - turned * facing) * 2.0;
-            mirrored + (step - l * l.dot(step)) / lamp_distance
+            mirrored + (step - l * l.dot(step)) / light_distance
         });
         let scale = COUNTED_DECAY * half_exponent;
         let [a, b, c] =

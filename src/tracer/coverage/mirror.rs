@@ -1,14 +1,14 @@
-//! The places at which objects mirror a lamp to the eye.
+//! The places at which objects mirror a light to the eye.
 
 use crate::prepare::Object;
 use crate::scene::{Block, Shape};
 use glam::Vec3A;
 
-/// Newton's steps to where a curved surface mirrors a lamp. Two are enough far from it; the others are for eyes and lamps that are
+/// Newton's steps to where a curved surface mirrors a light. Two are enough far from it; the others are for eyes and lights that are
 /// near.
 const NEWTON_STEPS: usize = 8;
 
-/// A place of a surface that mirrors a lamp to the eye, from the object's centre.
+/// A place of a surface that mirrors a light to the eye, from the object's centre.
 pub(super) struct Mirror {
     pub p: Vec3A,
     /// The normal, of length 1.
@@ -19,24 +19,24 @@ pub(super) struct Mirror {
 }
 
 impl Mirror {
-    /// Calls `add` with each place of an object that may mirror a lamp to the eye, both given from the object's centre.
-    pub fn each(object: &Object<'_>, eye: Vec3A, lamp: Vec3A, mut add: impl FnMut(Self)) {
+    /// Calls `add` with each place of an object that may mirror a light to the eye, both given from the object's centre.
+    pub fn each(object: &Object<'_>, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         match object {
-            Object::Sphere(sphere) => add(Self::round(eye, lamp, Vec3A::ZERO, sphere.radius)),
-            Object::Plane(_) => add(Self::flat(eye, lamp, Vec3A::Y, 0.0)),
+            Object::Sphere(sphere) => add(Self::round(eye, light, Vec3A::ZERO, sphere.radius)),
+            Object::Plane(_) => add(Self::flat(eye, light, Vec3A::Y, 0.0)),
             Object::Block(block) => match block.shape {
                 Shape::Box => {
                     for side in 0..3 {
                         let axis = block.axes.col(side).into();
-                        add(Self::flat(eye, lamp, axis, block.half[side]));
+                        add(Self::flat(eye, light, axis, block.half[side]));
                     }
                 }
                 Shape::Cylinder => {
                     let axis = block.axes.y_axis.into();
-                    add(Self::flat(eye, lamp, axis, block.half.y));
-                    add(Self::round(eye, lamp, axis, block.half.x));
+                    add(Self::flat(eye, light, axis, block.half.y));
+                    add(Self::round(eye, light, axis, block.half.x));
                 }
-                Shape::Capsule => Self::on_capsule(block, eye, lamp, add),
+                Shape::Capsule => Self::on_capsule(block, eye, light, add),
             },
             Object::Light(_) | Object::Background => {}
         }
@@ -44,15 +44,15 @@ impl Mirror {
 
     /// Calls `add` with the places of a capsule: on a ball, and where the side is nearest to the place that would, since a highlight
     /// goes on beyond the joint of two shapes.
-    fn on_capsule(block: &Block, eye: Vec3A, lamp: Vec3A, mut add: impl FnMut(Self)) {
+    fn on_capsule(block: &Block, eye: Vec3A, light: Vec3A, mut add: impl FnMut(Self)) {
         let (axis, half) = (Vec3A::from(block.axes.y_axis), block.half);
-        let mut side = Self::round(eye, lamp, axis, half.x);
+        let mut side = Self::round(eye, light, axis, half.x);
         let height = side.p.dot(axis);
         let end = half.y - half.x;
         let past = height - height.min(end).max(-end);
         if past != 0.0 {
             let centre = axis * end.copysign(height);
-            let mut ball = Self::round(eye - centre, lamp - centre, Vec3A::ZERO, half.x);
+            let mut ball = Self::round(eye - centre, light - centre, Vec3A::ZERO, half.x);
             ball.p += centre;
             add(ball);
             side.p -= axis * past;
@@ -62,16 +62,16 @@ impl Mirror {
 
     /// Returns the place on a sphere, without an axis, or on a cylinder about one, of length 1.
     ///
-    /// Across the axis the normal halves the angle between the directions to the eye and the lamp. Unrolled, the way from the one
+    /// Across the axis the normal halves the angle between the directions to the eye and the light. Unrolled, the way from the one
     /// to the other is straight, which gives the height.
     #[inline(never)]
-    fn round(eye: Vec3A, lamp: Vec3A, axis: Vec3A, radius: f32) -> Self {
-        let heights = [eye, lamp].map(|point| point.dot(axis));
-        let [eye, lamp] = [eye - axis * heights[0], lamp - axis * heights[1]];
-        let mut n = (eye.normalize() + lamp.normalize()).normalize();
+    fn round(eye: Vec3A, light: Vec3A, axis: Vec3A, radius: f32) -> Self {
+        let heights = [eye, light].map(|point| point.dot(axis));
+        let [eye, light] = [eye - axis * heights[0], light - axis * heights[1]];
+        let mut n = (eye.normalize() + light.normalize()).normalize();
         let mut height = 0.0;
         for _ in 0..NEWTON_STEPS {
-            let [near, far] = [eye, lamp].map(|point| point - n * radius);
+            let [near, far] = [eye, light].map(|point| point - n * radius);
             let [a, b] = [near, far].map(|way| 1.0 / way.length());
             height = (heights[0] * a + heights[1] * b) / (a + b);
             let half = near * a + far * b;
@@ -89,10 +89,10 @@ impl Mirror {
     }
 
     /// Returns the place on the side towards the eye of two at the distance `half` from the centre, with the normals `axis` and `-axis`.
-    fn flat(eye: Vec3A, lamp: Vec3A, axis: Vec3A, half: f32) -> Self {
+    fn flat(eye: Vec3A, light: Vec3A, axis: Vec3A, half: f32) -> Self {
         let n = axis * 1.0_f32.copysign(eye.dot(axis));
-        let [above, lamp_above] = [eye, lamp].map(|point| point.dot(n) - half);
-        let way = eye.lerp(lamp, above / (above + lamp_above));
+        let [above, light_above] = [eye, light].map(|point| point.dot(n) - half);
+        let way = eye.lerp(light, above / (above + light_above));
         Self {
             p: way + n * (half - way.dot(n)),
             n,

@@ -10,10 +10,10 @@
 //! | --- | --- | --- | --- |
 //! | object | the cone of rays from the eye that meet it | a corner shows it (all, if it is thin), or all corners show one occluder | `object` |
 //! | image | the same from the eye's mirror image | no corner shows the plane, or one of those that do is inside of the bound (all, if it is thin) | `image` |
-//! | shadow | the cone of rays from the lamp, as the eye sees it on the plane | the same | `shadow` |
+//! | shadow | the cone of rays from the light, as the eye sees it on the plane | the same | `shadow` |
 //! | highlight | the ellipse of a Gaussian | it is not visibly brighter anywhere than at the corners that show the object | `highlight` |
 //!
-//! `guard` goes through the bounds that meet a tile, level by level. `view` bounds spheres seen from the eye or a lamp, `sides` bounds
+//! `guard` goes through the bounds that meet a tile, level by level. `view` bounds spheres seen from the eye or a light, `sides` bounds
 //! blocks and planes, and tests points and rectangles of the picture against all these bounds, `screen` has rectangles around them, and
 //! `mirror` finds the places where highlights are.
 //!
@@ -23,16 +23,16 @@
 //! square with p, so a square with p is filled only where one of its corners that are pixels shows the object, or where all corners
 //! show an occluder that covers the square. Averaged points count as showing what both their ends show.
 //!
-//! The same holds for the shadows that spheres throw on planes by the light of lamps that are points. A square that shows the plane at a
+//! The same holds for the shadows that spheres throw on planes by the light of lights that are points. A square that shows the plane at a
 //! corner, and may show a shadow, is filled only where one of its corners lies in the shadow on the plane, or where all lie in another
-//! one by the same lamp ([`rounding`](crate::rounding) derives why errors spoil neither). That corner is dark. It may be as dark
+//! one by the same light ([`rounding`](crate::rounding) derives why errors spoil neither). That corner is dark. It may be as dark
 //! without the shadow: see [`limits`](crate::limits).
 //!
-//! Shadows of blocks on planes, and by all other lamps, are looked for in the same way, but not as exactly: a capsule counts as the
-//! cylinder around it, a cylinder that is seen from above as the box, and a lamp with a size as its middle. A spotlight counts where it
+//! Shadows of blocks on planes, and by all other lights, are looked for in the same way, but not as exactly: a capsule counts as the
+//! cylinder around it, a cylinder that is seen from above as the box, and an area light as its middle. A spotlight counts where it
 //! does not shine, too. So few of them are missed.
 //!
-//! Slits of light between two shadows by one lamp are looked for as well: a square is left open if two of the shadows hold some of its
+//! Slits of light between two shadows by one light are looked for as well: a square is left open if two of the shadows hold some of its
 //! corners each, and none holds all. Corners that are all dark would fill it otherwise, and the slit would come and go from frame to
 //! frame.
 //!
@@ -42,7 +42,7 @@
 //! it. Images in a first plane with waves (see [`Scene::water`](crate::scene::Scene::water)) have no outlines: they can be missed as in
 //! any other mirror.
 //!
-//! Highlights in the eye's own sight are guarded by what they look like. About the place where a lamp is mirrored, Phong's lobe is a
+//! Highlights in the eye's own sight are guarded by what they look like. About the place where a light is mirrored, Phong's lobe is a
 //! Gaussian of the picture. A square that shows the object is left open if the lobe is visibly brighter anywhere in it than at the
 //! corners that show the object. That is no proof: the lobe is only nearly a Gaussian, and such a corner may be in shadow or on another
 //! face. Of thousands of highlights of five pixels or more that show their middles none was missed, and few parts of others
@@ -98,11 +98,11 @@ enum Outline {
     Object(ObjectId),
     /// The image of a solid or a light in the first plane.
     Image(ObjectId),
-    /// The shadow of a solid on a plane by a lamp, by their numbers.
+    /// The shadow of a solid on a plane by a light, by their numbers.
     Shadow {
         object: ObjectId,
         plane: u8,
-        lamp: u8,
+        light: u8,
     },
 }
 
@@ -116,7 +116,7 @@ pub(crate) struct Coverage {
     eye: View,
     /// The eye's mirror image in the first plane.
     image: View,
-    /// The lamps, as each plane shows their light.
+    /// The lights, as each plane shows their light.
     shadows: [[View; MAX_LIGHTS]; MAX_PLANES],
     highlights: List<Highlight, MAX_HIGHLIGHTS>,
     /// All outlines that may meet the picture, and a rectangle around each.
@@ -177,10 +177,10 @@ impl Coverage {
             Outline::Shadow {
                 object,
                 plane,
-                lamp,
+                light,
             } => {
                 let plane = usize::from(plane);
-                let view = &self.shadows[plane][usize::from(lamp)];
+                let view = &self.shadows[plane][usize::from(light)];
                 (object, view, Some((plane, view.from)))
             }
         };
@@ -202,7 +202,7 @@ impl Coverage {
     }
 
     /// Returns how far an object reaches towards the viewer from a plane that may show its shadow or its image, least and most, and a
-    /// bound on rounding more. The viewer is the shadow's lamp or, of an image, the eye.
+    /// bound on rounding more. The viewer is the shadow's light or, of an image, the eye.
     fn heights(&self, id: ObjectId, plane: &Plane, viewer: Vec3A) -> [f32; 2] {
         let object = &self.objects[id.index()];
         let (error, [least, most]) = (object.hit_error(), object.above(plane.centre.y));

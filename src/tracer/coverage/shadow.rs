@@ -1,23 +1,23 @@
 //! The shadows of solids on planes, as cones in the picture.
 //!
-//! A lamp with a size casts the shadows of its middle here, which lie in the penumbra, somewhere.
+//! A area light casts the shadows of its middle here, which lie in the penumbra, somewhere.
 
 use super::view::View;
 use super::{Coverage, Outline};
-use crate::prepare::{Lamp, World};
-use crate::rounding::{CORNER_BY_LAMP, LEAST_HEIGHT, USUAL};
+use crate::prepare::{PreparedLight, World};
+use crate::rounding::{CORNER_BY_LIGHT, LEAST_HEIGHT, USUAL};
 use crate::scene::Plane;
 use glam::Vec3A;
 
 impl View {
-    /// Returns the view of a lamp whose light a plane shows to an eye with some axes. The normals are zeros where rounding might turn
+    /// Returns the view of a light whose light a plane shows to an eye with some axes. The normals are zeros where rounding might turn
     /// them by more than bounds allow for.
     ///
-    /// They are linear in the eye's. With H and L the heights of the eye and the lamp, and w the lamp's ray for the eye's ray d
-    /// (see `sides`), `n . d H L = (n L - y (n . (lamp - eye))) . w`.
-    fn lamp(lamp: &Lamp, plane: &Plane, eye: Vec3A, axes: &[Vec3A; 3]) -> Self {
+    /// They are linear in the eye's. With H and L the heights of the eye and the light, and w the light's ray for the eye's ray d
+    /// (see `sides`), `n . d H L = (n L - y (n . (light - eye))) . w`.
+    fn light(light: &PreparedLight, plane: &Plane, eye: Vec3A, axes: &[Vec3A; 3]) -> Self {
         let height = eye.y - plane.centre.y;
-        let mut by = (lamp.position - eye).extend(height);
+        let mut by = (light.position - eye).extend(height);
         // Scaled so that all terms are below 2, with the sign that makes them point towards the plane.
         by *= (1.0 / by.length()).copysign(height);
         let (to, height) = (Vec3A::from_vec4(by), by.w);
@@ -25,41 +25,41 @@ impl View {
         let is_sure = height.min(above) > LEAST_HEIGHT;
         let normal = |axis: Vec3A| axis * above - Vec3A::Y * axis.dot(to);
         Self {
-            from: lamp.position,
+            from: light.position,
             rays: axes.map(|ray| ray * height + to * ray.y),
             normals: if is_sure {
                 axes.map(normal)
             } else {
                 [Vec3A::ZERO; 3]
             },
-            corner: CORNER_BY_LAMP,
-            rounding: if lamp.is_point { 1.0 } else { USUAL },
+            corner: CORNER_BY_LIGHT,
+            rounding: if light.is_point { 1.0 } else { USUAL },
         }
     }
 }
 
 impl Coverage {
-    /// Sets the bounds of the shadow of each solid on each plane by each lamp, after the objects.
+    /// Sets the bounds of the shadow of each solid on each plane by each light, after the objects.
     pub(super) fn set_shadows(&mut self, world: World<'_>) {
         for (plane, rectangle) in world.planes().iter().enumerate() {
-            for (number, lamp) in world.lamps().iter().enumerate() {
-                let view = View::lamp(lamp, rectangle, world.eye, &self.axes.rows);
+            for (number, light) in world.lights().iter().enumerate() {
+                let view = View::light(light, rectangle, world.eye, &self.axes.rows);
                 self.shadows[plane][number] = view;
                 for (_, node) in world.tree.solids() {
-                    // A sphere around the lamp casts no shadow, nor does a solid beyond the plane.
-                    let to = node.centre - lamp.position;
+                    // A sphere around the light casts no shadow, nor does a solid beyond the plane.
+                    let to = node.centre - light.position;
                     let is_outside = node.is_block || to.length_squared() > node.r2;
-                    let [_, most] = self.heights(node.object, rectangle, lamp.position);
+                    let [_, most] = self.heights(node.object, rectangle, light.position);
                     if is_outside && most >= 0.0 {
                         let shadow = Outline::Shadow {
                             object: node.object,
                             plane: plane as u8,
-                            lamp: number as u8,
+                            light: number as u8,
                         };
                         // The plane shows it enlarged, and the eye sees that from a height.
-                        let height = lamp.position.y - rectangle.centre.y;
+                        let height = light.position.y - rectangle.centre.y;
                         let scale = -height / to.y;
-                        let at = lamp.position + to * scale;
+                        let at = light.position + to * scale;
                         let far = self.eye.reach(at, node.radius * scale);
                         let steep = (world.eye.y - rectangle.centre.y).abs() / far;
                         let thickness = self.objects[node.object.index()].thickness;

@@ -1,9 +1,9 @@
 //! The rays that meet a sphere, a block or a plane, as a convex part of the picture.
 //!
 //! A sphere is met by the rays w with `sin (a . w) >= cos |a x w|`, a the axis of its bounding cone. Seen from the eye, w is the
-//! picture's own ray (u, v, 1). A lamp's ray to the point where the eye's ray d meets a plane, which is H below the eye, is a linear
-//! image of d but for its length, `w = H d - (eye - lamp) d.y`: so a shadow is a cone as well. A block and a plane are met by the
-//! rays on the inner side of planes through the eye or the lamp.
+//! picture's own ray (u, v, 1). A light's ray to the point where the eye's ray d meets a plane, which is H below the eye, is a linear
+//! image of d but for its length, `w = H d - (eye - light) d.y`: so a shadow is a cone as well. A block and a plane are met by the
+//! rays on the inner side of planes through the eye or the light.
 //!
 //! The difference of both sides of the inequality is a concave function of u and v, nowhere above its tangent plane, which
 //! is greatest at a corner of a square of the picture. So a square is outside if a tangent plane in its middle is below 0 at
@@ -28,7 +28,7 @@ const TANGENTS: usize = 3;
 /// Four linear functions of u and v, one in each lane: the change for a step along u, for one along v, and the value at (0, 0).
 pub(super) type Terms = [Vec4; 3];
 
-/// The rays from the eye or a lamp that meet an object.
+/// The rays from the eye or a light that meet an object.
 #[derive(Clone, Copy)]
 pub(super) enum Sides {
     /// All rays: their origin is inside of the object, or nearly. None is sure to meet it.
@@ -48,7 +48,7 @@ pub(super) enum Sides {
 }
 
 impl Sides {
-    /// Returns the rays between the planes through the eye or a lamp and an edge of a block that have all of the block on one side:
+    /// Returns the rays between the planes through the eye or a light and an edge of a block that have all of the block on one side:
     /// two for each of its axes, at most. They leave room for `corner`, see [`CORNER`](crate::rounding::CORNER). `to` is the block's
     /// centre.
     #[inline(never)]
@@ -63,7 +63,7 @@ impl Sides {
             let [x, y] = silhouette.ends(way);
             let scale = Vec3A::select(has_none, Vec3A::ZERO, way / (x.abs() + y.abs()));
             // The root of 3 is for the length of rays, and those of 2 because the scale has a sum for the distance of an edge, and
-            // because a lamp's rays are longer than the eye's.
+            // because a light's rays are longer than the eye's.
             unsure = unsure.max(3.5 * slack * scale.abs().max_element());
             let mut terms = rays.map(|ray| {
                 let ray = inward * ray;

@@ -42,7 +42,7 @@ fn block() -> impl Strategy<Value = Block> {
         })
 }
 
-/// A sphere and a block above a floor, a lamp higher up, some of them far away, and a camera anywhere above the floor.
+/// A sphere and a block above a floor, a light higher up, some of them far away, and a camera anywhere above the floor.
 fn scene() -> impl Strategy<Value = Scene> {
     (
         vector(8.0, 0.3..8.0),
@@ -52,13 +52,13 @@ fn scene() -> impl Strategy<Value = Scene> {
         (vector(6.0, 4.5..9.0), 1.0_f32..8.0),
     )
         .prop_map(
-            |(eye, look_at, (centre, radius), block, (lamp, far))| Scene {
+            |(eye, look_at, (centre, radius), block, (light, far))| Scene {
                 camera: Camera::new(eye, look_at, 1.0),
                 spheres: List::of(&[Sphere::new(centre, radius, Material::BLACK)]),
                 blocks: List::of(&[block]),
                 planes: List::of(&[Plane::new(Vec3::ZERO, 1e3, 1e3, Material::BLACK)]),
                 lights: List::of(&[Light {
-                    position: lamp * Vec3::new(far, 1.0, far),
+                    position: light * Vec3::new(far, 1.0, far),
                     ..Light::DARK
                 }]),
                 ..Scene::default()
@@ -140,7 +140,7 @@ proptest! {
         let bounds = Bounds::of(&scene);
         let axes = &bounds.coverage.axes;
         let (sphere, block) = (&scene.spheres[0], &scene.blocks[0]);
-        let lamp = scene.lights[0].position.as_dvec3();
+        let light = scene.lights[0].position.as_dvec3();
         for (x, y, z) in ways {
             let way = DVec3::new(x, y, z);
             let in_sphere = way.clamp_length_max(0.999) * f64::from(sphere.radius);
@@ -150,7 +150,7 @@ proptest! {
                     let is_asked = |outline| matches!(outline, Outline::Object(id) if id.index() == solid);
                     prop_assert!(bounds.have(&scene, place, is_asked));
                 }
-                let below = lamp + (point - lamp) * (lamp.y / (lamp.y - point.y));
+                let below = light + (point - light) * (light.y / (light.y - point.y));
                 if let Some(place) = seen(axes, scene.camera.eye, below) {
                     prop_assert!(bounds.have_shadow(&scene, place, solid), "{solid}, {place:?}");
                 }

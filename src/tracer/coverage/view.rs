@@ -1,4 +1,4 @@
-//! Points of view: the eye, its mirror image, and lamps; and the bounding cones of spheres seen from there.
+//! Points of view: the eye, its mirror image, and lights; and the bounding cones of spheres seen from there.
 
 use super::screen::ScreenBounds;
 use super::sides::{Sides, Terms};

@@ -1,7 +1,7 @@
 //! Computes, once per frame, everything that does not change from ray to ray.
 
 mod film;
-mod lamp;
+mod light;
 mod object;
 mod surface;
 mod tree;
@@ -9,7 +9,7 @@ mod tree;
 #[cfg(test)]
 pub(crate) use film::ROUND;
 pub(crate) use film::{Dither, Film, Four};
-pub(crate) use lamp::{Lamp, ShadowCone, SpotCone};
+pub(crate) use light::{PreparedLight, ShadowCone, SpotCone};
 pub(crate) use object::{Object, ObjectId, is_crowd};
 pub(crate) use surface::{Parameter, PerLane, SURFACE_NUMBERS, SurfaceNumbers, SurfaceTable};
 pub(crate) use tree::{BvhNode, GroupSet, MAX_GROUPS, Tree, VisibleGroups};
@@ -67,8 +67,8 @@ pub(crate) struct Prepared {
     pub tree: Tree,
     /// The number of spheres and blocks.
     pub solids: usize,
-    lamps: [Lamp; MAX_LIGHTS],
-    pub lamp_count: usize,
+    lights: [PreparedLight; MAX_LIGHTS],
+    pub light_count: usize,
     pub plane_count: usize,
     pub surfaces: [SurfaceNumbers; MAX_OBJECTS],
     /// See [`object::glitters`].
@@ -94,8 +94,8 @@ impl Prepared {
             pixel: 0.0,
             tree: Tree::ZERO,
             solids: 0,
-            lamps: [const { Lamp::ZERO }; MAX_LIGHTS],
-            lamp_count: 0,
+            lights: [const { PreparedLight::ZERO }; MAX_LIGHTS],
+            light_count: 0,
             plane_count: 0,
             surfaces: [[0.0; SURFACE_NUMBERS]; MAX_OBJECTS],
             glitters: [false; MAX_OBJECTS],
@@ -105,14 +105,14 @@ impl Prepared {
         }
     }
 
-    /// The lamps.
-    pub fn lamps(&self) -> &[Lamp] {
-        &self.lamps[..self.lamp_count]
+    /// The lights.
+    pub fn lights(&self) -> &[PreparedLight] {
+        &self.lights[..self.light_count]
     }
 
     /// The object number of the first plane.
     pub fn first_plane(&self) -> usize {
-        self.solids + self.lamp_count
+        self.solids + self.light_count
     }
 
     /// The object number of the background.
@@ -139,7 +139,7 @@ impl Prepared {
         *corner += *dx * offset.x + *dy * offset.y;
         self.solids = scene.solids();
         self.weight = scene.exposure;
-        self.lamp_count = scene.lights.len();
+        self.light_count = scene.lights.len();
         self.plane_count = scene.planes.len();
         self.tree.set(scene);
         self.has_patterns = false;
@@ -151,8 +151,8 @@ impl Prepared {
             self.glitters[i] = object::glitters(scene, &object, material);
             self.surfaces[i] = surface::surface(&object, material, scene);
         }
-        for (lamp, light) in self.lamps.iter_mut().zip(scene.lights.iter()) {
-            lamp.set(light, self.tree.solid_nodes(), scene.spheres.len());
+        for (prepared, light) in self.lights.iter_mut().zip(scene.lights.iter()) {
+            prepared.set(light, self.tree.solid_nodes(), scene.spheres.len());
         }
         World {
             scene,

@@ -1,6 +1,6 @@
 //! Why a frame can't be rendered.
 
-use crate::flaw::Flaw;
+use crate::range_error::RangeError;
 use crate::{MAX_HEIGHT, MAX_WIDTH};
 use core::fmt;
 
@@ -30,12 +30,12 @@ pub enum Error {
         given: usize,
     },
     /// A number of the scene or the quality is out of its range.
-    Flaw(Flaw),
+    Range(RangeError),
 }
 
-impl From<Flaw> for Error {
-    fn from(flaw: Flaw) -> Self {
-        Self::Flaw(flaw)
+impl From<RangeError> for Error {
+    fn from(error: RangeError) -> Self {
+        Self::Range(error)
     }
 }
 
@@ -56,7 +56,7 @@ impl fmt::Display for Error {
                     "a frame of this size takes {needed} pixels, and there are {given}"
                 )
             }
-            Self::Flaw(flaw) => flaw.fmt(f),
+            Self::Range(error) => error.fmt(f),
         }
     }
 }
@@ -64,7 +64,7 @@ impl fmt::Display for Error {
 impl core::error::Error for Error {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Flaw(flaw) => Some(flaw),
+            Self::Range(error) => Some(error),
             Self::Size { .. } | Self::Stride { .. } | Self::Pixels { .. } => None,
         }
     }

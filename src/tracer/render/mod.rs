@@ -81,10 +81,10 @@ impl Frame<'_> {
 ///
 /// # let material = Material { colour: Vec3::ONE, kd: 0.8, ..Material::BLACK };
 /// # let sphere = |x| Sphere { centre: vec3(x, 0.0, 0.0), radius: 0.3, material };
-/// # let lamp = Light { position: vec3(-2.0, 3.0, 2.0), colour: Vec3::ONE, ..Light::DARK };
+/// # let light = Light { position: vec3(-2.0, 3.0, 2.0), colour: Vec3::ONE, ..Light::DARK };
 /// let mut scene = Scene {
 ///     spheres: List::of(&[-0.4, 0.0, 0.4].map(sphere)),
-///     lights: List::of(&[lamp]),
+///     lights: List::of(&[light]),
 ///     ..Scene::default()
 /// };
 /// let mut pixels = [0; 160 * 120];

@@ -2,7 +2,7 @@
 
 use super::validate::{EXTENT, POINT, is_unit};
 use super::{Material, Shape};
-use crate::flaw::{Checked, Flaw};
+use crate::range_error::{Checked, RangeError};
 use glam::{Mat3, Vec3};
 
 /// A box, a cylinder with flat ends, or a capsule, whose ends are half spheres. If its material is transparent, rays enter and leave
@@ -50,7 +50,7 @@ impl Block {
         }
     }
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         let round = "the same along x and z if it is round, and as much along y of a capsule";
         of.field("centre", self.centre, POINT)?;
         of.field("half", self.half, EXTENT)?;

@@ -1,8 +1,8 @@
 //! The pinhole camera.
 
 use super::validate::POINT;
-use crate::flaw::{Checked, Flaw, Range};
 use crate::maths::{cos, sin};
+use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::{FRAC_PI_4, PI};
 use glam::{Vec3, Vec3A};
 
@@ -68,7 +68,7 @@ impl Camera {
         (self.look_at - self.eye).normalize_or_zero()
     }
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         let forward = self.forward();
         let has_view = forward != Vec3::ZERO;
         // Within a thousandth of the line of sight, rounding decides where the picture's sides are.

@@ -1,7 +1,7 @@
 //! How light becomes the picture's colours.
 
 use super::validate::SHARE;
-use crate::flaw::{Checked, Flaw};
+use crate::range_error::{Checked, RangeError};
 
 /// The treatment of the light that reaches the picture, before it is cut to 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +40,7 @@ impl Film {
         tolerance: 1.0,
     };
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("shoulder", self.shoulder, SHARE)?;
         of.field("vignette", self.vignette, SHARE)?;
         of.field("dither", self.dither, SHARE)?;

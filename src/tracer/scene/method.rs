@@ -1,7 +1,7 @@
 //! Explanation of the rendering method: an overlay, and a picture that has not been refined to its end.
 
 use super::validate::SHARE;
-use crate::flaw::{Checked, Flaw, Range};
+use crate::range_error::{Checked, Range, RangeError};
 
 /// How brightly a frame shows the points that were traced, the squares that were filled, and the picture itself, 0 to 1 each;
 /// and how coarse the picture stays.
@@ -40,7 +40,7 @@ impl Method {
         front: 0.0,
     };
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("points", self.points, SHARE)?;
         of.field("squares", self.squares, SHARE)?;
         of.field("picture", self.picture, SHARE)?;

@@ -26,7 +26,7 @@ pub use pattern::Pattern;
 pub use validate::{MAX_LENGTH, MIN_LENGTH};
 pub use waves::Waves;
 
-use crate::flaw::{Checked, Flaw, Range};
+use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::PI;
 use glam::{Mat3, Vec3, Vec3A};
 use validate::{EXTENT, LENGTH, POINT, SHARE};
@@ -274,7 +274,7 @@ impl Material {
         self.kr + self.fresnel + self.kt > 0.0
     }
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("material.colour", self.colour, LENGTH)?;
         of.field("material.kd", self.kd, SHARE)?;
         of.field("material.ks", self.ks, SHARE)?;
@@ -296,7 +296,7 @@ impl Material {
 
 /// A sphere.
 ///
-/// As far as shadows are concerned it is hollow: a lamp that lies wholly within lights its inside, and nothing outside but by the
+/// As far as shadows are concerned it is hollow: a light that lies wholly within lights its inside, and nothing outside but by the
 /// material's `tint` (see [`Light::diameter`]).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -321,7 +321,7 @@ impl Sphere {
         }
     }
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("centre", self.centre, POINT)?;
         of.field("radius", self.radius, EXTENT)?;
         self.material.check(of)
@@ -355,7 +355,7 @@ impl Plane {
         }
     }
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("centre", self.centre, POINT)?;
         of.field("half_x", self.half_x, EXTENT)?;
         of.field("half_z", self.half_z, EXTENT)?;
@@ -405,7 +405,7 @@ pub struct Light {
     pub spot: Option<Spot>,
 }
 
-/// A white lamp above the left of the default camera.
+/// A white light above the left of the default camera.
 impl Default for Light {
     fn default() -> Self {
         Self::new(Vec3::new(-2.0, 3.0, 2.0), Vec3::ONE)
@@ -491,7 +491,7 @@ impl Light {
         self.diameter == 0.0 && !self.parallel && self.spot.is_none()
     }
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         let is_drawable = self.drawn_radius == 0.0 || EXTENT.holds(self.drawn_radius);
         of.field("position", self.position, POINT)?;
         of.field("colour", self.colour, LENGTH)?;
@@ -541,7 +541,7 @@ impl Spot {
         }
     }
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         let is_aimed = self.aim.normalize_or_zero() != Vec3::ZERO;
         let is_narrower = 0.0 <= self.inner_angle && self.inner_angle < self.outer_angle;
         let angle = Range(0.0, PI, "0 to pi");

@@ -2,7 +2,7 @@
 
 use super::validate::SHARE;
 use super::{List, MAX_LETTERS};
-use crate::flaw::{Checked, Flaw};
+use crate::range_error::{Checked, RangeError};
 use glam::Vec3;
 
 /// A line of text, centred in the picture's width.
@@ -50,7 +50,7 @@ impl Caption {
         brightness: 0.0,
     };
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("middle", self.middle, SHARE)?;
         of.field("size", self.size, SHARE)?;
         of.field("brightness", self.brightness, SHARE)
@@ -91,7 +91,7 @@ impl CopperBar {
         brightness: 0.0,
     };
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("middle", self.middle, SHARE)?;
         of.field("height", self.height, SHARE)?;
         of.field("colour", self.colour, SHARE)?;

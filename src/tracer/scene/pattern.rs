@@ -1,7 +1,7 @@
 //! Procedural textures: stripes, checkers and marble.
 
 use super::validate::{SHARE, SIGNED, THOUSAND};
-use crate::flaw::{Checked, Flaw};
+use crate::range_error::{Checked, RangeError};
 use glam::Vec3;
 
 /// A procedural texture that darkens the colour of a surface.
@@ -60,7 +60,7 @@ impl Pattern {
         grain: 0.0,
     };
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         of.field("material.pattern.waves", self.waves, THOUSAND)?;
         of.field("material.pattern.depth", self.depth, SHARE)?;
         of.field("material.pattern.edge", self.edge, THOUSAND)?;

@@ -1,7 +1,7 @@
 //! The ranges of a scene's numbers.
 
 use super::{Block, Caption, CopperBar, Light, Plane, Scene, Sphere};
-use crate::flaw::{Checked, Flaw, Range};
+use crate::range_error::{Checked, Range, RangeError};
 use glam::Vec3;
 
 /// The largest coordinate and the largest extent, in scene units: their squares, times a few, stay finite in f32.
@@ -26,8 +26,8 @@ pub(super) fn is_unit(v: Vec3) -> bool {
 fn each<T>(
     object: &'static str,
     items: &[T],
-    check: fn(&T, Checked) -> Result<(), Flaw>,
-) -> Result<(), Flaw> {
+    check: fn(&T, Checked) -> Result<(), RangeError>,
+) -> Result<(), RangeError> {
     let mut items = items.iter().enumerate();
     items.try_for_each(|(i, item)| {
         let index = Some(i);
@@ -42,7 +42,7 @@ impl Scene {
     ///
     /// # Errors
     /// The first number that is out of its range, by the name that it has in a program.
-    pub fn validate(&self) -> Result<(), Flaw> {
+    pub fn validate(&self) -> Result<(), RangeError> {
         let zenith = self.background + self.sky;
         let sky = "at least -background, at most 1e9 - background";
         self.camera.check(Checked::one("camera"))?;

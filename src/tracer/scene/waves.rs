@@ -1,7 +1,7 @@
 //! Waves on water.
 
 use super::validate::EXTENT;
-use crate::flaw::{Checked, Flaw, Range};
+use crate::range_error::{Checked, Range, RangeError};
 
 /// Waves on the first plane of a scene, which make water of a mirror. They tilt the normals by which light is reflected, and leave
 /// the plane where it is.
@@ -55,7 +55,7 @@ impl Waves {
         self.slope == 0.0
     }
 
-    pub(super) fn check(&self, of: Checked) -> Result<(), Flaw> {
+    pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         let has_length = EXTENT.holds(self.length) || self.are_calm() && self.length == 0.0;
         of.field("slope", self.slope, Range(0.0, 0.1, "0 to 0.1"))?;
         of.rule("length", self.length, has_length, EXTENT.2)?;

@@ -1,5 +1,5 @@
 //! Haze, sky and glow: how the light of a surface fades on its way to the ray's origin, the colour of the background, and the light
-//! of the air around lamps.
+//! of the air around lights.
 
 use super::rays::Rays;
 use super::surface::SurfaceLanes;
@@ -34,9 +34,9 @@ impl<S: Isa> AirLanes<S> {
         }
         let rise = at_least::<S>(d.y, splat(simd, 0.0));
         let gradient = rise * (rise * -1.0 + 2.0);
-        // There is none in front of lamps.
+        // There is none in front of lights.
         let density = surface
-            .is_lamp()
+            .is_light()
             .select(splat(simd, 0.0), t * (world.haze + BACKGROUND_HAZE));
         let [horizon, sky] =
             [world.scene.background, world.scene.sky].map(|colour| Vec3x::splat(simd, colour));
@@ -53,29 +53,29 @@ impl<S: Isa> AirLanes<S> {
     }
 }
 
-/// No surface is farther away, nor any lamp; the square is finite.
+/// No surface is farther away, nor any light; the square is finite.
 const FARTHEST: f32 = 1e15;
 
-/// The light of the air around lamps along rays that hit surfaces at distance `t`.
+/// The light of the air around lights along rays that hit surfaces at distance `t`.
 ///
-/// The air shines by `a^2 / 2 (r^2 + a^2)^(-3/2)` at the distance r of a lamp with a glow of radius a. The integral along a ray
-/// that passes the lamp at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))`, where
+/// The air shines by `a^2 / 2 (r^2 + a^2)^(-3/2)` at the distance r of a light with a glow of radius a. The integral along a ray
+/// that passes the light at the distance h, between x and y from there, is `a^2 / 2q (y / sqrt(q + y^2) - x / sqrt(q + x^2))`, where
 /// `q = h^2 + a^2`: of an endless ray, `a^2 / q`.
 #[inline(always)]
 pub(super) fn glow<S: Isa>(simd: S, world: World<'_>, rays: &Rays<S>, t: F<S>) -> Vec3x<S> {
     let t = at_most::<S>(t, splat(simd, FARTHEST));
-    let mut light = Vec3x::splat(simd, Vec3A::ZERO);
-    for lamp in world.lamps() {
-        if lamp.glow2 > 0.0 {
-            let to_lamp = Vec3x::splat(simd, lamp.position) - rays.o;
-            let x = -to_lamp.dot(rays.d);
-            let across = to_lamp.add_scaled(rays.d, x);
-            let q = across.dot(across) + lamp.glow2;
+    let mut glow = Vec3x::splat(simd, Vec3A::ZERO);
+    for light in world.lights() {
+        if light.glow2 > 0.0 {
+            let to_light = Vec3x::splat(simd, light.position) - rays.o;
+            let x = -to_light.dot(rays.d);
+            let across = to_light.add_scaled(rays.d, x);
+            let q = across.dot(across) + light.glow2;
             let y = t + x;
             let (x, y) = (x / (x * x + q).sqrt(), y / (y * y + q).sqrt());
-            let share = (y - x) * (0.5 * lamp.glow2) / q;
-            light = light.add_scaled(Vec3x::splat(simd, lamp.colour), share);
+            let share = (y - x) * (0.5 * light.glow2) / q;
+            glow = glow.add_scaled(Vec3x::splat(simd, light.colour), share);
         }
     }
-    light
+    glow
 }

@@ -39,11 +39,11 @@ impl Candidate {
     }
 }
 
-/// The solids that may be on a packet's way to a lamp.
+/// The solids that may be on a packet's way to a light.
 pub(super) struct Occluders {
-    /// The indices of the shadow cones that the packet meets, in the lamp's list.
+    /// The indices of the shadow cones that the packet meets, in the light's list.
     pub(super) cones: [u16; CONES],
-    /// The solids among them that may hide some of the lamp, by an exact test.
+    /// The solids among them that may hide some of the light, by an exact test.
     pub solids: Candidates,
 }
 

@@ -19,7 +19,7 @@ pub(super) struct Reflected<S: Isa> {
     pub specular: Vec3x<S>,
 }
 
-/// Ambient light, and the light of each lamp that reaches the points. The keys get each lamp's state.
+/// Ambient light, and the light of each light that reaches the points. The keys get each light's state.
 #[inline(always)]
 pub(super) fn gather<S: Isa>(
     tracer: Tracer<'_, S>,
@@ -38,8 +38,8 @@ pub(super) fn gather<S: Isa>(
     let none = M::<S>::splat(simd, false);
     let mut diffuse = Vec3x::splat(simd, Vec3A::ZERO);
     let mut specular = diffuse;
-    for lamp in world.lamps() {
-        let Some(light) = point.light_of(simd, world, lamp, occluders, counts) else {
+    for light in world.lights() {
+        let Some(light) = point.light_of(simd, world, light, occluders, counts) else {
             keys.push(none, none);
             continue;
         };
@@ -60,7 +60,7 @@ pub(super) fn gather<S: Isa>(
     }
 }
 
-/// Returns the strength of a lamp's highlight by Phong's model; `None` if there is none at any point.
+/// Returns the strength of a light's highlight by Phong's model; `None` if there is none at any point.
 #[inline(always)]
 fn highlight<S: Isa>(
     simd: S,
@@ -79,7 +79,7 @@ fn highlight<S: Isa>(
     Some(shiny.select(strength, splat(simd, 0.0)))
 }
 
-/// The cosine of the angle between the mirrored ray and the direction to a lamp, or what grooves make of it.
+/// The cosine of the angle between the mirrored ray and the direction to a light, or what grooves make of it.
 #[inline(always)]
 fn cosine<S: Isa>(simd: S, point: &ShadingPoint<S>, l: &Vec3x<S>) -> F<S> {
     let rv = point.r.dot(*l);

@@ -29,9 +29,9 @@ pub(super) struct ShadingPoint<S: Isa> {
     pub anisotropy: F<S>,
     /// The share that the texture leaves of the surface's colour, 0 to 1; with a negative sign where the texture is finer than squares.
     pub reflectance: F<S>,
-    /// The cosine of the angle between normal and lamp has to be more than this times the lamp's distance.
+    /// The cosine of the angle between normal and light has to be more than this times the light's distance.
     ///
-    /// It is 0 but for points inside of a sphere, whose far side blocks all lamps beyond it: the chord towards a lamp has the
+    /// It is 0 but for points inside of a sphere, whose far side blocks all lights beyond it: the chord towards a light has the
     /// length of twice the cosine times the radius.
     pub horizon: F<S>,
     /// Whether the ray comes from inside of the object.

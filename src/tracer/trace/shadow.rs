@@ -2,24 +2,24 @@
 
 use super::candidates::{CONES, Candidate, Occluders};
 use crate::lanes::*;
-use crate::prepare::{Lamp, ShadowCone, World};
+use crate::prepare::{PreparedLight, ShadowCone, World};
 use crate::shapes::plane;
 
-/// Rays from points towards a lamp.
+/// Rays from points towards a light.
 #[derive(Clone, Copy)]
 pub(super) struct ShadowRays<S: Isa> {
     /// Origins: the points.
     pub o: Vec3x<S>,
-    /// Directions to the lamp, of length 1.
+    /// Directions to the light, of length 1.
     pub d: Vec3x<S>,
-    /// Distances to the lamp; 0 in lanes that are not asked for.
+    /// Distances to the light; 0 in lanes that are not asked for.
     pub distance: F<S>,
     /// The [departures](super::rays::departure).
     pub departure: U<S>,
 }
 
 impl Occluders {
-    /// Finds what is between points and a lamp. Returns the rays that planes block or, if the lamp is a point, spheres. Other solids that
+    /// Finds what is between points and a light. Returns the rays that planes block or, if the light is a point, spheres. Other solids that
     /// may hide some of it are listed.
     ///
     /// A bound's shadow cone contains those of all solids below it, so skipping it loses nothing. Below a lowest bound that is met,
@@ -29,11 +29,11 @@ impl Occluders {
         &mut self,
         simd: S,
         world: World<'_>,
-        lamp: &Lamp,
+        light: &PreparedLight,
         rays: &ShadowRays<S>,
     ) -> M<S> {
         let mut blocked = M::<S>::splat(simd, false);
-        let cones = &lamp.shadow_cones[..world.tree.solid_nodes().len()];
+        let cones = &light.shadow_cones[..world.tree.solid_nodes().len()];
         let (mut i, mut count) = (0, 0);
         while let Some(bound) = cones.get(i) {
             if !rays.start_inside(simd, bound).any_true() {
@@ -42,7 +42,7 @@ impl Occluders {
             }
             i += 1;
             for cone in &cones[i..i + usize::from(bound.solids)] {
-                if cone.object < lamp.listed_from {
+                if cone.object < light.listed_from {
                     blocked |= rays.meet_sphere(simd, cone);
                 } else {
                     // No branch: which cones a packet meets cannot be predicted.
@@ -56,12 +56,12 @@ impl Occluders {
         for &index in &self.cones[..count.min(CONES)] {
             let cone = &cones[usize::from(index)];
             let shaded = rays.start_inside(simd, cone);
-            let near = shaded & !rays.are_off(simd, cone, lamp.diameter);
+            let near = shaded & !rays.are_off(simd, cone, light.diameter);
             if near.any_true() {
                 self.solids.push(Candidate::new::<S>(cone.object, near));
             }
         }
-        blocked | rays.meet_planes(simd, world, lamp)
+        blocked | rays.meet_planes(simd, world, light)
     }
 }
 
@@ -74,21 +74,21 @@ impl<S: Isa> ShadowRays<S> {
         is_near & self.distance.simd_gt(splat(simd, cone.from))
     }
 
-    /// Which rays towards a lamp of a given diameter certainly miss the box, the cylinder or the sphere of a shadow cone, and
+    /// Which rays towards a light of a given diameter certainly miss the box, the cylinder or the sphere of a shadow cone, and
     /// its penumbra; or all of the way is inside of the sphere, as in [`ShadowRays::meet_sphere`].
     #[inline(always)]
     fn are_off(&self, simd: S, cone: &ShadowCone, diameter: f32) -> M<S> {
         let &Self { d, distance, .. } = self;
         let off = d.dot(Vec3x::splat(simd, cone.side));
-        let f = Vec3x::splat(simd, cone.from_lamp);
+        let f = Vec3x::splat(simd, cone.from_light);
         let way = f.dot(d);
         let across = f.add_scaled(d, -way);
-        // Half of the penumbra lies outside of the sphere: the lamp's radius times the ratio of the distances to the sphere and
-        // to the lamp. All is multiplied by the distance, which saves a division.
+        // Half of the penumbra lies outside of the sphere: the light's radius times the ratio of the distances to the sphere and
+        // to the light. All is multiplied by the distance, which saves a division.
         let share = at_least::<S>(distance - way, splat(simd, 0.0));
         let reach = share.mul_add(splat(simd, 0.5 * diameter), distance * cone.radius);
         let across2 = across.dot(across);
-        if cone.around_lamp {
+        if cone.around_light {
             return (splat::<S>(simd, cone.r2) - across2).simd_ge(share * share);
         }
         let past = across2 * distance * distance;
@@ -99,28 +99,28 @@ impl<S: Isa> ShadowRays<S> {
     #[inline(always)]
     fn meet_sphere(&self, simd: S, cone: &ShadowCone) -> M<S> {
         let zero = splat(simd, 0.0);
-        // The distance from the lamp back along the ray to the point nearest to the sphere's centre.
-        let f = Vec3x::splat(simd, cone.from_lamp);
+        // The distance from the light back along the ray to the point nearest to the sphere's centre.
+        let f = Vec3x::splat(simd, cone.from_light);
         let way = f.dot(self.d);
         let across = f.add_scaled(self.d, -way);
         let half2 = splat(simd, cone.r2) - across.dot(across);
-        if cone.around_lamp {
-            // The chord extends by sqrt(half2) to both sides of that point. It ends between the lamp and the ray's origin.
+        if cone.around_light {
+            // The chord extends by sqrt(half2) to both sides of that point. It ends between the light and the ray's origin.
             let left = at_least::<S>(self.distance - way, zero);
             return half2.simd_lt(left * left);
         }
-        // A part of the chord lies between the lamp and the ray's origin.
+        // A part of the chord lies between the light and the ray's origin.
         let short = at_least::<S>(at_least::<S>(way - self.distance, -way), zero);
         half2.simd_gt(short * short)
     }
 
     /// Which rays a plane blocks.
     #[inline(always)]
-    fn meet_planes(&self, simd: S, world: World<'_>, lamp: &Lamp) -> M<S> {
+    fn meet_planes(&self, simd: S, world: World<'_>, light: &PreparedLight) -> M<S> {
         let mut blocked = M::<S>::splat(simd, false);
         for rectangle in world.planes() {
             let height = splat(simd, rectangle.centre.y);
-            let behind = if lamp.position.y > rectangle.centre.y {
+            let behind = if light.position.y > rectangle.centre.y {
                 self.o.y.simd_lt(height)
             } else {
                 self.o.y.simd_gt(height)

@@ -114,16 +114,16 @@ impl<'a, S: Isa> SurfaceLanes<'a, S> {
         Vec3x { x, y, z }
     }
 
-    /// Which lanes hit something that lamps light: no lamp, and not the background.
+    /// Which lanes hit something that lights light: no light, and not the background.
     #[inline(always)]
     pub fn is_lit(&self) -> M<S> {
         let zero = splat(self.simd, 0.0);
         self.number(Parameter::IsLit).simd_gt(zero) & !self.is_background
     }
 
-    /// Which lanes hit a lamp's own sphere.
+    /// Which lanes hit a light's own sphere.
     #[inline(always)]
-    pub fn is_lamp(&self) -> M<S> {
+    pub fn is_light(&self) -> M<S> {
         let zero = splat(self.simd, 0.0);
         !self.number(Parameter::IsLit).simd_gt(zero) & !self.is_background
     }

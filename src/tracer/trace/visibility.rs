@@ -1,4 +1,4 @@
-//! Visibility: which points of a packet a lamp's light reaches, and how much of it, by spotlights' cones, penumbrae and coloured
+//! Visibility: which points of a packet a light's light reaches, and how much of it, by spotlights' cones, penumbrae and coloured
 //! shadows. Coordinates are the scene's.
 
 use super::candidates::{Candidates, Occluders};
@@ -7,14 +7,14 @@ use super::rays::departing;
 use super::shadow::ShadowRays;
 use crate::counts::Counts;
 use crate::lanes::*;
-use crate::prepare::{Lamp, Object, SpotCone, World};
+use crate::prepare::{Object, PreparedLight, SpotCone, World};
 use crate::scene::Sphere;
 use crate::shapes::{block, sphere};
 use glam::Vec3A;
 
-/// The light of one lamp that arrives at the points of a packet.
+/// The light of one light that arrives at the points of a packet.
 pub(super) struct ArrivingLight<S: Isa> {
-    /// The directions to the lamp, of length 1.
+    /// The directions to the light, of length 1.
     pub l: Vec3x<S>,
     /// The cosine of the angle between normal and `l`.
     pub nl: F<S>,
@@ -25,24 +25,24 @@ pub(super) struct ArrivingLight<S: Isa> {
 }
 
 impl<S: Isa> ShadingPoint<S> {
-    /// The light of a lamp that arrives; `None` if all points face away from the lamp or are outside of its cone.
+    /// The light of a light that arrives; `None` if all points face away from the light or are outside of its cone.
     #[inline(always)]
     pub fn light_of(
         &self,
         simd: S,
         world: World<'_>,
-        lamp: &Lamp,
+        light: &PreparedLight,
         occluders: &mut Occluders,
         counts: &mut Counts,
     ) -> Option<ArrivingLight<S>> {
-        let to_light = Vec3x::splat(simd, lamp.position) - self.p;
+        let to_light = Vec3x::splat(simd, light.position) - self.p;
         let distance = to_light.dot(to_light).sqrt();
         let l = to_light.scaled(splat::<S>(simd, 1.0) / distance);
         let nl = self.n.dot(l);
         let mut facing = self.solid & nl.simd_gt(distance * self.horizon);
-        if !lamp.is_point {
-            let inward: F<S> = -l.dot(Vec3x::splat(simd, lamp.cone.aim));
-            facing &= inward.simd_gt(splat(simd, lamp.cone.cos_outer));
+        if !light.is_point {
+            let inward: F<S> = -l.dot(Vec3x::splat(simd, light.cone.aim));
+            facing &= inward.simd_gt(splat(simd, light.cone.cos_outer));
         }
         if !facing.any_true() {
             return None;
@@ -54,14 +54,14 @@ impl<S: Isa> ShadingPoint<S> {
             distance,
             departure: self.departure,
         };
-        let mut lit = facing & !occluders.find(simd, world, lamp, &rays);
-        let mut colour = Vec3x::splat(simd, lamp.colour);
-        if lamp.is_cone || !occluders.solids.is_empty() {
+        let mut lit = facing & !occluders.find(simd, world, light, &rays);
+        let mut colour = Vec3x::splat(simd, light.colour);
+        if light.is_cone || !occluders.solids.is_empty() {
             let rays = ShadowRays {
                 distance: lit.select(distance, splat(simd, 0.0)),
                 ..rays
             };
-            let passing = transmittance(simd, world, lamp, &rays, &occluders.solids);
+            let passing = transmittance(simd, world, light, &rays, &occluders.solids);
             lit &= passing.max_element().simd_gt(splat(simd, 0.0));
             colour = colour * passing;
         }
@@ -69,12 +69,12 @@ impl<S: Isa> ShadingPoint<S> {
     }
 }
 
-/// The share of a lamp's light, as a colour, that its cone and the solids in the way let pass; 0 in lanes that are not needed.
+/// The share of a light's light, as a colour, that its cone and the solids in the way let pass; 0 in lanes that are not needed.
 #[inline(always)]
 fn transmittance<S: Isa>(
     simd: S,
     world: World<'_>,
-    lamp: &Lamp,
+    light: &PreparedLight,
     rays: &ShadowRays<S>,
     solids: &Candidates,
 ) -> Vec3x<S> {
@@ -83,7 +83,7 @@ fn transmittance<S: Isa>(
         aim,
         cos_outer,
         cos_inner,
-    } = &lamp.cone;
+    } = &light.cone;
     let inward = (-rays.d.dot(Vec3x::splat(simd, aim)) - cos_outer) / (cos_inner - cos_outer);
     let is_asked = rays.distance.simd_gt(zero);
     let in_cone = is_asked.select(soft_edge(simd, inward), zero);
@@ -101,12 +101,12 @@ fn transmittance<S: Isa>(
                 let is_met = t.simd_lt(rays.distance) & !outward;
                 is_met.select(splat(simd, 1.0), zero)
             }
-            Object::Sphere(sphere) => sphere_covers(simd, lamp, sphere, rays),
+            Object::Sphere(sphere) => sphere_covers(simd, light, sphere, rays),
             Object::Plane(_) | Object::Light(_) | Object::Background => continue,
         };
         // The share given by the blocker's tint passes. NaN counts as no tint: it would spoil lanes that are not blocked.
         let mut absorbed = Vec3A::ONE;
-        if lamp.diameter > 0.0 {
+        if light.diameter > 0.0 {
             absorbed -= Vec3A::from(material.tint).max(Vec3A::ZERO).min(Vec3A::ONE);
         }
         let covered = candidate.lanes(simd).select(covered, zero);
@@ -118,16 +118,21 @@ fn transmittance<S: Isa>(
     passing
 }
 
-/// The share of a lamp that a sphere covers, 0 to 1 (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
+/// The share of a light that a sphere covers, 0 to 1 (after Parker, Shirley and Smits: Single Sample Soft Shadows, 1998).
 ///
-/// The rays from the point to the lamp form a cone. At the distance `a`, where it passes the sphere, it is `b = a diameter /
+/// The rays from the point to the light form a cone. At the distance `a`, where it passes the sphere, it is `b = a diameter /
 /// distance` wide. As the sphere's edge crosses the cone from one side to the other, the covered share goes from 0 to 1.
 #[inline(always)]
-fn sphere_covers<S: Isa>(simd: S, lamp: &Lamp, sphere: &Sphere, rays: &ShadowRays<S>) -> F<S> {
+fn sphere_covers<S: Isa>(
+    simd: S,
+    light: &PreparedLight,
+    sphere: &Sphere,
+    rays: &ShadowRays<S>,
+) -> F<S> {
     let (a, depth) = sphere::deepest(simd, sphere, rays.o, rays.d, rays.distance);
     let b = at_most::<S>(
-        a * lamp.diameter / rays.distance,
-        splat(simd, lamp.max_penumbra),
+        a * light.diameter / rays.distance,
+        splat(simd, light.max_penumbra),
     );
     soft_edge(
         simd,

@@ -4,10 +4,10 @@ use super::{cells, printed};
 use eightfold_tracer::Quality;
 
 #[test]
-fn the_default_quality_is_the_rung_of_that_name() {
-    let rung = Quality::DEFAULT_RUNG;
-    assert_eq!(Quality::NAMES[rung], "default");
-    assert_eq!(Quality::LADDER[rung], Quality::DEFAULT);
+fn the_default_quality_is_the_preset_of_that_name() {
+    let preset = Quality::DEFAULT_PRESET;
+    assert_eq!(Quality::NAMES[preset], "default");
+    assert_eq!(Quality::LADDER[preset], Quality::DEFAULT);
 }
 
 /// The number with which a cell begins.
@@ -27,7 +27,7 @@ fn tolerance(cell: &str, share: f64) -> f64 {
 
 #[test]
 #[ignore = "many frames"]
-fn the_errors_are_as_documented_and_rise_from_rung_to_rung() {
+fn the_errors_are_as_documented_and_rise_from_preset_to_preset() {
     const PAGE: &str = include_str!("../../../../docs/accuracy.md");
     let (_, part) = PAGE
         .split_once("<!-- lab report ladder -->")
@@ -52,7 +52,7 @@ fn the_errors_are_as_documented_and_rise_from_rung_to_rung() {
             );
         }
     }
-    // Every rung traces less than the one above it, and differs more.
+    // Every preset traces less than the one above it, and differs more.
     for pair in measured[3..].windows(2) {
         let [finer, faster] = [&pair[0], &pair[1]];
         // Points traced, then PSNR and FLIP.

@@ -29,17 +29,17 @@ fn seen(scene: &Scene, samples: u32) -> Estimate {
     draw(scene, Size::new(1, 1), samples, 1)[0]
 }
 
-/// A white floor at y = 0 under a lamp, of which the camera sees the origin from the side.
-fn floor(lamp: Light) -> Scene {
+/// A white floor at y = 0 under a light, of which the camera sees the origin from the side.
+fn floor(light: Light) -> Scene {
     Scene {
         camera: Camera::new(vec3(4.0, 0.6, 0.0), Vec3::ZERO, 1e-4),
         planes: List::of(&[Plane::new(Vec3::ZERO, 1e4, 1e4, WHITE)]),
-        lights: List::of(&[lamp]),
+        lights: List::of(&[light]),
         ..Scene::default()
     }
 }
 
-fn lamp(position: Vec3, diameter: f32) -> Light {
+fn light(position: Vec3, diameter: f32) -> Light {
     Light {
         diameter,
         ..Light::new(position, COLOUR)
@@ -87,11 +87,11 @@ fn white_furnace_hides_everything() {
 }
 
 #[test]
-fn lamp_of_any_size_gives_the_same_irradiance() {
+fn light_of_any_size_gives_the_same_irradiance() {
     let position = vec3(1.0, 2.0, 0.5);
     let known = f64::from(position.normalize().y) * COLOUR.as_dvec3();
     for diameter in [0.0, 0.1, 1.0, 3.0] {
-        let sphere = lamp(position, diameter);
+        let sphere = light(position, diameter);
         let sun = Light {
             parallel: true,
             ..sphere
@@ -113,7 +113,7 @@ fn lamp_of_any_size_gives_the_same_irradiance() {
 #[test]
 fn surface_reflects_its_share_of_the_sky() {
     // From above, the integral of the highlight over the hemisphere is 2 ks / (exponent + 1).
-    let mut scene = floor(lamp(Vec3::NEG_Y, 0.0));
+    let mut scene = floor(light(Vec3::NEG_Y, 0.0));
     scene.camera.eye = vec3(0.0, 4.0, 0.01);
     scene.background = COLOUR;
     scene.planes[0].material = Material {
@@ -125,9 +125,9 @@ fn surface_reflects_its_share_of_the_sky() {
 }
 
 #[test]
-fn ball_hides_its_share_of_the_lamp() {
-    // The ball and the lamp are discs about the same centre. The share is that of the squared sines.
-    let mut scene = floor(lamp(vec3(0.0, 6.0, 0.0), 2.0));
+fn ball_hides_its_share_of_the_light() {
+    // The ball and the light are discs about the same centre. The share is that of the squared sines.
+    let mut scene = floor(light(vec3(0.0, 6.0, 0.0), 2.0));
     scene
         .spheres
         .push(Sphere::new(vec3(0.0, 3.0, 0.0), 0.3, Material::BLACK));
@@ -136,9 +136,9 @@ fn ball_hides_its_share_of_the_lamp() {
 }
 
 #[test]
-fn mirrors_add_the_images_of_the_lamp() {
+fn mirrors_add_the_images_of_the_light() {
     // Walls at x = -2 and x = 2 show images at x = 4 i + 0.5 for even i, and at x = 4 i - 0.5 for odd ones, by i bounces.
-    let mut scene = floor(lamp(vec3(0.5, 2.0, 0.0), 2.8));
+    let mut scene = floor(light(vec3(0.5, 2.0, 0.0), 2.8));
     let wall = |x: f32| {
         let half = vec3(0.01, 40.0, 40.0);
         Block::new(Shape::Box, vec3(x, 0.0, 0.0), half, Material::mirror(0.5))
@@ -167,7 +167,7 @@ fn lone_ball_is_as_the_oracle_sees_it() {
         },
         ..Material::matt(COLOUR, 0.6)
     };
-    let mut scene = floor(lamp(vec3(4.0, 4.0, 1.0), 0.0));
+    let mut scene = floor(light(vec3(4.0, 4.0, 1.0), 0.0));
     scene.planes.clear();
     scene.haze = 0.1;
     scene.spheres.push(Sphere::new(Vec3::ZERO, 1.0, material));
@@ -182,7 +182,7 @@ fn lone_ball_is_as_the_oracle_sees_it() {
 
 #[test]
 fn error_is_known_within_the_standard_error() {
-    let mut scene = floor(lamp(vec3(0.0, 6.0, 0.0), 2.0));
+    let mut scene = floor(light(vec3(0.0, 6.0, 0.0), 2.0));
     // Nothing is brighter than white.
     scene.lights[0].colour *= 0.5;
     scene.camera = Camera::new(vec3(0.0, 2.0, 9.0), Vec3::ZERO, 0.6);

@@ -16,10 +16,10 @@ const MIRROR: Material = Material { kr: 0.7, ..PLASTIC };
 const GLASS: Material = Material::glass(1.5);
 
 /// The model scene of the repository's measurements at rest: four spheres of plastic, of glass and that mirror, over a floor, with
-/// two lamps.
+/// two lights.
 pub fn model() -> Scene {
     let sphere = |x, y, z, material| Sphere::new(vec3(x, y, z), y, material);
-    let lamp = |x, y, z, brightness| Light {
+    let light = |x, y, z, brightness| Light {
         drawn_radius: 0.15,
         ..Light::new(vec3(x, y, z), Vec3::splat(brightness))
     };
@@ -38,7 +38,7 @@ pub fn model() -> Scene {
             sphere(0.6, 0.5, -1.6, GLASS),
         ]),
         planes: List::of(&[Plane::new(Vec3::ZERO, 12.0, 12.0, PLASTIC)]),
-        lights: List::of(&[lamp(-4.0, 6.0, -4.0, 0.9), lamp(5.0, 5.0, -2.0, 0.4)]),
+        lights: List::of(&[light(-4.0, 6.0, -4.0, 0.9), light(5.0, 5.0, -2.0, 0.4)]),
         ..Scene::default()
     }
 }

@@ -30,22 +30,22 @@ impl Property for OwnShadow {
             let eye_at = 10_f64.powf(random.between(0.1, 3.0));
             let eye_at = if self.is_inside { 0.5 } else { eye_at };
             let eye = from(random.direction(), eye_at);
-            let lamp_at = 10_f64.powf(random.between(-1.0, 2.0));
-            let is_within = lamp_at < 1.0;
-            if (lamp_at - 1.0).abs() < 0.05 {
+            let light_at = 10_f64.powf(random.between(-1.0, 2.0));
+            let is_within = light_at < 1.0;
+            if (light_at - 1.0).abs() < 0.05 {
                 continue;
             }
-            let lamp = from(random.direction(), lamp_at);
+            let light = from(random.direction(), light_at);
             let mut scene = one_sphere(centre.as_vec3(), r as f32, PAPER);
-            scene.lights = List::of(&[Light::new(lamp, Vec3::ONE)]);
+            scene.lights = List::of(&[Light::new(light, Vec3::ONE)]);
             if self.is_inside && number % 2 == 0 {
-                // Neither a box beyond the sphere makes a difference, nor a lamp's size, if all of it is within.
+                // Neither a box beyond the sphere makes a difference, nor a light's size, if all of it is within.
                 scene.blocks = List::of(&[Block {
                     centre: from(random.direction(), 3.0),
                     half: Vec3::splat(r as f32),
                     ..Block::default()
                 }]);
-                scene.lights[0].diameter = (1.9 * (1.0 - lamp_at).max(0.0) * r) as f32;
+                scene.lights[0].diameter = (1.9 * (1.0 - light_at).max(0.0) * r) as f32;
             }
             let scene = prepared(&scene);
             let ways = [(); MAX_LANES]
@@ -68,9 +68,9 @@ impl Property for OwnShadow {
                 let p = eye.as_dvec3() + t * way.as_dvec3();
                 let out = (p - centre).normalize();
                 let p = centre + out * r;
-                let to_lamp = (lamp.as_dvec3() - p).normalize();
+                let to_light = (light.as_dvec3() - p).normalize();
                 let n = if self.is_inside { -out } else { out };
-                let cosine = n.dot(to_lamp);
+                let cosine = n.dot(to_light);
                 // Rounding of places against the radius, and of the way from the eye.
                 let unsure = 3e-6 * (1e3 + eye_at);
                 if cosine.abs() < unsure {
@@ -80,7 +80,7 @@ impl Property for OwnShadow {
                 let is_lit = node.colour.x.as_slice()[i] > 0.0;
                 assert_eq!(
                     is_lit, expected,
-                    "{isa}: radius {r} at {centre}, lamp at {lamp}, seen from {eye} along {way}, cosine {cosine}"
+                    "{isa}: radius {r} at {centre}, light at {light}, seen from {eye} along {way}, cosine {cosine}"
                 );
                 lit += usize::from(is_lit);
                 dark += usize::from(!is_lit);
@@ -92,11 +92,11 @@ impl Property for OwnShadow {
 }
 
 #[test]
-fn a_sphere_throws_no_shadow_on_its_side_towards_the_lamp() {
+fn a_sphere_throws_no_shadow_on_its_side_towards_the_light() {
     on_every_instruction_set(&OwnShadow { is_inside: false });
 }
 
 #[test]
-fn a_sphere_is_lit_from_within_by_lamps_within_alone() {
+fn a_sphere_is_lit_from_within_by_lights_within_alone() {
     on_every_instruction_set(&OwnShadow { is_inside: true });
 }

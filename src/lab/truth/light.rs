@@ -1,6 +1,6 @@
-//! Lamps as spheres that shine, or as points. Coordinates are the scene's.
+//! Lights as spheres that shine, or as points. Coordinates are the scene's.
 //!
-//! A lamp of the colour c gives a surface that faces it the irradiance pi c at every distance, since a scene's lamps have no
+//! A light of the colour c gives a surface that faces it the irradiance pi c at every distance, since a scene's lights have no
 //! falloff. A sphere of radius R at the distance D therefore has the radiance c (D / R)^2. D is measured along the light's path,
 //! across mirrors and glass.
 
@@ -10,25 +10,25 @@ use eightfold_tracer::glam::{DVec2, DVec3};
 use eightfold_tracer::scene::Light;
 use std::f64::consts::{PI, TAU};
 
-/// A lamp of a scene.
-pub struct Lamp<'a> {
+/// A light of a scene.
+pub struct SphereLight<'a> {
     light: &'a Light,
     position: DVec3,
     /// The radius of the sphere that shines; 0 for a point.
     radius: f64,
 }
 
-/// Light of a lamp that arrives at a point.
+/// Light of a light that arrives at a point.
 pub struct Arriving {
-    /// The direction to the lamp, of length 1.
+    /// The direction to the light, of length 1.
     pub d: DVec3,
-    /// The distance of the lamp in this direction.
+    /// The distance of the light in this direction.
     pub distance: f64,
     /// The irradiance of a surface that faces the direction.
     pub irradiance: DVec3,
 }
 
-impl<'a> Lamp<'a> {
+impl<'a> SphereLight<'a> {
     pub fn new(light: &'a Light) -> Self {
         Self {
             light,
@@ -37,12 +37,12 @@ impl<'a> Lamp<'a> {
         }
     }
 
-    /// Chooses a direction to the lamp from the origin of a ray, uniform over the solid angle.
+    /// Chooses a direction to the light from the origin of a ray, uniform over the solid angle.
     pub fn sample(&self, here: Ray, u: DVec2) -> Arriving {
-        let to_lamp = self.position - here.o;
-        let axis = to_lamp.normalize_or(DVec3::Y);
-        let sine2 = (self.radius / to_lamp.length()).powi(2);
-        // One minus the cosine of the lamp's angular radius, and the radiance times the solid angle, relative to a point's light.
+        let to_light = self.position - here.o;
+        let axis = to_light.normalize_or(DVec3::Y);
+        let sine2 = (self.radius / to_light.length()).powi(2);
+        // One minus the cosine of the light's angular radius, and the radiance times the solid angle, relative to a point's light.
         let (width, gain) = if sine2 < 1.0 {
             let half = 1.0 / (1.0 + (1.0 - sine2).sqrt());
             (sine2 * half, 2.0 * half)
@@ -54,12 +54,12 @@ impl<'a> Lamp<'a> {
         let distance = sphere(here.turned(d), self.position, self.radius);
         Arriving {
             d,
-            distance: distance.unwrap_or(to_lamp.dot(d).max(0.0)),
+            distance: distance.unwrap_or(to_light.dot(d).max(0.0)),
             irradiance: PI * gain * cone(self.light, -axis) * self.light.colour.as_dvec3(),
         }
     }
 
-    /// Returns the radiance of the lamp where a ray meets it nearer than `limit`. The light has travelled `length` from the origin of
+    /// Returns the radiance of the light where a ray meets it nearer than `limit`. The light has travelled `length` from the origin of
     /// the ray to the surface that it lights.
     pub fn radiance(&self, ray: Ray, length: f64, limit: f64) -> DVec3 {
         let met = sphere(ray, self.position, self.radius);
@@ -75,7 +75,7 @@ impl<'a> Lamp<'a> {
             * self.light.colour.as_dvec3()
     }
 
-    /// Returns the distance at which the eye sees the lamp along a ray, and the lamp's colour.
+    /// Returns the distance at which the eye sees the light along a ray, and the light's colour.
     pub fn seen(&self, ray: Ray) -> Option<(f64, DVec3)> {
         let radius = f64::from(self.light.drawn_radius);
         let is_drawn = radius > 0.0 && !self.light.parallel;

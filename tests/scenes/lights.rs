@@ -1,4 +1,4 @@
-//! Lamps.
+//! Lights.
 
 use crate::Random;
 use eightfold_tracer::scene::{Light, Spot};

@@ -9,7 +9,7 @@ use crate::scene::{Light, Spot};
 use glam::{Vec3, Vec3A};
 
 /// A light of the scene with everything that shading needs of it.
-pub(crate) struct Lamp {
+pub(crate) struct PreparedLight {
     /// See [`Light::shadow_position`].
     pub position: Vec3A,
     pub colour: Vec3A,
@@ -65,18 +65,18 @@ impl SpotCone {
     }
 }
 
-/// The shadow of a node's sphere by one lamp. Points outside the sphere that lie in its shadow are inside a cone about the sphere
-/// with its apex at the lamp, and no nearer to the lamp than the sphere. The cone is slightly wider than necessary, to cover
+/// The shadow of a node's sphere by one light. Points outside the sphere that lie in its shadow are inside a cone about the sphere
+/// with its apex at the light, and no nearer to the light than the sphere. The cone is slightly wider than necessary, to cover
 /// rounding.
 ///
 /// Its vectors are unaligned, so that it fits a cache line of 64 bytes: a frame has up to 2,572 of these.
 #[derive(Clone, Copy)]
 pub(crate) struct ShadowCone {
-    /// The direction from the sphere's centre to the lamp, of length 1.
+    /// The direction from the sphere's centre to the light, of length 1.
     pub axis: Vec3,
     /// On the unit sphere, the squared length of the chord between the axis and the side of the cone.
     pub chord2: f32,
-    /// The distance from the lamp at which the shadow may begin.
+    /// The distance from the light at which the shadow may begin.
     pub from: f32,
     /// See [`BvhNode::solids`].
     pub solids: u8,
@@ -84,14 +84,14 @@ pub(crate) struct ShadowCone {
     pub skip: u16,
     /// See [`BvhNode::object`].
     pub object: ObjectId,
-    /// Whether all of the lamp is inside the sphere, which then blocks its light to the outside alone. A block is none.
-    pub around_lamp: bool,
-    /// The vector from the sphere's centre to the lamp.
-    pub from_lamp: Vec3,
+    /// Whether all of the light is inside the sphere, which then blocks its light to the outside alone. A block is none.
+    pub around_light: bool,
+    /// The vector from the sphere's centre to the light.
+    pub from_light: Vec3,
     /// The squared radius minus a bound on the rounding error of the discriminant, so that a ray that leaves the sphere is not
-    /// shadowed by it. If the lamp is inside, the bound is added instead.
+    /// shadowed by it. If the light is inside, the bound is added instead.
     pub r2: f32,
-    /// The shadow of a box or a cylinder lies between two planes through the lamp, at the same angle on both sides of the plane
+    /// The shadow of a box or a cylinder lies between two planes through the light, at the same angle on both sides of the plane
     /// that contains the longer axis. This is that plane's normal, of any length; for a sphere it is 0.
     pub side: Vec3,
     /// The squared sine of that angle, times the squared length of `side`.
@@ -103,7 +103,7 @@ pub(crate) struct ShadowCone {
 /// More than the squared length of any chord of the unit sphere, which is at most 4.
 const ALL_AROUND: f32 = 5.0;
 
-impl Lamp {
+impl PreparedLight {
     /// All zeros: memory before a frame is prepared.
     pub const ZERO: Self = Self {
         position: Vec3A::ZERO,
@@ -151,45 +151,45 @@ impl ShadowCone {
         solids: 0,
         skip: 0,
         object: ObjectId::FIRST,
-        around_lamp: false,
-        from_lamp: Vec3::ZERO,
+        around_light: false,
+        from_light: Vec3::ZERO,
         r2: 0.0,
         side: Vec3::ZERO,
         sine2: 0.0,
         radius: 0.0,
     };
 
-    /// Prepares the shadow of a node by a lamp of some diameter; `radius` includes the penumbra.
-    fn set(&mut self, from_lamp: Vec3A, diameter: f32, radius: f32, node: &BvhNode) {
-        let distance2 = from_lamp.length_squared();
-        // A bound on the rounding errors of the sphere's centre and of the vector from the lamp.
-        let error = hit_error(from_lamp, 0.0);
+    /// Prepares the shadow of a node by a light of some diameter; `radius` includes the penumbra.
+    fn set(&mut self, from_light: Vec3A, diameter: f32, radius: f32, node: &BvhNode) {
+        let distance2 = from_light.length_squared();
+        // A bound on the rounding errors of the sphere's centre and of the vector from the light.
+        let error = hit_error(from_light, 0.0);
         let r2_error = 2.0 * node.radius * (node.hit_error + error);
         let wide = radius * (1.0 + BOUND) + error;
         // The squared chord is 2 - 2 cos. Computed from the sine it loses no digits.
         let sine2 = wide * wide / distance2;
         let chord2 = 2.0 * sine2 / (1.0 + sqrt(1.0 - sine2));
         let room = node.radius - 0.5 * diameter;
-        self.around_lamp = !node.is_block && room > 0.0 && distance2 < room * room;
-        // No part of the sphere is nearer to the lamp than this.
+        self.around_light = !node.is_block && room > 0.0 && distance2 < room * room;
+        // No part of the sphere is nearer to the light than this.
         let from = sqrt(distance2) * (1.0 - BOUND) - wide;
         let sine = sqrt(node.thin2) / from.max(0.0) + COSINE;
-        let side = node.axis.cross(from_lamp);
+        let side = node.axis.cross(from_light);
         *self = Self {
-            axis: from_lamp.normalize_or(Vec3A::Y).into(),
-            // NaN if the lamp is inside.
+            axis: from_light.normalize_or(Vec3A::Y).into(),
+            // NaN if the light is inside.
             chord2: chord2.min(ALL_AROUND),
             from,
             solids: node.solids,
             skip: node.skip,
             object: node.object,
-            around_lamp: self.around_lamp,
-            from_lamp: from_lamp.into(),
+            around_light: self.around_light,
+            from_light: from_light.into(),
             side: side.into(),
             sine2: side.length_squared() * sine * sine,
             radius: node.radius * (1.0 + BOUND) + error,
             r2: node.r2
-                + if self.around_lamp {
+                + if self.around_light {
                     r2_error
                 } else {
                     -r2_error

@@ -8,7 +8,7 @@ use glam::Vec3;
 /// It is displayed by the name that the number has in a program: `spheres[3].material.kd is 1.5, must be 0 to 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Flaw {
+pub struct RangeError {
     /// The field of the scene that has it, such as "spheres", or "quality".
     pub object: &'static str,
     /// The index of the item, if the field is a list.
@@ -52,7 +52,7 @@ impl fmt::Display for Found {
     }
 }
 
-impl fmt::Display for Flaw {
+impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.object)?;
         if let Some(index) = self.index {
@@ -67,7 +67,7 @@ impl fmt::Display for Flaw {
     }
 }
 
-impl core::error::Error for Flaw {}
+impl core::error::Error for RangeError {}
 
 /// The numbers that a field may have, both ends included; of a vector, each component. The text says the same.
 #[derive(Clone, Copy)]
@@ -104,7 +104,7 @@ impl Checked {
         field: &'static str,
         found: impl Into<Found>,
         range: Range,
-    ) -> Result<(), Flaw> {
+    ) -> Result<(), RangeError> {
         let found = found.into();
         self.rule(field, found, range.holds(found), range.2)
     }
@@ -116,12 +116,12 @@ impl Checked {
         found: impl Into<Found>,
         is_obeyed: bool,
         range: &'static str,
-    ) -> Result<(), Flaw> {
+    ) -> Result<(), RangeError> {
         if is_obeyed {
             return Ok(());
         }
         let (Self { object, index }, found) = (self, found.into());
-        Err(Flaw {
+        Err(RangeError {
             object,
             index,
             field,
