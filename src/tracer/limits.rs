@@ -1,46 +1,46 @@
-//! The accuracy of the tracer: figures, and the conditions under which they hold. Tests check every figure.
+//! The accuracy of the tracer in figures, with their conditions. Tests check every figure.
 //!
 //! # Ranges
 //!
-//! | what | range |
+//! | input | range |
 //! | --- | --- |
-//! | numbers of a scene | the ranges that [`Scene::validate`](crate::scene::Scene::validate) checks |
+//! | numbers of a scene | see [`Scene::validate`](crate::scene::Scene::validate) |
 //! | lengths in scene units | [`MIN_LENGTH`](crate::scene::MIN_LENGTH) to [`MAX_LENGTH`](crate::scene::MAX_LENGTH) |
 //! | size in pixels | 1x1 to 3840x2160 |
 //! | eye | outside a sphere, inside, on its surface, and looking along it |
 //! | angles from a time | an error of 1e-6 up to 1e6 rad |
 //!
-//! `validate` refuses NaN and infinity. The tracer accepts them: the picture is defined, has the same bits on any number of
-//! threads, and takes at most 2.5 times the work of the scene without them. Such a number affects only the rays that meet it. In any
-//! scene a point costs at most `2^(depth + 1) - 1` rays, and each of them one shadow ray per light.
+//! `validate` rejects NaN and infinity. The tracer accepts them: the picture has the same bits on any number of threads, and takes
+//! at most 2.5 times the work of the scene without them. An invalid number affects only the rays that meet it. A point takes at
+//! most `2^(depth + 1) - 1` rays, and one shadow ray per light for each of them.
 //!
 //! # Rays
 //!
-//! | what | figure |
+//! | error | figure |
 //! | --- | --- |
 //! | rays that leave a sphere and hit it again; radii 1e-4 to 1e4, centres up to 1e4 from the origin, rays from up to 1e8 away | 0 of 500,000 |
-//! | rays that leave a plane and hit it again, along it too | 0 of 500,000 |
-//! | pixels of single mirrors in which a box, a cylinder or a capsule shows itself: a ray carries the block that it leaves | 0 of 20,000,000 |
+//! | rays that leave a plane and hit it again, also along it | 0 of 500,000 |
+//! | pixels of single mirrors in which a box, a cylinder or a capsule shows itself | 0 of 20,000,000 |
 //! | rays that leave a box, a cylinder or a capsule and hit it again, or leak out of one; sides 1e-4 to 1e4 | 0 of 100,000 |
 //! | the same from up to 1e8 away, for aligned boxes, rotated boxes, cylinders and capsules each | 0 of 60,000 |
 //! | rays into a sphere that miss its far side, except chords shorter than 0.003 radii (at the origin) | 0 |
 //! | points of a sphere in their own shadow, where n.l is above 0.003 | 0 |
-//! | lights outside a sphere that light its inside, and lights wholly within that do not | 0 |
+//! | lights outside a sphere that light its inside, and lights wholly inside that do not | 0 |
 //! | squared length of a reflected or refracted direction; radii 1e-4 to 1e6, indices 0.1 to 10, also at the critical angle | 1 to within 5e-7 |
-//! | bits of a ray's result that depend on its lane or on the rays beside it, also with invalid numbers | 0 |
+//! | bits of a ray's result that depend on its lane or on other rays, also with invalid numbers | 0 |
 //! | PSNR of a scene scaled by 1e-4 to 1e4 against the original | 50 dB |
 //! | PSNR of a scene scaled by 1e-8 and 1e8 against the oracle at its own size | 45 dB |
 //!
-//! Figures that depend on random numbers were checked with 13 seeds on each instruction set. `RAY_SEED=1 cargo test -p
-//! eightfold-tracer trace` uses another seed.
+//! Figures that depend on random numbers were checked with 13 seeds on each instruction set. To try another seed, run `RAY_SEED=1
+//! cargo test -p eightfold-tracer trace`.
 //!
-//! A hit is projected back to its sphere, so its error is the rounding of the sphere's own coordinates. A ray that starts this close
-//! to a sphere counts as starting on it: outward it does not hit the sphere, inward it hits the far side. On a plane a point is exact.
-//! There is no minimal distance of hits, so a scene may have any scale.
+//! A hit is projected back to its sphere, so its error is the rounding of the sphere's own coordinates. A ray that starts within
+//! this error starts on the sphere: outward it misses the sphere, inward it hits the far side. Points on a plane are exact. Hits
+//! have no minimal distance, so a scene may have any scale.
 //!
-//! The next table counts rays that wrongly hit or miss a sphere, by the distance in radii. Each cell has three numbers: the wrong rays
-//! per million, measured with twelve million rays of sixty seeds; the bound on that mean; and the count of wrong rays among
-//! 200,000 of one seed that fewer than one seed in a million exceeds.
+//! The next table counts rays that wrongly hit or miss a sphere, by the distance in radii. Each cell has the wrong rays per
+//! million, measured with twelve million rays of sixty seeds; the bound on that mean; and the number of wrong rays among 200,000 of
+//! one seed that fewer than one seed in a million exceeds.
 //!
 //! | distance | sphere at the origin, AVX2 and AVX-512 | at the origin, SSE2 | anywhere |
 //! | ---: | ---: | ---: | ---: |
@@ -52,14 +52,14 @@
 //! | 100,000 | 13; 16; 15 | 14; 20; 17 | 890; 930; 254 |
 //! | 1,000,000 | 1,322; 1,400; 363 | 1,556; 1,650; 420 | 9,490; 9,700; 2,153 |
 //!
-//! "Anywhere" is up to twice as far from the origin as from the eye. There the vector from the eye to the centre is already
-//! rounded, whatever the instruction set. `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture`
-//! measures again. The error of the distance of a hit is at most 4e-7 of the distance plus 1e-7 radii, except on the outermost
-//! tenth of the sphere's disc. In the model scene's picture at 3840x2160, a sphere 1,000 radii away is 5 pixels wide.
+//! "Anywhere" is up to twice as far from the origin as from the eye, where the vector from the eye to the centre is already
+//! rounded. To measure again, run `PRECISION_SEEDS=60 cargo test -p eightfold-tracer small_sphere_far -- --nocapture`. The error of
+//! a hit's distance is at most 4e-7 of the distance plus 1e-7 radii, except on the outermost tenth of the sphere's disc. In the
+//! model scene's picture at 3840x2160, a sphere 1,000 radii away is 5 pixels wide.
 //!
-//! Coordinates are rounded to 6e-8 of themselves. The tracer does not move a scene to the eye: keep scenes near the origin. The model
-//! scene, 24 scene units wide, moved away from the origin has this PSNR in dB, with every pixel traced at 320x240, against an oracle
-//! that draws the same moved numbers in f64:
+//! Coordinates have a relative error of 6e-8, and the tracer does not move a scene to the eye, so keep scenes near the origin. The
+//! model scene, 24 units wide, has this PSNR in dB when it is moved away from the origin, with every pixel traced at 320x240,
+//! against an oracle that draws the same moved numbers in f64:
 //!
 //! | distance from the origin | PSNR, at least | measured, at 0 and 2.5 s |
 //! | ---: | ---: | ---: |
@@ -71,25 +71,25 @@
 //!
 //! # Squares
 //!
-//! Random scenes by a named quality; where a picture's size matters, at 320x240.
+//! Random scenes at a named quality, at 320x240 unless a size is given.
 //!
-//! | what | figure |
+//! | error | figure |
 //! | --- | --- |
-//! | objects that a pixel shows directly and the quality misses | 0 |
-//! | shadows of spheres on planes by points of light that darken a pixel by two steps of 255 and that the quality misses, except as below | 0 |
-//! | holes of 4 connected pixels or more in things 1 to 5 pixels wide, in their shadows on a plane by a point of light, and in their images in the first plane, jagged or antialiased | 0 |
-//! | images in the first plane of spheres and boxes that 2x2 pixels show and the quality misses | 0 |
-//! | highlights in the eye's own sight that five pixels show together with the place that mirrors the light, and that the quality misses | 0 |
-//! | pixels of shadows of spheres that the default quality draws lit, and the largest patch of them | 0.4 %, 20 |
+//! | missed objects that a pixel shows directly | 0 |
+//! | missed shadows of spheres on planes by point lights that darken a pixel by 2/255, with the exceptions below | 0 |
+//! | holes of 4 connected pixels or more in objects 1 to 5 pixels wide, in their shadows on a plane by a point light, and in their images in the first plane, jagged or antialiased | 0 |
+//! | missed images in the first plane of spheres and boxes that show in 2x2 pixels | 0 |
+//! | missed highlights, seen directly, of five pixels and more that include the point that mirrors the light | 0 |
+//! | pixels of shadows of spheres that the default quality draws lit, and their largest patch | 0.4 %, 20 |
 //! | the same by a sun, a spotlight and a ball | 0.6 %, 0.4 % and 0.3 % |
-//! | the same of thin blocks, by a point and by a sun | 2.5 % and 0.6 % |
-//! | wrong pixels of small reflections of spheres in the first plane, and the largest patch of them | 0.3 %, 8 |
-//! | pixels with an error above 8/255 by the default quality, and the largest patch of them | 5 %, 512 |
-//! | PSNR of any field of up to 320 spheres by the default quality, 1024x768 | 42 dB |
-//! | PSNR of crowds of 48 to 384 spheres and blocks, a third of them and more mirrors and glass, by the default quality, 640x480 | 42 dB |
-//! | PSNR of crowds of 20 spheres and 4 to 64 blocks without mirrors, by the default quality, 640x480, except as below | 42 dB |
-//! | PSNR of floors, spheres and blocks with patterns of any kind, edges of 0.5 to 10, near and far, by the default quality, 480x270 | 42 dB |
-//! | the guard's share of the default quality's time in the model scene (`lab trade` measures it) | 10 % |
+//! | the same for thin blocks, by a point light and by a sun | 2.5 % and 0.6 % |
+//! | wrong pixels of small reflections of spheres in the first plane, and their largest patch | 0.3 %, 8 |
+//! | pixels with an error above 8/255 at the default quality, and their largest patch | 5 %, 512 |
+//! | PSNR of any field of up to 320 spheres at the default quality, 1024x768 | 42 dB |
+//! | PSNR of crowds of 48 to 384 spheres and blocks, a third or more of them mirrors and glass, at the default quality, 640x480 | 42 dB |
+//! | PSNR of crowds of 20 spheres and 4 to 64 blocks without mirrors, at the default quality, 640x480, with the exceptions below | 42 dB |
+//! | PSNR of floors, spheres and blocks with patterns of any kind, edges of 0.5 to 10, near and far, at the default quality, 480x270 | 42 dB |
+//! | the guard's share of the default quality's time in the model scene (measured by `lab trade`) | 10 % |
 //!
 //! # Approximations
 //!
@@ -100,29 +100,30 @@
 //! | `root_below(x, h)` | x 1e-4 to 1, h 1 to 1000 | 0 to 20 % below |
 //! | one Newton step that normalises a direction | directions after a reflection | 5e-7 of the squared length |
 //!
-//! Roots and quotients are correctly rounded: fast approximations differ between manufacturers.
+//! Square roots and quotients are correctly rounded, since fast approximations differ between CPUs.
 //!
-//! # What is not promised
+//! # Known limitations
 //!
-//! - Coincident surfaces, such as two planes at the same height: rounding decides which one is hit.
-//! - Chords of a sphere shorter than the rounding error above: the ray passes by.
-//! - Some shadows between the corners of squares. The guard looks for shadows on planes, and for light between them. For each shadow of
-//!   a sphere by a point of light one corner is right, but this corner may be as dark without the shadow: a light low above a plane
-//!   lights a patch of few pixels, and the corner may lie beside the patch. Then the quality can miss a shadow that is wider than a
-//!   square. By a light so bright that a shadow is seen wherever it falls it misses none. Of other shadows on planes it misses few.
-//! - Holes in wider things: a corner of one, and a narrow strip that others leave of one, can lose connected pixels; 8 were seen.
-//!   Thin shadows by area lights have soft edges, which are not looked for.
-//! - Shadows on spheres and blocks, and slits of light between these: of 1,000 crowds without mirrors two are below 42 dB for a
-//!   bright slit on a block's face, 41.0 dB.
-//! - Images in the first plane of cylinders and capsules, and images that others cover in part: a corner in the outlines of both
-//!   counts as showing both.
-//! - 42 dB for other scenes than in the table above: crowds of glass in glass have 38.8 dB, images of mirrors in mirrors 40.3 dB, faces
-//!   that coincide 39.0 dB; an eye inside glass, extreme scales and the fastest quality have less.
-//! - Thin bright or dark strips in such images, in slits of light on blocks, and in waves: the show has patches of up to 229 pixels.
-//! - Highlights in mirrors, on waves, and from within a sphere, a cylinder or a capsule. Parts of a highlight without the place that
-//!   mirrors the light: the rest is hidden, in shadow, on the object's dark side, beyond an edge, or on a white surface. A
-//!   corner names the object that it shows, not the face, nor whether the light lights it: a slit of light between shadows, the lit rim
-//!   of a sphere, or the narrow side of a flat cylinder can lose its highlight, whatever its length.
-//! - Reflections elsewhere than in the first plane without waves, and refractions: the guard does not look for them.
-//! - The position of hits on a sphere whose radius is below the rounding error of its coordinates, about 1e-6 of the largest. Still,
-//!   no ray that leaves it hits it again.
+//! - Coincident surfaces, such as two planes at the same height: rounding decides which one a ray hits.
+//! - Chords of a sphere shorter than the rounding error above: the ray misses.
+//! - Shadows between the corners of squares. The guard tests shadows on planes, and light between them. A shadow of a sphere by a
+//!   point light makes one corner right, but that corner may be dark without the shadow, too, when a light low above a plane lights
+//!   only a few pixels. Then a shadow wider than a square can be missed. A light that is bright enough to show a shadow everywhere
+//!   causes no misses. Other shadows on planes are rarely missed.
+//! - Holes in wider objects: at a corner, or in a narrow strip between occluders, up to 8 connected pixels were lost. Thin shadows
+//!   by lights with a diameter have soft edges, which are not guarded.
+//! - Shadows on spheres and blocks, and slits of light between these: of 1,000 crowds without mirrors two are below 42 dB because
+//!   of a bright slit on a block's face, 41.0 dB at worst.
+//! - Images of cylinders and capsules in the first plane, and partly covered images: a corner inside two outlines counts as showing
+//!   both.
+//! - PSNR of other scenes: 38.8 dB for crowds of glass in glass, 40.3 dB for mirrors in mirrors, 39.0 dB for coincident faces; less
+//!   for an eye inside glass, extreme scales and the fastest quality.
+//! - Thin bright or dark strips in such images, in slits of light on blocks, and in waves: the show has patches of up to 229
+//!   pixels.
+//! - Highlights in mirrors, on waves, and seen from inside a sphere, a cylinder or a capsule. Highlights without the point that
+//!   mirrors the light: it is hidden, in shadow, on the object's dark side, beyond an edge, or on a white surface. A corner
+//!   identifies its object, but neither the face nor the light there: a slit of light between shadows, the lit rim of a sphere, or
+//!   the narrow side of a flat cylinder can lose its highlight, whatever its length.
+//! - Reflections other than those in the first plane without waves, and refractions: they are not guarded.
+//! - The position of hits on a sphere whose radius is below the rounding error of its coordinates, about 1e-6 of the largest. Rays
+//!   that leave it still never hit it again.

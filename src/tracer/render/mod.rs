@@ -1,4 +1,4 @@
-//! One frame: bands of the picture, drawn by one thread or several.
+//! The renderer: draws the bands of a frame on the caller's threads.
 
 #[cfg(feature = "std")]
 mod boxed;
@@ -29,7 +29,7 @@ use core::borrow::BorrowMut;
 use fearless_simd::Level;
 
 impl Frame<'_> {
-    /// Whether the size is in its range, and there are enough pixels.
+    /// Returns an error if the size is out of range, or if there are too few pixels.
     fn validate(&self) -> Result<(), Error> {
         let Self {
             width,
@@ -52,10 +52,9 @@ impl Frame<'_> {
     }
 }
 
-/// Renders frames.
+/// Renders frames, with one instruction set and one [`Memory`].
 ///
-/// With the feature `std` it has its [`Memory`] on the heap. Without, it borrows a `&'static mut Memory` by
-/// [`Renderer::with_memory`].
+/// With the feature `std` the memory is on the heap. Without, pass a `&'static mut Memory` to [`Renderer::with_memory`].
 ///
 /// ```
 /// use eightfold_tracer::scene::Scene;
@@ -69,10 +68,10 @@ impl Frame<'_> {
 /// # Ok::<(), eightfold_tracer::Error>(())
 /// ```
 ///
-/// # A frame tells its own error
+/// # Measuring the error of a frame
 ///
-/// [`Frame::with_probes`] has some pixels of a frame traced as [`Quality::reference`] would have them, and compared with what was
-/// drawn. Over some frames that tells how accurate they are, on this scene:
+/// [`Frame::with_probes`] traces some pixels of a frame as [`Quality::reference`] does, and compares them with the frame. The
+/// probes of several frames estimate the accuracy of this scene at this quality:
 ///
 /// ```
 /// # use eightfold_tracer::glam::{Vec3, vec3};
@@ -100,10 +99,10 @@ impl Frame<'_> {
 /// # Ok::<(), eightfold_tracer::Error>(())
 /// ```
 ///
-/// # What a frame depends on
+/// # Determinism
 ///
-/// Its pictures depend on the scene, the quality, the size, the offset and the instruction set alone: the same bits by any
-/// number of threads, whatever it has rendered before.
+/// A frame depends on the scene, the quality, the size, the offset and the instruction set only. Its bits are the same for any
+/// number of threads, and after any other frames.
 pub struct Renderer<#[cfg(feature = "std")] M = BoxedMemory, #[cfg(not(feature = "std"))] M> {
     isa: Level,
     kernel: Kernel,
@@ -112,16 +111,16 @@ pub struct Renderer<#[cfg(feature = "std")] M = BoxedMemory, #[cfg(not(feature =
 
 #[cfg(feature = "std")]
 impl Renderer {
-    /// A renderer by an instruction set, with memory of its own: [`Memory::BYTES`] bytes.
+    /// Returns a renderer for an instruction set, with its own memory of [`Memory::BYTES`] bytes.
     ///
-    /// [`Level::baseline`] is what every processor has that the program is compiled for. [`Renderer::detect`], with the feature `std`,
-    /// finds the best that this one has.
+    /// [`Level::baseline`] is the instruction set that the program is compiled for; [`Renderer::detect`] selects the best of this
+    /// CPU.
     #[must_use]
     pub fn new(level: Level) -> Self {
         Self::with_memory(level, BoxedMemory::new())
     }
 
-    /// A renderer by the best instruction set that this processor has, with memory of its own.
+    /// Returns a renderer for the best instruction set of this CPU, with its own memory.
     #[must_use]
     pub fn detect() -> Self {
         Self::new(Level::new())
@@ -129,7 +128,7 @@ impl Renderer {
 }
 
 impl<M: BorrowMut<Memory>> Renderer<M> {
-    /// A renderer by an instruction set, in memory that lies elsewhere.
+    /// Returns a renderer for an instruction set that uses the caller's memory.
     #[must_use]
     pub fn with_memory(level: Level, memory: M) -> Self {
         Self {
@@ -139,8 +138,8 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         }
     }
 
-    /// The same, which takes AVX2 where there is AVX-512: a program that makes no other renderer leaves that kernel, of 16 kB, out of
-    /// its file.
+    /// Returns a renderer that uses AVX2 at most. The linker then leaves the AVX-512 kernel, of 16 kB, out of a program that makes
+    /// no other renderer.
     #[must_use]
     pub fn narrow(level: Level, memory: M) -> Self {
         Self {
@@ -150,16 +149,16 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         }
     }
 
-    /// Has the next frames rendered by another instruction set.
+    /// Sets the instruction set of later frames.
     pub fn set_level(&mut self, level: Level) {
         self.isa = level;
     }
 
-    /// Renders one frame, and says how much work it was.
+    /// Renders a frame, and returns the work that it took.
     ///
     /// # Errors
-    /// If a side of the frame is 0 or too long, if it has too few pixels, or if a number of the quality or the scene is out of
-    /// its range. Then the pixels are as they were.
+    /// If the frame's width, height, stride or number of pixels, or a number of the quality or the scene, is out of range. The
+    /// pixels then stay unchanged.
     pub fn render(
         &mut self,
         scene: &Scene,
@@ -171,11 +170,11 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(self.render_valid(scene, quality, frame, threads))
     }
 
-    /// Like [`Renderer::render`], and the observer hears how the frame comes about: the same frame, the same counts, more time.
-    /// Of the points that edges get in the end (see [`Quality::antialias`]) it hears by their stages alone.
+    /// Renders a frame like [`Renderer::render`], and reports its points and squares to an observer. The frame and its counts are
+    /// the same. Points of antialiasing (see [`Quality::antialias`]) are not reported.
     ///
     /// # Errors
-    /// As [`Renderer::render`].
+    /// Like [`Renderer::render`].
     pub fn render_observed<O: Observer>(
         &mut self,
         scene: &Scene,
@@ -190,13 +189,12 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         Ok(memory.render_observed(&plan, scene, frame, threads, observer))
     }
 
-    /// Renders one frame of what is known to be valid, as the intro's scenes are.
-    ///
-    /// A scene that is not valid gives some picture, in bounded time.
+    /// Renders a frame of a scene that is known to be valid, without checking it. An invalid scene gives some picture, in bounded
+    /// time.
     ///
     /// # Panics
-    /// If the frame's size is out of its range, if it has too few pixels, or if the quality's [`square`](Quality::square) or
-    /// [`depth`](Quality::depth) is out of its range.
+    /// If the frame's size, stride or number of pixels is out of range, or the quality's [`square`](Quality::square) or
+    /// [`depth`](Quality::depth).
     pub fn render_valid(
         &mut self,
         scene: &Scene,
@@ -209,7 +207,6 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
         memory.render(&plan, scene, frame, threads)
     }
 
-    /// The plan of a frame.
     fn plan(&self, scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> FramePlan {
         let is_valid = frame.validate().is_ok() && quality.is_drawable();
         assert!(is_valid, "size or quality out of range");
@@ -217,7 +214,7 @@ impl<M: BorrowMut<Memory>> Renderer<M> {
     }
 }
 
-/// Whether all that a frame is made of is in its range.
+/// Returns an error for the first number that is out of range.
 fn validate(scene: &Scene, quality: &Quality, frame: &Frame<'_>) -> Result<(), Error> {
     frame.validate()?;
     quality.validate()?;

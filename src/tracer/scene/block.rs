@@ -5,23 +5,22 @@ use super::{Material, Shape};
 use crate::range_error::{Checked, RangeError};
 use glam::{Mat3, Vec3};
 
-/// A box, a cylinder with flat ends, or a capsule, whose ends are half spheres. If its material is transparent, rays enter and leave
-/// it, refracted at each side.
+/// A box, a cylinder with flat ends, or a capsule, which has half spheres as ends. If its material is transparent, rays are
+/// refracted at each side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Block {
-    /// Whether it is a box, a cylinder or a capsule.
+    /// The shape.
     #[cfg_attr(feature = "serde", serde(default))]
     pub shape: Shape,
-    /// The centre, in scene units; coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
+    /// The centre in scene units, coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
     pub centre: Vec3,
-    /// Half the extent along each of the block's own axes, [`MIN_LENGTH`](super::MIN_LENGTH) to
-    /// [`MAX_LENGTH`](super::MAX_LENGTH). A cylinder or a capsule stands along its own y axis; `half.x` is its radius, and
-    /// `half.z` has to be the same. `half.y` of a capsule, which is at least that, includes an end.
+    /// Half the extent along each of the block's own axes, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH).
+    /// Cylinders and capsules are along the y axis; their radius is `half.x`, and `half.z` must be equal. `half.y` of a capsule
+    /// includes an end, so it is at least the radius.
     pub half: Vec3,
-    /// The block's own axes in scene coordinates: three perpendicular vectors of length 1. The identity aligns it with the
-    /// scene's axes.
+    /// The block's own axes in scene coordinates: three perpendicular vectors of length 1. The identity is aligned with the scene.
     #[cfg_attr(feature = "serde", serde(default))]
     pub axes: Mat3,
     /// The surface.
@@ -29,7 +28,7 @@ pub struct Block {
 }
 
 impl Block {
-    /// A block along the axes of the scene, by its centre and half its extents.
+    /// Returns a block aligned with the scene, with half its extents.
     #[must_use]
     pub const fn new(shape: Shape, centre: Vec3, half: Vec3, material: Material) -> Self {
         Self {
@@ -41,7 +40,7 @@ impl Block {
         }
     }
 
-    /// Whether it is as wide as it is deep, if it is round, and a capsule long enough for its ends.
+    /// Returns whether round shapes have a circular section, and a capsule is long enough for its ends.
     fn is_round(&self) -> bool {
         match self.shape {
             Shape::Box => true,

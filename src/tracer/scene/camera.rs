@@ -6,18 +6,18 @@ use crate::range_error::{Checked, Range, RangeError};
 use core::f32::consts::{FRAC_PI_4, PI};
 use glam::{Vec3, Vec3A};
 
-/// A pinhole camera with square pixels. Each pixel is sampled at its centre.
+/// A pinhole camera with square pixels. Pixels are sampled at their centres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Camera {
-    /// The position of the pinhole, in scene units; coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
+    /// The position of the pinhole in scene units, coordinates up to [`MAX_LENGTH`](super::MAX_LENGTH).
     pub eye: Vec3,
-    /// The point shown in the middle of the picture, with the same range. It has to differ from `eye`.
+    /// The point in the middle of the picture, with the same range. It must differ from `eye`.
     pub look_at: Vec3,
-    /// The direction that is up in the picture, of any length. It must not be parallel to the line of sight.
+    /// The upward direction of the picture, of any length, not parallel to the line of sight.
     pub up: Vec3,
-    /// Vertical field of view in radians, greater than 0 and less than pi.
+    /// The vertical field of view in radians, above 0 and below pi.
     pub field_of_view: f32,
 }
 
@@ -27,8 +27,8 @@ impl Default for Camera {
     }
 }
 
-/// The picture plane of a camera, in scene coordinates. The ray through pixel (x, y) of the picture has the direction
-/// `corner + x dx + y dy`, which is not normalised.
+/// The picture plane in scene coordinates. The ray through the pixel (x, y) has the direction `corner + x dx + y dy`, which is not
+/// normalised.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Raster {
     /// The direction through the centre of the upper left pixel.
@@ -49,10 +49,10 @@ impl Raster {
 }
 
 impl Camera {
-    /// At (0, 0, 1), with a view of the origin.
+    /// The camera at (0, 0, 1) with a view of the origin.
     pub(super) const STANDARD: Self = Self::new(Vec3::Z, Vec3::ZERO, FRAC_PI_4);
 
-    /// An upright camera, by its place, the point that it looks at, and its vertical field of view in radians.
+    /// Returns an upright camera, with a vertical field of view in radians.
     #[must_use]
     pub const fn new(eye: Vec3, look_at: Vec3, field_of_view: f32) -> Self {
         Self {
@@ -63,7 +63,7 @@ impl Camera {
         }
     }
 
-    /// The direction in which it looks, of length 1; 0 if there is none.
+    /// Returns the direction of the line of sight, of length 1; 0 if `look_at` is the eye.
     fn forward(&self) -> Vec3 {
         (self.look_at - self.eye).normalize_or_zero()
     }
@@ -71,7 +71,7 @@ impl Camera {
     pub(super) fn check(&self, of: Checked) -> Result<(), RangeError> {
         let forward = self.forward();
         let has_view = forward != Vec3::ZERO;
-        // Within a thousandth of the line of sight, rounding decides where the picture's sides are.
+        // Closer to the line of sight, rounding decides where the picture's sides are.
         let is_upright = forward.cross(self.up.normalize_or_zero()).length() > 1e-3;
         let angle = Range(f32::from_bits(1), PI.next_down(), "above 0 and below pi");
         of.field("eye", self.eye, POINT)?;
@@ -86,7 +86,7 @@ impl Camera {
         of.field("field_of_view", self.field_of_view, angle)
     }
 
-    /// The picture plane, at distance 1 from the eye, of a picture of `width` by `height` pixels.
+    /// Returns the picture plane of `width` by `height` pixels, at distance 1 from the eye.
     #[must_use]
     pub fn raster(&self, width: usize, height: usize) -> Raster {
         let forward = unit(
@@ -110,7 +110,7 @@ impl Camera {
     }
 }
 
-/// `v` scaled to length 1, or `otherwise` if `v` is zero, infinite or NaN.
+/// Returns `v` scaled to length 1, or `otherwise` if `v` is zero, infinite or NaN.
 fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     let length = v.length();
     // NaN fails both comparisons.
@@ -121,8 +121,7 @@ fn unit(v: Vec3A, otherwise: Vec3A) -> Vec3A {
     }
 }
 
-/// A number of pixels below 2^24 as an `f32`, which is exact. The conversion goes through `i32`, for which there is one
-/// instruction; for `usize` there is none.
+/// Converts a number of pixels below 2^24, exactly. The cast through `i32` is a single instruction; that from `usize` is not.
 #[inline(always)]
 pub(crate) fn pixels(count: usize) -> f32 {
     count as i32 as f32

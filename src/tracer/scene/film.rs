@@ -1,27 +1,25 @@
-//! How light becomes the picture's colours.
+//! The conversion of light to the picture's colours.
 
 use super::validate::SHARE;
 use crate::range_error::{Checked, RangeError};
 
-/// The treatment of the light that reaches the picture, before it is cut to 0 to 1.
+/// The tone curve, vignette and dither of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Film {
-    /// Where highlights begin to roll off, 0 to 1: a channel `c` above this shoulder `s` becomes `s + x (1 - s) / (1 - s + x)`,
-    /// where x is `c - s`, so that it goes on smoothly and never reaches 1. What one ray brings is cut at 2 before. With 1
-    /// highlights are cut at 1, and nothing below changes.
+    /// The start of the roll-off of highlights, 0 to 1: a channel `c` above this shoulder `s` becomes `s + x (1 - s) / (1 - s + x)`
+    /// with `x = c - s`, a smooth curve below 1. A ray contributes 2 at most. With 1 highlights are clipped.
     pub shoulder: f32,
-    /// How much darker the picture is towards its corners, 0 to 1: light is multiplied by `1 / (1 + vignette r^2)`, at the distance
-    /// r from the picture's middle in halves of its height. 0 leaves it as it is.
+    /// The darkening towards the corners, 0 to 1: light is multiplied by `1 / (1 + vignette r^2)`, where r is the distance from the
+    /// picture's middle in halves of its height.
     pub vignette: f32,
-    /// How far the thresholds are apart at which neighbouring pixels are rounded up to the next of the 255 steps of the output, 0
-    /// to 1 step. With 1 a mean over squares of 4x4 pixels has steps of 1/16, so that slow gradients show no bands; with 0 all
-    /// pixels are rounded alike. The threshold of a pixel depends on its place alone; pixels on edges, which are antialiased, keep
-    /// that of the picture before.
+    /// The range of the rounding thresholds of neighbouring pixels in steps of 1/255, 0 to 1. With 1, the means of squares of 4x4
+    /// pixels have steps of 1/16, so that slow gradients show no bands; with 0 all pixels round alike. A pixel's threshold depends
+    /// on its position only. Antialiased pixels of edges keep their dither.
     pub dither: f32,
-    /// The share of a [`Quality`](crate::Quality)'s tolerances within which squares are filled, 0 to 1. In the dark the eye sees steps that it
-    /// does not see in a bright picture; less than 1 is for scenes with dim edges that matter.
+    /// The factor on a [`Quality`](crate::Quality)'s tolerances for filling squares, 0 to 1. Use less than 1 for dark scenes with
+    /// dim edges, where the eye sees smaller steps.
     pub tolerance: f32,
 }
 
@@ -32,7 +30,7 @@ impl Default for Film {
 }
 
 impl Film {
-    /// Light as it is, cut at 1.
+    /// No change, except clipping at 1.
     pub const PLAIN: Self = Self {
         shoulder: 1.0,
         vignette: 0.0,

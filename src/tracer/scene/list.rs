@@ -1,10 +1,9 @@
-//! A list of fixed capacity, since the library cannot allocate.
+//! A list of fixed capacity, since the library never allocates.
 
 use core::fmt;
 use core::ops::{Deref, DerefMut};
 
-/// Up to `N` items, stored in place. It dereferences to the slice of the items pushed, is displayed as that, and two lists are equal
-/// if those are.
+/// Up to `N` items, stored in place. It dereferences to the slice of its items.
 ///
 /// ```
 /// use eightfold_tracer::scene::List;
@@ -29,14 +28,14 @@ pub struct List<T, const N: usize> {
 }
 
 impl<T: Copy + Default, const N: usize> List<T, N> {
-    /// Returns a list of an array's items, which are `N` at most.
+    /// Returns a list of an array's items, at most `N`.
     #[must_use]
     pub fn of<const K: usize>(items: &[T; K]) -> Self {
         const { assert!(K <= N, "the array has more items than the list's capacity") }
         items.iter().copied().collect()
     }
 
-    /// An empty list whose unused memory holds copies of an item.
+    /// Returns an empty list with copies of an item in its unused memory.
     pub(crate) const fn over(item: T) -> Self {
         Self {
             items: [item; N],
@@ -52,7 +51,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
     /// Appends an item.
     ///
     /// # Panics
-    /// If the list has `N` items.
+    /// If the list is full.
     pub fn push(&mut self, item: T) {
         self.items[self.len] = item;
         self.len += 1;
@@ -61,7 +60,7 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
     /// Appends an item.
     ///
     /// # Errors
-    /// If the list has `N` items, which stay.
+    /// If the list is full. It stays unchanged.
     pub fn try_push(&mut self, item: T) -> Result<(), CapacityError> {
         let len = self.len + 1;
         if len > N {

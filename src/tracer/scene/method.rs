@@ -1,26 +1,25 @@
-//! Explanation of the rendering method: an overlay, and a picture that has not been refined to its end.
+//! Visualisation of the rendering method.
 
 use super::validate::SHARE;
 use crate::range_error::{Checked, Range, RangeError};
 
-/// How brightly a frame shows the points that were traced, the squares that were filled, and the picture itself, 0 to 1 each;
-/// and how coarse the picture stays.
+/// An overlay that shows the traced points and the filled squares, and the coarseness of the picture below.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Method {
-    /// Brightness of a white dot on every point that was traced.
+    /// The brightness of a white dot on every traced point, 0 to 1.
     pub points: f32,
-    /// Brightness of the outlines of the squares that were filled.
+    /// The brightness of the outlines of filled squares, 0 to 1.
     pub squares: f32,
-    /// Brightness of the picture itself; 1 leaves it as it is.
+    /// The brightness of the picture itself, 0 to 1.
     pub picture: f32,
-    /// The side in pixels up to which squares are filled with one colour, whatever their corners show: 0 to
-    /// [`Quality::MAX_SQUARE`](crate::Quality::MAX_SQUARE); below 2 there are none. The largest squares are as large as these, and a
-    /// coarse picture is not antialiased.
+    /// The side in pixels up to which squares are filled with one colour, whatever their corners show, 0 to
+    /// [`Quality::MAX_SQUARE`](crate::Quality::MAX_SQUARE); none below 2. The largest squares have at least this side, and a coarse
+    /// picture is not antialiased.
     pub coarse: f32,
-    /// How far a front has come over the picture from the left, as a share of its width, 0 to 1. Behind it the picture is finished:
-    /// at full brightness and antialiased, without marks. The front itself is a bright line.
+    /// The position of a front that moves over the picture from the left, as a share of its width, 0 to 1. Left of it the picture
+    /// is finished: at full brightness and antialiased, without marks. The front itself is a bright line.
     pub front: f32,
 }
 
@@ -31,7 +30,7 @@ impl Default for Method {
 }
 
 impl Method {
-    /// The picture without an overlay.
+    /// No overlay.
     pub const PLAIN: Self = Self {
         points: 0.0,
         squares: 0.0,

@@ -1,8 +1,7 @@
-//! The scene description: a camera, spheres, planes, boxes, cylinders and capsules with their materials, lights, captions and copper
-//! bars.
+//! The scene description: camera, shapes, materials, lights, captions and copper bars.
 //!
 //! Coordinates are right-handed with y up. Lengths are in scene units, angles in radians, colours in linear RGB with 1 as the
-//! brightest that is shown. [`Scene::validate`] checks that every number is in the range that its documentation gives.
+//! brightest displayed value. [`Scene::validate`] checks every number against its documented range.
 
 mod block;
 pub(crate) mod camera;
@@ -31,25 +30,25 @@ use core::f32::consts::PI;
 use glam::{Mat3, Vec3, Vec3A};
 use validate::{EXTENT, LENGTH, POINT, SHARE};
 
-/// The most spheres in a scene. The show uses up to 256.
+/// The maximum number of spheres. The show uses up to 256.
 pub const MAX_SPHERES: usize = 320;
-/// The most planes in a scene.
+/// The maximum number of planes.
 pub const MAX_PLANES: usize = 8;
-/// The most blocks in a scene: boxes, cylinders and capsules.
+/// The maximum number of blocks: boxes, cylinders and capsules.
 pub const MAX_BLOCKS: usize = 128;
-/// The most solids in a scene: spheres and blocks.
+/// The maximum number of solids: spheres and blocks.
 pub(crate) const MAX_SOLIDS: usize = MAX_SPHERES + MAX_BLOCKS;
-/// The most lights in a scene.
+/// The maximum number of lights.
 pub const MAX_LIGHTS: usize = 4;
 
-/// The most captions in a scene. The show has up to 3 at a time.
+/// The maximum number of captions. The show uses up to 3.
 pub const MAX_CAPTIONS: usize = 10;
-/// The most copper bars in a scene. The show has 2 at a time.
+/// The maximum number of copper bars. The show uses 2.
 pub const MAX_COPPER_BARS: usize = 16;
-/// The most letters in a caption. The longest in the show has 32.
+/// The maximum number of letters in a caption. The longest of the show has 32.
 pub const MAX_LETTERS: usize = 32;
 
-/// Everything that one frame shows.
+/// The content of a frame.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -58,33 +57,33 @@ pub struct Scene {
     pub camera: Camera,
     /// The colour of the background at the horizon and below, 0 to 1e9 in each channel.
     pub background: Vec3,
-    /// Added to the background at the zenith; it may be negative, and the sum is 0 to 1e9 in each channel. For a ray whose direction,
-    /// of length 1, rises by y it is weighted by `y (2 - y)`.
+    /// The difference between the zenith and the horizon, added to `background` with the weight `y (2 - y)`, where y is the height
+    /// of the ray's direction, of length 1. It may be negative; the sum is 0 to 1e9 in each channel.
     pub sky: Vec3,
-    /// The density of the haze, in 1 / scene units, 0 to 1000; 0 is clear air. Over a distance t a surface's light fades to the
-    /// share `1 / (1 + (haze t)^2)`, and the background makes up for the rest.
+    /// The density of the haze in 1 / scene units, 0 to 1000. At a distance t, surfaces have the weight `1 / (1 + (haze t)^2)`, and
+    /// the background has the rest.
     pub haze: f32,
-    /// The factor on all light of the picture, 0 to 11: 0 is black, 1 leaves it as it is, more brightens it.
+    /// The factor on all light of the picture, 0 to 11.
     pub exposure: f32,
-    /// How light becomes the picture's colours.
+    /// The conversion of light to the picture's colours.
     pub film: Film,
-    /// Ambient light, which reaches every surface equally, 0 to 1e9 in each channel.
+    /// The ambient light on all surfaces, 0 to 1e9 in each channel.
     pub ambient: Vec3,
     /// The overlay that explains the rendering method.
     pub method: Method,
-    /// Spheres, in any order.
+    /// The spheres, in any order.
     pub spheres: List<Sphere, MAX_SPHERES>,
-    /// Horizontal rectangles.
+    /// The planes: horizontal rectangles.
     pub planes: List<Plane, MAX_PLANES>,
     /// The waves on the first plane.
     pub water: Waves,
-    /// Boxes, cylinders and capsules.
+    /// The boxes, cylinders and capsules.
     pub blocks: List<Block, MAX_BLOCKS>,
-    /// Lights.
+    /// The lights.
     pub lights: List<Light, MAX_LIGHTS>,
-    /// Text over the picture.
+    /// The text over the picture.
     pub captions: List<Caption, MAX_CAPTIONS>,
-    /// Bars over the picture, behind its text.
+    /// The bars over the picture, behind the captions.
     pub copper_bars: List<CopperBar, MAX_COPPER_BARS>,
 }
 
@@ -95,7 +94,7 @@ impl Default for Scene {
 }
 
 impl Scene {
-    /// Without objects. The unused memory of lists is all zeros.
+    /// No objects. The unused memory of lists is zero.
     const EMPTY: Self = {
         let material = Material {
             exponent: 0.0,
@@ -125,7 +124,7 @@ impl Scene {
         }
     };
 
-    /// All zeros: memory for a scene that takes no space in an executable file. It is not a valid scene.
+    /// All zeros: the initial value of a `static` scene that takes no space in an executable file. It is invalid.
     pub const ZEROED: Self = Self {
         camera: Camera {
             eye: Vec3::ZERO,
@@ -146,46 +145,45 @@ impl Scene {
         ..Self::EMPTY
     };
 
-    /// The number of spheres and blocks.
+    /// Returns the number of spheres and blocks.
     pub(crate) fn solids(&self) -> usize {
         self.spheres.len() + self.blocks.len()
     }
 }
 
-/// How a surface reflects light, by Phong's model, and how it continues rays.
+/// A surface that reflects light by Phong's model, and reflects and transmits rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Material {
-    /// The colour of the surface, 0 to 1e9 in each channel; above 1 it reflects more light than reaches it.
+    /// The colour, 0 to 1e9 in each channel. Above 1 it reflects more light than it receives.
     pub colour: Vec3,
     /// The diffuse coefficient, 0 to 1.
     pub kd: f32,
     /// The specular coefficient, 0 to 1.
     pub ks: f32,
-    /// The exponent of the highlight, 1 to 1000. Larger exponents make smaller, sharper highlights.
+    /// The exponent of highlights, 1 to 1000. Larger exponents give smaller, sharper highlights.
     pub exponent: f32,
-    /// How far highlights take the surface's colour, 0 to 1. Those of plastic, 0, have the light's colour, and those of metal, 1,
-    /// the light's times the surface's. What the surface mirrors keeps its colours.
+    /// The tint of highlights by the surface's colour, from 0, the light's colour as on plastic, to 1, the product of both colours
+    /// as on metal. Mirror images keep their colours.
     pub metallic: f32,
-    /// How far fine grooves spread highlights, 0 to 1. They run in circles around the object's own y axis, which of a sphere or a
-    /// plane is the vertical, as a lathe leaves them. The cosine of Phong's model is `1 - d.d / 2`, where d is the difference
-    /// of the directions to the light and of the mirrored ray; the part of d across the grooves counts by the share
-    /// `1 - anisotropy` of its square. 1 is about the model of threads (Kajiya and Kay: Rendering Fur with Three Dimensional
-    /// Textures, SIGGRAPH 1989).
+    /// The spread of highlights by fine grooves, 0 to 1. Grooves run in circles around the object's own y axis, as on a lathe; the
+    /// y axis of spheres and planes is vertical. The cosine of Phong's model is `1 - d.d / 2`, where d is the difference between
+    /// the directions of the light and of the mirrored ray; the square of d's part across the grooves is multiplied by `1 -
+    /// anisotropy`. 1 is close to the thread model (Kajiya and Kay: Rendering Fur with Three Dimensional Textures, SIGGRAPH 1989).
     pub anisotropy: f32,
     /// The weight of the reflected ray, 0 to 1.
     pub kr: f32,
-    /// How much more it reflects at grazing angles, 0 to 1, by Schlick's approximation: at an angle with the cosine c the share
-    /// `f = fresnel (1 - c)^5` of what `kr` leaves of 1 is added to it, and the transmitted ray loses the share f. 1 is a
-    /// polished surface, 0 one that reflects the same at all angles.
+    /// The increase of reflection at grazing angles, 0 to 1, by Schlick's approximation. At an angle with the cosine c, let `f =
+    /// fresnel (1 - c)^5`: the reflected weight is `kr + f (1 - kr)`, and the transmitted one `kt (1 - f)`. 1 is a polished
+    /// surface.
     pub fresnel: f32,
-    /// The weight of the transmitted ray, 0 to 1. The surface is transparent if it is above 0.
+    /// The weight of the transmitted ray, 0 to 1. Above 0 the surface is transparent.
     pub kt: f32,
-    /// The refractive index of the inside relative to the outside, 0.1 to 10. It matters only if `kt` is above 0.
+    /// The refractive index of the inside relative to the outside, 0.1 to 10. It is ignored if `kt` is 0.
     pub index: f32,
-    /// The colour of the object's shadow by lights with a [`Light::diameter`]: the share of each channel that it lets through, 0
-    /// to 1. Black casts a full shadow.
+    /// The colour of the object's shadow by lights with a [`Light::diameter`]: the share of each channel that passes through, 0 to
+    /// 1. Black casts a full shadow.
     pub tint: Vec3,
     /// The texture.
     pub pattern: Pattern,
@@ -214,7 +212,7 @@ impl Material {
         pattern: Pattern::NONE,
     };
 
-    /// One that scatters light alone, in a colour and with a diffuse coefficient, 0 to 1.
+    /// Returns a diffuse material with a colour and a diffuse coefficient, 0 to 1.
     #[must_use]
     pub const fn matt(colour: Vec3, kd: f32) -> Self {
         Self {
@@ -224,14 +222,14 @@ impl Material {
         }
     }
 
-    /// A mirror that reflects the share `kr` of light, 0 to 1, and nothing else.
+    /// Returns a mirror that reflects the share `kr` of light, 0 to 1.
     #[must_use]
     pub const fn mirror(kr: f32) -> Self {
         Self { kr, ..Self::BLACK }
     }
 
-    /// Clear glass of a refractive index, 0.1 to 10: that of windows is 1.5. It reflects by Schlick's approximation of Fresnel's
-    /// equations.
+    /// Returns clear glass with a refractive index, 0.1 to 10, by Schlick's approximation of Fresnel's equations. Window glass has
+    /// 1.5.
     #[must_use]
     pub const fn glass(index: f32) -> Self {
         let root = (index - 1.0) / (index + 1.0);
@@ -248,7 +246,7 @@ impl Material {
         }
     }
 
-    /// Polished metal of a colour, whose highlights have the colour, too. What it mirrors keeps its colours.
+    /// Returns polished metal. Its highlights have the colour `colour`; its mirror images keep their colours.
     #[must_use]
     pub const fn metal(colour: Vec3) -> Self {
         Self {
@@ -262,13 +260,13 @@ impl Material {
         }
     }
 
-    /// The same material with a texture.
+    /// Returns the material with a texture.
     #[must_use]
     pub const fn with_pattern(self, pattern: Pattern) -> Self {
         Self { pattern, ..self }
     }
 
-    /// Whether it mirrors light or lets light through. Glass does even with a `kr` of 0: it reflects all light at some angles.
+    /// Returns whether the material reflects or transmits rays. Glass reflects even if `kr` is 0, at angles of total reflection.
     #[must_use]
     pub fn is_specular(&self) -> bool {
         self.kr + self.fresnel + self.kt > 0.0
@@ -294,15 +292,13 @@ impl Material {
     }
 }
 
-/// A sphere.
-///
-/// As far as shadows are concerned it is hollow: a light that lies wholly within lights its inside, and nothing outside but by the
-/// material's `tint` (see [`Light::diameter`]).
+/// A sphere. For shadows it is hollow: a light wholly inside illuminates the inside, and the outside only through the material's
+/// `tint` (see [`Light::diameter`]).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Sphere {
-    /// The centre, in scene units; coordinates up to [`MAX_LENGTH`].
+    /// The centre in scene units, coordinates up to [`MAX_LENGTH`].
     pub centre: Vec3,
     /// The radius in scene units, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub radius: f32,
@@ -311,7 +307,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// A sphere by its centre and radius.
+    /// Returns a sphere.
     #[must_use]
     pub const fn new(centre: Vec3, radius: f32, material: Material) -> Self {
         Self {
@@ -328,12 +324,12 @@ impl Sphere {
     }
 }
 
-/// A horizontal rectangle, visible from above and from below. It casts a shadow, which no `tint` colours.
+/// A horizontal rectangle, visible from both sides. It casts a black shadow, whatever its `tint`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Plane {
-    /// The centre, in scene units; coordinates up to [`MAX_LENGTH`].
+    /// The centre in scene units, coordinates up to [`MAX_LENGTH`].
     pub centre: Vec3,
     /// Half the extent along x in scene units, [`MIN_LENGTH`] to [`MAX_LENGTH`].
     pub half_x: f32,
@@ -344,7 +340,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// A rectangle by its centre and half its extents along x and z.
+    /// Returns a rectangle with half its extents along x and z.
     #[must_use]
     pub const fn new(centre: Vec3, half_x: f32, half_z: f32, material: Material) -> Self {
         Self {
@@ -370,9 +366,9 @@ pub enum Shape {
     /// A box.
     #[default]
     Box,
-    /// A cylinder about the block's own y axis.
+    /// A cylinder along the block's own y axis.
     Cylinder,
-    /// A cylinder about the block's own y axis, with a half sphere at each end.
+    /// A cylinder along the block's own y axis with a half sphere at each end.
     Capsule,
 }
 
@@ -381,31 +377,30 @@ pub enum Shape {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Light {
-    /// The position, in scene units; coordinates up to [`MAX_LENGTH`].
+    /// The position in scene units, coordinates up to [`MAX_LENGTH`].
     pub position: Vec3,
     /// The colour times the brightness, 0 to 1e9 in each channel.
     pub colour: Vec3,
-    /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`], or 0 for a light that is invisible. The
-    /// sphere casts no shadow, and haze does not dim it.
+    /// The radius of the sphere that shows the light, [`MIN_LENGTH`] to [`MAX_LENGTH`]; 0 for an invisible light. The sphere casts
+    /// no shadow, and haze does not dim it.
     pub drawn_radius: f32,
-    /// Whether its rays are nearly parallel, like the sun's: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and
+    /// Whether the rays are nearly parallel, as sunlight: `position`, `diameter` and `glow` are multiplied by [`Light::FAR`], and
     /// the light is not drawn.
     pub parallel: bool,
-    /// The diameter of the light as far as shadows are concerned, 0 to [`MAX_LENGTH`]. Above 0 the shadows of spheres have
-    /// penumbrae, and a material's `tint` colours its shadow: without `tint` no light passes through glass. 0 is a point, whose shadows are
-    /// hard and black. The inside of a
-    /// sphere is lit by lights that lie wholly within; one that reaches through the surface leaves it dark.
+    /// The diameter for shadows, 0 to [`MAX_LENGTH`]. Above 0, spheres cast penumbrae, and a material's `tint` colours its shadow;
+    /// glass without a tint casts a black shadow. 0 is a point, with hard and black shadows. A light wholly inside a sphere
+    /// illuminates its inside; a light that crosses the surface does not.
     pub diameter: f32,
-    /// The radius of the glow around it, 0 to [`MAX_LENGTH`]; 0 is none. The air shines with the light's colour, as bright as that
-    /// where a ray passes through the position, half as bright at this distance, and less by its square far away. What is before
-    /// the light is in front of the half of the glow that is behind it. Of parallel rays the radius is multiplied by
-    /// [`Light::FAR`], too, so that the glow is the sun's disc.
+    /// The radius of the glow around the light, 0 to [`MAX_LENGTH`]; 0 for none. The glow has the light's colour where a ray passes
+    /// through the position, half of it at this distance, and falls off with the squared distance far away. An object in front of
+    /// the light hides the half of the glow that is behind it. The radius of parallel lights is multiplied by [`Light::FAR`], so
+    /// that their glow is the sun's disc.
     pub glow: f32,
     /// The cone of a spotlight; `None` shines in all directions.
     pub spot: Option<Spot>,
 }
 
-/// A white light above the left of the default camera.
+/// A white light above and to the left of the default camera.
 impl Default for Light {
     fn default() -> Self {
         Self::new(Vec3::new(-2.0, 3.0, 2.0), Vec3::ONE)
@@ -413,8 +408,8 @@ impl Default for Light {
 }
 
 impl Light {
-    /// The factor on the position of a light with parallel rays. Across a scene as wide as the light's distance its rays differ
-    /// in direction by at most 0.001 radians.
+    /// The factor on the position of a light with parallel rays. Across a scene as wide as the light's distance, the directions of
+    /// its rays differ by at most 0.001 radians.
     pub const FAR: f32 = 1000.0;
 
     /// A black, invisible point.
@@ -428,7 +423,7 @@ impl Light {
         spot: None,
     };
 
-    /// An invisible point at a position, in a colour times its brightness.
+    /// Returns an invisible point light.
     #[must_use]
     pub const fn new(position: Vec3, colour: Vec3) -> Self {
         Self {
@@ -438,7 +433,7 @@ impl Light {
         }
     }
 
-    /// A sun, whose rays come from where the position is seen from the origin.
+    /// Returns a sun, whose rays come from the direction of `position` seen from the origin.
     #[must_use]
     pub const fn sun(position: Vec3, colour: Vec3) -> Self {
         Self {
@@ -447,7 +442,7 @@ impl Light {
         }
     }
 
-    /// A spotlight at a position, see [`Spot::new`].
+    /// Returns a spotlight, see [`Spot::new`].
     #[must_use]
     pub const fn spotlight(position: Vec3, aim: Vec3, outer_angle: f32, colour: Vec3) -> Self {
         Self {
@@ -456,28 +451,28 @@ impl Light {
         }
     }
 
-    /// The factor on lengths: parallel rays come from far away.
+    /// Returns the factor on lengths.
     fn far(&self) -> f32 {
         if self.parallel { Self::FAR } else { 1.0 }
     }
 
-    /// The position that shadow rays aim at.
+    /// Returns the target of shadow rays.
     pub(crate) fn shadow_position(&self) -> Vec3A {
         Vec3A::from(self.position) * self.far()
     }
 
-    /// The diameter at [`Light::shadow_position`].
+    /// Returns the diameter at [`Light::shadow_position`].
     pub(crate) fn shadow_diameter(&self) -> f32 {
         self.diameter * self.far()
     }
 
-    /// The radius of the glow at [`Light::shadow_position`].
+    /// Returns the radius of the glow at [`Light::shadow_position`].
     pub(crate) fn glow_radius(&self) -> f32 {
         self.glow * self.far()
     }
 
-    /// The largest width of a penumbra where its shadow is cast. Penumbrae of parallel rays would grow without end: theirs stay
-    /// as wide as at four times the distance of `position`.
+    /// Returns the upper limit of the width of a penumbra at its occluder. For parallel rays it is the width at four times the
+    /// distance of `position`, since their penumbrae grow without end.
     pub(crate) fn max_penumbra(&self) -> f32 {
         if self.parallel {
             4.0 * self.diameter
@@ -486,7 +481,7 @@ impl Light {
         }
     }
 
-    /// Whether it is a point that shines in all directions: its shadows are hard.
+    /// Returns whether the light is a point that shines in all directions: its shadows are hard.
     pub(crate) fn is_point(&self) -> bool {
         self.diameter == 0.0 && !self.parallel && self.spot.is_none()
     }
@@ -509,15 +504,15 @@ impl Light {
 
 /// The cone of a spotlight, with a soft edge.
 ///
-/// Its brightness depends on the cosine of the angle between `aim` and the direction of the light: 1 within `inner_angle`, 0 beyond
-/// `outer_angle`, and `s^2 (3 - 2 s)` between them, where s rises linearly from 0 to 1 as the cosine does.
+/// The brightness is 1 within `inner_angle` of `aim`, 0 beyond `outer_angle`, and `s^2 (3 - 2 s)` between them, where s rises
+/// linearly from 0 to 1 with the cosine of the angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Spot {
-    /// The direction in which it points, of any length but 0.
+    /// The direction of the light, of any length above 0.
     pub aim: Vec3,
-    /// The angle from `aim` to the inner edge in radians, from 0 to below `outer_angle`.
+    /// The angle from `aim` to the inner edge in radians, at least 0 and below `outer_angle`.
     pub inner_angle: f32,
     /// The angle from `aim` to the outer edge in radians, up to pi.
     pub outer_angle: f32,
@@ -531,7 +526,7 @@ impl Default for Spot {
 }
 
 impl Spot {
-    /// A cone by its direction, of any length, and the angle to its outer edge. Three quarters of that are the angle to its inner edge.
+    /// Returns a cone with a direction of any length, and its outer angle in radians. The inner angle is three quarters of it.
     #[must_use]
     pub const fn new(aim: Vec3, outer_angle: f32) -> Self {
         Self {

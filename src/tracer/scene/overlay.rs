@@ -1,4 +1,4 @@
-//! Overlays of the picture: lines of text and copper bars.
+//! Captions and copper bars over the picture.
 
 use super::validate::SHARE;
 use super::{List, MAX_LETTERS};
@@ -10,24 +10,24 @@ use glam::Vec3;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Caption {
-    /// ASCII capitals, digits, full stops, and `/` for ±. Any other byte is a space, except the signs of digits, each of one number:
+    /// ASCII capitals, digits, full stops, and `/` for ±. Other bytes are spaces. Each of these signs is a digit of a number:
     ///
     /// | sign | in a scene | by [`Frame::write`](crate::Frame::write) |
     /// | --- | --- | --- |
-    /// | `#` | the points that were traced for the frame | the first number |
+    /// | `#` | the traced points of the frame | the first number |
     /// | `$` | the pixels of the frame | the second number |
     /// | `%` | a space | the third number |
     /// | `&` | a space | the fourth number |
     ///
-    /// The last sign of a kind is the last digit of its number; a space stands where a number has no more digits.
+    /// The last sign of a kind is the last digit; missing digits in front are spaces.
     #[cfg_attr(feature = "serde", serde(with = "super::serial::text"))]
     pub letters: List<u8, MAX_LETTERS>,
-    /// The middle of the line, as a share of the picture's height from the top, 0 to 1.
+    /// The middle of the line, relative to the picture's height from the top, 0 to 1.
     pub middle: f32,
-    /// The height of a letter, 0 to 1, as a share of the picture's height. In a picture narrower than 16:9 it is a share of the
-    /// height that a 16:9 picture of the same width has, so that lines are not cut off.
+    /// The height of a letter relative to the picture's height, 0 to 1. In pictures narrower than 16:9 it is relative to the height
+    /// of a 16:9 picture of the same width, so that lines fit.
     pub size: f32,
-    /// From 0, invisible, to 1, white.
+    /// The opacity, from 0, invisible, to 1, white.
     pub brightness: f32,
 }
 
@@ -57,18 +57,18 @@ impl Caption {
     }
 }
 
-/// A bar across the whole picture that is shaded like a rod, as the Amiga's copper made them out of background colours.
+/// A bar across the picture, shaded like a rod, as on the Amiga's copper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct CopperBar {
-    /// The middle of the bar, as a share of the picture's height from the top, 0 to 1.
+    /// The middle of the bar, relative to the picture's height from the top, 0 to 1.
     pub middle: f32,
-    /// Its height, 0 to 1, as a share of the picture's height.
+    /// The height of the bar, relative to the picture's height, 0 to 1.
     pub height: f32,
-    /// The colour of its middle, 0 to 1 in each channel; towards its sides it is darker, and black on them.
+    /// The colour of the middle, 0 to 1 in each channel. It fades to black at both sides.
     pub colour: Vec3,
-    /// How much of the picture it covers: from 0, invisible, to 1, all that is behind it.
+    /// The opacity, from 0, invisible, to 1, opaque.
     pub brightness: f32,
 }
 

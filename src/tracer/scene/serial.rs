@@ -1,4 +1,4 @@
-//! Lists in serde's formats: as sequences, and letters as text.
+//! Serde formats of lists: as sequences, and letters as text.
 
 use super::List;
 use core::fmt;
@@ -17,7 +17,6 @@ impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Deserialize<'de>
     }
 }
 
-/// Appends the items that are read.
 impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for List<T, N> {
     type Value = Self;
 
@@ -34,7 +33,7 @@ impl<'de, T: Copy + Default + Deserialize<'de>, const N: usize> Visitor<'de> for
     }
 }
 
-/// A list of letters as text.
+/// Serialises a list of letters as text.
 pub(super) mod text {
     use super::*;
 
@@ -49,7 +48,6 @@ pub(super) mod text {
         from.deserialize_str(Text)
     }
 
-    /// Reads a list of letters from text.
     struct Text<const N: usize>;
 
     impl<const N: usize> Visitor<'_> for Text<N> {

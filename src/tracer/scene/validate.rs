@@ -4,25 +4,23 @@ use super::{Block, Caption, CopperBar, Light, Plane, Scene, Sphere};
 use crate::range_error::{Checked, Range, RangeError};
 use glam::Vec3;
 
-/// The largest coordinate and the largest extent, in scene units: their squares, times a few, stay finite in f32.
+/// The largest coordinate and extent, in scene units: a few times its square is finite in f32.
 pub const MAX_LENGTH: f32 = 1e9;
-/// The smallest radius and the smallest extent: their squares stay normal numbers.
+/// The smallest radius and extent, in scene units: its square is a normal number.
 pub const MIN_LENGTH: f32 = 1e-9;
 
 pub(super) const POINT: Range = Range(-MAX_LENGTH, MAX_LENGTH, "-1e9 to 1e9");
 pub(super) const EXTENT: Range = Range(MIN_LENGTH, MAX_LENGTH, "1e-9 to 1e9");
-/// Also of colours: bright lights are above 1.
+/// Also for colours: bright lights are above 1.
 pub(super) const LENGTH: Range = Range(0.0, MAX_LENGTH, "0 to 1e9");
 pub(super) const SHARE: Range = Range(0.0, 1.0, "0 to 1");
 pub(super) const SIGNED: Range = Range(-1.0, 1.0, "-1 to 1");
 pub(super) const THOUSAND: Range = Range(0.0, 1e3, "0 to 1000");
 
-/// Whether a direction has the length 1.
 pub(super) fn is_unit(v: Vec3) -> bool {
     (v.length() - 1.0).abs() < 1e-4
 }
 
-/// Checks the items of a list.
 fn each<T>(
     object: &'static str,
     items: &[T],
@@ -36,12 +34,12 @@ fn each<T>(
 }
 
 impl Scene {
-    /// Checks that every number of the scene is in the range of its documentation.
+    /// Checks every number of the scene against its documented range.
     ///
-    /// A valid scene gives the picture that [`crate::limits`] promises. An invalid one gives some picture, in bounded time.
+    /// Valid scenes have the accuracy in [`crate::limits`]. An invalid one gives some picture, in bounded time.
     ///
     /// # Errors
-    /// The first number that is out of its range, by the name that it has in a program.
+    /// The first number that is out of range.
     pub fn validate(&self) -> Result<(), RangeError> {
         let zenith = self.background + self.sky;
         let sky = "at least -background, at most 1e9 - background";

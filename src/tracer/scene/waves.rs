@@ -3,54 +3,51 @@
 use super::validate::EXTENT;
 use crate::range_error::{Checked, Range, RangeError};
 
-/// Waves on the first plane of a scene, which make water of a mirror. They tilt the normals by which light is reflected, and leave
-/// the plane where it is.
+/// Waves on the first plane of a scene, which turn a mirror into water. They tilt the normals of reflection; the plane stays flat.
 ///
-/// There are six, each [`Waves::SHORTER`] times as long as the one before, and of the same slope. The first goes along z, the others
-/// in directions that are each turned by [`Waves::TURN`] radians more from z towards x. At a point u wavelengths from where a wave
-/// is level, -1/2 to 1/2, it rises by `8 u (1 - 2 |u|)` times the slope: two arcs of parabolas, nearly a sine.
+/// There are six waves of equal slope, each [`Waves::SHORTER`] times as long as the previous one. The first travels along z, each
+/// other one in a direction turned by [`Waves::TURN`] radians from z towards x. At u wavelengths from a level point of a wave, -1/2
+/// to 1/2, its slope is `8 u (1 - 2 |u|)` times the steepest one: two arcs of parabolas, nearly a sine.
 ///
-/// Where a pixel sees w scene units along the water, a wave of the length l has the share `1 - w x / l` of its slope, where x is
-/// [`Waves::PIXELS`], and none if that is negative: what is too fine to be drawn, far from the eye, is calm.
+/// Where a pixel covers w scene units of water, the slope of a wave of the length l is multiplied by `1 - w x / l`, where x is
+/// [`Waves::PIXELS`], or by 0 if that is negative: distant water is calm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Waves {
-    /// The steepest slope of each wave, 0 to 0.1. With 0 there are none.
+    /// The steepest slope of each wave, 0 to 0.1. 0 turns waves off.
     pub slope: f32,
-    /// The length of the longest wave in scene units, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH); or 0 if
-    /// `slope` is.
+    /// The length of the longest wave in scene units, [`MIN_LENGTH`](super::MIN_LENGTH) to [`MAX_LENGTH`](super::MAX_LENGTH); 0 is
+    /// allowed if `slope` is 0.
     pub length: f32,
-    /// How far they have gone on, in lengths of the longest wave, -1e6 to 1e6. Each wave goes on by [`Waves::FASTER`] times as many
-    /// of its own lengths as the one before, as waves of deep water do.
+    /// The distance that the longest wave has travelled, in its lengths, -1e6 to 1e6. Each next wave travels [`Waves::FASTER`]
+    /// times that number of its own lengths, as waves of deep water do.
     pub phase: f32,
 }
 
 impl Waves {
-    /// The longest wave is less than so many times as long as any: there are six.
+    /// The ratio of the longest to the shortest wave is below this: there are six waves.
     pub const FINEST: f32 = 20.0;
-    /// A wave's length, as a share of that of the one before.
+    /// The ratio of a wave's length to that of the previous one.
     pub const SHORTER: f32 = 0.5625;
-    /// How many more of its lengths a wave goes on than the one before: the root of 1 / [`Waves::SHORTER`].
+    /// The ratio of the distances travelled by a wave and the previous one, in their lengths: the root of 1 / [`Waves::SHORTER`].
     pub const FASTER: f32 = 4.0 / 3.0;
-    /// The angle between the directions of a wave and of the next, in radians: the golden angle, so that none are alike.
+    /// The angle between the directions of successive waves in radians: the golden angle, so that all directions differ.
     pub const TURN: f32 = 2.4;
-    /// The length, in pixels, at which waves end: the corners of squares of 8 pixels would meet such waves at random.
+    /// The length in pixels below which waves vanish: the corners of 8-pixel squares would sample them at random.
     pub const PIXELS: f32 = 10.0;
 
-    /// The steepest slope of all waves together, as a share of the steepness of the ray that sees them, which is by how much it goes
-    /// down in each unit of its length. Steeper water is that steep: it does not turn its back to the ray, nor mirror it to below
-    /// the water.
+    /// The limit of the total slope, relative to the steepness of the ray: the amount by which it descends per unit of length. With
+    /// this limit the water never faces away from the ray, and never reflects it below the surface.
     pub const STEEPEST: f32 = 0.375;
 
-    /// No waves: a flat mirror.
+    /// A flat mirror.
     pub const CALM: Self = Self {
         slope: 0.0,
         length: 0.0,
         phase: 0.0,
     };
 
-    /// Whether there are none.
     pub(crate) fn are_calm(&self) -> bool {
         self.slope == 0.0
     }
