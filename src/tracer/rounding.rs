@@ -88,7 +88,7 @@ pub(crate) const USUAL: f32 = 0.03;
 pub(crate) const CORNER: f32 = 2e-4;
 
 /// The largest error of a block's corner seen from a light, which may be a thousand times as far away: two roundings.
-pub(crate) const CORNER_BY_LAMP: f32 = 1e-7;
+pub(crate) const CORNER_BY_LIGHT: f32 = 1e-7;
 
 /// The largest error of a hit towards the eye, relative to the extent of the object.
 pub(crate) const CONTACT: f32 = 1e-6;
